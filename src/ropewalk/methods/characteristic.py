@@ -1,0 +1,157 @@
+"""What one step of each method does to one mode of vibration.
+
+A mode with stiffness k, friction c and mass m obeys ``m x'' + c x' + k x = 0``. One step of
+length dt multiplies its state by a matrix that depends on two numbers without a unit:
+
+    a = k dt^2 / m        b = c dt / m
+
+The functions here return the characteristic polynomial of that matrix, monic, highest power
+first, along the last axis; a and b are arrays that broadcast. ``MARGINS`` holds, for each method,
+the Jury conditions of the same polynomial written out: the mode is stable exactly when none of
+the numbers is negative. They are kept in expanded form because the friction that decides the
+stability of `euler` and `heun` is lost to rounding in ``1 - det``.
+
+Source: E. I. Jury, Theory and Application of the z-Transform Method (1964); Hairer, Norsett,
+Wanner, Solving Ordinary Differential Equations I and II (stability functions).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Array = NDArray[np.float64]
+Characteristic = Callable[[ArrayLike, ArrayLike], Array]
+Margins = Callable[[Array, Array], tuple[Array, ...]]
+
+
+def _polynomial(*coefficients: ArrayLike) -> Array:
+    return np.stack(np.broadcast_arrays(*coefficients), axis=-1).astype(np.float64)
+
+
+def _pair(a: ArrayLike, b: ArrayLike) -> tuple[Array, Array]:
+    return np.asarray(a, dtype=np.float64), np.asarray(b, dtype=np.float64)
+
+
+def euler(a: ArrayLike, b: ArrayLike) -> Array:
+    """Explicit Euler: v1 = v + dt f(x, v), x1 = x + dt v."""
+    a, b = _pair(a, b)
+    return _polynomial(1.0, -(2.0 - b), 1.0 - b + a)
+
+
+def semi_implicit_euler(a: ArrayLike, b: ArrayLike) -> Array:
+    """Semi-implicit Euler: v1 = v + dt f(x, v), x1 = x + dt v1."""
+    a, b = _pair(a, b)
+    return _polynomial(1.0, -(2.0 - a - b), 1.0 - b)
+
+
+def verlet(a: ArrayLike, b: ArrayLike) -> Array:
+    """Velocity Verlet whose new force uses the predicted velocity v + dt f0.
+
+    The force is carried to the next step, so the state is (x, v, f) and the polynomial cubic;
+    without friction one root is zero and the others are those of `semi_implicit_euler`.
+    """
+    a, b = _pair(a, b)
+    return _polynomial(1.0, -(2.0 - a - 1.5 * b), 1.0 - 2.0 * b, 0.5 * b)
+
+
+def heun(a: ArrayLike, b: ArrayLike) -> Array:
+    """Heun: the explicit trapezoid, R(z) = 1 + z + z^2 / 2."""
+    a, b = _pair(a, b)
+    return _polynomial(1.0, -(2.0 - _heun_drop(a, b)), 1.0 - _heun_loss(a, b))
+
+
+def rk4(a: ArrayLike, b: ArrayLike) -> Array:
+    """Classical Runge-Kutta: R(z) = 1 + z + z^2/2 + z^3/6 + z^4/24."""
+    a, b = _pair(a, b)
+    return _polynomial(1.0, -(2.0 - _rk4_drop(a, b)), 1.0 - _rk4_loss(a, b))
+
+
+# A "drop" is 2 - trace, a "loss" is 1 - det. Both follow from trace = R(z1) + R(z2) and
+# det = R(z1) R(z2) with z1 + z2 = -b and z1 z2 = a.
+
+
+def _heun_drop(a: Array, b: Array) -> Array:
+    return b + a - 0.5 * b * b
+
+
+def _heun_loss(a: Array, b: Array) -> Array:
+    return b - 0.5 * b * b + 0.5 * a * b - 0.25 * a * a
+
+
+def _rk4_drop(a: Array, b: Array) -> Array:
+    squares = b * b - 2.0 * a
+    cubes = b * (3.0 * a - b * b)
+    fourths = b**4 - 4.0 * a * b * b + 2.0 * a * a
+    return b - squares / 2.0 - cubes / 6.0 - fourths / 24.0
+
+
+def _rk4_loss(a: Array, b: Array) -> Array:
+    constant = b * (1.0 - b / 2.0 + b * b / 6.0 - b**3 / 24.0)
+    linear = a * b**3 / 24.0
+    square = -a * a * b * (1.0 / 24.0 + b / 48.0)
+    cube = a**3 * (1.0 / 72.0 + b / 144.0)
+    return constant + linear + square + cube - a**4 / 576.0
+
+
+def _euler_margins(a: Array, b: Array) -> tuple[Array, ...]:
+    return a, b - a, 4.0 + a - 2.0 * b
+
+
+def _semi_implicit_euler_margins(a: Array, b: Array) -> tuple[Array, ...]:
+    return a, b, 4.0 - a - 2.0 * b, 2.0 - b
+
+
+def _verlet_margins(a: Array, b: Array) -> tuple[Array, ...]:
+    return a, b, 4.0 - a - 4.0 * b, 2.0 - b - 0.5 * a * b - b * b
+
+
+def _second_order_margins(drop: Array, loss: Array) -> tuple[Array, ...]:
+    return drop - loss, loss, 4.0 - drop - loss
+
+
+def _heun_margins(a: Array, b: Array) -> tuple[Array, ...]:
+    return _second_order_margins(_heun_drop(a, b), _heun_loss(a, b))
+
+
+def _rk4_margins(a: Array, b: Array) -> tuple[Array, ...]:
+    return _second_order_margins(_rk4_drop(a, b), _rk4_loss(a, b))
+
+
+CHARACTERISTIC: dict[str, Characteristic] = {
+    "euler": euler,
+    "semi-implicit-euler": semi_implicit_euler,
+    "verlet": verlet,
+    "heun": heun,
+    "rk4": rk4,
+}
+
+MARGINS: dict[str, Margins] = {
+    "euler": _euler_margins,
+    "semi-implicit-euler": _semi_implicit_euler_margins,
+    "verlet": _verlet_margins,
+    "heun": _heun_margins,
+    "rk4": _rk4_margins,
+}
+
+# A mode on the unit circle is stable; this much, relative to a + b, is rounding.
+_ROUNDING = 1e-12
+
+
+def is_stable(method: str, a: ArrayLike, b: ArrayLike) -> NDArray[np.bool_]:
+    """Whether one step leaves the modes (a, b) bounded; elementwise. KeyError for no method."""
+    a, b = np.broadcast_arrays(*_pair(a, b))
+    lowest = np.minimum.reduce(np.broadcast_arrays(*MARGINS[method](a, b)))
+    return np.asarray(lowest >= -_ROUNDING * (np.abs(a) + np.abs(b)))
+
+
+def growth(method: str, a: ArrayLike, b: ArrayLike) -> Array:
+    """Factor by which the modes (a, b) grow per step: the spectral radius; elementwise."""
+    polynomial = CHARACTERISTIC[method](a, b)
+    degree = polynomial.shape[-1] - 1
+    companion = np.zeros((*polynomial.shape[:-1], degree, degree))
+    companion[..., 0, :] = -polynomial[..., 1:]
+    companion[..., np.arange(1, degree), np.arange(degree - 1)] = 1.0
+    return np.asarray(np.abs(np.linalg.eigvals(companion)).max(axis=-1))
