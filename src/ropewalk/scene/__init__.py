@@ -1,0 +1,48 @@
+"""What the user describes: scenes as frozen, validated models, read from and written to TOML."""
+
+from ropewalk.scene.anchor import Anchor
+from ropewalk.scene.environment import Air, Ground, Limiter
+from ropewalk.scene.errors import Fault, SceneError, SceneFileError
+from ropewalk.scene.files import dumps, load, loads, save, schema
+from ropewalk.scene.motions import Fixed, Hand, Motion, Orbit, Shake, Table, Velocity
+from ropewalk.scene.rope import Kick, Load, Material, Rope, Springs
+from ropewalk.scene.run_settings import RunSettings
+from ropewalk.scene.scene import Scene
+from ropewalk.scene.shapes import Hanging, Points, Polyline, Shape, Slack, Straight
+from ropewalk.scene.winch import Winch
+
+__all__ = [
+    "Air",
+    "Anchor",
+    "Fault",
+    "Fixed",
+    "Ground",
+    "Hand",
+    "Hanging",
+    "Kick",
+    "Limiter",
+    "Load",
+    "Material",
+    "Motion",
+    "Orbit",
+    "Points",
+    "Polyline",
+    "Rope",
+    "RunSettings",
+    "Scene",
+    "SceneError",
+    "SceneFileError",
+    "Shake",
+    "Shape",
+    "Slack",
+    "Springs",
+    "Straight",
+    "Table",
+    "Velocity",
+    "Winch",
+    "dumps",
+    "load",
+    "loads",
+    "save",
+    "schema",
+]

@@ -1,0 +1,161 @@
+"""The ground that all scene models stand on: strict frozen models, numbers with units."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, Annotated, Any, TypeVar
+
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, Strict, ValidationError
+from pydantic_core import PydanticCustomError
+
+from ropewalk.scene.errors import Fault, SceneError
+
+if TYPE_CHECKING:
+    from typing import Self
+
+#: Largest magnitude of any quantity; beyond it squares and products leave float64.
+HUGE = 1e15
+#: Smallest value of a quantity that must be positive; below it reciprocals leave float64.
+TINY = 1e-12
+#: Most segments a scene may have.
+MOST_SEGMENTS = 10_000_000
+
+
+def _plain(value: Any) -> Any:
+    """Take a numpy number or array as the Python value it stands for."""
+    if type(value).__module__ == "numpy":
+        return value.tolist()
+    return value
+
+
+def _listed(value: Any) -> Any:
+    """Take a list, tuple or array; a single model stands for a list of one."""
+    value = _plain(value)
+    if isinstance(value, BaseModel):
+        return (value,)
+    if isinstance(value, (set, frozenset, Mapping, str)) or not isinstance(value, Iterable):
+        raise PydanticCustomError("tuple_type", "a list is needed")
+    return tuple(value)
+
+
+if TYPE_CHECKING:  # what may be given; what is stored is a tuple
+    Number = float
+    Whole = int
+    Flag = bool
+    Text = str
+    Vector = Sequence[float]
+    Many = Sequence
+else:
+    _T = TypeVar("_T")
+    _list = BeforeValidator(_listed)
+    Number = Annotated[float, BeforeValidator(_plain), Strict()]
+    Whole = Annotated[int, BeforeValidator(_plain), Strict()]
+    Flag = Annotated[bool, BeforeValidator(_plain), Strict()]
+    Text = Annotated[str, Strict()]
+    _Bounded = Annotated[Number, Field(ge=-HUGE, le=HUGE, allow_inf_nan=False)]
+    Vector = Annotated[tuple[_Bounded, _Bounded, _Bounded], _list]
+    Many = Annotated[tuple[_T, ...], _list]
+
+
+def quantity(description: str, unit: str, default: Any = ..., **rules: Any) -> Any:
+    """A finite number with a unit, of a magnitude of at most ``HUGE``."""
+    bounds = {"ge": -HUGE, "le": HUGE, "allow_inf_nan": False} | rules
+    return Field(default, description=description, json_schema_extra={"unit": unit}, **bounds)
+
+
+def positive(description: str, unit: str, default: Any = ..., **rules: Any) -> Any:
+    """A number greater than zero with a unit."""
+    return quantity(description, unit, default, **({"gt": 0, "ge": TINY} | rules))
+
+
+def not_negative(description: str, unit: str, default: Any = ...) -> Any:
+    """A number of at least zero with a unit."""
+    return quantity(description, unit, default, ge=0)
+
+
+def vector(description: str, unit: str, default: Any = ...) -> Any:
+    """Three finite numbers x, y, z with a unit."""
+    return Field(default, description=description, json_schema_extra={"unit": unit})
+
+
+def listed(description: str, toml: str, python: str) -> Any:
+    """A list of tables, ``[[toml]]`` in a file and ``python=[...]`` in Python."""
+    from pydantic import AliasChoices
+
+    return Field(
+        default=(),
+        description=description,
+        validation_alias=AliasChoices(toml, python),
+        serialization_alias=toml,
+    )
+
+
+def refuse(faults: Iterable[Fault]) -> None:
+    """Raise, inside a pydantic validator, all the faults found (paths relative to the model)."""
+    found = list(faults)
+    if found:
+        text = "; ".join(str(fault).replace("{", "{{").replace("}", "}}") for fault in found)
+        raise PydanticCustomError("faults", text, {"faults": found})  # type: ignore[arg-type]
+
+
+class _Sentences(type(BaseModel)):  # type: ignore[misc]
+    """Turns pydantic's errors into SceneError where a model is made by calling its class.
+
+    A metaclass and not ``__init__``: pydantic then keeps its direct way to nested models,
+    and reports all their faults together.
+    """
+
+    if not TYPE_CHECKING:
+
+        def __call__(cls, *args: Any, **data: Any) -> Any:
+            try:
+                return super().__call__(*args, **data)
+            except ValidationError as error:
+                raise cls._scene_error(error, data, None) from None
+
+
+class Model(BaseModel, metaclass=_Sentences):
+    """A frozen, validated part of a scene; equal when all fields are equal.
+
+    Raises:
+        SceneError: on creation, naming every faulty field at once.
+    """
+
+    model_config = ConfigDict(
+        frozen=True, extra="forbid", populate_by_name=True, use_attribute_docstrings=False
+    )
+
+    @classmethod
+    def model_validate(cls, obj: Any, **options: Any) -> Self:
+        """Make the model from a mapping (as TOML gives it).
+
+        Raises:
+            SceneError: with every fault of the mapping.
+        """
+        try:
+            return super().model_validate(obj, **options)
+        except ValidationError as error:
+            raise cls._scene_error(error, obj, options.get("context")) from None
+
+    def replace(self, **changes: Any) -> Self:
+        """A validated copy with some fields changed.
+
+        Raises:
+            SceneError: when the changed model is faulty.
+        """
+        kept = {name: getattr(self, name) for name in self.model_fields_set}
+        return type(self)(**(kept | changes))
+
+    @classmethod
+    def _scene_error(cls, error: ValidationError, data: Any, context: Any) -> SceneError:
+        from ropewalk.scene.messages import faults_of
+
+        faults = faults_of(cls, error)
+        known = {fault.path for fault in faults}
+        more = cls._more_faults(data, context)
+        return SceneError(faults + [fault for fault in more if fault.path not in known])
+
+    @classmethod
+    def _more_faults(cls, data: Any, context: Any) -> list[Fault]:
+        """Faults that pydantic did not get to, because it stops at the first faulty level."""
+        return []

@@ -1,0 +1,171 @@
+"""Checks across the parts of a scene: names, nodes, anchors, winches."""
+
+from __future__ import annotations
+
+import difflib
+import math
+from collections.abc import Iterator, Sequence
+
+from ropewalk.scene.anchor import Anchor
+from ropewalk.scene.base import MOST_SEGMENTS
+from ropewalk.scene.environment import Limiter
+from ropewalk.scene.errors import MISSING, NO_VALUE, Fault
+from ropewalk.scene.rope import Rope, node_range
+from ropewalk.scene.shapes import Slack
+from ropewalk.scene.winch import Winch
+
+#: A catenary's ends must be apart across gravity by this fraction of the rope's length.
+_LEAST_WIDTH = 1e-6
+
+
+def nearest(name: str, known: Sequence[str]) -> str:
+    """What to say of a name that is not known: the nearest one, else all of them."""
+    close = difflib.get_close_matches(name.lower(), known, n=1, cutoff=0.5)
+    if close:
+        return f'did you mean "{close[0]}"?'
+    return "known: " + ", ".join(known) if known else "there is none"
+
+
+def scene_faults(
+    gravity: Sequence[float] | None,
+    ropes: Sequence[Rope | None],
+    anchors: Sequence[Anchor | None],
+    winches: Sequence[Winch | None],
+    limiter: Limiter | None,
+) -> list[Fault]:
+    """Every fault between the parts; None stands for a part that is faulty in itself."""
+    return [
+        *_ropes(ropes, limiter),
+        *(_slack(gravity, ropes) if gravity is not None else ()),
+        *_anchors(ropes, anchors),
+        *_winches(ropes, anchors, winches),
+    ]
+
+
+def _ropes(ropes: Sequence[Rope | None], limiter: Limiter | None) -> Iterator[Fault]:
+    if not ropes:
+        yield Fault("rope", MISSING, "a scene needs at least one [[rope]]")
+    names: dict[str, int] = {}
+    for i, rope in enumerate(ropes):
+        if rope is None:
+            continue
+        if len(ropes) > 1 and "name" not in rope.model_fields_set:
+            yield Fault(f"rope[{i}].name", MISSING, "with several ropes each needs a name")
+        elif names.setdefault(rope.name, i) != i:
+            first = names[rope.name]
+            yield Fault(f"rope[{i}].name", rope.name, f"is the name of rope[{first}] already")
+        if limiter is not None and rope.segment_length == 0.0:
+            yield Fault(
+                "limiter", NO_VALUE, f"cannot limit rope[{i}], whose springs have no length"
+            )
+    total = sum(rope.segments for rope in ropes if rope is not None)
+    if total > MOST_SEGMENTS:
+        yield Fault("rope", f"{total} segments", f"must be at most {MOST_SEGMENTS} in total")
+
+
+def _slack(gravity: Sequence[float], ropes: Sequence[Rope | None]) -> Iterator[Fault]:
+    size = math.hypot(*gravity)
+    up = [part / size for part in gravity] if size else [0.0, 0.0, 1.0]
+    for i, rope in enumerate(ropes):
+        if rope is None or not isinstance(rope.shape, Slack):
+            continue
+        shape, length = rope.shape, rope.length_unstretched
+        step = [b - a for a, b in zip(shape.start, shape.end, strict=True)]
+        rise = sum(a * b for a, b in zip(step, up, strict=True))
+        width = math.hypot(*(a - rise * b for a, b in zip(step, up, strict=True)))
+        if width < _LEAST_WIDTH * length and length > shape.span * (1 + 1e-9):
+            rule = f"must be at least {_LEAST_WIDTH * length:g} m aside from start, across gravity"
+            yield Fault(f"rope[{i}].shape.end", shape.end, rule)
+
+
+def _rope_of(part: Anchor | Winch, ropes: Sequence[Rope | None]) -> int | Fault:
+    """The index of the rope that an anchor or winch names, or what is wrong with the name."""
+    if not part.rope:
+        if len(ropes) == 1:
+            return 0
+        return Fault("rope", MISSING, "with several ropes, the name of one is needed")
+    names = [rope.name if rope is not None else None for rope in ropes]
+    if part.rope in names:
+        return names.index(part.rope)
+    if None in names:  # it may name the faulty one
+        return -1
+    return Fault("rope", part.rope, f"no such rope; {nearest(part.rope, [n for n in names if n])}")
+
+
+def _anchors(ropes: Sequence[Rope | None], anchors: Sequence[Anchor | None]) -> Iterator[Fault]:
+    names: dict[str, int] = {}
+    held: dict[tuple[int, int], int] = {}
+    for i, anchor in enumerate(anchors):
+        if anchor is None:
+            continue
+        name = anchor.name or f"anchor{i}"
+        if names.setdefault(name, i) != i:
+            yield Fault(f"anchor[{i}].name", name, f"is the name of anchor[{names[name]}] already")
+        index = _rope_of(anchor, ropes)
+        if isinstance(index, Fault):
+            yield index.below(f"anchor[{i}]")
+            continue
+        rope = ropes[index] if index >= 0 else None
+        if rope is None:
+            continue
+        if not -rope.nodes <= anchor.node < rope.nodes:
+            yield Fault(f"anchor[{i}].node", anchor.node, node_range(rope))
+            continue
+        first = held.setdefault((index, anchor.node % rope.nodes), i)
+        if first != i:
+            yield Fault(f"anchor[{i}].node", anchor.node, f"is held by anchor[{first}] already")
+
+
+def _winches(
+    ropes: Sequence[Rope | None], anchors: Sequence[Anchor | None], winches: Sequence[Winch | None]
+) -> Iterator[Fault]:
+    first: dict[tuple[int, str], int] = {}
+    for i, winch in enumerate(winches):
+        if winch is None:
+            continue
+        path = f"winch[{i}]"
+        index = _rope_of(winch, ropes)
+        if isinstance(index, Fault):
+            yield index.below(path)
+            continue
+        rope = ropes[index] if index >= 0 else None
+        if rope is None:
+            continue
+        earlier = first.setdefault((index, winch.end), i)
+        if earlier != i:
+            yield Fault(f"{path}.end", winch.end, f"has winch[{earlier}] already")
+        if not _end_is_held(winch, index, rope, ropes, anchors):
+            node = 0 if winch.end == "start" else -1
+            yield Fault(
+                f"{path}.end", winch.end, f"needs an anchor at node {node} of {rope.name!r}"
+            )
+        yield from (fault.below(path) for fault in _winch_lengths(winch, rope))
+
+
+def _end_is_held(
+    winch: Winch,
+    index: int,
+    rope: Rope,
+    ropes: Sequence[Rope | None],
+    anchors: Sequence[Anchor | None],
+) -> bool:
+    node = 0 if winch.end == "start" else rope.segments
+    for anchor in anchors:
+        if anchor is None:  # it may be the one
+            return True
+        if _rope_of(anchor, ropes) == index and anchor.node in (node, node - rope.nodes):
+            return True
+    return False
+
+
+def _winch_lengths(winch: Winch, rope: Rope) -> Iterator[Fault]:
+    length = rope.length_unstretched
+    if length == 0.0:
+        yield Fault("rope", rope.name, "has springs of no length, which a winch cannot change")
+        return
+    if winch.min_length is not None and winch.min_length > length:
+        rule = f"must be at most the rope's length at the start ({length:g} m)"
+        yield Fault("min_length", winch.min_length, rule)
+    if winch.max_length is not None and winch.max_length < length:
+        rule = f"must be at least the rope's length at the start ({length:g} m)"
+        yield Fault("max_length", winch.max_length, rule)

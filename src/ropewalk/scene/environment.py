@@ -1,0 +1,62 @@
+"""What is around the ropes and acts on all of them: air, ground, limiter."""
+
+from __future__ import annotations
+
+from pydantic import Field, model_validator
+
+from ropewalk.scene.base import (
+    Model,
+    Number,
+    Vector,
+    Whole,
+    not_negative,
+    positive,
+    quantity,
+    refuse,
+    vector,
+)
+from ropewalk.scene.errors import Fault
+
+
+class Air(Model):
+    """Drag on nodes (linear, quadratic) and on segments (quadratic, normal and tangential).
+
+    Segment drag per unstretched length is 1/2 density x coefficient x diameter x speed^2 for
+    the flow across the rope, and pi times the diameter for the flow along it.
+    """
+
+    node_drag: Number = not_negative("Linear drag of each node", "N s/m", 0.0)
+    node_drag_quadratic: Number = not_negative("Quadratic drag of each node", "N s^2/m^2", 0.0)
+    density: Number = not_negative("Density of the air, for segment drag", "kg/m^3", 0.0)
+    normal_coefficient: Number = not_negative("Drag coefficient across the rope", "1", 1.2)
+    tangential_coefficient: Number = not_negative("Drag coefficient along the rope", "1", 0.02)
+    wind: Vector = vector("Velocity of the air", "m/s", (0.0, 0.0, 0.0))
+
+
+class Ground(Model):
+    """A yielding floor as in NeHe's lesson 40, whose values are the defaults."""
+
+    height: Number = quantity("Height along up (minus gravity)", "m", 0.0)
+    repulsion: Number = positive("Upward force per depth, for each node below", "N/m", 100.0)
+    friction: Number = not_negative("Viscous friction of sliding, for each node", "N s/m", 0.2)
+    absorption: Number = not_negative("Friction on the way in, for each node", "N s/m", 2.0)
+
+
+class Limiter(Model):
+    """Puts every segment back between two lengths after each step (Habrador's way).
+
+    Equal limits restore the length exactly, as a rope of position constraints.
+    """
+
+    min_stretch: Number = not_negative("Smallest length over unstretched length", "1", 0.9)
+    max_stretch: Number = positive("Largest length over unstretched length", "1", 1.1)
+    passes: Whole = Field(
+        default=2, ge=1, le=10_000, description="Passes over the rope in each step"
+    )
+
+    @model_validator(mode="after")
+    def _check(self) -> Limiter:
+        if self.min_stretch > self.max_stretch:
+            rule = f"must be at most max_stretch ({self.max_stretch:g})"
+            refuse([Fault("min_stretch", self.min_stretch, rule)])
+        return self

@@ -1,0 +1,165 @@
+"""Scenes as TOML: reading, writing, the JSON Schema."""
+
+from __future__ import annotations
+
+import math
+import re
+import tomllib
+from pathlib import Path
+from typing import Any
+
+from ropewalk.scene.base import Model
+from ropewalk.scene.errors import NO_VALUE, Fault, SceneError, SceneFileError
+from ropewalk.scene.paths import keys
+from ropewalk.scene.scene import Scene
+
+#: Written even when they have their default value: without them a table says too little.
+_ALWAYS = {"kind", "name", "schema_version"}
+#: No scene is larger; a file that is, is something else.
+_LARGEST_FILE = 500_000_000
+
+
+def load(path: str | Path) -> Scene:
+    """Read a scene file; file names in it are relative to its folder.
+
+    Raises:
+        SceneFileError: when it cannot be read or is no TOML (with line and column).
+        SceneError: with every fault of the scene.
+    """
+    path = Path(path)
+    return _scene(_read(path), str(path), path.parent)
+
+
+def loads(text: str, source: str | None = None, *, folder: str | Path = ".") -> Scene:
+    """Read a scene from TOML text.
+
+    Args:
+        text: the TOML.
+        source: what errors call the text, such as a file name.
+        folder: what file names in the text are relative to.
+
+    Raises:
+        SceneFileError: when it is no TOML (with line and column).
+        SceneError: with every fault of the scene.
+    """
+    return _scene(text, source, Path(folder))
+
+
+def dumps(scene: Scene) -> str:
+    """The scene as TOML; ``loads(dumps(scene)) == scene``, bit for bit in every number."""
+    import tomli_w
+
+    return tomli_w.dumps(as_table(scene))
+
+
+def save(scene: Scene, path: str | Path) -> None:
+    """Write the scene as a TOML file, in place of one that is there.
+
+    Raises:
+        SceneFileError: when the file cannot be written.
+    """
+    path = Path(path)
+    text = dumps(scene)
+    try:
+        partial = path.with_name(path.name + ".partial")
+        partial.write_text(text, encoding="utf-8", newline="\n")
+        partial.replace(path)
+    except OSError as error:
+        reason = f"cannot be written: {error.strerror or error}"
+        raise SceneFileError([Fault("", NO_VALUE, reason)], str(path)) from None
+
+
+def as_table(model: Model) -> dict[str, Any]:
+    """A model as nested dicts and lists with TOML keys, defaults left out."""
+    table = {}
+    for (name, field), key in zip(type(model).model_fields.items(), keys(type(model)), strict=True):
+        value = getattr(model, name)
+        if value is None:
+            continue
+        default = field.get_default()
+        if key not in _ALWAYS and value == default and repr(value) == repr(default):
+            continue  # repr tells -0.0 from 0.0
+        table[key] = _plain(value)
+    return table
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, Model):
+        return as_table(value)
+    if isinstance(value, tuple):
+        return [_plain(item) for item in value]
+    return value
+
+
+def schema() -> dict[str, Any]:
+    """The JSON Schema of the scene format (draft 2020-12), for editors and other tools."""
+    made = Scene.model_json_schema(by_alias=True)
+    finite: dict[str, Any] = _without_infinity(made)
+    return {"$schema": "https://json-schema.org/draft/2020-12/schema"} | finite
+
+
+def _without_infinity(node: Any) -> Any:
+    """Drop infinite defaults, bounds and null branches, which neither JSON nor TOML can write."""
+    if isinstance(node, list):
+        return [_without_infinity(item) for item in node if item != {"type": "null"}]
+    if not isinstance(node, dict):
+        return node
+    kept = {
+        key: _without_infinity(value)
+        for key, value in node.items()
+        if not (isinstance(value, float) and math.isinf(value))
+        and not (key == "default" and value is None)
+    }
+    if len(kept.get("anyOf", ())) == 1:
+        kept |= kept.pop("anyOf")[0]
+    return kept
+
+
+def _read(path: Path) -> str:
+    try:
+        if path.stat().st_size > _LARGEST_FILE:
+            raise _unreadable(path, "is too large for a scene file (500 MB at most)")
+        return path.read_bytes().decode("utf-8-sig")
+    except FileNotFoundError:
+        raise _unreadable(path, "no such file") from None
+    except IsADirectoryError:
+        raise _unreadable(path, "is a folder, not a scene file") from None
+    except PermissionError:
+        raise _unreadable(path, "no permission to read it") from None
+    except UnicodeDecodeError:
+        raise _unreadable(path, "is not a text file (a scene is TOML in UTF-8)") from None
+    except (OSError, ValueError) as error:
+        raise _unreadable(path, f"cannot be read: {error}") from None
+
+
+def _unreadable(path: Path, reason: str) -> SceneFileError:
+    return SceneFileError([Fault("", NO_VALUE, reason)], str(path))
+
+
+def _scene(text: str, source: str | None, folder: Path) -> Scene:
+    try:
+        table = tomllib.loads(text)
+    except (tomllib.TOMLDecodeError, RecursionError) as error:
+        raise SceneFileError([_syntax(text, error)], source) from None
+    if not table:
+        raise SceneFileError([Fault("", NO_VALUE, "is empty: a scene needs a [[rope]]")], source)
+    try:
+        return Scene.model_validate(table, context={"folder": str(folder)})
+    except SceneError as error:
+        raise SceneError(error.faults, source) from None
+
+
+def _syntax(text: str, error: Exception) -> Fault:
+    """A TOML syntax error as a fault whose path is the line and column."""
+    if "\0" in text:
+        return Fault("", NO_VALUE, "is not a text file (a scene is TOML)")
+    message = str(error)
+    found = re.search(r" \(at line (\d+), column (\d+)\)$", message)
+    if found:
+        place = f"line {found[1]}, column {found[2]}"
+        return Fault(place, NO_VALUE, f"TOML: {message[: found.start()]}")
+    lines = text.splitlines() or [""]
+    place = f"line {len(lines)}, column {len(lines[-1]) + 1}"
+    return Fault(
+        place, NO_VALUE, f"TOML: {message.removesuffix(' (at end of document)')} (at the end)"
+    )

@@ -1,0 +1,145 @@
+"""Pydantic's errors as plain sentences with TOML paths."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+from pydantic import ValidationError
+
+from ropewalk.scene.base import TINY
+from ropewalk.scene.checks import nearest
+from ropewalk.scene.errors import MISSING, NO_VALUE, Fault, join
+from ropewalk.scene.paths import ModelType, Place, by_tag, keys, kind_of, place, sections, tag
+
+
+def faults_of(model: ModelType, error: ValidationError) -> list[Fault]:
+    """Every fault that pydantic found in a model, in the order of the fields."""
+    faults: list[Fault] = []
+    for item in error.errors(include_url=False):
+        faults += _faults(model, item)
+    return faults
+
+
+def _faults(model: ModelType, item: Mapping[str, Any]) -> Sequence[Fault]:
+    kind, value, context = item["type"], item["input"], item.get("ctx") or {}
+    where = place(model, item["loc"])
+    if kind == "faults":
+        return [fault.below(where.path) for fault in context["faults"]]
+    if kind == "missing":
+        return [Fault(where.path, MISSING, _needed(where))]
+    if kind == "extra_forbidden":
+        return [Fault(where.path, NO_VALUE, _unknown(where, str(item["loc"][-1])))]
+    if kind in ("union_tag_invalid", "union_tag_not_found"):
+        return [_wrong_kind(where, value)]
+    if kind in ("too_short", "too_long", "missing_positional_only_argument"):
+        return [Fault(where.path, value, _length(context))]
+    rule = _RULES.get(kind)
+    if rule is None:
+        return [Fault(where.path, value, str(item["msg"]))]
+    return [Fault(where.path, value, rule(context, where, value))]
+
+
+def _needed(where: Place) -> str:
+    """What a missing key is for."""
+    field = where.field
+    if field is None or not field.description:
+        return "is needed"
+    text = field.description
+    return (
+        f"is needed: {text[0].lower() + text[1:] if not text[:2].isupper() else text}{_unit(where)}"
+    )
+
+
+def _unit(where: Place) -> str:
+    extra = where.field.json_schema_extra if where.field is not None else None
+    unit = extra.get("unit") if isinstance(extra, Mapping) else None
+    return f" ({unit})" if unit not in (None, "1") else ""
+
+
+def _unknown(where: Place, key: str) -> str:
+    """What to say of an unknown key: the nearest known one, or the section it belongs to."""
+    from ropewalk.scene.scene import Scene
+
+    owner = where.owner
+    homes = [join(path, key) for path, model in sections(Scene) if key in keys(model)]
+    home = next((path for path in homes if path.count(".") <= 1), None)
+    if home is not None and key != "kind":
+        return f'unknown key here; it belongs to "{home}"'
+    kind = tag(owner)
+    of = f" of {kind!r}" if kind else ""
+    return f"unknown key{of}; {nearest(key, list(keys(owner)))}"
+
+
+def _wrong_kind(where: Place, value: Any) -> Fault:
+    models = kind_of(where.field).models if where.field is not None else ()
+    tags = [name for name in map(tag, models) if name]
+    path = join(where.path, "kind")
+    given = value.get("kind", MISSING) if isinstance(value, Mapping) else MISSING
+    rule = "must be one of " + ", ".join(f'"{name}"' for name in tags)
+    if isinstance(given, str) and by_tag(models, given) is None:
+        close = nearest(given, tags)
+        rule += f"; {close}" if close.startswith("did") else ""
+    return Fault(path, given, rule)
+
+
+def _length(context: Mapping[str, Any]) -> str:
+    least, most = context.get("min_length"), context.get("max_length")
+    return f"must have at least {least}" if most is None else f"must have at most {most}"
+
+
+def _at_least(context: Mapping[str, Any], _: Place, value: Any) -> str:
+    bound = context["ge"]
+    if bound == TINY and value <= 0:
+        return "must be greater than 0"
+    return f"must be at least {bound:g}"
+
+
+def _one_of(context: Mapping[str, Any], where: Place, value: Any) -> str:
+    import re
+
+    allowed = re.findall(r"'([^']*)'", str(context.get("expected", "")))
+    rule = "must be one of " + ", ".join(f'"{name}"' for name in allowed)
+    close = nearest(value, allowed) if isinstance(value, str) else ""
+    return f"{rule}; {close}" if close.startswith("did") else rule
+
+
+def _table(_: Mapping[str, Any], where: Place, value: Any) -> str:
+    if isinstance(value, (list, tuple)):
+        return f"must be one table: write [{where.path}], not [[{where.path}]]"
+    return "must be a table of keys and values"
+
+
+def _list(_: Mapping[str, Any], where: Place, value: Any) -> str:
+    field = where.field
+    if field is not None and kind_of(field).models:
+        return f"must be a list of tables: write [[{where.path}]], not [{where.path}]"
+    if where.path.endswith("]") or field is None or not kind_of(field).listed:
+        return f"must be a list of numbers{_unit(where)}"
+    if "Vector" in str(field.annotation) or field.annotation is not None:
+        return f"must be a list [x, y, z]{_unit(where)}"
+    return "must be a list"
+
+
+_Rule = Callable[[Mapping[str, Any], Place, Any], str]
+_RULES: dict[str, _Rule] = {
+    "float_type": lambda c, w, v: f"must be a number{_unit(w)}",
+    "int_type": lambda c, w, v: "must be a whole number",
+    "bool_type": lambda c, w, v: "must be true or false",
+    "string_type": lambda c, w, v: 'must be text in quotes, such as "rope"',
+    "finite_number": lambda c, w, v: f"must be a finite number{_unit(w)}",
+    "greater_than": lambda c, w, v: f"must be greater than {c['gt']:g}",
+    "greater_than_equal": _at_least,
+    "less_than": lambda c, w, v: f"must be less than {c['lt']:g}",
+    "less_than_equal": lambda c, w, v: f"must be at most {c['le']:g}",
+    "literal_error": _one_of,
+    "model_type": _table,
+    "model_attributes_type": _table,
+    "dict_type": _table,
+    "tuple_type": _list,
+    "string_too_short": lambda c, w, v: "must not be empty",
+    "string_too_long": lambda c, w, v: f"must be at most {c['max_length']} characters",
+    "string_pattern_mismatch": lambda c, w, v: (
+        "must start with a letter and have only letters, digits, _ and -"
+    ),
+}

@@ -1,0 +1,223 @@
+"""Ropes: chains of nodes joined by segments, and what these are made of."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field, model_validator
+
+from ropewalk.scene.base import (
+    MOST_SEGMENTS,
+    Flag,
+    Many,
+    Model,
+    Number,
+    Text,
+    Vector,
+    Whole,
+    listed,
+    not_negative,
+    positive,
+    refuse,
+    vector,
+)
+from ropewalk.scene.errors import MISSING, Fault
+from ropewalk.scene.shapes import Points, Shape, Slack, Straight
+
+NAME = r"^[^\W\d_][\w-]*$"
+NODE = Field(
+    description="Node, counted from 0 at the rope's start; negative counts back from its end",
+    json_schema_extra={"unit": "1"},
+)
+Friction = Literal["vector", "axial"]
+_FRICTION = (
+    "vector: against the whole difference of velocities; axial: only along the segment, which "
+    "keeps angular momentum"
+)
+_TENSION_ONLY = "Whether a segment shorter than its rest length goes slack instead of pushing"
+
+
+class Springs(Model):
+    """A rope given spring by spring and node by node (the student report's and NeHe's way).
+
+    Another number of segments makes another rope: each one more adds ``segment_length`` to
+    the length and one node to the mass.
+    """
+
+    kind: Literal["springs"] = "springs"
+    spring_constant: Number = positive("Stiffness of each spring", "N/m")
+    node_mass: Number = positive("Mass of every node, the ends too", "kg")
+    spring_friction: Number = not_negative("Friction coefficient of each spring", "N s/m", 0.0)
+    segment_length: Number = not_negative("Rest length of each spring (0 is allowed)", "m")
+    friction: Friction = Field(default="vector", description=_FRICTION)
+    tension_only: Flag = Field(default=False, description=_TENSION_ONLY)
+
+
+class Material(Model):
+    """A rope as a continuum: it stays the same rope however many segments it is cut into."""
+
+    kind: Literal["material"] = "material"
+    EA: Number = positive("Axial stiffness: tension per strain", "N")
+    mass_per_length: Number = positive("Mass per unstretched length", "kg/m")
+    axial_damping: Number = not_negative("Tension per strain rate (EA x retardation)", "N s", 0.0)
+    friction: Friction = Field(default="axial", description=_FRICTION)
+    tension_only: Flag = Field(default=False, description=_TENSION_ONLY)
+
+
+class Load(Model):
+    """Extra mass at one node; several loads at one node add up."""
+
+    node: Whole = NODE
+    mass: Number = positive("Extra mass", "kg")
+
+
+class Kick(Model):
+    """Initial velocity of one node, in place of the shape's."""
+
+    node: Whole = NODE
+    velocity: Vector = vector("Initial velocity of the node", "m/s")
+
+
+class Rope(Model):
+    """A chain of ``segments + 1`` nodes, numbered from 0 at its start."""
+
+    name: Text = Field(
+        default="rope", pattern=NAME, max_length=60, description="Name, needed with several ropes"
+    )
+    segments: Whole = Field(
+        ge=1, le=MOST_SEGMENTS, description="Number of segments", json_schema_extra={"unit": "1"}
+    )
+    made_of: Annotated[Springs | Material, Field(discriminator="kind")] = Field(
+        description="Springs or a material"
+    )
+    length: Number | None = positive(
+        "Unstretched length; only with a material (springs have segments x segment_length)",
+        "m",
+        None,
+    )
+    diameter: Number = positive("Diameter, for quadratic air drag", "m", 0.01)
+    shape: Shape = Field(default=Straight(), description="Initial shape")
+    loads: Many[Load] = listed("Extra masses at nodes", "load", "loads")
+    kicks: Many[Kick] = listed("Initial velocities of single nodes", "kick", "kicks")
+
+    @property
+    def nodes(self) -> int:
+        """Number of nodes, one more than segments."""
+        return self.segments + 1
+
+    @property
+    def length_unstretched(self) -> float:
+        """Unstretched length of the whole rope [m]."""
+        if isinstance(self.made_of, Springs):
+            return self.segments * self.made_of.segment_length
+        return float(self.length or 0.0)
+
+    @property
+    def segment_length(self) -> float:
+        """Rest length of one segment [m]."""
+        if isinstance(self.made_of, Springs):
+            return self.made_of.segment_length
+        return self.length_unstretched / self.segments
+
+    @property
+    def segment_stiffness(self) -> float:
+        """Stiffness of one segment [N/m]: the spring constant, or EA / segment length."""
+        if isinstance(self.made_of, Springs):
+            return self.made_of.spring_constant
+        return self.made_of.EA / self.segment_length
+
+    @property
+    def segment_friction(self) -> float:
+        """Friction coefficient of one segment [N s/m], of the form ``made_of.friction``."""
+        if isinstance(self.made_of, Springs):
+            return self.made_of.spring_friction
+        return self.made_of.axial_damping / self.segment_length
+
+    @property
+    def own_mass(self) -> float:
+        """Mass without loads [kg]."""
+        if isinstance(self.made_of, Springs):
+            return self.nodes * self.made_of.node_mass
+        return self.made_of.mass_per_length * self.length_unstretched
+
+    @property
+    def total_mass(self) -> float:
+        """Mass with loads [kg]."""
+        return self.own_mass + sum(load.mass for load in self.loads)
+
+    def node_index(self, node: int) -> int:
+        """The node counted from 0, for one that may be negative (counted from the end).
+
+        Raises:
+            IndexError: when the rope has no such node.
+        """
+        if not -self.nodes <= node < self.nodes:
+            raise IndexError(f"rope {self.name!r} has no node {node}: {node_range(self)}")
+        return node % self.nodes
+
+    @model_validator(mode="after")
+    def _check(self) -> Rope:
+        refuse(rope_faults(self))
+        return self
+
+    def __str__(self) -> str:
+        made_of = self.made_of
+        if isinstance(made_of, Springs):
+            stuff = f"springs of {made_of.spring_constant:g} N/m"
+        else:
+            stuff = f"material with EA = {made_of.EA:g} N"
+        size = f"{_count(self.segments, 'segment')}, {self.length_unstretched:g} m"
+        return f"Rope {self.name!r}: {size}, {self.total_mass:g} kg, {stuff}."
+
+    __repr__ = __str__
+
+
+def node_range(rope: Rope) -> str:
+    """The rule for a node of this rope, in words."""
+    return f"must be from 0 to {rope.segments}, or from -{rope.nodes} to -1 counted from the end"
+
+
+def rope_faults(rope: Rope) -> list[Fault]:
+    """What fields that are right by themselves get wrong together; paths relative to the rope."""
+    faults = []
+    springs = isinstance(rope.made_of, Springs)
+    if springs and rope.length is not None:
+        product = f"{rope.segments} x {rope.segment_length:g} m"
+        rule = f"leave it out with springs: their length is segments x segment_length ({product})"
+        faults.append(Fault("length", rope.length, rule))
+    if not springs and rope.length is None:
+        faults.append(Fault("length", MISSING, "a material needs the rope's length (m)"))
+        return faults
+    for name, parts in (("load", rope.loads), ("kick", rope.kicks)):
+        for i, part in enumerate(parts):
+            if not -rope.nodes <= part.node < rope.nodes:
+                faults.append(Fault(f"{name}[{i}].node", part.node, node_range(rope)))
+    first: dict[int, int] = {}
+    for i, kick in enumerate(rope.kicks):
+        earlier = first.setdefault(kick.node % rope.nodes, i)
+        if earlier != i:
+            faults.append(Fault(f"kick[{i}].node", kick.node, f"is kicked by kick[{earlier}]"))
+    return faults + _shape_faults(rope)
+
+
+def _shape_faults(rope: Rope) -> list[Fault]:
+    """Whether the shape fits the rope's length and number of nodes."""
+    shape, length = rope.shape, rope.length_unstretched
+    if isinstance(shape, Points) and len(shape.points) != rope.nodes:
+        rule = f"must be {rope.nodes} points, one per node (segments + 1)"
+        return [Fault("shape.points", f"{len(shape.points)} points", rule)]
+    if isinstance(shape, Slack) and length < shape.span * (1 - 1e-9):
+        rule = f"the rope of {length:g} m is shorter than the {shape.span:g} m from start to end"
+        return [Fault("shape.end", shape.end, rule)]
+    if length == 0.0 and shape.kind == "hanging":
+        rule = "needs a rope that has a length; give a straight shape with start and end"
+        return [Fault("shape.kind", shape.kind, rule)]
+    if length == 0.0 and isinstance(shape, Straight) and shape.end is None:
+        rule = "springs of no length need the place of the last node"
+        return [Fault("shape.end", MISSING, rule)]
+    return []
+
+
+def _count(number: int, noun: str) -> str:
+    """``1 segment``, ``2 segments``."""
+    return f"{number} {noun}" + ("" if number == 1 else "s")

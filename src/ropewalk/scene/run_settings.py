@@ -1,0 +1,60 @@
+"""How a scene is run: duration, frames, steps, method."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal
+
+from pydantic import BeforeValidator, Field, model_validator
+
+from ropewalk.scene.base import HUGE, TINY, Model, Number, positive, refuse
+from ropewalk.scene.errors import Fault
+
+Method = Literal["euler", "semi-implicit-euler", "verlet", "heun", "rk4"]
+#: Most frames one run may record.
+MOST_FRAMES = 1e9
+
+
+def _time_step(value: Any) -> Any:
+    """Refuse what is neither a positive number nor "auto", before the union is tried."""
+    if value == "auto" and isinstance(value, str):
+        return value
+    number = isinstance(value, (int, float)) and not isinstance(value, bool)
+    if not number or not TINY <= value <= HUGE:
+        refuse([Fault("", value, f'must be a number of seconds from {TINY} on, or "auto"')])
+    return float(value)
+
+
+TimeStep = Annotated[float | Literal["auto"], BeforeValidator(_time_step)]
+
+
+class RunSettings(Model):
+    """Duration, recording rate, time step and method of a run."""
+
+    duration: Number = positive("Simulated time", "s", 10.0)
+    frame_rate: Number = positive("Recorded frames per simulated second", "1/s", 60.0)
+    time_step: TimeStep = Field(
+        default="auto",
+        description='Largest time step, or "auto": a fraction of the predicted stability bound',
+        json_schema_extra={"unit": "s"},
+    )
+    auto_fraction: Number = positive('Fraction of the bound with time_step = "auto"', "1", 0.8)
+    steps: Literal["divide", "exact", "nehe"] = Field(
+        default="divide",
+        description="divide: ceil(frame / time_step) equal steps a frame; exact: the time step "
+        "as given, a frame every round(frame / time_step) steps; "
+        "nehe: int(frame / time_step) + 1 equal steps a frame",
+    )
+    method: Method = Field(default="semi-implicit-euler", description="Time integration method")
+
+    @property
+    def frame_interval(self) -> float:
+        """Wanted time between two frames [s]."""
+        return 1.0 / self.frame_rate
+
+    @model_validator(mode="after")
+    def _check(self) -> RunSettings:
+        frames = self.duration * self.frame_rate
+        if frames > MOST_FRAMES:
+            rule = f"makes {frames:.3g} frames at {self.frame_rate:g} 1/s; at most 1e9 are possible"
+            refuse([Fault("duration", self.duration, rule)])
+        return self

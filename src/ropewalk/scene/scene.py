@@ -1,0 +1,149 @@
+"""The scene: everything that a run needs to know."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Any, TypeVar
+
+from pydantic import Field, field_validator, model_validator
+
+from ropewalk.scene.anchor import Anchor
+from ropewalk.scene.base import Many, Model, Text, Vector, Whole, listed, refuse, vector
+from ropewalk.scene.checks import scene_faults
+from ropewalk.scene.environment import Air, Ground, Limiter
+from ropewalk.scene.errors import Fault, SceneError
+from ropewalk.scene.rope import Rope
+from ropewalk.scene.run_settings import RunSettings
+from ropewalk.scene.winch import Winch
+
+SCHEMA_VERSION = 1
+_P = TypeVar("_P", bound=Model)
+
+
+class Scene(Model):
+    """Ropes, what holds them, what surrounds them, and how to run them. All SI."""
+
+    schema_version: Whole = Field(default=SCHEMA_VERSION, description="Version of this format")
+    name: Text = Field(default="scene", min_length=1, max_length=200, description="Title")
+    description: Text = Field(default="", max_length=2000, description="What it shows")
+    gravity: Vector = vector("Gravity; up is minus gravity (z without it)", "m/s^2", (0, 0, -9.81))
+    run: RunSettings = Field(default=RunSettings(), description="How to run it")
+    ropes: Many[Rope] = listed("Ropes, one or more", "rope", "ropes")
+    anchors: Many[Anchor] = listed("Anchors, at most one per node", "anchor", "anchors")
+    air: Air | None = Field(default=None, description="Air drag; none without it")
+    ground: Ground | None = Field(default=None, description="Ground; none without it")
+    limiter: Limiter | None = Field(default=None, description="Stretch limiter; none without it")
+    winches: Many[Winch] = listed("Winches, at most one per rope end", "winch", "winches")
+
+    @property
+    def up(self) -> tuple[float, float, float]:
+        """Unit vector against gravity; z where there is no gravity."""
+        size = math.hypot(*self.gravity)
+        if size == 0.0:
+            return (0.0, 0.0, 1.0)
+        x, y, z = (0.0 - part / size for part in self.gravity)
+        return (x, y, z)
+
+    def rope_named(self, name: str) -> Rope:
+        """The rope of that name.
+
+        Raises:
+            KeyError: when there is none.
+        """
+        return self.ropes[self.rope_index(name)]
+
+    def rope_index(self, name: str) -> int:
+        """The place of the rope of that name among the ropes, from 0.
+
+        Raises:
+            KeyError: when there is none.
+        """
+        names = [rope.name for rope in self.ropes]
+        if name not in names:
+            raise KeyError(f"no rope {name!r}; there is {', '.join(names)}")
+        return names.index(name)
+
+    def anchor_named(self, name: str) -> Anchor:
+        """The anchor of that name.
+
+        Raises:
+            KeyError: when there is none.
+        """
+        for anchor in self.anchors:
+            if anchor.name == name:
+                return anchor
+        there = ", ".join(anchor.name for anchor in self.anchors) or "none"
+        raise KeyError(f"no anchor {name!r}; there is {there}")
+
+    def anchor_node(self, anchor: Anchor) -> int:
+        """The node that an anchor of this scene holds, counted from 0 within its rope."""
+        return self.rope_named(anchor.rope).node_index(anchor.node)
+
+    @field_validator("schema_version")
+    @classmethod
+    def _check_version(cls, value: int) -> int:
+        if value != SCHEMA_VERSION:
+            rule = f"this version of ropewalk reads {SCHEMA_VERSION}"
+            refuse([Fault("", value, rule)])
+        return value
+
+    @model_validator(mode="after")
+    def _check(self) -> Scene:
+        refuse(scene_faults(self.gravity, self.ropes, self.anchors, self.winches, self.limiter))
+        self._fill_in_names()
+        return self
+
+    def _fill_in_names(self) -> None:
+        """Give every anchor its name and every anchor and winch its rope's name."""
+        rope = self.ropes[0].name
+        anchors = tuple(
+            _filled(anchor, name=f"anchor{i}", rope=rope) for i, anchor in enumerate(self.anchors)
+        )
+        winches = tuple(_filled(winch, rope=rope) for winch in self.winches)
+        self.__dict__.update(anchors=anchors, winches=winches)  # frozen for everyone else
+
+    @classmethod
+    def _more_faults(cls, data: Any, context: Any) -> list[Fault]:
+        """Check across the parts that are right by themselves, when others are not."""
+        if not isinstance(data, Mapping):
+            return []
+        ropes = [_part(Rope, item, context) for item in _items(data, "rope", "ropes")]
+        anchors = [_part(Anchor, item, context) for item in _items(data, "anchor", "anchors")]
+        winches = [_part(Winch, item, context) for item in _items(data, "winch", "winches")]
+        limiter = _part(Limiter, data.get("limiter"), context)
+        return scene_faults(None, ropes, anchors, winches, limiter)
+
+    def __str__(self) -> str:
+        run = self.run
+        segments = sum(rope.segments for rope in self.ropes)
+        ropes = f"{_count(len(self.ropes), 'rope')} of {_count(segments, 'segment')}"
+        how = f"{run.duration:g} s at {run.frame_rate:g} frames/s with {run.method}"
+        return f"Scene {self.name!r}: {ropes}, {_count(len(self.anchors), 'anchor')}, {how}."
+
+    __repr__ = __str__
+
+
+def _filled(part: _P, **defaults: str) -> _P:
+    """A copy of a part with its empty names filled in."""
+    empty = {key: value for key, value in defaults.items() if not getattr(part, key)}
+    return part.model_copy(update=empty) if empty else part
+
+
+def _part(kind: type[_P], item: Any, context: Any) -> _P | None:
+    """A part of a faulty scene, or None when it is faulty itself."""
+    try:
+        return item if isinstance(item, kind) else kind.model_validate(item, context=context)
+    except SceneError:
+        return None
+
+
+def _items(data: Mapping[str, Any], toml: str, python: str) -> list[Any]:
+    """The raw tables of a list in a faulty scene."""
+    items = data.get(toml, data.get(python, ()))
+    return list(items) if isinstance(items, (list, tuple)) else [items]
+
+
+def _count(number: int, noun: str) -> str:
+    """``1 segment``, ``2 segments``."""
+    return f"{number} {noun}" + ("" if number == 1 else "s")

@@ -1,0 +1,140 @@
+"""Initial shapes: where the nodes of a rope are, and how fast they move, at time zero."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+from pydantic import Field, ValidationInfo, model_validator
+
+from ropewalk.scene.base import HUGE, Many, Model, Text, Vector, refuse, vector
+from ropewalk.scene.errors import MISSING, NO_VALUE, Fault
+
+_ZERO = (0.0, 0.0, 0.0)
+_VELOCITY = "Initial velocity of all nodes"
+
+
+class Straight(Model):
+    """A straight line of evenly spaced nodes.
+
+    Without ``end`` the rope lies at its unstretched length from ``start`` along ``direction``
+    (default +x); with ``end`` it is stretched or slack to fit between the two points.
+    """
+
+    kind: Literal["straight"] = "straight"
+    start: Vector = vector("Place of the first node", "m", _ZERO)
+    end: Vector | None = vector("Place of the last node", "m", None)
+    direction: Vector | None = vector("Direction from the first node to the last", "1", None)
+    velocity: Vector = vector(_VELOCITY, "m/s", _ZERO)
+
+    @model_validator(mode="after")
+    def _check(self) -> Straight:
+        faults = []
+        if self.end is not None and self.direction is not None:
+            faults.append(Fault("direction", self.direction, "give either end or direction"))
+        elif self.end is not None and tuple(self.end) == tuple(self.start):
+            faults.append(Fault("end", self.end, "must be another point than start"))
+        elif self.direction is not None and not any(self.direction):
+            faults.append(Fault("direction", self.direction, "must not be zero"))
+        refuse(faults)
+        return self
+
+
+class Polyline(Model):
+    """Nodes evenly spaced by arc length along a line through given corner points."""
+
+    kind: Literal["polyline"] = "polyline"
+    points: Many[Vector] = Field(
+        description="Corner points, two or more", json_schema_extra={"unit": "m"}
+    )
+    velocity: Vector = vector(_VELOCITY, "m/s", _ZERO)
+
+    @model_validator(mode="after")
+    def _check(self) -> Polyline:
+        if len(self.points) < 2:
+            refuse([Fault("points", self.points, "must have at least 2 points")])
+        refuse(coincident(self.points))
+        return self
+
+
+class Hanging(Model):
+    """Straight along gravity from ``start``, the first node on top, at unstretched length."""
+
+    kind: Literal["hanging"] = "hanging"
+    start: Vector = vector("Place of the first node, on top", "m", _ZERO)
+    velocity: Vector = vector(_VELOCITY, "m/s", _ZERO)
+
+
+class Slack(Model):
+    """A smooth sagging curve (catenary) of the rope's own length between two points."""
+
+    kind: Literal["slack"] = "slack"
+    start: Vector = vector("Place of the first node", "m", _ZERO)
+    end: Vector = vector("Place of the last node", "m")
+    velocity: Vector = vector(_VELOCITY, "m/s", _ZERO)
+
+    @model_validator(mode="after")
+    def _check(self) -> Slack:
+        if tuple(self.end) == tuple(self.start):
+            refuse([Fault("end", self.end, "must be another point than start")])
+        return self
+
+    @property
+    def span(self) -> float:
+        """Distance between the two ends [m]."""
+        return math.dist(self.start, self.end)
+
+
+class Points(Model):
+    """One given point per node, inline or from a CSV file with columns x, y, z.
+
+    A file is read at once and its points kept; the scene no longer needs it afterwards.
+    """
+
+    kind: Literal["points"] = "points"
+    file: Text | None = Field(
+        default=None, description="CSV file with columns x, y, z, one row per node (read at load)"
+    )
+    points: Many[Vector] = Field(
+        default=(), description="Place of each node", json_schema_extra={"unit": "m"}
+    )
+    velocity: Vector = vector(_VELOCITY, "m/s", _ZERO)
+
+    @model_validator(mode="before")
+    @classmethod
+    def _read(cls, data: Any, info: ValidationInfo) -> Any:
+        from ropewalk.scene.tables import read_columns
+
+        if not isinstance(data, dict) or not isinstance(data.get("file"), str):
+            return data
+        if "points" in data:
+            refuse([Fault("points", NO_VALUE, "give either file or points, not both")])
+        columns = read_columns(folder_of(info), data["file"], ("x", "y", "z"))
+        rest = {key: value for key, value in data.items() if key != "file"}
+        return rest | {"points": list(zip(*columns, strict=True))}
+
+    @model_validator(mode="after")
+    def _check(self) -> Points:
+        if not self.points:
+            refuse([Fault("points", MISSING, "give points = [[x, y, z], ...] or file")])
+        refuse(coincident(self.points))
+        return self
+
+
+def coincident(points: Many[Vector]) -> list[Fault]:
+    """A fault for every point that lies on the one before it."""
+    rule = "must not lie on the point before it"
+    return [
+        Fault(f"points[{i + 1}]", b, rule)
+        for i, (a, b) in enumerate(zip(points, points[1:], strict=False))
+        if not 0.0 < math.dist(a, b) < HUGE * HUGE
+    ]
+
+
+def folder_of(info: ValidationInfo) -> Path:
+    """The folder that file names in a scene are relative to: the scene file's, else here."""
+    return Path((info.context or {}).get("folder", "."))
+
+
+Shape = Annotated[Straight | Polyline | Hanging | Slack | Points, Field(discriminator="kind")]

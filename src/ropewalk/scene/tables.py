@@ -1,0 +1,125 @@
+"""Reading columns of numbers from CSV files that a scene names."""
+
+from __future__ import annotations
+
+import csv
+import math
+from collections.abc import Sequence
+from pathlib import Path
+
+from ropewalk.scene.base import HUGE, refuse
+from ropewalk.scene.errors import Fault
+
+_MOST_FAULTS = 10
+
+
+def read_columns(
+    folder: Path, file: str, names: Sequence[str], *, rising: bool = False
+) -> list[list[float]]:
+    """Read named columns of a CSV file: comma, semicolon or tab; ``#`` begins a comment line.
+
+    With a header line the columns may come in any order and others are passed over; a header
+    may carry units, as in ``x [m]``. Without one, the columns are taken in the order of names.
+
+    Args:
+        folder: what a relative file name is relative to.
+        file: the file's name.
+        names: the columns wanted.
+        rising: whether the first column must rise from row to row.
+
+    Raises:
+        PydanticCustomError: inside a validator, with every fault (path ``file``).
+    """
+    lines = [
+        (number, line)
+        for number, line in enumerate(_text(folder, file).splitlines(), start=1)
+        if line.strip() and not line.lstrip().startswith("#")
+    ]
+    if not lines:
+        refuse([Fault("file", file, "has no rows")])
+    delimiter = max(",;\t", key=lines[0][1].count)
+    rows = [
+        (number, [cell.strip() for cell in next(csv.reader([line], delimiter=delimiter))])
+        for number, line in lines
+    ]
+    order = _header(file, rows[0], names)
+    if order is None:
+        order = list(range(len(names)))
+    else:
+        del rows[0]
+    if not rows:
+        refuse([Fault("file", file, "has a header but no rows")])
+    return _numbers(file, rows, names, order, rising)
+
+
+def _text(folder: Path, file: str) -> str:
+    """The text of a file, or one clear fault."""
+    path = folder / file
+    reason = "cannot be read"
+    try:
+        text = path.read_bytes().decode("utf-8-sig")
+        if "\0" not in text:
+            return text
+        reason = "is not a text file"
+    except FileNotFoundError:
+        reason = f"no such file ({path})"
+    except IsADirectoryError:
+        reason = "is a folder, not a CSV file"
+    except PermissionError:
+        reason = "no permission to read it"
+    except UnicodeDecodeError:
+        reason = "is not a text file (UTF-8)"
+    except (OSError, ValueError) as error:
+        reason = f"cannot be read: {error}"
+    refuse([Fault("file", file, reason)])
+    raise AssertionError("unreachable")
+
+
+def _header(file: str, row: tuple[int, list[str]], names: Sequence[str]) -> list[int] | None:
+    """The place of each wanted column, or None when the first row is numbers already."""
+    number, cells = row
+    if any(_number(cell) is not None for cell in cells):
+        return None
+    titles = [cell.split("[")[0].split("(")[0].strip().lower() for cell in cells]
+    absent = [name for name in names if name not in titles]
+    if absent:
+        columns = ", ".join(names)
+        rule = f"line {number}: no column {', '.join(absent)}; the columns must be {columns}"
+        refuse([Fault("file", file, rule)])
+    return [titles.index(name) for name in names]
+
+
+def _numbers(
+    file: str,
+    rows: Sequence[tuple[int, list[str]]],
+    names: Sequence[str],
+    order: Sequence[int],
+    rising: bool,
+) -> list[list[float]]:
+    """The columns as numbers; refuses missing cells, text, NaN and falling first columns."""
+    columns: list[list[float]] = [[] for _ in names]
+    faults: list[Fault] = []
+    for number, cells in rows:
+        for name, place, column in zip(names, order, columns, strict=True):
+            cell = cells[place] if place < len(cells) else ""
+            value = _number(cell)
+            if value is None or not abs(value) <= HUGE:
+                what = f'"{cell}" - must be a finite number' if cell else "the cell is missing"
+                faults.append(Fault("file", file, f"line {number}, column {name}: {what}"))
+                value = math.nan
+            column.append(value)
+        first = columns[0]
+        if rising and len(first) > 1 and first[-1] <= first[-2]:
+            rule = f"line {number}, column {names[0]}: {first[-1]:g} - must be later than "
+            faults.append(Fault("file", file, f"{rule}{first[-2]:g}, the row before"))
+        if len(faults) >= _MOST_FAULTS:
+            break
+    refuse(faults)
+    return columns
+
+
+def _number(cell: str) -> float | None:
+    try:
+        return float(cell)
+    except ValueError:
+        return None

@@ -1,0 +1,44 @@
+"""Winches: they pay out or reel in rope at one end."""
+
+from __future__ import annotations
+
+import math
+from typing import Literal
+
+from pydantic import Field, model_validator
+
+from ropewalk.scene.base import Model, Number, Text, not_negative, positive, quantity, refuse
+from ropewalk.scene.errors import Fault
+from ropewalk.scene.motions import interval_faults
+
+
+class Winch(Model):
+    """Changes the unstretched length of a rope at one anchored end, at a given speed."""
+
+    rope: Text = Field(
+        default="", min_length=1, description="Name of the rope; may be left out with one rope"
+    )
+    end: Literal["start", "end"] = Field(description="The end at which the winch stands")
+    speed: Number = quantity("Rope per second: positive pays out, negative reels in", "m/s")
+    start: Number = not_negative("Time at which it begins to turn", "s", 0.0)
+    stop: Number = quantity(
+        "Time at which it stops (inf: never)", "s", math.inf, ge=0, le=math.inf, allow_inf_nan=True
+    )
+    min_length: Number | None = positive("Unstretched length at which reeling in ends", "m", None)
+    max_length: Number | None = positive("Unstretched length at which paying out ends", "m", None)
+
+    @model_validator(mode="after")
+    def _check(self) -> Winch:
+        faults = interval_faults(self.start, self.stop)
+        low, high = self.min_length, self.max_length
+        if low is not None and high is not None and low >= high:
+            faults.append(Fault("min_length", low, f"must be less than max_length ({high:g})"))
+        refuse(faults)
+        return self
+
+    def __str__(self) -> str:
+        way = "pays out" if self.speed >= 0 else "reels in"
+        rope = f" of {self.rope!r}" if self.rope else ""
+        return f"Winch at the {self.end}{rope} {way} {abs(self.speed):g} m/s."
+
+    __repr__ = __str__
