@@ -5,6 +5,7 @@ from ropewalk.scene.environment import Air, Ground, Limiter
 from ropewalk.scene.errors import Fault, SceneError, SceneFileError
 from ropewalk.scene.files import dumps, load, loads, save, schema
 from ropewalk.scene.motions import Fixed, Hand, Motion, Orbit, Shake, Table, Velocity
+from ropewalk.scene.overrides import apply_overrides
 from ropewalk.scene.rope import Kick, Load, Material, Rope, Springs
 from ropewalk.scene.run_settings import RunSettings
 from ropewalk.scene.scene import Scene
@@ -40,6 +41,7 @@ __all__ = [
     "Table",
     "Velocity",
     "Winch",
+    "apply_overrides",
     "dumps",
     "load",
     "loads",

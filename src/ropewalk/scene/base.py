@@ -5,13 +5,25 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Annotated, Any, TypeVar
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, Strict, ValidationError
+from pydantic import (
+    AliasChoices,
+    BaseModel,
+    BeforeValidator,
+    ConfigDict,
+    Field,
+    Strict,
+    ValidationError,
+)
 from pydantic_core import PydanticCustomError
 
 from ropewalk.scene.errors import Fault, SceneError
 
 if TYPE_CHECKING:
     from typing import Self
+
+    from pydantic._internal._model_construction import ModelMetaclass as _PydanticMeta
+else:
+    _PydanticMeta = type(BaseModel)
 
 #: Largest magnitude of any quantity; beyond it squares and products leave float64.
 HUGE = 1e15
@@ -38,6 +50,14 @@ def _listed(value: Any) -> Any:
     return tuple(value)
 
 
+def _triple(value: Any) -> Any:
+    """Take a list of three."""
+    value = _plain(value)
+    if not isinstance(value, (list, tuple)) or len(value) != 3:
+        raise PydanticCustomError("vector", "three numbers are needed")
+    return tuple(value)
+
+
 if TYPE_CHECKING:  # what may be given; what is stored is a tuple
     Number = float
     Whole = int
@@ -53,7 +73,7 @@ else:
     Flag = Annotated[bool, BeforeValidator(_plain), Strict()]
     Text = Annotated[str, Strict()]
     _Bounded = Annotated[Number, Field(ge=-HUGE, le=HUGE, allow_inf_nan=False)]
-    Vector = Annotated[tuple[_Bounded, _Bounded, _Bounded], _list]
+    Vector = Annotated[tuple[_Bounded, _Bounded, _Bounded], BeforeValidator(_triple)]
     Many = Annotated[tuple[_T, ...], _list]
 
 
@@ -80,8 +100,6 @@ def vector(description: str, unit: str, default: Any = ...) -> Any:
 
 def listed(description: str, toml: str, python: str) -> Any:
     """A list of tables, ``[[toml]]`` in a file and ``python=[...]`` in Python."""
-    from pydantic import AliasChoices
-
     return Field(
         default=(),
         description=description,
@@ -95,10 +113,10 @@ def refuse(faults: Iterable[Fault]) -> None:
     found = list(faults)
     if found:
         text = "; ".join(str(fault).replace("{", "{{").replace("}", "}}") for fault in found)
-        raise PydanticCustomError("faults", text, {"faults": found})  # type: ignore[arg-type]
+        raise PydanticCustomError("faults", text, {"faults": found})
 
 
-class _Sentences(type(BaseModel)):  # type: ignore[misc]
+class _Sentences(_PydanticMeta):
     """Turns pydantic's errors into SceneError where a model is made by calling its class.
 
     A metaclass and not ``__init__``: pydantic then keeps its direct way to nested models,
@@ -107,7 +125,7 @@ class _Sentences(type(BaseModel)):  # type: ignore[misc]
 
     if not TYPE_CHECKING:
 
-        def __call__(cls, *args: Any, **data: Any) -> Any:
+        def __call__(cls, *args: Any, **data: Any) -> Any:  # noqa: N805
             try:
                 return super().__call__(*args, **data)
             except ValidationError as error:

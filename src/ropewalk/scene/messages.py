@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+import re
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
@@ -34,6 +36,8 @@ def _faults(model: ModelType, item: Mapping[str, Any]) -> Sequence[Fault]:
         return [_wrong_kind(where, value)]
     if kind in ("too_short", "too_long", "missing_positional_only_argument"):
         return [Fault(where.path, value, _length(context))]
+    if isinstance(value, float) and not math.isfinite(value):
+        kind = "finite_number"  # whatever bound it broke first
     rule = _RULES.get(kind)
     if rule is None:
         return [Fault(where.path, value, str(item["msg"]))]
@@ -96,8 +100,6 @@ def _at_least(context: Mapping[str, Any], _: Place, value: Any) -> str:
 
 
 def _one_of(context: Mapping[str, Any], where: Place, value: Any) -> str:
-    import re
-
     allowed = re.findall(r"'([^']*)'", str(context.get("expected", "")))
     rule = "must be one of " + ", ".join(f'"{name}"' for name in allowed)
     close = nearest(value, allowed) if isinstance(value, str) else ""
@@ -114,11 +116,7 @@ def _list(_: Mapping[str, Any], where: Place, value: Any) -> str:
     field = where.field
     if field is not None and kind_of(field).models:
         return f"must be a list of tables: write [[{where.path}]], not [{where.path}]"
-    if where.path.endswith("]") or field is None or not kind_of(field).listed:
-        return f"must be a list of numbers{_unit(where)}"
-    if "Vector" in str(field.annotation) or field.annotation is not None:
-        return f"must be a list [x, y, z]{_unit(where)}"
-    return "must be a list"
+    return f"must be a list{_unit(where)}"
 
 
 _Rule = Callable[[Mapping[str, Any], Place, Any], str]
@@ -137,6 +135,7 @@ _RULES: dict[str, _Rule] = {
     "model_attributes_type": _table,
     "dict_type": _table,
     "tuple_type": _list,
+    "vector": lambda c, w, v: f"must be a list of three numbers, [x, y, z]{_unit(w)}",
     "string_too_short": lambda c, w, v: "must not be empty",
     "string_too_long": lambda c, w, v: f"must be at most {c['max_length']} characters",
     "string_pattern_mismatch": lambda c, w, v: (

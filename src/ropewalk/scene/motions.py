@@ -101,7 +101,10 @@ class Table(Model):
 
 
 class Shake(Model):
-    """The node swings along an axis, as a sine of time, about its initial place."""
+    """The node swings along an axis as a sine of time, beginning at its initial place:
+
+    x0 + amplitude (sin(2 pi frequency t + phase) - sin(phase)) along the axis.
+    """
 
     kind: Literal["shake"] = "shake"
     axis: Vector = vector("Direction of the swing (any length but zero)", "1")

@@ -79,6 +79,18 @@ def by_tag(models: Sequence[ModelType], wanted: object) -> ModelType | None:
     return next((model for model in models if tag(model) == wanted), None)
 
 
+def siblings(model: ModelType) -> tuple[ModelType, ...]:
+    """All the models that may stand where this one stands: the kinds of its union."""
+    from ropewalk.scene.scene import Scene
+
+    for _, owner in sections(Scene):
+        for field in owner.model_fields.values():
+            models = kind_of(field).models
+            if model in models:
+                return models
+    return (model,)
+
+
 @dataclass(frozen=True)
 class Place:
     """Where pydantic found a fault: the path in TOML, the field, the model that has it."""

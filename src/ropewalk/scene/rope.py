@@ -188,10 +188,11 @@ def rope_faults(rope: Rope) -> list[Fault]:
     if not springs and rope.length is None:
         faults.append(Fault("length", MISSING, "a material needs the rope's length (m)"))
         return faults
-    for name, parts in (("load", rope.loads), ("kick", rope.kicks)):
-        for i, part in enumerate(parts):
-            if not -rope.nodes <= part.node < rope.nodes:
-                faults.append(Fault(f"{name}[{i}].node", part.node, node_range(rope)))
+    nodes = [(f"load[{i}].node", load.node) for i, load in enumerate(rope.loads)]
+    nodes += [(f"kick[{i}].node", kick.node) for i, kick in enumerate(rope.kicks)]
+    for path, node in nodes:
+        if not -rope.nodes <= node < rope.nodes:
+            faults.append(Fault(path, node, node_range(rope)))
     first: dict[int, int] = {}
     for i, kick in enumerate(rope.kicks):
         earlier = first.setdefault(kick.node % rope.nodes, i)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
@@ -127,7 +128,7 @@ def coincident(points: Many[Vector]) -> list[Fault]:
     rule = "must not lie on the point before it"
     return [
         Fault(f"points[{i + 1}]", b, rule)
-        for i, (a, b) in enumerate(zip(points, points[1:], strict=False))
+        for i, (a, b) in enumerate(pairwise(points))
         if not 0.0 < math.dist(a, b) < HUGE * HUGE
     ]
 
