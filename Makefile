@@ -1,0 +1,74 @@
+# Ropewalk: `make help` lists what can be made.
+SHELL := /bin/bash
+PYTHON ?= python3
+BIN := .venv/bin
+
+.DEFAULT_GOAL := help
+.PHONY: help venv runtime dev demo test test-slow lint format bench docs report clean distclean
+
+help:  ## list the targets
+	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | \
+	  awk -F '\t' '{printf "  make %-10s %s\n", $$1, $$2}'
+
+venv:
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null || { \
+	  echo "make: Ropewalk needs Python 3.11 or newer; '$(PYTHON)' is $$($(PYTHON) -V 2>&1 || true)." \
+	       "Name another one: make PYTHON=python3.12" >&2; exit 1; }
+	@$(BIN)/python -c 'import sys, pip; sys.exit(sys.version_info < (3, 11))' 2>/dev/null || { \
+	  echo "making .venv with $$($(PYTHON) -V)"; \
+	  $(PYTHON) -m venv --clear .venv || { rm -rf .venv; \
+	  echo "make: no virtual environment could be made; on Debian and Ubuntu: apt install python3-venv" >&2; \
+	  exit 1; }; }
+
+# Installs only what the lock and the package's description say is new: a copy of both is kept in .venv.
+define install
+	@cmp -s requirements/$(1).txt .venv/lock-$(1).txt || { \
+	  echo "installing requirements/$(1).txt into .venv"; rm -f .venv/lock-$(1).txt; \
+	  $(BIN)/python -m pip install --quiet --disable-pip-version-check -r requirements/$(1).txt && \
+	  cp requirements/$(1).txt .venv/lock-$(1).txt; }
+endef
+
+runtime: venv
+	$(call install,demo)
+	@cmp -s pyproject.toml .venv/installed.toml || { rm -f .venv/installed.toml; \
+	  $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps \
+	    --no-build-isolation -e . && cp pyproject.toml .venv/installed.toml; }
+
+dev: runtime
+	$(call install,dev)
+
+demo: runtime  ## set up, run the three-anchor rope of the report, print its results
+	@$(BIN)/ropewalk demo
+
+test: lint  ## set up, check the style, types and imports, run the tests (not the slow ones)
+	$(BIN)/python -m pytest -m "not slow"
+
+test-slow: dev  ## run the slow tests
+	$(BIN)/python -m pytest -m slow
+
+lint: dev  ## check style, format, types and the import contracts
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+	$(BIN)/lint-imports --no-logo
+
+format: dev  ## put the code into the common format
+	$(BIN)/ruff check --fix .
+	$(BIN)/ruff format .
+
+bench: dev  ## measure the speed: a table, also written as CSV
+	$(BIN)/python -m bench
+
+docs: dev  ## build the documentation as a site in docs/_build/html
+	$(BIN)/sphinx-build -q -W --keep-going -n -b html docs docs/_build/html
+	@echo "docs/_build/html/index.html"
+
+report: runtime  ## check the claims of the student report: one page with figures
+	$(BIN)/ropewalk report
+
+clean:  ## remove what was built and cached, keep .venv and runs
+	rm -rf docs/_build .pytest_cache .mypy_cache .ruff_cache .hypothesis .import_linter_cache build dist
+	find src tests docs bench examples -name __pycache__ -type d -prune -exec rm -rf {} + 2>/dev/null || true
+
+distclean: clean  ## remove .venv as well
+	rm -rf .venv
