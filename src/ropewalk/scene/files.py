@@ -15,6 +15,8 @@ from ropewalk.scene.scene import Scene
 
 #: Written even when they have their default value: without them a table says too little.
 _ALWAYS = {"kind", "name", "schema_version"}
+#: A list of three numbers, which tomli_w writes on five lines. Texts hold no line breaks there.
+_NUMBERS = re.compile(r"\[\n((?:\s*[-+.\w]+,\n){3})\s*\]")
 #: No scene is larger; a file that is, is something else.
 _LARGEST_FILE = 500_000_000
 
@@ -49,7 +51,7 @@ def dumps(scene: Scene) -> str:
     """The scene as TOML; ``loads(dumps(scene)) == scene``, bit for bit in every number."""
     import tomli_w
 
-    return tomli_w.dumps(as_table(scene))
+    return _NUMBERS.sub(_one_line, tomli_w.dumps(scene_table(scene)))
 
 
 def save(scene: Scene, path: str | Path) -> None:
@@ -67,6 +69,19 @@ def save(scene: Scene, path: str | Path) -> None:
     except OSError as error:
         reason = f"cannot be written: {error.strerror or error}"
         raise SceneFileError([Fault("", NO_VALUE, reason)], str(path)) from None
+
+
+def _one_line(found: re.Match[str]) -> str:
+    return "[" + ", ".join(found[1].replace(",", " ").split()) + "]"
+
+
+def scene_table(scene: Scene) -> dict[str, Any]:
+    """A scene as nested dicts and lists with TOML keys, defaults and obvious names left out."""
+    table = as_table(scene)
+    if len(scene.ropes) == 1:
+        for part in (*table.get("anchor", ()), *table.get("winch", ())):
+            del part["rope"]
+    return table
 
 
 def as_table(model: Model) -> dict[str, Any]:

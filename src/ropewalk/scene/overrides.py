@@ -9,7 +9,7 @@ from typing import Any
 
 from ropewalk.scene.checks import nearest
 from ropewalk.scene.errors import NO_VALUE, Fault, SceneError, join
-from ropewalk.scene.files import as_table
+from ropewalk.scene.files import scene_table
 from ropewalk.scene.paths import ModelType, by_tag, keys, kind_of, siblings, tag
 from ropewalk.scene.run_settings import RunSettings
 from ropewalk.scene.scene import Scene
@@ -35,7 +35,7 @@ def apply_overrides(scene: Scene, overrides: Iterable[str]) -> Scene:
     Raises:
         SceneError: with every override that names nothing, and every fault of the new scene.
     """
-    table = as_table(scene)
+    table = scene_table(scene)
     faults: list[Fault] = []
     for override in overrides:
         try:
@@ -101,7 +101,7 @@ def _known(
     place: tuple[dict[str, Any], ModelType, str], key: str | int
 ) -> tuple[dict[str, Any], ModelType, str]:
     """The same place, after a check that its model has the key."""
-    owner, model, path = place
+    _, model, path = place
     known = keys(model)
     if isinstance(key, int) or key not in known:
         rule = f"unknown key; {nearest(str(key), list(known))}"
