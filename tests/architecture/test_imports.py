@@ -1,0 +1,71 @@
+"""What importing loads, each in a fresh interpreter, and the layers between the packages."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+HEAVY = {"matplotlib", "xarray", "zarr", "scipy", "pandas", "pyarrow", "PIL", "vtk"}
+
+
+def loaded_by(statement: str) -> set[str]:
+    """Return the top-level modules in memory after `statement` in a fresh interpreter."""
+    report = "import json, sys; print(json.dumps(sorted({m.split('.')[0] for m in sys.modules})))"
+    done = subprocess.run(
+        [sys.executable, "-c", f"{statement}\n{report}"],
+        capture_output=True,
+        text=True,
+        check=True,
+        cwd=ROOT,
+    )
+    return set(json.loads(done.stdout.splitlines()[-1]))
+
+
+def test_import_ropewalk_is_light() -> None:
+    loaded = loaded_by("import ropewalk")
+    assert "ropewalk" in loaded
+    assert loaded & (HEAVY | {"click", "rich"}) == set()
+
+
+def test_the_names_of_the_package_load_nothing_heavy() -> None:
+    loaded = loaded_by("from ropewalk import Anchor, Rope, Scene, Simulation, Springs, simulate")
+    assert loaded & HEAVY == set()
+
+
+def test_the_command_line_loads_nothing_heavy_at_start() -> None:
+    assert loaded_by("import ropewalk.cli") & (HEAVY | {"numba"}) == set()
+
+
+def test_the_probe_sees_what_is_loaded() -> None:
+    assert "xarray" in loaded_by("import ropewalk, xarray")
+
+
+def test_every_public_name_is_there() -> None:
+    import ropewalk
+
+    assert set(ropewalk.__all__) <= set(dir(ropewalk))
+    for name in ropewalk.__all__:
+        assert getattr(ropewalk, name) is not None
+
+
+def test_an_unknown_name_is_an_attribute_error() -> None:
+    import ropewalk
+
+    with pytest.raises(AttributeError, match="no_such_name"):
+        ropewalk.no_such_name  # noqa: B018 - the access is the test
+
+
+def test_layers() -> None:
+    done = subprocess.run(
+        [str(Path(sys.executable).with_name("lint-imports")), "--no-logo", "--no-cache"],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
