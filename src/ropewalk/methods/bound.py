@@ -207,7 +207,7 @@ def _bisect(is_good: object, low: float, high: float) -> float:
 
 
 def largest_step(method: str, chain: Chain) -> float:
-    """Return the largest stable time step [s]: inf where nothing limits it, 0 where every step grows.
+    """Return the largest stable time step [s]; inf where nothing limits it, 0 if all steps grow.
 
     Raises KeyError for an unknown method.
     """
@@ -237,7 +237,7 @@ def largest_step(method: str, chain: Chain) -> float:
 
 
 def largest_stiffness_factor(method: str, chain: Chain, dt: float) -> float:
-    """Return the largest factor on all springs [1] that is stable at dt; 0 where none is, or inf."""
+    """Return the largest factor on all springs [1] stable at dt; 0 where none is, or inf."""
     if not chain.free.any() or not np.any(chain.stiffness > 0.0):
         return math.inf
     C = friction_matrix(chain)

@@ -37,7 +37,7 @@ def _is_above_all(shift, diagonal, beside):
 
 @kernel
 def largest_eigenvalue(diagonal, beside):
-    """Return the largest eigenvalue, by bisection between a diagonal entry and Gershgorin's bound."""
+    """Return the largest eigenvalue, by bisection below Gershgorin's bound."""
     n = diagonal.shape[0]
     low = diagonal[0]
     high = diagonal[0]
@@ -70,7 +70,7 @@ def smallest_eigenvalue(diagonal, beside):
 
 @kernel
 def largest_eigenvector(diagonal, beside, value, vector, work):
-    """Write the eigenvector of the largest eigenvalue `value`, largest entry 1, by inverse iteration.
+    """Write the eigenvector of the largest eigenvalue `value`, its largest entry 1.
 
     `vector` and `work` have n entries each; the start is alternating with a slope, so that it is
     orthogonal to no extreme mode of a chain.
