@@ -1,0 +1,138 @@
+"""Tables and lists of the reference pages, made from the package itself at build time.
+
+`scene-format`   every table of a scene file, from the models
+`methods-table`  the methods of time integration, from the registry
+`presets-table`  the presets
+`commands`       the command line, from its commands and options
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import click
+from docutils import nodes
+from docutils.statemachine import StringList
+from pydantic.fields import FieldInfo
+from sphinx.util.docutils import SphinxDirective
+from sphinx.util.nodes import nested_parse_with_titles
+
+from ropewalk.cli import main
+from ropewalk.methods.registry import METHODS
+from ropewalk.scene import Scene, presets
+from ropewalk.scene.paths import keys, kind_of, sections, tag
+
+
+def scene_format() -> Iterator[str]:
+    """Yield a section of Markdown for every table of a scene file."""
+    listed = {"": False}
+    for path, model in sections(Scene):
+        for key, field in keys(model).items():
+            listed[f"{path}.{key}".lstrip(".")] = kind_of(field).listed
+        if path and all(kind_of(field).models for field in model.model_fields.values()):
+            continue
+        yield from _section(path, model, listed.get(path, False))
+
+
+def _section(path: str, model: Any, listed: bool) -> Iterator[str]:
+    kind = tag(model)
+    brackets = f"[[{path}]]" if listed else f"[{path}]"
+    yield f"## `{brackets}`" + (f' with `kind = "{kind}"`' if kind else "") if path else "## Top level"
+    yield ""
+    yield (model.__doc__ or "").strip().split("\n\n")[0].replace("\n    ", " ").replace("``", "`")
+    yield ""
+    rows = [(key, field) for key, field in keys(model).items() if key != "kind"]
+    if not rows:
+        return
+    yield "| key | unit | default | meaning |"
+    yield "|---|---|---|---|"
+    for key, field in rows:
+        yield f"| `{key}` | {_unit(field)} | {_default(field)} | {_meaning(field)} |"
+    yield ""
+
+
+def _unit(field: FieldInfo) -> str:
+    extra = field.json_schema_extra
+    return str(extra.get("unit", "")) if isinstance(extra, dict) else ""
+
+
+def _default(field: FieldInfo) -> str:
+    kind = kind_of(field)
+    if field.is_required():
+        return "needed"
+    if kind.models or field.default in (None, (), ""):
+        return ""
+    value = field.default
+    if isinstance(value, bool):
+        return f"`{str(value).lower()}`"
+    if isinstance(value, tuple):
+        return "`[" + ", ".join(f"{part:g}" for part in value) + "]`"
+    return f'`"{value}"`' if isinstance(value, str) else f"`{value:g}`"
+
+
+def _meaning(field: FieldInfo) -> str:
+    text = str(field.description or "")
+    kind = kind_of(field)
+    tags = [f'`"{name}"`' for name in map(tag, kind.models) if name]
+    if len(tags) > 1:
+        text += ": a table of kind " + ", ".join(tags)
+    elif kind.models:
+        text += " (tables of their own)" if kind.listed else " (a table of its own)"
+    return text.replace("|", "\\|")
+
+
+def methods_table() -> Iterator[str]:
+    """Yield the table of methods."""
+    yield "| method | order | force evaluations per step | |"
+    yield "|---|---|---|---|"
+    for method in METHODS.values():
+        yield f"| `{method.name}` | {method.order} | {method.evaluations} | {method.summary} |"
+
+
+def presets_table() -> Iterator[str]:
+    """Yield the table of presets."""
+    yield "| preset | what it shows |"
+    yield "|---|---|"
+    for name in presets.names():
+        yield f"| `{name}` | {presets.preset(name).description} |"
+
+
+def commands() -> Iterator[str]:
+    """Yield a section for every command."""
+    context = click.Context(main, info_name="ropewalk")
+    assert isinstance(main, click.Group)
+    for name in main.list_commands(context):
+        command = main.get_command(context, name)
+        if command is not None and not command.hidden:
+            yield from _command(command, click.Context(command, info_name=name, parent=context))
+
+
+def _command(command: click.Command, context: click.Context) -> Iterator[str]:
+    yield f"## `ropewalk {context.info_name}`"
+    yield ""
+    yield "```text"
+    yield from command.get_help(context).splitlines()
+    yield "```"
+    yield ""
+
+
+def directive(lines: Callable[[], Iterator[str]]) -> type[SphinxDirective]:
+    """Return a directive that puts the Markdown of `lines` in its place."""
+
+    class Generated(SphinxDirective):
+        def run(self) -> list[nodes.Node]:
+            text = StringList(list(lines()), source=lines.__name__)
+            parent = nodes.section()
+            parent.document = self.state.document
+            nested_parse_with_titles(self.state, text, parent)
+            return parent.children
+
+    return Generated
+
+
+def setup(app: Any) -> dict[str, Any]:
+    """Register the directives."""
+    for make in (scene_format, methods_table, presets_table, commands):
+        app.add_directive(make.__name__.replace("_", "-"), directive(make))
+    return {"parallel_read_safe": True}
