@@ -305,3 +305,29 @@ def test_bound_scales_to_long_ropes() -> None:
     found = chain(200_001, 1e4)
     expected = (-0.05 + math.sqrt(0.05**2 + 500.0)) / 1e4  # long chain
     assert largest_step("semi-implicit-euler", found) == pytest.approx(expected, rel=1e-9)
+
+
+def test_ropes_of_different_friction_keep_their_own_bounds() -> None:
+    # Joined by dead segments; the friction of one does not help the other: euler dt = min c/k.
+    parts = [chain(12, 1e4, c=c, held=(0, 11)) for c in (0.01, 0.05, 1.0)]
+    fields = []
+    for name in Chain._fields[:-1]:
+        arrays = [getattr(part, name) for part in parts]
+        if arrays[0].size == 11:
+            arrays = [part for array in arrays for part in (array, np.zeros(1))][:-1]
+        fields.append(np.concatenate(arrays))
+    together = Chain(*fields)
+    for method in METHODS:
+        alone = min(largest_step(method, part) for part in parts)
+        assert largest_step(method, together) == pytest.approx(alone, rel=1e-9)
+    assert largest_step("euler", together) == pytest.approx(1e-6, rel=1e-9)
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_a_load_and_air_on_a_uniform_rope_are_nearly_exact(method: str) -> None:
+    found = chain(15, 500.0, 0.05, 0.2, drag=0.03)
+    found.mass[7] += 0.4
+    bound = largest_step(method, found)
+    assert radius(method, found, bound * (1.0 - 1e-6)) <= 1.0 + 1e-12
+    along = largest_step(method, found._replace(sideways=False))
+    assert radius(method, found, along * 1.02) > 1.0

@@ -17,12 +17,15 @@ the stiffness is anything between 0 and k while axial friction does nothing: tho
 
     4 M - 2 dt C - dt^2 K      (Verlet: 4 M - 4 dt C - dt^2 K)
 
-is positive definite, which is exact for any chain. Cost O(n).
+is positive definite, which is exact for any chain; the same holds for explicit Euler with
+C - dt K and 4 M - 2 dt C + dt^2 K. Cost O(n).
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -43,6 +46,8 @@ _PENCIL = {"semi-implicit-euler": 2.0, "verlet": 4.0}
 # A bound below this, in units of 1/omega_max, is rounding: nothing damps some mode.
 _FORMALLY_ZERO = 5e-6
 _DIRECTIONS = 48
+_DIRECTIONS_LONG = 16  # above this many nodes the polygon's corners would take too long
+_LONG = 50_000
 
 
 class Chain(NamedTuple):
@@ -66,13 +71,12 @@ class Matrix(NamedTuple):
 
 
 class Modes(NamedTuple):
-    """Pairs (kappa, gamma) that enclose those of every mode, and the fastest one."""
+    """Pairs (kappa, gamma) that enclose those of every mode."""
 
     kappa: Floats  # [1/s^2]
     gamma: Floats  # [1/s]
     sideways_kappa: Floats
     sideways_gamma: Floats
-    fastest: float  # largest kappa [1/s^2]
 
 
 def assemble(chain: Chain, segments: Floats, nodes: Floats) -> Matrix:
@@ -108,7 +112,7 @@ def _largest(matrix: Matrix) -> float:
     return float(largest_eigenvalue(*matrix))
 
 
-def _proportional(chain: Chain, K: Matrix, C: Matrix) -> tuple[float, float] | None:
+def _proportional(K: Matrix, C: Matrix) -> tuple[float, float] | None:
     """Return (alpha, beta) of C = alpha I + beta K, or None where friction is not of that form."""
     joined = K.beside != 0.0
     if np.any(C.beside[~joined] != 0.0):
@@ -124,11 +128,29 @@ def _proportional(chain: Chain, K: Matrix, C: Matrix) -> tuple[float, float] | N
     return float(rest[0]), beta
 
 
+def _directions(K: Matrix, C: Matrix, count: int, slope: float) -> Floats:
+    """Return the angles of the polygon's edges, more of them where little friction decides.
+
+    Evenly spread ones, a fan around "least friction", and those along which the friction of a
+    single segment is proportional to its stiffness. `slope` scales friction over stiffness.
+    """
+    even = 2.0 * np.pi * np.arange(count) / count
+    fan = np.arctan(2.0 ** -np.arange(1.0, 13.0))
+    joined = K.beside != 0.0
+    ratios = np.unique(np.abs(C.beside[joined] / K.beside[joined]))
+    if ratios.size > 8:
+        ratios = np.quantile(ratios, np.linspace(0.0, 1.0, 8))
+    along = np.arctan2(-1.0, ratios * slope)
+    angles = np.concatenate([even, 1.5 * np.pi + fan, 1.5 * np.pi - fan, along, along + np.pi])
+    angles = np.sort(np.mod(angles, 2.0 * np.pi))
+    return angles[np.concatenate([[True], np.diff(angles) > 1e-7])]
+
+
 def _polygon(K: Matrix, C: Matrix, directions: int) -> tuple[Floats, Floats]:
     """Return the corners of a polygon around the joint numerical range of K and C."""
     k_size = _largest(K) or 1.0
     c_size = _largest(C) or 1.0
-    angle = 2.0 * np.pi * np.arange(directions) / directions
+    angle = _directions(K, C, directions, k_size / c_size)
     cosine, sine = np.cos(angle), np.sin(angle)
     reach = np.array(
         [
@@ -137,18 +159,33 @@ def _polygon(K: Matrix, C: Matrix, directions: int) -> tuple[Floats, Floats]:
         ]
     )
     following = np.roll(reach, -1)
-    turn = math.sin(2.0 * np.pi / directions)
+    turn = np.sin(np.roll(angle, -1) - angle)
     x = (reach * np.roll(sine, -1) - following * sine) / turn
     y = (following * cosine - reach * np.roll(cosine, -1)) / turn
     return np.maximum(x, 0.0) * k_size, np.maximum(y, 0.0) * c_size
 
 
-def _corners(chain: Chain, K: Matrix, C: Matrix, directions: int) -> tuple[Floats, Floats]:
-    form = _proportional(chain, K, C)
+def _parts(K: Matrix, C: Matrix, side: Matrix) -> list[tuple[Matrix, Matrix, Matrix]]:
+    """Split into stretches between held nodes, which move on their own; equal ones once."""
+    cut = np.flatnonzero((K.beside == 0.0) & (C.beside == 0.0)) + 1
+    edges = [0, *cut.tolist(), K.diagonal.size]
+    found: dict[bytes, tuple[Matrix, Matrix, Matrix]] = {}
+    for first, last in pairwise(edges):
+        part = tuple(
+            Matrix(matrix.diagonal[first:last], matrix.beside[first : last - 1])
+            for matrix in (K, C, side)
+        )
+        key = b"".join(array.tobytes() for matrix in part for array in matrix)
+        found.setdefault(key, part)  # type: ignore[arg-type]
+    return list(found.values())
+
+
+def _corners(K: Matrix, C: Matrix, directions: int) -> tuple[Floats, Floats]:
+    form = _proportional(K, C)
     if form is None:
         return _polygon(K, C, directions)
     alpha, beta = form
-    kappa = np.array([max(float(smallest_eigenvalue(*K)), 0.0), max(_largest(K), 0.0)])
+    kappa = np.array([max(smallest_eigenvalue(*K), 0.0), max(_largest(K), 0.0)])
     return kappa, np.maximum(alpha + beta * kappa, 0.0)
 
 
@@ -161,24 +198,35 @@ def _outline(kappa: Floats, gamma: Floats) -> tuple[Floats, Floats]:
     return x.ravel(), y.ravel()
 
 
-def modes(chain: Chain, factor: float = 1.0, directions: int = _DIRECTIONS) -> Modes:
+def modes(chain: Chain, factor: float = 1.0, directions: int | None = None) -> Modes:
     """Enclose the pairs (kappa, gamma) of every mode, the springs multiplied by `factor`."""
-    K = stiffness_matrix(chain, factor)
-    C = friction_matrix(chain)
-    kappa, gamma = _corners(chain, K, C, directions)
-    across = kappa, gamma
-    if np.any(chain.damping_axial != 0.0):
-        across = _corners(chain, K, friction_matrix(chain, axial=False), directions)
-    # Sideways stiffness is anything from 0 up: the shadow that the pairs throw on kappa = 0.
-    low, high = float(across[1].min()), float(across[1].max())
-    side_kappa, side_gamma = _outline(*across)
-    fade = np.linspace(low, high, 65)
-    side_kappa = np.concatenate([side_kappa, np.zeros(65), 1e-3 * side_kappa, 0.3 * side_kappa])
-    side_gamma = np.concatenate([side_gamma, fade, side_gamma, side_gamma])
-    if not chain.sideways:
-        side_kappa, side_gamma = np.zeros(1), np.zeros(1)
-    fastest = max(_largest(K), 0.0)
-    return Modes(*_outline(kappa, gamma), side_kappa, side_gamma, fastest)
+    if directions is None:
+        directions = _DIRECTIONS if chain.mass.size < _LONG else _DIRECTIONS_LONG
+    K, C = stiffness_matrix(chain, factor), friction_matrix(chain)
+    side = friction_matrix(chain, axial=False)
+    along, across = [], []
+    for k, c, d in _parts(K, C, side):
+        corners = _corners(k, c, directions)
+        along.append(_outline(*corners))
+        if chain.sideways:
+            alike = np.array_equal(c.diagonal, d.diagonal)
+            across.append(_shadow(*(corners if alike else _corners(k, d, directions))))
+    if not across:
+        across.append((np.zeros(1), np.zeros(1)))
+    return Modes(
+        *(np.concatenate(values) for values in zip(*along, strict=True)),
+        *(np.concatenate(values) for values in zip(*across, strict=True)),
+    )
+
+
+def _shadow(kappa: Floats, gamma: Floats) -> tuple[Floats, Floats]:
+    """Sample the pairs of sideways motion: stiffness from that of the springs down to 0."""
+    x, y = _outline(kappa, gamma)
+    fade = np.linspace(float(gamma.min()), float(gamma.max()), 65)
+    return (
+        np.concatenate([x, np.zeros(65), 1e-3 * x, 0.3 * x]),
+        np.concatenate([y, fade, y, y]),
+    )
 
 
 def _all_stable(method: str, found: Modes, dt: float) -> bool:
@@ -188,18 +236,36 @@ def _all_stable(method: str, found: Modes, dt: float) -> bool:
     return bool(is_stable(method, found.sideways_kappa * dt * dt, found.sideways_gamma * dt).all())
 
 
-def _definite(K: Matrix, C: Matrix, dt: float, friction: float) -> bool:
-    diagonal = 4.0 - friction * dt * C.diagonal - dt * dt * K.diagonal
-    return bool(is_positive_definite(diagonal, -friction * dt * C.beside - dt * dt * K.beside))
+def _definite(K: Matrix, C: Matrix, dt: float, friction: float, stiff: float = 1.0) -> bool:
+    """Whether 4 M - friction dt C - stiff dt^2 K is positive definite."""
+    both = _combine(C, K, -friction * dt, -stiff * dt * dt)
+    return bool(is_positive_definite(4.0 + both.diagonal, both.beside))
 
 
-def _bisect(is_good: object, low: float, high: float) -> float:
+def _euler_stable(chain: Chain, K: Matrix, C: Matrix, dt: float) -> bool:
+    """Whether C - dt K and 4 M - 2 dt C + dt^2 K are positive, sideways too."""
+    if not (_at_least_zero(C, K, -dt) and _at_least_zero(K, C, -2.0 / dt, 4.0 / (dt * dt))):
+        return False
+    if not chain.sideways:
+        return True
+    side = friction_matrix(chain, axial=False)
+    return _at_least_zero(side, K, -dt) and _definite(K, side, dt, 2.0, stiff=0.0)
+
+
+def _at_least_zero(A: Matrix, B: Matrix, factor: float, shift: float = 0.0) -> bool:
+    """Whether A + factor B + shift has no eigenvalue below 0, to rounding."""
+    both = _combine(A, B, 1.0, factor)
+    size = float(np.abs(A.diagonal).max() + abs(factor) * np.abs(B.diagonal).max()) + shift
+    return bool(is_positive_definite(both.diagonal + shift + 1e-13 * size, both.beside))
+
+
+def _bisect(is_good: Callable[[float], bool], low: float, high: float) -> float:
     """Return the largest good number between a good and a bad one, to rounding."""
     for _ in range(200):
         middle = math.sqrt(low * high) if low > 0.0 and high > 4.0 * low else 0.5 * (low + high)
         if not low < middle < high:
             break
-        if is_good(middle):  # type: ignore[operator]
+        if is_good(middle):
             low = middle
         else:
             high = middle
@@ -222,18 +288,24 @@ def largest_step(method: str, chain: Chain) -> float:
     high = min(4.0 / math.sqrt(kappa) if kappa else math.inf, 16.0 / gamma if gamma else math.inf)
     if method in _PENCIL:
         return _bisect(lambda dt: _definite(K, C, dt, _PENCIL[method]), 0.0, high)
+    if method == "euler":
+        return _descending(lambda dt: _euler_stable(chain, K, C, dt), high, kappa)
     found = modes(chain)
+    return _descending(lambda dt: _all_stable(method, found, dt), high, kappa)
+
+
+def _descending(is_good: Callable[[float], bool], high: float, kappa: float) -> float:
+    """Return the first bad step above 0, looking down from one that is too long."""
     floor = _FORMALLY_ZERO / math.sqrt(kappa) if kappa else 0.0
-    while not _all_stable(method, found, high):
+    while not is_good(high):
         high *= 0.5
         if high < floor:
             return 0.0
-    first_bad = 2.0 * high
     # The region of heun and rk4 has a wavy edge; look for a gap below the first good step.
     for dt in np.linspace(1.0 / 16.0, 1.0, 15, endpoint=False) * high:
-        if not _all_stable(method, found, dt):
-            return _bisect(lambda t: _all_stable(method, found, t), dt - high / 16.0, dt)
-    return _bisect(lambda t: _all_stable(method, found, t), high, first_bad)
+        if not is_good(float(dt)):
+            return _bisect(is_good, float(dt) - high / 16.0, float(dt))
+    return _bisect(is_good, high, 2.0 * high)
 
 
 def largest_stiffness_factor(method: str, chain: Chain, dt: float) -> float:
@@ -241,12 +313,13 @@ def largest_stiffness_factor(method: str, chain: Chain, dt: float) -> float:
     if not chain.free.any() or not np.any(chain.stiffness > 0.0):
         return math.inf
     C = friction_matrix(chain)
-    proportional = _proportional(chain, stiffness_matrix(chain), C) is not None
-    directions = _DIRECTIONS if proportional or chain.mass.size < 2000 else _DIRECTIONS // 2
+    directions = _DIRECTIONS if chain.mass.size < 2000 else _DIRECTIONS_LONG
 
     def is_good(factor: float) -> bool:
         if method in _PENCIL:
             return _definite(stiffness_matrix(chain, factor), C, dt, _PENCIL[method])
+        if method == "euler":
+            return _euler_stable(chain, stiffness_matrix(chain, factor), C, dt)
         return _all_stable(method, modes(chain, factor, directions), dt)
 
     fastest = _largest(assemble(chain, chain.stiffness, np.zeros(chain.mass.size)))
@@ -265,10 +338,10 @@ def largest_stiffness_factor(method: str, chain: Chain, dt: float) -> float:
     return _bisect_loosely(is_good, low, 4.0 * low)
 
 
-def _bisect_loosely(is_good: object, low: float, high: float) -> float:
+def _bisect_loosely(is_good: Callable[[float], bool], low: float, high: float) -> float:
     for _ in range(34):
         middle = 0.5 * (low + high)
-        if is_good(middle):  # type: ignore[operator]
+        if is_good(middle):
             low = middle
         else:
             high = middle

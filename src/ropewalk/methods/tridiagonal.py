@@ -7,6 +7,7 @@ Symmetric Eigenvalue Problem, section 3.3), which bisection turns into eigenvalu
 
 from __future__ import annotations
 
+from ropewalk.core.arrays import Floats
 from ropewalk.core.jit import kernel
 
 
@@ -62,10 +63,9 @@ def largest_eigenvalue(diagonal, beside):
     return high
 
 
-@kernel
-def smallest_eigenvalue(diagonal, beside):
+def smallest_eigenvalue(diagonal: Floats, beside: Floats) -> float:
     """Return the smallest eigenvalue."""
-    return -largest_eigenvalue(-diagonal, beside)
+    return -float(largest_eigenvalue(-diagonal, beside))
 
 
 @kernel

@@ -1,0 +1,227 @@
+"""Whether a scene's time step is stable, by what margin, and what decides it.
+
+Linear theory for any shape of the ropes: see `methods.bound` for the derivation and its sources.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from ropewalk.analysis.statics import Statics, static_shape
+from ropewalk.build import Model, build
+from ropewalk.build.chains import chains, speed_scale
+from ropewalk.methods.bound import (
+    Chain,
+    growth_per_step,
+    highest_frequency,
+    largest_step,
+    largest_stiffness_factor,
+    meter,
+    worst_mode,
+)
+from ropewalk.methods.registry import METHODS
+from ropewalk.scene import Scene, Springs
+
+# Weak growth that multiplies a motion by less than this over the whole run does not break it.
+_HARMLESS = 10.0
+# A swinging rope carries up to about three times its weight at rest.
+_SWING = 3.0
+
+
+@dataclass(frozen=True)
+class Stability:
+    """What linear theory says about a run."""
+
+    method: str
+    step: float  # dt [s]
+    steps: int  # of the whole run
+    largest_step: dict[str, float]  # by method [s]; 0: every step grows, inf: no limit
+    highest_frequency: float  # [rad/s]
+    growth_per_step: float  # of the worst mode at `step` [1]
+    meter: float  # worst a + 2 b at `step`; semi-implicit Euler is stable below 4 (Verlet: a + 4 b)
+    largest_spring_factor: float  # on all springs, at `step` and `method` [1]
+    largest_spring_constant: float | None  # [N/m], where all springs are alike
+    largest_axial_stiffness: float | None  # [N], where all ropes are of one material
+    case: str  # where the bound comes from, e.g. "in the air"
+    cases: dict[str, float]  # largest step of `method` by case [s]
+    rope: str  # where the fastest mode is largest ...
+    node: int  # ... its node in that rope
+    notes: tuple[str, ...] = field(default=())
+
+    @property
+    def bound(self) -> float:
+        """Largest stable step of the chosen method [s]."""
+        return self.largest_step[self.method]
+
+    @property
+    def stable(self) -> bool:
+        """Whether nothing grows at the chosen step."""
+        return self.step <= self.bound
+
+    @property
+    def margin(self) -> float:
+        """Largest stable step over the chosen one, less 1; negative when unstable [1]."""
+        return self.bound / self.step - 1.0
+
+    @property
+    def growth_over_run(self) -> float:
+        """Factor by which the worst mode grows during the whole run [1]; inf beyond 1e300."""
+        exponent = self.steps * math.log(self.growth_per_step) if self.growth_per_step > 0 else 0.0
+        return math.exp(exponent) if exponent < 690.0 else math.inf
+
+    @property
+    def breaks(self) -> bool:
+        """Whether the run is expected to break: unstable, and not just by a slow drift."""
+        return not self.stable and self.growth_over_run > _HARMLESS
+
+    @property
+    def verdict(self) -> str:
+        """One sentence."""
+        bound = f"largest stable step of {self.method} {milliseconds(self.bound)}"
+        at = f"{milliseconds(self.step)} a step"
+        if self.stable:
+            margin = "no limit" if math.isinf(self.margin) else f"margin {100 * self.margin:.3g} %"
+            return f"stable at {at} ({bound}, {margin})"
+        if self.breaks:
+            return f"will break at {at}: x{self.growth_per_step:.4g} per step ({bound})"
+        return f"grows slowly at {at}: x{self.growth_over_run:.3g} over the run ({bound})"
+
+    def as_dict(self) -> dict[str, object]:
+        """Plain values for JSON; None stands for what is not finite."""
+        names = (
+            "method step steps largest_step highest_frequency stable breaks margin growth_per_step "
+            "meter largest_spring_factor largest_spring_constant largest_axial_stiffness case cases rope node"
+        )
+        return {name: plain(getattr(self, name)) for name in names.split()} | {
+            "notes": list(self.notes)
+        }
+
+    def __repr__(self) -> str:
+        return f"Stability: {self.verdict}."
+
+
+def plain(value: object) -> object:
+    """Return a value that JSON can carry: numbers that are not finite become None."""
+    if isinstance(value, dict):
+        return {key: plain(item) for key, item in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [plain(item) for item in value]
+    if isinstance(value, (np.floating, np.integer, np.bool_)):
+        value = value.item()
+    return None if isinstance(value, float) and not math.isfinite(value) else value
+
+
+def milliseconds(seconds: float) -> str:
+    """Return a time step in words."""
+    if math.isinf(seconds):
+        return "unlimited"
+    return "0" if seconds == 0.0 else f"{1e3 * seconds:.4g} ms"
+
+
+def stability(source: Scene | Model, statics: Statics | None = None) -> Stability:
+    """Return the stability of a scene or a built model at its own step and method.
+
+    Quadratic drag is linearised at `build.chains.speed_scale`. `statics`, when it is already
+    known, saves solving for the tension that makes sideways motion stiff.
+    """
+    model = source if isinstance(source, Model) else build(source)
+    plan, method, dt = model.plan, model.plan.method, model.plan.dt
+    cases = chains(model.system, model.state, speed_scale(model.system, model.state))
+    steps = {
+        name: {known: largest_step(known, chain) for known in METHODS}
+        for name, chain in cases.items()
+    }
+    own = {name: found[method] for name, found in steps.items()}
+    case = min(own, key=lambda name: own[name])
+    share = sideways_share(model, statics)
+    growth = max(growth_per_step(method, chain, dt, share) for chain in cases.values())
+    if dt <= own[case]:
+        growth = growth_per_step(method, cases[case], dt, share)
+    friction = 4.0 if method == "verlet" else 2.0
+    factor = min(largest_stiffness_factor(method, chain, dt) for chain in cases.values())
+    shape = worst_mode(cases[case], min(dt, own[case]) or dt)
+    rope, node = model.layout.rope_of(int(np.argmax(np.abs(shape))))
+    constant, material = _uniform(model.scene)
+    largest = {known: min(found[known] for found in steps.values()) for known in METHODS}
+    return Stability(
+        method=method,
+        step=dt,
+        steps=plan.steps,
+        largest_step=largest,
+        highest_frequency=max(highest_frequency(chain) for chain in cases.values()),
+        growth_per_step=growth,
+        meter=max(meter(chain, dt, friction) for chain in cases.values()),
+        largest_spring_factor=factor,
+        largest_spring_constant=None if constant is None else factor * constant,
+        largest_axial_stiffness=None if material is None else factor * material,
+        case=case,
+        cases=own,
+        rope=rope,
+        node=node,
+        notes=_notes(model, cases, largest, share),
+    )
+
+
+def sideways_share(model: Model, statics: Statics | None = None) -> float:
+    """Return the share of a spring's stiffness that acts across it in this scene, 1 - L/r [1].
+
+    The larger of its initial and three times its static share (a swing triples the tension),
+    held to what a limiter allows; 1 where a spring has no rest length.
+    """
+    state, rest = model.state, model.state.rest_length
+    alive = state.stiffness > 0.0
+    if np.any(rest[alive] == 0.0) or not alive.any():
+        return 1.0
+    statics = statics or static_shape(model)
+    size = np.linalg.norm(np.diff(state.x, axis=1), axis=0)
+    stretch = max(float((size[alive] / rest[alive]).max()), 1.0)
+    resting = max(float(statics.stretch[alive].max()), 1.0)
+    share = max(1.0 - 1.0 / stretch, min(_SWING * (1.0 - 1.0 / resting), 1.0))
+    if model.system.limiter.active:
+        share = min(share, max(1.0 - 1.0 / max(model.system.limiter.longest, 1.0), 0.0))
+    return share
+
+
+def _uniform(scene: Scene) -> tuple[float | None, float | None]:
+    """Return the spring constant [N/m] or the EA [N] that all ropes share, if they do."""
+    constants = {
+        rope.made_of.spring_constant for rope in scene.ropes if isinstance(rope.made_of, Springs)
+    }
+    materials = {rope.made_of.EA for rope in scene.ropes if not isinstance(rope.made_of, Springs)}
+    if len(constants) + len(materials) != 1:
+        return None, None
+    return (constants.pop(), None) if constants else (None, materials.pop())
+
+
+def _notes(
+    model: Model, cases: dict[str, Chain], largest: dict[str, float], share: float
+) -> tuple[str, ...]:
+    """Say in words what a bound of 0 means, and what still air would do."""
+    notes = []
+    method, dt = model.plan.method, model.plan.dt
+    for name in ("euler", "heun"):
+        if largest[name] > 0.0:
+            continue
+        axial = any(np.any(chain.damping_axial) for chain in cases.values())
+        why = "nothing damps some of the motion"
+        if axial:
+            why = "axial friction does not damp sideways motion"
+        words = f"{name} has no stable step: {why}"
+        if name == method:
+            rate = "y^2/2" if name == "euler" else "y^4/8"
+            words += f"; it grows by {rate} per step, y = frequency [rad/s] x step [s]"
+        notes.append(words)
+    air = model.system.air
+    if largest[method] >= dt and air.quadratic:
+        still = chains(model.system, model.state, 0.0)
+        if min(largest_step(method, chain) for chain in still.values()) < dt:
+            growth = max(growth_per_step(method, chain, dt, share) for chain in still.values())
+            rate_per_second = math.log(growth) / dt
+            notes.append(
+                f"at rest, where quadratic drag vanishes, motion grows by {rate_per_second:.2g} /s "
+                "until the drag holds it"
+            )
+    return tuple(notes)
