@@ -20,7 +20,14 @@ def faults_of(model: ModelType, error: ValidationError) -> list[Fault]:
     faults: list[Fault] = []
     for item in error.errors(include_url=False):
         faults += _faults(model, item)
-    return faults
+    meant = {_meant(fault) for fault in faults}
+    return [fault for fault in faults if fault.value is not MISSING or fault.path not in meant]
+
+
+def _meant(fault: Fault) -> str | None:
+    """The path that an unknown key was meant for: no need to say that it is missing too."""
+    found = re.search(r'^unknown key.*did you mean "(.*)"', fault.rule)
+    return join(fault.path.rpartition(".")[0], found[1]) if found else None
 
 
 def _faults(model: ModelType, item: Mapping[str, Any]) -> Sequence[Fault]:

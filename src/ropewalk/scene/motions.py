@@ -89,8 +89,8 @@ class Table(Model):
         if len(self.times) < 2:
             faults.append(Fault("times", self.times, "must have at least 2 times"))
         if len(self.times) != len(self.positions):
-            rule = f"must have {len(self.times)} places, one for each time"
-            faults.append(Fault("positions", f"{len(self.positions)} places", rule))
+            rule = f"must have {_places(len(self.times))}, one for each time"
+            faults.append(Fault("positions", _places(len(self.positions)), rule))
         faults += [
             Fault(f"times[{i + 1}]", b, f"must be later than the time before it ({a})")
             for i, (a, b) in enumerate(zip(self.times, self.times[1:], strict=False))
@@ -143,6 +143,10 @@ class Hand(Model):
     """The node is moved live, by setting the anchor's velocity; it rests until then."""
 
     kind: Literal["hand"] = "hand"
+
+
+def _places(number: int) -> str:
+    return f"{number} place" + ("" if number == 1 else "s")
 
 
 def interval_faults(start: float, stop: float) -> list[Fault]:

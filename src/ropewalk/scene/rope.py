@@ -197,7 +197,9 @@ def rope_faults(rope: Rope) -> list[Fault]:
     for i, kick in enumerate(rope.kicks):
         earlier = first.setdefault(kick.node % rope.nodes, i)
         if earlier != i:
-            faults.append(Fault(f"kick[{i}].node", kick.node, f"is kicked by kick[{earlier}]"))
+            faults.append(
+                Fault(f"kick[{i}].node", kick.node, f"is kicked by kick[{earlier}] already")
+            )
     return faults + _shape_faults(rope)
 
 
