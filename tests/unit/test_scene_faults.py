@@ -211,8 +211,8 @@ def test_one_fault_of_a_rope(old: str, new: str, line: str) -> None:
             'winch[0].end: "top" - must be one of "start", "end"',
         ),
         (
-            '[[anchor]]\nnode = 0\n[[winch]]\nend = "start"\nspee'
-            'd = 1\n[[winch]]\nend = "start"\nspeed = 2',
+            '[[anchor]]\nnode = 0\n[[winch]]\nend = "start"\nspeed = 1\n'
+            '[[winch]]\nend = "start"\nspeed = 2',
             'winch[1].end: "start" - has winch[0] already',
         ),
         (
