@@ -1,0 +1,135 @@
+"""The documentation tells the truth: its commands parse, its scenes load, its Python runs."""
+
+from __future__ import annotations
+
+import re
+import shlex
+import tomllib
+from pathlib import Path
+from typing import Any
+
+import click
+import pytest
+
+from ropewalk.cli import main
+from ropewalk.scene import Scene, SceneError, presets
+
+ROOT = Path(__file__).resolve().parents[2]
+PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
+BLOCK = re.compile(r"^```(\w+)\n(.*?)^```", re.MULTILINE | re.DOTALL)
+INLINE = re.compile(r"`(ropewalk [^`]+)`")
+BASE = """
+[[rope]]
+segments = 20
+[rope.made_of]
+kind = "springs"
+spring_constant = 1000.0
+node_mass = 0.05
+segment_length = 0.5
+[[anchor]]
+name = "left"
+node = 0
+[[anchor]]
+name = "right"
+node = -1
+"""
+
+
+def blocks(page: Path, language: str) -> list[str]:
+    """Return a page's code blocks of one language."""
+    text = page.read_text(encoding="utf-8").replace("    ```", "```")
+    return [body for name, body in BLOCK.findall(text) if name == language]
+
+
+def commands(page: Path) -> list[str]:
+    """Return the lines of a page's shell blocks that call ropewalk, and inline commands."""
+    lines = "\n".join(blocks(page, "bash")).replace("\\\n", " ").splitlines()
+    found = [line for line in lines if re.match(r"(\.venv/bin/)?ropewalk\b", line)]
+    return found + INLINE.findall(page.read_text(encoding="utf-8"))
+
+
+def parse(line: str) -> None:
+    """Raise click.UsageError when a command or an option of the line does not exist."""
+    words = shlex.split(line, comments=True)
+    for end in ("|", ">", "&&", "2>"):
+        words = words[: words.index(end)] if end in words else words
+    if len(words) < 2 or words[1].startswith("-"):
+        return
+    assert isinstance(main, click.Group)
+    context = click.Context(main, info_name="ropewalk")
+    name, command, rest = main.resolve_command(context, words[1:])
+    assert command is not None
+    own = click.Context(command, info_name=name, parent=context)
+    values, left, _ = command.make_parser(own).parse_args(list(rest))
+    if left:
+        raise click.UsageError(f"too much: {left}")
+    for parameter in command.params:
+        if isinstance(parameter.type, click.Choice) and parameter.name in values:
+            given: Any = values[parameter.name]
+            for value in given if isinstance(given, list | tuple) else [given]:
+                if isinstance(value, str):
+                    parameter.type.convert(value, parameter, own)
+
+
+def merged(base: dict[str, Any], part: dict[str, Any]) -> dict[str, Any]:
+    """Put a piece of a scene, as a page shows it, into a whole one."""
+    made = dict(base)
+    for key, value in part.items():
+        if key == "rope" and isinstance(value, list) and "segments" not in value[0]:
+            made[key] = [made[key][0] | value[0]]
+        else:
+            made[key] = value
+    return made
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.relative_to(ROOT).as_posix())
+def test_commands_exist(page: Path) -> None:
+    for line in commands(page):
+        try:
+            parse(line)
+        except click.UsageError as error:
+            pytest.fail(f"{line}: {error.format_message()}")
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.relative_to(ROOT).as_posix())
+def test_scenes_load(page: Path, tmp_path: Path) -> None:
+    (tmp_path / "path.csv").write_text("time,x,y,z\n0,0,0,0\n1,1,0,0\n2,1,0,1\n")
+    points = "\n".join(f"{0.5 * i},0,0" for i in range(21))
+    (tmp_path / "points.csv").write_text(f"x,y,z\n{points}\n")
+    for block in blocks(page, "toml"):
+        scene = merged(tomllib.loads(BASE), tomllib.loads(block))
+        try:
+            Scene.model_validate(scene, context={"folder": str(tmp_path)})
+        except SceneError as error:
+            pytest.fail(f"{error}\n{block}")
+
+
+@pytest.mark.parametrize(
+    "page",
+    [page for page in PAGES if blocks(page, "python")],
+    ids=lambda page: page.relative_to(ROOT).as_posix(),
+)
+def test_python_runs(page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    import matplotlib as mpl
+
+    mpl.use("Agg")
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "scene.toml").write_text(BASE + "[run]\nduration = 0.5\n")
+    names: dict[str, Any] = {"__name__": "page"}
+    for block in blocks(page, "python"):
+        exec(compile(block, str(page), "exec"), names)  # noqa: S102 - the page is ours
+
+
+def test_every_command_and_preset_is_documented() -> None:
+    text = "\n".join(page.read_text(encoding="utf-8") for page in PAGES)
+    assert isinstance(main, click.Group)
+    for name in main.commands:
+        assert f"ropewalk {name}" in text
+    assert presets.names()
+
+
+def test_a_wrong_command_is_seen() -> None:
+    with pytest.raises(click.UsageError):
+        parse("ropewalk walk scene.toml")
+    with pytest.raises(click.UsageError):
+        parse("ropewalk run scene.toml --no-such-option")
