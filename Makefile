@@ -11,14 +11,20 @@ help:  ## list the targets
 	  awk -F '\t' '{printf "  make %-10s %s\n", $$1, $$2}'
 
 venv:
-	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null || { \
-	  echo "make: Ropewalk needs Python 3.11 or newer; '$(PYTHON)' is $$($(PYTHON) -V 2>&1 || true)." \
+	@command -v "$(PYTHON)" >/dev/null || { \
+	  echo "make: there is no '$(PYTHON)'; Ropewalk needs Python 3.11 or newer." \
+	       "Name one: make PYTHON=python3.12" >&2; exit 1; }
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { \
+	  echo "make: Ropewalk needs Python 3.11 or newer; '$(PYTHON)' is $$($(PYTHON) -V 2>&1)." \
 	       "Name another one: make PYTHON=python3.12" >&2; exit 1; }
+	@if [ "$$(cat .venv/made-in 2>/dev/null || pwd)" != "$$(pwd)" ]; then \
+	  echo "this folder was moved: making .venv anew"; rm -rf .venv; fi
 	@$(BIN)/python -c 'import sys, pip; sys.exit(sys.version_info < (3, 11))' 2>/dev/null || { \
 	  echo "making .venv with $$($(PYTHON) -V)"; \
 	  $(PYTHON) -m venv --clear .venv || { rm -rf .venv; \
 	  echo "make: no virtual environment could be made; on Debian and Ubuntu: apt install python3-venv" >&2; \
 	  exit 1; }; }
+	@pwd > .venv/made-in
 
 # Installs only what the lock and the package's description say is new: a copy of both is kept in .venv.
 define install
