@@ -1,0 +1,31 @@
+"""From what the user described to what the kernels need."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ropewalk.build.layout import Layout, Span, make_layout
+from ropewalk.build.plan import Plan, make_plan
+from ropewalk.build.tables import make_tables
+from ropewalk.core.arrays import State, System
+from ropewalk.scene import Scene
+
+__all__ = ["Layout", "Model", "Plan", "Span", "build"]
+
+
+@dataclass(frozen=True)
+class Model:
+    """A scene, built: constant tables, state at time zero, layout and plan."""
+
+    scene: Scene
+    system: System
+    state: State
+    layout: Layout
+    plan: Plan
+
+
+def build(scene: Scene) -> Model:
+    """Build a scene. Raises SceneError when it cannot be planned."""
+    layout = make_layout(scene)
+    system, state = make_tables(scene, layout)
+    return Model(scene, system, state, layout, make_plan(scene, system, state))

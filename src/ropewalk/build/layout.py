@@ -1,0 +1,112 @@
+"""Where ropes, nodes and anchors lie in the arrays."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from ropewalk.scene import Rope, Scene, Winch
+
+LARGEST_SPARE = 1_000_000
+
+
+@dataclass(frozen=True)
+class Span:
+    """One rope's share of the arrays; spare nodes lie on a winch's drum."""
+
+    name: str
+    first: int
+    nodes: int  # spare ones included
+    spare_start: int = 0
+    spare_end: int = 0
+
+    @property
+    def last(self) -> int:
+        """Index of the rope's last node, spare ones included."""
+        return self.first + self.nodes - 1
+
+    @property
+    def start(self) -> int:
+        """Index of the first node of the rope as the scene describes it."""
+        return self.first + self.spare_start
+
+    @property
+    def end(self) -> int:
+        """Index of the last node of the rope as the scene describes it."""
+        return self.last - self.spare_end
+
+
+@dataclass(frozen=True)
+class Layout:
+    """All ropes one after another, and the anchors by name."""
+
+    ropes: tuple[Span, ...]
+    anchor_names: tuple[str, ...]
+    anchor_nodes: tuple[int, ...]
+    nodes: int
+
+    @property
+    def segments(self) -> int:
+        """Number of segments in the arrays, the dead ones between ropes included."""
+        return self.nodes - 1
+
+    def span(self, rope: str | None = None) -> Span:
+        """Return one rope's span; without a name, the only rope's.
+
+        Raises KeyError for an unknown name, or for no name with several ropes.
+        """
+        if rope is None and len(self.ropes) == 1:
+            return self.ropes[0]
+        for span in self.ropes:
+            if span.name == rope:
+                return span
+        names = ", ".join(span.name for span in self.ropes)
+        raise KeyError(f"name one of the ropes {names}" + (f", not {rope!r}" if rope else ""))
+
+    def node(self, node: int, rope: str | None = None) -> int:
+        """Return the array index of a rope's node; negative nodes count from its end.
+
+        Raises KeyError for the rope and IndexError for the node.
+        """
+        span = self.span(rope)
+        count = span.end - span.start + 1
+        if not -count <= node < count:
+            raise IndexError(f"rope {span.name!r} has the nodes 0 to {count - 1}, not {node}")
+        return span.start + node % count
+
+    def rope_of(self, index: int) -> tuple[str, int]:
+        """Return rope name and node number of an array index."""
+        for span in self.ropes:
+            if index <= span.last:
+                return span.name, index - span.start
+        raise IndexError(f"there are {self.nodes} nodes, no index {index}")
+
+
+def make_layout(scene: Scene) -> Layout:
+    """Lay out the ropes of a scene one after another."""
+    spans: list[Span] = []
+    first = 0
+    for rope in scene.ropes:
+        spare = {
+            winch.end: _spare_nodes(scene, rope, winch)
+            for winch in scene.winches
+            if winch.rope == rope.name
+        }
+        start, end = spare.get("start", 0), spare.get("end", 0)
+        spans.append(Span(rope.name, first, rope.nodes + start + end, start, end))
+        first += spans[-1].nodes
+    nodes = tuple(
+        spans[scene.rope_index(anchor.rope)].start + scene.anchor_node(anchor)
+        for anchor in scene.anchors
+    )
+    return Layout(tuple(spans), tuple(anchor.name for anchor in scene.anchors), nodes, first)
+
+
+def _spare_nodes(scene: Scene, rope: Rope, winch: Winch) -> int:
+    """Nodes that must wait on the drum for all the rope that the winch can pay out."""
+    if winch.speed <= 0.0:
+        return 0
+    paid = winch.speed * max(min(winch.stop, scene.run.duration) - winch.start, 0.0)
+    if winch.max_length is not None:
+        paid = min(paid, winch.max_length - rope.length_unstretched)
+    return min(math.ceil(max(paid, 0.0) / rope.segment_length) + 1, LARGEST_SPARE)

@@ -1,0 +1,86 @@
+"""The plan of a run: frames, steps per frame, step length."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from ropewalk.build.chains import chains, speed_scale
+from ropewalk.core.arrays import State, System
+from ropewalk.methods.bound import largest_step
+from ropewalk.scene import RunSettings, Scene, SceneError
+from ropewalk.scene.errors import Fault
+
+# The rule of NeHe's lesson: whole number of steps whose length stays below the given one.
+_ROUND_OFF = 1e-9  # [1] a frame this close to a whole number of steps counts as whole
+
+
+@dataclass(frozen=True)
+class Plan:
+    """Frames and steps of a run; frame f is at t = f * steps_per_frame * dt."""
+
+    method: str
+    dt: float  # [s]
+    steps_per_frame: int
+    frames: int  # after the initial one
+
+    @property
+    def frame_interval(self) -> float:
+        """Time between two frames [s]."""
+        return self.steps_per_frame * self.dt
+
+    @property
+    def steps(self) -> int:
+        """Number of steps of the whole run."""
+        return self.frames * self.steps_per_frame
+
+    @property
+    def duration(self) -> float:
+        """Simulated time of the whole run [s]."""
+        return self.steps * self.dt
+
+
+def predicted_step(system: System, state: State, method: str) -> float:
+    """Return the largest stable step of `method` for this system [s], over all its cases."""
+    cases = chains(system, state, speed_scale(system, state))
+    return min(largest_step(method, chain) for chain in cases.values())
+
+
+def make_plan(scene: Scene, system: System, state: State) -> Plan:
+    """Return the plan of a scene's run.
+
+    Raises SceneError when "auto" finds no stable step, or the plan has more than 2^53 steps.
+    """
+    run = scene.run
+    step = run.time_step
+    if step == "auto":
+        step = auto_step(run, system, state)
+    count, dt = divide(run.frame_interval, step, run.steps)
+    frames = max(1, round(run.duration / (count * dt)))
+    if frames * count >= 2**53:
+        rule = f"makes {frames * count:.2g} steps; take a longer one"
+        raise SceneError([Fault("run.time_step", run.time_step, rule)])
+    return Plan(run.method, dt, count, frames)
+
+
+def auto_step(run: RunSettings, system: System, state: State) -> float:
+    """Return the stated fraction of the largest stable step, at most one frame [s]."""
+    bound = predicted_step(system, state, run.method)
+    if bound <= 0.0:
+        rule = (
+            f"no step of {run.method} is stable here: nothing damps some of the motion; "
+            "take semi-implicit-euler, verlet or rk4, or give a step yourself"
+        )
+        raise SceneError([Fault("run.time_step", "auto", rule)])
+    return min(run.auto_fraction * bound, run.frame_interval)
+
+
+def divide(interval: float, step: float, rule: str) -> tuple[int, float]:
+    """Return steps per frame and step length [s] for a frame interval [s] and a wanted step [s]."""
+    if rule == "exact":
+        return max(1, round(interval / step)), step
+    if rule == "nehe":
+        count = int(interval / step) + 1
+    else:
+        count = max(1, math.ceil(interval / step * (1.0 - _ROUND_OFF)))
+    return count, interval / count

@@ -1,0 +1,201 @@
+"""Scene -> System (constant) and State (what evolves)."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from ropewalk.build.curve import initial_points
+from ropewalk.build.layout import Layout, Span
+from ropewalk.build.limiter_order import limiter_order
+from ropewalk.build.motion_rows import anchor_tables
+from ropewalk.core.arrays import (
+    Air,
+    Floats,
+    Forces,
+    Ground,
+    Limiter,
+    State,
+    System,
+    Winches,
+    Work,
+)
+from ropewalk.laws.anchors import anchor_target
+from ropewalk.scene import Material, Rope, Scene, Springs
+
+
+def make_tables(scene: Scene, layout: Layout) -> tuple[System, State]:
+    """Return the constant tables and the state at time zero."""
+    state = _ropes(scene, layout)
+    system = _system(scene, layout, state)
+    _hold(system, state)
+    return system, state
+
+
+def line_density(rope: Rope) -> float:
+    """Return mass per unstretched length [kg/m]; a spring rope's node mass over segment length."""
+    if isinstance(rope.made_of, Material):
+        return rope.made_of.mass_per_length
+    length = rope.segment_length
+    return rope.made_of.node_mass / length if length > 0.0 else 0.0
+
+
+def _node_masses(rope: Rope) -> Floats:
+    """Return the mass of every node of the rope as described, loads included [kg], (nodes,)."""
+    if isinstance(rope.made_of, Springs):
+        mass = np.full(rope.nodes, rope.made_of.node_mass)
+    else:
+        mass = np.full(rope.nodes, rope.made_of.mass_per_length * rope.segment_length)
+        mass[0] *= 0.5
+        mass[-1] *= 0.5
+    for load in rope.loads:
+        mass[rope.node_index(load.node)] += load.mass
+    return mass
+
+
+def _ropes(scene: Scene, layout: Layout) -> State:
+    n, s = layout.nodes, layout.segments
+    a, w = len(scene.anchors), len(scene.winches)
+    x, v, mass = np.zeros((3, n)), np.zeros((3, n)), np.zeros(n)
+    lengths, stiffness = np.zeros(s), np.zeros(s)
+    vector, axial = np.zeros(s), np.zeros(s)
+    for rope, span in zip(scene.ropes, layout.ropes, strict=True):
+        nodes, segments = slice(span.start, span.end + 1), slice(span.start, span.end)
+        x[:, nodes] = initial_points(scene, rope).T
+        x[:, span.first : span.start] = x[:, span.start, None]
+        x[:, span.end + 1 : span.last + 1] = x[:, span.end, None]
+        v[:, nodes] = np.array(rope.shape.velocity)[:, None]
+        for kick in rope.kicks:
+            v[:, span.start + rope.node_index(kick.node)] = kick.velocity
+        mass[nodes] = _node_masses(rope)
+        lengths[segments] = rope.segment_length
+        stiffness[segments] = rope.segment_stiffness
+        form = vector if rope.made_of.friction == "vector" else axial
+        form[segments] = rope.segment_friction
+    inverse = np.divide(1.0, mass, out=np.zeros(n), where=mass > 0.0)
+    segment, node = (3, n + 1), (3, n)
+    exits = [_exit(layout.span(winch.rope), winch.end) for winch in scene.winches]
+    return State(
+        x=x,
+        v=v,
+        acceleration=np.zeros(node),
+        mass=mass,
+        inverse_mass=inverse,
+        rest_length=lengths,
+        stiffness=stiffness,
+        damping_vector=vector,
+        damping_axial=axial,
+        held=np.ones(a, np.int64),
+        anchor_node=np.array(layout.anchor_nodes, dtype=np.int64),
+        anchor_x=np.zeros((a, 3)),
+        anchor_v=np.zeros((a, 3)),
+        reaction=np.zeros((a, 3)),
+        winch_exit=np.array(exits, dtype=np.int64),
+        winch_debt=np.zeros(w),
+        forces=Forces(*(np.zeros(shape) for shape in (segment, segment, node, node, node))),
+        work=Work(*(np.zeros(size) for size in (s, s, n, n, n, n, a, 2, 2))),
+    )
+
+
+def _exit(span: Span, end: str) -> int:
+    return span.start if end == "start" else span.end
+
+
+def _system(scene: Scene, layout: Layout, state: State) -> System:
+    floor = np.full(layout.segments, -math.inf)
+    for rope, span in zip(scene.ropes, layout.ropes, strict=True):
+        if rope.made_of.tension_only:
+            floor[span.first : span.last] = 0.0
+    origins = state.x[:, state.anchor_node].T.copy()
+    return System(
+        gravity=np.array(scene.gravity, dtype=np.float64),
+        flags=np.array([0, state.damping_axial.any(), (floor == 0.0).any()], dtype=np.int64),
+        slack_floor=floor,
+        air=_air(scene, layout),
+        ground=_ground(scene),
+        limiter=_limiter(scene, layout),
+        anchors=anchor_tables(scene, origins),
+        winches=_winches(scene, layout),
+    )
+
+
+def _air(scene: Scene, layout: Layout) -> Air:
+    air, n = scene.air, layout.nodes
+    normal, tangential = np.zeros(layout.segments), np.zeros(layout.segments)
+    drag, quadratic = np.zeros(n), np.zeros(n)
+    if air is None:
+        return Air(0, 0, drag, quadratic, normal, tangential, np.zeros(3))
+    for rope, span in zip(scene.ropes, layout.ropes, strict=True):
+        segments = slice(span.first, span.last)
+        normal[segments] = 0.5 * air.density * air.normal_coefficient * rope.diameter
+        tangential[segments] = (
+            0.5 * math.pi * air.density * air.tangential_coefficient * rope.diameter
+        )
+        nodes = slice(span.start, span.end + 1)
+        drag[nodes], quadratic[nodes] = air.node_drag, air.node_drag_quadratic
+    curved = bool(quadratic.any() or normal.any() or tangential.any())
+    linear = int(air.node_drag > 0.0)
+    wind = np.array(air.wind, dtype=np.float64)
+    return Air(linear, int(curved), drag, quadratic, normal, tangential, wind)
+
+
+def _ground(scene: Scene) -> Ground:
+    up = np.array(scene.up)
+    ground = scene.ground
+    if ground is None:
+        return Ground(0, up, 0.0, 0.0, 0.0, 0.0)
+    return Ground(1, up, ground.height, ground.repulsion, ground.friction, ground.absorption)
+
+
+def _limiter(scene: Scene, layout: Layout) -> Limiter:
+    limiter = scene.limiter
+    if limiter is None:
+        return Limiter(0, 0.0, math.inf, 0, np.zeros(0, np.int64), np.zeros(0))
+    order, share = limiter_order(layout)
+    return Limiter(1, limiter.min_stretch, limiter.max_stretch, limiter.passes, order, share)
+
+
+def _winches(scene: Scene, layout: Layout) -> Winches:
+    rows = []
+    for winch in scene.winches:
+        rope, span = scene.rope_named(winch.rope), layout.span(winch.rope)
+        at_start = winch.end == "start"
+        drum = span.start if at_start else span.end
+        length = rope.segment_length
+        friction = rope.segment_friction * length
+        form = (friction, 0.0) if rope.made_of.friction == "vector" else (0.0, friction)
+        rows.append(
+            (
+                layout.anchor_nodes.index(drum),
+                span.first if at_start else span.last,
+                span.last if at_start else span.first,
+                1 if at_start else -1,
+                winch.speed,
+                winch.start,
+                winch.stop,
+                length,
+                winch.min_length or 0.5 * length,
+                winch.max_length or math.inf,
+                rope.segment_stiffness * length,
+                *form,
+                line_density(rope),
+            )
+        )
+    columns = np.array(rows, dtype=np.float64).reshape(-1, 14).T
+    whole = [np.ascontiguousarray(column).astype(np.int64) for column in columns[:4]]
+    return Winches(*whole, *(np.ascontiguousarray(column) for column in columns[4:]))
+
+
+def _hold(system: System, state: State) -> None:
+    """Put the held nodes where their anchors are at time zero, with the anchors' velocities."""
+    for row, node in enumerate(state.anchor_node):
+        state.anchor_x[row] = state.x[:, node]
+        point, speed = np.zeros(3), np.zeros(3)
+        anchor_target(system, state, row, 0.0, 0.0, point, speed)
+        if system.anchors.release[row] <= 0.0:
+            state.held[row] = 0
+            continue
+        state.anchor_x[row], state.anchor_v[row] = point, speed
+        state.x[:, node], state.v[:, node] = point, speed
+        state.inverse_mass[node] = 0.0

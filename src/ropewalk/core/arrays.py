@@ -1,0 +1,172 @@
+"""What the kernels get: constant tables (`System`) and what evolves (`State`).
+
+n nodes, s = n - 1 segments, one rope after another; the segment between two ropes is dead (stiffness,
+damping and rest length 0). Vectors are `(3, n)`, so that loops over nodes run over contiguous memory.
+Forces of segments are `(3, n + 1)`: column j + 1 holds what segment j does to node j (and, with the
+opposite sign, to node j + 1); columns 0 and n stay zero, so that no loop needs an edge case.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+# Places in `System.flags`.
+APPLIED, AXIAL, TENSION_ONLY = range(3)
+
+
+class Air(NamedTuple):
+    """Air drag. All arrays per node, shape (n,), except `wind` (3,) [m/s]."""
+
+    linear: int  # 1 when the linear law acts
+    quadratic: int  # 1 when a quadratic law acts
+    node_drag: Floats  # [N s/m]
+    node_drag_quadratic: Floats  # [N s^2/m^2]
+    normal: Floats  # (s,) density * normal coefficient * diameter / 2 [N s^2/m^3]
+    tangential: Floats  # (s,) density * tangential coefficient * diameter / 2 [N s^2/m^3]
+    wind: Floats
+
+
+class Ground(NamedTuple):
+    """Ground as NeHe's lesson 40 has it, per node."""
+
+    active: int
+    up: Floats  # (3,) unit vector
+    height: float  # [m] along `up`
+    repulsion: float  # [N/m]
+    friction: float  # [N s/m]
+    absorption: float  # [N s/m]
+
+
+class Limiter(NamedTuple):
+    """Stretch limiter: order and shares of its sweep."""
+
+    active: int
+    shortest: float  # least allowed stretch [1]
+    longest: float  # largest allowed stretch [1]
+    passes: int
+    order: Ints  # (s',) segments from the anchors outward
+    share: Floats  # (s',) part of the correction given to node j (the rest goes to node j + 1)
+
+
+class Anchors(NamedTuple):
+    """Anchors and their motions, one row each."""
+
+    release: Floats  # (a,) [s], inf: never
+    above_ground: Ints  # (a,)
+    kind: Ints  # (a,) code of the motion
+    params: Floats  # (a, 16) parameters of the motion
+    table_start: Ints  # (a,) first row of the motion's own table
+    table_rows: Ints  # (a,)
+    table: Floats  # (rows, 13) time, then cubic coefficients of x, y, z
+
+
+class Winches(NamedTuple):
+    """Winches, one row each. `step` is +1 where the rope lies above the drum's index, else -1."""
+
+    anchor: Ints  # (w,) the anchor that carries the drum
+    first: Ints  # (w,) node at the rope's end on the drum
+    last: Ints  # (w,) node at the rope's other end
+    step: Ints  # (w,) +1 at the rope's start, -1 at its end
+    speed: Floats  # (w,) [m/s], + pays out
+    start: Floats  # (w,) [s]
+    stop: Floats  # (w,) [s]
+    segment: Floats  # (w,) nominal segment length [m]
+    shortest: Floats  # (w,) [m] stop of reeling in
+    longest: Floats  # (w,) [m] stop of paying out
+    EA: Floats  # (w,) [N]
+    vector: Floats  # (w,) vector friction times length [N s]
+    axial: Floats  # (w,) axial friction times length [N s]
+    line: Floats  # (w,) mass per length [kg/m]
+
+
+class System(NamedTuple):
+    """All that stays the same during a run."""
+
+    gravity: Floats  # (3,) [m/s^2]
+    flags: Ints  # (3,) which optional parts act: APPLIED, AXIAL, TENSION_ONLY
+    slack_floor: Floats  # (s,) least elastic tension [N]: 0 for tension-only segments, else -inf
+    air: Air
+    ground: Ground
+    limiter: Limiter
+    anchors: Anchors
+    winches: Winches
+
+
+class Forces(NamedTuple):
+    """Forces of the last evaluation [N], by law."""
+
+    elastic: Floats  # (3, n + 1)
+    friction: Floats  # (3, n + 1)
+    air: Floats  # (3, n)
+    ground: Floats  # (3, n)
+    applied: Floats  # (3, n)
+
+
+class Work(NamedTuple):
+    """Work done on the rope so far [J], by law; per segment, per node, or in all."""
+
+    elastic: Floats  # (s,)
+    friction: Floats  # (s,)
+    weight: Floats  # (n,)
+    air: Floats  # (n,)
+    ground: Floats  # (n,)
+    applied: Floats  # (n,)
+    anchors: Floats  # (a,)
+    limiter: Floats  # (2,) kinetic, potential
+    winch: Floats  # (2,) kinetic, potential
+
+
+class State(NamedTuple):
+    """All that evolves; a copy of it restarts a run to the same bits."""
+
+    x: Floats  # (3, n) positions [m]
+    v: Floats  # (3, n) velocities [m/s]
+    acceleration: Floats  # (3, n) [m/s^2], of the last evaluation
+    mass: Floats  # (n,) [kg]
+    inverse_mass: Floats  # (n,) [1/kg], 0 for held nodes
+    rest_length: Floats  # (s,) [m]
+    stiffness: Floats  # (s,) [N/m]
+    damping_vector: Floats  # (s,) [N s/m]
+    damping_axial: Floats  # (s,) [N s/m]
+    held: Ints  # (a,) 1 while the anchor holds its node
+    anchor_node: Ints  # (a,) the node it holds; a winch changes it
+    anchor_x: Floats  # (a, 3) [m]
+    anchor_v: Floats  # (a, 3) [m/s]
+    reaction: Floats  # (a, 3) force of the anchor on the rope, mean over the last step [N]
+    winch_exit: Ints  # (w,) the last node on the drum
+    winch_debt: Floats  # (w,) unstretched length still to be given back [m]
+    forces: Forces
+    work: Work
+
+
+def copy(value: Any) -> Any:
+    """Copy a (nested) named tuple of arrays."""
+    if isinstance(value, tuple):
+        return type(value)(*(copy(item) for item in value))  # type: ignore[call-arg]
+    return value.copy() if isinstance(value, np.ndarray) else value
+
+
+def assign(target: Any, source: Any) -> None:
+    """Copy the arrays of one named tuple into those of another of the same shapes."""
+    for to, item in zip(target, source, strict=True):
+        if isinstance(to, tuple):
+            assign(to, item)
+        else:
+            to[...] = item
+
+
+def flatten(value: Any, prefix: str = "") -> dict[str, Floats]:
+    """Return the arrays of a nested named tuple by dotted name."""
+    found: dict[str, Floats] = {}
+    for name, item in zip(value._fields, value, strict=True):
+        if isinstance(item, tuple):
+            found |= flatten(item, f"{prefix}{name}.")
+        else:
+            found[prefix + name] = item
+    return found

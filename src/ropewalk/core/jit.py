@@ -1,0 +1,130 @@
+"""The `@kernel` decorator: numba without fast-math, cached under a hash of the package's own sources.
+
+numba's own disk cache looks at one file's time stamp only and misses edits in the files a kernel calls
+(numba issue 1833). Here the stamp of every cached kernel is a hash over all sources of the package, so
+that stale machine code can never run.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import os
+import shutil
+import sys
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numba
+from numba.core import caching
+
+PACKAGE = Path(__file__).resolve().parent.parent
+KERNEL_FOLDERS = ("core", "laws", "methods", "motions", "record", "analysis")
+KEPT_CACHES = 4
+
+
+@cache
+def source_hash() -> str:
+    """Return a hash of every source file that can hold a kernel, and of numba's version."""
+    digest = hashlib.sha256(numba.__version__.encode())
+    for folder in KERNEL_FOLDERS:
+        for path in sorted((PACKAGE / folder).rglob("*.py")):
+            digest.update(str(path.relative_to(PACKAGE)).encode())
+            digest.update(path.read_bytes())
+    return digest.hexdigest()[:16]
+
+
+def cache_root() -> Path:
+    """Return the folder of compiled kernels: `ROPEWALK_CACHE_DIR`, or the user's cache folder."""
+    if chosen := os.environ.get("ROPEWALK_CACHE_DIR"):
+        return Path(chosen)
+    if sys.platform == "win32":
+        base = Path(os.environ.get("LOCALAPPDATA", Path.home() / "AppData" / "Local"))
+    elif sys.platform == "darwin":
+        base = Path.home() / "Library" / "Caches"
+    else:
+        base = Path(os.environ.get("XDG_CACHE_HOME", Path.home() / ".cache"))
+    return base / "ropewalk"
+
+
+@cache
+def cache_folder() -> Path | None:
+    """Return this version's own cache folder, made if need be; None where nothing can be written."""
+    folder = cache_root() / source_hash()
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        os.utime(folder)
+        probe = folder / f".probe-{os.getpid()}"
+        probe.write_bytes(b"")
+        probe.unlink()
+    except OSError:
+        return None
+    _drop_old_caches(folder)
+    return folder
+
+
+def _drop_old_caches(current: Path) -> None:
+    with contextlib.suppress(OSError):
+        old = [entry for entry in current.parent.iterdir() if entry.is_dir() and entry != current]
+        old.sort(key=lambda entry: entry.stat().st_mtime, reverse=True)
+        for entry in old[KEPT_CACHES - 1 :]:
+            shutil.rmtree(entry, ignore_errors=True)
+
+
+def is_compiled(function: Any) -> bool:
+    """Tell whether `function` has machine code, in this process or on disk."""
+    if function.signatures:
+        return True
+    folder = cache_folder()
+    name = function.py_func.__qualname__
+    return folder is not None and any(folder.glob(f"*.{name}-*.nbi"))
+
+
+class _SourceHashLocator(caching._CacheLocator):
+    """Locate cached kernels in the folder that carries the hash of all sources."""
+
+    def __init__(self, py_func: Callable[..., Any], py_file: str) -> None:
+        self._stem = Path(py_file).stem
+        self._line = py_func.__code__.co_firstlineno
+
+    def get_cache_path(self) -> str:
+        return str(cache_folder())
+
+    def get_source_stamp(self) -> str:
+        return source_hash()
+
+    def get_disambiguator(self) -> str:
+        return f"{self._stem}-{self._line}"
+
+    @classmethod
+    def from_function(cls, py_func: Callable[..., Any], py_file: str) -> _SourceHashLocator:
+        return cls(py_func, py_file)
+
+
+class _KernelCacheImpl(caching.CompileResultCacheImpl):
+    _locator_classes = [_SourceHashLocator]  # noqa: RUF012 - numba reads this class attribute
+
+
+class _KernelCache(caching.FunctionCache):
+    _impl_class = _KernelCacheImpl
+
+
+def kernel(function: Callable[..., Any]) -> Any:
+    """Compile `function` on its first call; keep the machine code on disk for the next process.
+
+    No fast-math: the same inputs give the same bits. Division by zero gives inf, never an exception.
+    """
+    compiled = numba.njit(nogil=True, error_model="numpy", _nrt=False)(function)
+    if not numba.config.DISABLE_JIT and cache_folder() is not None:
+        compiled._cache = _KernelCache(function)
+    return compiled
+
+
+def part(function: Callable[..., Any]) -> Any:
+    """Compile `function` into its callers: for parts of kernels that take named tuples.
+
+    A call with a tuple of many arrays costs a reference count up and down for each of them.
+    """
+    return numba.njit(nogil=True, error_model="numpy", _nrt=False, inline="always")(function)

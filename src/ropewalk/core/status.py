@@ -1,0 +1,9 @@
+"""Status codes that kernels return; the host turns them into sentences."""
+
+from __future__ import annotations
+
+OK = 0
+BROKEN = 1  # a coordinate is not finite, or a segment is stretched beyond BREAK_STRETCH
+
+# A segment this many times its rest length [1] counts as broken simulation, not as rope.
+BREAK_STRETCH = 10.0

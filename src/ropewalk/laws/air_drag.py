@@ -1,0 +1,63 @@
+"""Air drag, linear and quadratic, relative to a uniform wind.
+
+Linear per node:     F = -c (v - w)                              (NeHe lesson 40)
+Quadratic per node:  F = -a |v - w| (v - w)                      (Habrador's rope)
+Quadratic per line:  F = -rho d / 2 (Cn |un| un + pi Ct |ut| ut) per unit stretched length,
+                     u the relative velocity of the segment's middle, split along and across the segment
+                     (Morison's form for a slender cylinder, normal and tangential parts independent;
+                     e.g. Sumer & Fredsoe, Hydrodynamics around Cylindrical Structures). The factor pi,
+                     in the tangential table already, refers Ct to the wetted surface pi d.
+"""
+
+from __future__ import annotations
+
+import math
+
+from ropewalk.core.jit import kernel
+
+
+@kernel
+def linear_drag(v, node_drag, wind, force):
+    """Write the linear drag of every node [N], (3, n)."""
+    for k in range(3):
+        for i in range(node_drag.shape[0]):
+            force[k, i] = -node_drag[i] * (v[k, i] - wind[k])
+
+
+@kernel
+def quadratic_node_drag(v, coefficient, wind, force):
+    """Add the isotropic quadratic drag of every node [N], (3, n)."""
+    for i in range(coefficient.shape[0]):
+        ux = v[0, i] - wind[0]
+        uy = v[1, i] - wind[1]
+        uz = v[2, i] - wind[2]
+        drag = coefficient[i] * math.sqrt(ux * ux + uy * uy + uz * uz)
+        force[0, i] -= drag * ux
+        force[1, i] -= drag * uy
+        force[2, i] -= drag * uz
+
+
+@kernel
+def quadratic_line_drag(x, v, normal, tangential, wind, force):
+    """Add the drag of every segment, half to each end [N], (3, n)."""
+    for j in range(normal.shape[0]):
+        if normal[j] == 0.0 and tangential[j] == 0.0:
+            continue
+        dx = x[0, j + 1] - x[0, j]
+        dy = x[1, j + 1] - x[1, j]
+        dz = x[2, j + 1] - x[2, j]
+        r = math.sqrt(dx * dx + dy * dy + dz * dz)
+        if r == 0.0:
+            continue
+        ux = 0.5 * (v[0, j] + v[0, j + 1]) - wind[0]
+        uy = 0.5 * (v[1, j] + v[1, j + 1]) - wind[1]
+        uz = 0.5 * (v[2, j] + v[2, j + 1]) - wind[2]
+        along = (ux * dx + uy * dy + uz * dz) / (r * r)
+        ax, ay, az = along * dx, along * dy, along * dz
+        nx, ny, nz = ux - ax, uy - ay, uz - az
+        across = 0.5 * r * normal[j] * math.sqrt(nx * nx + ny * ny + nz * nz)
+        down = 0.5 * r * tangential[j] * abs(along) * r
+        for i in (j, j + 1):
+            force[0, i] -= across * nx + down * ax
+            force[1, i] -= across * ny + down * ay
+            force[2, i] -= across * nz + down * az

@@ -1,0 +1,86 @@
+"""Anchors in the step: release, motion, reaction.
+
+The reaction is the force the anchor puts on its node, mean over the step:
+    R = m (v1 - v0) / h - F,   so that the anchor's work is h R . (v0 + v1) / 2 (see `ledger`).
+A sudden start of a motion is an impulse: it shows in R for one step.
+"""
+
+from __future__ import annotations
+
+from ropewalk.core.jit import part
+from ropewalk.laws.table import force_on_node
+from ropewalk.motions.table import HAND, place
+
+
+@part
+def anchor_target(system, state, row, t, ahead, x, v):
+    """Write where anchor `row` is at time `t`, `ahead` seconds after the state's own time."""
+    for k in range(3):
+        x[k] = state.anchor_x[row, k]
+        v[k] = state.anchor_v[row, k]
+    if system.anchors.kind[row] == HAND:
+        for k in range(3):
+            x[k] += v[k] * ahead
+    else:
+        place(system.anchors, row, t, x, v)
+    if system.anchors.above_ground[row] == 1 and system.ground.active == 1:
+        up = system.ground.up
+        depth = system.ground.height - (x[0] * up[0] + x[1] * up[1] + x[2] * up[2])
+        if depth > 0.0:
+            rise = v[0] * up[0] + v[1] * up[1] + v[2] * up[2]
+            for k in range(3):
+                x[k] += depth * up[k]
+                v[k] -= rise * up[k]
+
+
+@part
+def place_stage(system, state, t, ahead, x, v, point, speed):
+    """Put the held nodes of a stage's arrays where their anchors are at the stage's time."""
+    for row in range(state.held.shape[0]):
+        if state.held[row] == 1:
+            anchor_target(system, state, row, t, ahead, point, speed)
+            i = state.anchor_node[row]
+            for k in range(3):
+                x[k, i] = point[k]
+                v[k, i] = speed[k]
+
+
+@part
+def move_anchors(system, state, forces, t, dt, middle, ledger, point, speed):
+    """Move the held nodes to the end of the step at time `t`; book reaction and work."""
+    for row in range(state.held.shape[0]):
+        if state.held[row] == 0:
+            continue
+        i = state.anchor_node[row]
+        anchor_target(system, state, row, t, dt, point, speed)
+        done = 0.0
+        for k in range(3):
+            before = state.v[k, i]
+            push = state.mass[i] * (speed[k] - before) / dt - force_on_node(
+                system, state, forces, i, k
+            )
+            mean = 0.5 * (before + speed[k])
+            done += dt * push * mean
+            middle[k, i] = mean
+            state.reaction[row, k] = push
+            state.anchor_x[row, k] = point[k]
+            state.anchor_v[row, k] = speed[k]
+            state.x[k, i] = point[k]
+            state.v[k, i] = speed[k]
+        if ledger:
+            state.work.anchors[row] += done
+
+
+@part
+def release_anchors(system, state, t):
+    """Let go of the anchors whose release time is reached at the start of a step."""
+    for row in range(state.held.shape[0]):
+        if state.held[row] == 1 and t >= system.anchors.release[row]:
+            i = state.anchor_node[row]
+            state.held[row] = 0
+            state.inverse_mass[i] = 1.0 / state.mass[i]
+            for k in range(3):
+                state.reaction[row, k] = 0.0
+                state.acceleration[k, i] = (
+                    force_on_node(system, state, state.forces, i, k) / state.mass[i]
+                )

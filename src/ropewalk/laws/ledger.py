@@ -1,0 +1,77 @@
+"""The ledger: the work of every law, exact in discrete time.
+
+Over one step a node's velocity goes from v0 to v1 = v0 + h F / m, F the method's (mean) force. Then
+    m (v1^2 - v0^2) / 2 = h F . (v0 + v1) / 2
+without any error, for every method, so the work of a law is h F_law . (v0 + v1) / 2, and the kinetic
+energy balance closes to round-off. What the potentials gain or lose beyond that is the method's own error.
+The sums run per segment and per node, so that the loops vectorise and the sums stay accurate.
+"""
+
+from __future__ import annotations
+
+from ropewalk.core.arrays import APPLIED
+from ropewalk.core.jit import kernel, part
+
+
+@part
+def account(system, state, forces, middle, dt):
+    """Add one step's work of every law; `middle` is (v0 + v1) / 2 of each node [m/s], (3, n)."""
+    work = state.work
+    add_segment_power(forces.elastic, middle, dt, work.elastic)
+    add_segment_power(forces.friction, middle, dt, work.friction)
+    add_weight_power(state.mass, system.gravity, middle, dt, work.weight)
+    if system.flags[APPLIED] == 1:
+        add_power(forces.applied, middle, dt, work.applied)
+    if system.air.linear == 1 or system.air.quadratic == 1:
+        add_power(forces.air, middle, dt, work.air)
+    if system.ground.active == 1:
+        add_power(forces.ground, middle, dt, work.ground)
+
+
+@kernel
+def add_segment_power(force, middle, dt, work):
+    """Add the work of forces between neighbours [J] to `work` (s,); `force` is (3, n + 1)."""
+    f0, f1, f2 = force[0], force[1], force[2]
+    u0, u1, u2 = middle[0], middle[1], middle[2]
+    for j in range(work.shape[0]):
+        work[j] -= dt * (
+            f0[j + 1] * (u0[j + 1] - u0[j])
+            + f1[j + 1] * (u1[j + 1] - u1[j])
+            + f2[j + 1] * (u2[j + 1] - u2[j])
+        )
+
+
+@kernel
+def add_weight_power(mass, gravity, middle, dt, work):
+    """Add the work of weight [J] to `work` (n,)."""
+    gx, gy, gz = dt * gravity[0], dt * gravity[1], dt * gravity[2]
+    u0, u1, u2 = middle[0], middle[1], middle[2]
+    for i in range(work.shape[0]):
+        work[i] += mass[i] * (gx * u0[i] + gy * u1[i] + gz * u2[i])
+
+
+@kernel
+def add_power(force, middle, dt, work):
+    """Add force . velocity * dt of every node [J] to `work` (n,)."""
+    for i in range(work.shape[0]):
+        work[i] += dt * (
+            force[0, i] * middle[0, i] + force[1, i] * middle[1, i] + force[2, i] * middle[2, i]
+        )
+
+
+@kernel
+def kinetic_energy(v, mass):
+    """Return the kinetic energy of all nodes [J], held ones included."""
+    total = 0.0
+    for i in range(mass.shape[0]):
+        total += 0.5 * mass[i] * (v[0, i] * v[0, i] + v[1, i] * v[1, i] + v[2, i] * v[2, i])
+    return total
+
+
+@kernel
+def gravity_energy(x, mass, gravity):
+    """Return the potential energy of weight [J], zero at the origin."""
+    total = 0.0
+    for i in range(mass.shape[0]):
+        total -= mass[i] * (gravity[0] * x[0, i] + gravity[1] * x[1, i] + gravity[2] * x[2, i])
+    return total

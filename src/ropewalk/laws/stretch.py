@@ -1,0 +1,94 @@
+"""Stretch (Hooke) and internal friction of the segments.
+
+Elastic:   F = k (r - L) t, t the unit vector along the segment; with tension-only, F = 0 when r < L.
+Friction:  vector form  F = c (v2 - v1)            (student report; NeHe lesson 40)
+           axial form   F = c ((v2 - v1) . t) t    (Kelvin-Voigt; conserves angular momentum)
+F is the force on the first node; the second gets -F. A slack tension-only segment has no friction either.
+Energy:    U = k (r - L)^2 / 2.
+"""
+
+from __future__ import annotations
+
+import math
+
+from ropewalk.core.jit import kernel
+
+
+@kernel
+def elastic_forces(x, rest_length, stiffness, floor, elastic):
+    """Write the elastic force of every segment [N], (3, n + 1).
+
+    Per segment 17 flops, a square root and a division; 6 reads and 3 writes of 8 bytes.
+    """
+    x0, x1, x2 = x[0], x[1], x[2]
+    e0, e1, e2 = elastic[0], elastic[1], elastic[2]
+    for j in range(rest_length.shape[0]):
+        dx, dy, dz = x0[j + 1] - x0[j], x1[j + 1] - x1[j], x2[j + 1] - x2[j]
+        r = math.sqrt(dx * dx + dy * dy + dz * dz)
+        tension = max(stiffness[j] * (r - rest_length[j]), floor[j])
+        pull = tension / r if r > 0.0 else 0.0
+        e0[j + 1] = pull * dx
+        e1[j + 1] = pull * dy
+        e2[j + 1] = pull * dz
+
+
+@kernel
+def vector_friction(v, coefficient, friction):
+    """Write the vector form's friction of every segment [N], (3, n + 1)."""
+    for k in range(3):
+        row, u = friction[k], v[k]
+        for j in range(coefficient.shape[0]):
+            row[j + 1] = coefficient[j] * (u[j + 1] - u[j])
+
+
+@kernel
+def axial_friction(x, v, coefficient, friction):
+    """Add the axial form's friction of every segment [N], (3, n + 1)."""
+    x0, x1, x2 = x[0], x[1], x[2]
+    v0, v1, v2 = v[0], v[1], v[2]
+    c0, c1, c2 = friction[0], friction[1], friction[2]
+    for j in range(coefficient.shape[0]):
+        dx, dy, dz = x0[j + 1] - x0[j], x1[j + 1] - x1[j], x2[j + 1] - x2[j]
+        square = dx * dx + dy * dy + dz * dz
+        rate = (v0[j + 1] - v0[j]) * dx + (v1[j + 1] - v1[j]) * dy + (v2[j + 1] - v2[j]) * dz
+        along = coefficient[j] * rate / square if square > 0.0 else 0.0
+        c0[j + 1] += along * dx
+        c1[j + 1] += along * dy
+        c2[j + 1] += along * dz
+
+
+@kernel
+def drop_slack_friction(x, rest_length, floor, friction):
+    """Set the friction of slack tension-only segments to zero."""
+    for j in range(rest_length.shape[0]):
+        if floor[j] == 0.0:
+            dx, dy, dz = x[0, j + 1] - x[0, j], x[1, j + 1] - x[1, j], x[2, j + 1] - x[2, j]
+            if math.sqrt(dx * dx + dy * dy + dz * dz) < rest_length[j]:
+                friction[0, j + 1] = 0.0
+                friction[1, j + 1] = 0.0
+                friction[2, j + 1] = 0.0
+
+
+@kernel
+def segment_tension(x, rest_length, stiffness, floor, tension):
+    """Write the elastic tension of every segment [N], (s,); negative where it is compressed."""
+    for j in range(rest_length.shape[0]):
+        dx = x[0, j + 1] - x[0, j]
+        dy = x[1, j + 1] - x[1, j]
+        dz = x[2, j + 1] - x[2, j]
+        r = math.sqrt(dx * dx + dy * dy + dz * dz)
+        tension[j] = max(stiffness[j] * (r - rest_length[j]), floor[j])
+
+
+@kernel
+def elastic_energy(x, rest_length, stiffness, floor):
+    """Return the elastic energy of all segments [J]; slack tension-only segments store none."""
+    total = 0.0
+    for j in range(rest_length.shape[0]):
+        dx = x[0, j + 1] - x[0, j]
+        dy = x[1, j + 1] - x[1, j]
+        dz = x[2, j + 1] - x[2, j]
+        e = math.sqrt(dx * dx + dy * dy + dz * dz) - rest_length[j]
+        if stiffness[j] * e >= floor[j]:
+            total += 0.5 * stiffness[j] * e * e
+    return total

@@ -1,0 +1,156 @@
+"""Winches: the unstretched length of a rope changes at one end.
+
+The segment next to the drum (the working segment) gets longer or shorter every step; its spring constant
+is EA over its present length, and half of the new length's mass goes to either of its nodes. Beyond
+1.6 nominal lengths it is split where both parts have its strain, below 0.4 it is merged with its neighbour;
+the merged rest length is chosen so that its tension is the working segment's, and the small difference in
+unstretched length is given back while the winch turns on. So tension has no jump and no length is lost.
+What the winch does to the energies is booked as its work.
+"""
+
+from __future__ import annotations
+
+import math
+
+from ropewalk.core.jit import kernel
+from ropewalk.laws.ledger import gravity_energy, kinetic_energy
+from ropewalk.laws.stretch import elastic_energy
+
+SPLIT = 1.6  # [1] times the nominal segment length
+MERGE = 0.4
+
+
+@kernel
+def run_winches(system, state, t, dt, ledger):
+    """Turn all winches by one step that starts at `t` [s], and book their work."""
+    if state.winch_exit.shape[0] == 0:
+        return
+    kinetic, potential = 0.0, 0.0
+    if ledger:
+        kinetic = kinetic_energy(state.v, state.mass)
+        potential = _potential(system, state)
+    for row in range(state.winch_exit.shape[0]):
+        turn(system.winches, state, row, t, dt)
+    if ledger:
+        state.work.winch[0] += kinetic_energy(state.v, state.mass) - kinetic
+        state.work.winch[1] += _potential(system, state) - potential
+
+
+@kernel
+def _potential(system, state):
+    return gravity_energy(state.x, state.mass, system.gravity) + elastic_energy(
+        state.x, state.rest_length, state.stiffness, system.slack_floor
+    )
+
+
+@kernel
+def turn(winches, state, row, t, dt):
+    """Change the working segment of winch `row`; split or merge it where it is due."""
+    side = winches.step[row]
+    drum = state.winch_exit[row]
+    working = drum if side > 0 else drum - 1
+    nominal = winches.segment[row]
+    length = state.rest_length[working]
+    segments = abs(winches.last[row] - drum)
+    total = length + (segments - 1) * nominal + state.winch_debt[row]
+    change = 0.0
+    if winches.start[row] <= t < winches.stop[row]:
+        change = winches.speed[row] * dt
+        change = min(max(change, winches.shortest[row] - total), winches.longest[row] - total)
+    back = state.winch_debt[row] * min(1.0, abs(change) / nominal)
+    state.winch_debt[row] -= back
+    change += back
+    if change != 0.0:
+        length += change
+        state.mass[drum] += 0.5 * winches.line[row] * change
+        add_mass(state, drum + side, 0.5 * winches.line[row] * change)
+        set_segment(winches, state, row, working, length)
+    if length > SPLIT * nominal and drum != winches.first[row]:
+        split(winches, state, row, drum, working, length)
+    elif length < MERGE * nominal and segments > 1:
+        merge(winches, state, row, drum, working, length)
+    follow_drum(winches, state, row)
+
+
+@kernel
+def add_mass(state, node, mass):
+    """Add mass to a node [kg]; a held node stays held."""
+    state.mass[node] += mass
+    if state.inverse_mass[node] > 0.0:
+        state.inverse_mass[node] = 1.0 / state.mass[node]
+
+
+@kernel
+def set_segment(winches, state, row, segment, length):
+    """Give a segment a rest length [m] and the material that goes with it."""
+    state.rest_length[segment] = length
+    state.stiffness[segment] = winches.EA[row] / length
+    state.damping_vector[segment] = winches.vector[row] / length
+    state.damping_axial[segment] = winches.axial[row] / length
+
+
+@kernel
+def split(winches, state, row, drum, working, length):
+    """Let the node on the drum go, where both halves keep the strain; the next one becomes the exit."""
+    side = winches.step[row]
+    nominal, line = winches.segment[row], winches.line[row]
+    outer, inner = drum + side, drum - side
+    rest = length - nominal
+    for k in range(3):
+        state.x[k, inner] = state.x[k, drum]
+        state.v[k, inner] = state.v[k, drum]
+        state.x[k, drum] += rest / length * (state.x[k, outer] - state.x[k, drum])
+        state.v[k, drum] += rest / length * (state.v[k, outer] - state.v[k, drum])
+        state.acceleration[k, drum] = rest / length * state.acceleration[k, outer]
+    state.mass[inner] = state.mass[drum] - 0.5 * line * nominal
+    state.mass[drum] = 0.5 * line * length
+    state.inverse_mass[drum] = 1.0 / state.mass[drum]
+    add_mass(state, outer, -0.5 * line * rest)
+    set_segment(winches, state, row, working, nominal)
+    set_segment(winches, state, row, working - side, rest)
+    state.winch_exit[row] = inner
+    state.anchor_node[winches.anchor[row]] = inner
+
+
+@kernel
+def merge(winches, state, row, drum, working, length):
+    """Take the next node on to the drum; keep the working segment's tension."""
+    side = winches.step[row]
+    outer = drum + side
+    far = outer + side
+    following = working + side
+    stretched, merged = 0.0, 0.0
+    for k in range(3):
+        stretched += (state.x[k, outer] - state.x[k, drum]) ** 2
+        merged += (state.x[k, far] - state.x[k, drum]) ** 2
+    stretched, merged = math.sqrt(stretched), math.sqrt(merged)
+    both = length + state.rest_length[following]
+    kept = merged * length / stretched if stretched > length else both
+    state.winch_debt[row] += both - kept
+    state.mass[outer] += state.mass[drum] - 0.5 * winches.line[row] * length
+    add_mass(state, far, 0.5 * winches.line[row] * length)
+    state.mass[drum] = 0.0
+    state.inverse_mass[outer] = 0.0
+    for k in range(3):
+        state.x[k, outer] = state.x[k, drum]
+        state.v[k, outer] = state.v[k, drum]
+        state.acceleration[k, outer] = 0.0
+    state.stiffness[working] = 0.0
+    state.damping_vector[working] = 0.0
+    state.damping_axial[working] = 0.0
+    state.rest_length[working] = 0.0
+    set_segment(winches, state, row, following, kept)
+    state.winch_exit[row] = outer
+    state.anchor_node[winches.anchor[row]] = outer
+
+
+@kernel
+def follow_drum(winches, state, row):
+    """Keep the rope that is on the drum where the drum is."""
+    drum, side = state.winch_exit[row], winches.step[row]
+    i = winches.first[row]
+    while i != drum:
+        for k in range(3):
+            state.x[k, i] = state.x[k, drum]
+            state.v[k, i] = state.v[k, drum]
+        i += side

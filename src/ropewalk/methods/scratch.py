@@ -1,0 +1,97 @@
+"""Working arrays of the methods, allocated once per call of `advance`."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ropewalk.core.arrays import Floats, Forces, State
+from ropewalk.core.jit import kernel, part
+
+
+class Scratch(NamedTuple):
+    """Arrays (3, n) for stages and increments, and mean forces over the stages."""
+
+    middle: Floats
+    x: Floats
+    v: Floats
+    dx: Floats
+    dv: Floats
+    point: Floats  # (3,)
+    speed: Floats  # (3,)
+    mean: Forces
+
+
+def make_scratch(state: State) -> Scratch:
+    """Return working arrays that fit `state`."""
+    rows = [np.zeros_like(state.x) for _ in range(5)]
+    mean = Forces(*(np.zeros_like(channel) for channel in state.forces))
+    return Scratch(*rows, np.zeros(3), np.zeros(3), mean)
+
+
+@kernel
+def add(values, weight, total):
+    """Add weight * values to `total`, arrays of equal shape (3, m)."""
+    for k in range(3):
+        row, more = total[k], values[k]
+        for i in range(row.shape[0]):
+            row[i] += weight * more[i]
+
+
+@kernel
+def clear(values):
+    """Set an array (3, m) to zero."""
+    for k in range(3):
+        row = values[k]
+        for i in range(row.shape[0]):
+            row[i] = 0.0
+
+
+@kernel
+def put(source, result):
+    """Copy an array (3, m) into another."""
+    for k in range(3):
+        to, row = result[k], source[k]
+        for i in range(to.shape[0]):
+            to[i] = row[i]
+
+
+@part
+def add_forces(forces, weight, total):
+    """Add every channel of `forces`, times `weight`, to those of `total`."""
+    add(forces.elastic, weight, total.elastic)
+    add(forces.friction, weight, total.friction)
+    add(forces.air, weight, total.air)
+    add(forces.ground, weight, total.ground)
+    add(forces.applied, weight, total.applied)
+
+
+@part
+def clear_forces(forces):
+    """Set every channel to zero."""
+    clear(forces.elastic)
+    clear(forces.friction)
+    clear(forces.air)
+    clear(forces.ground)
+    clear(forces.applied)
+
+
+@kernel
+def push(x, v, a, dt):
+    """Kick, then drift: v += dt a, x += dt v."""
+    for k in range(3):
+        xk, vk, ak = x[k], v[k], a[k]
+        for i in range(xk.shape[0]):
+            new = vk[i] + dt * ak[i]
+            vk[i] = new
+            xk[i] += dt * new
+
+
+@kernel
+def axpy(base, factor, values, result):
+    """Write base + factor * values, arrays (3, n)."""
+    for k in range(3):
+        to, b, u = result[k], base[k], values[k]
+        for i in range(to.shape[0]):
+            to[i] = b[i] + factor * u[i]

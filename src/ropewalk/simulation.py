@@ -1,0 +1,218 @@
+"""The host loop: a scene in motion, frame by frame."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ropewalk.block import Block
+from ropewalk.build import Model, build
+from ropewalk.build.plan import divide
+from ropewalk.core import arrays
+from ropewalk.core.arrays import APPLIED, Floats, Ints, State
+from ropewalk.core.status import BROKEN, OK
+from ropewalk.hand import AnchorHandle
+from ropewalk.methods.loop import close_frame, prepare
+from ropewalk.methods.recording import make_recording
+from ropewalk.methods.registry import METHODS
+from ropewalk.methods.scratch import make_scratch
+from ropewalk.motions.table import HAND
+from ropewalk.scene import Scene
+
+BLOCK_BYTES = 4_000_000  # positions and velocities of one block of frames
+
+
+class Broken(RuntimeError):
+    """The simulation broke: a coordinate is not finite or a segment absurdly long."""
+
+
+class Snapshot(NamedTuple):
+    """All that a simulation needs to go on to the same bits."""
+
+    state: State
+    start: float  # [s] time at step 0 of the present step length
+    dt: float  # [s]
+    step: int
+    motion_kinds: Ints  # (a,) which anchors have been taken in hand
+
+
+class Simulation:
+    """A scene in motion.
+
+    Either the caller owns the loop (`step`), or frames are taken as the scene plans them (`frames`).
+    Positions are views, (nodes, 3) [m], of all ropes one after another (`layout` says where each is).
+    """
+
+    def __init__(self, scene: Scene | Model, *, ledger: bool = True) -> None:
+        """Build the scene. With `ledger` the work of every law is added up in every step.
+
+        Raises SceneError when the scene cannot be planned.
+        """
+        self.model = scene if isinstance(scene, Model) else build(scene)
+        self.scene, self.layout, self.plan = self.model.scene, self.model.layout, self.model.plan
+        system = self.model.system
+        self._kinds = system.anchors.kind.copy()
+        self.system = system._replace(
+            flags=system.flags.copy(), anchors=system.anchors._replace(kind=self._kinds)
+        )
+        self._state: State = arrays.copy(self.model.state)
+        self.ledger = ledger
+        self._scratch = make_scratch(self._state)
+        self._method = METHODS[self.plan.method]
+        self._winches = len(self.scene.winches) > 0
+        self._extras = 1 if self._winches or self.scene.limiter else None
+        self._start, self._dt, self._step = 0.0, self.plan.dt, 0
+        prepare(self.system, self._state)
+        self._set_first_reactions()
+        self.anchors = {
+            name: AnchorHandle(self, row) for row, name in enumerate(self.layout.anchor_names)
+        }
+
+    def _set_first_reactions(self) -> None:
+        """At time zero an anchor's reaction balances the forces on its node."""
+        state, forces = self._state, self._state.forces
+        for row, i in enumerate(state.anchor_node):
+            total = forces.elastic[:, i + 1] - forces.elastic[:, i]
+            total = total + forces.friction[:, i + 1] - forces.friction[:, i]
+            total = total + forces.air[:, i] + forces.ground[:, i]
+            total = total + state.mass[i] * self.system.gravity
+            state.reaction[row] = -total if state.held[row] else 0.0
+
+    # -- what it is now -----------------------------------------------------------------
+
+    @property
+    def time(self) -> float:
+        """Simulated time [s]: start + step * dt, never a running sum."""
+        return self._start + self._step * self._dt
+
+    @property
+    def positions(self) -> Floats:
+        """Positions of all nodes [m], (nodes, 3), a view."""
+        return self._state.x.T
+
+    @property
+    def velocities(self) -> Floats:
+        """Velocities of all nodes [m/s], (nodes, 3), a view."""
+        return self._state.v.T
+
+    @property
+    def arrays(self) -> State:
+        """The live state arrays; see `core.arrays.State`."""
+        return self._state
+
+    @property
+    def state(self) -> Snapshot:
+        """A copy of everything that evolves; `restore` goes back to it, to the same bits."""
+        return Snapshot(
+            arrays.copy(self._state), self._start, self._dt, self._step, self._kinds.copy()
+        )
+
+    def restore(self, snapshot: Snapshot) -> None:
+        """Go back (or forth) to a snapshot of this simulation."""
+        arrays.assign(self._state, snapshot.state)
+        self._start, self._dt, self._step = snapshot.start, snapshot.dt, snapshot.step
+        self._kinds[:] = snapshot.motion_kinds
+        self.system.flags[APPLIED] = int(self._state.forces.applied.any())
+
+    def recording(self) -> Block:
+        """Return the present state as one frame."""
+        out = make_recording(self._state, 1, self._winches)
+        close_frame(self.system, self._state, 0, out)
+        return Block(np.array([self.time]), out)
+
+    # -- moving on ----------------------------------------------------------------------
+
+    def step(self, duration: float | None = None) -> None:
+        """Advance by `duration` [s] (default: one frame), in equal steps no longer than the plan's.
+
+        Raises Broken when the simulation breaks (the state is then the broken one), ValueError for
+        a duration that is not positive and finite.
+        """
+        if duration is None or duration == self.plan.frame_interval:
+            count, dt = self.plan.steps_per_frame, self.plan.dt
+        else:
+            if not (math.isfinite(duration) and duration > 0.0):
+                raise ValueError(f"duration: {duration!r} - must be a positive number of seconds")
+            count, dt = divide(duration, self.plan.dt, "divide")
+        if dt != self._dt:
+            self._start, self._dt, self._step = self.time, dt, 0
+        status, _ = self._advance(count, 1, make_recording(self._state, 0, False))
+        if status != OK:
+            raise Broken(f"the simulation broke before t = {self.time:g} s")
+
+    def advance_frames(self, frames: int, *, keep_going: bool = False) -> Block:
+        """Advance by `frames` frames of the plan and return them.
+
+        When a frame is broken the block ends before it with status BROKEN, and the simulation stands
+        at its last good frame; with `keep_going` it records on.
+        """
+        before = self.state if not keep_going else None
+        out = make_recording(self._state, frames, self._winches)
+        first = self._step
+        status, good = self._advance(self.plan.steps_per_frame, frames, out, not keep_going)
+        steps = first + self.plan.steps_per_frame * np.arange(1, frames + 1)
+        block = Block(self._start + steps * self._dt, out, status)
+        if status == OK or before is None:
+            return block
+        self.restore(before)
+        if good > 0:
+            self._advance(self.plan.steps_per_frame, good, make_recording(self._state, 0, False))
+        return block.head(good)
+
+    def frames(self, frames: int | None = None, *, keep_going: bool = False) -> Iterator[Block]:
+        """Yield blocks of up to `frames` frames (default: the rest of the plan) until one breaks."""
+        left = self.plan.frames if frames is None else frames
+        while left > 0:
+            block = self.advance_frames(min(left, self.block_frames), keep_going=keep_going)
+            yield block
+            if block.status != OK:
+                return
+            left -= block.frames
+
+    @property
+    def block_frames(self) -> int:
+        """Frames in one block: about 4 MB of positions and velocities."""
+        return max(1, min(4096, BLOCK_BYTES // (48 * self.layout.nodes)))
+
+    def _advance(self, steps: int, frames: int, out: Any, stop: bool = True) -> tuple[int, int]:
+        clock = np.array([self._start, self._dt, self._step, steps], dtype=np.float64)
+        common = (self.system, self._state, self._scratch, self._extras, clock, frames)
+        status, good = self._method.advance(
+            *common, self.ledger, out, stop, *self._method.tableau
+        )
+        done = frames if status == OK else good + 1
+        self._step += steps * done
+        return status, good
+
+    # -- hands --------------------------------------------------------------------------
+
+    def apply_force(self, node: int, force: ArrayLike, rope: str | None = None) -> None:
+        """Apply a force [N], (3,), to a node from now on, in place of the one applied before.
+
+        Raises KeyError and IndexError for the rope and the node, ValueError for the force.
+        """
+        vector = np.asarray(force, dtype=np.float64)
+        if vector.shape != (3,) or not np.isfinite(vector).all():
+            raise ValueError(f"force: {force!r} - must be three finite numbers [N]")
+        applied = self._state.forces.applied
+        applied[:, self.layout.node(node, rope)] = vector
+        self.system.flags[APPLIED] = int(applied.any())
+        prepare(self.system, self._state)
+
+    def take_in_hand(self, row: int) -> None:
+        """Let an anchor be moved by its velocity from now on, whatever its motion was."""
+        self._kinds[row] = HAND
+
+    def __repr__(self) -> str:
+        name = self.scene.name
+        return (
+            f"<Simulation of {name!r}: {self.layout.nodes} nodes at t = {self.time:.6g} s, "
+            f"{self.plan.method}, steps of {self._dt:.4g} s>"
+        )
+
+
+__all__ = ["BROKEN", "Broken", "Simulation", "Snapshot"]
