@@ -78,6 +78,27 @@ class Stability:
         return not self.stable and self.growth_over_run > _HARMLESS
 
     @property
+    def remedies(self) -> tuple[str, ...]:
+        """What to change, and to what value, for a stable run; empty when it is stable."""
+        if self.stable:
+            return ()
+        found = []
+        if self.bound > 0.0:
+            found.append(f"time_step <= {rounded_down(self.bound)} s")
+        if self.largest_spring_constant:
+            found.append(f"spring_constant <= {rounded_down(self.largest_spring_constant)} N/m")
+        elif self.largest_axial_stiffness:
+            found.append(f"EA <= {rounded_down(self.largest_axial_stiffness)} N")
+        better = [name for name, step in self.largest_step.items() if step >= self.step]
+        if better:
+            found.append(f"method = {' or '.join(better)}")
+        elif self.bound == 0.0:
+            name = max(self.largest_step, key=lambda known: self.largest_step[known])
+            step = rounded_down(self.largest_step[name])
+            found.append(f"method = {name} with time_step <= {step} s")
+        return tuple(found)
+
+    @property
     def verdict(self) -> str:
         """One sentence."""
         bound = f"largest stable step of {self.method} {milliseconds(self.bound)}"
@@ -92,8 +113,9 @@ class Stability:
     def as_dict(self) -> dict[str, object]:
         """Plain values for JSON; None stands for what is not finite."""
         names = (
-            "method step steps largest_step highest_frequency stable breaks margin growth_per_step "
-            "meter largest_spring_factor largest_spring_constant largest_axial_stiffness case cases rope node"
+            "method step steps largest_step highest_frequency stable breaks margin "
+            "growth_per_step meter largest_spring_factor largest_spring_constant "
+            "largest_axial_stiffness case cases rope node"
         )
         return {name: plain(getattr(self, name)) for name in names.split()} | {
             "notes": list(self.notes)
@@ -112,6 +134,14 @@ def plain(value: object) -> object:
     if isinstance(value, (np.floating, np.integer, np.bool_)):
         value = value.item()
     return None if isinstance(value, float) and not math.isfinite(value) else value
+
+
+def rounded_down(value: float) -> str:
+    """Return a positive number with three digits, never above it."""
+    if not math.isfinite(value) or value <= 0.0:
+        return f"{value:g}"
+    unit = 10.0 ** (math.floor(math.log10(value)) - 2)
+    return f"{float(f'{math.floor(value / unit * (1.0 + 1e-12)) * unit:.3g}'):.10g}"
 
 
 def milliseconds(seconds: float) -> str:

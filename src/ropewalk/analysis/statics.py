@@ -216,8 +216,8 @@ def _reactions(model: Model, frame: _Frame) -> Floats:
 
 def _stretch(model: Model, frame: _Frame, unheld: list[str]) -> Floats:
     rest = model.state.rest_length
-    size = np.linalg.norm(np.diff(frame.x, axis=0), axis=1)
-    stretch = np.divide(size, rest, out=np.ones_like(size), where=rest > 0.0)
+    size: Floats = np.linalg.norm(np.diff(frame.x, axis=0), axis=1)
+    stretch: Floats = np.divide(size, rest, out=np.ones_like(size), where=rest > 0.0)
     for name in unheld:
         rope = model.layout.span(name)
         stretch[rope.first : rope.last] = 1.0

@@ -1,0 +1,263 @@
+"""What can be said of a scene before it is run: stability, statics, waves, cost, likely slips."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from ropewalk.analysis.cost import seconds_per_step
+from ropewalk.analysis.stability import Stability, milliseconds, plain, rounded_down, stability
+from ropewalk.analysis.statics import Statics, static_shape
+from ropewalk.analysis.units import unit_slips
+from ropewalk.build import Model, build
+from ropewalk.scene import Scene
+
+_SMALL_MARGIN = 0.1
+_ROUNDING = 1e-9
+_SHORT = 0.01  # a curve's chords are a little shorter than its arcs
+
+
+@dataclass(frozen=True)
+class RopeCheck:
+    """One rope's waves and state at rest."""
+
+    name: str
+    segments: int
+    length: float  # unstretched [m]
+    mass: float  # with loads [kg]
+    longitudinal: float  # speed of waves along the rope [m/s]
+    transverse: tuple[float, float] | None  # slowest and fastest sideways wave at rest [m/s]
+    largest_tension: float  # at rest [N]
+    slack: int  # segments without tension at rest
+    short: int  # segments that start more than 1 % shorter than their rest length
+
+    def lines(self) -> list[str]:
+        """Text, one fact a line."""
+        text = [
+            f"rope {self.name!r}: {self.segments} segments, {self.length:.6g} m, {self.mass:.6g} kg"
+        ]
+        waves = f"  waves along it {self.longitudinal:.4g} m/s"
+        if self.transverse:
+            low, high = self.transverse
+            waves += f", sideways {low:.4g} to {high:.4g} m/s at rest"
+        text.append(waves)
+        text.append(f"  largest tension at rest {self.largest_tension:.5g} N")
+        if self.slack or self.short:
+            text.append(f"  segments slack at rest {self.slack}, started too short {self.short}")
+        return text
+
+
+@dataclass(frozen=True)
+class Check:
+    """Everything that `ropewalk check` says."""
+
+    name: str
+    stability: Stability
+    statics: Statics
+    ropes: tuple[RopeCheck, ...]
+    frames: int
+    steps_per_frame: int
+    steps: int
+    duration: float  # simulated [s]
+    seconds: float  # estimated run time [s], without recording
+    seconds_measured: bool  # whether steps were timed, or the cost taken from a table
+    warnings: tuple[str, ...]
+
+    @property
+    def ok(self) -> bool:
+        """Whether the run is not expected to break."""
+        return not self.stability.breaks
+
+    def as_dict(self) -> dict[str, object]:
+        """Plain values for JSON; None stands for what is not finite."""
+        statics = self.statics
+        found = {
+            "name": self.name,
+            "ok": self.ok,
+            "stability": self.stability.as_dict(),
+            "statics": {
+                "largest_tension": statics.largest_tension,
+                "slack_segments": int(statics.slack.sum()),
+                "spans": [vars(span) for span in statics.spans],
+                "unheld": statics.unheld,
+            },
+            "ropes": [vars(rope) for rope in self.ropes],
+            "frames": self.frames,
+            "steps_per_frame": self.steps_per_frame,
+            "steps": self.steps,
+            "duration": self.duration,
+            "estimated_seconds": self.seconds,
+            "estimate_measured": self.seconds_measured,
+            "warnings": self.warnings,
+        }
+        return {key: plain(value) for key, value in found.items()}
+
+    def lines(self) -> list[str]:
+        """Text, one fact a line."""
+        s = self.stability
+        text = [f"{self.name}: {s.verdict}"]
+        text.append(f"highest frequency {s.highest_frequency:.6g} rad/s, decided {s.case}")
+        if s.method == "semi-implicit-euler":
+            text.append(f"stability meter a + 2b = {s.meter:.4g} of 4")
+        text.append("largest stable steps:")
+        text += [f"  {name:<20} {milliseconds(step)}" for name, step in s.largest_step.items()]
+        if s.largest_spring_constant is not None:
+            text.append(f"largest spring constant {s.largest_spring_constant:.6g} N/m at this step")
+        elif s.largest_axial_stiffness is not None:
+            text.append(f"largest EA {s.largest_axial_stiffness:.6g} N at this step")
+        else:
+            text.append(f"all springs could be {s.largest_spring_factor:.4g} times as stiff")
+        for rope in self.ropes:
+            text += rope.lines()
+        text += [f"  {span}" for span in self.statics.spans]
+        text.append(
+            f"{self.frames} frames of {self.steps_per_frame} steps, {self.steps} steps of "
+            f"{milliseconds(s.step)}; about {_duration(self.seconds)} to run"
+        )
+        text += [f"note: {note}" for note in s.notes]
+        text += [f"warning: {warning}" for warning in self.warnings]
+        return text
+
+    def __repr__(self) -> str:
+        count = len(self.warnings)
+        return f"Check of {self.name!r}: {self.stability.verdict}; {count} warnings."
+
+
+def check(source: Scene | Model, *, measure: bool = True) -> Check:
+    """Check a scene or a built model.
+
+    Args:
+        source: the scene.
+        measure: time a few steps for the estimate of the run time; else take it from a table.
+
+    Raises SceneError when the scene cannot be planned.
+    """
+    model = source if isinstance(source, Model) else build(source)
+    statics = static_shape(model)
+    found = stability(model, statics)
+    ropes = tuple(_rope(model, statics, name.name) for name in model.layout.ropes)
+    cost, measured = seconds_per_step(model, measure)
+    plan = model.plan
+    return Check(
+        name=model.scene.name,
+        stability=found,
+        statics=statics,
+        ropes=ropes,
+        frames=plan.frames,
+        steps_per_frame=plan.steps_per_frame,
+        steps=plan.steps,
+        duration=plan.duration,
+        seconds=cost * plan.steps,
+        seconds_measured=measured,
+        warnings=tuple(_warnings(model, found, statics, ropes)),
+    )
+
+
+def _rope(model: Model, statics: Statics, name: str) -> RopeCheck:
+    rope, span = model.scene.rope_named(name), model.layout.span(name)
+    segments = slice(span.start, span.end)
+    state = model.state
+    own = rope.own_mass / max(rope.nodes - (0 if rope.made_of.kind == "springs" else 1), 1)
+    rest, tension = state.rest_length[segments], statics.tension[segments]
+    size = np.linalg.norm(np.diff(state.x[:, span.start : span.end + 1], axis=1), axis=0)
+    taut = tension > 0.0
+    # A sideways wave runs sqrt(T l / m), l the stretched length of a segment and m a node's mass.
+    stretched = np.linalg.norm(
+        np.diff(statics.positions[span.start : span.end + 1], axis=0), axis=1
+    )
+    speed = np.sqrt(np.maximum(tension[taut] * stretched[taut], 0.0) / own)
+    return RopeCheck(
+        name=name,
+        segments=rope.segments,
+        length=rope.length_unstretched,
+        mass=rope.total_mass,
+        longitudinal=rope.segment_length * math.sqrt(rope.segment_stiffness / own),
+        transverse=(float(speed.min()), float(speed.max())) if speed.size else None,
+        largest_tension=float(tension.max(initial=0.0)),
+        slack=int(statics.slack[segments].sum()),
+        short=int((size < rest * (1.0 - _SHORT)).sum()),
+    )
+
+
+def _warnings(
+    model: Model, found: Stability, statics: Statics, ropes: tuple[RopeCheck, ...]
+) -> list[str]:
+    warnings = _stability_warnings(found)
+    for rope in ropes:
+        if rope.short:
+            warnings.append(
+                f"rope {rope.name!r}: {rope.short} of {rope.segments} segments start shorter than "
+                "their rest length"
+            )
+        if rope.slack:
+            warnings.append(
+                f"rope {rope.name!r}: {rope.slack} of {rope.segments} segments carry no tension "
+                "at rest"
+            )
+    warnings += [
+        f"rope {name!r}: nothing holds it" + ("; it falls" if np.any(model.system.gravity) else "")
+        for name in statics.unheld
+    ]
+    warnings += _limiter_warnings(model, statics) + _ground_warnings(model, statics)
+    return warnings + unit_slips(model)
+
+
+def _stability_warnings(found: Stability) -> list[str]:
+    remedies = "; ".join(found.remedies)
+    where = f"rope {found.rope!r}, node {found.node}, {found.case}"
+    if found.breaks:
+        return [f"the run will break ({found.verdict}; first at {where}). Change to: {remedies}"]
+    if not found.stable:
+        return [f"the run {found.verdict}. Change to: {remedies}"]
+    if found.margin < _SMALL_MARGIN:
+        lower = rounded_down(found.bound / (1.0 + _SMALL_MARGIN))
+        return [
+            f"only {100 * found.margin:.2g} % below the largest stable step; "
+            f"time_step <= {lower} s leaves 10 %"
+        ]
+    return []
+
+
+def _limiter_warnings(model: Model, statics: Statics) -> list[str]:
+    """Habrador's scene: weights that the springs carry only far beyond the limiter's length."""
+    limiter = model.system.limiter
+    alive = model.state.stiffness > 0.0
+    stretch = statics.stretch[alive & (model.state.rest_length > 0.0)]
+    if not limiter.active or not stretch.size:
+        if stretch.size and stretch.max() > 1.5:
+            return [
+                f"at rest the rope is stretched to {stretch.max():.3g} times its length: "
+                "its springs are weak for what they carry"
+            ]
+        return []
+    over = int((stretch > limiter.longest * (1.0 + _ROUNDING)).sum())
+    if over == 0 or limiter.longest <= 1.0:
+        return []
+    return [
+        f"the stretch limiter (at most {limiter.longest:g}) acts even at rest, on {over} segments: "
+        f"the springs alone would stretch to {stretch.max():.3g}; the limiter, not the spring "
+        "constant, carries the rope"
+    ]
+
+
+def _ground_warnings(model: Model, statics: Statics) -> list[str]:
+    ground = model.system.ground
+    if not ground.active or not statics.spans:
+        return []
+    below = int((statics.positions @ ground.up < ground.height).sum())
+    if below == 0:
+        return []
+    return [
+        f"at rest {below} nodes would hang below the ground at {ground.height:g} m: the sag and "
+        "tension given here are those without ground"
+    ]
+
+
+def _duration(seconds: float) -> str:
+    if seconds < 1.0:
+        return f"{max(1e3 * seconds, 1.0):.0f} ms"
+    if seconds < 120.0:
+        return f"{seconds:.2g} s"
+    return f"{seconds / 60:.3g} min" if seconds < 7200.0 else f"{seconds / 3600:.3g} h"

@@ -1,0 +1,38 @@
+"""How long a run will take on this machine."""
+
+from __future__ import annotations
+
+import time
+
+from ropewalk.build import Model
+from ropewalk.core.jit import is_compiled
+from ropewalk.methods.registry import METHODS
+from ropewalk.simulation import Broken, Simulation
+
+# Cost of one force evaluation and update, typical of a current processor core; only for estimates.
+_PER_NODE = 5e-9  # [s]
+_PER_STEP = 5e-7  # [s]
+_SAMPLE = 0.02  # [s] of computing that a measurement takes
+
+
+def seconds_per_step(model: Model, measure: bool = True) -> tuple[float, bool]:
+    """Return the estimated time of one step [s], without recording, and whether it was measured.
+
+    It is measured by running some steps of a copy, unless the method's machine code is still to be
+    made (that takes longer than the answer is worth) or the run breaks within them.
+    """
+    method = METHODS[model.plan.method]
+    typical = method.evaluations * _PER_NODE * model.layout.nodes + _PER_STEP
+    if not measure or not is_compiled(method.advance):
+        return typical, False
+    simulation = Simulation(model)
+    dt = model.plan.dt
+    count = max(1, min(int(_SAMPLE / typical), 2000, model.plan.steps))
+    try:
+        simulation.step(dt)
+        start = time.perf_counter()
+        simulation.step(count * dt)
+        spent = time.perf_counter() - start
+    except Broken:
+        return typical, False
+    return spent / count, True

@@ -1,0 +1,247 @@
+"""Why a run broke: when, where, the sign of it, the bound it violated, and what to change.
+
+The input is a history of single steps that ends in the break and begins before it shows (`retrace`
+takes it from a simulation). Three measures are made of it. Zigzag: in an explicit method's
+instability neighbouring segments stretch and shrink in turn, so the changes of length of neighbours
+have the correlation -1. Flip: the pattern changes sign from step to step (a root of the step below
+-1), so successive changes have the correlation -1 too. Growth: the factor by which the energy of
+the zigzag rises per step, the square of the mode's growth.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ropewalk.analysis.stability import Stability, milliseconds, plain
+from ropewalk.build import Layout
+from ropewalk.simulation import Broken, Simulation
+
+Floats = NDArray[np.float64]
+
+_CLEAR = -0.5  # a correlation below this is a zigzag
+_RISING = 1.02  # growth of amplitude per step that counts as the break's own
+_RISING_STEPS = 12
+_KEPT_NUMBERS = 12_000_000  # coordinates in a history
+
+
+@dataclass(frozen=True)
+class Diagnosis:
+    """What broke a run."""
+
+    time: float  # of the last good frame [s]
+    step: int  # of the last good frame, counted from the run's start
+    rope: str
+    node: int  # in its rope: where the break is worst first
+    zigzag: float  # correlation of neighbouring segments' changes of length, -1 to 1; nan: none
+    flip: float  # correlation of a step's changes of length with the next step's; nan: none
+    energy_growth: float  # of the zigzag, factor per step [1]; nan where it cannot be told
+    predicted: bool  # whether the bound was violated
+    bound: float  # largest stable step of the method [s]
+    advice: tuple[str, ...]
+    text: str
+
+    @property
+    def sign(self) -> str:
+        """What the break looks like, in words."""
+        return _sign(self.zigzag, self.flip, self.energy_growth)
+
+    def as_dict(self) -> dict[str, object]:
+        """Plain values for JSON; None stands for what is not finite."""
+        return {key: plain(value) for key, value in vars(self).items()} | {"sign": self.sign}
+
+    def __str__(self) -> str:
+        return self.text
+
+
+def diagnose(
+    stability: Stability,
+    layout: Layout,
+    positions: Floats,
+    time: float,
+    step: int,
+) -> Diagnosis:
+    """Say why a run broke, in one or two sentences.
+
+    Args:
+        stability: of the run's model.
+        layout: of the run's model.
+        positions: of single steps up to the break [m], (steps, n, 3), from some time before it on;
+            the last ones may be infinite or NaN. Fewer than three finite ones show no sign.
+        time: of the last good frame [s].
+        step: number of steps from the start of the run to the last good frame.
+    """
+    finite = np.isfinite(positions).all(axis=(1, 2))
+    good = int(np.argmin(finite)) if not finite.all() else len(positions)
+    positions = positions[:good]
+    with np.errstate(over="ignore", invalid="ignore"):
+        lengths = np.linalg.norm(np.diff(positions, axis=1), axis=2)
+    sound = np.isfinite(lengths).all(axis=1)
+    good = int(np.argmin(sound)) if not sound.all() else len(lengths)
+    lengths = lengths[:good]
+    changes = np.where(_alive(layout), np.diff(lengths, axis=0), 0.0)
+    clearest, zigzag = _zigzag(changes, _alive(layout))
+    flip = _flip(changes, clearest)
+    growth = _growth(changes, lengths, _alive(layout))
+    rope, node = layout.rope_of(_worst_node(changes, clearest, layout))
+    advice = stability.remedies
+    text = _text(stability, rope, node, time, zigzag, flip, growth)
+    return Diagnosis(
+        time=time,
+        step=step,
+        rope=rope,
+        node=node,
+        zigzag=zigzag,
+        flip=flip,
+        energy_growth=growth,
+        predicted=not stability.stable,
+        bound=stability.bound,
+        advice=advice,
+        text=text,
+    )
+
+
+def retrace(simulation: Simulation, steps: int, keep: int = 400) -> Floats:
+    """Step a simulation one by one up to its break; return the positions of these steps.
+
+    Args:
+        simulation: at a state before the break shows, e.g. restored from a snapshot.
+        steps: stop after so many steps even without a break.
+        keep: steps to return at most, the last ones; fewer where nodes are very many.
+
+    Returns:
+        Positions [m], (kept, n, 3), the broken step included.
+    """
+    keep = max(4, min(keep, _KEPT_NUMBERS // (3 * simulation.layout.nodes)))
+    positions: deque[Floats] = deque([simulation.positions.copy()], maxlen=keep)
+    for _ in range(steps):
+        broken = False
+        try:
+            simulation.step(simulation.plan.dt)
+        except Broken:
+            broken = True
+        positions.append(simulation.positions.copy())
+        if broken:
+            break
+    return np.array(positions)
+
+
+def _alive(layout: Layout) -> NDArray[np.bool_]:
+    alive = np.zeros(layout.segments, dtype=bool)
+    for span in layout.ropes:
+        alive[span.start : span.end] = True
+    return alive
+
+
+def _correlation(a: Floats, b: Floats) -> float:
+    size = max(float(np.abs(a).max(initial=0.0)), float(np.abs(b).max(initial=0.0)))
+    if size == 0.0:
+        return math.nan
+    a, b = a / size, b / size
+    norm = math.sqrt(float((a * a).sum()) * float((b * b).sum()))
+    return float((a * b).sum()) / norm if norm > 0.0 else math.nan
+
+
+def _zigzag(changes: Floats, alive: NDArray[np.bool_]) -> tuple[int, float]:
+    """The step in which the changes of neighbouring segments are most opposed, and by how much.
+
+    Not the last step: that one may already be the tangle that follows.
+    """
+    pairs = np.flatnonzero(alive[:-1] & alive[1:])
+    found = [(_correlation(row[pairs], row[pairs + 1]), i) for i, row in enumerate(changes)]
+    found = [(value, i) for value, i in found if not math.isnan(value)]
+    if not pairs.size or not found:
+        return max(len(changes) - 1, 0), math.nan
+    value, i = min(found)
+    return i, value
+
+
+def _flip(changes: Floats, step: int) -> float:
+    """Correlation of the changes of a step with those of the next, or of the one before."""
+    if len(changes) < 2:
+        return math.nan
+    other = step + 1 if step + 1 < len(changes) else step - 1
+    return _correlation(changes[step], changes[other])
+
+
+def _growth(changes: Floats, lengths: Floats, alive: NDArray[np.bool_]) -> float:
+    """Median factor per step of the zigzag's energy, while it grows and is still small.
+
+    Its amplitude is how much the changes of neighbouring segments differ; beyond a third of the
+    segments' length the springs turn over, and linear growth ends.
+    """
+    pairs = np.flatnonzero(alive[:-1] & alive[1:])
+    columns = (changes[:, pairs + 1] - changes[:, pairs]) if pairs.size else changes[:, alive]
+    with np.errstate(over="ignore"):
+        amplitude = np.sqrt((columns * columns).mean(axis=1)) if columns.size else np.zeros(0)
+    if amplitude.size < 2:
+        return math.nan
+    scale = float(np.median(lengths[0][alive]))
+    before, after = amplitude[:-1], amplitude[1:]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        ratios = after / before
+    rising = ratios > _RISING
+    linear = np.flatnonzero(rising & (after < scale / 3.0))
+    chosen = ratios[linear[-_RISING_STEPS:]] if linear.size else ratios[rising][:1]
+    return float(np.median(chosen)) ** 2 if chosen.size else math.nan
+
+
+def _worst_node(changes: Floats, step: int, layout: Layout) -> int:
+    """The node between the two segments that change most, in opposite senses, in that step."""
+    if not len(changes):
+        return layout.ropes[0].start
+    last = changes[step] / max(float(np.abs(changes[step]).max(initial=0.0)), 1e-300)
+    pull = np.zeros(last.size + 1)
+    pull[:-1] += last
+    pull[1:] -= last
+    return int(np.argmax(np.abs(pull)))
+
+
+def _sign(zigzag: float, flip: float, growth: float) -> str:
+    signs = []
+    if zigzag < _CLEAR:
+        signs.append(f"neighbouring segments zigzag (correlation {zigzag:.2f})")
+    if flip < _CLEAR:
+        signs.append("the pattern flips at every step")
+    if growth > 1.0:
+        signs.append(f"its energy grows {growth:.3g}-fold per step")
+    return " and ".join(signs) or "no zigzag"
+
+
+def _text(
+    stability: Stability,
+    rope: str,
+    node: int,
+    time: float,
+    zigzag: float,
+    flip: float,
+    growth: float,
+) -> str:
+    sign = _sign(zigzag, flip, growth)
+    head = f"Broke after t = {time:.6g} s at node {node} of rope {rope!r}: {sign}."
+    if not stability.stable:
+        if stability.bound > 0.0:
+            law = (
+                f"The step of {milliseconds(stability.step)} is above the largest stable one of "
+                f"{stability.method}, {milliseconds(stability.bound)}"
+            )
+        else:
+            law = f"{stability.method} has no stable step here"
+        return f"{head} {law}; change to {', or '.join(stability.remedies)}."
+    lower = 0.5 * stability.step
+    if zigzag < _CLEAR and growth > 1.0:
+        return (
+            f"{head} The step is {100 * stability.margin:.2g} % below the bound for ropes at "
+            f"their length, so a segment was pressed or thrown far from it; "
+            f"try time_step = {lower:.3g} s."
+        )
+    return (
+        f"{head} The step is stable ({milliseconds(stability.step)} of "
+        f"{milliseconds(stability.bound)}), so this is not the method: a segment was pulled beyond "
+        "ten times its length; look for anchors that move apart, a rope too soft for its load, or "
+        "places and lengths in different units."
+    )

@@ -1,0 +1,158 @@
+"""Likely slips of units in a scene: numbers that no rope has, and the unit they may be in.
+
+Every rule states the number, why it looks wrong, and the probable unit. They are warnings: a scene
+may mean what it says. The limits are wide on purpose; ropes from fishing line (1e-5 kg/m) to
+mooring chain (500 kg/m) and from rubber (sound at some 30 m/s) to carbon fibre (10 km/s) pass.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from ropewalk.build import Model
+from ropewalk.scene import Material, Rope, Scene, Springs
+
+# Speed of sound along a rope, sqrt(EA / mass per length) [m/s].
+_SLOWEST = {"springs": 0.5, "material": 20.0}  # springs are often meant to be soft
+_FASTEST = 15_000.0
+_HEAVIEST_LINE = 500.0  # kg/m
+_HEAVY_NODE = 10.0  # kg, of a rope whose nodes are at most a metre apart
+_THINNEST_LINE = 1e-6  # kg/m
+_YOUNG = 1e3, 2e12  # N/m^2
+_DENSITY = 10.0, 25_000.0  # kg/m^3
+_FAR_OFF = 100.0  # initial length over unstretched length, or the reverse
+
+
+def unit_slips(model: Model) -> list[str]:
+    """Return one sentence for every number of a scene that looks like a slip of units."""
+    scene = model.scene
+    found = _gravity(scene) + _run(scene)
+    for i, rope in enumerate(scene.ropes):
+        path = f"rope[{i}]"
+        found += _line(path, rope) + _section(path, rope) + _size(path, rope, model)
+        for j, load in enumerate(rope.loads):
+            if load.mass > 1000.0 * max(rope.own_mass, 1.0):
+                found.append(
+                    f"{path}.load[{j}].mass: {load.mass:g} kg is {load.mass / rope.own_mass:.3g} "
+                    "times the rope's own mass; grams for kilograms?"
+                )
+    return found
+
+
+def _gravity(scene: Scene) -> list[str]:
+    size = math.hypot(*scene.gravity)
+    _, y, z = scene.gravity
+    if size > 1000.0:
+        return [f"gravity: {size:g} m/s^2 is 9.81 m/s^2 in mm/s^2, or too strong by far"]
+    if 31.5 < size < 33.0:
+        return [f"gravity: {size:g} m/s^2 is 9.81 m/s^2 in ft/s^2"]
+    if size > 100.0:
+        return [f"gravity: {size:g} m/s^2 is stronger than on any planet; cm/s^2 for m/s^2?"]
+    if 9.7 < size < 9.9 and max(y, z) > 0.999 * size:
+        axis = "y" if y > z else "z"
+        return [f"gravity: points to +{axis}, so that -{axis} is up; a sign lost?"]
+    return []
+
+
+def _run(scene: Scene) -> list[str]:
+    run, found = scene.run, []
+    if run.time_step != "auto" and run.time_step >= 0.2:
+        found.append(f"run.time_step: {run.time_step:g} s is very long; milliseconds for seconds?")
+    if run.frame_rate < 0.1 and run.duration < 1000.0:
+        found.append(f"run.frame_rate: {run.frame_rate:g} frames a second; a frame time instead?")
+    return found
+
+
+def _line(path: str, rope: Rope) -> list[str]:
+    """Mass per length, stiffness and the speed of sound that the two make."""
+    length = rope.segment_length
+    if length <= 0.0:
+        return []
+    made_of = rope.made_of
+    stiffness = rope.segment_stiffness * length
+    if isinstance(made_of, Springs):
+        line = made_of.node_mass / length
+        mass, name = f"node_mass: {made_of.node_mass:g} kg", "spring_constant"
+        value, wrong = f"{made_of.spring_constant:g} N/m", "kN/m for N/m"
+        heavy = line > _HEAVIEST_LINE or (made_of.node_mass >= _HEAVY_NODE and length <= 1.0)
+    else:
+        line = made_of.mass_per_length
+        mass, name = f"mass_per_length: {line:g} kg/m", "EA"
+        value, wrong = f"{made_of.EA:g} N", "kN for N"
+        heavy = line > _HEAVIEST_LINE
+    found = []
+    if heavy:
+        found.append(f"{path}.made_of.{mass} makes {line:.3g} kg per metre; grams for kilograms?")
+    if line < _THINNEST_LINE:
+        found.append(
+            f"{path}.made_of.{mass} makes {line:.3g} kg per metre, less than a spider's thread; "
+            "lengths in millimetres?"
+        )
+    sound = math.sqrt(stiffness / line)
+    if sound > _FASTEST:
+        why = "Young's modulus (N/m^2) for EA (N)" if name == "EA" else "kN/m^2 or N/m^2 for N/m"
+        found.append(
+            f"{path}.made_of.{name}: {value} makes sound run along the rope at {sound:.3g} m/s, "
+            f"faster than in any fibre; {why}, or a mass too small?"
+        )
+    if sound < _SLOWEST[made_of.kind]:
+        found.append(
+            f"{path}.made_of.{name}: {value} makes sound run along the rope at only "
+            f"{sound:.3g} m/s, slower than in rubber; {wrong}, or grams for kilograms?"
+        )
+    return found
+
+
+def _section(path: str, rope: Rope) -> list[str]:
+    """A diameter that was given, and the modulus and density that it implies."""
+    if "diameter" not in rope.model_fields_set:
+        return []
+    found = []
+    if rope.diameter > 0.5 or rope.diameter > 0.5 * max(rope.length_unstretched, 1e-3):
+        return [f"{path}.diameter: {rope.diameter:g} m is not a rope's; millimetres for metres?"]
+    area = 0.25 * math.pi * rope.diameter**2
+    if isinstance(rope.made_of, Material):
+        modulus = rope.made_of.EA / area
+        if not _YOUNG[0] <= modulus <= _YOUNG[1]:
+            found.append(
+                f"{path}.made_of.EA: {rope.made_of.EA:g} N over {1e3 * rope.diameter:g} mm of "
+                f"diameter is a modulus of {modulus:.3g} N/m^2, that of no material; EA is in N"
+            )
+        density = rope.made_of.mass_per_length / area
+        if not _DENSITY[0] <= density <= _DENSITY[1]:
+            found.append(
+                f"{path}.made_of.mass_per_length: {rope.made_of.mass_per_length:g} kg/m over "
+                f"{1e3 * rope.diameter:g} mm of diameter is a density of {density:.3g} kg/m^3; "
+                "g/m for kg/m?"
+            )
+    return found
+
+
+def _size(path: str, rope: Rope, model: Model) -> list[str]:
+    """How long the rope starts, against its unstretched length."""
+    length = rope.length_unstretched
+    if length <= 0.0:
+        return []
+    span = model.layout.span(rope.name)
+    x = model.state.x[:, span.start : span.end + 1]
+    ratio = float(np.linalg.norm(np.diff(x, axis=1), axis=0).sum()) / length
+    found = []
+    if ratio > _FAR_OFF:
+        found.append(
+            f"{path}.shape: starts {ratio:.3g} times as long as the unstretched rope of "
+            f"{length:g} m; places in millimetres?"
+        )
+    elif 0.0 < ratio < 1.0 / _FAR_OFF:
+        found.append(
+            f"{path}.shape: starts at 1/{1 / ratio:.3g} of the unstretched length of {length:g} m; "
+            "rope lengths in millimetres?"
+        )
+    light = rope.own_mass / length < 0.05
+    if length > 500.0 and rope.segment_length >= 5.0 and light:
+        found.append(
+            f"{path}: {length:g} m of rope of only {rope.own_mass:g} kg in segments of "
+            f"{rope.segment_length:g} m; lengths in millimetres?"
+        )
+    return found
