@@ -36,6 +36,8 @@ def chains(system: System, state: State, speed: float = 0.0) -> dict[str, Chain]
             cases[f"at a winch whose last segment is {share:g} long"] = _winch_case(
                 base, system, state, row, share
             )
+    if len(state.winch_exit):
+        cases["with all rope paid out"] = _paid_out(base, system, state)
     if system.ground.active:
         ground = system.ground
         for name, chain in tuple(cases.items()):
@@ -73,9 +75,35 @@ def _winch_case(base: Chain, system: System, state: State, row: int, share: floa
     vector[working] = winches.vector[row] / length
     axial[working] = winches.axial[row] / length
     mass[drum + side] += 0.5 * winches.line[row] * (length - state.rest_length[working])
-    return base._replace(
-        mass=mass, stiffness=stiffness, damping_vector=vector, damping_axial=axial
+    return base._replace(mass=mass, stiffness=stiffness, damping_vector=vector, damping_axial=axial)
+
+
+def _paid_out(base: Chain, system: System, state: State) -> Chain:
+    """The chain when no winch has rope left on its drum, the last segments at their shortest."""
+    winches = system.winches
+    chain = base._replace(
+        mass=base.mass.copy(),
+        stiffness=base.stiffness.copy(),
+        damping_vector=base.damping_vector.copy(),
+        damping_axial=base.damping_axial.copy(),
+        free=base.free.copy(),
     )
+    for row, drum in enumerate(state.winch_exit):
+        side, first = int(winches.step[row]), int(winches.first[row])
+        if first == drum:
+            continue
+        nodes = np.arange(first, int(drum) + side, side)
+        segments = np.minimum(nodes[:-1], nodes[1:])
+        length = np.full(len(segments), winches.segment[row])
+        length[0] *= MERGE
+        chain.stiffness[segments] = winches.EA[row] / length
+        chain.damping_vector[segments] = winches.vector[row] / length
+        chain.damping_axial[segments] = winches.axial[row] / length
+        chain.mass[nodes] = winches.line[row] * winches.segment[row]
+        chain.mass[nodes[1]] *= 0.5 * (1.0 + MERGE)
+        chain.free[nodes] = True
+        chain.free[first] = False
+    return chain
 
 
 def speed_scale(system: System, state: State) -> float:

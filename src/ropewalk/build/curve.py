@@ -44,7 +44,9 @@ def along_polyline(corners: Floats, share: Floats) -> Floats:
     )
 
 
-def catenary_points(start: Floats, end: Floats, length: float, down: Floats, share: Floats) -> Floats:
+def catenary_points(
+    start: Floats, end: Floats, length: float, down: Floats, share: Floats
+) -> Floats:
     """Return points at shares of the arc length of a catenary of given length, (m, 3).
 
     sqrt(L^2 - Y^2) = 2 a sinh(X / 2a) for the parameter a (Irvine 1981, sec. 1.2). With ends above

@@ -21,7 +21,7 @@ from ropewalk.core.arrays import (
     Winches,
     Work,
 )
-from ropewalk.laws.anchors import anchor_target
+from ropewalk.laws.anchors import start_of_anchor
 from ropewalk.scene import Material, Rope, Scene, Springs
 
 
@@ -192,7 +192,7 @@ def _hold(system: System, state: State) -> None:
     for row, node in enumerate(state.anchor_node):
         state.anchor_x[row] = state.x[:, node]
         point, speed = np.zeros(3), np.zeros(3)
-        anchor_target(system, state, row, 0.0, 0.0, point, speed)
+        start_of_anchor(system, state, row, point, speed)
         if system.anchors.release[row] <= 0.0:
             state.held[row] = 0
             continue

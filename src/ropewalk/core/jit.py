@@ -21,7 +21,7 @@ import numba
 from numba.core import caching
 
 PACKAGE = Path(__file__).resolve().parent.parent
-KERNEL_FOLDERS = ("core", "laws", "methods", "motions", "record", "analysis")
+KERNEL_FOLDERS = ("core", "laws", "methods", "motions")
 KEPT_CACHES = 4
 
 
@@ -78,8 +78,10 @@ def is_compiled(function: Any) -> bool:
     if function.signatures:
         return True
     folder = cache_folder()
-    name = function.py_func.__qualname__
-    return folder is not None and any(folder.glob(f"*.{name}-*.nbi"))
+    code = function.py_func.__code__
+    stem = Path(code.co_filename).stem
+    name = f"{stem}.{function.py_func.__qualname__}-{stem}-{code.co_firstlineno}."
+    return folder is not None and any(folder.glob(f"{name}*.nbi"))
 
 
 class _SourceHashLocator(caching._CacheLocator):
@@ -115,6 +117,8 @@ def kernel(function: Callable[..., Any]) -> Any:
     """Compile `function` on its first call; keep the machine code on disk for the next process.
 
     No fast-math: the same inputs give the same bits. Division by zero gives inf, never an exception.
+    Without numba's runtime (`_nrt`): nothing can be allocated, and no array is reference-counted, which
+    took ten times as long as the physics of a short rope.
     """
     compiled = numba.njit(nogil=True, error_model="numpy", _nrt=False)(function)
     if not numba.config.DISABLE_JIT and cache_folder() is not None:
@@ -125,6 +129,7 @@ def kernel(function: Callable[..., Any]) -> Any:
 def part(function: Callable[..., Any]) -> Any:
     """Compile `function` into its callers: for parts of kernels that take named tuples.
 
-    A call with a tuple of many arrays costs a reference count up and down for each of them.
+    A call hands over every array of a tuple one by one; on the step's path that costs more than
+    the work on a short rope. Not for calls from the host: nothing of it is cached.
     """
     return numba.njit(nogil=True, error_model="numpy", _nrt=False, inline="always")(function)

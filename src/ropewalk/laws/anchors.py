@@ -7,7 +7,7 @@ A sudden start of a motion is an impulse: it shows in R for one step.
 
 from __future__ import annotations
 
-from ropewalk.core.jit import part
+from ropewalk.core.jit import kernel, part
 from ropewalk.laws.table import force_on_node
 from ropewalk.motions.table import HAND, place
 
@@ -31,6 +31,12 @@ def anchor_target(system, state, row, t, ahead, x, v):
             for k in range(3):
                 x[k] += depth * up[k]
                 v[k] -= rise * up[k]
+
+
+@kernel
+def start_of_anchor(system, state, row, x, v):
+    """Write where anchor `row` is at time zero (for the host)."""
+    anchor_target(system, state, row, 0.0, 0.0, x, v)
 
 
 @part
