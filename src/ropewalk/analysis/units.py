@@ -21,7 +21,7 @@ _HEAVIEST_LINE = 500.0  # kg/m
 _HEAVY_NODE = 10.0  # kg, of a rope whose nodes are at most a metre apart
 _THINNEST_LINE = 1e-6  # kg/m
 _YOUNG = 1e3, 2e12  # N/m^2
-_DENSITY = 10.0, 25_000.0  # kg/m^3
+_DENSITY = 10.0, 40_000.0  # kg/m^3; a chain goes by the diameter of its bar
 _FAR_OFF = 100.0  # initial length over unstretched length, or the reverse
 
 

@@ -1,0 +1,225 @@
+"""What a check says before a run, and the slips of units it sees, each with a twin it lets pass."""
+
+from __future__ import annotations
+
+import json
+import math
+
+import pytest
+
+from ropewalk.analysis.check import check
+from ropewalk.analysis.units import unit_slips
+from ropewalk.build import build
+from ropewalk.scene import (
+    Anchor,
+    Ground,
+    Limiter,
+    Load,
+    Material,
+    Polyline,
+    Rope,
+    RunSettings,
+    Scene,
+    Springs,
+    Straight,
+)
+from ropewalk.simulation import Simulation
+
+
+def scene(**changes: object) -> Scene:
+    """The report's rope between two anchors; `changes` to springs, rope, run or scene by name."""
+    springs: dict[str, object] = {
+        "spring_constant": 1e4,
+        "node_mass": 0.05,
+        "spring_friction": 0.05,
+        "segment_length": 1.0,
+    }
+    rope: dict[str, object] = {"segments": 20, "shape": Straight(start=(0, 0, 0))}
+    run: dict[str, object] = {"time_step": 0.002}
+    whole: dict[str, object] = {
+        "gravity": (0, -9.81, 0),
+        "anchors": (Anchor(node=0), Anchor(node=-1)),
+    }
+    for key, value in changes.items():
+        for part in (springs, rope, run):
+            fields = {id(springs): Springs, id(rope): Rope, id(run): RunSettings}[id(part)]
+            if key in fields.model_fields:
+                part[key] = value
+                break
+        else:
+            whole[key] = value
+    rope.setdefault("made_of", Springs(**springs))
+    return Scene(run=RunSettings(**run), ropes=(Rope(**rope),), **whole)
+
+
+def warnings(**changes: object) -> str:
+    return "\n".join(check(scene(**changes), measure=False).warnings)
+
+
+def test_numbers_of_the_report() -> None:
+    found = check(scene(), measure=False)
+    assert found.ok
+    assert found.steps_per_frame == 9
+    assert found.steps == 600 * 9
+    assert found.statics.sag[0] == pytest.approx(0.7181, abs=1e-4)
+    rope = found.ropes[0]
+    assert rope.longitudinal == pytest.approx(math.sqrt(1e4 / 0.05))
+    # Sideways: between sqrt(H/mu) in the middle and sqrt(T/mu) at the ends (stretch 0.3 %).
+    low, high = rope.transverse or (0.0, 0.0)
+    assert low == pytest.approx(math.sqrt(34.094 / 0.05), rel=3e-3)
+    assert high == pytest.approx(math.sqrt(found.statics.largest_tension / 0.05), rel=3e-3)
+    assert low < high
+    assert found.warnings == ()
+    text = "\n".join(found.lines())
+    for word in ("semi-implicit-euler", "2.23", "9 steps", "sag 0.7181 m", "rad/s"):
+        assert word in text
+    again = json.loads(json.dumps(found.as_dict(), allow_nan=False))
+    assert again["stability"]["stable"] is True
+    assert again["statics"]["spans"][0]["sag"] == pytest.approx(0.7181, abs=1e-4)
+
+
+def test_a_predicted_break_is_warned_of_with_values() -> None:
+    text = warnings(spring_constant=200.0, time_step=1 / 60)
+    assert "will break" in text
+    assert "spring_constant <= 175 N/m" in text
+    assert "time_step <= 0.0156 s" in text
+    assert "break" not in warnings(spring_constant=170.0, time_step=1 / 60)
+
+
+def test_a_small_margin_is_warned_of() -> None:
+    assert "below the largest stable step" in warnings(time_step=0.0022, steps="exact")
+    assert "below the largest" not in warnings(time_step=0.0020, steps="exact")
+
+
+def test_a_limiter_that_always_acts() -> None:
+    # Habrador's rope: 1 + 2.2 * 9.81 / 40 = 1.54 at the top against 1.1.
+    habrador = {
+        "spring_constant": 40.0,
+        "node_mass": 0.2,
+        "segments": 6,
+        "loads": (Load(node=-1, mass=1.0),),
+        "anchors": (Anchor(node=0),),
+        "time_step": 0.02,
+    }
+    text = warnings(limiter=Limiter(min_stretch=0.9, max_stretch=1.1), **habrador)
+    assert "acts even at rest, on 6 segments" in text
+    assert "1.54" in text
+    assert "acts even" not in warnings(
+        limiter=Limiter(min_stretch=0.9, max_stretch=1.6), **habrador
+    )
+    assert "springs are weak" in warnings(**habrador)
+
+
+def test_slack_short_and_unheld() -> None:
+    short = warnings(shape=Straight(start=(0, 0, 0), end=(18, 0, 0)))
+    assert "20 of 20 segments start shorter" in short
+    assert "shorter" not in warnings(shape=Straight(start=(0, 0, 0), end=(20, 0, 0)))
+    loose = {"gravity": (0, 0, 0), "shape": Straight(start=(0, 0, 0), end=(18, 0, 0))}
+    assert "carry no tension" in warnings(**loose)
+    assert "nothing holds it; it falls" in warnings(anchors=())
+    assert "nothing holds" not in warnings()
+
+
+def test_ground_above_the_rest_shape() -> None:
+    assert "hang below the ground" in warnings(ground=Ground(height=-0.5))
+    assert "ground" not in warnings(ground=Ground(height=-1.0, repulsion=10.0, absorption=0.0))
+
+
+def test_run_time_is_measured_when_the_kernel_is_there() -> None:
+    made = scene(segments=200)
+    Simulation(made).step()  # compiles
+    found = check(made)
+    assert found.seconds_measured
+    per_segment = found.seconds / found.steps / 200
+    assert 1e-10 < per_segment < 1e-6
+    assert not check(made, measure=False).seconds_measured
+
+
+def material(**changes: object) -> Rope:
+    fields = {"EA": 2e4, "mass_per_length": 0.06}
+    rope = {"segments": 10, "length": 10.0, "shape": Straight(start=(0, 0, 0))}
+    for key, value in changes.items():
+        (fields if key in fields else rope)[key] = value
+    return Rope(made_of=Material(**fields), **rope)
+
+
+def slips(**changes: object) -> str:
+    return "\n".join(unit_slips(build(scene(**changes))))
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"gravity": (0, -9810.0, 0)}, "mm/s^2"),
+        ({"gravity": (0, -32.17, 0)}, "ft/s^2"),
+        ({"gravity": (0, 9.81, 0)}, "sign lost"),
+        ({"gravity": (0, 0, 9.81)}, "points to +z"),
+        ({"node_mass": 50.0}, "grams for kilograms"),
+        ({"spring_constant": 1e10}, "faster than in any fibre"),
+        ({"spring_constant": 0.01}, "slower than in rubber"),
+        ({"time_step": 2.0, "duration": 100.0, "frame_rate": 0.5}, "milliseconds for seconds"),
+        ({"segment_length": 50.0}, "lengths in millimetres"),
+        ({"shape": Straight(start=(0, 0, 0), end=(20000.0, 0, 0))}, "places in millimetres"),
+        ({"shape": Straight(start=(0, 0, 0), end=(0.02, 0, 0))}, "rope lengths in millimetres"),
+        ({"shape": Polyline(points=((0, 0, 0), (9e3, 0, 0), (9e3, 9e3, 0)))}, "millimetres"),
+        ({"loads": (Load(node=3, mass=80000.0),)}, "grams for kilograms"),
+        ({"diameter": 12.0}, "not a rope's"),
+    ],
+)
+def test_slips_of_units(changes: dict[str, object], words: str) -> None:
+    assert words in slips(**changes)
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"EA": 40.0, "mass_per_length": 0.2}, "kN for N"),
+        ({"EA": 40.0, "diameter": 0.01, "mass_per_length": 1e-3}, ""),
+        ({"EA": 2e11}, "Young's modulus"),
+        ({"mass_per_length": 6000.0}, "grams for kilograms"),
+        ({"mass_per_length": 60.0, "diameter": 0.01}, "density"),
+        ({"EA": 0.05, "diameter": 0.01}, "that of no material"),
+        ({"diameter": 10.0}, "not a rope's"),
+    ],
+)
+def test_slips_of_a_material(changes: dict[str, object], words: str) -> None:
+    made = scene().model_copy(update={"ropes": (material(**changes),)})
+    found = "\n".join(unit_slips(build(made)))
+    if words:
+        assert words in found
+    else:
+        assert found == ""
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {},
+        {"gravity": (0, 0, -9.81)},
+        {"gravity": (0, -1.62, 0)},
+        {"gravity": (0, 0, 0)},
+        {"spring_constant": 100.0},
+        {"spring_constant": 10.0, "node_mass": 0.001},
+        {"loads": (Load(node=3, mass=80.0),)},
+        {"segment_length": 0.05, "segments": 79},
+        {"diameter": 0.012},
+    ],
+)
+def test_ordinary_scenes_pass(changes: dict[str, object]) -> None:
+    assert slips(**changes) == ""
+
+
+@pytest.mark.parametrize(
+    ("diameter", "EA", "line"),
+    [
+        (0.0105, 25e3, 0.068),  # climbing rope
+        (0.02, 26e6, 1.7),  # steel cable
+        (0.0003, 1.5e2, 8e-5),  # fishing line
+        (0.1, 800e6, 200.0),  # mooring chain
+        (0.008, 30.0, 0.05),  # rubber
+    ],
+)
+def test_real_ropes_pass(diameter: float, EA: float, line: float) -> None:
+    rope = material(diameter=diameter, EA=EA, mass_per_length=line)
+    made = scene().model_copy(update={"ropes": (rope,)})
+    assert unit_slips(build(made)) == []

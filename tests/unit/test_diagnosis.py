@@ -1,0 +1,119 @@
+"""Diagnoses of runs that really break, and of histories made by hand."""
+
+from __future__ import annotations
+
+import json
+import math
+
+import numpy as np
+import pytest
+
+from ropewalk.analysis.diagnosis import Diagnosis, diagnose, retrace
+from ropewalk.analysis.stability import stability
+from ropewalk.build import build
+from ropewalk.scene import Anchor, Rope, RunSettings, Scene, Springs, Straight
+from ropewalk.simulation import Simulation
+
+
+def scene(k: float = 200.0, dt: float = 1 / 60, **run: object) -> Scene:
+    rope = Rope(
+        segments=20,
+        made_of=Springs(
+            spring_constant=k, node_mass=0.05, spring_friction=0.05, segment_length=1.0
+        ),
+        shape=Straight(start=(0, 0, 0)),
+    )
+    settings = RunSettings(time_step=dt, steps="exact", **run)
+    held = (Anchor(node=0), Anchor(node=-1))
+    return Scene(gravity=(0, -9.81, 0), run=settings, ropes=(rope,), anchors=held)
+
+
+def broken(made: Scene) -> Diagnosis:
+    model = build(made)
+    positions = retrace(Simulation(model), 5000)
+    steps = len(positions) - 2
+    return diagnose(stability(model), model.layout, positions, steps * model.plan.dt, steps)
+
+
+def test_the_report_at_60_hz() -> None:
+    found = broken(scene(duration=30.0))
+    assert found.predicted
+    assert found.zigzag < -0.9
+    assert found.flip < -0.95
+    # Theory: growth 2.02 per step, its square in energy.
+    expected = stability(scene(duration=30.0)).growth_per_step ** 2
+    assert found.energy_growth == pytest.approx(expected, rel=0.25)
+    assert found.rope == "rope"
+    assert 0 < found.node < 20
+    text = str(found)
+    for words in ("Broke after t =", "zigzag", "spring_constant <= 175 N/m", "15.6"):
+        assert words in text
+    assert text.count(". ") <= 2
+    assert json.loads(json.dumps(found.as_dict(), allow_nan=False))["predicted"] is True
+
+
+def test_euler_is_told_to_change_the_method() -> None:
+    found = broken(scene(10000.0, 0.001, method="euler"))
+    assert "method = semi-implicit-euler" in str(found)
+    assert found.energy_growth > 1.0
+
+
+def history(pattern: np.ndarray, growth: float, steps: int = 12) -> np.ndarray:
+    """Positions of a straight chain along x whose nodes move by `pattern`, growing per step."""
+    x = np.zeros((steps, 21, 3))
+    for i in range(steps):
+        x[i, :, 0] = np.arange(21) + 1e-9 * growth**i * pattern
+    return x
+
+
+def test_measures_on_patterns_made_by_hand() -> None:
+    model = build(scene())
+    found = stability(model)
+    nodes = np.arange(21.0)
+    bump = np.exp(-((nodes - 7) ** 2) / 8.0)
+    zigzag = diagnose(found, model.layout, history((-1.0) ** nodes * bump, -2.0), 0.1, 6)
+    assert zigzag.zigzag < -0.9
+    assert zigzag.flip < -0.99
+    assert zigzag.energy_growth == pytest.approx(4.0, rel=1e-6)
+    assert zigzag.node == 7
+    smooth = diagnose(found, model.layout, history(bump, 1.3), 0.1, 6)
+    assert smooth.zigzag > 0.3
+    assert smooth.flip > 0.9
+    assert "zigzag" not in smooth.sign
+    assert smooth.energy_growth == pytest.approx(1.69, rel=1e-6)
+
+
+def test_infinite_and_missing_history_is_borne() -> None:
+    model = build(scene())
+    found = stability(model)
+    x = history((-1.0) ** np.arange(21), -2.0)
+    x[9:] = np.nan
+    x[8] = 1e300
+    same = diagnose(found, model.layout, x, 0.1, 6)
+    assert same.zigzag < -0.9
+    assert same.energy_growth == pytest.approx(4.0, rel=1e-6)
+    for length in (0, 1, 2):
+        short = diagnose(found, model.layout, x[:length], 0.1, 6)
+        assert math.isnan(short.flip)
+        assert "time_step <=" in str(short)
+    nothing = diagnose(found, model.layout, np.full((3, 21, 3), np.inf), 0.1, 6)
+    assert "no zigzag" in str(nothing)
+
+
+def test_a_stable_step_is_not_blamed() -> None:
+    model = build(scene(100.0))
+    found = stability(model)
+    assert found.stable
+    x = history(np.linspace(0, 1, 21) * 1e9, 1.2)
+    text = str(diagnose(found, model.layout, x, 0.1, 6))
+    assert "not the method" in text
+    assert "time_step <=" not in text
+
+
+def test_retrace_keeps_the_last_steps_and_stops_at_the_break() -> None:
+    model = build(scene(duration=30.0))
+    whole = retrace(Simulation(model), 5000, keep=5000)
+    few = retrace(Simulation(model), 5000, keep=10)
+    assert len(few) == 10
+    np.testing.assert_array_equal(few, whole[-10:])
+    assert len(retrace(Simulation(model), 3)) == 4

@@ -1,0 +1,254 @@
+"""Stability of scenes: the report's numbers, and runs from both sides of the bound."""
+
+from __future__ import annotations
+
+import json
+import math
+
+import numpy as np
+import pytest
+
+from ropewalk.analysis.stability import Stability, rounded_down, sideways_share, stability
+from ropewalk.build import build
+from ropewalk.methods.registry import METHODS
+from ropewalk.scene import (
+    Air,
+    Anchor,
+    Ground,
+    Limiter,
+    Load,
+    Material,
+    Rope,
+    RunSettings,
+    Scene,
+    Springs,
+    Straight,
+    Winch,
+)
+from ropewalk.simulation import Broken, Simulation
+
+
+def report(
+    k: float = 10000.0,
+    dt: float | str = 0.002,
+    c: float = 0.05,
+    section: int = 20,
+    method: str = "semi-implicit-euler",
+    friction: str = "vector",
+    duration: float = 10.0,
+    gravity: float = 9.81,
+    anchors: tuple[Anchor, ...] | None = None,
+    **more: object,
+) -> Scene:
+    """The report's three-anchor scene."""
+    rope = Rope(
+        segments=2 * section,
+        made_of=Springs(
+            spring_constant=k,
+            node_mass=0.05,
+            spring_friction=c,
+            segment_length=1.0,
+            friction=friction,
+        ),
+        shape=Straight(start=(0, 0, 0)),
+    )
+    return Scene(
+        gravity=(0, -gravity, 0),
+        run=RunSettings(duration=duration, time_step=dt, steps="exact", method=method),
+        ropes=(rope,),
+        anchors=anchors or tuple(Anchor(node=node) for node in (0, section, 2 * section)),
+        **more,
+    )
+
+
+def mu(n: int) -> float:
+    return 4.0 * math.sin(n * math.pi / (2 * (n + 1))) ** 2
+
+
+@pytest.mark.parametrize(
+    ("k", "dt", "meter", "stable"),
+    [
+        (10000.0, 0.002, 3.216, True),
+        (10000.0, 1 / 60, 222.4, False),
+        (200.0, 1 / 60, 4.578, False),
+        (180.0, 1 / 60, 4.133, False),
+        (100.0, 1 / 60, 2.356, True),
+    ],
+)
+def test_the_reports_observations(k: float, dt: float, meter: float, stable: bool) -> None:
+    found = stability(report(k, dt))
+    assert found.meter == pytest.approx(meter * mu(19) / 4.0, rel=2e-4)
+    assert found.stable is stable
+    assert found.breaks is not stable
+    assert found.largest_spring_constant == pytest.approx(
+        4 / mu(19) * 0.05 / dt**2 - 2 * 0.05 / dt, rel=1e-6
+    )
+    assert found.highest_frequency == pytest.approx(math.sqrt(k * mu(19) / 0.05), rel=1e-12)
+    assert ("will break" in found.verdict) is not stable
+    assert bool(found.remedies) is not stable
+
+
+def test_bounds_of_all_methods_at_once() -> None:
+    found = stability(report(section=200))
+    table = {"euler": 0.005, "heun": 0.296, "semi-implicit-euler": 2.231, "rk4": 3.168}
+    for name, limit in table.items():
+        assert 1e3 * found.largest_step[name] == pytest.approx(limit, rel=2e-3)
+    assert set(found.largest_step) == set(METHODS)
+    assert found.margin == pytest.approx(found.bound / 0.002 - 1.0)
+    assert 0.1 < found.margin < 0.13
+
+
+def test_growth_of_the_shortest_rope_that_breaks() -> None:
+    # k 200 at 60 Hz is stable with up to 4 springs per section and unstable from 5 on.
+    assert stability(report(200.0, 1 / 60, section=4)).stable
+    assert stability(report(200.0, 1 / 60, section=5)).breaks
+
+
+@pytest.mark.parametrize("method", ["semi-implicit-euler", "verlet", "rk4", "heun", "euler"])
+def test_runs_break_above_the_bound_and_not_below(method: str) -> None:
+    # A straight chain without weight: the theory is exact. 1e-6 m of disturbance, 5000 steps.
+    bound = stability(report(300.0, 0.001, c=1.2, section=5, method=method)).bound
+    assert bound > 0.0
+    left = []
+    for factor in (0.99, 1.01):
+        dt = factor * bound
+        model = build(report(300.0, dt, c=1.2, section=5, method=method, gravity=0.0))
+        start = model.state.x.copy()
+        model.state.x[:, 1:5] += 1e-6 * np.random.default_rng(0).normal(size=(3, 4))
+        simulation = Simulation(model)
+        try:
+            simulation.step(5000 * dt)
+            left.append(float(np.abs(simulation.positions.T - start).max()))
+        except Broken:
+            left.append(math.inf)
+    assert left[0] < 1e-5
+    assert left[1] > 1e-3
+
+
+def test_ground_lowers_the_bound_and_is_named() -> None:
+    ground = Ground(height=-1.0, repulsion=5000.0, friction=0.2, absorption=2.0)
+    found = stability(report(ground=ground))
+    assert found.case.startswith("pressed")
+    m, dt = 0.05, found.bound
+    a = (10000.0 * mu(19) + 5000.0) * dt * dt / m
+    b = (0.05 * mu(19) + 2.0) * dt / m
+    assert a + 2 * b == pytest.approx(4.0, rel=1e-9)
+    assert found.bound < stability(report()).bound
+    assert set(found.cases) == {"in the air", "pressed to the ground", "sliding on the ground"}
+
+
+def test_a_released_anchor_counts_as_free() -> None:
+    def found(release: float | None) -> Stability:
+        middle = Anchor(node=2, release_time=release)
+        return stability(report(section=2, anchors=(Anchor(node=0), middle, Anchor(node=4))))
+
+    held, free = found(None), found(1.0)
+    assert held.highest_frequency == pytest.approx(math.sqrt(2e5 * mu(1)), rel=1e-9)
+    assert free.highest_frequency == pytest.approx(math.sqrt(2e5 * mu(3)), rel=1e-9)
+
+
+def test_material_does_not_depend_on_its_segments_but_the_bound_does() -> None:
+    def scene(segments: int) -> Scene:
+        rope = Rope(
+            segments=segments,
+            made_of=Material(EA=1e4, mass_per_length=0.05),
+            length=10.0,
+            shape=Straight(start=(0, 0, 0)),
+        )
+        run = RunSettings(time_step=1e-4)
+        return Scene(run=run, ropes=(rope,), anchors=(Anchor(node=0), Anchor(node=-1)))
+
+    coarse, fine = stability(scene(20)), stability(scene(40))
+    # CFL: dt = l / c, c = sqrt(EA / mu), but for the finite chain.
+    for found, n in ((coarse, 20), (fine, 40)):
+        expected = 10.0 / n / math.sqrt(1e4 / 0.05) * 2.0 / math.sqrt(mu(n - 1))
+        assert found.bound == pytest.approx(expected, rel=1e-9)
+    factor = coarse.largest_spring_factor
+    assert coarse.largest_axial_stiffness == pytest.approx(1e4 * factor)
+    assert coarse.largest_spring_constant is None
+
+
+def test_a_winch_takes_its_shortest_segment() -> None:
+    still = stability(report(section=10))
+    turning = stability(report(section=10, winches=(Winch(end="start", speed=-0.5),)))
+    assert "winch" in turning.case
+    assert turning.bound < 0.85 * still.bound
+
+
+def test_weak_growth_is_told_from_breaking() -> None:
+    # Heun without sideways friction: formally unstable, y^4/8 per step.
+    slow = stability(report(100.0, 1e-4, c=0.0, method="heun", duration=1.0))
+    assert slow.bound == 0.0
+    assert not slow.stable
+    assert not slow.breaks
+    y = slow.highest_frequency * 1e-4
+    assert math.log(slow.growth_per_step) == pytest.approx(y**4 / 8, rel=1e-2)
+    assert any("heun has no stable step" in note and "y^4/8" in note for note in slow.notes)
+    fast = stability(report(10000.0, 0.001, c=0.0, method="heun", duration=10.0))
+    assert fast.breaks
+    axial = stability(report(100.0, 1e-4, c=0.5, friction="axial", method="euler"))
+    assert axial.bound == 0.0
+    assert any("sideways" in note for note in axial.notes)
+    assert "verlet" in " ".join(axial.remedies)
+
+
+def test_node_of_the_worst_mode_follows_the_light_part() -> None:
+    scene = report(section=10)
+    rope = scene.ropes[0]
+    heavy = tuple(Load(node=node, mass=0.5) for node in range(1, 20) if node not in (14, 15, 16))
+    made = scene.model_copy(update={"ropes": (rope.model_copy(update={"loads": heavy}),)})
+    found = stability(made)
+    assert found.rope == "rope"
+    assert found.node in (14, 15, 16)
+
+
+def test_quadratic_drag_counts_at_the_speed_of_a_fall() -> None:
+    air = Air(node_drag_quadratic=0.1)
+    assert stability(report(air=air)).bound < stability(report()).bound
+    far = stability(report(section=80, air=air)).bound  # falls faster
+    assert far < stability(report(section=20, air=air)).bound
+
+
+def test_sideways_share_is_the_swing_or_the_limiters() -> None:
+    soft = build(report(50.0))
+    assert 0.1 < sideways_share(soft) <= 1.0
+    limited = build(report(50.0, limiter=Limiter(min_stretch=0.9, max_stretch=1.05)))
+    assert sideways_share(limited) == pytest.approx(1.0 - 1.0 / 1.05)
+
+
+def test_text_and_json() -> None:
+    found = stability(report(200.0, 1 / 60))
+    assert repr(found).startswith("Stability: will break at 16.67 ms")
+    text = json.dumps(found.as_dict(), allow_nan=False)
+    assert json.loads(text)["largest_step"]["rk4"] == pytest.approx(found.largest_step["rk4"])
+    remedies = dict(part.split(" <= ") for part in found.remedies if "<=" in part)
+    assert float(remedies["time_step"].split()[0]) < found.bound
+    assert float(remedies["spring_constant"].split()[0]) == 175.0
+    # Each remedy really is one.
+    assert stability(report(200.0, float(remedies["time_step"].split()[0]))).stable
+    assert stability(report(175.0, 1 / 60)).stable
+    assert stability(report(200.0, 1 / 60, method="rk4")).stable
+
+
+def test_rounding_never_goes_up() -> None:
+    rng = np.random.default_rng(4)
+    for value in 10.0 ** rng.uniform(-9, 9, 500):
+        shown = float(rounded_down(value))
+        assert shown <= value * (1 + 1e-9)
+        assert shown > 0.989 * value
+    assert rounded_down(8074.3) == "8070"
+
+
+def test_no_limit_is_said_so() -> None:
+    rope = Rope(
+        segments=1,
+        made_of=Springs(spring_constant=1.0, node_mass=1.0, segment_length=1.0),
+        shape=Straight(start=(0, 0, 0)),
+    )
+    held = (Anchor(node=0), Anchor(node=1))
+    found = stability(Scene(run=RunSettings(time_step=0.01), ropes=(rope,), anchors=held))
+    assert isinstance(found, Stability)
+    assert found.bound == math.inf
+    assert found.stable
+    assert "no limit" in found.verdict
+    assert found.as_dict()["margin"] is None
