@@ -1,0 +1,5 @@
+"""The `ropewalk` command."""
+
+from ropewalk.cli.app import main
+
+__all__ = ["main"]

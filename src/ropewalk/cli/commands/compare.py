@@ -1,0 +1,7 @@
+import click
+
+
+@click.command()
+def compare() -> None:
+    """TODO."""
+    raise NotImplementedError

@@ -1,0 +1,7 @@
+import click
+
+
+@click.command()
+def export() -> None:
+    """TODO."""
+    raise NotImplementedError

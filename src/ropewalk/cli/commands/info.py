@@ -1,0 +1,7 @@
+import click
+
+
+@click.command()
+def info() -> None:
+    """TODO."""
+    raise NotImplementedError

@@ -1,0 +1,7 @@
+import click
+
+
+@click.command()
+def movie() -> None:
+    """TODO."""
+    raise NotImplementedError

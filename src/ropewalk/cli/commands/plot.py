@@ -1,0 +1,7 @@
+import click
+
+
+@click.command()
+def plot() -> None:
+    """TODO."""
+    raise NotImplementedError

@@ -1,0 +1,7 @@
+import click
+
+
+@click.command()
+def report() -> None:
+    """TODO."""
+    raise NotImplementedError

@@ -1,0 +1,7 @@
+import click
+
+
+@click.command()
+def resume() -> None:
+    """TODO."""
+    raise NotImplementedError

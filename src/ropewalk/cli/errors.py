@@ -1,0 +1,134 @@
+"""What goes wrong, as one clear message and an exit status. The only place that does this."""
+
+from __future__ import annotations
+
+import difflib
+import errno
+import os
+import sys
+import tempfile
+import traceback
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+
+import click
+
+BUG, BAD_INPUT, BROKE, INTERRUPTED = 1, 2, 3, 130
+
+
+@dataclass
+class Settings:
+    """What holds for the whole call."""
+
+    debug: bool = False
+
+
+class Refusal(click.ClickException):
+    """Something given cannot be used; the message says what, why and what is allowed."""
+
+    exit_code = BAD_INPUT
+
+
+def nearest_name(name: str, known: Iterable[str]) -> str:
+    """Return what to say of a name that is not known."""
+    names = list(known)
+    close = difflib.get_close_matches(name.lower(), names, n=1, cutoff=0.5)
+    return f'did you mean "{close[0]}"?' if close else "known: " + ", ".join(names)
+
+
+def report(error: Exception, settings: Settings) -> int:
+    """Print the message of an error on stderr; return the exit status."""
+    status, text = explain(error)
+    if status == BUG:
+        text = f"{text}\n{_keep_traceback(error, settings)}"
+    elif settings.debug:
+        traceback.print_exception(error)
+    if text:
+        click.echo(text, err=True)
+    if isinstance(error, BrokenPipeError):
+        _silence_stdout()
+    return status
+
+
+def explain(error: Exception) -> tuple[int, str]:
+    """Return the exit status and the message of an error."""
+    if isinstance(error, click.Abort):
+        return INTERRUPTED, "interrupted"
+    if isinstance(error, click.UsageError):
+        return BAD_INPUT, _usage(error)
+    if isinstance(error, click.ClickException):
+        return error.exit_code, _error_lines(error.format_message())
+    if isinstance(error, BrokenPipeError):
+        return BUG + 140, ""  # 141, as of a process that SIGPIPE ended
+    if isinstance(error, OSError):
+        return BAD_INPUT, _error_lines(_system(error))
+    if isinstance(error, MemoryError):
+        text = "not enough memory: take fewer segments, or fewer frames (run.frame_rate)"
+        return BAD_INPUT, _error_lines(text)
+    if _is_refusal(error):
+        return BAD_INPUT, _error_lines(str(error))
+    name = type(error).__name__
+    return BUG, f"error in Ropewalk itself: {name}: {error}"
+
+
+def _is_refusal(error: Exception) -> bool:
+    """Whether the error is one that the package raises for what it was given."""
+    from ropewalk.scene.errors import SceneError
+
+    if isinstance(error, SceneError):
+        return True
+    known = sys.modules.get("ropewalk.record.errors")  # not loaded: not raised
+    return known is not None and isinstance(error, known.RunError)
+
+
+def _error_lines(text: str) -> str:
+    lines = text.splitlines() or ["unknown error"]
+    if len(lines) == 1:
+        return f"error: {lines[0]}"
+    return "\n".join([f"error: {len(lines)} things are wrong", *(f"  {line}" for line in lines)])
+
+
+def _usage(error: click.UsageError) -> str:
+    text = f"error: {error.format_message()}"
+    if error.ctx is not None:
+        text += f"\nsee: {error.ctx.command_path} --help"
+    return text
+
+
+def _system(error: OSError) -> str:
+    """What the system refused, in words."""
+    reasons = {
+        errno.ENOSPC: "no space left on the disk",
+        errno.EDQUOT: "no space left: the disk quota is used up",
+        errno.EFBIG: "the file would be larger than the system allows",
+        errno.EACCES: "no permission",
+        errno.EPERM: "no permission",
+        errno.EROFS: "the disk is read-only",
+        errno.EEXIST: "exists already",
+        errno.ENOENT: "no such file or folder",
+        errno.ENOTDIR: "a part of this path is a file, not a folder",
+        errno.EISDIR: "is a folder, not a file",
+        errno.ENAMETOOLONG: "the name is too long for the file system",
+    }
+    reason = reasons.get(error.errno or 0, error.strerror or str(error))
+    return f"{error.filename}: {reason}" if error.filename is not None else reason
+
+
+def _keep_traceback(error: Exception, settings: Settings) -> str:
+    text = "".join(traceback.format_exception(error))
+    if settings.debug:
+        return text.rstrip()
+    try:
+        handle, name = tempfile.mkstemp(prefix="ropewalk-error-", suffix=".txt")
+        with os.fdopen(handle, "w", encoding="utf-8") as file:
+            file.write(f"{' '.join(sys.argv)}\n\n{text}")
+    except OSError:
+        return "run the same command with --debug to see the traceback, and please report it"
+    return f"the traceback is in {Path(name)}; please report it with the scene"
+
+
+def _silence_stdout() -> None:
+    """Keep Python from complaining, at its end, that nobody reads stdout any more."""
+    null = os.open(os.devnull, os.O_WRONLY)
+    os.dup2(null, sys.stdout.fileno())

@@ -1,0 +1,51 @@
+"""Writing files whole or not at all, and never over another without being told to."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from pathlib import Path
+
+from ropewalk.cli.errors import Refusal
+
+
+def refuse_existing(path: Path, *, overwrite: bool = False) -> None:
+    """Raise Refusal when there is something at `path` already, or it cannot be a file."""
+    if path.is_dir():
+        raise Refusal(f"{path}: is a folder; name a file in it")
+    if path.exists() and not overwrite:
+        raise Refusal(f"{path}: exists already; take another name, or give --overwrite")
+    refuse_parent(path)
+
+
+def refuse_parent(path: Path) -> None:
+    """Raise Refusal when a part of the way to `path` is a file."""
+    for parent in path.parents:
+        if parent.is_dir():
+            return
+        if parent.exists():
+            raise Refusal(f"{path}: {parent} is a file, not a folder")
+
+
+def write_new(path: Path, text: str, *, overwrite: bool = False) -> None:
+    """Write a text file, through a partial one beside it, so that it is there whole or not at all.
+
+    Raises Refusal when it exists, OSError when it cannot be written.
+    """
+    refuse_existing(path, overwrite=overwrite)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    handle, partial = tempfile.mkstemp(prefix=f".{path.name[:40]}-", dir=path.parent)
+    try:
+        with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as file:
+            file.write(text)
+        Path(partial).chmod(0o666 & ~_umask())
+        Path(partial).replace(path)
+    except BaseException:
+        Path(partial).unlink(missing_ok=True)
+        raise
+
+
+def _umask() -> int:
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask

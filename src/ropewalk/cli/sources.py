@@ -1,0 +1,103 @@
+"""SCENE as the commands take it: a TOML file or the name of a preset, with values changed."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TypeVar
+
+import click
+
+from ropewalk.cli.errors import Refusal, nearest_name
+
+if TYPE_CHECKING:
+    from ropewalk.scene import Scene
+
+_F = TypeVar("_F", bound=Callable[..., Any])
+
+set_option = click.option(
+    "--set",
+    "overrides",
+    multiple=True,
+    metavar="PATH=VALUE",
+    help="Change a value of the scene, such as rope.segments=80; can be given again.",
+)
+json_option = click.option(
+    "--json", "as_json", is_flag=True, help="Print one JSON object on stdout, nothing else."
+)
+
+
+def run_options(function: _F) -> _F:
+    """Add the options that stand for values of [run]."""
+    for option in (
+        click.option(
+            "--method", metavar="NAME", help="Method of integration, in place of the scene's."
+        ),
+        click.option(
+            "--time-step", metavar="S", help='Largest time step, in seconds, or "auto".'
+        ),
+        click.option("--duration", metavar="S", help="Simulated time, in seconds."),
+        set_option,
+    ):
+        function = option(function)
+    return function
+
+
+def load_scene(source: str, overrides: Sequence[str] = (), **run: str | None) -> Scene:
+    """Load a scene file or a preset and change values of it.
+
+    `run` are values of [run] from options of their own. Raises SceneError with every fault, Refusal
+    when there is neither a file nor a preset of that name.
+    """
+    from ropewalk.scene import SceneError, apply_overrides, load, presets
+
+    if _is_file(source):
+        scene = load(source)
+    elif source in presets.names():
+        scene = presets.preset(source)
+    else:
+        raise Refusal(_unknown(source, presets.names()))
+    changes = [*overrides]
+    changes += [f"run.{key}={value}" for key, value in run.items() if value is not None]
+    if not changes:
+        return scene
+    try:
+        return apply_overrides(scene, changes)
+    except SceneError as error:
+        raise SceneError(error.faults, f"{source} with {_flags(overrides, run)}") from None
+
+
+def _flags(overrides: Sequence[str], run: dict[str, str | None]) -> str:
+    """Say which flags changed the scene."""
+    flags = [f"--{key.replace('_', '-')} {value}" for key, value in run.items() if value is not None]
+    return " ".join([*(f"--set {override}" for override in overrides), *flags])
+
+
+def _is_file(source: str) -> bool:
+    """Whether the source means a file rather than a preset."""
+    return "/" in source or "\\" in source or source.endswith(".toml") or Path(source).exists()
+
+
+def _unknown(source: str, names: Sequence[str]) -> str:
+    if not source:
+        return 'SCENE: "" - must be a scene file or the name of a preset'
+    return (
+        f"{source}: no such file, and no preset of that name; {nearest_name(source, names)} "
+        "(see: ropewalk presets)"
+    )
+
+
+def short_name(source: str) -> str:
+    """Return a name for files and folders made from a scene: the preset's or the file's own."""
+    stem = Path(source).name
+    stem = stem.removesuffix(".toml") or "scene"
+    return re.sub(r"[^\w.-]+", "-", stem).strip("-.") or "scene"
+
+
+def numbered(parent: Path, name: str) -> Path:
+    """Return the first path parent/name-1, parent/name-2 ... that does not exist."""
+    number = 1
+    while (parent / f"{name}-{number}").exists():
+        number += 1
+    return parent / f"{name}-{number}"
