@@ -34,8 +34,9 @@ _HOMES = {
     "preset": "scene.presets",
     "Simulation": "simulation",
     "Broken": "simulation",
+    "BrokenRun": "api",
     "Result": "record.result",
-    "simulate": "record.simulate",
+    "simulate": "api",
     "check": "analysis.check",
 }
 

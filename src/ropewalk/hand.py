@@ -23,12 +23,12 @@ class AnchorHandle:
     @property
     def position(self) -> Floats:
         """Where the anchor is [m], (3,), a copy."""
-        return self._simulation.arrays.anchor_x[self._row].copy()
+        return np.array(self._simulation.arrays.anchor_x[self._row])
 
     @property
     def velocity(self) -> Floats:
         """The anchor's velocity [m/s], (3,), a copy; set it to move the anchor from now on."""
-        return self._simulation.arrays.anchor_v[self._row].copy()
+        return np.array(self._simulation.arrays.anchor_v[self._row])
 
     @velocity.setter
     def velocity(self, value: ArrayLike) -> None:
@@ -41,7 +41,7 @@ class AnchorHandle:
     @property
     def reaction(self) -> Floats:
         """Force of the anchor on the rope [N], (3,), mean over the last step, a copy."""
-        return self._simulation.arrays.reaction[self._row].copy()
+        return np.array(self._simulation.arrays.reaction[self._row])
 
     @property
     def holds(self) -> bool:

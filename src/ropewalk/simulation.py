@@ -26,7 +26,7 @@ from ropewalk.scene import Scene
 BLOCK_BYTES = 4_000_000  # positions and velocities of one block of frames
 
 
-class Broken(RuntimeError):
+class Broken(RuntimeError):  # noqa: N818 - it is what happened, not a mistake
     """The simulation broke: a coordinate is not finite or a segment absurdly long."""
 
 
@@ -155,7 +155,8 @@ class Simulation:
         first = self._step
         status, good = self._advance(self.plan.steps_per_frame, frames, out, not keep_going)
         steps = first + self.plan.steps_per_frame * np.arange(1, frames + 1)
-        block = Block(self._start + steps * self._dt, out, status)
+        times = np.asarray(self._start + steps * self._dt, dtype=np.float64)
+        block = Block(times, out, status)
         if status == OK or before is None:
             return block
         self.restore(before)
@@ -181,9 +182,7 @@ class Simulation:
     def _advance(self, steps: int, frames: int, out: Any, stop: bool = True) -> tuple[int, int]:
         clock = np.array([self._start, self._dt, self._step, steps], dtype=np.float64)
         common = (self.system, self._state, self._scratch, self._extras, clock, frames)
-        status, good = self._method.advance(
-            *common, self.ledger, out, stop, *self._method.tableau
-        )
+        status, good = self._method.advance(*common, self.ledger, out, stop, *self._method.tableau)
         done = frames if status == OK else good + 1
         self._step += steps * done
         return status, good

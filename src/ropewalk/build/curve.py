@@ -22,14 +22,14 @@ def initial_points(scene: Scene, rope: Rope) -> Floats:
             return along_polyline(np.array(shape.points, dtype=np.float64), share)
         case Hanging():
             along = share[:, None] * rope.length_unstretched * down
-            return np.array(shape.start, dtype=np.float64) + along
+            return np.asarray(shape.start + along, dtype=np.float64)
         case Slack():
             start, end = np.array(shape.start, float), np.array(shape.end, float)
             return catenary_points(start, end, rope.length_unstretched, down, share)
     assert isinstance(shape, Straight)
     start = np.array(shape.start, dtype=np.float64)
     if shape.end is not None:
-        return start + share[:, None] * (np.array(shape.end, dtype=np.float64) - start)
+        return np.asarray(start + share[:, None] * (np.array(shape.end) - start))
     way = np.array(shape.direction or (1.0, 0.0, 0.0), dtype=np.float64)
     way /= np.linalg.norm(way)
     # node by node, so that a rope at rest length has no stretch from rounding

@@ -183,8 +183,9 @@ def _winches(scene: Scene, layout: Layout) -> Winches:
             )
         )
     columns = np.array(rows, dtype=np.float64).reshape(-1, 14).T
-    whole = [np.ascontiguousarray(column).astype(np.int64) for column in columns[:4]]
-    return Winches(*whole, *(np.ascontiguousarray(column) for column in columns[4:]))
+    anchor, first, last, step = (column.astype(np.int64) for column in columns[:4])
+    rest = (np.ascontiguousarray(column) for column in columns[4:])
+    return Winches(anchor, first, last, step, *rest)
 
 
 def _hold(system: System, state: State) -> None:

@@ -148,7 +148,7 @@ class State(NamedTuple):
 def copy(value: Any) -> Any:
     """Copy a (nested) named tuple of arrays."""
     if isinstance(value, tuple):
-        return type(value)(*(copy(item) for item in value))  # type: ignore[call-arg]
+        return type(value)(*(copy(item) for item in value))
     return value.copy() if isinstance(value, np.ndarray) else value
 
 

@@ -113,6 +113,12 @@ class _KernelCache(caching.FunctionCache):
     _impl_class = _KernelCacheImpl
 
 
+def _njit(**options: Any) -> Any:
+    # `_nrt` is not in numba's type stubs; it is what numba's own allocation-free code uses.
+    options |= {"nogil": True, "error_model": "numpy", "_nrt": False}
+    return numba.njit(**options)
+
+
 def kernel(function: Callable[..., Any]) -> Any:
     """Compile `function` on its first call; keep the machine code on disk for the next process.
 
@@ -120,8 +126,8 @@ def kernel(function: Callable[..., Any]) -> Any:
     Without numba's runtime (`_nrt`): nothing can be allocated, and no array is reference-counted, which
     took ten times as long as the physics of a short rope.
     """
-    compiled = numba.njit(nogil=True, error_model="numpy", _nrt=False)(function)
-    if not numba.config.DISABLE_JIT and cache_folder() is not None:
+    compiled = _njit()(function)
+    if hasattr(compiled, "_cache") and cache_folder() is not None:
         compiled._cache = _KernelCache(function)
     return compiled
 
@@ -132,4 +138,4 @@ def part(function: Callable[..., Any]) -> Any:
     A call hands over every array of a tuple one by one; on the step's path that costs more than
     the work on a short rope. Not for calls from the host: nothing of it is cached.
     """
-    return numba.njit(nogil=True, error_model="numpy", _nrt=False, inline="always")(function)
+    return _njit(inline="always")(function)

@@ -25,9 +25,9 @@ class Scratch(NamedTuple):
 
 def make_scratch(state: State) -> Scratch:
     """Return working arrays that fit `state`."""
-    rows = [np.zeros_like(state.x) for _ in range(5)]
+    middle, x, v, dx, dv = (np.zeros_like(state.x) for _ in range(5))
     mean = Forces(*(np.zeros_like(channel) for channel in state.forces))
-    return Scratch(*rows, np.zeros(3), np.zeros(3), mean)
+    return Scratch(middle, x, v, dx, dv, np.zeros(3), np.zeros(3), mean)
 
 
 @kernel
