@@ -14,6 +14,8 @@ from ropewalk.analysis.units import unit_slips
 from ropewalk.build import Model, build
 from ropewalk.scene import Scene
 
+__all__ = ["Check", "RopeCheck", "check", "milliseconds"]
+
 _SMALL_MARGIN = 0.1
 _ROUNDING = 1e-9
 _SHORT = 0.01  # a curve's chords are a little shorter than its arcs
