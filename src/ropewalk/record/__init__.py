@@ -1,0 +1,1 @@
+"""What a run leaves: results in memory, run folders, tables."""

@@ -1,0 +1,108 @@
+"""Results as xarray datasets, and the coordinates that a dataset and a run folder share."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ropewalk.build import Layout
+from ropewalk.core.arrays import Floats
+from ropewalk.record.quantities import (
+    BY_NAME,
+    joined,
+    labels,
+    rest_length_at_start,
+    rope_numbers,
+)
+from ropewalk.scene import Scene
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from ropewalk.record.result import Result
+
+TIME = {"units": "s", "long_name": "time", "standard_name": "time"}
+
+
+def coordinates(scene: Scene, layout: Layout) -> dict[str, tuple[str, Any, dict[str, str]]]:
+    """Return all coordinates but time: name -> dimension, values, attributes."""
+    names = np.array([span.name for span in layout.ropes], dtype=object)
+    number = rope_numbers(layout)
+    rest = rest_length_at_start(layout, [rope.segment_length for rope in scene.ropes])
+    found: dict[str, tuple[str, Any, dict[str, str]]] = {
+        "node": ("node", np.arange(layout.nodes), {"long_name": "place in the arrays"}),
+        "segment": ("segment", np.arange(layout.segments), {"long_name": "place in the arrays"}),
+        "node_rope": ("node", names[number], {"long_name": "rope of the node"}),
+        "node_number": (
+            "node",
+            _numbers(layout),
+            {"long_name": "number of the node in its rope; outside the rope: on a drum"},
+        ),
+        "segment_rope": (
+            "segment",
+            np.where(joined(layout), names[number[:-1]], ""),
+            {"long_name": "rope of the segment; empty between two ropes"},
+        ),
+        "arc_length": (
+            "segment",
+            _arc_length(layout, rest),
+            {
+                "units": "m",
+                "long_name": "unstretched length from the rope's start to the segment's middle",
+            },
+        ),
+    }
+    meanings = {
+        "axis": "axis",
+        "form": "form of energy",
+        "law": "law or anchor that does the work",
+        "cause": "what put it in",
+        "anchor": "anchor",
+    }
+    for name, values in labels(layout).items():
+        if values:
+            found[name] = (name, np.array(values, dtype=object), {"long_name": meanings[name]})
+    return found
+
+
+def _numbers(layout: Layout) -> np.ndarray[Any, np.dtype[np.int64]]:
+    return np.concatenate([np.arange(span.nodes) - span.spare_start for span in layout.ropes])
+
+
+def _arc_length(layout: Layout, rest: Floats) -> Floats:
+    out = np.full(layout.segments, np.nan)
+    for span in layout.ropes:
+        lengths = rest[span.first : span.last]
+        out[span.first : span.last] = np.cumsum(lengths) - 0.5 * lengths
+    return out
+
+
+def attributes(scene: Scene, provenance: dict[str, Any]) -> dict[str, Any]:
+    """Return what a dataset says about itself."""
+    return {
+        "title": scene.name,
+        "comment": scene.description,
+        "source": f"ropewalk {provenance.get('ropewalk', '')}".rstrip(),
+        "method": str(provenance.get("plan", {}).get("method", "")),
+        "time_step": float(provenance.get("plan", {}).get("dt", 0.0)),
+        "gravity": list(scene.gravity),
+        "up": list(scene.up),
+    }
+
+
+def make_dataset(result: Result) -> xr.Dataset:
+    """Return a result's dataset: lazy for a run folder, views of the arrays in memory otherwise."""
+    import xarray as xr
+
+    if result.folder is not None:
+        return xr.open_zarr(result.folder / "data.zarr", chunks=None)
+    variables = {}
+    for name in result.source.names:
+        quantity = BY_NAME[name]
+        about = {"units": quantity.unit, "long_name": quantity.long_name}
+        variables[name] = (quantity.dims, result.read(name), about)
+    coords: dict[str, Any] = dict(coordinates(result.scene, result.layout))
+    coords["time"] = ("time", result.time, TIME)
+    about = attributes(result.scene, result.facts.provenance)
+    return xr.Dataset(variables, coords, about)

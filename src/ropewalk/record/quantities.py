@@ -1,0 +1,107 @@
+"""The recorded quantities: names, dimensions, units, and where a block of frames holds them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ropewalk.block import Block
+from ropewalk.build import Layout
+from ropewalk.core.arrays import Floats
+from ropewalk.methods.recording import ENERGIES, LAWS
+
+AXES = ("x", "y", "z")
+JUMPS = ("limiter", "winch")
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """One recorded quantity; its first dimension is always `time`."""
+
+    name: str
+    dims: tuple[str, ...]
+    unit: str
+    long_name: str
+    field: str  # of `methods.recording.Recording`
+    swapped: bool = False  # kept in memory and on disk as (time, axis, node)
+
+
+QUANTITIES = (
+    Quantity("positions", ("time", "node", "axis"), "m", "position", "x", True),
+    Quantity("velocities", ("time", "node", "axis"), "m/s", "velocity", "v", True),
+    Quantity("tension", ("time", "segment"), "N", "elastic tension", "tension"),
+    Quantity("rest_length", ("time", "segment"), "m", "unstretched length", "rest_length"),
+    Quantity("energy", ("time", "form"), "J", "energy", "energy"),
+    Quantity("work", ("time", "law"), "J", "work done on the rope since the start", "work"),
+    Quantity("jump", ("time", "cause"), "J", "kinetic energy put in without a force", "jump"),
+    Quantity(
+        "reactions", ("time", "anchor", "axis"), "N", "anchor's force on the rope", "reaction"
+    ),
+    Quantity("momentum", ("time", "axis"), "kg m/s", "momentum", "momentum"),
+    Quantity(
+        "angular_momentum",
+        ("time", "axis"),
+        "kg m^2/s",
+        "angular momentum about the origin",
+        "angular_momentum",
+    ),
+)
+BY_NAME = {quantity.name: quantity for quantity in QUANTITIES}
+
+
+def law_names(layout: Layout) -> tuple[str, ...]:
+    """Return the columns of `work`: the laws, then the anchors."""
+    return (*LAWS, *(f"anchor:{name}" for name in layout.anchor_names))
+
+
+def labels(layout: Layout) -> dict[str, tuple[str, ...]]:
+    """Return the names along the dimensions that are counted by names."""
+    return {
+        "axis": AXES,
+        "form": ENERGIES,
+        "law": law_names(layout),
+        "cause": JUMPS,
+        "anchor": layout.anchor_names,
+    }
+
+
+def recorded(layout: Layout, with_lengths: bool) -> tuple[Quantity, ...]:
+    """Return the quantities that a run of this layout records (none of length zero)."""
+    left_out = set() if layout.anchor_names else {"reactions"}
+    if not with_lengths:
+        left_out.add("rest_length")
+    return tuple(quantity for quantity in QUANTITIES if quantity.name not in left_out)
+
+
+def sizes(layout: Layout) -> dict[str, int]:
+    """Return the length of every dimension but time."""
+    found = {name: len(values) for name, values in labels(layout).items()}
+    return found | {"node": layout.nodes, "segment": layout.segments}
+
+
+def raw(block: Block, quantity: Quantity) -> Floats:
+    """Return a quantity of a block as it is recorded: (time, axis, node) where `swapped`."""
+    array: Floats = getattr(block.recording, quantity.field)
+    return array
+
+
+def rope_numbers(layout: Layout) -> NDArray[np.int64]:
+    """Return the number of the rope of every node, (n,)."""
+    return np.repeat(np.arange(len(layout.ropes)), [span.nodes for span in layout.ropes])
+
+
+def joined(layout: Layout) -> NDArray[np.bool_]:
+    """Tell which segments join two nodes of one rope, (s,); the others are dead."""
+    numbers = rope_numbers(layout)
+    same: NDArray[np.bool_] = numbers[1:] == numbers[:-1]
+    return same
+
+
+def rest_length_at_start(layout: Layout, lengths: list[float]) -> Floats:
+    """Return the unstretched length of all segments [m], (s,), from each rope's segment length."""
+    out = np.zeros(layout.segments)
+    for span, length in zip(layout.ropes, lengths, strict=True):
+        out[span.start : span.end] = length
+    return out

@@ -1,0 +1,285 @@
+"""The result of a run: what was recorded, in memory or in a run folder."""
+
+from __future__ import annotations
+
+import base64
+import html
+from collections.abc import Mapping
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ropewalk.build import Layout, Plan
+from ropewalk.core.arrays import Floats
+from ropewalk.record.drawing import Plots, png
+from ropewalk.record.facts import Facts
+from ropewalk.record.ledger import balance_residual, energy_error
+from ropewalk.record.quantities import joined, labels, rest_length_at_start
+from ropewalk.record.rope_view import RopeView
+from ropewalk.record.source import Source
+from ropewalk.record.summary import summary
+from ropewalk.scene import Scene
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+Bools = np.ndarray[Any, np.dtype[np.bool_]]
+
+
+class Result:
+    """What a run recorded. All SI; frame 0 is the initial state.
+
+    Arrays hold all ropes one after another, `rope(name)` gives one rope's own. The segment between two
+    ropes and the segments on a winch's drum carry no force: their tension is 0 (`live` tells them).
+    A result opened from a run folder reads a quantity when it is first used.
+    """
+
+    def __init__(
+        self,
+        scene: Scene,
+        layout: Layout,
+        source: Source,
+        facts: Facts,
+        folder: Path | None = None,
+    ) -> None:
+        self.scene, self.layout, self.source, self.facts = scene, layout, source, facts
+        self.folder = folder
+        self._cache: dict[str, Floats] = {}
+
+    @classmethod
+    def open(cls, folder: str | Path) -> Result:
+        """Open a run folder, finished or not.
+
+        Raises RunError when it is none, or damaged.
+        """
+        from ropewalk.record.folder import open_result
+
+        return open_result(Path(folder))
+
+    def save(self, folder: str | Path, *, overwrite: bool = False) -> Result:
+        """Write the result as a run folder and return it as opened from there.
+
+        Raises RunError when the folder exists (unless `overwrite` and it is a run folder) or cannot
+        be written.
+        """
+        from ropewalk.record.folder import save_result
+
+        return save_result(self, Path(folder), overwrite)
+
+    # -- what was recorded ---------------------------------------------------------------
+
+    def read(self, name: str, start: int = 0, stop: int | None = None) -> Floats:
+        """Return a recorded quantity (`quantities.QUANTITIES`) of some frames only.
+
+        Raises KeyError for a quantity that this run did not record.
+        """
+        if name != "time" and name not in self.source.names:
+            raise KeyError(f"no {name!r} in this run; there is {', '.join(self.source.names)}")
+        if name in self._cache:
+            return self._cache[name][start:stop]
+        return self.source.read(name, start, stop)
+
+    def _all(self, name: str) -> Floats:
+        if name not in self._cache:
+            self._cache[name] = self.read(name)
+        return self._cache[name]
+
+    @property
+    def time(self) -> Floats:
+        """Time of every frame [s], (frames,)."""
+        return self._all("time")
+
+    @property
+    def positions(self) -> Floats:
+        """Positions [m], (frames, nodes, 3)."""
+        return self._all("positions")
+
+    @property
+    def velocities(self) -> Floats:
+        """Velocities [m/s], (frames, nodes, 3)."""
+        return self._all("velocities")
+
+    @property
+    def tension(self) -> Floats:
+        """Elastic tension [N], (frames, segments), without friction; 0 where no rope is."""
+        return self._all("tension")
+
+    @property
+    def rest_length(self) -> Floats:
+        """Unstretched length of the segments [m], (frames, segments); 0 where no rope is."""
+        if "rest_length" in self.source.names:
+            return self._all("rest_length")
+        fixed = rest_length_at_start(
+            self.layout, [rope.segment_length for rope in self.scene.ropes]
+        )
+        return np.broadcast_to(fixed, (self.frames, fixed.size))
+
+    @property
+    def live(self) -> Bools:
+        """Whether there is rope in a segment, (frames, segments)."""
+        found: Bools = (self.rest_length > 0.0) & joined(self.layout)
+        return found
+
+    @cached_property
+    def energy(self) -> Mapping[str, Floats]:
+        """Energies [J], each (frames,): kinetic, gravity, elastic, total."""
+        array = self._all("energy")
+        parts = {name: array[:, i] for i, name in enumerate(labels(self.layout)["form"])}
+        return parts | {"total": array.sum(axis=1)}
+
+    @cached_property
+    def work(self) -> Mapping[str, Floats]:
+        """Work done on the rope since the start [J], each (frames,), by law and anchor:<name>."""
+        array = self._all("work")
+        return {name: array[:, i] for i, name in enumerate(labels(self.layout)["law"])}
+
+    @property
+    def reactions(self) -> Floats:
+        """Force of each anchor on the rope [N], (frames, anchors, 3), mean over the last step."""
+        if "reactions" not in self.source.names:
+            return np.zeros((self.frames, 0, 3))
+        return self._all("reactions")
+
+    @property
+    def momentum(self) -> Floats:
+        """Momentum [kg m/s], (frames, 3)."""
+        return self._all("momentum")
+
+    @property
+    def angular_momentum(self) -> Floats:
+        """Angular momentum about the origin [kg m^2/s], (frames, 3)."""
+        return self._all("angular_momentum")
+
+    @cached_property
+    def energy_error(self) -> Floats:
+        """Energy that no law accounts for [J], (frames,): the error of method and step.
+
+        total - total[0] - work of friction, air, ground, applied forces, limiter, winch and anchors.
+        NaN when the run kept no ledger.
+        """
+        return energy_error(self.energy, self.work, self.facts.ledger)
+
+    @cached_property
+    def balance_residual(self) -> Floats:
+        """Change of the kinetic energy minus all works [J], (frames,): round-off only.
+
+        NaN when the run kept no ledger.
+        """
+        return balance_residual(self.energy, self.work, self._all("jump"), self.facts.ledger)
+
+    # -- about the run -------------------------------------------------------------------
+
+    @property
+    def frames(self) -> int:
+        """Number of frames, the initial one included."""
+        return self.source.frames
+
+    @property
+    def nodes(self) -> int:
+        """Number of nodes of all ropes, those on drums included."""
+        return self.layout.nodes
+
+    @property
+    def plan(self) -> Plan:
+        """Method, step length [s], steps per frame and planned frames."""
+        return self.facts.plan
+
+    @property
+    def status(self) -> str:
+        """How the run ended: finished, broke, interrupted; or running."""
+        return self.facts.status
+
+    @property
+    def diagnosis(self) -> str:
+        """Why the run broke, in one or two sentences; empty otherwise."""
+        return self.facts.diagnosis
+
+    @property
+    def table(self) -> dict[str, Any]:
+        """The numbers that people want first, by name; see `summary.summary`."""
+        return self._summary
+
+    @cached_property
+    def _summary(self) -> dict[str, Any]:
+        return summary(self)
+
+    # -- parts ---------------------------------------------------------------------------
+
+    def rope(self, name: str | None = None) -> RopeView:
+        """Return one rope of the result (without a name, the only one).
+
+        Raises KeyError for an unknown name, or for no name with several ropes.
+        """
+        return RopeView(self, self.layout.span(name))
+
+    def node(self, node: int, rope: str | None = None) -> dict[str, Floats]:
+        """Return `time` [s] (f,), `position` [m], `velocity` [m/s] (f, 3), `height` [m] (f,) of a node.
+
+        Negative nodes count from the rope's end. Raises KeyError for the rope, IndexError for the node.
+        """
+        index = self.layout.node(node, rope)
+        position = self.positions[:, index]
+        return {
+            "time": self.time,
+            "position": position,
+            "velocity": self.velocities[:, index],
+            "height": position @ np.asarray(self.scene.up),
+        }
+
+    def frame_at(self, time: float) -> int:
+        """Return the frame nearest to a time [s]."""
+        return int(np.argmin(np.abs(self.time - time)))
+
+    # -- to look at ----------------------------------------------------------------------
+
+    @cached_property
+    def dataset(self) -> xr.Dataset:
+        """The result as an xarray Dataset with named dimensions, coordinates and units."""
+        from ropewalk.record.dataset import make_dataset
+
+        return make_dataset(self)
+
+    @property
+    def plot(self) -> Plots:
+        """Figures: `result.plot.shape()`, `.film()`, `.height()`, `.tension()`, `.energy()`, ..."""
+        return Plots(self)
+
+    def __repr__(self) -> str:
+        names = ", ".join(repr(span.name) for span in self.layout.ropes[:3])
+        more = len(self.layout.ropes) - 3
+        ropes = ("rope " if len(self.layout.ropes) == 1 else "ropes ") + names
+        ropes += f" and {more} more" if more > 0 else ""
+        segments = sum(rope.segments for rope in self.scene.ropes)
+        where = f" in {self.folder}" if self.folder else ""
+        said = (
+            f"Result of {self.scene.name!r}{where}: {ropes} with {segments} segments, "
+            f"{self.time[-1]:.6g} s in {self.frames} frames by {self.plan.method} "
+            f"in steps of {self.plan.dt:.4g} s, {self._drift()}; {self.status}."
+        )
+        return f"{said} {self.diagnosis}".rstrip()
+
+    def _drift(self) -> str:
+        error = self.energy_error[-1]
+        return f"energy error {error:.3g} J" if self.facts.ledger else "no energy ledger"
+
+    def _repr_png_(self) -> bytes | None:
+        return png(self)
+
+    def _repr_html_(self) -> str:
+        rows = "".join(
+            f"<tr><td style='text-align:left'>{html.escape(key)}</td>"
+            f"<td>{html.escape(_text(value))}</td></tr>"
+            for key, value in self.table.items()
+        )
+        image = png(self)
+        shown = ""
+        if image is not None:
+            data = base64.b64encode(image).decode("ascii")
+            shown = f"<img alt='the rope' src='data:image/png;base64,{data}'>"
+        return f"<p>{html.escape(repr(self))}</p>{shown}<table>{rows}</table>"
+
+
+def _text(value: Any) -> str:
+    return f"{value:.6g}" if isinstance(value, float) else str(value)

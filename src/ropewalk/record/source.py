@@ -1,0 +1,72 @@
+"""Where a result's numbers come from: memory, or a run folder (see `store`)."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+import numpy as np
+
+from ropewalk.block import Block
+from ropewalk.core.arrays import Floats
+from ropewalk.record.quantities import BY_NAME, raw
+
+
+class Source(Protocol):
+    """Recorded quantities by name, by ranges of frames."""
+
+    @property
+    def frames(self) -> int:
+        """Number of frames, the initial one included."""
+        ...
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of the recorded quantities, `time` not among them."""
+        ...
+
+    @property
+    def chunk(self) -> int:
+        """Frames that are best read together."""
+        ...
+
+    def read(self, name: str, start: int = 0, stop: int | None = None) -> Floats:
+        """Return a quantity (or `time`) of some frames, with the dimensions of its Quantity."""
+        ...
+
+
+class Memory:
+    """Blocks of frames in memory, each quantity joined when it is first asked for."""
+
+    def __init__(self, blocks: list[Block], names: tuple[str, ...]) -> None:
+        self._names = names
+        self._parts = {name: [raw(block, BY_NAME[name]) for block in blocks] for name in names}
+        self._parts["time"] = [block.time for block in blocks]
+        self._frames = sum(block.frames for block in blocks)
+
+    @property
+    def frames(self) -> int:
+        """Number of frames."""
+        return self._frames
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of the quantities."""
+        return self._names
+
+    @property
+    def chunk(self) -> int:
+        """Frames that are best read together."""
+        return self._frames
+
+    def read(self, name: str, start: int = 0, stop: int | None = None) -> Floats:
+        """Return a quantity of some frames, a view."""
+        parts = self._parts[name]
+        if len(parts) > 1:
+            parts[:] = [np.concatenate(parts)]
+        array = parts[0]
+        if name != "time" and BY_NAME[name].swapped:
+            array = array.transpose(0, 2, 1)
+        return array[start:stop]
+
+
+__all__ = ["Memory", "Source"]

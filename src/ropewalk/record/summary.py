@@ -1,0 +1,97 @@
+"""A result in a dozen numbers."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ropewalk.core.arrays import Floats
+from ropewalk.record.quantities import joined, rest_length_at_start
+
+if TYPE_CHECKING:
+    from ropewalk.record.result import Result
+
+_VALUES = 2_000_000  # numbers of one quantity looked at together
+
+
+def summary(result: Result) -> dict[str, Any]:
+    """Return the numbers that people want first, by name with unit.
+
+    Segments and nodes are named as `rope:number`. Frames with NaN or infinite values are left out of
+    extremes. Reads the run in pieces, so that memory does not grow with its length.
+    """
+    found = _extremes(result)
+    layout, time = result.layout, result.time
+    tension, frame, segment = found["tension"]
+    stretch, stretch_frame, stretch_segment = found["stretch"]
+    speed, speed_frame, speed_node = found["speed"]
+    lowest, low_frame, low_node = found["lowest"]
+    kinetic = result.energy["kinetic"]
+    seconds = result.facts.seconds
+    return {
+        "status": result.status,
+        "simulated time [s]": float(time[-1]),
+        "frames": result.frames,
+        "steps": (result.frames - 1) * result.plan.steps_per_frame,
+        "time step [s]": result.plan.dt,
+        "largest tension [N]": tension,
+        "largest tension at": _place(layout, segment, "segment", time[frame]),
+        "largest stretch [1]": stretch,
+        "largest stretch at": _place(layout, stretch_segment, "segment", time[stretch_frame]),
+        "largest speed [m/s]": speed,
+        "largest speed at": _place(layout, speed_node, "node", time[speed_frame]),
+        "lowest point [m]": -lowest,
+        "lowest point at": _place(layout, low_node, "node", time[low_frame]),
+        "largest energy error [J]": _largest(result.energy_error),
+        "final energy error [J]": float(result.energy_error[-1]),
+        "largest balance residual [J]": _largest(result.balance_residual),
+        "final kinetic energy [J]": float(kinetic[-1]),
+        "final total energy [J]": float(result.energy["total"][-1]),
+        "wall time [s]": seconds,
+        "simulated time over wall time [1]": float(time[-1]) / seconds if seconds > 0 else math.nan,
+    }
+
+
+def _extremes(result: Result) -> dict[str, tuple[float, int, int]]:
+    """Return the largest value, its frame and its column, of tension, stretch, speed and depth."""
+    best = dict.fromkeys(("tension", "stretch", "speed", "lowest"), (-math.inf, 0, 0))
+    step = max(1, _VALUES // (3 * result.nodes))
+    if result.source.chunk < result.frames:
+        step = max(1, step // result.source.chunk) * result.source.chunk
+    for start in range(0, result.frames, step):
+        for name, values in _measures(result, start, start + step).items():
+            values = np.where(np.isfinite(values), values, -np.inf)
+            at = int(np.argmax(values))
+            frame, column = divmod(at, values.shape[1])
+            if values[frame, column] > best[name][0]:
+                best[name] = (float(values[frame, column]), start + frame, column)
+    return best
+
+
+def _measures(result: Result, start: int, stop: int) -> dict[str, Floats]:
+    positions = result.read("positions", start, stop)
+    if "rest_length" in result.source.names:
+        rest = result.read("rest_length", start, stop)
+    else:
+        lengths = [rope.segment_length for rope in result.scene.ropes]
+        rest = rest_length_at_start(result.layout, lengths)
+    live = (rest > 0.0) & joined(result.layout)
+    with np.errstate(invalid="ignore", over="ignore"):
+        length = np.linalg.norm(np.diff(positions, axis=1), axis=2)
+        stretch = np.divide(length, rest, out=np.full(length.shape, -np.inf), where=live)
+        speed = np.linalg.norm(result.read("velocities", start, stop), axis=2)
+        lowest = -(positions @ np.asarray(result.scene.up))
+    tension = np.where(live, result.read("tension", start, stop), -np.inf)
+    return {"tension": tension, "stretch": stretch, "speed": speed, "lowest": lowest}
+
+
+def _largest(values: Floats) -> float:
+    sound = np.abs(values[np.isfinite(values)])
+    return float(sound.max()) if sound.size else math.nan
+
+
+def _place(layout: Any, index: int, noun: str, time: float) -> str:
+    rope, number = layout.rope_of(index)
+    return f"{noun} {number} of rope {rope!r}, t = {time:.6g} s"
