@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from importlib.metadata import version as version_of
 from pathlib import Path
+from typing import Any
 
 sys.path.insert(0, str(Path(__file__).parent / "_ext"))
 
@@ -13,7 +14,13 @@ author = "The Ropewalk authors"
 copyright = "The Ropewalk authors, MIT licence"
 version = release = version_of("ropewalk")
 
-extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.mathjax", "sphinx.ext.napoleon", "tables"]
+extensions = [
+    "myst_parser",
+    "sphinx.ext.autodoc",
+    "sphinx.ext.mathjax",
+    "sphinx.ext.napoleon",
+    "tables",
+]
 exclude_patterns = ["_build", "images/*.py"]
 source_suffix = {".md": "markdown"}
 root_doc = "index"
@@ -27,8 +34,7 @@ html_static_path: list[str] = []
 html_copy_source = False
 
 autodoc_member_order = "bysource"
-autodoc_typehints = "signature"
-autodoc_typehints_format = "short"
+autodoc_typehints = "none"  # docstrings give units and shapes, which types do not
 autodoc_preserve_defaults = True
 napoleon_google_docstring = True
 napoleon_use_ivar = True
@@ -36,3 +42,32 @@ napoleon_use_ivar = True
 # Every link inside the site must lead somewhere; types of other packages have no page here.
 nitpicky = True
 nitpick_ignore_regex = [(r"py:.*", r".*")]
+default_role = "code"  # docstrings write names as `name`
+
+
+_COLON = "\ue000"  # a character of no meaning
+
+
+def hide_colons(app: Any, what: str, name: str, thing: Any, options: Any, lines: list[str]) -> None:
+    """Keep napoleon from taking what stands before a property's first colon for its type."""
+    if what in ("attribute", "property"):
+        lines[:] = [line.replace(":", _COLON) for line in lines]
+
+
+def show_colons(app: Any, what: str, name: str, thing: Any, options: Any, lines: list[str]) -> None:
+    """Put the colons back."""
+    lines[:] = [line.replace(_COLON, ":") for line in lines]
+
+
+def short_signature(
+    app: Any, what: str, name: str, thing: Any, options: Any, signature: str, returns: str
+) -> tuple[str, str] | None:
+    """Leave out the signature of a scene model: the scene format is a page of its own."""
+    return ("(**fields)", "") if hasattr(thing, "model_fields") else None
+
+
+def setup(app: Any) -> None:
+    """Stand on both sides of napoleon, whose priority is 500."""
+    app.connect("autodoc-process-docstring", hide_colons, priority=400)
+    app.connect("autodoc-process-docstring", show_colons, priority=600)
+    app.connect("autodoc-process-signature", short_signature)

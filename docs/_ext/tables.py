@@ -38,7 +38,11 @@ def scene_format() -> Iterator[str]:
 def _section(path: str, model: Any, listed: bool) -> Iterator[str]:
     kind = tag(model)
     brackets = f"[[{path}]]" if listed else f"[{path}]"
-    yield f"## `{brackets}`" + (f' with `kind = "{kind}"`' if kind else "") if path else "## Top level"
+    yield (
+        f"## `{brackets}`" + (f' with `kind = "{kind}"`' if kind else "")
+        if path
+        else "## Top level"
+    )
     yield ""
     yield (model.__doc__ or "").strip().split("\n\n")[0].replace("\n    ", " ").replace("``", "`")
     yield ""
