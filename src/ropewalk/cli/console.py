@@ -85,7 +85,11 @@ def print_table(
         table.add_column(name, justify="right" if number else "left", no_wrap=number)
     for row in rows:
         table.add_row(*(Text(cell) for cell in row))
-    console().print(table)
+    page = console()
+    with page.capture() as drawn:
+        page.print(table)
+    lines = [line.rstrip() for line in drawn.get().splitlines()]
+    click.echo("\n".join(line for line in lines if click.unstyle(line)))
 
 
 def terminal(stream: Any = None) -> bool:

@@ -79,7 +79,7 @@ def _is_refusal(error: Exception) -> bool:
     if isinstance(error, SceneError):
         return True
     known = sys.modules.get("ropewalk.record.errors")  # not loaded: not raised
-    return known is not None and isinstance(error, known.RunError)
+    return known is not None and isinstance(error, (known.RunError, known.InputError))
 
 
 def _error_lines(text: str) -> str:

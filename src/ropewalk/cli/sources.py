@@ -34,9 +34,7 @@ def run_options(function: _F) -> _F:
         click.option(
             "--method", metavar="NAME", help="Method of integration, in place of the scene's."
         ),
-        click.option(
-            "--time-step", metavar="S", help='Largest time step, in seconds, or "auto".'
-        ),
+        click.option("--time-step", metavar="S", help='Largest time step, in seconds, or "auto".'),
         click.option("--duration", metavar="S", help="Simulated time, in seconds."),
         set_option,
     ):
@@ -65,13 +63,7 @@ def load_scene(source: str, overrides: Sequence[str] = (), **run: str | None) ->
     try:
         return apply_overrides(scene, changes)
     except SceneError as error:
-        raise SceneError(error.faults, f"{source} with {_flags(overrides, run)}") from None
-
-
-def _flags(overrides: Sequence[str], run: dict[str, str | None]) -> str:
-    """Say which flags changed the scene."""
-    flags = [f"--{key.replace('_', '-')} {value}" for key, value in run.items() if value is not None]
-    return " ".join([*(f"--set {override}" for override in overrides), *flags])
+        raise SceneError(error.faults, f"{source}, changed by flags") from None
 
 
 def _is_file(source: str) -> bool:

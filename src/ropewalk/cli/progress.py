@@ -1,0 +1,116 @@
+"""What a run says while it runs: a bar on a terminal, nothing elsewhere."""
+
+from __future__ import annotations
+
+import math
+import time
+from pathlib import Path
+from types import TracebackType
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from ropewalk.cli.console import tell, terminal
+
+if TYPE_CHECKING:
+    from ropewalk.block import Block
+    from ropewalk.scene import Scene
+
+
+def is_compiled(method: str) -> bool:
+    """Whether the machine code of a method is there already, in this process or on disk."""
+    from ropewalk.core import jit
+    from ropewalk.methods.registry import METHODS
+
+    kernel = METHODS[method].advance
+    if kernel.signatures:
+        return True
+    source = Path(kernel.py_func.__code__.co_filename).stem
+    folder = jit.cache_folder()
+    name = f"{source}.{kernel.py_func.__qualname__}-*.nbi"
+    return folder is not None and any(folder.glob(name))
+
+
+def tell_compiling(method: str) -> None:
+    """Say that the first steps will take a while, when they will."""
+    if not is_compiled(method):
+        tell(
+            f"compiling {method}: the first run of a method on this machine takes up to a minute, "
+            "later ones begin at once"
+        )
+
+
+def energy_error(block: Block) -> float:
+    """Return, for the last frame, total energy less the work of all laws without a potential [J].
+
+    Up to a constant: the energy at the run's start.
+    """
+    from ropewalk.methods.recording import LAWS
+
+    work, energy = block.recording.work[-1], block.recording.energy[-1]
+    potential = LAWS.index("elastic"), LAWS.index("weight")
+    done = work.sum() - sum(work[i] for i in potential)
+    return float(energy.sum() - done)
+
+
+class RunProgress:
+    """A bar with simulated time, speed against real time, energy drift and time left.
+
+    Use as a context manager; call it with frames done, frames planned and the newest block. Silent
+    when `quiet` or when stderr is no terminal.
+    """
+
+    def __init__(self, scene: Scene, *, quiet: bool = False) -> None:
+        self._scene = scene
+        self._bar: Any = None
+        self._task: Any = None
+        self._quiet = quiet or not terminal()
+        self._first: float | None = None
+        self._begun = time.perf_counter()
+        self._from: float | None = None  # simulated time where this part of the run began [s]
+        self._interval = 0.0
+
+    def __enter__(self) -> RunProgress:
+        if self._quiet:
+            return self
+        from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
+
+        from ropewalk.cli.console import console
+
+        self._bar = Progress(
+            TextColumn("{task.description}"),
+            BarColumn(bar_width=None),
+            TextColumn("{task.fields[facts]}"),
+            TimeRemainingColumn(compact=True),
+            console=console(stderr=True),
+            transient=False,
+        )
+        self._task = self._bar.add_task(click.style(self._scene.name), total=None, facts="")
+        self._bar.start()
+        return self
+
+    def __call__(self, done: int, planned: int, block: Block) -> None:
+        """Show that `done` of `planned` frames are done."""
+        if self._bar is None or not block.frames:
+            return
+        now = float(block.time[-1])
+        frame = now / done if done else 0.0
+        if self._from is None:
+            self._from = now - frame * block.frames
+            self._first = energy_error(block.head(1))
+        spent = time.perf_counter() - self._begun
+        speed = (now - self._from) / spent if spent > 0.0 else math.inf
+        drift = energy_error(block) - (self._first or 0.0)
+        facts = (
+            f"{now:.2f} of {frame * planned:.2f} s  {speed:.3g} x real time  energy {drift:+.1e} J"
+        )
+        self._bar.update(self._task, completed=done, total=planned, facts=facts)
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        value: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        if self._bar is not None:
+            self._bar.stop()
