@@ -8,9 +8,10 @@ import math
 import numpy as np
 import pytest
 
-from ropewalk.analysis.diagnosis import Diagnosis, diagnose, retrace
+from ropewalk.analysis.diagnosis import Diagnosis, diagnose, explain, retrace
 from ropewalk.analysis.stability import stability
 from ropewalk.build import build
+from ropewalk.core.status import OK
 from ropewalk.scene import Anchor, Rope, RunSettings, Scene, Springs, Straight
 from ropewalk.simulation import Simulation
 
@@ -117,3 +118,40 @@ def test_retrace_keeps_the_last_steps_and_stops_at_the_break() -> None:
     assert len(few) == 10
     np.testing.assert_array_equal(few, whole[-10:])
     assert len(retrace(Simulation(model), 3)) == 4
+
+
+@pytest.mark.parametrize(
+    "made",
+    [scene(duration=30.0), scene(10000.0, 0.00235, duration=5.0)],
+    ids=["60 Hz", "many steps"],
+)
+def test_explain_from_the_last_good_frame(made: Scene) -> None:
+    simulation = Simulation(made)
+    good = 0
+    for block in simulation.frames():
+        good += block.frames
+        status = block.status
+    assert status != OK
+    before = simulation.positions.copy(), simulation.time
+    found = explain(simulation)
+    np.testing.assert_array_equal(simulation.positions, before[0])
+    assert simulation.time == before[1]
+    assert found.time == pytest.approx(good * simulation.plan.frame_interval)
+    assert found.step == good * simulation.plan.steps_per_frame
+    assert found.zigzag < -0.9
+    expected = stability(made).growth_per_step ** 2
+    assert found.energy_growth == pytest.approx(expected, rel=0.3)
+
+
+def test_explain_a_run_that_was_moved_by_hand() -> None:
+    made = scene(10000.0, 0.001, duration=20.0)
+    simulation = Simulation(made)
+    simulation.advance_frames(5)
+    simulation.anchors["anchor1"].velocity = (20000.0, 0.0, 0.0)
+    for block in simulation.frames(50):
+        status = block.status
+    assert status != OK
+    found = explain(simulation)
+    assert not found.predicted
+    assert "not the method" in str(found)
+    assert found.node in (19, 20)

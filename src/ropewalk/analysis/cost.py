@@ -18,12 +18,14 @@ _SAMPLE = 0.02  # [s] of computing that a measurement takes
 def seconds_per_step(model: Model, measure: bool = True) -> tuple[float, bool]:
     """Return the estimated time of one step [s], without recording, and whether it was measured.
 
-    It is measured by running some steps of a copy, unless the method's machine code is still to be
-    made (that takes longer than the answer is worth) or the run breaks within them.
+    It is measured by running some steps of a copy, unless the run breaks within them or the machine
+    code may still have to be made (that takes longer than the answer is worth; winches and limiters
+    have code of their own, of which one cannot tell).
     """
     method = METHODS[model.plan.method]
     typical = method.evaluations * _PER_NODE * model.layout.nodes + _PER_STEP
-    if not measure or not is_compiled(method.advance):
+    special = model.scene.winches or model.scene.limiter
+    if not measure or special or not is_compiled(method.advance):
         return typical, False
     simulation = Simulation(model)
     dt = model.plan.dt

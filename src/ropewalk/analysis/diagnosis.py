@@ -17,8 +17,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ropewalk.analysis.stability import Stability, milliseconds, plain
+from ropewalk.analysis.stability import Stability, milliseconds, plain, stability
 from ropewalk.build import Layout
+from ropewalk.core.status import OK
+from ropewalk.methods.recording import check_state
 from ropewalk.simulation import Broken, Simulation
 
 Floats = NDArray[np.float64]
@@ -26,6 +28,8 @@ Floats = NDArray[np.float64]
 _CLEAR = -0.5  # a correlation below this is a zigzag
 _RISING = 1.02  # growth of amplitude per step that counts as the break's own
 _RISING_STEPS = 12
+_HISTORY = 400  # steps before the last good frame that show how the break began
+_MOST_WORK = 2e9  # steps times nodes taken again, some ten seconds
 _KEPT_NUMBERS = 12_000_000  # coordinates in a history
 
 
@@ -59,7 +63,7 @@ class Diagnosis:
 
 
 def diagnose(
-    stability: Stability,
+    theory: Stability,
     layout: Layout,
     positions: Floats,
     time: float,
@@ -68,7 +72,7 @@ def diagnose(
     """Say why a run broke, in one or two sentences.
 
     Args:
-        stability: of the run's model.
+        theory: the stability of the run's model.
         layout: of the run's model.
         positions: of single steps up to the break [m], (steps, n, 3), from some time before it on;
             the last ones may be infinite or NaN. Fewer than three finite ones show no sign.
@@ -87,9 +91,12 @@ def diagnose(
     clearest, zigzag = _zigzag(changes, _alive(layout))
     flip = _flip(changes, clearest)
     growth = _growth(changes, lengths, _alive(layout))
-    rope, node = layout.rope_of(_worst_node(changes, clearest, layout))
-    advice = stability.remedies
-    text = _text(stability, rope, node, time, zigzag, flip, growth)
+    worst = _worst_node(changes, clearest, layout)
+    if not zigzag < _CLEAR:
+        worst = _longest(lengths, _alive(layout))
+    rope, node = layout.rope_of(worst)
+    advice = theory.remedies
+    text = _text(theory, rope, node, time, zigzag, flip, growth)
     return Diagnosis(
         time=time,
         step=step,
@@ -98,14 +105,14 @@ def diagnose(
         zigzag=zigzag,
         flip=flip,
         energy_growth=growth,
-        predicted=not stability.stable,
-        bound=stability.bound,
+        predicted=not theory.stable,
+        bound=theory.bound,
         advice=advice,
         text=text,
     )
 
 
-def retrace(simulation: Simulation, steps: int, keep: int = 400) -> Floats:
+def retrace(simulation: Simulation, steps: int, keep: int = 2 * _HISTORY) -> Floats:
     """Step a simulation one by one up to its break; return the positions of these steps.
 
     Args:
@@ -128,6 +135,39 @@ def retrace(simulation: Simulation, steps: int, keep: int = 400) -> Floats:
         if broken:
             break
     return np.array(positions)
+
+
+def explain(simulation: Simulation) -> Diagnosis:
+    """Diagnose a run from a simulation that stands at its last good frame; it is left as it is.
+
+    The steps before the break are taken again from the start by a second simulation, at the cost of
+    one more run; where that would take too long, or the second one does not break (it was moved by
+    hand), only the steps after the last good frame are looked at.
+    """
+    model, plan = simulation.model, simulation.plan
+    step = round(simulation.time / plan.dt)
+    frames = step // plan.steps_per_frame
+    back = min(frames, -(-_HISTORY // plan.steps_per_frame))
+    positions = None
+    if step * simulation.layout.nodes <= _MOST_WORK:
+        again = Simulation(model, ledger=False)
+        _skip(again, frames - back)
+        positions = retrace(again, (back + 1) * plan.steps_per_frame)
+        if check_state(again.arrays) == OK:
+            positions = None
+    if positions is None:
+        here = simulation.state
+        positions = retrace(simulation, plan.steps_per_frame)
+        simulation.restore(here)
+    return diagnose(stability(model), simulation.layout, positions, simulation.time, step)
+
+
+def _skip(simulation: Simulation, frames: int) -> None:
+    while frames > 0:
+        block = simulation.advance_frames(min(frames, simulation.block_frames))
+        if block.status != OK:
+            return
+        frames -= block.frames
 
 
 def _alive(layout: Layout) -> NDArray[np.bool_]:
@@ -201,6 +241,11 @@ def _worst_node(changes: Floats, step: int, layout: Layout) -> int:
     return int(np.argmax(np.abs(pull)))
 
 
+def _longest(lengths: Floats, alive: NDArray[np.bool_]) -> int:
+    """The node at the end of the longest segment of the last sound step."""
+    return int(np.argmax(np.where(alive, lengths[-1], -1.0))) + 1 if len(lengths) else 0
+
+
 def _sign(zigzag: float, flip: float, growth: float) -> str:
     signs = []
     if zigzag < _CLEAR:
@@ -213,7 +258,7 @@ def _sign(zigzag: float, flip: float, growth: float) -> str:
 
 
 def _text(
-    stability: Stability,
+    theory: Stability,
     rope: str,
     node: int,
     time: float,
@@ -223,25 +268,25 @@ def _text(
 ) -> str:
     sign = _sign(zigzag, flip, growth)
     head = f"Broke after t = {time:.6g} s at node {node} of rope {rope!r}: {sign}."
-    if not stability.stable:
-        if stability.bound > 0.0:
+    if not theory.stable:
+        if theory.bound > 0.0:
             law = (
-                f"The step of {milliseconds(stability.step)} is above the largest stable one of "
-                f"{stability.method}, {milliseconds(stability.bound)}"
+                f"The step of {milliseconds(theory.step)} is above the largest stable one of "
+                f"{theory.method}, {milliseconds(theory.bound)}"
             )
         else:
-            law = f"{stability.method} has no stable step here"
-        return f"{head} {law}; change to {', or '.join(stability.remedies)}."
-    lower = 0.5 * stability.step
+            law = f"{theory.method} has no stable step here"
+        return f"{head} {law}; change to {', or '.join(theory.remedies)}."
+    lower = 0.5 * theory.step
     if zigzag < _CLEAR and growth > 1.0:
         return (
-            f"{head} The step is {100 * stability.margin:.2g} % below the bound for ropes at "
+            f"{head} The step is {100 * theory.margin:.2g} % below the bound for ropes at "
             f"their length, so a segment was pressed or thrown far from it; "
             f"try time_step = {lower:.3g} s."
         )
     return (
-        f"{head} The step is stable ({milliseconds(stability.step)} of "
-        f"{milliseconds(stability.bound)}), so this is not the method: a segment was pulled beyond "
+        f"{head} The step is stable ({milliseconds(theory.step)} of "
+        f"{milliseconds(theory.bound)}), so this is not the method: a segment was pulled beyond "
         "ten times its length; look for anchors that move apart, a rope too soft for its load, or "
         "places and lengths in different units."
     )
