@@ -30,7 +30,7 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
     """Advance the state by one step of `dt` from time `t` [s]."""
     xs, vs, a, middle = scratch.x, scratch.v, state.acceleration, scratch.middle
     dx, dv, mean = scratch.dx, scratch.dv, scratch.mean
-    clear_forces(mean)
+    clear_forces(system, mean)
     clear(dx)
     clear(dv)
     for s in range(tableau.shape[1]):
@@ -45,7 +45,7 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
             place_stage(system, state, t + c, c, xs, vs, scratch.point, scratch.speed)
         evaluate(system, state, xs, vs, state.forces)
         accelerate(system, state, state.forces, a)
-        add_forces(state.forces, tableau[1, s], mean)
+        add_forces(system, state.forces, tableau[1, s], mean)
         add(vs, b, dx)
         add(a, b, dv)
     add(dx, 1.0, state.x)

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ropewalk.core.arrays import Floats, Forces, State
+from ropewalk.core.arrays import APPLIED, Floats, Forces, State
 from ropewalk.core.jit import kernel, part
 
 
@@ -58,22 +58,27 @@ def put(source, result):
 
 
 @part
-def add_forces(forces, weight, total):
-    """Add every channel of `forces`, times `weight`, to those of `total`."""
+def add_forces(system, forces, weight, total):
+    """Add every acting channel of `forces`, times `weight`, to those of `total`."""
     add(forces.elastic, weight, total.elastic)
     add(forces.friction, weight, total.friction)
-    add(forces.air, weight, total.air)
-    add(forces.ground, weight, total.ground)
-    add(forces.applied, weight, total.applied)
+    if system.air.linear == 1 or system.air.quadratic == 1:
+        add(forces.air, weight, total.air)
+    if system.ground.active == 1:
+        add(forces.ground, weight, total.ground)
+    if system.flags[APPLIED] == 1:
+        add(forces.applied, weight, total.applied)
 
 
 @part
-def clear_forces(forces):
-    """Set every channel to zero."""
+def clear_forces(system, forces):
+    """Set every acting channel to zero."""
     clear(forces.elastic)
     clear(forces.friction)
-    clear(forces.air)
-    clear(forces.ground)
+    if system.air.linear == 1 or system.air.quadratic == 1:
+        clear(forces.air)
+    if system.ground.active == 1:
+        clear(forces.ground)
     clear(forces.applied)
 
 

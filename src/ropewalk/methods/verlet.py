@@ -24,8 +24,8 @@ def step(system, state, scratch, t, after, dt, ledger):
     """Advance the state by one step of `dt` from time `t` [s]."""
     x, v, a, middle = state.x, state.v, state.acceleration, scratch.middle
     old, predicted, mean = scratch.x, scratch.v, scratch.mean
-    clear_forces(mean)
-    add_forces(state.forces, 0.5, mean)
+    clear_forces(system, mean)
+    add_forces(system, state.forces, 0.5, mean)
     put(a, old)
     axpy(v, dt, a, predicted)
     add(v, dt, x)
@@ -33,7 +33,7 @@ def step(system, state, scratch, t, after, dt, ledger):
     place_stage(system, state, after, dt, x, predicted, scratch.point, scratch.speed)
     evaluate(system, state, x, predicted, state.forces)
     accelerate(system, state, state.forces, a)
-    add_forces(state.forces, 0.5, mean)
+    add_forces(system, state.forces, 0.5, mean)
     add(a, 1.0, old)
     axpy(v, 0.25 * dt, old, middle)
     add(old, 0.5 * dt, v)
