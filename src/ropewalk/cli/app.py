@@ -88,6 +88,7 @@ class RopewalkGroup(click.Group):
 
 
 @click.group(
+    "ropewalk",
     cls=RopewalkGroup,
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
     epilog="SCENE is a TOML file or the name of a preset. A run is a folder (DIR).",

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import difflib
-import errno
 import os
 import sys
 import tempfile
@@ -98,21 +97,9 @@ def _usage(error: click.UsageError) -> str:
 
 def _system(error: OSError) -> str:
     """What the system refused, in words."""
-    reasons = {
-        errno.ENOSPC: "no space left on the disk",
-        errno.EDQUOT: "no space left: the disk quota is used up",
-        errno.EFBIG: "the file would be larger than the system allows",
-        errno.EACCES: "no permission",
-        errno.EPERM: "no permission",
-        errno.EROFS: "the disk is read-only",
-        errno.EEXIST: "exists already",
-        errno.ENOENT: "no such file or folder",
-        errno.ENOTDIR: "a part of this path is a file, not a folder",
-        errno.EISDIR: "is a folder, not a file",
-        errno.ENAMETOOLONG: "the name is too long for the file system",
-    }
-    reason = reasons.get(error.errno or 0, error.strerror or str(error))
-    return f"{error.filename}: {reason}" if error.filename is not None else reason
+    from ropewalk.record.files import reason
+
+    return f"{error.filename}: {reason(error)}" if error.filename is not None else reason(error)
 
 
 def _keep_traceback(error: Exception, settings: Settings) -> str:
