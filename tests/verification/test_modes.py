@@ -100,7 +100,7 @@ def test_longitudinal_frequencies(end: str, masses: int) -> None:
         # twins: the same masses with the ends of every other case; half the mass
         for other in ENDS:
             if other != end:
-                assert off(found[low:] / theory(masses, other)[low:], 1.0) > 1e-6
+                assert off(found[low:] / np.maximum(theory(masses, other)[low:], 1.0), 1.0) > 1e-6
         half = frequencies(straight(masses, end, mass=0.5 * M), 0, 0.02 * L)
         assert off(half[low:] / expected[low:], 1.0) > 0.1
 
