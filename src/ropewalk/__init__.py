@@ -37,6 +37,9 @@ _HOMES = {
     "BrokenRun": "api",
     "Result": "record.result",
     "simulate": "api",
+    "run": "api",
+    "resume": "api",
+    "RunError": "record.errors",
     "check": "analysis.check",
 }
 

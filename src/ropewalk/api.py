@@ -5,8 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Literal
 
+from ropewalk.record.facts import INTERRUPTED
 from ropewalk.record.result import Result
-from ropewalk.record.simulate import Progress, no_explanation, simulate_in_memory
+from ropewalk.record.simulate import Progress, simulate_in_memory
 from ropewalk.scene import Scene, load
 from ropewalk.scene.presets import names, preset
 from ropewalk.simulation import Broken, Simulation
@@ -53,16 +54,91 @@ def simulate(
 
     Raises SceneError for a faulty scene, BrokenRun (a `Broken`) when the run breaks.
     """
-    if on_failure not in ("raise", "return"):
-        raise ValueError(f'on_failure: {on_failure!r} - must be "raise" or "return"')
+    _check_choice(on_failure)
     result = simulate_in_memory(
         as_scene(scene), keep_going=keep_going, progress=progress, ledger=ledger, explain=explain
     )
-    if result.diagnosis and on_failure == "raise":
+    return _ended(result, on_failure)
+
+
+def run(
+    scene: SceneLike,
+    folder: str | Path,
+    *,
+    on_failure: Literal["raise", "return"] = "raise",
+    keep_going: bool = False,
+    overwrite: bool = False,
+    progress: Progress | None = None,
+    ledger: bool = True,
+) -> Result:
+    """Run a scene into a run folder, in memory that does not grow with its duration.
+
+    Killed at any moment, it leaves a folder that opens, and `resume` goes on. Ctrl-C finishes the
+    present block of frames and saves (a second one does not wait).
+
+    Args:
+        scene: scene, preset's name, or scene file.
+        folder: of the run; must not exist, or be empty.
+        on_failure: "raise" BrokenRun or KeyboardInterrupt when the run breaks or is interrupted, or
+            "return" the result up to there with its `status`.
+        keep_going: record on into a break, to the planned end.
+        overwrite: put the run in place of another one in `folder`.
+        progress: called after every block of frames with frames done, frames planned and the block.
+        ledger: add up the work of every law.
+
+    Raises SceneError, RunError (the folder cannot be written), BrokenRun, KeyboardInterrupt.
+    """
+    from ropewalk.record.run import record_run
+
+    _check_choice(on_failure)
+    result = record_run(
+        as_scene(scene),
+        Path(folder),
+        keep_going=keep_going,
+        overwrite=overwrite,
+        progress=progress,
+        ledger=ledger,
+        explain=explain,
+    )
+    return _ended(result, on_failure)
+
+
+def resume(
+    folder: str | Path,
+    *,
+    force: bool = False,
+    on_failure: Literal["raise", "return"] = "raise",
+    progress: Progress | None = None,
+) -> Result:
+    """Go on with a killed or interrupted run, to the same bits as one never interrupted.
+
+    With `force` also when other sources of ropewalk began it (then with a warning, and perhaps not to
+    the same bits). Raises RunError when there is nothing to go on with, else as `run`.
+    """
+    from ropewalk.record.resume import resume_run
+
+    _check_choice(on_failure)
+    result = resume_run(Path(folder), force=force, progress=progress, explain=explain)
+    return _ended(result, on_failure)
+
+
+def _check_choice(on_failure: str) -> None:
+    if on_failure not in ("raise", "return"):
+        raise ValueError(f'on_failure: {on_failure!r} - must be "raise" or "return"')
+
+
+def _ended(result: Result, on_failure: str) -> Result:
+    if on_failure == "raise" and result.diagnosis:
         raise BrokenRun(result)
+    if on_failure == "raise" and result.status == INTERRUPTED:
+        raise KeyboardInterrupt(
+            f"{result.folder}: interrupted at t = {result.time[-1]:.6g} s; saved"
+        )
     return result
 
 
 def explain(simulation: Simulation) -> str:
-    """Say why a run broke; the simulation stands at its last good frame."""
-    return no_explanation(simulation)
+    """Say why a run broke; the simulation stands at its last good frame, and stays there."""
+    from ropewalk.analysis import diagnosis
+
+    return str(diagnosis.explain(simulation))

@@ -96,7 +96,8 @@ def make_dataset(result: Result) -> xr.Dataset:
     import xarray as xr
 
     if result.folder is not None:
-        return xr.open_zarr(result.folder / "data.zarr", chunks=None)
+        stored: xr.Dataset = xr.open_zarr(result.folder / "data.zarr", chunks=None)
+        return stored
     variables = {}
     for name in result.source.names:
         quantity = BY_NAME[name]

@@ -46,10 +46,12 @@ def first_broken(block: Block, simulation: Simulation) -> int | None:
 class Breaks:
     """Watches the blocks of a run and has the first break explained."""
 
-    def __init__(self, simulation: Simulation, keep_going: bool, explain: Explain) -> None:
+    def __init__(
+        self, simulation: Simulation, keep_going: bool, explain: Explain, diagnosis: str = ""
+    ) -> None:
         self._simulation, self._keep_going, self._explain = simulation, keep_going, explain
         self._before = simulation.state if keep_going else None
-        self.diagnosis = ""
+        self.diagnosis = diagnosis  # of a break before a resumed part
 
     def watch(self, block: Block) -> None:
         """Look at one more block; `diagnosis` is set when the run broke in it."""

@@ -1,0 +1,85 @@
+"""Checkpoints: all that a simulation needs to go on to the same bits, in one file."""
+
+from __future__ import annotations
+
+import io
+import os
+import zipfile
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ropewalk.core.arrays import flatten
+from ropewalk.record.errors import RunError
+from ropewalk.record.files import PARTIAL, reading
+from ropewalk.simulation import Snapshot
+
+NAME = "checkpoint.npz"
+
+
+@dataclass(frozen=True)
+class Checkpoint:
+    """A snapshot and what goes with it."""
+
+    snapshot: Snapshot
+    frames: int  # recorded up to the snapshot, the initial one included
+    source_hash: str
+    seconds: float  # wall time so far [s]
+    diagnosis: str  # of a run that broke and goes on
+
+
+def save(folder: Path, checkpoint: Checkpoint) -> None:
+    """Write the checkpoint in place of the one that is there. Raises OSError."""
+    path = folder / NAME
+    partial = path.with_name(NAME + PARTIAL)
+    about: dict[str, Any] = {
+        "frames": checkpoint.frames,
+        "source_hash": checkpoint.source_hash,
+        "seconds": checkpoint.seconds,
+        "diagnosis": checkpoint.diagnosis,
+    }
+    with open(partial, "wb") as file:
+        arrays: dict[str, Any] = dict(flatten(checkpoint.snapshot))
+        np.savez(file, allow_pickle=False, **arrays, **{f"run.{k}": v for k, v in about.items()})
+        file.flush()
+        os.fsync(file.fileno())
+    os.replace(partial, path)
+
+
+def load(folder: Path, like: Snapshot) -> Checkpoint:
+    """Read a folder's checkpoint; `like` is any snapshot of the same model.
+
+    Raises RunError when it is missing, damaged, or of another model.
+    """
+    path = folder / NAME
+    with reading(path):
+        data = path.read_bytes()
+    try:
+        with np.load(io.BytesIO(data), allow_pickle=False) as archive:
+            found = {name: archive[name] for name in archive.files}
+        return Checkpoint(
+            _fill(like, found, ""),
+            int(found["run.frames"]),
+            str(found["run.source_hash"]),
+            float(found["run.seconds"]),
+            str(found["run.diagnosis"]),
+        )
+    except (ValueError, KeyError, OSError, EOFError, zipfile.BadZipFile) as error:
+        raise RunError(path, f"is damaged: {error}") from None
+
+
+def _fill(like: Any, found: dict[str, Any], prefix: str) -> Any:
+    """Return a nested named tuple like `like` with the arrays of `found`."""
+    values = []
+    for name, item in zip(like._fields, like, strict=True):
+        key = prefix + name
+        if isinstance(item, tuple):
+            values.append(_fill(item, found, f"{key}."))
+            continue
+        array, old = found[key], np.asarray(item)
+        if array.shape != old.shape or array.dtype != old.dtype:
+            raise ValueError(f"{key} does not fit the scene")
+        values.append(array if isinstance(item, np.ndarray) else array.item())
+    return type(like)(*values)

@@ -1,0 +1,102 @@
+"""Reading a run's store, a few frames at a time."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ropewalk.build import Layout
+from ropewalk.core.arrays import Floats
+from ropewalk.record.errors import RunError
+from ropewalk.record.files import read_json, reading
+from ropewalk.record.quantities import BY_NAME, recorded
+from ropewalk.record.store import FORMAT, ROOT, quantity_spec, time_spec
+from ropewalk.record.zarr_format import ArraySpec, decode
+from ropewalk.scene import Scene
+
+
+class Stored:
+    """The quantities of a run folder, read when they are asked for. Every fault is a RunError."""
+
+    def __init__(self, folder: Path, scene: Scene, layout: Layout) -> None:
+        self.folder = folder
+        self.root = read_json(folder / ROOT)
+        self._check_format()
+        try:
+            arrays = self.root["consolidated_metadata"]["metadata"]
+            self._frames = int(arrays["time"]["shape"][0])
+            self._chunk = int(arrays["time"]["chunk_grid"]["configuration"]["chunk_shape"][0])
+        except (KeyError, TypeError, IndexError, ValueError):
+            raise RunError(folder / ROOT, "is damaged: it does not describe a run") from None
+        if self._frames < 1 or self._chunk < 1:
+            raise RunError(folder / ROOT, "is damaged: it has no frames")
+        quantities = recorded(layout, bool(scene.winches))
+        specs = [time_spec(self._chunk)]
+        specs += [quantity_spec(quantity, layout, self._chunk) for quantity in quantities]
+        self._specs = {spec.name: spec for spec in specs}
+        for spec in specs:
+            expected = spec.metadata(self._frames)
+            if arrays.get(spec.name) != expected:
+                rule = f"is damaged or was changed: {spec.name!r} does not fit the scene"
+                raise RunError(folder / ROOT, rule)
+
+    def _check_format(self) -> None:
+        about = self.root.get("attributes")
+        version = about.get("ropewalk_format") if isinstance(about, dict) else None
+        if version is None:
+            raise RunError(self.folder, "is no run of ropewalk")
+        if version != FORMAT:
+            rule = f"has the format {version!r}; this version of ropewalk reads {FORMAT}"
+            raise RunError(self.folder, rule)
+
+    @property
+    def frames(self) -> int:
+        """Number of frames."""
+        return self._frames
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of the recorded quantities."""
+        return tuple(name for name in self._specs if name != "time")
+
+    @property
+    def chunk(self) -> int:
+        """Frames that are best read together."""
+        return self._chunk
+
+    def read(self, name: str, start: int = 0, stop: int | None = None) -> Floats:
+        """Return a quantity of some frames."""
+        array = self.read_raw(name, start, stop)
+        return array.transpose(0, 2, 1) if name in BY_NAME and BY_NAME[name].swapped else array
+
+    def read_raw(self, name: str, start: int = 0, stop: int | None = None) -> Floats:
+        """Return a quantity of some frames as it was recorded: (time, axis, node) if swapped."""
+        start, stop, _ = slice(start, stop).indices(self._frames)
+        spec = self._specs[name]
+        shape = self._stored_shape(spec)[1:]
+        out: Floats = np.empty((max(0, stop - start), *shape))
+        for number in range(start // self._chunk, -(-stop // self._chunk)):
+            first = number * self._chunk
+            low, high = max(start, first), min(stop, first + self._chunk)
+            if low < high:
+                out[low - start : high - start] = self._load(spec, number)[
+                    low - first : high - first
+                ]
+        return out
+
+    def _stored_shape(self, spec: ArraySpec) -> tuple[int, ...]:
+        if spec.swapped:
+            return spec.chunk[0], spec.chunk[2], spec.chunk[1]
+        return spec.chunk
+
+    def _load(self, spec: ArraySpec, number: int) -> NDArray[Any]:
+        path = self.folder / spec.key(number)
+        with reading(path):
+            data = path.read_bytes()
+        try:
+            return decode(data, spec.kind, self._stored_shape(spec))
+        except ValueError as error:
+            raise RunError(path, f"is damaged: {error}") from None

@@ -1,0 +1,86 @@
+"""Going on with a run that was killed or interrupted, to the same bits."""
+
+from __future__ import annotations
+
+import warnings
+from dataclasses import replace
+from pathlib import Path
+
+from ropewalk.build import build
+from ropewalk.core.jit import source_hash
+from ropewalk.record import checkpoint
+from ropewalk.record.errors import RunError
+from ropewalk.record.facts import BROKE, FINISHED
+from ropewalk.record.files import writing
+from ropewalk.record.folder import DATA, log, read_facts, read_scene
+from ropewalk.record.lock import is_locked
+from ropewalk.record.reader import Stored
+from ropewalk.record.result import Result
+from ropewalk.record.run import COMMIT_SECONDS, Recorder, finish
+from ropewalk.record.simulate import Breaks, Explain, Progress, no_explanation
+from ropewalk.record.store import Writer
+from ropewalk.simulation import Simulation
+
+
+def resume_run(
+    folder: Path,
+    *,
+    force: bool = False,
+    progress: Progress | None = None,
+    explain: Explain = no_explanation,
+    commit_seconds: float = COMMIT_SECONDS,
+) -> Result:
+    """Continue a run where its last checkpoint stands.
+
+    With `force` also one that other sources of ropewalk began, with a warning: it may not go on to the
+    same bits. Raises RunError when there is nothing to continue, or it cannot be.
+    """
+    scene = read_scene(folder)
+    facts = read_facts(folder)
+    if is_locked(folder):
+        raise RunError(folder, "is being written by another process")
+    if facts.status == FINISHED:
+        raise RunError(folder, "is finished: there is nothing to resume")
+    if facts.status == BROKE:
+        raise RunError(folder, f"broke; a broken run cannot be resumed. {facts.diagnosis}".rstrip())
+    _check_sources(folder, str(facts.provenance.get("source_hash")), force)
+    model = replace(build(scene), plan=facts.plan)
+    simulation = Simulation(model, ledger=facts.ledger)
+    found = checkpoint.load(folder, simulation.state)
+    _check_sources(folder, found.source_hash, force)
+    simulation.restore(found.snapshot)
+    writer = _take_up(folder, simulation, found.frames)
+    breaks = Breaks(simulation, facts.keep_going, explain, found.diagnosis)
+    recorder = Recorder(simulation, folder, writer, facts, breaks, commit_seconds)
+    recorder.earlier = found.seconds
+    with writing(folder):
+        log(folder, "resumed", frames=found.frames, time=simulation.time)
+    return finish(recorder, progress)
+
+
+def _check_sources(folder: Path, made_by: str, force: bool) -> None:
+    if made_by == source_hash():
+        return
+    if not force:
+        rule = (
+            "was begun by other sources of ropewalk (or another numba), so it would not go on to the "
+            "same bits; resume it with the version it was begun with, or force it"
+        )
+        raise RunError(folder, rule)
+    warnings.warn(
+        f"{folder}: begun by other sources of ropewalk; it may not go on to the same bits",
+        stacklevel=3,
+    )
+
+
+def _take_up(folder: Path, simulation: Simulation, frames: int) -> Writer:
+    """Return a writer that goes on after `frames` frames."""
+    stored = Stored(folder / DATA, simulation.scene, simulation.layout)
+    if stored.frames < frames:
+        rule = f"is damaged: it has {stored.frames} frames, and its checkpoint stands at {frames}"
+        raise RunError(folder / DATA, rule)
+    writer = Writer(folder / DATA, simulation.scene, simulation.layout, stored.chunk)
+    start = frames - frames % stored.chunk
+    names = ["time", *(quantity.name for quantity in writer.quantities)]
+    writer.go_on(stored.root, [stored.read_raw(name, start, frames) for name in names], frames)
+    return writer

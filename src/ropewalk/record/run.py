@@ -1,0 +1,171 @@
+"""Running a scene into a run folder: block by block, in constant memory, killable at any moment."""
+
+from __future__ import annotations
+
+import signal
+import threading
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass, field
+from pathlib import Path
+from types import FrameType
+
+from ropewalk.build import Model
+from ropewalk.core.jit import source_hash
+from ropewalk.core.status import OK
+from ropewalk.record import checkpoint
+from ropewalk.record.checkpoint import Checkpoint
+from ropewalk.record.facts import BROKE, FINISHED, INTERRUPTED, RUNNING, Facts, provenance
+from ropewalk.record.files import writing
+from ropewalk.record.folder import (
+    DATA,
+    begin,
+    log,
+    new_folder,
+    open_result,
+    write_end,
+    write_status,
+)
+from ropewalk.record.lock import locked
+from ropewalk.record.result import Result
+from ropewalk.record.simulate import Breaks, Explain, Progress, no_explanation
+from ropewalk.record.store import Writer
+from ropewalk.scene import Scene
+from ropewalk.simulation import Simulation
+
+CHUNK_SECONDS = 0.25  # about this long a chunk of frames is simulated [s]
+NODE_STEP_SECONDS = 4e-9  # rough cost of one node and step [s]
+COMMIT_SECONDS = 1.0  # at least this long between two commits [s]
+COMMIT_SHARE = 0.05  # commits take at most about this share of the time [1]
+KEPT = "; everything up to the last commit is kept, and `ropewalk resume` goes on from there"
+
+
+@dataclass
+class Recorder:
+    """One run on its way into its folder."""
+
+    simulation: Simulation
+    folder: Path
+    writer: Writer
+    facts: Facts
+    breaks: Breaks
+    commit_seconds: float = COMMIT_SECONDS
+    begun: float = field(default_factory=time.perf_counter)
+    earlier: float = 0.0  # wall time of former parts of this run [s]
+    last_commit: float = field(default_factory=time.perf_counter)
+    commit_cost: float = 0.0
+
+    def record(self, progress: Progress | None) -> str:
+        """Simulate and write to the end; return how it ended. Raises OSError."""
+        plan = self.facts.plan
+        with stop_requests() as stop:
+            while self.writer.frames <= plan.frames:
+                count = min(self.writer.open_frames, plan.frames + 1 - self.writer.frames)
+                block = self.simulation.advance_frames(count, keep_going=self.facts.keep_going)
+                self.breaks.watch(block)
+                self.writer.add(block)
+                if progress is not None:
+                    progress(self.writer.frames - 1, plan.frames, block)
+                if block.status != OK:
+                    return BROKE
+                if stop and self.writer.frames <= plan.frames:
+                    return INTERRUPTED
+                if self._is_due():
+                    self.commit(RUNNING)
+        return BROKE if self.breaks.diagnosis else FINISHED
+
+    def _is_due(self) -> bool:
+        wait = max(self.commit_seconds, self.commit_cost / COMMIT_SHARE)
+        return time.perf_counter() - self.last_commit >= wait
+
+    def commit(self, status: str) -> None:
+        """Show readers what there is: numbers first, then the checkpoint. Raises OSError."""
+        start = time.perf_counter()
+        seconds = self.earlier + start - self.begun
+        self.facts = self.facts.but(status=status, seconds=seconds, diagnosis=self.breaks.diagnosis)
+        self.writer.commit()
+        frames = self.writer.frames
+        made = Checkpoint(
+            self.simulation.state, frames, source_hash(), seconds, self.breaks.diagnosis
+        )
+        checkpoint.save(self.folder, made)
+        write_status(self.folder, self.facts, frames, self.simulation.time)
+        self.last_commit = time.perf_counter()
+        self.commit_cost = self.last_commit - start
+
+
+def record_run(
+    scene: Scene | Model,
+    folder: Path,
+    *,
+    keep_going: bool = False,
+    overwrite: bool = False,
+    progress: Progress | None = None,
+    ledger: bool = True,
+    explain: Explain = no_explanation,
+    commit_seconds: float = COMMIT_SECONDS,
+) -> Result:
+    """Run a scene into a new run folder and open it.
+
+    Raises SceneError when the scene cannot be planned, RunError when the folder cannot be written.
+    """
+    simulation = Simulation(scene, ledger=ledger)
+    plan = simulation.plan
+    about = provenance(plan, ledger, keep_going)
+    facts = Facts(plan, ledger, keep_going, RUNNING, provenance=about)
+    with new_folder(folder, overwrite) as made:
+        writer = begin(made, simulation.scene, simulation.layout, facts, chunk_frames(simulation))
+        breaks = Breaks(simulation, keep_going, explain)
+        recorder = Recorder(simulation, made, writer, facts, breaks, commit_seconds)
+        writer.add(simulation.recording())
+        recorder.commit(RUNNING)
+        log(made, "started", planned_frames=plan.frames + 1)
+    recorder.folder, writer.folder = folder, folder / DATA
+    return finish(recorder, progress)
+
+
+def finish(recorder: Recorder, progress: Progress | None) -> Result:
+    """Record to the end and close the folder. Raises RunError."""
+    folder = recorder.folder
+    with writing(folder, KEPT), locked(folder):
+        recorder.simulation.advance_frames(0)  # compiles outside the clock
+        recorder.begun = recorder.last_commit = time.perf_counter()
+        try:
+            status = recorder.record(progress)
+            recorder.commit(status)
+        except OSError as error:
+            with suppress(OSError):
+                log(folder, "failed", reason=str(error))
+            raise
+        write_end(folder)
+        more = {"diagnosis": recorder.facts.diagnosis} if recorder.facts.diagnosis else {}
+        log(folder, status, frames=recorder.writer.frames, time=recorder.simulation.time, **more)
+    return open_result(folder)
+
+
+def chunk_frames(simulation: Simulation) -> int:
+    """Return the frames of one chunk: some megabytes, and about a quarter of a second of work."""
+    plan, nodes = simulation.plan, simulation.layout.nodes
+    by_time = CHUNK_SECONDS / (NODE_STEP_SECONDS * plan.steps_per_frame * nodes)
+    return max(1, min(simulation.block_frames, int(by_time), plan.frames + 1))
+
+
+@contextmanager
+def stop_requests() -> Iterator[list[int]]:
+    """Collect Ctrl-C instead of raising it, so that a block is finished; the second one raises."""
+    requests: list[int] = []
+
+    def note(number: int, _: FrameType | None) -> None:
+        if requests:
+            raise KeyboardInterrupt
+        requests.append(number)
+
+    if threading.current_thread() is not threading.main_thread():
+        yield requests
+        return
+    before = signal.signal(signal.SIGINT, note)
+    try:
+        yield requests
+    finally:
+        signal.signal(signal.SIGINT, before)
