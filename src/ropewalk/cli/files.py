@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from ropewalk.cli.errors import Refusal
@@ -49,3 +51,32 @@ def _umask() -> int:
     mask = os.umask(0)
     os.umask(mask)
     return mask
+
+
+@contextmanager
+def claimed(output: Path | None, parent: Path, name: str) -> Iterator[Path]:
+    """Give the folder to write to: `output`, or a new one, `parent`/`name`-1, -2 and so on.
+
+    A new one is made at once, so that two processes never take the same; it goes again when
+    nothing was put into it. Raises OSError when it cannot be made.
+    """
+    if output is not None:
+        yield output
+        return
+    made_parent = not parent.exists()
+    parent.mkdir(parents=True, exist_ok=True)
+    number = 1
+    while True:
+        folder = parent / f"{name}-{number}"
+        try:
+            folder.mkdir()
+            break
+        except FileExistsError:
+            number += 1
+    try:
+        yield folder
+    finally:
+        with suppress(OSError):  # not empty: there is something to keep
+            folder.rmdir()
+            if made_parent:
+                parent.rmdir()

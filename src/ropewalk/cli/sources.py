@@ -85,11 +85,3 @@ def short_name(source: str) -> str:
     stem = Path(source).name
     stem = stem.removesuffix(".toml") or "scene"
     return re.sub(r"[^\w.-]+", "-", stem).strip("-.") or "scene"
-
-
-def numbered(parent: Path, name: str) -> Path:
-    """Return the first path parent/name-1, parent/name-2 ... that does not exist."""
-    number = 1
-    while (parent / f"{name}-{number}").exists():
-        number += 1
-    return parent / f"{name}-{number}"

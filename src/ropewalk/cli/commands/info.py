@@ -1,7 +1,84 @@
+"""`ropewalk info`: what is in a run folder."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
 import click
+
+from ropewalk.cli.console import print_json, print_table, say
+from ropewalk.cli.runs import open_run, run_argument
+from ropewalk.cli.sources import json_option
+from ropewalk.cli.summary import print_results
+
+if TYPE_CHECKING:
+    from ropewalk.record.result import Result
+
+_PROVENANCE = ("started", "ended", "ropewalk", "python", "numpy", "numba", "platform")
 
 
 @click.command()
-def info() -> None:
-    """TODO."""
-    raise NotImplementedError
+@run_argument
+@json_option
+def info(folder: Path, as_json: bool) -> None:
+    """Say what is in the run folder DIR: scene, state, numbers, where it came from."""
+    result = open_run(folder)
+    if as_json:
+        print_json(_facts(result))
+        return
+    say(f"{folder}: {result.scene.name}")
+    if result.scene.description:
+        say(f"  {result.scene.description}")
+    rows = [(name, text) for name, text in _rows(result) if text]
+    print_table(("", ""), rows)
+    print_results(result)
+    arrays = [
+        (name, " x ".join(map(str, array["shape"])), array["unit"])
+        for name, array in _arrays(result).items()
+    ]
+    print_table(("recorded", "shape", "unit"), arrays)
+    if result.diagnosis:
+        say(result.diagnosis)
+    if result.status == "interrupted":
+        say(f"go on with: ropewalk resume {folder}")
+
+
+def _rows(result: Result) -> list[tuple[str, str]]:
+    plan, known = result.plan, result.facts.provenance
+    state = result.status
+    if result.frames < plan.frames + 1:
+        state += f" at {result.time[-1]:.6g} of {plan.duration:.6g} s"
+    rows = [
+        ("state", state),
+        ("scene", str(result.scene)),
+        ("method", f"{plan.method}, steps of {plan.dt:.6g} s, {plan.steps_per_frame} a frame"),
+        ("anchors", ", ".join(result.layout.anchor_names)),
+    ]
+    return rows + [(key, str(known.get(key, ""))) for key in _PROVENANCE]
+
+
+def _arrays(result: Result) -> dict[str, dict[str, Any]]:
+    """Return shape and unit of every recorded quantity, by name."""
+    from ropewalk.record.quantities import BY_NAME, sizes
+
+    lengths = sizes(result.layout) | {"time": result.frames}
+    found = {"time": {"shape": [result.frames], "unit": "s"}}
+    for name in result.source.names:
+        quantity = BY_NAME[name]
+        shape = [lengths[dim] for dim in quantity.dims]
+        found[name] = {"shape": shape, "unit": quantity.unit}
+    return found
+
+
+def _facts(result: Result) -> dict[str, Any]:
+    return {
+        "folder": str(result.folder),
+        "name": result.scene.name,
+        "description": result.scene.description,
+        "status": result.status,
+        "diagnosis": result.diagnosis or None,
+        "provenance": result.facts.provenance,
+        "results": result.table,
+        "arrays": _arrays(result),
+    }

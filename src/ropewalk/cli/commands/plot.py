@@ -1,7 +1,168 @@
+"""`ropewalk plot`: figures of a run."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from inspect import signature
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
 import click
+
+from ropewalk.cli.console import say
+from ropewalk.cli.errors import Refusal, nearest_name
+from ropewalk.cli.files import refuse_parent
+from ropewalk.cli.runs import open_run, parse_node, run_argument
+
+if TYPE_CHECKING:
+    from ropewalk.record.result import Result
+
+_TAKES = {"times": "--time", "nodes": "--node", "node": "--node", "frames": "--time"}
 
 
 @click.command()
-def plot() -> None:
-    """TODO."""
-    raise NotImplementedError
+@run_argument
+@click.argument("kinds", nargs=-1, metavar="[KIND]...")
+@click.option(
+    "-o", "--output", type=click.Path(path_type=Path), help="Folder, or the file of one figure; "
+    "default DIR/figures.",
+)  # fmt: skip
+@click.option(
+    "--format",
+    "formats",
+    default="png",
+    show_default=True,
+    help="png, svg, pdf, or several: png,svg.",
+)
+@click.option(
+    "--time",
+    "times",
+    multiple=True,
+    type=float,
+    metavar="S",
+    help="Show this time, in seconds; can be given again.",
+)
+@click.option(
+    "--node",
+    "nodes",
+    multiple=True,
+    metavar="[ROPE:]NODE",
+    help="Show this node, such as 5, -1 or left:5; can be given again.",
+)
+def plot(
+    folder: Path,
+    kinds: tuple[str, ...],
+    output: Path | None,
+    formats: str,
+    times: tuple[float, ...],
+    nodes: tuple[str, ...],
+) -> None:
+    """Draw figures of the run in DIR.
+
+    \b
+    KIND is one or more of (default: all of them):
+      shape      the ropes at some times (--time)
+      film       the rope over time as a strip of pictures (--time)
+      height     height of nodes against time (--node)
+      tension    tension along the rope and in time (--time for profiles)
+      energy     energies, works and the energy error
+      phase      velocity against position of a node (--node)
+      reactions  force of each anchor on its rope
+    """
+    result = open_run(folder)
+    from ropewalk import plots
+
+    chosen = _chosen(kinds, list(plots.PLOTS))
+    endings = _endings(formats, plots.FORMATS)
+    targets = _targets(folder, output, chosen, endings, plots.FORMATS)
+    _refuse_unused(chosen, plots.PLOTS, times=times, nodes=nodes)
+    for kind in chosen:
+        if kind == "reactions" and not result.layout.anchor_names and not kinds:
+            continue  # nothing to draw, and nobody asked for it
+        figure = draw(plots.PLOTS[kind].draw, result, times, nodes)
+        for path in targets[kind]:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            say(str(plots.save(figure, path)))
+
+
+def draw(
+    function: Callable[..., Any], result: Result, times: Sequence[float], nodes: Sequence[str]
+) -> Any:
+    """Draw one figure with those of the options that it takes.
+
+    Raises Refusal for a time or a node that is not there.
+    """
+    takes = signature(function).parameters
+    options: dict[str, Any] = {}
+    parsed = [parse_node(node, result) for node in nodes]
+    if times and "times" in takes:
+        options["times"] = list(times)
+    elif times and "frames" in takes:
+        _refuse_times(times, result)
+        options["frames"] = [result.frame_at(time) for time in times]
+    if parsed and "nodes" in takes:
+        options["nodes"] = parsed
+    elif parsed and "node" in takes:
+        options["node"] = parsed[0]
+    try:
+        return function(result, **options)
+    except ValueError as error:
+        if options:
+            raise Refusal(f"{result.folder}: {error}") from error
+        raise
+
+
+def _refuse_times(times: Sequence[float], result: Result) -> None:
+    end = float(result.time[-1])
+    for time in times:
+        if not 0.0 <= time <= end:
+            raise Refusal(
+                f"--time {time:g}: must be from 0 to {end:g} s, the time of the last frame"
+            )
+
+
+def _chosen(kinds: Sequence[str], known: list[str]) -> list[str]:
+    for kind in kinds:
+        if kind not in known:
+            raise Refusal(f'KIND: "{kind}" - there is no such figure; {nearest_name(kind, known)}')
+    return list(dict.fromkeys(kinds)) or known
+
+
+def _endings(formats: str, known: Sequence[str]) -> list[str]:
+    endings = [part.strip().lower().removeprefix(".") for part in formats.split(",")]
+    for ending in endings:
+        if ending not in known:
+            raise Refusal(f'--format: "{ending}" - must be one or more of {", ".join(known)}')
+    return list(dict.fromkeys(endings))
+
+
+def _targets(
+    folder: Path, output: Path | None, kinds: list[str], endings: list[str], known: Sequence[str]
+) -> dict[str, list[Path]]:
+    """Return the files of every figure."""
+    if output is not None and output.suffix.lower().removeprefix(".") in known:
+        if len(kinds) > 1:
+            raise Refusal(
+                f"{output}: is one file, and these are {len(kinds)} figures; name a folder"
+            )
+        if output.is_dir():
+            raise Refusal(f"{output}: is a folder; name a file in it")
+        refuse_parent(output)
+        return {kinds[0]: [output]}
+    where = output or folder / "figures"
+    refuse_parent(where / "figure")
+    return {kind: [where / f"{kind}.{ending}" for ending in endings] for kind in kinds}
+
+
+def _refuse_unused(kinds: list[str], known: dict[str, Any], **given: Sequence[object]) -> None:
+    """Refuse --time or --node when no figure takes it."""
+    used = {
+        _TAKES[name]
+        for kind in kinds
+        for name in signature(known[kind].draw).parameters
+        if name in _TAKES
+    }
+    for name, values in given.items():
+        flag = _TAKES[name]
+        if values and flag not in used:
+            raise Refusal(f"{flag}: {', '.join(kinds)} shows no choice of {name}; leave it out")

@@ -1,7 +1,45 @@
+"""`ropewalk resume`: go on with a run that was killed or interrupted."""
+
+from __future__ import annotations
+
+import warnings
+from pathlib import Path
+
 import click
+
+from ropewalk.cli.commands.run import conclude, quiet_option
+from ropewalk.cli.console import warn
+from ropewalk.cli.progress import RunProgress, tell_compiling
+from ropewalk.cli.runs import open_run, run_argument
+from ropewalk.cli.sources import json_option
 
 
 @click.command()
-def resume() -> None:
-    """TODO."""
-    raise NotImplementedError
+@run_argument
+@click.option(
+    "--force",
+    is_flag=True,
+    help="Even if another version of Ropewalk began the run; it may then not go on to the same bits.",
+)
+@json_option
+@quiet_option
+def resume(folder: Path, force: bool, as_json: bool, quiet: bool) -> int:
+    """Go on with the run in DIR where it was killed or interrupted.
+
+    It goes on to the same bits as a run that was never interrupted.
+    """
+    from ropewalk.api import explain
+    from ropewalk.record.resume import resume_run
+
+    begun = open_run(folder)
+    if not quiet:
+        tell_compiling(begun.plan.method)
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always", UserWarning)
+        with RunProgress(begun.scene, quiet=quiet) as progress:
+            result = resume_run(folder, force=force, progress=progress, explain=explain)
+    texts = tuple(str(one.message) for one in caught if one.category is UserWarning)
+    if not quiet:
+        for text in texts:
+            warn(text)
+    return conclude(result, texts, as_json=as_json, quiet=quiet)

@@ -1,7 +1,150 @@
+"""`ropewalk run`: run a scene into a folder."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
 import click
+
+from ropewalk.cli.console import say, tell, warn
+from ropewalk.cli.errors import BROKE, INTERRUPTED, Refusal
+from ropewalk.cli.files import claimed
+from ropewalk.cli.progress import RunProgress, tell_compiling
+from ropewalk.cli.sources import json_option, load_scene, run_options, short_name
+from ropewalk.cli.summary import print_result_json, print_results
+
+if TYPE_CHECKING:
+    from ropewalk.build import Model
+    from ropewalk.record.result import Result
+    from ropewalk.scene import Scene
+
+RUNS = Path("runs")
+
+quiet_option = click.option(
+    "-q", "--quiet", is_flag=True, help="No progress, no table: print the run's folder only."
+)
 
 
 @click.command()
-def run() -> None:
-    """TODO."""
-    raise NotImplementedError
+@click.argument("scene")
+@click.option(
+    "-o",
+    "--output",
+    type=click.Path(path_type=Path),
+    metavar="DIR",
+    help="The run's folder; default: runs/NAME-1, -2 and so on.",
+)
+@run_options
+@click.option("--keep-going", is_flag=True, help="Record on into a break, to the planned end.")
+@click.option("--overwrite", is_flag=True, help="Replace a run that is in DIR.")
+@json_option
+@quiet_option
+def run(
+    scene: str,
+    output: Path | None,
+    overrides: tuple[str, ...],
+    duration: str | None,
+    time_step: str | None,
+    method: str | None,
+    keep_going: bool,
+    overwrite: bool,
+    as_json: bool,
+    quiet: bool,
+) -> int:
+    """Run a scene into a folder.
+
+    The folder holds the scene as it was run, where it came from, and all numbers in a form that
+    xarray opens; it is written as the run goes on. A run that breaks keeps everything up to its last
+    good frame, says why it broke and ends with exit status 3. Ctrl-C ends a run so that it can be
+    resumed.
+    """
+    loaded = load_scene(scene, overrides, duration=duration, time_step=time_step, method=method)
+    if output is not None:
+        refuse_run(output, overwrite)
+    result, warnings = run_scene(
+        loaded,
+        output,
+        short_name(scene),
+        keep_going=keep_going,
+        overwrite=overwrite,
+        quiet=quiet,
+    )
+    return conclude(result, warnings, as_json=as_json, quiet=quiet)
+
+
+def refuse_run(folder: Path, overwrite: bool) -> None:
+    """Refuse, before anything is computed, a folder that a run must not be written to.
+
+    Raises Refusal for a run that is there, RunError for anything else that is in the way.
+    """
+    from ropewalk.record.folder import check_free, is_run
+
+    if not overwrite and is_run(folder):
+        raise Refusal(f"{folder}: holds a run already; take another folder, or give --overwrite")
+    check_free(folder, overwrite)
+
+
+def run_scene(
+    scene: Scene,
+    output: Path | None,
+    name: str,
+    *,
+    parent: Path = RUNS,
+    keep_going: bool = False,
+    overwrite: bool = False,
+    quiet: bool = False,
+) -> tuple[Result, tuple[str, ...]]:
+    """Run a scene into `output`, or else into the first free folder `parent`/`name`-1, -2 ...
+
+    Returns the result and what was warned of. Raises SceneError, RunError, OSError.
+    """
+    from ropewalk.api import explain
+    from ropewalk.build import build
+    from ropewalk.record.run import record_run
+
+    if not quiet:
+        tell_compiling(scene.run.method)
+    model = build(scene)
+    warnings = predicted(model)
+    if not quiet:
+        for text in warnings:
+            warn(text)
+    with claimed(output, parent, name) as folder, RunProgress(scene, quiet=quiet) as progress:
+        result = record_run(
+            model,
+            folder,
+            keep_going=keep_going,
+            overwrite=overwrite,
+            progress=progress,
+            explain=explain,
+        )
+    return result, warnings
+
+
+def predicted(model: Model) -> tuple[str, ...]:
+    """Return what is to be warned of before a run: that it will break, or likely slips of units."""
+    from ropewalk.analysis.check import check
+
+    return check(model, measure=False).warnings
+
+
+def conclude(result: Result, warnings: tuple[str, ...] = (), *, as_json: bool, quiet: bool) -> int:
+    """Print how a run ended and return the exit status."""
+    if as_json:
+        print_result_json(result, warnings)
+    elif quiet:
+        say(str(result.folder))
+    else:
+        print_results(result, f"{result.scene.name}: {result.status}")
+        say(f"run folder: {result.folder}")
+    if result.status == "interrupted":
+        tell(f"interrupted at t = {result.time[-1]:.6g} s; what there is was kept")
+        tell(f"go on with: ropewalk resume {result.folder}")
+        return INTERRUPTED
+    if result.diagnosis:
+        tell(result.diagnosis)
+        if not result.facts.keep_going:
+            tell(f"everything up to t = {result.time[-1]:.6g} s is kept in {result.folder}")
+        return BROKE
+    return 0

@@ -1,0 +1,46 @@
+"""DIR as the commands take it: a run folder; and nodes as they are named on the command line."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from ropewalk.cli.errors import Refusal
+
+if TYPE_CHECKING:
+    from ropewalk.record.result import Result
+
+run_argument = click.argument("folder", metavar="DIR", type=click.Path(path_type=Path))
+
+
+def open_run(folder: Path) -> Result:
+    """Open a run folder. Raises RunError when it is none, or damaged."""
+    from ropewalk.record.result import Result
+
+    return Result.open(folder)
+
+
+def parse_node(text: str, result: Result) -> tuple[str, int]:
+    """Return rope and node (as given, negative ones count from the end) of NODE or ROPE:NODE.
+
+    Raises Refusal when there is no such rope or node.
+    """
+    name, colon, number = text.rpartition(":")
+    ropes = [span.name for span in result.layout.ropes]
+    if not colon and len(ropes) > 1:
+        names = ", ".join(f"{rope}:{text}" for rope in ropes[:8])
+        raise Refusal(f"--node {text}: there are several ropes; say which: {names}")
+    rope = name if colon else ropes[0]
+    if rope not in ropes:
+        raise Refusal(f"--node {text}: there is no rope {rope!r}; there is {', '.join(ropes)}")
+    try:
+        node = int(number)
+    except ValueError:
+        raise Refusal(f"--node {text}: must be a node's number, or ROPE:NODE") from None
+    try:
+        result.layout.node(node, rope)
+    except IndexError as error:
+        raise Refusal(f"--node {text}: {error}") from None
+    return rope, node

@@ -1,0 +1,52 @@
+"""What a run led to, as a table for people and as JSON for programs."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING, Any
+
+from ropewalk.cli.console import print_json, print_table
+
+if TYPE_CHECKING:
+    from ropewalk.record.result import Result
+
+_UNIT = re.compile(r"^(.*) \[(.*)\]$")
+
+
+def results_rows(table: dict[str, Any]) -> list[tuple[str, str, str]]:
+    """Return name, value with unit, and place of the numbers of a result's table."""
+    rows = []
+    for name, value in table.items():
+        if name.endswith(" at") or name == "status":
+            continue
+        found = _UNIT.match(name)
+        bare, unit = (found[1], found[2]) if found else (name, "")
+        place = str(table.get(f"{bare} at", ""))
+        rows.append((bare, f"{_number(value)} {'' if unit == '1' else unit}".rstrip(), place))
+    return rows
+
+
+def print_results(result: Result, title: str = "") -> None:
+    """Print a result's numbers on stdout."""
+    print_table(("result", "value", "where and when"), results_rows(result.table), title=title)
+
+
+def print_result_json(result: Result, warnings: tuple[str, ...] = ()) -> None:
+    """Print a result as one JSON object on stdout."""
+    print_json(
+        {
+            "name": result.scene.name,
+            "folder": str(result.folder),
+            "status": result.status,
+            "diagnosis": result.diagnosis or None,
+            "method": result.plan.method,
+            "time_step": result.plan.dt,
+            "planned_duration": result.plan.duration,
+            "results": {name: value for name, value in result.table.items() if name != "status"},
+            "warnings": warnings,
+        }
+    )
+
+
+def _number(value: Any) -> str:
+    return f"{value:.5g}" if isinstance(value, float) else str(value)
