@@ -1,0 +1,63 @@
+"""Figures of runs. Each function draws one result and returns a matplotlib Figure.
+
+    from ropewalk import plots
+
+    plots.save(plots.shape(result, times=[0, 1, 2]), "shape.svg")
+
+Nothing here uses pyplot, so figures neither pile up nor need a display.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+from matplotlib.figure import Figure
+
+from ropewalk.plots.comparison import compare
+from ropewalk.plots.energies import energy
+from ropewalk.plots.files import FORMATS, save
+from ropewalk.plots.films import film
+from ropewalk.plots.heights import height
+from ropewalk.plots.movies import MovieError, movie
+from ropewalk.plots.phases import phase
+from ropewalk.plots.reaction_forces import reactions
+from ropewalk.plots.shapes import shape
+from ropewalk.plots.tensions import tension
+
+
+class Plot(NamedTuple):
+    """A figure that `ropewalk plot` can draw."""
+
+    draw: Callable[..., Figure]  # takes a Result, and keywords
+    description: str
+
+
+PLOTS: dict[str, Plot] = {
+    "shape": Plot(shape, "the ropes at some times in the plane that shows most"),
+    "film": Plot(film, "the ropes over time as a strip of pictures"),
+    "height": Plot(height, "height of some nodes against time"),
+    "tension": Plot(tension, "tension along the rope and in time, as a heat map"),
+    "energy": Plot(energy, "energies, works and the energy error against time"),
+    "phase": Plot(phase, "velocity against position of one node"),
+    "reactions": Plot(reactions, "force of each anchor on its rope against time"),
+}
+FIGURES = tuple(PLOTS)
+
+__all__ = [
+    "FIGURES",
+    "FORMATS",
+    "PLOTS",
+    "MovieError",
+    "Plot",
+    "compare",
+    "energy",
+    "film",
+    "height",
+    "movie",
+    "phase",
+    "reactions",
+    "save",
+    "shape",
+    "tension",
+]

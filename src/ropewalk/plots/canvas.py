@@ -1,0 +1,143 @@
+"""Axes in metres: room around the rope, the ground, anchors, loads."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.axes import Axes
+
+from ropewalk.plots.style import EARTH
+from ropewalk.plots.view import (
+    Floats,
+    Sight,
+    anchors_at,
+    good_frames,
+    ground_height,
+    load_nodes,
+    positions_of,
+    sight,
+)
+
+if TYPE_CHECKING:
+    from ropewalk.record.result import Result
+
+_FLAT = 9.0  # a box flatter than this is drawn with unequal scales
+ANCHOR = {"marker": "s", "color": "black", "markersize": 5.5, "linestyle": "none"}
+LOAD = {"marker": "o", "color": "#404040", "markersize": 7.0, "linestyle": "none"}
+
+
+@dataclass(frozen=True)
+class Box:
+    """Limits of the drawing's axes [m], and how much larger heights are drawn than widths."""
+
+    left: float
+    right: float
+    low: float
+    high: float
+    magnified: float = 1.0
+
+    @property
+    def width(self) -> float:
+        return self.right - self.left
+
+    @property
+    def height(self) -> float:
+        """Height of the box in units of its horizontal scale [m]."""
+        return (self.high - self.low) * self.magnified
+
+
+def box_around(points: Floats, ground: float | None) -> Box:
+    """Return a box with a margin around points (..., 2) [m], and around the ground where it is near.
+
+    A rope that is long and nearly straight gets unequal scales, else its waves could not be seen.
+    """
+    flat = points.reshape(-1, 2)
+    flat = flat[np.isfinite(flat).all(axis=1)]
+    low, high = flat.min(axis=0), flat.max(axis=0)
+    size = float((high - low).max()) or 1.0
+    if ground is not None and low[1] - ground < size:
+        low[1] = min(low[1], ground)
+    span = high - low
+    size = float(span.max()) or 1.0
+    if span[0] >= _FLAT * span[1] > 1e-9 * size:
+        room = np.array([0.04 * span[0], 0.15 * span[1]])
+        low, high = low - room, high + room
+        factor = (high[0] - low[0]) / (high[1] - low[1]) / 3.0
+        return Box(low[0], high[0], low[1], high[1], float(_round_down(factor)))
+    low, high = low - 0.05 * size, high + 0.05 * size
+    short = 0.3 * size - (high - low)
+    pad = np.maximum(short, 0.0) / 2.0
+    return Box(low[0] - pad[0], high[0] + pad[0], low[1] - pad[1], high[1] + pad[1])
+
+
+def _round_down(value: float) -> float:
+    """1, 2 or 5 times a power of ten, at most `value`."""
+    power = 10.0 ** np.floor(np.log10(value))
+    return float(max(step * power for step in (1.0, 2.0, 5.0) if step * power <= value))
+
+
+def prepare(axes: Axes, box: Box) -> None:
+    """Set limits and scales."""
+    axes.set_xlim(box.left, box.right)
+    axes.set_ylim(box.low, box.high)
+    axes.set_aspect(box.magnified, adjustable="box")
+
+
+def label(axes: Axes, view: Sight, *, across: bool = True, up: bool = True) -> None:
+    """Label the axes in metres."""
+    if across:
+        axes.set_xlabel(f"{view.across_name} [m]")
+    if up:
+        axes.set_ylabel(f"{view.up_name} [m]")
+
+
+def draw_ground(axes: Axes, height: float | None, box: Box) -> None:
+    """Draw the ground where it is in view."""
+    if height is None or height < box.low:
+        return
+    axes.axhspan(box.low, height, facecolor="#EFEAE4", edgecolor="none", zorder=0.5)
+    axes.axhline(height, color=EARTH, linewidth=1.2, zorder=0.6, label="_ground")
+
+
+def draw_anchors(axes: Axes, result: Result, view: Sight, frame: int, **style: object) -> None:
+    """Draw the anchors that hold at a frame."""
+    places = view.project(anchors_at(result, frame))
+    axes.plot(places[:, 0], places[:, 1], **{**ANCHOR, "zorder": 4, **style})  # type: ignore[arg-type]
+
+
+def draw_loads(axes: Axes, result: Result, view: Sight, frame: int, **style: object) -> None:
+    """Draw the extra masses."""
+    nodes = load_nodes(result)
+    if nodes:
+        at = view.project(positions_of(result, slice(frame, frame + 1))[0][nodes])
+        axes.plot(at[:, 0], at[:, 1], **{**LOAD, "zorder": 3.5, **style})  # type: ignore[arg-type]
+
+
+@dataclass(frozen=True)
+class Stage:
+    """All that drawings of one run share: the plane, the box, how far the run is good."""
+
+    view: Sight
+    box: Box
+    ground: float | None
+    good: int
+
+
+def stage(result: Result, plane: str | None, frames: list[int] | None = None) -> Stage:
+    """Set the stage: the box holds the rope at the good ones of `frames` (default: of all frames)."""
+    view, good = sight(result, plane), good_frames(result)
+    ground = ground_height(result, view)
+    if frames is None:
+        frames = sorted({*np.linspace(0, good - 1, min(good, 400)).round().astype(int).tolist()})
+    inside = [f for f in frames if f < good] or [good - 1]
+    points = np.stack([positions_of(result, slice(f, f + 1))[0] for f in inside])
+    return Stage(view, box_around(view.project(points), ground), ground, good)
+
+
+def magnification_note(box: Box) -> list[str]:
+    """Say that the scales differ."""
+    if box.magnified == 1.0:
+        return []
+    return [f"Heights are drawn {box.magnified:g} times as large as widths."]

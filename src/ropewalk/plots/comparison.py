@@ -1,0 +1,217 @@
+"""Two or more runs in one figure."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.gridspec import GridSpec
+
+from ropewalk.analysis.compare import Comparison, compare_runs
+from ropewalk.plots.canvas import (
+    Box,
+    Stage,
+    draw_anchors,
+    draw_ground,
+    draw_loads,
+    label,
+    magnification_note,
+    prepare,
+    stage,
+)
+from ropewalk.plots.curves import drawable, mark_break
+from ropewalk.plots.energies import energy_curves
+from ropewalk.plots.shapes import draw_ropes
+from ropewalk.plots.style import (
+    GREY,
+    escape,
+    line_style,
+    method_and_step,
+    new_figure,
+    scaled_axis,
+    set_note,
+    set_title,
+    shorten,
+    styled,
+    times_map,
+)
+from ropewalk.plots.view import frame_at, limits, spread_frames
+
+if TYPE_CHECKING:
+    from ropewalk.record.result import Result
+
+_COLUMNS = 4
+_TIMES = 5
+
+
+@styled
+def compare(
+    results: Sequence[Result] | Comparison,
+    labels: Sequence[str] | None = None,
+    *,
+    times: Sequence[float] | None = None,
+    plane: str | None = None,
+) -> Figure:
+    """Draw runs side by side: shapes at some times [s], distance from the first run, energies.
+
+    Raises ValueError for fewer than two runs, labels that are not one per run and different, and times
+    outside a run.
+    """
+    found = results if isinstance(results, Comparison) else compare_runs(results, labels)
+    stages = _common_stages(found, plane)
+    columns = min(len(found.results), _COLUMNS)
+    rows = -(-len(found.results) // columns)
+    ratio = float(np.clip(stages[0].box.height / stages[0].box.width, 0.25, 1.6))
+    tall = min(8.4 / columns * ratio + 0.55, 3.6)
+    figure = new_figure(8.8, rows * tall + 3.6)
+    grid = GridSpec(2, 1, figure=figure, height_ratios=(rows * tall, 2.4))
+    upper = grid[0].subgridspec(rows, columns).subplots(sharex=True, sharey=True, squeeze=False)
+    lower = grid[1].subgridspec(1, 3).subplots()
+    _draw_shapes(upper, found, stages, times)
+    _draw_distance(lower[0], found)
+    for axes, name in ((lower[1], "kinetic"), (lower[2], "total")):
+        _draw_energy(axes, found, stages, name)
+    handles, names = lower[2].get_legend_handles_labels()
+    figure.legend(handles, names, loc="outside lower center", ncols=min(len(names), 4))
+    scenes = {result.scene.name for result in found.results}
+    title = f"{scenes.pop()}: comparison" if len(scenes) == 1 else "comparison of runs"
+    set_title(figure, title, _subtitle(found))
+    set_note(figure, _notes(found, stages))
+    return figure
+
+
+def _common_stages(found: Comparison, plane: str | None) -> list[Stage]:
+    """One box for all runs, in the plane of the first."""
+    own = [stage(result, plane) for result in found.results]
+    view = own[0].view
+    names = view.across_name + view.up_name
+    if plane is None and len(names) == 2:
+        own = [own[0], *(stage(result, names) for result in found.results[1:])]
+    boxes = [one.box for one in own]
+    box = Box(
+        min(b.left for b in boxes),
+        max(b.right for b in boxes),
+        min(b.low for b in boxes),
+        max(b.high for b in boxes),
+        min(b.magnified for b in boxes),
+    )
+    return [replace(one, view=view, box=box) for one in own]
+
+
+def _draw_shapes(
+    grid: np.ndarray[tuple[int, int], np.dtype[np.object_]],
+    found: Comparison,
+    stages: list[Stage],
+    times: Sequence[float] | None,
+) -> None:
+    """Draw one panel per run, with the ropes at the same times."""
+    colours = times_map()
+    chosen = _times(found, stages, times)
+    columns = grid.shape[1]
+    for number, axes in enumerate(grid.flat):
+        if number >= len(found.results):
+            axes.set_visible(False)
+            continue
+        result, seen = found.results[number], stages[number]
+        prepare(axes, seen.box)
+        draw_ground(axes, seen.ground, seen.box)
+        frame = 0
+        for i, time in enumerate(chosen):
+            if time > result.time[-1] + 1e-9:
+                continue
+            frame = frame_at(result, [time])[0]
+            colour = colours(i / max(len(chosen) - 1, 1))
+            draw_ropes(axes, result, seen, frame, colour, f"{time:.3g} s")
+            draw_loads(axes, result, seen.view, frame, color=colour, markersize=4.5)
+            draw_anchors(axes, result, seen.view, frame, color=colour, markersize=3.5)
+        name = shorten(found.labels[number], int(110 / columns))
+        axes.set_title(name, loc="left", fontsize=9.0, fontweight="bold")
+        below = number + columns >= len(found.results)
+        axes.tick_params(labelbottom=below)
+        label(axes, seen.view, across=below, up=number % columns == 0)
+    handles, names = grid.flat[0].get_legend_handles_labels()
+    grid.flat[0].figure.legend(handles, names, loc="outside right upper", title="time")
+
+
+def _times(found: Comparison, stages: list[Stage], times: Sequence[float] | None) -> list[float]:
+    """The times of the shapes: given ones, or some over the time of the longest good run."""
+    ends = [
+        (result.time[seen.good - 1], i)
+        for i, (result, seen) in enumerate(zip(found.results, stages, strict=True))
+    ]
+    longest = max(ends)[1]
+    result = found.results[longest]
+    if times is not None:
+        return [float(result.time[f]) for f in frame_at(result, times)]
+    return [float(result.time[f]) for f in spread_frames(result, _TIMES, stages[longest].good, 0)]
+
+
+def _draw_distance(axes: Axes, found: Comparison) -> None:
+    """Draw the largest distance of any node from where the first run has it."""
+    curves = []
+    for number, distance in enumerate(found.distances, start=1):
+        if distance.defined:
+            curves.append(distance.largest)
+            name = escape(found.labels[number])
+            axes.plot(distance.time, distance.largest, label=name, **line_style(number))
+    axes.set_xlabel("time [s]")
+    if not curves:
+        axes.text(0.5, 0.5, "not defined", transform=axes.transAxes, ha="center", color=GREY)
+        axes.set_ylabel("largest node distance [m]")
+        return
+    largest = max(float(curve.max()) for curve in curves)
+    scaled_axis(axes, "largest node distance", "m", largest)
+    axes.set_ylim(0.0, 1.05 * largest if largest > 0.0 else 1.0)
+    axes.set_xlim(0.0, None)
+
+
+def _draw_energy(axes: Axes, found: Comparison, stages: list[Stage], name: str) -> None:
+    """Draw one energy of all runs, the gravity part counted from the run's start."""
+    parts = []
+    end = 0.0
+    for number, (result, seen) in enumerate(zip(found.results, stages, strict=True)):
+        values = energy_curves(result)[name]
+        parts.append(values[: seen.good])
+        end = max(end, float(result.time[seen.good - 1]))
+        curve = drawable(values, seen.good)
+        axes.plot(result.time, curve, label=escape(found.labels[number]), **line_style(number))
+        mark_break(axes, result, seen.good)
+    axes.set_ylim(*limits(parts))
+    axes.set_xlim(0.0, end or 1.0)
+    largest = max(float(np.nanmax(np.abs(part))) for part in parts)
+    scaled_axis(axes, f"{name} energy", "J", largest)
+    axes.set_xlabel("time [s]")
+
+
+def _subtitle(found: Comparison) -> str:
+    """How each run was made; once where all were made alike."""
+    ways = [method_and_step(result) for result in found.results]
+    if len(set(ways)) == 1:
+        return ways[0]
+    return "; ".join(f"{name}: {way}" for name, way in zip(found.labels, ways, strict=True))
+
+
+def _notes(found: Comparison, stages: list[Stage]) -> list[str]:
+    """What has to be said of the runs and of the distance."""
+    first = found.labels[0]
+    notes = []
+    for number, distance in enumerate(found.distances, start=1):
+        name = f"Distance of {found.labels[number]} from {first}"
+        if distance.note:
+            notes.append(f"{name}: {distance.note}.")
+        elif distance.way != "node by node":
+            notes.append(f"{name} {distance.way}.")
+    for label_, result, seen in zip(found.labels, found.results, stages, strict=True):
+        if seen.good < len(result.time) or result.status == "broke":
+            notes.append(f"{label_} broke after t = {result.time[seen.good - 1]:.4g} s.")
+    shown = found.settings[:4]
+    if shown:
+        parts = [f"{path} {' / '.join(values)}" for path, values in shown]
+        more = len(found.settings) - len(shown)
+        tail = f"; and {more} more" if more else ""
+        notes.append(f"Scenes differ in {'; '.join(parts)}{tail}.")
+    return [escape(note) for note in notes + magnification_note(stages[0].box)]

@@ -1,0 +1,118 @@
+"""Energies, works and the energy error."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from ropewalk.plots.curves import drawable, mark_break, set_limits, time_limits
+from ropewalk.plots.style import (
+    COLOURS,
+    GREY,
+    describe,
+    escape,
+    new_figure,
+    scaled_axis,
+    set_note,
+    set_title,
+    styled,
+)
+from ropewalk.plots.view import Floats, broken_note, good_frames
+
+if TYPE_CHECKING:
+    from ropewalk.record.result import Result
+
+_MOST_ANCHORS = 4
+_SUM = "anchors together"
+_INNER = ("elastic", "weight")  # their works are the changes of the energies drawn anyway
+
+
+@styled
+def energy(result: Result) -> Figure:
+    """Draw the energies (gravity from its start) and works of a run, and below the energy error [J]."""
+    good = good_frames(result)
+    figure = new_figure(7.2, 5.4)
+    upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=(2.2, 1.0))
+    curves = energy_curves(result)
+    works = work_curves(result, good)
+    for colour, (name, values) in zip(
+        ("#0072B2", "#009E73", "#E69F00", "#000000"), curves.items(), strict=True
+    ):
+        width = 1.9 if name == "total" else 1.3
+        upper.plot(result.time, drawable(values, good), label=name, color=colour, linewidth=width)
+    dashes = ((0, (4, 2)), (0, (1, 1.5)), (0, (6, 2, 1, 2)))
+    for number, (name, values) in enumerate(works.items()):
+        style = {"color": COLOURS[(1, 3, 5, 0)[number % 4]], "linestyle": dashes[number % 3]}
+        upper.plot(result.time, drawable(values, good), label=f"work of {name}", **style)
+    largest = set_limits(upper, [*curves.values(), *works.values()], good)
+    scaled_axis(upper, "energy", "J", largest)
+    upper.axhline(0.0, color="#808080", linewidth=0.6, zorder=0.5)
+    upper.legend(loc="upper left", bbox_to_anchor=(1.01, 1.02), borderaxespad=0.0)
+    notes = broken_note(result, good) + _draw_error(lower, result, curves, good)
+    for axes in (upper, lower):
+        mark_break(axes, result, good)
+    lower.set_xlim(*time_limits(result, good))
+    lower.set_xlabel("time [s]")
+    figure.align_ylabels()
+    set_title(figure, f"{result.scene.name}: energy", describe(result))
+    set_note(figure, notes)
+    return figure
+
+
+def _draw_error(axes: object, result: Result, curves: dict[str, Floats], good: int) -> list[str]:
+    """Draw the energy error; return what to say of it."""
+    from matplotlib.axes import Axes
+
+    assert isinstance(axes, Axes)
+    with np.errstate(all="ignore"):
+        error = np.asarray(result.energy_error)
+    if not np.isfinite(error[:good]).any():
+        axes.text(
+            0.5,
+            0.5,
+            "this run kept no energy ledger",
+            transform=axes.transAxes,
+            ha="center",
+            color=GREY,
+        )
+        axes.set_ylabel("energy error [J]")
+        return []
+    axes.plot(result.time, drawable(error, good), color=COLOURS[1], label="energy error")
+    axes.axhline(0.0, color="#808080", linewidth=0.6, zorder=0.5)
+    scaled_axis(axes, "energy error", "J", set_limits(axes, [error], good, 0.1))
+    turned = max(float(np.ptp(part[:good])) for part in curves.values())
+    worst = float(np.nanmax(np.abs(error[:good])))
+    share = f" ({100 * worst / turned:.2g} % of the largest change of an energy)" if turned else ""
+    return [
+        f"Energy error: total energy less its start and all works; at most {worst:.3g} J{share}."
+    ]
+
+
+def energy_curves(result: Result) -> dict[str, Floats]:
+    """Return kinetic, gravity (from its start), elastic and total energy [J], (f,) each."""
+    energies = result.energy
+    with np.errstate(all="ignore"):
+        gravity = np.asarray(energies["gravity"]) - energies["gravity"][0]
+        kinetic, elastic = np.asarray(energies["kinetic"]), np.asarray(energies["elastic"])
+        total = kinetic + gravity + elastic
+    return {"kinetic": kinetic, "gravity": gravity, "elastic": elastic, "total": total}
+
+
+def work_curves(result: Result, good: int) -> dict[str, Floats]:
+    """Return the works [J] of what acts: friction, air, ground and so on, and anchors that move."""
+    found: dict[str, Floats] = {}
+    anchors: dict[str, Floats] = {}
+    for name, values in result.work.items():
+        part = np.asarray(values)
+        if name in _INNER or not np.any(part[:good]):
+            continue
+        if name.startswith("anchor:"):
+            anchors[f"anchor {escape(name.removeprefix('anchor:'))}"] = part
+        else:
+            found[name] = part
+    if len(anchors) > _MOST_ANCHORS:
+        with np.errstate(all="ignore"):
+            anchors = {_SUM: np.sum(list(anchors.values()), axis=0)}
+    return found | anchors

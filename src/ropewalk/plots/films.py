@@ -1,0 +1,95 @@
+"""The ropes over time as a strip of pictures."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from matplotlib.figure import Figure
+
+from ropewalk.plots.canvas import (
+    draw_anchors,
+    draw_ground,
+    draw_loads,
+    label,
+    magnification_note,
+    prepare,
+    stage,
+)
+from ropewalk.plots.shapes import draw_ropes
+from ropewalk.plots.style import COLOURS, FAINT, describe, new_figure, set_note, set_title, styled
+from ropewalk.plots.view import broken_note, spread_frames
+
+if TYPE_CHECKING:
+    from ropewalk.record.result import Result
+
+_COUNT = 12
+
+
+@styled
+def film(
+    result: Result, frames: int | Sequence[int] = _COUNT, *, plane: str | None = None
+) -> Figure:
+    """Draw the ropes as a strip of small pictures with common axes; the one before in grey.
+
+    `frames` is how many pictures, spread over the run, or which frames.
+
+    Raises ValueError for frames that are not there and for a plane that is none.
+    """
+    seen = stage(result, plane)
+    chosen = _chosen(result, frames, seen.good)
+    columns, rows = _grid(len(chosen), seen.box.height / seen.box.width)
+    width = 7.6
+    panel = (width - 0.7) / columns
+    tall = panel * min(max(seen.box.height / seen.box.width, 0.2), 3.0) + 0.27
+    figure = new_figure(width, min(rows * tall + 1.25, 10.0))
+    grid = figure.subplots(rows, columns, sharex=True, sharey=True, squeeze=False)
+    for number, axes in enumerate(grid.flat):
+        if number >= len(chosen):
+            axes.set_visible(False)
+            continue
+        frame = chosen[number]
+        prepare(axes, seen.box)
+        draw_ground(axes, seen.ground, seen.box)
+        if number > 0 and chosen[number - 1] < seen.good:
+            draw_ropes(axes, result, seen, chosen[number - 1], FAINT, "_before")
+        colour = COLOURS[0] if frame < seen.good else COLOURS[1]
+        draw_ropes(axes, result, seen, frame, colour, "rope")
+        draw_loads(axes, result, seen.view, frame, markersize=4.5)
+        draw_anchors(axes, result, seen.view, frame, markersize=3.5)
+        axes.set_title(_stamp(result, frame, frame >= seen.good), fontsize=8.5, loc="left", pad=3.0)
+        below = number + columns >= len(chosen)
+        axes.tick_params(labelbottom=below)
+        label(axes, seen.view, across=below, up=number % columns == 0)
+    set_title(figure, f"{result.scene.name}: film strip", describe(result))
+    clipped = "the broken shapes (orange) leave the picture"
+    set_note(figure, broken_note(result, seen.good, clipped=clipped) + magnification_note(seen.box))
+    return figure
+
+
+def _chosen(result: Result, frames: int | Sequence[int], good: int) -> list[int]:
+    """Which frames to show."""
+    count = len(result.time)
+    if isinstance(frames, int):
+        if frames < 1:
+            raise ValueError(f"frames: {frames!r} - must be at least 1")
+        if frames == 1:
+            return [0]
+        return spread_frames(result, frames, good, min(4, frames // 2))
+    wrong = [f for f in frames if not -count <= f < count]
+    if wrong or not frames:
+        raise ValueError(f"frames: {wrong or ()!r} - the run has the frames 0 to {count - 1}")
+    return [int(f) % count for f in frames]
+
+
+def _grid(count: int, ratio: float) -> tuple[int, int]:
+    """Columns and rows of panels of this height over width that fill a page well."""
+    best = math.sqrt(count * max(ratio, 0.15) * 1.6)
+    columns = min(max(round(best), 2), 8, count)
+    rows = math.ceil(count / columns)
+    return math.ceil(count / rows), rows
+
+
+def _stamp(result: Result, frame: int, broken: bool) -> str:
+    return f"t = {result.time[frame]:.4g} s" + (" (broken)" if broken else "")

@@ -1,0 +1,250 @@
+"""Movies: the ropes in motion, coloured by tension."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+import matplotlib
+import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.collections import LineCollection
+from matplotlib.colors import Normalize
+from matplotlib.figure import Figure
+from PIL import Image
+
+from ropewalk.plots.canvas import (
+    ANCHOR,
+    LOAD,
+    Stage,
+    draw_ground,
+    label,
+    magnification_note,
+    prepare,
+    stage,
+)
+from ropewalk.plots.ffmpeg import MovieError, Mp4Writer
+from ropewalk.plots.gif import GifWriter, make_palette
+from ropewalk.plots.style import method_and_step, set_note, set_title, styled
+from ropewalk.plots.tensions import colour_scale
+from ropewalk.plots.view import Floats, broken_note, load_nodes, tame
+
+if TYPE_CHECKING:
+    from ropewalk.record.result import Result
+
+_DPI = 100
+_SAMPLED = 200  # frames from which the colour scale is taken
+_BROKEN = 1.0  # seconds shown of a break
+KINDS = (".gif", ".mp4")
+
+__all__ = ["MovieError", "movie", "movie_times"]
+
+
+@styled
+def movie(
+    result: Result,
+    path: str | Path,
+    *,
+    fps: float = 25.0,
+    size: tuple[int, int] = (960, 540),
+    speed: float = 1.0,
+    plane: str | None = None,
+    progress: Callable[[int, int], None] | None = None,
+) -> Path:
+    """Write a movie of a run as GIF (any machine) or MP4 (with ffmpeg) and return its path.
+
+    Args:
+        result: the run; its frames are read as they are needed.
+        path: ends in .gif or .mp4.
+        fps: pictures per second; GIF has at most 50.
+        size: width and height in pixels.
+        speed: simulated seconds per second of the movie; 1 is real time.
+        plane: the two axes to look at, as "xz"; by default those that show most.
+        progress: called with the pictures done and those in all.
+
+    Raises ValueError for arguments that make no movie, MovieError when ffmpeg is missing or fails,
+    OSError when the file cannot be written. Nothing half written is left at `path`.
+    """
+    path = Path(path)
+    _check(path, fps, size, speed)
+    seen = stage(result, plane)
+    times = movie_times(result, fps, speed, seen.good)
+    painter = _Painter(result, seen, size, speed)
+    part = path.with_name(f".{path.name}.part")
+    writer: GifWriter | Mp4Writer
+    try:
+        if path.suffix.lower() == ".gif":
+            writer = GifWriter(part, size, fps, _palette(painter.colours))
+        else:
+            writer = Mp4Writer(part, size, fps)
+        try:
+            for number, moment in enumerate(_moments(result, times, seen.good)):
+                writer.add(painter.paint(moment))
+                if progress is not None:
+                    progress(number + 1, len(times))
+        except BaseException:
+            writer.abort()
+            raise
+        writer.close()
+        os.replace(part, path)
+    finally:
+        part.unlink(missing_ok=True)
+    return path
+
+
+def _check(path: Path, fps: float, size: tuple[int, int], speed: float) -> None:
+    if path.suffix.lower() not in KINDS:
+        raise ValueError(f"{path}: {path.suffix!r} - must end in .gif or .mp4")
+    highest = 50.0 if path.suffix.lower() == ".gif" else 240.0
+    if not 0.0 < fps <= highest:
+        raise ValueError(f"fps: {fps!r} - must be above 0 and at most {highest:g}")
+    if not 0.0 < speed < float("inf"):
+        raise ValueError(f"speed: {speed!r} - must be positive and finite")
+    if len(size) != 2 or not all(200 <= side <= 4096 for side in size):
+        raise ValueError(f"size: {size!r} - must be two numbers of pixels from 200 to 4096")
+
+
+def movie_times(result: Result, fps: float, speed: float, good: int) -> Floats:
+    """Return the simulated times of the pictures [s]: from the start, `speed / fps` apart."""
+    time = result.time
+    end = float(time[-1])
+    if good < len(time):
+        end = min(end, float(time[good - 1]) + _BROKEN * speed)
+    count = int(np.floor((end - float(time[0])) * fps / speed + 1e-6)) + 1
+    moments: Floats = float(time[0]) + np.arange(count) * (speed / fps)
+    return moments
+
+
+class _Moment(NamedTuple):
+    time: float
+    points: Floats  # (n, 3) [m]
+    tension: Floats  # (s,) [N]
+    broken: bool
+
+
+def _moments(result: Result, times: Floats, good: int) -> Iterator[_Moment]:
+    """Yield positions and tensions at the times, between frames by linear interpolation."""
+    have = result.time
+    block = max(2, 2_000_000 // (4 * result.layout.nodes))
+    start, points, tension = 0, np.empty((0, 0, 3)), np.empty((0, 0))
+    for time in times:
+        low = int(np.clip(np.searchsorted(have, time, side="right") - 1, 0, len(have) - 1))
+        high = min(low + 1, len(have) - 1)
+        if high >= start + len(points):
+            start = low
+            points = result.read("positions", low, low + block)
+            tension = result.read("tension", low, low + block)
+        share = 0.0
+        if high > low:
+            share = float(np.clip((time - have[low]) / (have[high] - have[low]), 0.0, 1.0))
+        if high >= good:  # nothing between a sound and a broken frame is meaningful
+            share = round(share)
+        first, second = low - start, high - start
+        if share in (0.0, 1.0):
+            at = first if share == 0.0 else second
+            yield _Moment(float(time), points[at], tension[at], start + at >= good)
+        else:
+            x = points[first] + share * (points[second] - points[first])
+            t = tension[first] + share * (tension[second] - tension[first])
+            yield _Moment(float(time), x, t, False)
+
+
+class _Painter:
+    """Draws pictures: what stays is drawn once, what moves is drawn over it."""
+
+    def __init__(self, result: Result, seen: Stage, size: tuple[int, int], speed: float) -> None:
+        self._result, self._seen, self._size = result, seen, size
+        self._scale, name = _tension_scale(result, seen.good)
+        self.colours = matplotlib.colormaps[name]
+        figure = Figure((size[0] / _DPI, size[1] / _DPI), dpi=_DPI, layout="constrained")
+        self._canvas = FigureCanvasAgg(figure)
+        self._axes = axes = figure.add_subplot()
+        prepare(axes, seen.box)
+        label(axes, seen.view)
+        draw_ground(axes, seen.ground, seen.box)
+        self._rope = LineCollection([], cmap=self.colours, norm=self._scale, linewidths=2.2)
+        axes.add_collection(self._rope)
+        figure.colorbar(self._rope, ax=axes, label="elastic tension [N]", pad=0.02, shrink=0.9)
+        self._loads = axes.plot([], [], **LOAD)[0]  # type: ignore[arg-type]
+        self._anchors = axes.plot([], [], **ANCHOR)[0]  # type: ignore[arg-type]
+        self._stamp = axes.text(
+            0.985,
+            0.97,
+            "",
+            transform=axes.transAxes,
+            ha="right",
+            va="top",
+            fontsize=11.0,
+            bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 2.0},
+        )
+        pace = "real time" if speed == 1.0 else f"{speed:g} times real time"
+        set_title(figure, result.scene.name, f"{method_and_step(result)}, {pace}")
+        note = broken_note(result, seen.good, clipped="the broken rope leaves the picture")
+        set_note(figure, note + magnification_note(seen.box))
+        self._moving = (self._rope, self._loads, self._anchors, self._stamp)
+        for artist in self._moving:
+            artist.set_animated(True)
+        self._canvas.draw()
+        figure.set_layout_engine("none")
+        self._still = self._canvas.copy_from_bbox(figure.bbox)
+        self._live = _live_segments(result)
+        self._load_nodes = load_nodes(result)
+
+    def paint(self, moment: _Moment) -> Image.Image:
+        """Return the picture of a moment, RGB."""
+        box, layout = self._seen.box, self._result.layout
+        points = self._seen.view.project(moment.points)
+        if moment.broken:
+            x = tame(points[:, 0], box.left, box.right)
+            points = np.stack([x, tame(points[:, 1], box.low, box.high)], axis=1)
+        pieces = np.stack([points[:-1], points[1:]], axis=1)[self._live]
+        self._rope.set_segments(list(pieces))
+        with np.errstate(all="ignore"):
+            self._rope.set_array(np.clip(moment.tension[self._live], -1e30, 1e30))
+        holds = [
+            node
+            for node, anchor in zip(layout.anchor_nodes, self._result.scene.anchors, strict=True)
+            if anchor.release_time is None or moment.time < anchor.release_time
+        ]
+        self._anchors.set_data(points[holds, 0], points[holds, 1])
+        self._loads.set_data(points[self._load_nodes, 0], points[self._load_nodes, 1])
+        self._stamp.set_text(f"t = {moment.time:.2f} s" + (" (broken)" if moment.broken else ""))
+        self._canvas.restore_region(self._still)  # type: ignore[attr-defined]
+        for artist in self._moving:
+            self._axes.draw_artist(artist)
+        picture = Image.frombuffer("RGBA", self._size, self._canvas.buffer_rgba())
+        return picture.convert("RGB")
+
+
+def _live_segments(result: Result) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
+    """Which segments join two nodes of one rope, (s,)."""
+    live = np.ones(result.layout.segments, dtype=bool)
+    for span in result.layout.ropes[:-1]:
+        live[span.last] = False
+    return live
+
+
+def _tension_scale(result: Result, good: int) -> tuple[Normalize, str]:
+    """Scale and colour map from frames spread over the good part."""
+    frames = np.unique(np.linspace(0, good - 1, min(good, _SAMPLED)).round().astype(int))
+    live = _live_segments(result)
+    sample = [result.read("tension", int(f), int(f) + 1)[:, live] for f in frames]
+    scale, name, _ = colour_scale(sample)
+    return scale, name
+
+
+def _palette(colours: matplotlib.colors.Colormap) -> Image.Image:
+    """Return a palette for these pictures: tension colours, greys, and the ground's tones."""
+    tones = [tuple(round(255 * part) for part in colours(i / 139)[:3]) for i in range(140)]
+    pale = [_mixed(tone, 0.5) for tone in tones[::4]]
+    greys = [(level, level, level) for level in np.linspace(0, 255, 52).round().astype(int)]
+    earth = [(239, 234, 228), (140, 123, 104), (189, 178, 166), (214, 206, 197)]
+    found = [*greys, *earth, *tones, *pale]
+    return make_palette([(int(r), int(g), int(b)) for r, g, b in found])
+
+
+def _mixed(tone: tuple[int, ...], share: float) -> tuple[int, ...]:
+    """A tone mixed with white, for soft edges."""
+    return tuple(round(255 + share * (part - 255)) for part in tone)

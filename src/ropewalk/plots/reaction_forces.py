@@ -1,0 +1,118 @@
+"""Reaction forces at the anchors."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from ropewalk.plots.curves import drawable, mark_break, set_limits, time_limits
+from ropewalk.plots.style import (
+    COLOURS,
+    GREY,
+    describe,
+    escape,
+    line_style,
+    new_figure,
+    scaled_axis,
+    set_note,
+    set_title,
+    styled,
+)
+from ropewalk.plots.view import AXES, Floats, broken_note, good_frames
+
+if TYPE_CHECKING:
+    from ropewalk.record.result import Result
+
+_PANELS = 6  # more anchors than that share one panel, with magnitudes only
+_LINES = 12
+
+
+@styled
+def reactions(result: Result) -> Figure:
+    """Draw the force of each anchor on its rope over time: components and magnitude [N]."""
+    good = good_frames(result)
+    names = [escape(name) for name in result.layout.anchor_names]
+    forces = np.asarray(result.reactions)
+    notes = broken_note(result, good)
+    if not names:
+        figure = new_figure(7.2, 2.4)
+        figure.add_subplot().text(0.5, 0.5, "no anchors", ha="center", color=GREY)
+        figure.axes[0].set_axis_off()
+    elif len(names) <= _PANELS:
+        figure = new_figure(7.2, min(1.35 + max(1.5, 3.0 - 0.6 * len(names)) * len(names), 10.0))
+        grid = figure.subplots(len(names), 1, sharex=True, squeeze=False)[:, 0]
+        for row, axes in enumerate(grid):
+            _draw_anchor(axes, result, row, forces[:, row], good)
+            if len(names) > 1:
+                axes.set_title(names[row], loc="left", fontsize=8.5, pad=3.0)
+        grid[-1].set_xlabel("time [s]")
+        figure.align_ylabels()
+        figure.legend(*grid[0].get_legend_handles_labels(), loc="outside right upper")
+    else:
+        figure = new_figure(7.2, 3.9)
+        _draw_magnitudes(figure.add_subplot(), result, names, forces, good)
+        if len(names) > _LINES:
+            notes.append(f"The {_LINES} largest of {len(names)} anchors are shown.")
+    what = f"reaction of anchor {result.layout.anchor_names[0]}" if len(names) == 1 else "reactions"
+    set_title(figure, f"{result.scene.name}: {what}", describe(result))
+    set_note(figure, notes)
+    return figure
+
+
+def magnitude(forces: Floats) -> Floats:
+    """Return the lengths of vectors (..., 3); no overflow below 1e300."""
+    with np.errstate(all="ignore"):
+        length: Floats = np.hypot(np.hypot(forces[..., 0], forces[..., 1]), forces[..., 2])
+    return length
+
+
+def _draw_anchor(axes: Axes, result: Result, row: int, force: Floats, good: int) -> None:
+    """Draw one anchor's force; components that are never there are left out of the curves."""
+    size = magnitude(force)
+    curves = [size]
+    axes.plot(result.time, drawable(size, good), color="black", linewidth=1.6, label="magnitude")
+    for k in range(3):
+        curves.append(force[:, k])
+        axes.plot(
+            result.time, drawable(force[:, k], good), color=COLOURS[k], linewidth=1.0, label=AXES[k]
+        )
+    largest = set_limits(axes, curves, good)
+    _finish(axes, result, largest, good)
+    release = result.scene.anchors[row].release_time
+    if release is not None and release <= result.time[-1]:
+        axes.axvline(release, color=GREY, linestyle=":", linewidth=1.2)
+        axes.annotate(
+            "released",
+            (release, 1.0),
+            xycoords=("data", "axes fraction"),
+            xytext=(3, -3),
+            textcoords="offset points",
+            va="top",
+            fontsize=8.0,
+            color=GREY,
+        )
+
+
+def _draw_magnitudes(
+    axes: Axes, result: Result, names: list[str], forces: Floats, good: int
+) -> None:
+    """Draw the magnitudes of many anchors in one panel."""
+    sizes = magnitude(forces)
+    order = np.argsort(-sizes[:good].max(axis=0), kind="stable")[:_LINES]
+    for number, row in enumerate(sorted(order)):
+        curve = drawable(sizes[:, row], good)
+        axes.plot(result.time, curve, label=names[row], **line_style(number))
+    largest = set_limits(axes, [sizes[:, row] for row in order], good)
+    _finish(axes, result, largest, good)
+    axes.set_xlabel("time [s]")
+    axes.figure.legend(loc="outside right upper")  # type: ignore[union-attr]
+
+
+def _finish(axes: Axes, result: Result, largest: float, good: int) -> None:
+    scaled_axis(axes, "force", "N", largest)
+    axes.set_xlim(*time_limits(result, good))
+    axes.axhline(0.0, color="#808080", linewidth=0.6, zorder=0.5)
+    mark_break(axes, result, good)

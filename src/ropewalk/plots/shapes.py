@@ -1,0 +1,197 @@
+"""The shape of the ropes at chosen times."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import Normalize
+from matplotlib.figure import Figure
+
+from ropewalk.plots.canvas import (
+    ANCHOR,
+    LOAD,
+    Stage,
+    draw_anchors,
+    draw_ground,
+    draw_loads,
+    label,
+    magnification_note,
+    prepare,
+    stage,
+)
+from ropewalk.plots.style import describe, new_figure, set_note, set_title, styled, times_map
+from ropewalk.plots.view import (
+    broken_note,
+    frame_at,
+    load_nodes,
+    positions_of,
+    rope_lines,
+    spread_frames,
+    tame,
+)
+
+if TYPE_CHECKING:
+    from ropewalk.record.result import Result
+
+_FEW = 8  # so many times are named one by one, more get a colour bar
+
+
+@styled
+def shape(
+    result: Result, times: Sequence[float] | None = None, *, plane: str | None = None
+) -> Figure:
+    """Draw the ropes at some times [s] (default: six, and where a run breaks two beyond).
+
+    `plane` names the two axes to look at, as "xz"; by default up and the axis of the largest extent.
+
+    Raises ValueError for times outside the run and for a plane that is none.
+    """
+    whole = stage(result, plane)
+    frames = spread_frames(result, 6, whole.good, 2) if times is None else frame_at(result, times)
+    frames = sorted(set(frames))
+    if not frames:
+        raise ValueError("times: () - must be at least one time")
+    seen = stage(result, plane, frames)
+    upright = _upright(result, seen, frames)
+    figure = new_figure(*_size(seen, upright))
+    axes = figure.add_subplot()
+    if upright:
+        _draw_upright(axes, result, seen, frames)
+    else:
+        _draw_over(axes, result, seen, frames)
+        label(axes, seen.view)
+    set_title(figure, f"{result.scene.name}: shape", describe(result))
+    shown = "the broken shapes leave the picture" if frames[-1] >= seen.good else "not drawn here"
+    notes = broken_note(result, whole.good, clipped=shown) + magnification_note(seen.box)
+    if upright:
+        notes.append("The shapes are set side by side; each is upright above its time.")
+    set_note(figure, notes)
+    return figure
+
+
+def _size(seen: Stage, upright: bool) -> tuple[float, float]:
+    """Figure size [inch] that suits the box: no large empty margins."""
+    if upright:
+        return 7.2, 4.8
+    ratio = seen.box.height / seen.box.width
+    width = 7.2 if ratio < 1.2 else max(4.6, 1.9 + 5.4 / ratio)
+    return width, float(np.clip(5.2 * ratio + 1.35, 2.9, 6.8))
+
+
+def _draw_over(axes: Axes, result: Result, seen: Stage, frames: list[int]) -> None:
+    """Draw all times over one another, coloured from early to late."""
+    colours = times_map()
+    scale = Normalize(float(result.time[frames[0]]), float(result.time[frames[-1]]) or 1.0)
+    if scale.vmin == scale.vmax:
+        scale = Normalize(scale.vmin, scale.vmax + 1.0)  # type: ignore[operator]
+    prepare(axes, seen.box)
+    draw_ground(axes, seen.ground, seen.box)
+    for frame in frames:
+        time = float(result.time[frame])
+        colour = colours(scale(time))
+        draw_ropes(axes, result, seen, frame, colour, f"{time:.4g} s")
+        draw_loads(axes, result, seen.view, frame, color=colour)
+        draw_anchors(axes, result, seen.view, frame, color=colour, markeredgecolor="black")
+    figure = axes.figure
+    mappable = ScalarMappable(scale, colours)
+    if len(frames) > _FEW:
+        figure.colorbar(mappable, ax=axes, label="time [s]", shrink=0.9, pad=0.02)  # type: ignore[union-attr]
+    _legend(axes, result, len(frames) <= _FEW)
+
+
+def draw_ropes(
+    axes: Axes, result: Result, seen: Stage, frame: int, colour: object, name: str
+) -> None:
+    """Draw all ropes at a frame; the first one's line carries the name."""
+    points = seen.view.project(positions_of(result, slice(frame, frame + 1))[0])
+    box = seen.box
+    if frame >= seen.good:
+        points = np.stack(
+            [
+                tame(points[:, 0], box.left, box.right),
+                tame(points[:, 1], box.low, box.high),
+            ],
+            axis=1,
+        )
+    for number, line in enumerate(rope_lines(result, points)):
+        few = {"marker": ".", "markersize": 3.0} if len(line) <= 60 else {}
+        axes.plot(
+            line[:, 0],
+            line[:, 1],
+            color=colour,
+            label=name if number == 0 else "_",
+            **few,  # type: ignore[arg-type]
+        )
+
+
+def _legend(axes: Axes, result: Result, with_times: bool) -> None:
+    """Name times, anchors, loads and ground at the right of the axes."""
+    handles, names = axes.get_legend_handles_labels()
+    if not with_times:
+        handles, names = [], []
+    grey = {"color": "#808080", "markeredgecolor": "black"}
+    if result.scene.anchors:
+        handles += axes.plot([], [], **{**ANCHOR, **grey})  # type: ignore[arg-type]
+        names.append("anchor")
+    if load_nodes(result):
+        handles += axes.plot([], [], **{**LOAD, **grey})  # type: ignore[arg-type]
+        names.append("load")
+    if names:
+        where = {"loc": "outside right upper"} if with_times else {"loc": "outside lower right"}
+        axes.figure.legend(handles, names, title="time" if with_times else None, **where)  # type: ignore[union-attr]
+
+
+# -- ropes that hang straight down -------------------------------------------------------
+
+
+def _upright(result: Result, seen: Stage, frames: list[int]) -> bool:
+    """Whether all shapes lie on one upright line, so that they would hide one another."""
+    good = [f for f in frames if f < seen.good]
+    if len(good) < 2:
+        return False
+    points = np.stack([positions_of(result, slice(f, f + 1))[0] for f in good])
+    flat = seen.view.project(points)
+    spread = np.ptp(flat.reshape(-1, 2), axis=0)
+    return bool(spread[0] < 0.02 * spread[1])
+
+
+def _draw_upright(axes: Axes, result: Result, seen: Stage, frames: list[int]) -> None:
+    """Draw the shapes side by side, one column per time."""
+    view, colours = seen.view, times_map()
+    good = [f for f in frames if f < seen.good]
+    draw_ground(axes, seen.ground, seen.box)
+    for column, frame in enumerate(good):
+        colour = colours(column / max(len(good) - 1, 1))
+        points = view.project(positions_of(result, slice(frame, frame + 1))[0])
+        middle = 0.5 * (points[:, 0].min() + points[:, 0].max())
+        for line in rope_lines(result, points):
+            axes.plot(
+                line[:, 0] - middle + column, line[:, 1], color=colour, marker=".", markersize=4.0
+            )
+        anchors = [result.layout.anchor_nodes[i] for i in _holding(result, frame)]
+        for nodes, style in ((load_nodes(result), LOAD), (anchors, ANCHOR)):
+            if nodes:
+                at = points[nodes]
+                own = {**style, "color": colour, "markeredgecolor": "black"}
+                axes.plot(at[:, 0] - middle + column, at[:, 1], **own)  # type: ignore[arg-type]
+    axes.set_xticks(range(len(good)), [f"{result.time[f]:.4g}" for f in good])
+    axes.set_xlim(-0.6, len(good) - 0.4)
+    axes.set_ylim(seen.box.low, seen.box.high)
+    axes.grid(False, axis="x")
+    axes.set_xlabel("time [s]")
+    axes.set_ylabel(f"{view.up_name} [m]")
+    _legend(axes, result, with_times=False)
+
+
+def _holding(result: Result, frame: int) -> list[int]:
+    """Rows of the anchors that hold at a frame."""
+    time = float(result.time[frame])
+    return [
+        row
+        for row, anchor in enumerate(result.scene.anchors)
+        if anchor.release_time is None or time < anchor.release_time
+    ]

@@ -1,0 +1,210 @@
+"""Tension along the rope and in time."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.colors import Normalize
+from matplotlib.figure import Figure
+
+from ropewalk.plots.curves import mark_break, time_limits
+from ropewalk.plots.style import (
+    describe,
+    escape,
+    line_style,
+    new_figure,
+    set_note,
+    set_title,
+    styled,
+)
+from ropewalk.plots.view import Floats, broken_note, frame_at, good_frames, limits
+
+if TYPE_CHECKING:
+    from ropewalk.record.result import Result
+
+_MOST_ROPES = 6
+_PIXELS = 1600  # columns of an image; more frames than that are joined, the largest tension kept
+_TAIL = 0.2  # percent of the values that may lie beyond the colours, on either side
+
+
+class Map(NamedTuple):
+    """Tension of one rope: `values` (f, s) [N] at equally long pieces of the arc from 0 to `length`."""
+
+    values: Floats
+    length: float  # [m]
+    origin: str  # what arc length is counted from
+
+
+@styled
+def tension(
+    result: Result,
+    times: Sequence[float] | None = None,
+    *,
+    ropes: Sequence[str] | None = None,
+) -> Figure:
+    """Draw the tension of every rope over arc length and time, with profiles at some times [s].
+
+    The colours reach over all but the last few thousandths of the values, so that a spike does not
+    bleach the rest; a triangle at the colour bar says that values lie beyond.
+
+    Raises ValueError for times outside the run and ropes that are not there.
+    """
+    shown, notes = _shown(result, ropes)
+    good = good_frames(result)
+    maps = [tension_map(result, number) for number in shown]
+    scale, colours, extend = colour_scale([m.values[:good] for m in maps])
+    frames = frame_at(result, times) if times is not None else []
+    rows = len(shown) + bool(frames)
+    figure = new_figure(7.2, min(1.3 + max(1.35, 2.9 - 0.5 * len(shown)) * rows, 10.0))
+    grid = figure.subplots(rows, 1, squeeze=False)[:, 0]
+    for number, axes, found in zip(shown, grid, maps, strict=False):
+        image = draw_map(axes, result, found, scale, colours, good)
+        axes.set_ylabel(f"{found.origin} [m]")
+        axes.set_xlim(*time_limits(result, good))
+        mark_break(axes, result, good)
+        if len(shown) > 1:
+            name = escape(result.layout.ropes[number].name)
+            axes.set_title(f"rope {name}", loc="left", fontsize=8.5, pad=3.0)
+        axes.tick_params(labelbottom=number == shown[-1])
+    grid[len(shown) - 1].set_xlabel("time [s]")
+    bar = figure.colorbar(
+        image, ax=list(grid[: len(shown)]), extend=extend, pad=0.015, aspect=18 * len(shown)
+    )
+    bar.set_label("elastic tension [N]")
+    if frames:
+        _draw_profiles(grid[-1], result, maps, shown, frames)
+    set_title(figure, f"{result.scene.name}: tension", describe(result))
+    set_note(figure, broken_note(result, good) + notes)
+    return figure
+
+
+def _shown(result: Result, ropes: Sequence[str] | None) -> tuple[list[int], list[str]]:
+    """Numbers of the ropes to draw, and a remark when some are left out."""
+    names = [span.name for span in result.layout.ropes]
+    if ropes is not None:
+        wrong = [name for name in ropes if name not in names]
+        if wrong or not ropes:
+            raise ValueError(f"ropes: {wrong or ()!r} - there is {', '.join(names)}")
+        return [names.index(name) for name in ropes], []
+    if len(names) <= _MOST_ROPES:
+        return list(range(len(names))), []
+    return list(range(_MOST_ROPES)), [f"The first {_MOST_ROPES} of {len(names)} ropes are shown."]
+
+
+def tension_map(result: Result, rope: int) -> Map:
+    """Return the tension of a rope on equal pieces of arc length; NaN where no rope is.
+
+    Without a winch the pieces are the segments. With one the arc is counted from the other end, and
+    each piece takes the tension of the segment at its middle.
+    """
+    span = result.layout.ropes[rope]
+    values = result.tension[:, span.first : span.last]
+    winches = {w.end for w in result.scene.winches if w.rope == span.name}
+    if not winches:
+        length = result.scene.ropes[rope].length_unstretched
+        return Map(values, length or 1.0, "arc length" if length else "segments")
+    rest = result.rest_length[:, span.first : span.last]
+    turned = "start" in winches
+    if turned:
+        values, rest = values[:, ::-1], rest[:, ::-1]
+    total = rest.sum(axis=1)
+    length = float(total.max())
+    middle = (np.arange(_pieces(length, rest)) + 0.5) * length / _pieces(length, rest)
+    out = np.full((len(values), len(middle)), np.nan)
+    for frame in range(len(values)):
+        ends = np.cumsum(rest[frame])
+        here = middle < total[frame]
+        out[frame, here] = values[frame, np.searchsorted(ends, middle[here], side="right")]
+    return Map(out, length, "arc length from end" if turned else "arc length")
+
+
+def _pieces(length: float, rest: Floats) -> int:
+    """So many pieces that even the shortest usual segment has a few."""
+    return int(np.clip(8 * length / np.median(rest[rest > 0.0]), 50, 600))
+
+
+def colour_scale(values: list[Floats]) -> tuple[Normalize, str, str]:
+    """Return scale, colour map and the colour bar's open ends for these tensions [N].
+
+    Where ropes push as well as pull the colours diverge from zero.
+    """
+    flat = np.concatenate([np.ravel(part) for part in values])
+    flat = flat[np.isfinite(flat)]
+    if flat.size == 0:
+        return Normalize(0.0, 1.0), "viridis", "neither"
+    low, high = np.percentile(flat, [_TAIL, 100.0 - _TAIL])
+    least, most = float(flat.min()), float(flat.max())
+    if low < -0.02 * max(high, 0.0):
+        reach = float(max(abs(low), abs(high))) or 1.0
+        scale, colours = Normalize(-reach, reach), "RdBu_r"
+    else:
+        low = min(0.0, float(low)) if low < 0.3 * high else float(low)
+        if high - low <= 1e-9 * abs(high):
+            low, high = (0.0, float(high)) if high > 0.0 else (0.0, 1.0)
+        scale, colours = Normalize(low, float(high)), "viridis"
+    slack = 0.01 * (scale.vmax - scale.vmin)  # type: ignore[operator]
+    beyond = (least < scale.vmin - slack, most > scale.vmax + slack)  # type: ignore[operator]
+    names = {(False, False): "neither", (True, False): "min", (False, True): "max"}
+    return scale, colours, names.get(beyond, "both")
+
+
+def draw_map(
+    axes: Axes, result: Result, found: Map, scale: Normalize, colours: str, good: int
+) -> Any:
+    """Draw a tension map as an image; rope that is not there stays white."""
+    time, values = result.time, thinned(found.values)
+    with np.errstate(all="ignore"):
+        values = np.clip(values, -1e30, 1e30)
+    half = 0.5 * float(time[-1] - time[0]) / max(len(time) - 1, 1) or 0.5
+    axes.grid(False)
+    return axes.imshow(
+        values.T,
+        origin="lower",
+        aspect="auto",
+        extent=(float(time[0]) - half, float(time[-1]) + half, 0.0, found.length),
+        interpolation="nearest",
+        norm=scale,
+        cmap=colours,
+        rasterized=True,
+    )
+
+
+def thinned(values: Floats) -> Floats:
+    """Join neighbouring frames and segments where there are too many, keeping the largest size."""
+    for axis in (0, 1):
+        step = -(-values.shape[axis] // _PIXELS)
+        if step > 1:
+            values = np.moveaxis(values, axis, 0)
+            groups = [values[i : i + step] for i in range(0, len(values), step)]
+            rows = []
+            for group in groups:
+                size = np.where(np.isnan(group), -1.0, np.abs(group))
+                best = size.argmax(axis=0)[None]
+                rows.append(np.take_along_axis(group, best, axis=0)[0])
+            values = np.moveaxis(np.array(rows), 0, axis)
+    return values
+
+
+def _draw_profiles(
+    axes: Axes, result: Result, maps: list[Map], shown: list[int], frames: list[int]
+) -> None:
+    """Draw tension over arc length at some frames."""
+    number = 0
+    curves = []
+    for rope, found in zip(shown, maps, strict=True):
+        pieces = found.values.shape[1]
+        middle = (np.arange(pieces) + 0.5) * found.length / pieces
+        name = f"{escape(result.layout.ropes[rope].name)}, " if len(shown) > 1 else ""
+        for frame in frames:
+            curves.append(found.values[frame])
+            label = f"{name}{result.time[frame]:.4g} s"
+            axes.plot(middle, found.values[frame], label=label, **line_style(number))
+            number += 1
+    axes.set_ylim(*limits(curves))
+    axes.set_xlim(0.0, max(found.length for found in maps))
+    axes.set_xlabel(f"{maps[0].origin} [m]")
+    axes.set_ylabel("tension [N]")
+    axes.legend(ncols=min(number, 6), fontsize=8.0, loc="lower left", bbox_to_anchor=(0.0, 1.0))
