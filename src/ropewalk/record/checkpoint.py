@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import os
 import zipfile
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -40,12 +41,18 @@ def save(folder: Path, checkpoint: Checkpoint) -> None:
         "seconds": checkpoint.seconds,
         "diagnosis": checkpoint.diagnosis,
     }
-    with open(partial, "wb") as file:
-        arrays: dict[str, Any] = dict(flatten(checkpoint.snapshot))
-        np.savez(file, allow_pickle=False, **arrays, **{f"run.{k}": v for k, v in about.items()})
-        file.flush()
-        os.fsync(file.fileno())
-    os.replace(partial, path)
+    arrays: dict[str, Any] = dict(flatten(checkpoint.snapshot))
+    arrays |= {f"run.{name}": value for name, value in about.items()}
+    try:
+        with open(partial, "wb") as file:
+            np.savez(file, allow_pickle=False, **arrays)
+            file.flush()
+            os.fsync(file.fileno())
+        os.replace(partial, path)
+    except OSError:
+        with suppress(OSError):
+            partial.unlink()
+        raise
 
 
 def load(folder: Path, like: Snapshot) -> Checkpoint:

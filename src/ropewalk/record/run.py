@@ -6,7 +6,7 @@ import signal
 import threading
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager, suppress
+from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 from types import FrameType
@@ -16,6 +16,7 @@ from ropewalk.core.jit import source_hash
 from ropewalk.core.status import OK
 from ropewalk.record import checkpoint
 from ropewalk.record.checkpoint import Checkpoint
+from ropewalk.record.errors import RunError
 from ropewalk.record.facts import BROKE, FINISHED, INTERRUPTED, RUNNING, Facts, provenance
 from ropewalk.record.files import writing
 from ropewalk.record.folder import (
@@ -57,14 +58,15 @@ class Recorder:
     commit_cost: float = 0.0
 
     def record(self, progress: Progress | None) -> str:
-        """Simulate and write to the end; return how it ended. Raises OSError."""
+        """Simulate and write to the end; return how it ended. Raises RunError."""
         plan = self.facts.plan
         with stop_requests() as stop:
             while self.writer.frames <= plan.frames:
                 count = min(self.writer.open_frames, plan.frames + 1 - self.writer.frames)
                 block = self.simulation.advance_frames(count, keep_going=self.facts.keep_going)
                 self.breaks.watch(block)
-                self.writer.add(block)
+                with writing(self.folder, KEPT):
+                    self.writer.add(block)
                 if progress is not None:
                     progress(self.writer.frames - 1, plan.frames, block)
                 if block.status != OK:
@@ -80,7 +82,11 @@ class Recorder:
         return time.perf_counter() - self.last_commit >= wait
 
     def commit(self, status: str) -> None:
-        """Show readers what there is: numbers first, then the checkpoint. Raises OSError."""
+        """Show readers what there is: numbers first, then the checkpoint. Raises RunError."""
+        with writing(self.folder, KEPT):
+            self._commit(status)
+
+    def _commit(self, status: str) -> None:
         start = time.perf_counter()
         seconds = self.earlier + start - self.begun
         self.facts = self.facts.but(status=status, seconds=seconds, diagnosis=self.breaks.diagnosis)
@@ -128,19 +134,23 @@ def record_run(
 def finish(recorder: Recorder, progress: Progress | None) -> Result:
     """Record to the end and close the folder. Raises RunError."""
     folder = recorder.folder
-    with writing(folder, KEPT), locked(folder):
+    with ExitStack() as stack:
+        with writing(folder):
+            stack.enter_context(locked(folder))
         recorder.simulation.advance_frames(0)  # compiles outside the clock
         recorder.begun = recorder.last_commit = time.perf_counter()
         try:
             status = recorder.record(progress)
             recorder.commit(status)
-        except OSError as error:
+        except RunError as error:
             with suppress(OSError):
-                log(folder, "failed", reason=str(error))
+                log(folder, "failed", reason=error.rule)
             raise
-        write_end(folder)
         more = {"diagnosis": recorder.facts.diagnosis} if recorder.facts.diagnosis else {}
-        log(folder, status, frames=recorder.writer.frames, time=recorder.simulation.time, **more)
+        with writing(folder):
+            write_end(folder)
+            frames, clock = recorder.writer.frames, recorder.simulation.time
+            log(folder, status, frames=frames, time=clock, **more)
     return open_result(folder)
 
 

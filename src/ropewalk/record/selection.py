@@ -1,0 +1,115 @@
+"""Which frames, ropes, nodes and quantities of a result an export takes."""
+
+from __future__ import annotations
+
+import difflib
+import math
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ropewalk.record.errors import InputError
+from ropewalk.record.quantities import QUANTITIES
+from ropewalk.record.result import Result
+
+Indices = NDArray[np.int64]
+
+EXPORTED = tuple(quantity.name for quantity in QUANTITIES if quantity.name != "jump")
+DEFAULT = ("positions", "velocities", "tension", "energy", "work", "reactions")
+_VALUES = 500_000  # numbers handled together
+
+
+@dataclass(frozen=True)
+class Selection:
+    """What to export, as places in the arrays."""
+
+    quantities: tuple[str, ...]
+    frames: Indices
+    nodes: Indices
+    segments: Indices
+
+    def pieces(self, result: Result) -> Iterator[Indices]:
+        """Yield the frames in pieces of bounded size that lie in one chunk of the source."""
+        most = max(1, _VALUES // (3 * result.nodes))
+        chunks = self.frames // max(1, result.source.chunk)
+        for piece in np.split(self.frames, np.flatnonzero(np.diff(chunks)) + 1):
+            for start in range(0, len(piece), most):
+                yield piece[start : start + most]
+
+
+def take(result: Result, name: str, frames: Indices) -> NDArray[np.float64]:
+    """Return a quantity of some frames (rising numbers)."""
+    start = int(frames[0])
+    return result.read(name, start, int(frames[-1]) + 1)[frames - start]
+
+
+def select(
+    result: Result,
+    quantities: Iterable[str],
+    nodes: Sequence[int] | None,
+    times: Sequence[float] | None,
+    every: int | None,
+    rope: str | None,
+) -> Selection:
+    """Turn a request into places in the arrays.
+
+    Raises InputError for names, nodes or times that are not there.
+    """
+    chosen = tuple(dict.fromkeys([quantities] if isinstance(quantities, str) else quantities))
+    for name in chosen:
+        if name not in EXPORTED:
+            raise InputError("quantities", name, f"no such quantity; {nearest(name, EXPORTED)}")
+    if not chosen:
+        raise InputError("quantities", (), f"name one or more of {', '.join(EXPORTED)}")
+    found_nodes, found_segments = _places(result, nodes, rope)
+    frames = _frames(result, times, every)
+    return Selection(chosen, frames, found_nodes, found_segments)
+
+
+def nearest(name: str, known: Iterable[str]) -> str:
+    """Return what to say of a name that is not known."""
+    names = list(known)
+    close = difflib.get_close_matches(str(name).lower(), names, n=1, cutoff=0.5)
+    return f'did you mean "{close[0]}"?' if close else "there is " + ", ".join(names)
+
+
+def _frames(result: Result, times: Sequence[float] | None, every: int | None) -> Indices:
+    if times is None:
+        if every is not None and every < 1:
+            raise InputError("every", every, "must be at least 1")
+        return np.arange(0, result.frames, every or 1)
+    if every is not None:
+        raise InputError("every", every, "cannot be combined with times")
+    clock = result.time
+    slack = 0.5 * result.plan.frame_interval
+    for time in times:
+        if not math.isfinite(time) or not clock[0] - slack <= time <= clock[-1] + slack:
+            raise InputError("times", time, f"must be from {clock[0]:g} to {clock[-1]:.6g} s")
+    if len(times) == 0:
+        raise InputError("times", (), "name one or more times [s]")
+    return np.unique([result.frame_at(time) for time in times])
+
+
+def _places(
+    result: Result, nodes: Sequence[int] | None, rope: str | None
+) -> tuple[Indices, Indices]:
+    layout = result.layout
+    names = [span.name for span in layout.ropes]
+    if rope is not None and rope not in names:
+        raise InputError("rope", rope, f"no such rope; {nearest(rope, names)}")
+    spans = [span for span in layout.ropes if rope in (None, span.name)]
+    if nodes is not None and len(nodes) == 0:
+        raise InputError("nodes", (), "name one or more nodes")
+    of_nodes: list[int] = []
+    of_segments: list[int] = []
+    for span in spans:
+        own = range(span.first, span.last + 1)
+        try:
+            chosen = own if nodes is None else {layout.node(node, span.name) for node in nodes}
+        except IndexError as error:
+            raise InputError("nodes", list(nodes or ()), str(error)) from None
+        of_nodes += sorted(chosen)
+        of_segments += [j for j in own[:-1] if j in chosen or j + 1 in chosen]
+    return np.array(of_nodes), np.array(of_segments, dtype=np.int64)

@@ -1,0 +1,164 @@
+"""A result as tables: columns with units, rows in pieces."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ropewalk.record.quantities import AXES, BY_NAME, labels, law_names
+from ropewalk.record.result import Result
+from ropewalk.record.selection import Indices, Selection, take
+
+Columns = list[NDArray[Any]]
+
+
+@dataclass(frozen=True)
+class Table:
+    """One table; `pieces` yields its columns for some frames after others."""
+
+    name: str
+    headers: list[str]
+    pieces: Callable[[], Iterator[Columns]]
+
+
+def tables(result: Result, chosen: Selection, layout: str) -> list[Table]:
+    """Return the tables that hold the chosen quantities, `long` or `wide`.
+
+    nodes: positions and velocities; segments: tension and unstretched length; anchors: reactions;
+    run: energies, works, momentum, one row per frame in either layout.
+    """
+    ropes, numbers = _node_labels(result)
+    at_nodes = [f"{ropes[i]}[{numbers[i]}]" for i in chosen.nodes]
+    at_segments = [f"{ropes[j]}[{numbers[j]}]" for j in chosen.segments]
+    anchors = np.arange(len(result.layout.anchor_names))
+    kinds = (
+        ("nodes", "node", chosen.nodes, at_nodes, ("positions", "velocities")),
+        ("segments", "segment", chosen.segments, at_segments, ("tension", "rest_length")),
+        ("anchors", "anchor", anchors, list(result.layout.anchor_names), ("reactions",)),
+    )
+    found = []
+    for name, noun, places, shown, quantities in kinds:
+        wanted = [q for q in quantities if q in chosen.quantities and q in result.source.names]
+        if not wanted or not len(places):
+            continue
+        if layout == "wide":
+            found.append(_wide(result, chosen, name, places, shown, wanted))
+        else:
+            keys: dict[str, NDArray[Any]] = {"anchor": np.array(shown, dtype=object)}
+            if noun != "anchor":
+                keys = {"rope": ropes[places], noun: numbers[places]}
+            found.append(_long(result, chosen, name, places, keys, wanted))
+    if run := _run_table(result, chosen):
+        found.append(run)
+    return found
+
+
+def _node_labels(result: Result) -> tuple[NDArray[Any], Indices]:
+    labelled = [result.layout.rope_of(index) for index in range(result.nodes)]
+    ropes = np.array([rope for rope, _ in labelled], dtype=object)
+    return ropes, np.array([number for _, number in labelled])
+
+
+_SYMBOLS = {"positions": "", "velocities": "v", "reactions": "f"}
+
+
+def _components(quantity: str) -> list[tuple[str, str]]:
+    """Return symbol and unit of a quantity's components."""
+    unit = BY_NAME[quantity].unit
+    if quantity in _SYMBOLS:
+        return [(_SYMBOLS[quantity] + axis, unit) for axis in AXES]
+    return [(quantity.replace("_", " "), unit)]
+
+
+def _values(result: Result, quantity: str, piece: Indices, places: Indices) -> NDArray[np.float64]:
+    """Return (frames, places, components)."""
+    array = take(result, quantity, piece)[:, places]
+    return array[..., None] if array.ndim == 2 else array
+
+
+def _long(
+    result: Result,
+    chosen: Selection,
+    name: str,
+    places: Indices,
+    keys: dict[str, NDArray[Any]],
+    quantities: list[str],
+) -> Table:
+    headers = ["time [s]", *keys]
+    headers += [f"{symbol} [{unit}]" for q in quantities for symbol, unit in _components(q)]
+
+    def pieces() -> Iterator[Columns]:
+        for piece in chosen.pieces(result):
+            columns: Columns = [np.repeat(take(result, "time", piece), len(places))]
+            columns += [np.tile(key, len(piece)) for key in keys.values()]
+            for quantity in quantities:
+                values = _values(result, quantity, piece, places)
+                columns += [values[..., k].ravel() for k in range(values.shape[-1])]
+            yield columns
+
+    return Table(name, headers, pieces)
+
+
+def _wide(
+    result: Result,
+    chosen: Selection,
+    name: str,
+    places: Indices,
+    shown: list[str],
+    quantities: list[str],
+) -> Table:
+    headers = ["time [s]"]
+    for quantity in quantities:
+        parts = _components(quantity)
+        headers += [f"{symbol} {place} [{unit}]" for place in shown for symbol, unit in parts]
+
+    def pieces() -> Iterator[Columns]:
+        for piece in chosen.pieces(result):
+            columns: Columns = [take(result, "time", piece)]
+            for quantity in quantities:
+                values = _values(result, quantity, piece, places)
+                columns += list(values.reshape(len(piece), -1).T)
+            yield columns
+
+    return Table(name, headers, pieces)
+
+
+def series(result: Result, quantity: str) -> dict[str, NDArray[np.float64]]:
+    """Return the series of a quantity of the whole run by header, each (frames,)."""
+    unit = BY_NAME[quantity].unit
+    if quantity == "energy":
+        found = {f"{name} energy [{unit}]": array for name, array in result.energy.items()}
+        if result.facts.ledger:
+            found[f"energy error [{unit}]"] = result.energy_error
+            found[f"balance residual [{unit}]"] = result.balance_residual
+        return found
+    if quantity == "work":
+        names = law_names(result.layout)
+        return {f"work of {name} [{unit}]": result.work[name] for name in names}
+    symbol = quantity.replace("_", " ")
+    array = result.read(quantity)
+    return {f"{symbol} {axis} [{unit}]": array[:, k] for k, axis in enumerate(AXES)}
+
+
+def _run_table(result: Result, chosen: Selection) -> Table | None:
+    whole = [q for q in chosen.quantities if q in _OF_THE_RUN]
+    if not whole:
+        return None
+    columns = {"time [s]": result.time}
+    for quantity in whole:
+        columns |= series(result, quantity)
+
+    def pieces() -> Iterator[Columns]:
+        for piece in chosen.pieces(result):
+            yield [array[piece] for array in columns.values()]
+
+    return Table("run", list(columns), pieces)
+
+
+_OF_THE_RUN = ("energy", "work", "momentum", "angular_momentum")
+
+__all__ = ["Table", "labels", "series", "tables"]
