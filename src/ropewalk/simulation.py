@@ -17,12 +17,16 @@ from ropewalk.core.arrays import APPLIED, Floats, Ints, State
 from ropewalk.core.status import BROKEN, OK
 from ropewalk.hand import AnchorHandle
 from ropewalk.methods.loop import close_frame, prepare
-from ropewalk.methods.recording import make_recording
+from ropewalk.methods.recording import LAWS, Recording, make_recording
 from ropewalk.methods.registry import METHODS
 from ropewalk.methods.scratch import make_scratch
 from ropewalk.motions.table import HAND
 from ropewalk.scene import Scene
 
+# The energy error that tells a broken simulation, over all energy that can honestly be turned over [1].
+MADE_UP = 3.0
+# Columns of the recorded work whose energies are recorded too: elastic force and weight.
+CONSERVATIVE = (LAWS.index("elastic"), LAWS.index("weight"))
 BLOCK_BYTES = 4_000_000  # positions and velocities of one block of frames
 
 
@@ -68,6 +72,9 @@ class Simulation:
         self._start, self._dt, self._step = 0.0, self.plan.dt, 0
         prepare(self.system, self._state)
         self._set_first_reactions()
+        energy = self.recording().recording.energy[0]
+        self._energy = float(energy.sum())
+        self._turnover = float(energy[0] + energy[2]) + self._energy_scale()
         self.anchors = {
             name: AnchorHandle(self, row) for row, name in enumerate(self.layout.anchor_names)
         }
@@ -81,6 +88,13 @@ class Simulation:
             total = total + forces.air[:, i] + forces.ground[:, i]
             total = total + state.mass[i] * self.system.gravity
             state.reaction[row] = -total if state.held[row] else 0.0
+
+    def _energy_scale(self) -> float:
+        """Weight times length of all ropes [J], and a little elastic energy where nothing weighs."""
+        state = self._state
+        weight = float(np.linalg.norm(self.system.gravity) * state.mass.sum())
+        elastic = 0.5 * float(np.sum(state.stiffness * state.rest_length**2))
+        return weight * float(state.rest_length.sum()) + 1e-6 * elastic
 
     # -- what it is now -----------------------------------------------------------------
 
@@ -154,6 +168,9 @@ class Simulation:
         out = make_recording(self._state, frames, self._winches)
         first = self._step
         status, good = self._advance(self.plan.steps_per_frame, frames, out, not keep_going)
+        if before is not None and self.ledger:
+            sane = self._sane_frames(out, good)
+            status, good = (BROKEN, sane) if sane < good else (status, good)
         steps = first + self.plan.steps_per_frame * np.arange(1, frames + 1)
         times = np.asarray(self._start + steps * self._dt, dtype=np.float64)
         block = Block(times, out, status)
@@ -163,6 +180,18 @@ class Simulation:
         if good > 0:
             self._advance(self.plan.steps_per_frame, good, make_recording(self._state, 0, False))
         return block.head(good)
+
+    def _sane_frames(self, out: Recording, frames: int) -> int:
+        """Count the frames before the first one whose energy the method has made up.
+
+        The method's own energy error is then far beyond all energy that the scene can turn over: its
+        weight falling through the ropes' length, what it had at first, and all work done since.
+        """
+        others = np.delete(out.work[:frames], CONSERVATIVE, axis=1)
+        gain = out.energy[:frames].sum(axis=1) - self._energy - others.sum(axis=1)
+        honest = self._turnover + np.abs(others).sum(axis=1)
+        broken = np.flatnonzero(np.abs(gain) > MADE_UP * honest)
+        return int(broken[0]) if len(broken) else frames
 
     def frames(self, frames: int | None = None, *, keep_going: bool = False) -> Iterator[Block]:
         """Yield blocks of up to `frames` frames (default: the rest of the plan) until one breaks."""
