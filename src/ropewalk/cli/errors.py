@@ -15,6 +15,13 @@ import click
 
 BUG, BAD_INPUT, BROKE, INTERRUPTED = 1, 2, 3, 130
 
+# What the package says to those who call it from Python, as flags.
+_IN_FLAGS = {
+    "or allow to overwrite": "or give --overwrite",
+    "or overwrite": "or give --overwrite",
+    "or force it": "or give --force",
+}
+
 
 @dataclass
 class Settings:
@@ -66,7 +73,10 @@ def explain(error: Exception) -> tuple[int, str]:
         text = "not enough memory: take fewer segments, or fewer frames (run.frame_rate)"
         return BAD_INPUT, _error_lines(text)
     if _is_refusal(error):
-        return BAD_INPUT, _error_lines(str(error))
+        text = str(error)
+        for words, flag in _IN_FLAGS.items():
+            text = text.replace(words, flag)
+        return BAD_INPUT, _error_lines(text)
     name = type(error).__name__
     return BUG, f"error in Ropewalk itself: {name}: {error}"
 

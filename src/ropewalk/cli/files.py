@@ -80,3 +80,12 @@ def claimed(output: Path | None, parent: Path, name: str) -> Iterator[Path]:
             folder.rmdir()
             if made_parent:
                 parent.rmdir()
+
+
+def free_name(path: Path) -> Path:
+    """Return `path`, or with a number before its ending the first that does not exist."""
+    number, found = 1, path
+    while found.exists():
+        number += 1
+        found = path.with_name(f"{path.stem}-{number}{path.suffix}")
+    return found

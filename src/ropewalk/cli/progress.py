@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING, Any
@@ -114,3 +116,22 @@ class RunProgress:
     ) -> None:
         if self._bar is not None:
             self._bar.stop()
+
+
+@contextmanager
+def counting(what: str) -> Iterator[Callable[[int, int], None]]:
+    """Give a function to call with the things done and those in all; a bar on a terminal."""
+    if not terminal():
+        yield lambda done, planned: None
+        return
+    from rich.progress import Progress
+
+    from ropewalk.cli.console import console
+
+    with Progress(console=console(stderr=True), transient=True) as bar:
+        task = bar.add_task(what, total=None)
+
+        def show(done: int, planned: int) -> None:
+            bar.update(task, completed=done, total=planned)
+
+        yield show

@@ -1,7 +1,125 @@
+"""`ropewalk export`: a run's numbers for other programs."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
 import click
+
+from ropewalk.cli.console import say
+from ropewalk.cli.errors import Refusal
+from ropewalk.cli.runs import open_run, run_argument
+
+FORMATS = ("csv", "parquet", "npz", "vtk")
+_FLAGS = {
+    "quantities": "--quantity",
+    "nodes": "--node",
+    "rope": "--node",
+    "times": "--time",
+    "every": "--every",
+    "out": "-o",
+    "to": "--to",
+}
 
 
 @click.command()
-def export() -> None:
-    """TODO."""
-    raise NotImplementedError
+@run_argument
+@click.option("--to", required=True, type=click.Choice(FORMATS), help="Format.")
+@click.option(
+    "-o",
+    "--output",
+    type=click.Path(path_type=Path),
+    help="Folder, or file of one table; default: DIR/csv and so on.",
+)
+@click.option(
+    "--quantity",
+    "quantities",
+    multiple=True,
+    metavar="NAME",
+    help="positions, velocities, tension, rest_length, energy, work, reactions, momentum or "
+    "angular_momentum; can be given again. Default: all but momenta and rest_length.",
+)
+@click.option(
+    "--node",
+    "nodes",
+    multiple=True,
+    metavar="[ROPE:]NODE",
+    help="Only this node and the segments beside it; can be given again.",
+)
+@click.option(
+    "--time",
+    "times",
+    multiple=True,
+    type=float,
+    metavar="S",
+    help="Only the frame nearest to this time, in seconds; can be given again.",
+)
+@click.option("--every", type=int, metavar="N", help="Only every N-th frame.")
+@click.option(
+    "--long/--wide",
+    "long",
+    default=True,
+    show_default=True,
+    help="Tables: a row per frame and node, or a row per frame.",
+)
+@click.option("--overwrite", is_flag=True, help="Replace files that are there.")
+def export(
+    folder: Path,
+    to: str,
+    output: Path | None,
+    quantities: tuple[str, ...],
+    nodes: tuple[str, ...],
+    times: tuple[float, ...],
+    every: int | None,
+    long: bool,
+    overwrite: bool,
+) -> None:
+    """Write the numbers of the run in DIR for other programs.
+
+    csv and parquet make tables (nodes, segments, anchors, run), npz a NumPy archive, vtk a series that
+    ParaView opens. Columns carry units.
+    """
+    from ropewalk.record.errors import InputError
+    from ropewalk.record.export import export as write
+
+    rope, numbers = _places(nodes)
+    options: dict[str, Any] = {
+        "nodes": numbers,
+        "rope": rope,
+        "times": list(times) or None,
+        "every": every,
+        "layout": "long" if long else "wide",
+        "overwrite": overwrite or output is None,
+    }
+    if quantities:
+        options["quantities"] = quantities
+    out = output or folder / ("run.npz" if to == "npz" else to)
+    try:
+        paths = write(open_run(folder), to, out, **options)
+    except InputError as error:
+        flag = _FLAGS.get(error.path, error.path)
+        raise Refusal(f"{flag} {_plain(error.value)}: {error.rule}") from error
+    for path in paths:
+        say(str(path))
+
+
+def _places(nodes: tuple[str, ...]) -> tuple[str | None, list[int] | None]:
+    """Return the one rope that is named, if any, and the nodes' numbers."""
+    ropes, numbers = set(), []
+    for text in nodes:
+        name, _, number = text.rpartition(":")
+        ropes.add(name)
+        try:
+            numbers.append(int(number))
+        except ValueError:
+            raise Refusal(f"--node {text}: must be a node's number, or ROPE:NODE") from None
+    if len(ropes) > 1:
+        raise Refusal(f"--node {', '.join(nodes)}: must all be of one rope, or all without a rope")
+    return next(iter(ropes), None) or None, numbers or None
+
+
+def _plain(value: object) -> str:
+    if isinstance(value, (list, tuple)):
+        return ", ".join(map(str, value))
+    return str(value)

@@ -11,7 +11,7 @@ import click
 
 from ropewalk.cli.console import say
 from ropewalk.cli.errors import Refusal, nearest_name
-from ropewalk.cli.files import refuse_parent
+from ropewalk.cli.files import refuse_existing
 from ropewalk.cli.runs import open_run, parse_node, run_argument
 
 if TYPE_CHECKING:
@@ -49,6 +49,7 @@ _TAKES = {"times": "--time", "nodes": "--node", "node": "--node", "frames": "--t
     metavar="[ROPE:]NODE",
     help="Show this node, such as 5, -1 or left:5; can be given again.",
 )
+@click.option("--overwrite", is_flag=True, help="Replace figures that are there.")
 def plot(
     folder: Path,
     kinds: tuple[str, ...],
@@ -56,6 +57,7 @@ def plot(
     formats: str,
     times: tuple[float, ...],
     nodes: tuple[str, ...],
+    overwrite: bool,
 ) -> None:
     """Draw figures of the run in DIR.
 
@@ -76,6 +78,8 @@ def plot(
     endings = _endings(formats, plots.FORMATS)
     targets = _targets(folder, output, chosen, endings, plots.FORMATS)
     _refuse_unused(chosen, plots.PLOTS, times=times, nodes=nodes)
+    for path in (path for kind in chosen for path in targets[kind]):
+        refuse_existing(path, overwrite=overwrite or output is None)
     for kind in chosen:
         if kind == "reactions" and not result.layout.anchor_names and not kinds:
             continue  # nothing to draw, and nobody asked for it
@@ -145,12 +149,8 @@ def _targets(
             raise Refusal(
                 f"{output}: is one file, and these are {len(kinds)} figures; name a folder"
             )
-        if output.is_dir():
-            raise Refusal(f"{output}: is a folder; name a file in it")
-        refuse_parent(output)
         return {kinds[0]: [output]}
     where = output or folder / "figures"
-    refuse_parent(where / "figure")
     return {kind: [where / f"{kind}.{ending}" for ending in endings] for kind in kinds}
 
 
@@ -165,4 +165,4 @@ def _refuse_unused(kinds: list[str], known: dict[str, Any], **given: Sequence[ob
     for name, values in given.items():
         flag = _TAKES[name]
         if values and flag not in used:
-            raise Refusal(f"{flag}: {', '.join(kinds)} shows no choice of {name}; leave it out")
+            raise Refusal(f"{flag}: {', '.join(kinds)} takes none; leave it out")

@@ -12,6 +12,7 @@ from ropewalk.cli.console import warn
 from ropewalk.cli.progress import RunProgress, tell_compiling
 from ropewalk.cli.runs import open_run, run_argument
 from ropewalk.cli.sources import json_option
+from ropewalk.cli.startup import without_scipy
 
 
 @click.command()
@@ -28,13 +29,13 @@ def resume(folder: Path, force: bool, as_json: bool, quiet: bool) -> int:
 
     It goes on to the same bits as a run that was never interrupted.
     """
-    from ropewalk.api import explain
-    from ropewalk.record.resume import resume_run
+    with without_scipy(), warnings.catch_warnings(record=True) as caught:
+        from ropewalk.api import explain
+        from ropewalk.record.resume import resume_run
 
-    begun = open_run(folder)
-    if not quiet:
-        tell_compiling(begun.plan.method)
-    with warnings.catch_warnings(record=True) as caught:
+        begun = open_run(folder)
+        if not quiet:
+            tell_compiling(begun.plan.method)
         warnings.simplefilter("always", UserWarning)
         with RunProgress(begun.scene, quiet=quiet) as progress:
             result = resume_run(folder, force=force, progress=progress, explain=explain)

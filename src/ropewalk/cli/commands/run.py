@@ -12,6 +12,7 @@ from ropewalk.cli.errors import BROKE, INTERRUPTED, Refusal
 from ropewalk.cli.files import claimed
 from ropewalk.cli.progress import RunProgress, tell_compiling
 from ropewalk.cli.sources import json_option, load_scene, run_options, short_name
+from ropewalk.cli.startup import without_scipy
 from ropewalk.cli.summary import print_result_json, print_results
 
 if TYPE_CHECKING:
@@ -61,7 +62,8 @@ def run(
     """
     loaded = load_scene(scene, overrides, duration=duration, time_step=time_step, method=method)
     if output is not None:
-        refuse_run(output, overwrite)
+        with without_scipy():
+            refuse_run(output, overwrite)
     result, warnings = run_scene(
         loaded,
         output,
@@ -99,26 +101,27 @@ def run_scene(
 
     Returns the result and what was warned of. Raises SceneError, RunError, OSError.
     """
-    from ropewalk.api import explain
-    from ropewalk.build import build
-    from ropewalk.record.run import record_run
+    with without_scipy():
+        from ropewalk.api import explain
+        from ropewalk.build import build
+        from ropewalk.record.run import record_run
 
-    if not quiet:
-        tell_compiling(scene.run.method)
-    model = build(scene)
-    warnings = predicted(model)
-    if not quiet:
-        for text in warnings:
-            warn(text)
-    with claimed(output, parent, name) as folder, RunProgress(scene, quiet=quiet) as progress:
-        result = record_run(
-            model,
-            folder,
-            keep_going=keep_going,
-            overwrite=overwrite,
-            progress=progress,
-            explain=explain,
-        )
+        if not quiet:
+            tell_compiling(scene.run.method)
+        model = build(scene)
+        warnings = predicted(model)
+        if not quiet:
+            for text in warnings:
+                warn(text)
+        with claimed(output, parent, name) as folder, RunProgress(scene, quiet=quiet) as progress:
+            result = record_run(
+                model,
+                folder,
+                keep_going=keep_going,
+                overwrite=overwrite,
+                progress=progress,
+                explain=explain,
+            )
     return result, warnings
 
 

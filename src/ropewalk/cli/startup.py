@@ -1,0 +1,24 @@
+"""What a process of the command line leaves out in order to start sooner."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+
+@contextmanager
+def without_scipy() -> Iterator[None]:
+    """Keep numba from importing scipy, where it is installed, while the kernels are loaded.
+
+    numba looks for scipy's BLAS in order to compile products of matrices, of which no kernel here
+    has any; the import takes as long as everything else that numba loads.
+    """
+    if "scipy" in sys.modules or "numba.np.arraymath" in sys.modules:
+        yield
+        return
+    sys.modules["scipy"] = None  # type: ignore[assignment]
+    try:
+        yield
+    finally:
+        sys.modules.pop("scipy", None)
