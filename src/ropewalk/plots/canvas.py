@@ -48,10 +48,11 @@ class Box:
         return (self.high - self.low) * self.magnified
 
 
-def box_around(points: Floats, ground: float | None) -> Box:
+def box_around(points: Floats, ground: float | None, *, roomy: bool = False) -> Box:
     """Return a box with a margin around points (..., 2) [m], and around the ground where it is near.
 
-    A rope that is long and nearly straight gets unequal scales, else its waves could not be seen.
+    A rope that is long and nearly straight gets unequal scales, else its waves could not be seen; a `roomy` box
+    has equal scales and much room, for what a break throws about.
     """
     flat = points.reshape(-1, 2)
     flat = flat[np.isfinite(flat).all(axis=1)]
@@ -61,7 +62,10 @@ def box_around(points: Floats, ground: float | None) -> Box:
         low[1] = min(low[1], ground)
     span = high - low
     size = float(span.max()) or 1.0
-    if span[0] >= _FLAT * span[1] > 1e-9 * size:
+    if roomy:
+        middle = 0.5 * (low + high)
+        low, high = np.minimum(low, middle - 0.3 * size), np.maximum(high, middle + 0.3 * size)
+    elif span[0] >= _FLAT * span[1] > 1e-9 * size:
         room = np.array([0.04 * span[0], 0.15 * span[1]])
         low, high = low - room, high + room
         factor = (high[0] - low[0]) / (high[1] - low[1]) / 3.0
@@ -133,7 +137,8 @@ def stage(result: Result, plane: str | None, frames: list[int] | None = None) ->
         frames = sorted({*np.linspace(0, good - 1, min(good, 400)).round().astype(int).tolist()})
     inside = [f for f in frames if f < good] or [good - 1]
     points = np.stack([positions_of(result, slice(f, f + 1))[0] for f in inside])
-    return Stage(view, box_around(view.project(points), ground), ground, good)
+    broken = good < len(result.time)
+    return Stage(view, box_around(view.project(points), ground, roomy=broken), ground, good)
 
 
 def magnification_note(box: Box) -> list[str]:

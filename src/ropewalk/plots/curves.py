@@ -30,11 +30,14 @@ def mark_break(axes: Axes, result: Result, good: int) -> None:
         axes.axvline(at, color="#D55E00", linewidth=1.0, linestyle=(0, (4, 3)), label="_break")
 
 
-def drawable(values: Floats, good: int) -> Floats:
-    """Return values to draw: those of the good part as they are, later ones within reach."""
+def drawable(values: Floats, good: int, among: list[Floats] | None = None) -> Floats:
+    """Return values to draw: those of the good part as they are, later ones not too far outside it.
+
+    `among` are all curves of the axes.
+    """
     if good >= len(values):
         return values
-    low, high = limits([values[:good]])
+    low, high = limits([part[:good] for part in among or [values]])
     span = high - low
     with np.errstate(all="ignore"):
         later = np.clip(values[good:], low - 20.0 * span, high + 20.0 * span)

@@ -5,7 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import SymmetricalLogLocator
 
 from ropewalk.plots.curves import drawable, mark_break, set_limits, time_limits
 from ropewalk.plots.style import (
@@ -26,6 +28,7 @@ if TYPE_CHECKING:
 
 _MOST_ANCHORS = 4
 _SUM = "anchors together"
+_COLOURS = {"kinetic": "#0072B2", "gravity": "#009E73", "elastic": "#E69F00", "total": "#000000"}
 _INNER = ("elastic", "weight")  # their works are the changes of the energies drawn anyway
 
 
@@ -37,17 +40,23 @@ def energy(result: Result) -> Figure:
     upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=(2.2, 1.0))
     curves = energy_curves(result)
     works = work_curves(result, good)
-    for colour, (name, values) in zip(
-        ("#0072B2", "#009E73", "#E69F00", "#000000"), curves.items(), strict=True
-    ):
+    every = [*curves.values(), *works.values()]
+    for name, values in curves.items():
         width = 1.9 if name == "total" else 1.3
-        upper.plot(result.time, drawable(values, good), label=name, color=colour, linewidth=width)
+        upper.plot(
+            result.time,
+            drawable(values, good, every),
+            label=name,
+            color=_COLOURS[name],
+            linewidth=width,
+        )
     dashes = ((0, (4, 2)), (0, (1, 1.5)), (0, (6, 2, 1, 2)))
     for number, (name, values) in enumerate(works.items()):
-        style = {"color": COLOURS[(1, 3, 5, 0)[number % 4]], "linestyle": dashes[number % 3]}
-        upper.plot(result.time, drawable(values, good), label=f"work of {name}", **style)
-    largest = set_limits(upper, [*curves.values(), *works.values()], good)
-    scaled_axis(upper, "energy", "J", largest)
+        style = {"color": (*COLOURS[1:6:2], GREY)[number % 4], "linestyle": dashes[number % 3]}
+        upper.plot(result.time, drawable(values, good, every), label=f"work of {name}", **style)
+    scaled_axis(upper, "energy", "J", set_limits(upper, every, good))
+    if good < len(result.time):
+        _break_scale(upper, every, good)
     upper.axhline(0.0, color="#808080", linewidth=0.6, zorder=0.5)
     upper.legend(loc="upper left", bbox_to_anchor=(1.01, 1.02), borderaxespad=0.0)
     notes = broken_note(result, good) + _draw_error(lower, result, curves, good)
@@ -61,11 +70,8 @@ def energy(result: Result) -> Figure:
     return figure
 
 
-def _draw_error(axes: object, result: Result, curves: dict[str, Floats], good: int) -> list[str]:
+def _draw_error(axes: Axes, result: Result, curves: dict[str, Floats], good: int) -> list[str]:
     """Draw the energy error; return what to say of it."""
-    from matplotlib.axes import Axes
-
-    assert isinstance(axes, Axes)
     with np.errstate(all="ignore"):
         error = np.asarray(result.energy_error)
     if not np.isfinite(error[:good]).any():
@@ -82,22 +88,49 @@ def _draw_error(axes: object, result: Result, curves: dict[str, Floats], good: i
     axes.plot(result.time, drawable(error, good), color=COLOURS[1], label="energy error")
     axes.axhline(0.0, color="#808080", linewidth=0.6, zorder=0.5)
     scaled_axis(axes, "energy error", "J", set_limits(axes, [error], good, 0.1))
+    if good < len(result.time):
+        _break_scale(axes, [error], good)
     turned = max(float(np.ptp(part[:good])) for part in curves.values())
     worst = float(np.nanmax(np.abs(error[:good])))
-    share = f" ({100 * worst / turned:.2g} % of the largest change of an energy)" if turned else ""
+    share = f" ({_percent(worst / turned)} of the largest change of an energy)" if turned else ""
     return [
         f"Energy error: total energy less its start and all works; at most {worst:.3g} J{share}."
     ]
 
 
+def _percent(share: float) -> str:
+    return f"{100 * share:.3g} %" if share < 10 else "many times"
+
+
+def _break_scale(axes: Axes, curves: list[Floats], good: int) -> None:
+    """Draw what grows to a break on a logarithmic scale, linear below what is usual before."""
+    sizes = np.abs(np.array([curve[:good] for curve in curves])).max(axis=0)
+    usual, most = float(np.median(sizes)), float(sizes.max())
+    if most > 50.0 * usual > 0.0:
+        low = min(float(curve[:good].min()) for curve in curves)
+        least = 10.0 ** np.floor(np.log10(usual))
+        axes.set_yscale("symlog", linthresh=least)
+        ticks = SymmetricalLogLocator(base=10.0, linthresh=least)
+        ticks.set_params(numticks=5)
+        axes.yaxis.set_major_locator(ticks)
+        axes.set_ylim(-10.0 * usual if low < 0.0 else -usual, 10.0 * most)
+        axes.set_ylabel(axes.get_ylabel().split(" [")[0] + " [J]")
+
+
 def energy_curves(result: Result) -> dict[str, Floats]:
-    """Return kinetic, gravity (from its start), elastic and total energy [J], (f,) each."""
+    """Return kinetic, gravity (from its start), elastic and total energy [J], (f,) each.
+
+    Without gravity its energy is left out.
+    """
     energies = result.energy
     with np.errstate(all="ignore"):
         gravity = np.asarray(energies["gravity"]) - energies["gravity"][0]
         kinetic, elastic = np.asarray(energies["kinetic"]), np.asarray(energies["elastic"])
         total = kinetic + gravity + elastic
-    return {"kinetic": kinetic, "gravity": gravity, "elastic": elastic, "total": total}
+    parts = {"kinetic": kinetic, "gravity": gravity, "elastic": elastic, "total": total}
+    if not any(result.scene.gravity):
+        del parts["gravity"]
+    return parts
 
 
 def work_curves(result: Result, good: int) -> dict[str, Floats]:

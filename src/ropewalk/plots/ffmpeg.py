@@ -5,6 +5,7 @@ from __future__ import annotations
 import shutil
 import subprocess
 import tempfile
+from contextlib import suppress
 from pathlib import Path
 
 from PIL import Image
@@ -48,10 +49,8 @@ class Mp4Writer:
     def close(self) -> None:
         """Wait for ffmpeg to finish. Raises MovieError with its words when it fails."""
         assert self._process.stdin is not None
-        try:
+        with suppress(BrokenPipeError):
             self._process.stdin.close()
-        except BrokenPipeError:
-            pass
         code = self._process.wait()
         self._said.seek(0)
         words = self._said.read().decode(errors="replace").strip().splitlines()

@@ -32,7 +32,7 @@ def save(figure: Figure, path: str | Path, *, dpi: float = 160.0) -> Path:
         raise ValueError(f"{path}: {path.suffix!r} - must end in .png, .svg or .pdf")
     part = path.with_name(f".{path.name}.part")
     try:
-        with matplotlib.rc_context(_SETTINGS):
+        with matplotlib.rc_context(_SETTINGS):  # type: ignore[arg-type]
             figure.savefig(part, format=kind, dpi=dpi, metadata=_METADATA[kind])
         os.replace(part, path)
     finally:

@@ -85,7 +85,7 @@ def _chosen(result: Result, frames: int | Sequence[int], good: int) -> list[int]
 
 def _grid(count: int, ratio: float) -> tuple[int, int]:
     """Columns and rows of panels of this height over width that fill a page well."""
-    best = math.sqrt(count * max(ratio, 0.15) * 1.6)
+    best = math.sqrt(count * max(ratio, 0.15) * 2.6)
     columns = min(max(round(best), 2), 8, count)
     rows = math.ceil(count / columns)
     return math.ceil(count / rows), rows

@@ -9,7 +9,6 @@ from matplotlib.figure import Figure
 
 from ropewalk.plots.curves import drawable, mark_break, set_limits, time_limits
 from ropewalk.plots.style import (
-    COLOURS,
     EARTH,
     describe,
     line_style,
@@ -55,11 +54,12 @@ def height(result: Result, nodes: Sequence[int | str | tuple[str, int]] | None =
     if ground is not None:
         axes.axhline(ground.height, color=EARTH, linewidth=1.2, label="ground")
     curves = []
-    for number, index in enumerate(chosen):
+    for index in chosen:
         values = along(result.positions[:, index], up)
         curves.append(values)
-        style = line_style(number) if len(chosen) > 1 else {"color": COLOURS[0]}
-        axes.plot(result.time, drawable(values, good), label=node_name(result, index), **style)
+    for number, (index, values) in enumerate(zip(chosen, curves, strict=True)):
+        curve = drawable(values, good, curves)
+        axes.plot(result.time, curve, label=node_name(result, index), **line_style(number))
     axes.set_xlim(*time_limits(result, good))
     set_limits(axes, curves, good)
     mark_break(axes, result, good)

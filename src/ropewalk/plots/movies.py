@@ -27,9 +27,9 @@ from ropewalk.plots.canvas import (
 )
 from ropewalk.plots.ffmpeg import MovieError, Mp4Writer
 from ropewalk.plots.gif import GifWriter, make_palette
-from ropewalk.plots.style import method_and_step, set_note, set_title, styled
+from ropewalk.plots.style import method_and_step, set_margins, set_note, set_title, styled
 from ropewalk.plots.tensions import colour_scale
-from ropewalk.plots.view import Floats, broken_note, load_nodes, tame
+from ropewalk.plots.view import Floats, broken_note, held_nodes, load_nodes, tame
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -159,6 +159,7 @@ class _Painter:
         self._scale, name = _tension_scale(result, seen.good)
         self.colours = matplotlib.colormaps[name]
         figure = Figure((size[0] / _DPI, size[1] / _DPI), dpi=_DPI, layout="constrained")
+        set_margins(figure)
         self._canvas = FigureCanvasAgg(figure)
         self._axes = axes = figure.add_subplot()
         prepare(axes, seen.box)
@@ -194,7 +195,7 @@ class _Painter:
 
     def paint(self, moment: _Moment) -> Image.Image:
         """Return the picture of a moment, RGB."""
-        box, layout = self._seen.box, self._result.layout
+        box = self._seen.box
         points = self._seen.view.project(moment.points)
         if moment.broken:
             x = tame(points[:, 0], box.left, box.right)
@@ -203,11 +204,7 @@ class _Painter:
         self._rope.set_segments(list(pieces))
         with np.errstate(all="ignore"):
             self._rope.set_array(np.clip(moment.tension[self._live], -1e30, 1e30))
-        holds = [
-            node
-            for node, anchor in zip(layout.anchor_nodes, self._result.scene.anchors, strict=True)
-            if anchor.release_time is None or moment.time < anchor.release_time
-        ]
+        holds = held_nodes(self._result, moment.time)
         self._anchors.set_data(points[holds, 0], points[holds, 1])
         self._loads.set_data(points[self._load_nodes, 0], points[self._load_nodes, 1])
         self._stamp.set_text(f"t = {moment.time:.2f} s" + (" (broken)" if moment.broken else ""))

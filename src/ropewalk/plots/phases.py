@@ -70,7 +70,9 @@ def phase(
     axes.set_ylabel(f"velocity {name} [m/s]")
     axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=2, borderaxespad=0.1)
     figure.colorbar(lines, ax=axes, label="time [s]", pad=0.02)
-    set_title(figure, f"{result.scene.name}: {node_name(result, index)}", describe(result))
+    set_title(
+        figure, f"{result.scene.name}: phase plane of {node_name(result, index)}", describe(result)
+    )
     set_note(figure, broken_note(result, good))
     return figure
 

@@ -44,8 +44,10 @@ def reactions(result: Result) -> Figure:
     elif len(names) <= _PANELS:
         figure = new_figure(7.2, min(1.35 + max(1.5, 3.0 - 0.6 * len(names)) * len(names), 10.0))
         grid = figure.subplots(len(names), 1, sharex=True, squeeze=False)[:, 0]
+        sizes = np.abs(forces[:good]).max(axis=(0, 1))
+        parts = [bool(size > 1e-9 * sizes.max()) for size in sizes]
         for row, axes in enumerate(grid):
-            _draw_anchor(axes, result, row, forces[:, row], good)
+            _draw_anchor(axes, result, row, forces[:, row], good, parts)
             if len(names) > 1:
                 axes.set_title(names[row], loc="left", fontsize=8.5, pad=3.0)
         grid[-1].set_xlabel("time [s]")
@@ -69,16 +71,20 @@ def magnitude(forces: Floats) -> Floats:
     return length
 
 
-def _draw_anchor(axes: Axes, result: Result, row: int, force: Floats, good: int) -> None:
-    """Draw one anchor's force; components that are never there are left out of the curves."""
+def _draw_anchor(
+    axes: Axes, result: Result, row: int, force: Floats, good: int, parts: list[bool]
+) -> None:
+    """Draw one anchor's force; only the axes of `parts`, the others are always zero."""
     size = magnitude(force)
-    curves = [size]
-    axes.plot(result.time, drawable(size, good), color="black", linewidth=1.6, label="magnitude")
+    curves = [size, *(force[:, k] for k in range(3) if parts[k])]
+    axes.plot(
+        result.time, drawable(size, good, curves), color="black", linewidth=1.6, label="magnitude"
+    )
     for k in range(3):
-        curves.append(force[:, k])
-        axes.plot(
-            result.time, drawable(force[:, k], good), color=COLOURS[k], linewidth=1.0, label=AXES[k]
-        )
+        if not parts[k]:
+            continue
+        curve = drawable(force[:, k], good, curves)
+        axes.plot(result.time, curve, color=COLOURS[k], linewidth=1.0, label=AXES[k])
     largest = set_limits(axes, curves, good)
     _finish(axes, result, largest, good)
     release = result.scene.anchors[row].release_time
@@ -103,7 +109,7 @@ def _draw_magnitudes(
     sizes = magnitude(forces)
     order = np.argsort(-sizes[:good].max(axis=0), kind="stable")[:_LINES]
     for number, row in enumerate(sorted(order)):
-        curve = drawable(sizes[:, row], good)
+        curve = drawable(sizes[:, row], good, [sizes[:, i] for i in order])
         axes.plot(result.time, curve, label=names[row], **line_style(number))
     largest = set_limits(axes, [sizes[:, row] for row in order], good)
     _finish(axes, result, largest, good)

@@ -27,6 +27,7 @@ from ropewalk.plots.style import describe, new_figure, set_note, set_title, styl
 from ropewalk.plots.view import (
     broken_note,
     frame_at,
+    held_nodes,
     load_nodes,
     positions_of,
     rope_lines,
@@ -140,9 +141,12 @@ def _legend(axes: Axes, result: Result, with_times: bool) -> None:
     if load_nodes(result):
         handles += axes.plot([], [], **{**LOAD, **grey})  # type: ignore[arg-type]
         names.append("load")
-    if names:
-        where = {"loc": "outside right upper"} if with_times else {"loc": "outside lower right"}
-        axes.figure.legend(handles, names, title="time" if with_times else None, **where)  # type: ignore[union-attr]
+    if with_times:
+        axes.figure.legend(handles, names, title="time", loc="outside right upper")  # type: ignore[union-attr]
+    elif names:
+        axes.legend(
+            handles, names, ncols=2, loc="lower right", bbox_to_anchor=(1.0, 1.0), borderaxespad=0.1
+        )
 
 
 # -- ropes that hang straight down -------------------------------------------------------
@@ -172,7 +176,7 @@ def _draw_upright(axes: Axes, result: Result, seen: Stage, frames: list[int]) ->
             axes.plot(
                 line[:, 0] - middle + column, line[:, 1], color=colour, marker=".", markersize=4.0
             )
-        anchors = [result.layout.anchor_nodes[i] for i in _holding(result, frame)]
+        anchors = held_nodes(result, float(result.time[frame]))
         for nodes, style in ((load_nodes(result), LOAD), (anchors, ANCHOR)):
             if nodes:
                 at = points[nodes]
@@ -185,13 +189,3 @@ def _draw_upright(axes: Axes, result: Result, seen: Stage, frames: list[int]) ->
     axes.set_xlabel("time [s]")
     axes.set_ylabel(f"{view.up_name} [m]")
     _legend(axes, result, with_times=False)
-
-
-def _holding(result: Result, frame: int) -> list[int]:
-    """Rows of the anchors that hold at a frame."""
-    time = float(result.time[frame])
-    return [
-        row
-        for row, anchor in enumerate(result.scene.anchors)
-        if anchor.release_time is None or time < anchor.release_time
-    ]

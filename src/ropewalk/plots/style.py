@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import io
-import math
 from collections.abc import Callable
 from functools import cache, wraps
 from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar
@@ -12,6 +11,7 @@ import matplotlib
 from matplotlib.axes import Axes
 from matplotlib.colors import LinearSegmentedColormap
 from matplotlib.figure import Figure
+from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.ticker import FuncFormatter, MaxNLocator
 
 if TYPE_CHECKING:
@@ -56,7 +56,7 @@ STYLE: dict[str, Any] = {
     "text.usetex": False,
 }
 
-_TITLE, _SUBTITLE, _EDGE = 11.0, 8.5, 7.0  # points
+_TITLE, _SUBTITLE, _EDGE = 11.0, 8.5, 5.0  # points
 
 
 class Drawing(Figure):
@@ -73,7 +73,7 @@ def styled(function: Callable[_P, _R]) -> Callable[_P, _R]:
 
     @wraps(function)
     def wrapper(*args: _P.args, **kwargs: _P.kwargs) -> _R:
-        with matplotlib.rc_context(_defaults() | STYLE):
+        with matplotlib.rc_context(_defaults() | STYLE):  # type: ignore[arg-type]
             return function(*args, **kwargs)
 
     return wrapper
@@ -105,7 +105,16 @@ def _defaults() -> dict[str, Any]:
 
 def new_figure(width: float, height: float) -> Drawing:
     """Return an empty figure of this size [inch] that lays itself out."""
-    return Drawing(figsize=(width, height), layout="constrained")
+    figure = Drawing(figsize=(width, height), layout="constrained")
+    set_margins(figure)
+    return figure
+
+
+def set_margins(figure: Figure) -> None:
+    """Keep the same margin on all sides."""
+    engine = figure.get_layout_engine()
+    assert isinstance(engine, ConstrainedLayoutEngine)
+    engine.set(w_pad=_EDGE / 72.0, h_pad=_EDGE / 72.0)
 
 
 def set_title(figure: Figure, title: str, subtitle: str) -> None:
@@ -114,7 +123,7 @@ def set_title(figure: Figure, title: str, subtitle: str) -> None:
     x, top = _EDGE / width, 1.0 - _EDGE / height
     letters = {size: int((width - 2 * _EDGE) / (0.56 * size)) for size in (_TITLE, _SUBTITLE)}
     text = shorten(title, int(0.88 * letters[_TITLE])) + "\n"  # a line kept for the subtitle
-    figure.suptitle(text, x=x, y=top, ha="left", va="top", fontsize=_TITLE, fontweight="bold")
+    figure.suptitle(text, x=x, ha="left", va="top", fontsize=_TITLE, fontweight="bold")
     figure.text(
         x,
         top - 1.35 * _TITLE / height,
@@ -184,22 +193,25 @@ def times_map() -> LinearSegmentedColormap:
     return LinearSegmentedColormap.from_list("times", [viridis(0.9 * i / 63) for i in range(64)])
 
 
-_PREFIXES = ((1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9, "n"))
+_PREFIXES = (
+    (1e9, "G"),
+    (1e6, "M"),
+    (1e3, "k"),
+    (1.0, ""),
+    (1e-3, "m"),
+    (1e-6, "µ"),
+    (1e-9, "n"),
+    (1e-12, "p"),
+)
 
 
 def scaled_axis(axes: Axes, what: str, unit: str, largest: float) -> None:
     """Label the y axis `what [unit]` with the SI prefix that suits; the data stay in `unit`."""
-    factor, prefix = 1.0, ""
-    if math.isfinite(largest) and largest > 0.0:
-        for factor, prefix in _PREFIXES:
-            if largest >= factor:
-                break
-        else:
-            factor, prefix = 1e-12, "p"
-    if factor <= 1e-12 and largest < 1e-13:  # round-off: powers of ten say it best
+    if largest < 1e-12:  # round-off, or nothing: powers of ten say it best
         axes.set_ylabel(f"{what} [{unit}]")
         axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:.1e}"))
         return
+    factor, prefix = next((p for p in _PREFIXES if largest >= p[0]), _PREFIXES[-1])
     if prefix == "k" and largest < 1e4:
         factor, prefix = 1.0, ""
     axes.set_ylabel(f"{what} [{prefix}{unit}]")

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ropewalk.analysis.compare import good_part as good_frames
+from ropewalk.analysis.compare import good_part, remembered
 
 if TYPE_CHECKING:
     from ropewalk.build.layout import Span
@@ -17,7 +18,18 @@ if TYPE_CHECKING:
 
 Floats = NDArray[np.float64]
 AXES = ("x", "y", "z")
+_MOTION = 0.6  # [1] how much motion rather than time decides which frames are shown
+_LOOKS = 400  # frames from which motion is judged
 _CHUNK = 4_000_000  # coordinates looked at in one go
+
+
+@dataclass(frozen=True)
+class Extent:
+    """The space that a run takes up [m], (3,) each."""
+
+    low: Floats
+    high: Floats
+    inside: Floats  # extent of the ropes at one time, on average
 
 
 @dataclass(frozen=True)
@@ -46,9 +58,9 @@ def along(points: Floats, direction: Floats) -> Floats:
 
 
 def sight(result: Result, plane: str | None = None) -> Sight:
-    """Return the plane that shows most: up, and the horizontal axis along which the run extends most.
+    """Return the plane that shows most: up, and the horizontal axis along which the ropes extend most.
 
-    Without gravity these are the two axes along which it extends most. `plane` names the axes
+    Without gravity these are the two axes along which they extend most. `plane` names the axes
     instead, the horizontal one first: "xz".
 
     Raises ValueError for a plane that is not two different letters of x, y and z.
@@ -59,8 +71,9 @@ def sight(result: Result, plane: str | None = None) -> Sight:
             raise ValueError(f"plane: {plane!r} - must be two of x, y and z, such as 'xz'")
         first, second = AXES.index(plane[0]), AXES.index(plane[1])
         return Sight(basis[first], basis[second], plane[0], plane[1])
-    low, high = extent(result)
-    spread = high - low
+    space = extent(result)
+    # How long the ropes are seen at most times, and a little for where they go.
+    spread = space.inside + 0.1 * (space.high - space.low)
     up = np.array(result.scene.up)
     if not any(result.scene.gravity):
         first, second = sorted(np.argsort(-spread, kind="stable")[:2])
@@ -102,9 +115,16 @@ def positions_of(result: Result, frames: slice) -> Floats:
     return result.read("positions", frames.start, frames.stop)
 
 
-def extent(result: Result) -> tuple[Floats, Floats]:
-    """Return the lowest and highest coordinates of the good part [m], (3,) each."""
+def good_frames(result: Result) -> int:
+    """Return the number of frames before the run broke."""
+    return good_part(result)
+
+
+@remembered
+def extent(result: Result) -> Extent:
+    """Return what space the good part takes up [m]."""
     good = good_frames(result)
+    inside, frames = np.zeros(3), 0
     low, high = np.full(3, np.inf), np.full(3, -np.inf)
     for part in chunks(result):
         if part.start >= good:
@@ -112,7 +132,28 @@ def extent(result: Result) -> tuple[Floats, Floats]:
         points = np.asarray(positions_of(result, slice(part.start, min(part.stop, good))))
         low = np.minimum(low, points.min(axis=(0, 1)))
         high = np.maximum(high, points.max(axis=(0, 1)))
-    return low, high
+        inside += np.ptp(points, axis=1).sum(axis=0)
+        frames += len(points)
+    return Extent(low, high, inside / frames)
+
+
+@remembered
+def motion(result: Result) -> tuple[list[int], Floats]:
+    """Return frames spread over the good part, and the way [m] that its nodes went up to each."""
+    good = good_frames(result)
+    frames = spread(good, _LOOKS)
+    way, before = np.zeros(len(frames)), positions_of(result, slice(0, 1))[0]
+    for i, frame in enumerate(frames):
+        here = positions_of(result, slice(frame, frame + 1))[0]
+        way[i] = np.sqrt(((here - before) ** 2).sum(axis=1).mean())
+        before = here
+    return frames, np.cumsum(way)
+
+
+def spread(good: int, count: int) -> list[int]:
+    """Return at most `count` frames spread evenly over the first `good`, the ends included."""
+    chosen = np.unique(np.linspace(0, good - 1, min(count, good)).round().astype(int))
+    return [int(frame) for frame in chosen]
 
 
 def broken_note(
@@ -146,12 +187,24 @@ def frame_at(result: Result, times: Iterable[float]) -> list[int]:
     return found
 
 
+def telling_frames(result: Result, count: int, beyond: int) -> list[int]:
+    """Return about `count` frames, closer together where much moves, then `beyond` broken ones."""
+    frames, way = motion(result)
+    good = good_frames(result)
+    after = range(good, min(good + beyond, len(result.time)))
+    time = result.time[frames]
+    total = float(time[-1] - time[0]) or 1.0
+    measure = (1.0 - _MOTION) * (time - time[0]) / total + _MOTION * way / (float(way[-1]) or 1.0)
+    marks = np.linspace(0.0, float(measure[-1]), max(count - len(after), 2))
+    chosen = {frames[int(np.argmin(np.abs(measure - mark)))] for mark in marks}
+    return [*sorted(chosen), *after]
+
+
 def spread_frames(result: Result, count: int, good: int, beyond: int) -> list[int]:
     """Return about `count` frames over the good part, then `beyond` broken ones where it breaks."""
     after = range(good, min(good + beyond, len(result.time)))
     inside = max(count - len(after), 2)
-    chosen = np.unique(np.linspace(0, good - 1, min(inside, good)).round().astype(int))
-    return [*map(int, chosen), *after]
+    return [*spread(good, inside), *after]
 
 
 def node_index(result: Result, node: int | str | tuple[str, int]) -> int:
@@ -198,7 +251,7 @@ def _telling(span: Span, held: set[int]) -> list[int]:
     """Free ends first, then middles of the stretches between anchors, the longest first."""
     free = [node for node in (span.end, span.start) if node not in held]
     marks = sorted({span.start, span.end, *(n for n in held if span.start <= n <= span.end)})
-    gaps = sorted(zip(marks, marks[1:], strict=False), key=lambda gap: gap[0] - gap[1])
+    gaps = sorted(pairwise(marks), key=lambda gap: gap[0] - gap[1])
     middles = [(a + b) // 2 for a, b in gaps if b - a > 1]
     return free + middles or [span.end]
 
@@ -214,12 +267,27 @@ def rope_lines(result: Result, points: Floats) -> list[Floats]:
 def anchors_at(result: Result, frame: int) -> Floats:
     """Return the places of the anchors that hold at a frame [m], (a, 3)."""
     time = float(result.time[frame])
-    rows = [
-        node
+    held: Floats = positions_of(result, slice(frame, frame + 1))[0][held_nodes(result, time)]
+    return held
+
+
+def held_nodes(result: Result, time: float) -> list[int]:
+    """Return array indices of nodes at the anchors that hold at a time [s].
+
+    On a winch's drum that is the rope's very end, which never leaves it.
+    """
+    spans = {span.name: span for span in result.layout.ropes}
+    drums = {
+        spans[w.rope].start if w.end == "start" else spans[w.rope].end: (
+            spans[w.rope].first if w.end == "start" else spans[w.rope].last
+        )
+        for w in result.scene.winches
+    }
+    return [
+        drums.get(node, node)
         for node, anchor in zip(result.layout.anchor_nodes, result.scene.anchors, strict=True)
         if anchor.release_time is None or time < anchor.release_time
     ]
-    return positions_of(result, slice(frame, frame + 1))[0][rows]
 
 
 def load_nodes(result: Result) -> list[int]:
