@@ -7,9 +7,11 @@ linearly, which is exact at the frames: a run compared with itself differs by ex
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
+from functools import wraps
+from typing import Any, TypeVar
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
@@ -18,6 +20,7 @@ from ropewalk.core.status import BREAK_STRETCH
 from ropewalk.record.result import Result
 from ropewalk.scene import Scene
 
+_T = TypeVar("_T")
 _CHUNK = 256  # frames compared in one go
 
 
@@ -125,6 +128,21 @@ def _largest_tension(result: Result, start: int, good: int) -> float:
     return float(result.read("tension", start, min(start + _CHUNK, good)).max())
 
 
+def remembered(function: Callable[[Result], _T]) -> Callable[[Result], _T]:
+    """Remember what a function says of a result, as long as the result lives."""
+    known: WeakKeyDictionary[Result, tuple[int, _T]] = WeakKeyDictionary()
+
+    @wraps(function)
+    def wrapper(result: Result) -> _T:
+        found = known.get(result)
+        if found is None or found[0] != len(result.time):
+            found = known[result] = (len(result.time), function(result))
+        return found[1]
+
+    return wrapper
+
+
+@remembered
 def good_part(result: Result) -> int:
     """Return the number of frames before the run broke (1 at least)."""
     longest = np.full(result.layout.segments, np.inf)

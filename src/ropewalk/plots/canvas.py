@@ -18,6 +18,7 @@ from ropewalk.plots.view import (
     load_nodes,
     positions_of,
     sight,
+    spread,
 )
 
 if TYPE_CHECKING:
@@ -49,7 +50,7 @@ class Box:
 
 
 def box_around(points: Floats, ground: float | None, *, roomy: bool = False) -> Box:
-    """Return a box with a margin around points (..., 2) [m], and around the ground where it is near.
+    """Return a box with a margin around points (..., 2) [m], and the ground where it is near.
 
     A rope that is long and nearly straight gets unequal scales, else its waves could not be seen; a `roomy` box
     has equal scales and much room, for what a break throws about.
@@ -134,7 +135,7 @@ def stage(result: Result, plane: str | None, frames: list[int] | None = None) ->
     view, good = sight(result, plane), good_frames(result)
     ground = ground_height(result, view)
     if frames is None:
-        frames = sorted({*np.linspace(0, good - 1, min(good, 400)).round().astype(int).tolist()})
+        frames = spread(good, 400)
     inside = [f for f in frames if f < good] or [good - 1]
     points = np.stack([positions_of(result, slice(f, f + 1))[0] for f in inside])
     broken = good < len(result.time)

@@ -69,9 +69,10 @@ def compare(
     tall = min(8.4 / columns * ratio + 0.55, 3.6)
     figure = new_figure(8.8, rows * tall + 3.6)
     grid = GridSpec(2, 1, figure=figure, height_ratios=(rows * tall, 2.4))
-    upper = grid[0].subgridspec(rows, columns).subplots(sharex=True, sharey=True, squeeze=False)
-    lower = grid[1].subgridspec(1, 3).subplots()
-    _draw_shapes(upper, found, stages, times)
+    shapes = grid[0].subgridspec(rows, columns)
+    upper = list(np.ravel(shapes.subplots(sharex=True, sharey=True, squeeze=False)))
+    lower = list(np.ravel(grid[1].subgridspec(1, 3).subplots(squeeze=False)))
+    _draw_shapes(upper, columns, found, stages, times)
     _draw_distance(lower[0], found)
     for axes, name in ((lower[1], "kinetic"), (lower[2], "total")):
         _draw_energy(axes, found, stages, name)
@@ -103,7 +104,8 @@ def _common_stages(found: Comparison, plane: str | None) -> list[Stage]:
 
 
 def _draw_shapes(
-    grid: np.ndarray[tuple[int, int], np.dtype[np.object_]],
+    grid: list[Axes],
+    columns: int,
     found: Comparison,
     stages: list[Stage],
     times: Sequence[float] | None,
@@ -111,8 +113,7 @@ def _draw_shapes(
     """Draw one panel per run, with the ropes at the same times."""
     colours = times_map()
     chosen = _times(found, stages, times)
-    columns = grid.shape[1]
-    for number, axes in enumerate(grid.flat):
+    for number, axes in enumerate(grid):
         if number >= len(found.results):
             axes.set_visible(False)
             continue
@@ -133,8 +134,8 @@ def _draw_shapes(
         below = number + columns >= len(found.results)
         axes.tick_params(labelbottom=below)
         label(axes, seen.view, across=below, up=number % columns == 0)
-    handles, names = grid.flat[0].get_legend_handles_labels()
-    grid.flat[0].figure.legend(handles, names, loc="outside right upper", title="time")
+    handles, names = grid[0].get_legend_handles_labels()
+    grid[0].figure.legend(handles, names, loc="outside right upper", title="time")
 
 
 def _times(found: Comparison, stages: list[Stage], times: Sequence[float] | None) -> list[float]:

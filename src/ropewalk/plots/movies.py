@@ -113,8 +113,7 @@ def movie_times(result: Result, fps: float, speed: float, good: int) -> Floats:
     if good < len(time):
         end = min(end, float(time[good - 1]) + _BROKEN * speed)
     count = int(np.floor((end - float(time[0])) * fps / speed + 1e-6)) + 1
-    moments: Floats = float(time[0]) + np.arange(count) * (speed / fps)
-    return moments
+    return np.asarray(float(time[0]) + np.arange(count) * (speed / fps), dtype=np.float64)
 
 
 class _Moment(NamedTuple):
@@ -187,9 +186,9 @@ class _Painter:
         self._moving = (self._rope, self._loads, self._anchors, self._stamp)
         for artist in self._moving:
             artist.set_animated(True)
-        self._canvas.draw()
+        self._canvas.draw()  # type: ignore[no-untyped-call]
         figure.set_layout_engine("none")
-        self._still = self._canvas.copy_from_bbox(figure.bbox)
+        self._still = self._canvas.copy_from_bbox(figure.bbox)  # type: ignore[no-untyped-call]
         self._live = _live_segments(result)
         self._load_nodes = load_nodes(result)
 
@@ -208,10 +207,11 @@ class _Painter:
         self._anchors.set_data(points[holds, 0], points[holds, 1])
         self._loads.set_data(points[self._load_nodes, 0], points[self._load_nodes, 1])
         self._stamp.set_text(f"t = {moment.time:.2f} s" + (" (broken)" if moment.broken else ""))
-        self._canvas.restore_region(self._still)  # type: ignore[attr-defined]
+        self._canvas.restore_region(self._still)  # type: ignore[no-untyped-call]
         for artist in self._moving:
             self._axes.draw_artist(artist)
-        picture = Image.frombuffer("RGBA", self._size, self._canvas.buffer_rgba())
+        pixels = self._canvas.buffer_rgba()  # type: ignore[no-untyped-call]
+        picture = Image.frombuffer("RGBA", self._size, pixels)
         return picture.convert("RGB")
 
 

@@ -51,7 +51,10 @@ def phase(
     time = result.time
     scale = Normalize(float(time[0]), float(time[good - 1]) if good > 1 else float(time[0]) + 1.0)
     lines = LineCollection(
-        np.stack([points[:-1], points[1:]], axis=1), cmap=times_map(), norm=scale, linewidths=1.1
+        list(np.stack([points[:-1], points[1:]], axis=1)),
+        cmap=times_map(),
+        norm=scale,
+        linewidths=1.1,
     )
     lines.set_array(0.5 * (time[: shown - 1] + time[1:shown]))
     axes.add_collection(lines)

@@ -114,7 +114,7 @@ def _draw_magnitudes(
     largest = set_limits(axes, [sizes[:, row] for row in order], good)
     _finish(axes, result, largest, good)
     axes.set_xlabel("time [s]")
-    axes.figure.legend(loc="outside right upper")  # type: ignore[union-attr]
+    axes.figure.legend(loc="outside right upper")
 
 
 def _finish(axes: Axes, result: Result, largest: float, good: int) -> None:

@@ -31,8 +31,8 @@ from ropewalk.plots.view import (
     load_nodes,
     positions_of,
     rope_lines,
-    spread_frames,
     tame,
+    telling_frames,
 )
 
 if TYPE_CHECKING:
@@ -52,7 +52,7 @@ def shape(
     Raises ValueError for times outside the run and for a plane that is none.
     """
     whole = stage(result, plane)
-    frames = spread_frames(result, 6, whole.good, 2) if times is None else frame_at(result, times)
+    frames = telling_frames(result, 6, 2) if times is None else frame_at(result, times)
     frames = sorted(set(frames))
     if not frames:
         raise ValueError("times: () - must be at least one time")
@@ -100,7 +100,7 @@ def _draw_over(axes: Axes, result: Result, seen: Stage, frames: list[int]) -> No
     figure = axes.figure
     mappable = ScalarMappable(scale, colours)
     if len(frames) > _FEW:
-        figure.colorbar(mappable, ax=axes, label="time [s]", shrink=0.9, pad=0.02)  # type: ignore[union-attr]
+        figure.colorbar(mappable, ax=axes, label="time [s]", shrink=0.9, pad=0.02)
     _legend(axes, result, len(frames) <= _FEW)
 
 
@@ -142,7 +142,7 @@ def _legend(axes: Axes, result: Result, with_times: bool) -> None:
         handles += axes.plot([], [], **{**LOAD, **grey})  # type: ignore[arg-type]
         names.append("load")
     if with_times:
-        axes.figure.legend(handles, names, title="time", loc="outside right upper")  # type: ignore[union-attr]
+        axes.figure.legend(handles, names, title="time", loc="outside right upper")
     elif names:
         axes.legend(
             handles, names, ncols=2, loc="lower right", bbox_to_anchor=(1.0, 1.0), borderaxespad=0.1
