@@ -12,7 +12,7 @@ import click
 import pytest
 
 from ropewalk.cli import main
-from ropewalk.scene import Scene, SceneError, presets
+from ropewalk.scene import Scene, SceneError
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
@@ -120,12 +120,11 @@ def test_python_runs(page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
         exec(compile(block, str(page), "exec"), names)  # noqa: S102 - the page is ours
 
 
-def test_every_command_and_preset_is_documented() -> None:
+def test_every_command_is_documented() -> None:
     text = "\n".join(page.read_text(encoding="utf-8") for page in PAGES)
     assert isinstance(main, click.Group)
     for name in main.commands:
         assert f"ropewalk {name}" in text
-    assert presets.names()
 
 
 def test_a_wrong_command_is_seen() -> None:
