@@ -1,0 +1,70 @@
+"""Closed forms that the claims are held against. m node mass, k spring constant, L rest length,
+c spring friction, g gravity; all SI."""
+
+from __future__ import annotations
+
+import math
+
+
+def scheme_frequency(k: float, m: float, c: float, dt: float) -> float:
+    """Angular frequency of one mass under semi-implicit Euler [rad/s].
+
+    From z^2 - (2 - a - b) z + (1 - b) = 0 with a = k dt^2/m, b = c dt/m.
+    """
+    a, b = k * dt * dt / m, c * dt / m
+    return math.acos((2.0 - a - b) / (2.0 * math.sqrt(1.0 - b))) / dt
+
+
+def scheme_factor(m: float, c: float, dt: float) -> float:
+    """Amplitude left after one step, sqrt(1 - c dt/m) [1]; the root of the product of both z."""
+    return math.sqrt(1.0 - c * dt / m)
+
+
+def euler_factor(k: float, m: float, c: float, dt: float) -> float:
+    """Amplitude after one step of explicit Euler, sqrt(1 - b + a) [1]."""
+    return math.sqrt(1.0 - c * dt / m + k * dt * dt / m)
+
+
+def mode(j: int, free: int) -> float:
+    """4 sin^2(j pi / (2 (n + 1))): mode j of n free masses between two pins [1]."""
+    return 4.0 * math.sin(j * math.pi / (2.0 * (free + 1))) ** 2
+
+
+def decay_time(j: int, free: int, m: float, c: float) -> float:
+    """Time in which mode j falls to 1/e under vector friction, 2 m / (c mu_j) [s]."""
+    return 2.0 * m / (c * mode(j, free))
+
+
+def hanging_stretch(n: int, k: float, m: float, g: float) -> float:
+    """Stretch of n springs hanging by their own masses, m g n (n + 1) / (2 k) [m]."""
+    return m * g * n * (n + 1) / (2.0 * k)
+
+
+def shallow_sag(k: float, m: float, L: float, g: float, span: float) -> tuple[float, float]:
+    """Sag [m] and horizontal pull [N] of a rope as long as its span.
+
+    Parabola: H^3 = k L (m g / L)^2 S^2 / 24, sag = (m g / L) S^2 / (8 H) (Irvine 1981, ch. 2).
+    """
+    w = m * g / L
+    pull = (k * L * w * w * span * span / 24.0) ** (1.0 / 3.0)
+    return w * span * span / (8.0 * pull), pull
+
+
+def bounce_strain(k: float, m: float, L: float, g: float, span: float) -> float:
+    """Largest mean strain of a straight rope that is let go, one-mode energy balance [1].
+
+    A parabola of depth d loses (2/3) m g N d of weight energy and holds k N (e L)^2 / 2 with
+    e = 8 d^2 / (3 S^2): d^3 = (3/16) m g S^4 / (k L^2). Good to some 20 %.
+    """
+    depth = (3.0 * m * g * span**4 / (16.0 * k * L * L)) ** (1.0 / 3.0)
+    return 8.0 * depth * depth / (3.0 * span * span)
+
+
+def largest_spring(m: float, c: float, rate: float) -> float:
+    """Largest spring constant of a long chain at `rate` steps a second, m f^2 - 2 c f [N/m]."""
+    return m * rate * rate - 2.0 * c * rate
+
+
+def swing_period(pull: float, m: float, L: float, span: float) -> float:
+    """Period of the longest wave on a taut rope, 2 S / sqrt(H L / m) [s]."""
+    return 2.0 * span / math.sqrt(pull * L / m)

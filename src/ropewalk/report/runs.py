@@ -1,0 +1,132 @@
+"""Running scenes for the claims and reading what happened."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from ropewalk.analysis.statics import Statics, static_shape
+from ropewalk.block import join
+from ropewalk.build import build
+from ropewalk.core.arrays import Floats
+from ropewalk.core.status import OK
+from ropewalk.scene import Scene
+from ropewalk.scene.files import scene_table
+from ropewalk.scene.overrides import apply_overrides
+from ropewalk.scene.presets import preset
+from ropewalk.simulation import Simulation
+
+
+@dataclass(frozen=True)
+class Run:
+    """A recorded run, with the initial frame."""
+
+    scene: Scene
+    dt: float  # [s]
+    time: Floats  # (f,) [s]
+    x: Floats  # (f, n, 3) [m]
+    v: Floats  # (f, n, 3) [m/s]
+    tension: Floats  # (f, s) [N]
+    energy: Floats  # (f, 3) kinetic, gravity, elastic [J]
+    mass: Floats  # (n,) [kg]
+    rest: Floats  # (s,) [m]
+    broke: bool
+
+    @property
+    def total(self) -> Floats:
+        """Total energy [J], (f,)."""
+        return np.asarray(self.energy.sum(axis=1))
+
+    @property
+    def stretch(self) -> Floats:
+        """Length over rest length of every segment [1], (f, s)."""
+        return np.asarray(np.linalg.norm(np.diff(self.x, axis=1), axis=2) / self.rest)
+
+    @property
+    def largest_stretch(self) -> float:
+        """Largest length over rest length of any segment at any recorded time [1]."""
+        return float(self.stretch.max())
+
+    @property
+    def speed(self) -> Floats:
+        """Speed of every node [m/s], (f, n)."""
+        return np.asarray(np.linalg.norm(self.v, axis=2))
+
+    def at(self, time: float) -> int:
+        """Return the frame nearest to a time [s]."""
+        return int(np.abs(self.time - time).argmin())
+
+
+def changed(scene: Scene | str, *overrides: str) -> Scene:
+    """Return a preset or a scene with some values changed (`rope.segments=20`)."""
+    return apply_overrides(preset(scene) if isinstance(scene, str) else scene, overrides)
+
+
+def record(scene: Scene, *, keep_going: bool = False) -> Run:
+    """Run a scene to its end, or to its last good frame when it breaks."""
+    sim = Simulation(scene, ledger=False)
+    block = join([sim.recording(), *sim.frames(keep_going=keep_going)])
+    out = block.recording
+    return Run(
+        scene=scene,
+        dt=sim.plan.dt,
+        time=block.time,
+        x=np.ascontiguousarray(out.x.transpose(0, 2, 1)),
+        v=np.ascontiguousarray(out.v.transpose(0, 2, 1)),
+        tension=out.tension,
+        energy=out.energy,
+        mass=sim.model.state.mass.copy(),
+        rest=sim.model.state.rest_length.copy(),
+        broke=block.status != OK,
+    )
+
+
+def with_points(scene: Scene, points: Floats) -> Scene:
+    """Return a scene of one rope whose nodes start at given places [m], (n, 3)."""
+    table = scene_table(scene)
+    table["rope"][0]["shape"] = {"kind": "points", "points": points.tolist()}
+    return Scene.model_validate(table)
+
+
+def at_rest(scene: Scene) -> tuple[Scene, Statics]:
+    """Return the scene started in its rest shape, and that shape."""
+    statics = static_shape(scene)
+    return with_points(scene, statics.positions), statics
+
+
+def log_growth(scene: Scene, steps: int) -> float:
+    """Return the measured logarithmic growth of a small zigzag per step [1]; inf when it breaks.
+
+    A straight chain without weight, its free nodes pushed along it to and fro by a millionth of a
+    segment. The first half of the steps is left out, in which other modes still ring.
+    """
+    model = build(scene)
+    x = np.ascontiguousarray(model.state.x.T)
+    free = np.ones(len(x), dtype=bool)
+    free[list(model.layout.anchor_nodes)] = False
+    zigzag = np.where(np.arange(len(x)) % 2 == 0, 1e-6, -1e-6) * free
+    x[:, 0] += zigzag * float(model.state.rest_length.max())
+    table = scene_table(with_points(scene, x))
+    table["gravity"] = [0.0, 0.0, 0.0]
+    half, dt = steps // 2, model.plan.dt
+    table["run"] |= {"steps": "exact", "time_step": dt, "frame_rate": 1.0 / (half * dt)}
+    table["run"]["duration"] = 2 * half * dt
+    run = record(Scene.model_validate(table))
+    if run.broke or not np.isfinite(run.total).all():
+        return math.inf
+    if run.total[1] > 1e6 * run.total[0]:  # grown out of the small, where it saturates
+        return 0.5 * math.log(run.total[1] / run.total[0]) / half
+    return 0.5 * math.log(run.total[2] / run.total[1]) / half
+
+
+def bisect(grows: Callable[[float], bool], low: float, high: float, relative: float) -> float:
+    """Return where a run begins to grow, between a value at which it does not and one at which."""
+    if grows(low) or not grows(high):
+        return math.nan
+    while high - low > relative * high:
+        middle = 0.5 * (low + high)
+        low, high = (low, middle) if grows(middle) else (middle, high)
+    return 0.5 * (low + high)
