@@ -53,17 +53,16 @@ def turn(winches, state, row, t, dt):
     length = state.rest_length[working]
     segments = abs(winches.last[row] - drum)
     total = length + (segments - 1) * nominal + state.winch_debt[row]
-    change = 0.0
+    wound = 0.0
     if winches.start[row] <= t < winches.stop[row]:
-        change = winches.speed[row] * dt
-        change = min(max(change, winches.shortest[row] - total), winches.longest[row] - total)
-    back = state.winch_debt[row] * min(1.0, abs(change) / nominal)
+        wound = winches.speed[row] * dt
+        wound = min(max(wound, winches.shortest[row] - total), winches.longest[row] - total)
+    back = state.winch_debt[row] * min(1.0, abs(wound) / nominal)  # its mass never left the rope
     state.winch_debt[row] -= back
-    change += back
-    if change != 0.0:
-        length += change
-        state.mass[drum] += 0.5 * winches.line[row] * change
-        add_mass(state, drum + side, 0.5 * winches.line[row] * change)
+    if wound + back != 0.0:
+        length += wound + back
+        state.mass[drum] += 0.5 * winches.line[row] * wound
+        add_mass(state, drum + side, 0.5 * winches.line[row] * wound)
         set_segment(winches, state, row, working, length)
     if length > SPLIT * nominal and drum != winches.first[row]:
         split(winches, state, row, drum, working, length)
