@@ -17,7 +17,7 @@ from ropewalk.record.lock import is_locked
 from ropewalk.record.reader import Stored
 from ropewalk.record.result import Result
 from ropewalk.record.run import COMMIT_SECONDS, Recorder, finish
-from ropewalk.record.simulate import Breaks, Explain, Progress, no_explanation
+from ropewalk.record.simulate import Explain, Progress, Runner, no_explanation
 from ropewalk.record.store import Writer
 from ropewalk.simulation import Simulation
 
@@ -50,8 +50,8 @@ def resume_run(
     _check_sources(folder, found.source_hash, force)
     simulation.restore(found.snapshot)
     writer = _take_up(folder, simulation, found.frames)
-    breaks = Breaks(simulation, facts.keep_going, explain, found.diagnosis)
-    recorder = Recorder(simulation, folder, writer, facts, breaks, commit_seconds)
+    runner = Runner(simulation, facts.keep_going, explain, found.diagnosis)
+    recorder = Recorder(simulation, folder, writer, facts, runner, commit_seconds)
     recorder.earlier = found.seconds
     with writing(folder):
         log(folder, "resumed", frames=found.frames, time=simulation.time)

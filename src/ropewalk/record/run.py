@@ -30,7 +30,7 @@ from ropewalk.record.folder import (
 )
 from ropewalk.record.lock import locked
 from ropewalk.record.result import Result
-from ropewalk.record.simulate import Breaks, Explain, Progress, no_explanation
+from ropewalk.record.simulate import Explain, Progress, Runner, no_explanation
 from ropewalk.record.store import Writer
 from ropewalk.scene import Scene
 from ropewalk.simulation import Simulation
@@ -50,7 +50,7 @@ class Recorder:
     folder: Path
     writer: Writer
     facts: Facts
-    breaks: Breaks
+    runner: Runner
     commit_seconds: float = COMMIT_SECONDS
     begun: float = field(default_factory=time.perf_counter)
     earlier: float = 0.0  # wall time of former parts of this run [s]
@@ -63,8 +63,7 @@ class Recorder:
         with stop_requests() as stop:
             while self.writer.frames <= plan.frames:
                 count = min(self.writer.open_frames, plan.frames + 1 - self.writer.frames)
-                block = self.simulation.advance_frames(count, keep_going=self.facts.keep_going)
-                self.breaks.watch(block)
+                block = self.runner.advance(count)
                 with writing(self.folder, KEPT):
                     self.writer.add(block)
                 if progress is not None:
@@ -75,7 +74,7 @@ class Recorder:
                     return INTERRUPTED
                 if self._is_due():
                     self.commit(RUNNING)
-        return BROKE if self.breaks.diagnosis else FINISHED
+        return BROKE if self.runner.diagnosis else FINISHED
 
     def _is_due(self) -> bool:
         wait = max(self.commit_seconds, self.commit_cost / COMMIT_SHARE)
@@ -89,11 +88,11 @@ class Recorder:
     def _commit(self, status: str) -> None:
         start = time.perf_counter()
         seconds = self.earlier + start - self.begun
-        self.facts = self.facts.but(status=status, seconds=seconds, diagnosis=self.breaks.diagnosis)
+        self.facts = self.facts.but(status=status, seconds=seconds, diagnosis=self.runner.diagnosis)
         self.writer.commit()
         frames = self.writer.frames
         made = Checkpoint(
-            self.simulation.state, frames, source_hash(), seconds, self.breaks.diagnosis
+            self.simulation.state, frames, source_hash(), seconds, self.runner.diagnosis
         )
         checkpoint.save(self.folder, made)
         write_status(self.folder, self.facts, frames, self.simulation.time)
@@ -122,8 +121,8 @@ def record_run(
     facts = Facts(plan, ledger, keep_going, RUNNING, provenance=about)
     with new_folder(folder, overwrite) as made:
         writer = begin(made, simulation.scene, simulation.layout, facts, chunk_frames(simulation))
-        breaks = Breaks(simulation, keep_going, explain)
-        recorder = Recorder(simulation, made, writer, facts, breaks, commit_seconds)
+        runner = Runner(simulation, keep_going, explain)
+        recorder = Recorder(simulation, made, writer, facts, runner, commit_seconds)
         writer.add(simulation.recording())
         recorder.commit(RUNNING)
         log(made, "started", planned_frames=plan.frames + 1)

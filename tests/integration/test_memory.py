@@ -1,0 +1,47 @@
+"""The memory of a run does not grow with its duration."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+CHILD = """
+import json, resource, sys
+import runs
+from ropewalk import run
+scene = runs.hanging(segments=999, frame_rate=500.0, duration=float(sys.argv[2]))
+result = run(scene, sys.argv[1])
+peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024.0
+print(json.dumps({"frames": result.frames, "nodes": result.nodes, "peak": peak}))
+"""
+
+
+def peak_of(folder: Path, duration: float) -> dict[str, float]:
+    """Run 1000 nodes for a duration [s] in a process of its own; return its peak memory [MB]."""
+    env = {**os.environ, "PYTHONPATH": os.pathsep.join(path for path in sys.path if path)}
+    done = subprocess.run(
+        [sys.executable, "-c", CHILD, str(folder), str(duration)],
+        capture_output=True,
+        text=True,
+        check=True,
+        env=env,
+    )
+    found: dict[str, float] = json.loads(done.stdout)
+    return found
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(sys.platform == "win32", reason="measures with the resource module")
+def test_a_long_run_stays_within_300_megabytes(tmp_path: Path) -> None:
+    short = peak_of(tmp_path / "short", 0.4)
+    long = peak_of(tmp_path / "long", 40.0)
+    assert (long["nodes"], long["frames"]) == (1000, 20001)
+    stored = sum(path.stat().st_size for path in (tmp_path / "long").rglob("*") if path.is_file())
+    assert stored > 300e6  # it really wrote more than it may hold
+    assert long["peak"] < 300.0
+    assert long["peak"] < short["peak"] + 60.0

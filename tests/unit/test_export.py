@@ -1,0 +1,217 @@
+"""Tables, archives and VTK of results, read back by other programs."""
+
+from __future__ import annotations
+
+import sys
+import xml.etree.ElementTree as ET
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+
+import ropewalk as rw
+import runs
+from ropewalk.record.errors import InputError, RunError
+from ropewalk.record.export import export
+from ropewalk.record.result import Result
+
+
+@pytest.fixture(scope="module")
+def result() -> Result:
+    return rw.simulate(runs.winched())
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("runs") / "run"
+    rw.run(runs.winched(), path)
+    return path
+
+
+def test_long_tables(result: Result, tmp_path: Path) -> None:
+    files = export(result, "csv", tmp_path)
+    assert [path.name for path in files] == ["nodes.csv", "segments.csv", "anchors.csv", "run.csv"]
+    nodes = pd.read_csv(files[0])
+    assert list(nodes)[:6] == ["time [s]", "rope", "node", "x [m]", "y [m]", "z [m]"]
+    assert list(nodes)[6:] == ["vx [m/s]", "vy [m/s]", "vz [m/s]"]
+    end = nodes[(nodes["rope"] == "line") & (nodes["node"] == 8)]
+    series = result.node(8, "line")
+    np.testing.assert_array_equal(end["time [s]"], result.time)
+    np.testing.assert_array_equal(end[["x [m]", "y [m]", "z [m]"]], series["position"])
+    np.testing.assert_array_equal(end[["vx [m/s]", "vy [m/s]", "vz [m/s]"]], series["velocity"])
+    segments = pd.read_csv(files[1])
+    free = segments[segments["rope"] == "free"]["tension [N]"].to_numpy()
+    np.testing.assert_array_equal(free, result.rope("free").tension.ravel())
+    anchors = pd.read_csv(files[2])
+    np.testing.assert_array_equal(anchors[["fx [N]", "fy [N]", "fz [N]"]], result.reactions[:, 0])
+    run = pd.read_csv(files[3])
+    np.testing.assert_array_equal(run["total energy [J]"], result.energy["total"])
+    np.testing.assert_array_equal(run["work of anchor:drum [J]"], result.work["anchor:drum"])
+    np.testing.assert_array_equal(run["energy error [J]"], result.energy_error)
+
+
+def test_a_wide_table_of_some_nodes_and_times(result: Result, tmp_path: Path) -> None:
+    out = tmp_path / "table.csv"
+    export(
+        result, "csv", out, quantities=["positions"], nodes=[0, -1], times=[1.0, 0.5],
+        rope="free", layout="wide",
+    )  # fmt: skip
+    table = pd.read_csv(out)
+    assert list(table) == ["time [s]"] + [
+        f"{axis} free[{node}] [m]" for node in (0, 5) for axis in "xyz"
+    ]
+    frames = [result.frame_at(0.5), result.frame_at(1.0)]
+    np.testing.assert_array_equal(table["time [s]"], result.time[frames])
+    np.testing.assert_array_equal(table["z free[5] [m]"], result.node(-1, "free")["height"][frames])
+
+
+@pytest.mark.parametrize("layout", ["long", "wide"])
+def test_parquet_equals_csv(result: Result, tmp_path: Path, layout: str) -> None:
+    tables = export(result, "csv", tmp_path, layout=layout, every=7)
+    columns = export(result, "parquet", tmp_path, layout=layout, every=7)
+    for one, other in zip(tables, columns, strict=True):
+        left, right = pd.read_csv(one), pd.read_parquet(other)
+        assert list(left) == list(right)
+        for name in left:
+            assert left[name].tolist() == right[name].tolist()
+
+
+def test_npz_has_the_arrays(result: Result, tmp_path: Path) -> None:
+    everything = ("positions", "velocities", "tension", "rest_length", "energy", "work")
+    (path,) = export(
+        result, "npz", tmp_path / "all", quantities=(*everything, "reactions", "momentum")
+    )
+    assert path.name == "all.npz"
+    with np.load(path, allow_pickle=False) as archive:
+        ropes = np.flatnonzero(archive["segment_rope"] == "free")
+        for name in ("time", "positions", "velocities", "energy", "work", "reactions", "momentum"):
+            np.testing.assert_array_equal(archive[name], result.read(name))
+        np.testing.assert_array_equal(archive["tension"][:, ropes], result.rope("free").tension)
+        assert archive["law"].tolist()[-1] == "anchor:drum"
+        assert archive["node_number"][archive["node_rope"] == "free"].tolist() == list(range(6))
+
+
+def test_pieces_do_not_change_the_files(
+    result: Result, folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for to in ("csv", "npz"):
+        (tmp_path / to).mkdir()
+        whole = export(result, to, tmp_path / to / "whole")
+        monkeypatch.setattr("ropewalk.record.selection._VALUES", 200)
+        pieces = export(folder, to, tmp_path / to / "pieces")
+        monkeypatch.undo()
+        for one, other in zip(whole, pieces, strict=True):
+            if to == "csv":
+                assert one.read_bytes() == other.read_bytes()
+                continue
+            with np.load(one) as left, np.load(other) as right:
+                assert left.files == right.files
+                for name in left.files:
+                    np.testing.assert_array_equal(left[name], right[name])
+
+
+def test_vtk_is_read_by_vtk(result: Result, tmp_path: Path) -> None:
+    io = pytest.importorskip("vtkmodules.vtkIOXML")
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+
+    (index,) = export(result, "vtk", tmp_path / "vtk", every=40)
+    sets = ET.parse(index).getroot().findall("./Collection/DataSet")
+    assert [float(item.attrib["timestep"]) for item in sets] == result.time[::40].tolist()
+    for frame, item in zip(range(0, result.frames, 40), sets, strict=True):
+        reader = io.vtkXMLPolyDataReader()
+        reader.SetFileName(str(index.parent / item.attrib["file"]))
+        reader.Update()
+        data = reader.GetOutput()
+        points = vtk_to_numpy(data.GetPoints().GetData())
+        np.testing.assert_array_equal(points, result.positions[frame])
+        live = result.live[frame]
+        lines = vtk_to_numpy(data.GetLines().GetConnectivityArray()).reshape(-1, 2)
+        np.testing.assert_array_equal(lines[:, 0], np.flatnonzero(live))
+        np.testing.assert_array_equal(lines[:, 1], lines[:, 0] + 1)
+        tension = vtk_to_numpy(data.GetCellData().GetArray("tension"))
+        np.testing.assert_array_equal(tension, result.tension[frame][live])
+        velocity = vtk_to_numpy(data.GetPointData().GetArray("velocity"))
+        np.testing.assert_array_equal(velocity, result.velocities[frame])
+        speed = vtk_to_numpy(data.GetPointData().GetArray("speed"))
+        np.testing.assert_allclose(speed, np.linalg.norm(velocity, axis=1), rtol=1e-14)
+
+
+def test_a_second_vtk_export_leaves_no_old_frames(result: Result, tmp_path: Path) -> None:
+    export(result, "vtk", tmp_path / "vtk")
+    with pytest.raises(RunError, match="overwrite"):
+        export(result, "vtk", tmp_path / "vtk", every=60)
+    export(result, "vtk", tmp_path / "vtk", every=60, overwrite=True)
+    names = sorted(path.name for path in (tmp_path / "vtk" / "frames").iterdir())
+    assert names == ["frame_000000.vtp", "frame_000060.vtp", "frame_000120.vtp"]
+    (tmp_path / "vtk" / "frames" / "mine.txt").write_text("keep")
+    with pytest.raises(RunError, match="other files"):
+        export(result, "vtk", tmp_path / "vtk", overwrite=True)
+    assert (tmp_path / "vtk" / "frames" / "mine.txt").read_text() == "keep"
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        ({"to": "exel"}, "no such format"),
+        ({"to": "parquett"}, 'did you mean "parquet"'),
+        ({"quantities": ["tensoin"]}, 'did you mean "tension"'),
+        ({"quantities": []}, "name one or more"),
+        ({"nodes": [9]}, "has the nodes 0 to"),
+        ({"nodes": []}, "name one or more nodes"),
+        ({"rope": "lin"}, 'did you mean "line"'),
+        ({"times": [99.0]}, "must be from 0 to 2 s"),
+        ({"times": [float("nan")]}, "must be from 0 to 2 s"),
+        ({"times": [1.0], "every": 2}, "cannot be combined"),
+        ({"every": 0}, "at least 1"),
+        ({"layout": "tall"}, "there is long, wide"),
+        ({"out": "one.csv"}, "holds one table"),
+    ],
+)
+def test_wrong_requests(
+    result: Result, tmp_path: Path, changes: dict[str, object], said: str
+) -> None:
+    request = {"to": "csv", "out": "out"} | changes
+    request["out"] = tmp_path / str(request["out"])
+    with pytest.raises(InputError) as raised:
+        export(result, **request)  # type: ignore[arg-type]
+    assert said in str(raised.value)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_nothing_is_replaced_unasked(result: Result, tmp_path: Path) -> None:
+    (tmp_path / "run.csv").write_text("mine")
+    with pytest.raises(RunError, match=r"run\.csv: exists"):
+        export(result, "csv", tmp_path)
+    assert [path.name for path in tmp_path.iterdir()] == ["run.csv"]
+    export(result, "csv", tmp_path, overwrite=True)
+    assert (tmp_path / "run.csv").read_text() != "mine"
+
+
+def test_a_full_disk_leaves_no_half_table(
+    result: Result, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from ropewalk.record.tables import Table
+
+    def pieces(self: Table) -> object:
+        yield [np.zeros(3)] * len(self.headers)
+        raise OSError(28, "No space left on device")
+
+    def broken(*args: object) -> list[Table]:
+        table = Table("run", ["time [s]"], lambda: pieces(table))  # type: ignore[arg-type,return-value]
+        return [table]
+
+    monkeypatch.setattr("ropewalk.record.export.tables", broken)
+    for to in ("csv", "parquet"):
+        with pytest.raises(RunError, match="no space left on the disk"):
+            export(result, to, tmp_path)
+        assert list(tmp_path.iterdir()) == []
+
+
+def test_parquet_without_pyarrow_says_what_to_install(
+    result: Result, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "pyarrow", None)
+    with pytest.raises(RunError, match=r"pip install 'ropewalk\[parquet\]'"):
+        export(result, "parquet", tmp_path)
+    assert list(tmp_path.iterdir()) == []

@@ -1,0 +1,212 @@
+"""Results in memory: shapes, names, balances, ropes, words."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+import ropewalk as rw
+import runs
+from ropewalk.api import BrokenRun
+from ropewalk.record.result import Result
+
+
+@pytest.fixture(scope="module")
+def result() -> Result:
+    return rw.simulate(runs.hanging())
+
+
+@pytest.fixture(scope="module")
+def winched() -> Result:
+    return rw.simulate(runs.winched())
+
+
+def test_the_first_frame_is_the_initial_state(result: Result) -> None:
+    assert result.frames == result.plan.frames + 1 == 121
+    assert result.time[0] == 0.0
+    np.testing.assert_array_equal(result.positions[0, :, 0], np.arange(11.0))
+    np.testing.assert_array_equal(result.velocities[0, 1:], 0.0)
+    assert result.velocities[0, 0, 2] == pytest.approx(0.2 * 2.0 * np.pi)  # the shaken anchor
+    assert result.time[-1] == pytest.approx(2.0, rel=1e-12)
+
+
+def test_shapes(result: Result) -> None:
+    f, n, a = 121, 11, 2
+    assert result.positions.shape == result.velocities.shape == (f, n, 3)
+    assert result.tension.shape == result.rest_length.shape == result.live.shape == (f, n - 1)
+    assert result.reactions.shape == (f, a, 3)
+    assert result.momentum.shape == result.angular_momentum.shape == (f, 3)
+    assert set(result.energy) == {"kinetic", "gravity", "elastic", "total"}
+    assert {"friction", "weight", "anchor:left", "anchor:right"} <= set(result.work)
+
+
+def test_frames_equal_a_stepwise_simulation(result: Result) -> None:
+    simulation = rw.Simulation(runs.hanging())
+    for frame in range(1, 20):
+        simulation.step()
+        np.testing.assert_array_equal(result.positions[frame], simulation.positions)
+
+
+def test_energies_follow_from_positions_and_velocities(result: Result) -> None:
+    kinetic = 0.5 * 0.05 * (result.velocities**2).sum(axis=(1, 2))
+    np.testing.assert_allclose(result.energy["kinetic"], kinetic, rtol=1e-12, atol=1e-15)
+    gravity = 0.05 * 9.81 * result.positions[..., 2].sum(axis=1)
+    np.testing.assert_allclose(result.energy["gravity"], gravity, rtol=1e-9, atol=1e-12)
+    lengths = np.linalg.norm(np.diff(result.positions, axis=1), axis=2)
+    np.testing.assert_allclose(result.tension, 10000.0 * (lengths - 1.0), atol=1e-8)
+    np.testing.assert_allclose(
+        result.energy["elastic"], 5000.0 * ((lengths - 1.0) ** 2).sum(axis=1), atol=1e-9
+    )
+    total = result.energy["kinetic"] + result.energy["gravity"] + result.energy["elastic"]
+    np.testing.assert_allclose(result.energy["total"], total, rtol=1e-14)
+
+
+@pytest.mark.parametrize("name", ["result", "winched"])
+def test_the_kinetic_balance_closes_to_round_off(name: str, request: pytest.FixtureRequest) -> None:
+    run: Result = request.getfixturevalue(name)
+    scale = max(float(np.abs(work).max()) for work in run.work.values())
+    assert np.abs(run.balance_residual).max() < 1e-11 * scale
+
+
+def test_the_balance_notices_a_work_left_out(result: Result) -> None:
+    from ropewalk.record.ledger import balance_residual
+
+    work = dict(result.work) | {"air": np.zeros(result.frames)}
+    left = balance_residual(result.energy, work, result.read("jump"), True)
+    assert np.abs(left).max() > 1e-3
+
+
+def test_the_energy_error_shrinks_with_the_step(result: Result) -> None:
+    fine = rw.simulate(runs.hanging(time_step=0.0002))
+    assert np.abs(fine.energy_error).max() < 0.2 * np.abs(result.energy_error).max()
+
+
+def test_without_a_ledger_the_balances_are_not_numbers() -> None:
+    bare = rw.simulate(runs.hanging(duration=0.1), ledger=False)
+    assert np.isnan(bare.energy_error).all()
+    assert np.isnan(bare.balance_residual).all()
+    assert "no energy ledger" in repr(bare)
+
+
+def test_nodes_and_ropes_by_name(winched: Result) -> None:
+    end = winched.node(-1, "line")
+    np.testing.assert_allclose(end["height"], end["position"][:, 2])
+    assert end["position"][0].tolist() == pytest.approx([0.0, 0.0, -4.0], abs=1e-3)
+    assert end["height"][-1] < end["height"][0] - 0.5  # the winch pays out
+    free = winched.rope("free")
+    assert free.positions.shape[1] == 6
+    assert free.tension.shape[1] == 5
+    np.testing.assert_allclose(free.arc_length, 0.5 * np.arange(5) + 0.25)
+    np.testing.assert_allclose(free.stretch, 1.0, atol=1e-9)  # falls freely
+    with pytest.raises(KeyError, match="line, free"):
+        winched.rope("lin")
+    with pytest.raises(IndexError, match="0 to 8"):
+        winched.node(9, "line")
+
+
+def test_segments_without_rope_are_dead(winched: Result) -> None:
+    line = winched.rope("line")
+    between = winched.layout.span("line").last
+    assert not winched.live[:, between].any()
+    np.testing.assert_array_equal(winched.tension[~winched.live], 0.0)
+    assert line.live[-1].sum() > line.live[0].sum()  # segments came off the drum
+    np.testing.assert_allclose(line.rest_length[-1].sum(), 4.0 + 0.5 * 1.6, atol=1e-3)
+    assert (line.stretch[~line.live] == 1.0).all()
+    assert line.numbers[0] < 0
+    assert winched.rope("free").live.all()
+
+
+def test_the_table_names_the_extremes(result: Result) -> None:
+    table = result.table
+    frame, segment = np.unravel_index(np.argmax(result.tension), result.tension.shape)
+    assert table["largest tension [N]"] == result.tension[frame, segment]
+    assert f"segment {segment} of rope 'rope'" in table["largest tension at"]
+    assert f"t = {result.time[frame]:.6g} s" in table["largest tension at"]
+    speed = np.linalg.norm(result.velocities, axis=2)
+    assert table["largest speed [m/s]"] == pytest.approx(speed.max(), rel=1e-14)
+    assert table["lowest point [m]"] == pytest.approx(result.positions[..., 2].min(), rel=1e-14)
+    assert table["steps"] == 120 * 9
+
+
+def test_the_table_is_the_same_in_pieces(result: Result, monkeypatch: pytest.MonkeyPatch) -> None:
+    from ropewalk.record import summary
+
+    whole = summary.summary(result)
+    monkeypatch.setattr(summary, "_VALUES", 100)
+    assert summary.summary(result) == whole
+
+
+def test_repr_is_a_sentence(result: Result) -> None:
+    said = repr(result)
+    for part in ("'hanging'", "10 segments", "2 s", "121 frames", "semi-implicit-euler"):
+        assert part in said
+    assert "finished" in said
+    assert said.count("\n") == 0
+
+
+def test_a_broken_run_raises_with_its_result() -> None:
+    with pytest.raises(BrokenRun) as raised:
+        rw.simulate(runs.breaking())
+    result = raised.value.result
+    assert isinstance(raised.value, rw.Broken)
+    assert result.status == "broke"
+    assert result.diagnosis == raised.value.diagnosis == str(raised.value)
+    assert 1 < result.frames < 121
+    assert np.isfinite(result.positions).all()
+    assert str(result.diagnosis) in repr(result)
+
+
+def test_a_broken_run_can_go_on() -> None:
+    short = rw.simulate(runs.breaking(), on_failure="return")
+    long = rw.simulate(runs.breaking(), on_failure="return", keep_going=True)
+    assert long.frames == 121
+    assert long.status == "broke"
+    assert long.diagnosis == short.diagnosis
+    np.testing.assert_array_equal(long.positions[: short.frames], short.positions)
+    lengths = np.linalg.norm(np.diff(long.positions[short.frames :], axis=1), axis=2)
+    assert not lengths.max() < 10.0  # absurd, or not a number
+    assert np.isfinite(long.table["largest tension [N]"])
+
+
+def test_wrong_requests_are_refused() -> None:
+    with pytest.raises(rw.SceneError, match="no-such-preset"):
+        rw.simulate("no-such-preset")
+    with pytest.raises(ValueError, match="on_failure"):
+        rw.simulate(runs.hanging(), on_failure="ignore")  # type: ignore[arg-type]
+
+
+def test_progress_counts_frames() -> None:
+    seen: list[tuple[int, int]] = []
+    rw.simulate(runs.hanging(), progress=lambda done, planned, _: seen.append((done, planned)))
+    assert seen[-1] == (120, 120)
+
+
+def test_the_dataset_has_names_and_units(winched: Result) -> None:
+    data = winched.dataset
+    assert data.positions.dims == ("time", "node", "axis")
+    assert data.tension.attrs["units"] == "N"
+    assert data.time.attrs["units"] == "s"
+    assert all("long_name" in data[name].attrs for name in data.variables)
+    line = data.positions.isel(node=(data.node_rope == "line") & (data.node_number == 8))
+    np.testing.assert_array_equal(line[:, 0], winched.node(8, "line")["position"])
+    np.testing.assert_array_equal(data.work.sel(law="weight"), winched.work["weight"])
+
+
+def test_a_result_loads_no_figures_and_no_stores() -> None:
+    code = (
+        "import sys, runs, ropewalk as rw\n"
+        "r = rw.simulate(runs.hanging(duration=0.1)); repr(r); r.table\n"
+        "print(sorted({'matplotlib', 'xarray', 'zarr', 'pandas', 'pyarrow'} & set(sys.modules)))"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code],
+        capture_output=True,
+        text=True,
+        check=True,
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(path for path in sys.path if path)},
+    )
+    assert done.stdout.strip() == "[]"
