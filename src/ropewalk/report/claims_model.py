@@ -180,4 +180,3 @@ def only_gravity(scene: Scene | None = None) -> Outcome:
         caption="Acceleration along the rope: -g everywhere at first, then the pull of the "
         "anchors travels inward.",
     )  # fmt: skip
-

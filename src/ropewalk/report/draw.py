@@ -37,7 +37,9 @@ _STYLE = {
 }
 
 
-def axes(columns: int = 1, rows: int = 1, height: float = 3.0, **options: Any) -> tuple[Figure, Any]:
+def axes(
+    columns: int = 1, rows: int = 1, height: float = 3.0, **options: Any
+) -> tuple[Figure, Any]:
     """Return a figure and its axes (one, or an array of them)."""
     with mpl.rc_context(_STYLE):
         figure = Figure(figsize=(7.4, height), layout="constrained")

@@ -51,13 +51,29 @@ def shallow_sag(k: float, m: float, L: float, g: float, span: float) -> tuple[fl
 
 
 def bounce_strain(k: float, m: float, L: float, g: float, span: float) -> float:
-    """Largest mean strain of a straight rope that is let go, one-mode energy balance [1].
+    """Largest mean strain of a straight rope that is let go, one-arch energy balance [1].
 
-    A parabola of depth d loses (2/3) m g N d of weight energy and holds k N (e L)^2 / 2 with
-    e = 8 d^2 / (3 S^2): d^3 = (3/16) m g S^4 / (k L^2). Good to some 20 %.
+    A parabola of depth d has lost (2/3) m g N d of weight energy and holds k N (e L)^2 / 2, with e
+    from its arc length; both are equal at the turning point. Good to some 20 %: the strain is not
+    even, and other waves take part.
     """
-    depth = (3.0 * m * g * span**4 / (16.0 * k * L * L)) ** (1.0 / 3.0)
-    return 8.0 * depth * depth / (3.0 * span * span)
+    low, high = 1e-9 * span, 100.0 * span
+    for _ in range(200):
+        depth = 0.5 * (low + high)
+        if 0.5 * k * (arc_strain(depth, span) * L) ** 2 < (2.0 / 3.0) * m * g * depth:
+            low = depth
+        else:
+            high = depth
+    return arc_strain(low, span)
+
+
+def arc_strain(depth: float, span: float) -> float:
+    """Arc length over span, less 1, of a parabola: s = 4 d / S,
+    (sqrt(1 + s^2) + asinh(s) / s) / 2 - 1 [1]."""
+    slope = 4.0 * depth / span
+    if slope < 1e-4:
+        return slope * slope / 6.0
+    return 0.5 * (math.sqrt(1.0 + slope * slope) + math.asinh(slope) / slope) - 1.0
 
 
 def largest_spring(m: float, c: float, rate: float) -> float:

@@ -111,15 +111,20 @@ def log_growth(scene: Scene, steps: int) -> float:
     x[:, 0] += zigzag * float(model.state.rest_length.max())
     table = scene_table(with_points(scene, x))
     table["gravity"] = [0.0, 0.0, 0.0]
-    half, dt = steps // 2, model.plan.dt
-    table["run"] |= {"steps": "exact", "time_step": dt, "frame_rate": 1.0 / (half * dt)}
-    table["run"]["duration"] = 2 * half * dt
+    frames, dt = 64, model.plan.dt
+    each = steps // frames
+    table["run"] |= {"steps": "exact", "time_step": dt, "frame_rate": 1.0 / (each * dt)}
+    table["run"]["duration"] = frames * each * dt
     run = record(Scene.model_validate(table))
-    if run.broke or not np.isfinite(run.total).all():
-        return math.inf
-    if run.total[1] > 1e6 * run.total[0]:  # grown out of the small, where it saturates
-        return 0.5 * math.log(run.total[1] / run.total[0]) / half
-    return 0.5 * math.log(run.total[2] / run.total[1]) / half
+    energy = run.total
+    large = np.flatnonzero(~(energy < 1e6 * energy[0]))  # grown out of the small: it saturates
+    if large.size or run.broke:
+        last = max(int(large[0]) if large.size else len(energy) - 1, 1)
+        grown = math.log(energy[last] / energy[0]) if math.isfinite(energy[last]) else math.inf
+        return 0.5 * grown / (last * each)
+    half = slice(frames // 2, None)
+    step = np.arange(len(energy)) * each
+    return 0.5 * float(np.polyfit(step[half], np.log(energy[half]), 1)[0])
 
 
 def bisect(grows: Callable[[float], bool], low: float, high: float, relative: float) -> float:
