@@ -15,7 +15,10 @@ FAULTS = [
     (("segments = 6", "segments = -3"), "rope[0].segments: -3 - must be at least 1"),
     (("segments = 6", "segments = 6.5"), "rope[0].segments: 6.5 - must be a whole number"),
     (("segments = 6", 'segments = "six"'), 'rope[0].segments: "six" - must be a whole number'),
-    (("segments = 6", "segments = 10000000000000"), "rope[0].segments: 10000000000000 - must be at"),
+    (
+        ("segments = 6", "segments = 10000000000000"),
+        "rope[0].segments: 10000000000000 - must be at",
+    ),
     (("node_mass = 0.05", "node_mass = 0"), "rope[0].made_of.node_mass: 0 - must be"),
     (("node_mass = 0.05", "node_mass = nan"), "rope[0].made_of.node_mass: nan - must be"),
     (("node_mass = 0.05", "node_mass = inf"), "rope[0].made_of.node_mass: inf - must be"),
@@ -103,7 +106,10 @@ TABLE = '[anchor.motion]\nkind = "table"\nfile = "path.csv"\n'
     [
         ("time,x,y,z\n0,0,0,0\n1,,0,0\n", "line 3, column x: the cell is missing"),
         ("time,x,y,z\n0,0,0,0\n1,0,0\n", "line 3, column z: the cell is missing"),
-        ("time,x,y,z\n0,0,0,0\n2,1,0,0\n1,0,0,0\n", "line 4, column time: 1 - must be later than 2"),
+        (
+            "time,x,y,z\n0,0,0,0\n2,1,0,0\n1,0,0,0\n",
+            "line 4, column time: 1 - must be later than 2",
+        ),
         ("time,x,y,z\n0,0,0,0\n1,far,0,0\n", 'line 3, column x: "far" - must be a finite number'),
         ("time,x,y,z\n0,0,0,0\n1,nan,0,0\n", 'line 3, column x: "nan" - must be a finite number'),
         ("time,x,y\n0,0,0\n1,0,0\n", "no column z"),
@@ -129,7 +135,7 @@ def test_tables_of_an_anchor(ropewalk: Any, scene: Path, rows: str | None, said:
         (("--duration", "nan"), "run.duration: nan - must be"),
         (("--time-step", "0"), "run.time_step: 0 - must be"),
         (("--method", "rk5"), 'run.method: "rk5" - must be one of "euler"'),
-        (("--set", "rope.segmnts=8"), 'rope.segmnts: unknown key; did you mean "segments"?'),
+        (("--set", "rope.segmnts=8"), 'rope[0].segmnts: unknown key; did you mean "segments"?'),
         (("--set", "rope.segments"), '"rope.segments": must be written as path=value'),
         (("--set", "=3"), '"=3": must be written as path=value'),
         (("--set", "rope[3].segments=8"), "rope[3]: must be from 0 to 0"),

@@ -10,8 +10,6 @@ from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
-import click
-
 from ropewalk.cli.console import tell, terminal
 
 if TYPE_CHECKING:
@@ -80,14 +78,14 @@ class RunProgress:
         from ropewalk.cli.console import console
 
         self._bar = Progress(
-            TextColumn("{task.description}"),
+            TextColumn("{task.description}", markup=False),
             BarColumn(bar_width=None),
-            TextColumn("{task.fields[facts]}"),
+            TextColumn("{task.fields[facts]}", markup=False),
             TimeRemainingColumn(compact=True),
             console=console(stderr=True),
             transient=False,
         )
-        self._task = self._bar.add_task(click.style(self._scene.name), total=None, facts="")
+        self._task = self._bar.add_task(self._scene.name, total=None, facts="")
         self._bar.start()
         return self
 
@@ -100,6 +98,7 @@ class RunProgress:
         if self._from is None:
             self._from = now - frame * block.frames
             self._first = energy_error(block.head(1))
+            self._bar.reset(self._task, completed=done - block.frames, total=planned)
         spent = time.perf_counter() - self._begun
         speed = (now - self._from) / spent if spent > 0.0 else math.inf
         drift = energy_error(block) - (self._first or 0.0)

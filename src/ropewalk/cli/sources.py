@@ -50,10 +50,11 @@ def load_scene(source: str, overrides: Sequence[str] = (), **run: str | None) ->
     """
     from ropewalk.scene import SceneError, apply_overrides, load, presets
 
-    if _is_file(source):
-        scene = load(source)
-    elif source in presets.names():
+    named = source in presets.names() and not Path(source).is_file()
+    if named:
         scene = presets.preset(source)
+    elif _is_path(source):
+        scene = load(source)
     else:
         raise Refusal(_unknown(source, presets.names()))
     changes = [*overrides]
@@ -66,16 +67,23 @@ def load_scene(source: str, overrides: Sequence[str] = (), **run: str | None) ->
         raise SceneError(error.faults, f"{source}, changed by flags") from None
 
 
-def _is_file(source: str) -> bool:
+def _is_path(source: str) -> bool:
     """Whether the source means a file rather than a preset."""
-    return "/" in source or "\\" in source or source.endswith(".toml") or Path(source).exists()
+    if "\0" in source:
+        raise Refusal("SCENE: holds a NUL character; must be a file or the name of a preset")
+    separated = "/" in source or "\\" in source or source.endswith(".toml")
+    try:
+        return bool(source) and (separated or Path(source).exists())
+    except OSError:  # a name that is too long for the file system
+        return False
 
 
 def _unknown(source: str, names: Sequence[str]) -> str:
     if not source:
         return 'SCENE: "" - must be a scene file or the name of a preset'
+    shown = source if len(source) <= 60 else f"{source[:57]}..."
     return (
-        f"{source}: no such file, and no preset of that name; {nearest_name(source, names)} "
+        f"{shown}: no such file, and no preset of that name; {nearest_name(source, names)} "
         "(see: ropewalk presets)"
     )
 

@@ -34,6 +34,8 @@ def movie(folder: Path, output: Path | None, speed: float, fps: float, overwrite
     """Make a movie of the run in DIR, coloured by tension."""
     result = open_run(folder)
     path = output or folder / "movie.gif"
+    if path.suffix.lower() not in (".gif", ".mp4"):
+        raise Refusal(f"{path}: must end in .gif or .mp4")
     refuse_existing(path, overwrite=overwrite or output is None)
     from ropewalk import plots
 
@@ -44,5 +46,5 @@ def movie(folder: Path, output: Path | None, speed: float, fps: float, overwrite
     except plots.MovieError as error:
         raise Refusal(f"{path}: {error}") from error
     except ValueError as error:
-        raise Refusal(f"{folder}: {error}") from error
+        raise Refusal(f"--{error}") from error
     say(str(path))

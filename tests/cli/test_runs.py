@@ -1,0 +1,371 @@
+"""Runs from the command line: folders, summaries, breaks, interruption, resumption."""
+
+from __future__ import annotations
+
+import errno
+import json
+import os
+import pty
+import resource
+import select
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from cli.conftest import SCENE
+from cli.test_bad_input import refused, tree
+from ropewalk import Result
+
+HEAVY = ("matplotlib", "xarray", "pandas", "scipy", "zarr", "PIL", "pyarrow")
+LONG = SCENE.replace("duration = 0.5", "duration = 600.0")  # takes some seconds
+
+
+def folders(path: Path) -> list[str]:
+    """The names of the folders below a path."""
+    return sorted(entry.name for entry in path.iterdir() if entry.is_dir())
+
+
+def test_a_run_is_a_folder_with_a_number(ropewalk: Any, scene: Path, tmp_path: Path) -> None:
+    for number in (1, 2, 3):
+        done = ropewalk("run", scene)
+        assert done.exit_code == 0, done.output
+        assert done.stdout.splitlines()[-1] == f"run folder: runs/scene-{number}"
+        assert "largest tension" in done.stdout
+        assert done.stderr == ""
+    assert folders(tmp_path / "runs") == ["scene-1", "scene-2", "scene-3"]
+    assert Result.open(tmp_path / "runs/scene-2").frames == 31
+
+
+def test_a_preset_runs_by_its_name(ropewalk: Any, tmp_path: Path) -> None:
+    (tmp_path / "r2").mkdir()  # a folder of that name is not in the way
+    done = ropewalk("run", "r2", "--duration", "0.2", "-q")
+    assert done.exit_code == 0
+    assert done.stdout == "runs/r2-1\n"
+
+
+def test_json_is_all_that_is_on_stdout(ropewalk: Any, scene: Path) -> None:
+    done = ropewalk("run", scene, "--json", "-o", "here", "--set", "rope.segments=8")
+    found = json.loads(done.stdout)
+    assert found["folder"] == "here"
+    assert found["status"] == "finished"
+    assert found["diagnosis"] is None
+    opened = Result.open(Path("here"))
+    assert found["results"]["largest tension [N]"] == opened.tension.max()
+    assert opened.nodes == 9
+
+
+def test_flags_are_in_the_scene_that_is_kept(ropewalk: Any, scene: Path) -> None:
+    ropewalk("run", scene, "-o", "a", "--method", "rk4", "--time-step", "0.004", "--duration", "1")
+    run = Result.open(Path("a")).scene.run
+    assert (run.method, run.time_step, run.duration) == ("rk4", 0.004, 1.0)
+
+
+def test_a_run_never_overwrites_another(ropewalk: Any, scene: Path, tmp_path: Path) -> None:
+    assert ropewalk("run", scene, "-o", "a").exit_code == 0
+    before = (tmp_path / "a/provenance.json").read_bytes()
+    refused(ropewalk("run", scene, "-o", "a"), "a: holds a run already", "--overwrite")
+    assert (tmp_path / "a/provenance.json").read_bytes() == before
+    assert ropewalk("run", scene, "-o", "a", "--duration", "1", "--overwrite").exit_code == 0
+    assert Result.open(tmp_path / "a").time[-1] == pytest.approx(1.0)
+
+
+def test_a_run_replaces_nothing_but_runs(ropewalk: Any, scene: Path, tmp_path: Path) -> None:
+    (tmp_path / "mine").mkdir()
+    (tmp_path / "mine/thesis.txt").write_text("mine")
+    for folder, said in [("mine", "is no run folder"), ("mine/thesis.txt", "is a file")]:
+        done = ropewalk("run", scene, "-o", folder, "--overwrite")
+        refused(done, f"{folder}: ", said)
+    refused(ropewalk("run", scene, "-o", "scene.toml/run"), "scene.toml", "file, not a folder")
+    assert tree(tmp_path) == ["mine", "mine/thesis.txt", "scene.toml"]
+
+
+def test_runs_is_a_file(ropewalk: Any, scene: Path, tmp_path: Path) -> None:
+    (tmp_path / "runs").write_text("mine")
+    refused(ropewalk("run", scene), "runs: ")
+    assert tree(tmp_path) == ["runs", "scene.toml"]
+
+
+def test_a_folder_without_permission(
+    ropewalk: Any, scene: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse(path: Any, *_: Any, **__: Any) -> None:
+        raise PermissionError(errno.EACCES, "Permission denied", str(path))
+
+    monkeypatch.setattr(os, "mkdir", refuse)
+    refused(ropewalk("run", scene, "-o", "a"), "a: ", "there is no permission")
+    refused(ropewalk("run", scene), "runs: there is no permission")
+    refused(ropewalk("new", "x", "-o", "deep/x.toml"), "deep: there is no permission")
+    assert tree(tmp_path) == ["scene.toml"]
+
+
+def limited(size: int) -> dict[str, Any]:
+    """Options of a process that cannot write files larger than `size` bytes."""
+    limits = (size, resource.getrlimit(resource.RLIMIT_FSIZE)[1])
+    return {"preexec_fn": lambda: resource.setrlimit(resource.RLIMIT_FSIZE, limits)}
+
+
+def test_a_disk_that_is_full_at_once(process: Any, scene: Path, tmp_path: Path) -> None:
+    done = process("run", scene, **limited(100))
+    refused(done_like(done), "runs/scene-1: cannot be written", "larger than is allowed")
+    assert tree(tmp_path) == ["scene.toml"]
+
+
+def test_a_disk_that_fills_up_during_the_run(process: Any, scene: Path, tmp_path: Path) -> None:
+    scene.write_text(LONG)
+    done = done_like(process("run", scene, "-o", "a", **limited(60_000)))
+    refused(done, "a: cannot be written", "ropewalk resume")
+    assert Result.open(tmp_path / "a").status == "interrupted"
+
+
+class done_like:  # noqa: N801 - it is used as a function
+    """A finished process with the names of click's test results."""
+
+    def __init__(self, done: subprocess.CompletedProcess[str]) -> None:
+        self.exit_code, self.stdout, self.stderr = done.returncode, done.stdout, done.stderr
+        self.output = done.stdout + done.stderr
+
+
+def test_a_run_that_breaks_says_why_and_keeps_what_was_good(ropewalk: Any) -> None:
+    done = ropewalk("run", "r7", "-o", "a")
+    assert done.exit_code == 3
+    assert done.stderr.index("warning: the run will break") < done.stderr.index("Broke after")
+    assert "is kept in a" in done.stderr
+    assert "r7" not in done.stderr or "Traceback" not in done.stderr
+    kept = Result.open(Path("a"))
+    assert kept.status == "broke"
+    assert np.isfinite(kept.positions).all()
+    assert 0 < kept.frames < kept.plan.frames
+    refused(ropewalk("resume", "a"), "a: broke; a broken run cannot be resumed")
+
+
+def test_keep_going_records_the_break_too(ropewalk: Any) -> None:
+    done = ropewalk("run", "r7", "-o", "a", "--keep-going", "--json")
+    assert done.exit_code == 3
+    found = json.loads(done.stdout)
+    assert found["status"] == "broke"
+    assert "Broke after" in found["diagnosis"]
+    kept = Result.open(Path("a"))
+    assert kept.frames == kept.plan.frames + 1
+
+
+def test_quiet_prints_the_folder_only(ropewalk: Any) -> None:
+    done = ropewalk("run", "r6", "-q")
+    assert done.stdout == "runs/r6-1\n"
+    assert done.exit_code == 3
+    assert "warning" not in done.stderr
+
+
+def test_info_says_what_is_in_a_folder(ropewalk: Any, scene: Path) -> None:
+    ropewalk("run", scene, "-o", "a")
+    done = ropewalk("info", "a")
+    for text in ("small", "finished", "31 x 7 x 3", "m/s", "numba", "largest tension"):
+        assert text in done.stdout
+    found = json.loads(ropewalk("info", "a", "--json").stdout)
+    assert found["arrays"]["positions"] == {"shape": [31, 7, 3], "unit": "m"}
+    assert found["provenance"]["ropewalk"]
+
+
+@pytest.mark.parametrize("command", ["info", "plot", "movie", "resume", "export"])
+def test_folders_that_are_no_runs(ropewalk: Any, scene: Path, command: str) -> None:
+    more = ("--to", "csv") if command == "export" else ()
+    refused(ropewalk(command, "nowhere", *more), "nowhere: no such run folder")
+    refused(ropewalk(command, scene, *more), "is a file, not a run folder")
+    refused(ropewalk(command, ".", *more), "is no run folder")
+    assert ropewalk("run", scene, "-o", "a").exit_code == 0
+    path = Path("a/provenance.json")
+    path.write_text(json.dumps(json.loads(path.read_text()) | {"format": 99}))
+    refused(ropewalk(command, "a", *more), "a: has the format 99; this version of ropewalk reads 1")
+    path.write_text("{")
+    refused(ropewalk(command, "a", *more), "provenance.json: is damaged")
+    assert not list(Path("a").glob("*.gif"))
+
+
+def test_nothing_to_resume(ropewalk: Any, scene: Path) -> None:
+    ropewalk("run", scene, "-o", "a")
+    refused(ropewalk("resume", "a"), "a: is finished: there is nothing to resume")
+
+
+def start(tmp_path: Path, *arguments: str) -> subprocess.Popen[str]:
+    """Start the command line as a process of its own."""
+    return subprocess.Popen(
+        [sys.executable, "-m", "ropewalk", *arguments],
+        cwd=tmp_path,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+
+
+def wait_for_frames(folder: Path, frames: int) -> None:
+    """Wait until a run that goes on has committed some frames."""
+    for _ in range(1200):
+        try:
+            if json.loads((folder / "status.json").read_text())["frames"] >= frames:
+                return
+        except (OSError, ValueError):
+            pass
+        time.sleep(0.05)
+    raise AssertionError("the run does not get on")
+
+
+def same(a: Path, b: Path) -> bool:
+    """Whether two runs hold the same bits."""
+    one, two = Result.open(a), Result.open(b)
+    return one.source.names == two.source.names and all(
+        np.array_equal(one.read(name), two.read(name)) for name in ("time", *one.source.names)
+    )
+
+
+@pytest.mark.parametrize(("sent", "status"), [(signal.SIGKILL, -9), (signal.SIGINT, 130)])
+def test_a_run_that_is_stopped_is_resumed_to_the_same_bits(
+    process: Any, scene: Path, tmp_path: Path, sent: signal.Signals, status: int
+) -> None:
+    scene.write_text(LONG.replace("600.0", "20000.0"))
+    running = start(tmp_path, "run", "scene.toml", "-o", "a")
+    wait_for_frames(tmp_path / "a", 1000)
+    running.send_signal(sent)
+    _, said = running.communicate(timeout=60)
+    assert running.returncode == status
+    if sent == signal.SIGINT:
+        assert "go on with: ropewalk resume a" in said
+    stopped = Result.open(tmp_path / "a")
+    assert stopped.status == "interrupted"
+    frames = stopped.frames
+    assert 1000 <= frames < stopped.plan.frames
+    done = process("resume", "a", "--json")
+    assert done.returncode == 0, done.stderr
+    assert json.loads(done.stdout)["status"] == "finished"
+    assert process("run", "scene.toml", "-o", "b", "-q").returncode == 0
+    assert same(tmp_path / "a", tmp_path / "b")
+
+
+def test_a_run_by_other_sources_is_resumed_only_by_force(
+    ropewalk: Any, scene: Path, tmp_path: Path
+) -> None:
+    scene.write_text(LONG.replace("600.0", "20000.0"))
+    running = start(tmp_path, "run", "scene.toml", "-o", "a")
+    wait_for_frames(tmp_path / "a", 1000)
+    running.kill()
+    running.communicate()
+    path = tmp_path / "a/provenance.json"
+    path.write_text(json.dumps(json.loads(path.read_text()) | {"source_hash": "0"}))
+    refused(ropewalk("resume", "a"), "other sources of ropewalk", "give --force")
+    done = ropewalk("resume", "a", "--force")
+    assert done.exit_code == 0
+    assert "warning: a: begun by other sources" in done.stderr
+
+
+def test_a_pipe_gets_no_bar_and_a_terminal_does(process: Any, scene: Path, tmp_path: Path) -> None:
+    done = process("run", scene)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "\x1b" not in done.stdout
+    out, status = on_terminal(tmp_path, "run", "scene.toml", "--set", "name=[bold]a[/b] rope")
+    assert status == 0
+    for text in ("0.50 of 0.50 s", "x real time", "energy +", "━", "[bold]a[/b] rope"):
+        assert text in out
+    out, status = on_terminal(tmp_path, "run", "scene.toml", "--quiet")
+    assert (out, status) == ("runs/scene-3\r\n", 0)
+
+
+def on_terminal(folder: Path, *arguments: str) -> tuple[str, int]:
+    """Call the command line on a terminal of its own; return what it shows and its status."""
+    child, terminal = pty.fork()
+    if child == 0:  # pragma: no cover - the other process
+        os.chdir(folder)
+        os.environ |= {"COLUMNS": "160", "TERM": "xterm"}
+        os.execv(sys.executable, [sys.executable, "-m", "ropewalk", *arguments])
+    shown = b""
+    while True:
+        select.select([terminal], [], [], 60)
+        try:
+            data = os.read(terminal, 65536)
+        except OSError:  # the other end is closed
+            break
+        if not data:
+            break
+        shown += data
+    os.close(terminal)
+    return shown.decode(), os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
+
+
+def test_the_first_run_says_that_it_compiles(
+    ropewalk: Any, scene: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from ropewalk.cli import progress
+
+    monkeypatch.setattr(progress, "is_compiled", lambda method: False)
+    done = ropewalk("run", scene)
+    assert done.stderr.startswith("compiling semi-implicit-euler: the first run")
+
+
+def test_a_method_is_compiled_when_it_is_and_not_before(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from ropewalk.cli.progress import is_compiled
+    from ropewalk.core import jit
+    from ropewalk.methods.registry import METHODS
+
+    kernel = METHODS["verlet"].advance
+    monkeypatch.setattr(jit, "cache_folder", lambda: tmp_path)
+    if not kernel.signatures:
+        (tmp_path / "runge_kutta.advance-1.py311.nbi").touch()
+        assert not is_compiled("verlet")
+        (tmp_path / "verlet.advance-1.py311.nbi").touch()
+        assert is_compiled("verlet")
+
+
+@pytest.mark.parametrize("arguments", [("run", "scene.toml"), ("run", "r6"), ("check", "r4")])
+def test_running_loads_nothing_heavy(
+    tmp_path: Path, scene: Path, arguments: tuple[str, str]
+) -> None:
+    code = (
+        "import sys\nfrom ropewalk.cli import main\n"
+        "try:\n    main(sys.argv[1:])\nexcept SystemExit:\n    pass\n"
+        f"print([name for name in {HEAVY!r} if sys.modules.get(name)])"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code, *arguments],
+        capture_output=True,
+        text=True,
+        cwd=tmp_path,
+        check=True,
+    )
+    expected = "['scipy']" if arguments[0] == "check" and "scipy" in done.stdout else "[]"
+    assert done.stdout.splitlines()[-1] == expected
+
+
+def test_an_error_in_ropewalk_itself(
+    ropewalk: Any, scene: Path, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    def fail(*_: Any, **__: Any) -> None:
+        raise ZeroDivisionError("by nought")
+
+    monkeypatch.setattr("ropewalk.build.build", fail)
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    done = ropewalk("run", scene)
+    assert done.exit_code == 1
+    assert done.stdout == ""
+    first, second = done.stderr.splitlines()
+    assert first == "error in Ropewalk itself: ZeroDivisionError: by nought"
+    kept = Path(second.split(";")[0].removeprefix("the traceback is in "))
+    assert "Traceback" in kept.read_text()
+    done = ropewalk("run", scene, "--debug")
+    assert done.exit_code == 1
+    assert "Traceback" in done.stderr
+
+
+def test_a_reader_that_goes_away(tmp_path: Path) -> None:
+    done = subprocess.run(
+        f"{sys.executable} -m ropewalk presets | head -1",
+        shell=True,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.stderr == ""
