@@ -117,11 +117,11 @@ def log_growth(scene: Scene, steps: int) -> float:
     table["run"]["duration"] = frames * each * dt
     run = record(Scene.model_validate(table))
     energy = run.total
-    large = np.flatnonzero(~(energy < 1e6 * energy[0]))  # grown out of the small: it saturates
-    if large.size or run.broke:
-        last = max(int(large[0]) if large.size else len(energy) - 1, 1)
-        grown = math.log(energy[last] / energy[0]) if math.isfinite(energy[last]) else math.inf
-        return 0.5 * grown / (last * each)
+    large = np.flatnonzero(energy > 1e6 * energy[0])  # grown out of the small: it saturates
+    if large.size and math.isfinite(energy[large[0]]):
+        return 0.5 * math.log(energy[large[0]] / energy[0]) / (int(large[0]) * each)
+    if run.broke or not np.isfinite(energy).all():
+        return math.inf
     half = slice(frames // 2, None)
     step = np.arange(len(energy)) * each
     return 0.5 * float(np.polyfit(step[half], np.log(energy[half]), 1)[0])
