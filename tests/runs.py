@@ -40,7 +40,7 @@ node_drag = 0.02
 TWO_ROPES_AND_A_WINCH = """
 name = "two ropes, a winch"
 [run]
-duration = 2.0
+duration = {duration}
 time_step = 0.0005
 [[rope]]
 name = "line"
@@ -90,9 +90,9 @@ def hanging(**changes: Any) -> Scene:
     return loads(HANGING.format(**(values | changes)))
 
 
-def winched(speed: float = 0.5) -> Scene:
+def winched(speed: float = 0.5, duration: float = 2.0) -> Scene:
     """Two ropes, one of them on a winch."""
-    return loads(TWO_ROPES_AND_A_WINCH.format(speed=speed))
+    return loads(TWO_ROPES_AND_A_WINCH.format(speed=speed, duration=duration))
 
 
 def breaking(**changes: Any) -> Scene:

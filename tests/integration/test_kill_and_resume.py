@@ -87,16 +87,18 @@ def killed_at(count: int, monkeypatch: pytest.MonkeyPatch, after: bool) -> None:
     monkeypatch.setattr(os, "replace", replace)
 
 
-@pytest.mark.parametrize("after", [False, True])
+@pytest.mark.parametrize("after", [False, pytest.param(True, marks=pytest.mark.slow)])
 @pytest.mark.parametrize(
-    "scene", [runs.hanging(duration=1.0), runs.winched()], ids=["hanging", "winch"]
+    "scene",
+    [runs.hanging(duration=0.9), runs.winched(2.0, duration=0.9)],
+    ids=["hanging", "winch"],
 )
 def test_killed_between_any_two_files(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, scene: rw.Scene, after: bool
 ) -> None:
     whole = record_run(scene, tmp_path / "whole", commit_seconds=0.0)
     deaths = 0
-    for count in range(1, 500, 7 if after else 5):
+    for count in range(3, 500, 8 if after else 13):
         folder = tmp_path / f"run{count}"
         with monkeypatch.context() as patch:
             killed_at(count, patch, after)
@@ -124,7 +126,8 @@ def test_killed_again_while_resuming(tmp_path: Path, monkeypatch: pytest.MonkeyP
     deaths, chance = 0, random.Random(5)
     while deaths < 12:
         with monkeypatch.context() as patch:
-            killed_at(chance.randint(1, 45), patch, chance.random() < 0.5)
+            most = chance.randint(1, 45) if folder.exists() else chance.randint(80, 120)
+            killed_at(most, patch, chance.random() < 0.5)
             try:
                 if folder.exists():
                     resume_run(folder, commit_seconds=0.0)
@@ -151,8 +154,9 @@ def environment() -> dict[str, str]:
     return {**os.environ, "PYTHONPATH": os.pathsep.join(path for path in sys.path if path)}
 
 
+@pytest.mark.slow
 def test_sigkill_at_random_moments(tmp_path: Path) -> None:
-    scene = runs.hanging(duration=30.0, time_step=5e-5, segments=60)
+    scene = runs.hanging(duration=15.0, time_step=1e-4, segments=60)
     rw.scene.save(scene, tmp_path / "scene.toml")
     folder, reference = tmp_path / "run", tmp_path / "whole"
     command = [sys.executable, "-c", CHILD, str(tmp_path / "scene.toml")]

@@ -31,7 +31,9 @@ def _small_chunks(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.fixture(scope="module")
 def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("whole") / "run"
-    rw.run(runs.hanging(), path)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("ropewalk.record.run.chunk_frames", lambda simulation: 16)
+        rw.run(runs.hanging(), path)
     return path
 
 
@@ -126,12 +128,13 @@ FAULTS: dict[str, tuple[Callable[[Path], object], str]] = {
 def test_a_damaged_folder_says_what_is_wrong(folder: Path, name: str) -> None:
     damage, said = FAULTS[name]
     damage(folder)
-    for use in (Result.open, rw.resume):
-        with pytest.raises(RunError) as raised:
-            use(folder)
-        assert said in str(raised.value)
-        assert str(folder) in str(raised.value)
-        assert "\n" not in str(raised.value)
+    with pytest.raises(RunError) as raised:
+        Result.open(folder)
+    assert said in str(raised.value)
+    assert str(folder) in str(raised.value)
+    assert "\n" not in str(raised.value)
+    with pytest.raises(RunError):
+        rw.resume(folder)
 
 
 @pytest.mark.parametrize("cut", [0, 10, 200])
@@ -242,7 +245,7 @@ def test_a_real_limit_on_file_size(tmp_path: Path) -> None:
     code = (
         "import resource, sys, runs, ropewalk as rw\n"
         "rw.simulate(runs.hanging(duration=0.1))\n"
-        "resource.setrlimit(resource.RLIMIT_FSIZE, (60_000, 60_000))\n"
+        "resource.setrlimit(resource.RLIMIT_FSIZE, (200_000, 200_000))\n"
         "try:\n    rw.run(runs.hanging(segments=200), sys.argv[1])\n"
         "except rw.RunError as error:\n    print(error)"
     )

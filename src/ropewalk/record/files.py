@@ -20,6 +20,7 @@ _REASONS = {
     errno.EROFS: "the disk is read-only",
     errno.EACCES: "there is no permission",
     errno.EPERM: "there is no permission",
+    errno.EEXIST: "a part of the path is a file, not a folder",
     errno.ENOTDIR: "a part of the path is a file, not a folder",
     errno.ENAMETOOLONG: "the name is too long",
     errno.ENOENT: "no such file or folder",

@@ -77,6 +77,8 @@ class Recorder:
         return BROKE if self.runner.diagnosis else FINISHED
 
     def _is_due(self) -> bool:
+        if self.commit_seconds == 0.0:  # after every chunk
+            return True
         wait = max(self.commit_seconds, self.commit_cost / COMMIT_SHARE)
         return time.perf_counter() - self.last_commit >= wait
 
