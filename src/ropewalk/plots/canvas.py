@@ -24,7 +24,7 @@ from ropewalk.plots.view import (
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
 
-_FLAT = 9.0  # a box flatter than this is drawn with unequal scales
+_FLAT = 20.0  # a box flatter than this is drawn with unequal scales
 ANCHOR = {"marker": "s", "color": "black", "markersize": 5.5, "linestyle": "none"}
 LOAD = {"marker": "o", "color": "#404040", "markersize": 7.0, "linestyle": "none"}
 
@@ -52,8 +52,8 @@ class Box:
 def box_around(points: Floats, ground: float | None, *, roomy: bool = False) -> Box:
     """Return a box with a margin around points (..., 2) [m], and the ground where it is near.
 
-    A rope that is long and nearly straight gets unequal scales, else its waves could not be seen; a `roomy` box
-    has equal scales and much room, for what a break throws about.
+    A rope that is long and nearly straight gets unequal scales, else its waves could not be seen;
+    a `roomy` box has equal scales and much room, for what a break throws about.
     """
     flat = points.reshape(-1, 2)
     flat = flat[np.isfinite(flat).all(axis=1)]

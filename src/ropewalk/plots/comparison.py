@@ -27,6 +27,7 @@ from ropewalk.plots.curves import drawable, mark_break
 from ropewalk.plots.energies import energy_curves
 from ropewalk.plots.shapes import draw_ropes
 from ropewalk.plots.style import (
+    COLOURS,
     GREY,
     escape,
     line_style,
@@ -39,7 +40,7 @@ from ropewalk.plots.style import (
     styled,
     times_map,
 )
-from ropewalk.plots.view import frame_at, limits, spread_frames
+from ropewalk.plots.view import frame_at, limits, telling_frames
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -77,7 +78,8 @@ def compare(
     for axes, name in ((lower[1], "kinetic"), (lower[2], "total")):
         _draw_energy(axes, found, stages, name)
     handles, names = lower[2].get_legend_handles_labels()
-    figure.legend(handles, names, loc="outside lower center", ncols=min(len(names), 4))
+    names = [shorten(name, 22) for name in names]
+    figure.legend(handles, names, loc="outside right center", title="run")
     scenes = {result.scene.name for result in found.results}
     title = f"{scenes.pop()}: comparison" if len(scenes) == 1 else "comparison of runs"
     set_title(figure, title, _subtitle(found))
@@ -122,14 +124,20 @@ def _draw_shapes(
         draw_ground(axes, seen.ground, seen.box)
         frame = 0
         for i, time in enumerate(chosen):
-            if time > result.time[-1] + 1e-9:
+            if time > result.time[seen.good - 1] + 1e-9:
                 continue
             frame = frame_at(result, [time])[0]
             colour = colours(i / max(len(chosen) - 1, 1))
             draw_ropes(axes, result, seen, frame, colour, f"{time:.3g} s")
             draw_loads(axes, result, seen.view, frame, color=colour, markersize=4.5)
             draw_anchors(axes, result, seen.view, frame, color=colour, markersize=3.5)
-        name = shorten(found.labels[number], int(110 / columns))
+        broke = seen.good < len(result.time)
+        if broke:
+            after = min(seen.good + 1, len(result.time) - 1)
+            draw_ropes(axes, result, seen, after, COLOURS[1], "_broken")
+        name = shorten(found.labels[number], int(100 / columns)) + (
+            " (orange: broken)" if broke else ""
+        )
         axes.set_title(name, loc="left", fontsize=9.0, fontweight="bold")
         below = number + columns >= len(found.results)
         axes.tick_params(labelbottom=below)
@@ -148,7 +156,7 @@ def _times(found: Comparison, stages: list[Stage], times: Sequence[float] | None
     result = found.results[longest]
     if times is not None:
         return [float(result.time[f]) for f in frame_at(result, times)]
-    return [float(result.time[f]) for f in spread_frames(result, _TIMES, stages[longest].good, 0)]
+    return [float(result.time[f]) for f in telling_frames(result, _TIMES, 0)]
 
 
 def _draw_distance(axes: Axes, found: Comparison) -> None:
@@ -174,12 +182,15 @@ def _draw_energy(axes: Axes, found: Comparison, stages: list[Stage], name: str) 
     """Draw one energy of all runs, the gravity part counted from the run's start."""
     parts = []
     end = 0.0
+    pairs = zip(found.results, stages, strict=True)
+    sound = any(seen.good == len(result.time) for result, seen in pairs)
     for number, (result, seen) in enumerate(zip(found.results, stages, strict=True)):
         values = energy_curves(result)[name]
-        parts.append(values[: seen.good])
+        if seen.good == len(result.time) or not sound:
+            parts.append(values[: seen.good])
         end = max(end, float(result.time[seen.good - 1]))
         curve = drawable(values, seen.good)
-        axes.plot(result.time, curve, label=escape(found.labels[number]), **line_style(number))
+        axes.plot(result.time, curve, label=found.labels[number], **line_style(number))
         mark_break(axes, result, seen.good)
     axes.set_ylim(*limits(parts))
     axes.set_xlim(0.0, end or 1.0)

@@ -56,7 +56,7 @@ def energy(result: Result) -> Figure:
         upper.plot(result.time, drawable(values, good, every), label=f"work of {name}", **style)
     scaled_axis(upper, "energy", "J", set_limits(upper, every, good))
     if good < len(result.time):
-        _break_scale(upper, every, good)
+        _break_scale(upper, every, good, 5)
     upper.axhline(0.0, color="#808080", linewidth=0.6, zorder=0.5)
     upper.legend(loc="upper left", bbox_to_anchor=(1.01, 1.02), borderaxespad=0.0)
     notes = broken_note(result, good) + _draw_error(lower, result, curves, good)
@@ -89,7 +89,7 @@ def _draw_error(axes: Axes, result: Result, curves: dict[str, Floats], good: int
     axes.axhline(0.0, color="#808080", linewidth=0.6, zorder=0.5)
     scaled_axis(axes, "energy error", "J", set_limits(axes, [error], good, 0.1))
     if good < len(result.time):
-        _break_scale(axes, [error], good)
+        _break_scale(axes, [error], good, 3)
     turned = max(float(np.ptp(part[:good])) for part in curves.values())
     worst = float(np.nanmax(np.abs(error[:good])))
     share = f" ({_percent(worst / turned)} of the largest change of an energy)" if turned else ""
@@ -102,17 +102,17 @@ def _percent(share: float) -> str:
     return f"{100 * share:.3g} %" if share < 10 else "many times"
 
 
-def _break_scale(axes: Axes, curves: list[Floats], good: int) -> None:
+def _break_scale(axes: Axes, curves: list[Floats], good: int, ticks: int) -> None:
     """Draw what grows to a break on a logarithmic scale, linear below what is usual before."""
     sizes = np.abs(np.array([curve[:good] for curve in curves])).max(axis=0)
     usual, most = float(np.median(sizes)), float(sizes.max())
     if most > 50.0 * usual > 0.0:
         low = min(float(curve[:good].min()) for curve in curves)
         least = 10.0 ** np.floor(np.log10(usual))
-        axes.set_yscale("symlog", linthresh=least)
-        ticks = SymmetricalLogLocator(base=10.0, linthresh=least)
-        ticks.set_params(numticks=5)
-        axes.yaxis.set_major_locator(ticks)
+        axes.set_yscale("symlog", linthresh=least, linscale=1.5)
+        places = SymmetricalLogLocator(base=10.0, linthresh=least)
+        places.set_params(numticks=ticks)
+        axes.yaxis.set_major_locator(places)
         axes.set_ylim(-10.0 * usual if low < 0.0 else -usual, 10.0 * most)
         axes.set_ylabel(axes.get_ylabel().split(" [")[0] + " [J]")
 

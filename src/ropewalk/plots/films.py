@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
 
 from ropewalk.plots.canvas import (
     draw_anchors,
@@ -61,6 +62,7 @@ def film(
         axes.set_title(_stamp(result, frame, frame >= seen.good), fontsize=8.5, loc="left", pad=3.0)
         below = number + columns >= len(chosen)
         axes.tick_params(labelbottom=below)
+        axes.xaxis.set_major_locator(MaxNLocator(max(2, int(1.7 * panel))))
         label(axes, seen.view, across=below, up=number % columns == 0)
     set_title(figure, f"{result.scene.name}: film strip", describe(result))
     clipped = "the broken shapes (orange) leave the picture"

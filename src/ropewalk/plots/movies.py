@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -18,6 +19,7 @@ from PIL import Image
 from ropewalk.plots.canvas import (
     ANCHOR,
     LOAD,
+    Box,
     Stage,
     draw_ground,
     label,
@@ -28,7 +30,7 @@ from ropewalk.plots.canvas import (
 from ropewalk.plots.ffmpeg import MovieError, Mp4Writer
 from ropewalk.plots.gif import GifWriter, make_palette
 from ropewalk.plots.style import method_and_step, set_margins, set_note, set_title, styled
-from ropewalk.plots.tensions import colour_scale
+from ropewalk.plots.tensions import colour_scale, line_map
 from ropewalk.plots.view import Floats, broken_note, held_nodes, load_nodes, tame
 
 if TYPE_CHECKING:
@@ -154,9 +156,10 @@ class _Painter:
     """Draws pictures: what stays is drawn once, what moves is drawn over it."""
 
     def __init__(self, result: Result, seen: Stage, size: tuple[int, int], speed: float) -> None:
-        self._result, self._seen, self._size = result, seen, size
+        self._result, self._size = result, size
         self._scale, name = _tension_scale(result, seen.good)
-        self.colours = matplotlib.colormaps[name]
+        self.colours = line_map(name)
+        seen = self._seen = replace(seen, box=_filled(seen.box, size))
         figure = Figure((size[0] / _DPI, size[1] / _DPI), dpi=_DPI, layout="constrained")
         set_margins(figure)
         self._canvas = FigureCanvasAgg(figure)
@@ -215,6 +218,16 @@ class _Painter:
         return picture.convert("RGB")
 
 
+def _filled(box: Box, size: tuple[int, int]) -> Box:
+    """Widen or heighten a box of equal scales so that it fills the picture."""
+    if box.magnified != 1.0:
+        return box
+    ratio = (size[1] - 110) / (size[0] - 190)
+    wide, tall = max(box.width, box.height / ratio), max(box.height, box.width * ratio)
+    x, y = 0.5 * (box.left + box.right), 0.5 * (box.low + box.high)
+    return Box(x - wide / 2, x + wide / 2, y - tall / 2, y + tall / 2)
+
+
 def _live_segments(result: Result) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
     """Which segments join two nodes of one rope, (s,)."""
     live = np.ones(result.layout.segments, dtype=bool)
@@ -235,8 +248,9 @@ def _tension_scale(result: Result, good: int) -> tuple[Normalize, str]:
 def _palette(colours: matplotlib.colors.Colormap) -> Image.Image:
     """Return a palette for these pictures: tension colours, greys, and the ground's tones."""
     tones = [tuple(round(255 * part) for part in colours(i / 139)[:3]) for i in range(140)]
-    pale = [_mixed(tone, 0.5) for tone in tones[::4]]
-    greys = [(level, level, level) for level in np.linspace(0, 255, 52).round().astype(int)]
+    # Pillow takes any colour within 8 levels of another for it: nothing else may come near white.
+    pale = [tone for tone in (_mixed(tone, 0.5) for tone in tones[::4]) if min(tone) < 240]
+    greys = [(level, level, level) for level in np.linspace(0, 255, 26).round().astype(int)]
     earth = [(239, 234, 228), (140, 123, 104), (189, 178, 166), (214, 206, 197)]
     found = [*greys, *earth, *tones, *pale]
     return make_palette([(int(r), int(g), int(b)) for r, g, b in found])

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.colors import Normalize
+from matplotlib.colors import Colormap, LinearSegmentedColormap, Normalize
 from matplotlib.figure import Figure
 
 from ropewalk.plots.curves import mark_break, time_limits
@@ -19,6 +19,7 @@ from ropewalk.plots.style import (
     set_note,
     set_title,
     styled,
+    times_map,
 )
 from ropewalk.plots.view import Floats, broken_note, frame_at, good_frames, limits
 
@@ -149,6 +150,14 @@ def colour_scale(values: list[Floats]) -> tuple[Normalize, str, str]:
     beyond = (least < scale.vmin - slack, most > scale.vmax + slack)  # type: ignore[operator]
     names = {(False, False): "neither", (True, False): "min", (False, True): "max"}
     return scale, colours, names.get(beyond, "both")
+
+
+def line_map(name: str) -> Colormap:
+    """Return a colour map for lines on white; the diverging one is dark at zero, not white."""
+    if name == "RdBu_r":
+        stops = ["#56B4E9", "#0072B2", "#303030", "#D55E00", "#F0A030"]
+        return LinearSegmentedColormap.from_list("pull", stops)
+    return times_map()
 
 
 def draw_map(

@@ -1,0 +1,145 @@
+"""Runs compared: exactly zero with itself, the true distance otherwise, or a reason why not."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from ropewalk import plots
+from ropewalk.analysis.compare import compare_runs, differing_settings, distance, resample
+from ropewalk.record.simulate import simulate_in_memory
+from ropewalk.scene import apply_overrides
+from ropewalk.scene.presets import preset
+
+SHORT = ["run.duration=1.0"]
+
+
+def run(name, *changes, keep_going=False):
+    scene = apply_overrides(preset(name), [*SHORT, *changes])
+    return simulate_in_memory(scene, keep_going=keep_going)
+
+
+@pytest.fixture(scope="module")
+def reference():
+    return run("r4")
+
+
+def test_a_run_lies_at_no_distance_from_itself(reference):
+    found = distance(reference, run("r4"))
+    assert found.time.size == reference.frames
+    assert not found.largest.any()
+    assert not found.rms.any()
+    assert found.worst == 0.0
+
+
+def test_another_method_gives_the_distance_of_the_positions(reference):
+    other = run("r4", "run.method=rk4")
+    found = distance(reference, other)
+    gap = np.linalg.norm(reference.positions - other.positions, axis=2)
+    np.testing.assert_allclose(found.largest, gap.max(axis=1), rtol=1e-12, atol=1e-15)
+    assert found.worst > 1e-4
+    assert found.when == reference.time[gap.max(axis=1).argmax()]
+
+
+def test_frame_rates_may_differ(reference):
+    """Equal steps recorded at 60 and 20 frames a second: zero at common frames, from either side."""
+    rare = run("r4", "run.frame_rate=20", "run.time_step=0.0018519")
+    assert rare.plan.dt == pytest.approx(reference.plan.dt, rel=1e-12)
+    back = distance(rare, reference)
+    assert back.time.size == 21
+    assert back.worst < 1e-9  # round-off of the step length, grown over 540 steps
+    there = distance(reference, rare)
+    assert there.time.size == 61
+    assert there.largest[::3].max() < 1e-9
+    # Between frames h = 0.05 s apart a linear interpolation errs by up to h^2/8 times acceleration.
+    assert 1e-6 < there.worst < 0.05**2 / 8 * 3000
+
+
+def test_numbers_of_nodes_may_differ():
+    """At first both lie on one catenary; then they move apart by what the cut changes."""
+    coarse = run("hanging-rope", "rope.segments=20")
+    fine = run("hanging-rope", "rope.segments=40")
+    found = distance(coarse, fine)
+    assert "equal shares" in found.way
+    assert found.largest[0] < 1e-9 < found.worst < 0.5
+    gap = np.linalg.norm(coarse.positions - fine.positions[:, ::2], axis=2).max(axis=1)
+    np.testing.assert_allclose(found.largest, gap, rtol=1e-9, atol=1e-12)
+
+
+def test_resampling_keeps_ends_and_straight_lines():
+    points = np.linspace(0.0, 1.0, 11)[None, :, None] * np.array([3.0, 4.0, 0.0])
+    out = resample(points, 5)
+    np.testing.assert_allclose(out[0, :, 0], [0.0, 0.75, 1.5, 2.25, 3.0], atol=1e-15)
+    np.testing.assert_array_equal(out[0, [0, -1]], points[0, [0, -1]])
+
+
+def test_where_there_is_no_distance_it_says_why(reference):
+    two = simulate_in_memory(two_ropes())
+    found = distance(reference, two)
+    assert not found.defined
+    assert math.isnan(found.worst)
+    assert found.note == "not defined: 1 ropes and 2"
+    rows = compare_runs([reference, two], ["a", "b"]).rows
+    assert rows[1]["compared"] == "not defined: 1 ropes and 2"
+    assert plots.compare([reference, two], ["a", "b"]).axes
+
+
+def two_ropes():
+    scene = apply_overrides(preset("r2"), SHORT)
+    rope = scene.ropes[0]
+    twin = rope.model_copy(update={"name": "twin"})
+    data = scene.model_dump(by_alias=True)
+    data["rope"] = [rope.model_dump(by_alias=True), twin.model_dump(by_alias=True)]
+    return type(scene).model_validate(data)
+
+
+def test_a_broken_run_is_compared_up_to_its_break(reference):
+    broken = run("r6", keep_going=True)
+    found = distance(reference, broken)
+    assert found.time[-1] < 0.2
+    assert np.isfinite(found.largest).all()
+    assert "until one run broke" in found.note
+
+
+def test_rows_hold_the_numbers_of_the_runs(reference):
+    other = run("r4", "rope.made_of.spring_friction=0.5")
+    found = compare_runs([reference, other], ["little", "much"])
+    first, second = found.rows
+    assert (first["run"], second["run"]) == ("little", "much")
+    assert first["largest tension [N]"] == reference.tension.max()
+    assert second["energy change [J]"] == other.energy["total"][-1] - other.energy["total"][0]
+    assert second["largest energy error [J]"] == np.abs(other.energy_error).max()
+    assert second["largest distance [m]"] == found.distances[0].largest.max() > 0.0
+    assert found.settings == (("rope[0].made_of.spring_friction", ("0.05", "0.5")),)
+
+
+def test_settings_that_differ_are_listed_by_path():
+    scenes = [preset("r4"), apply_overrides(preset("r4"), ["run.method=rk4", "ground.height=-9"])]
+    found = dict(differing_settings(scenes))
+    assert found["run.method"] == ("semi-implicit-euler", "rk4")
+    assert found["ground.height"] == ("-", "-9")
+    assert "name" not in found
+
+
+def test_figure_shows_shapes_distance_and_energies(reference):
+    other = run("r4", "run.method=rk4")
+    figure = plots.compare([reference, other], ["one", "two"], times=[0.0, 1.0])
+    titles = [axes.get_title(loc="left") for axes in figure.axes]
+    assert titles[:2] == ["one", "two"]
+    labels = [axes.get_ylabel() for axes in figure.axes]
+    assert any(text.startswith("largest node distance [") for text in labels)
+    distances, kinetic = figure.axes[2].lines[0], figure.axes[3].lines
+    np.testing.assert_array_equal(distances.get_ydata(), distance(reference, other).largest)
+    np.testing.assert_array_equal(kinetic[0].get_ydata(), reference.energy["kinetic"])
+    np.testing.assert_array_equal(kinetic[1].get_ydata(), other.energy["kinetic"])
+    shape = next(item for item in figure.axes[1].lines if item.get_label() == "1 s")
+    np.testing.assert_array_equal(shape.get_ydata(), other.positions[60, :, 1])
+
+
+def test_what_cannot_be_compared_is_refused(reference):
+    with pytest.raises(ValueError, match="must be at least two runs"):
+        compare_runs([reference])
+    with pytest.raises(ValueError, match="must be 2 different names"):
+        compare_runs([reference, reference], ["a", "a"])
