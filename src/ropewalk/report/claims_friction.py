@@ -35,7 +35,7 @@ def never_rests(scene: Scene | None = None) -> Outcome:
     figure, (top, bottom) = draw.axes(1, 2, 4.2, sharex=True)
     for one, colour, name in ((run, draw.BLUE, "no friction"), (damped, draw.ORANGE, "c = 0.05")):
         top.plot(one.time, one.energy[:, 0], color=colour, lw=0.6, label=name)
-    top.legend(loc="upper right", ncols=2)
+    draw.legend(top, loc="upper right", ncols=2)
     top.set_ylim(0.0, 1.35 * float(run.energy[:, 0].max()))
     draw.label(top, "", "kinetic energy (J)")
     bottom.plot(run.time, run.total, color=draw.BLUE, lw=0.5)
@@ -143,14 +143,14 @@ def like_air() -> Outcome:
               label="spring friction, 1 N s/m")  # fmt: skip
     left.plot(in_air.time, -in_air.v[:, 0, 1], color=draw.ORANGE, label="air, 0.05 N s/m")
     left.plot(in_springs.time, G * in_springs.time, "k--", lw=0.9, label="g t")
-    left.legend(loc="upper left")
+    draw.legend(left, loc="upper left")
     draw.label(left, "time (s)", "speed of fall (m/s)", "Falling")
     time = turning["vector"].time
     right.plot(time, spin["vector"], color=draw.BLUE, label="the report's friction")
     right.plot(time, spin["axial"], color=draw.GREEN, label="friction along the spring only")
     right.plot(time, np.exp(-2 * C * time / M), "k--", lw=0.9, label="exp(-2 c t / m)")
     right.set_ylim(0.0, 1.55)
-    right.legend(loc="upper right")
+    draw.legend(right, loc="upper right")
     draw.label(right, "time (s)", "angular momentum left (1)", "Turning")
     return Outcome(
         measured=f"A rope that nothing holds falls at {speed:.3f} m/s after 1 s, with twenty times "
@@ -222,12 +222,12 @@ def smaller_friction(frictions: tuple[float, ...] = (0.01, 0.05, 0.2, 1.0)) -> O
     left.loglog(frictions, rates, "o", color=draw.BLUE, label="run")
     line = np.array([frictions[0], frictions[-1]])
     left.loglog(line, line * formulas.mode(1, _FREE) / (2 * M), "k--", lw=0.9, label="c μ / (2 m)")
-    left.legend(loc="upper left")
+    draw.legend(left, loc="upper left")
     draw.label(left, "spring friction c (N s/m)", "decay rate (1/s)", "Longest wave")
     for run, c, colour in zip(runs, frictions, draw.SERIES, strict=False):
         peaks = _peaks(run, 1.0)
         right.semilogy(*peaks, color=colour, label=f"c = {c:g}")
-    right.legend(loc="lower left", ncols=2)
+    draw.legend(right, loc="lower left", ncols=2)
     draw.label(right, "time (s)", "fastest node (m/s)", "Main scene, 1 s windows")
     return Outcome(
         measured="The longest wave decays at "

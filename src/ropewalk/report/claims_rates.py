@@ -46,7 +46,7 @@ def breaks_after_swings(k: float = 200.0) -> Outcome:
     left.plot(SECTIONS, swings, "--", color=draw.GREY, lw=1.0, label="one swing")
     left.set_ylim(0.0, 5.0)
     left.set_xlim(0.0, 42.0)
-    left.legend(fontsize=8, loc="upper right")
+    draw.legend(left, fontsize=8, loc="upper right")
     draw.label(left, "springs a section", "time of the break (s)", f"k = {k:g} N/m, 60 Hz")
     strain = run.stretch.max(axis=1) - 1.0
     right.semilogy(run.time, strain, ".-", color=draw.BLUE)
@@ -76,7 +76,8 @@ def breaks_after_swings(k: float = 200.0) -> Outcome:
         caption="Left: time of the break against the number of springs between two anchors, with "
         "the period of a swing. Right: how the break grows.",
         note="The report does not say how many masses it has. A few swings mean a short rope, or "
-        "a frame rate that stayed just below 64 Hz. Times of a break depend on round-off. Theory is that of the straight rope; in the sagging one the zigzag grows a little slower.",
+        "a frame rate that stayed just below 64 Hz. Times of a break depend on round-off. Theory "
+        "is that of the straight rope; in the sagging one the zigzag grows a little slower.",
     )  # fmt: skip
 
 
@@ -152,11 +153,11 @@ def tradeoff(rates: tuple[float, ...] = RATES) -> Outcome:
         scene = changed("r3", "steps=exact", f"time_step={1 / rate!r}", f"frame_rate={rate!r}")
         long = formulas.largest_spring(M, C, rate)
         theory.append(stability(scene).largest_spring_constant or math.nan)
-        found.append(bisect(
-            lambda k, scene=scene: log_growth(
-                changed(scene, f"rope.made_of.spring_constant={k!r}"), 4000) > 0.0,
-            0.8 * long, 1.25 * long, 2e-5,
-        ))  # fmt: skip
+
+        def grows(k: float, scene: Scene = scene) -> bool:
+            return log_growth(changed(scene, f"rope.made_of.spring_constant={k!r}"), 4000) > 0.0
+
+        found.append(bisect(grows, 0.8 * long, 1.25 * long, 2e-5))
     drops = [
         record(changed("r3", FRAME, "duration=60",
                        f"rope.made_of.spring_constant={(1 + part) * theory[rates.index(60.0)]!r}"))
@@ -176,7 +177,9 @@ def tradeoff(rates: tuple[float, ...] = RATES) -> Outcome:
         ax.plot([60.0], [k], "x", color=draw.ORANGE if k > 174 else draw.GREEN, ms=7, mew=2)
         ax.annotate(f"report: {name} N/m", (60.0, k), xytext=(8, -3), textcoords="offset points",
                     fontsize=8)  # fmt: skip
-    draw.label(ax, "steps a second (1/s)", "largest stable spring constant (N/m)")
+    draw.label(ax, "steps a second (1/s)", "largest stable\nspring constant (N/m)")
+    ax.set_xticks(list(rates), [f"{f:g}" for f in rates])
+    ax.minorticks_off()
     draw.below(ax)
     at_60 = found[rates.index(60.0)]
     return Outcome(

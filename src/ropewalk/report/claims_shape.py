@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from ropewalk.analysis.statics import static_shape
+from ropewalk.analysis.statics import Statics, static_shape
 from ropewalk.core.arrays import Floats
 from ropewalk.report import draw, formulas
 from ropewalk.report.claims_model import G, K, L, M
@@ -38,13 +38,13 @@ def bounce(constants: tuple[float, ...] = (K, 200.0, 100.0, 50.0)) -> Outcome:
     fine = np.geomspace(min(constants) * 0.8, max(constants) * 1.25, 50)
     left.loglog(fine, [100 * formulas.bounce_strain(k, M, L, G, SPAN) for k in fine], "k--",
                 lw=0.9, label="energy balance")  # fmt: skip
-    left.legend()
+    draw.legend(left)
     draw.label(left, "spring constant (N/m)", "largest strain (%)", "Largest stretch in the fall")
     for run, k, colour in zip(runs, constants, draw.SERIES, strict=False):
         shown = run.time <= 12.0
         right.plot(run.time[shown], run.x[shown, 10, 1], color=colour, lw=1.1, label=f"{k:g} N/m")
     right.set_ylim(top=5.2)
-    right.legend(ncols=2, loc="upper right", fontsize=8)
+    draw.legend(right, ncols=2, loc="upper right", fontsize=8)
     draw.label(right, "time (s)", "height of the middle (m)", "Middle of a section")
     order = np.argsort(constants)
     return Outcome(
@@ -129,14 +129,14 @@ def curvature(constants: tuple[float, ...] = (K, 3000.0, 1000.0, 300.0, 100.0)) 
     figure, (left, right) = draw.axes(2, 1, 3.2)
     for run, k, colour in zip(runs, constants, draw.SERIES, strict=False):
         left.plot(run.x[-1, :, 0], run.x[-1, :, 1], color=colour, label=f"{k:g} N/m")
-    left.set_aspect("equal")
-    left.legend(loc="upper center", bbox_to_anchor=(0.5, -0.45), ncols=3, fontsize=8)
+    draw.legend(left, loc="upper center", bbox_to_anchor=(0.5, 1.0), ncols=2)
+    left.set_ylim(top=1.6)
     draw.label(left, "x (m)", "height (m)", "At rest")
     right.loglog(constants, sags, "o", color=draw.BLUE, label="run")
     line = np.geomspace(min(constants), max(constants), 20)
     right.loglog(line, [formulas.shallow_sag(k, M, L, G, SPAN)[0] for k in line], "k--", lw=0.9,
                  label="∝ k^(-1/3)")  # fmt: skip
-    right.legend()
+    draw.legend(right)
     draw.label(right, "spring constant (N/m)", "sag (m)", "Sag")
     return Outcome(
         measured="The section sags "
@@ -158,7 +158,7 @@ def curvature(constants: tuple[float, ...] = (K, 3000.0, 1000.0, 300.0, 100.0)) 
                        "-1/3"))),
         ),
         figure=figure,
-        caption="Left: rest shapes to scale. Right: sag against spring constant.",
+        caption="Left: rest shapes, heights drawn larger than lengths. Right: sag against spring constant.",
     )  # fmt: skip
 
 
@@ -178,7 +178,7 @@ def waves(scene: Scene | None = None) -> Outcome:
         left.plot(run.time, 100 * run.x[:, node, 2] + 4 * offset, color=draw.SERIES[offset],
                   label=f"node {node}")  # fmt: skip
     left.set_ylim(-4.0, 16.0)
-    left.legend(loc="upper center", ncols=3, fontsize=8)
+    draw.legend(left, loc="upper center", ncols=3, fontsize=8)
     draw.label(left, "time (s)", "sideways (cm), nodes set apart", "A tug runs along the rope")
     grid = np.arange(0.0, min(main.time[-1], 119.0), 1.0)
     right.semilogy(grid, [_wave_energy(main, t, t + 1.0) for t in grid], color=draw.BLUE)
@@ -205,7 +205,7 @@ def waves(scene: Scene | None = None) -> Outcome:
     )  # fmt: skip
 
 
-def _tugged() -> tuple[Run, object]:
+def _tugged() -> tuple[Run, Statics]:
     """R3 at rest, its left pin pulled 2 cm sideways and back in 0.24 s."""
     scene, statics = at_rest(changed("r3", "steps=exact", "frame_rate=500", "duration=1.2"))
     times = np.linspace(0.0, 0.24, 13)

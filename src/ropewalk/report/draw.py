@@ -21,7 +21,7 @@ BLUE, ORANGE, GREEN, RED, PURPLE, SKY, GREY = (
     "#6b7280",
 )
 SERIES = (BLUE, ORANGE, GREEN, PURPLE, SKY, RED)
-_STYLE = {
+_STYLE: Any = {
     "font.size": 9.5,
     "axes.titlesize": 10.5,
     "axes.spines.top": False,
@@ -54,9 +54,17 @@ def label(ax: Axes, x: str, y: str, title: str = "") -> None:
         ax.set_title(title, loc="left")
 
 
+def legend(ax: Axes, **options: Any) -> None:
+    """Put a plain legend into the axes."""
+    ax.legend(frameon=False, **({"fontsize": 8.5} | options))
+
+
 def below(ax: Axes, columns: int = 3) -> None:
-    """Put the legend under the axes, clear of the curves."""
-    ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.2), ncols=columns)
+    """Put the legend under the figure, clear of curves and labels."""
+    handles, names = ax.get_legend_handles_labels()
+    figure = ax.get_figure(root=True)
+    assert isinstance(figure, Figure)
+    figure.legend(handles, names, loc="outside lower center", ncols=columns, frameon=False)
 
 
 def svg(figure: Figure) -> bytes:

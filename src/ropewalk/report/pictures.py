@@ -40,7 +40,7 @@ def _rope(ax: Axes, x: Floats, colour: str = draw.BLUE, name: str | None = None)
 
 
 def _after_the_move(run: Run) -> Picture:
-    figure, ax = draw.axes(height=3.6)
+    figure, ax = draw.axes(height=2.7)
     start, now = run.x[0], run.x[run.at(6.0)]
     ax.plot(start[:, 0], start[:, 1], color=draw.GREY, lw=1.0, ls="--", label="at the start")
     _rope(ax, now, name="rope, 6 s after the start")
@@ -64,7 +64,7 @@ def _after_the_move(run: Run) -> Picture:
 
 def _coming_to_rest(run: Run) -> Picture:
     times = (20.0, 60.0)
-    figure, axes = draw.axes(1, 2, 5.4, sharex=True, sharey=True)
+    figure, axes = draw.axes(1, 2, 4.0, sharex=True, sharey=True)
     rest = _rest(run)
     for ax, time in zip(axes, times, strict=True):
         frame = run.at(time)
@@ -98,13 +98,14 @@ def _rest(run: Run) -> Floats:
 def _broken() -> Picture:
     scene = section_scene(200.0, 20, 1.3)
     run = record(scene, keep_going=True)
-    figure, axes = draw.axes(3, 1, 3.6)
-    for ax, time in zip(axes, (0.30, 0.40, 0.90), strict=True):
+    figure, axes = draw.axes(1, 3, 5.6)
+    for ax, time in zip(axes, (0.30, 0.43, 0.90), strict=True):
         frame = run.at(time)
-        _rope(ax, run.x[frame], draw.RED if time > 0.35 else draw.BLUE)
         stretch = float(run.stretch[frame].max())
-        draw.label(ax, "x (m)", "", f"{run.time[frame]:.2f} s, stretch {stretch:.2f}")
-    axes[0].set_ylabel("height (m)")
+        _rope(ax, run.x[frame], draw.RED if stretch > 1.1 else draw.BLUE)
+        title = f"{run.time[frame]:.2f} s, longest spring {stretch:.2f} times its length"
+        draw.label(ax, "", "height (m)", title)
+    axes[-1].set_xlabel("x (m)")
     return Picture(
         "figure-3",
         "The broken rope: 200 N/m at 60 steps a second",
