@@ -67,5 +67,9 @@ def height(result: Result, nodes: Sequence[int | str | tuple[str, int]] | None =
     axes.set_ylabel("height [m]" if name == "height" else f"height {name} [m]")
     figure.legend(loc="outside right upper")
     set_title(figure, f"{result.scene.name}: height of nodes", describe(result))
-    set_note(figure, broken_note(result, good))
+    notes = broken_note(result, good)
+    ropes = len(result.layout.ropes)
+    if nodes is None and ropes > _MOST:
+        notes.append(f"One node of each of the first {_MOST} of {ropes} ropes is shown.")
+    set_note(figure, notes)
     return figure

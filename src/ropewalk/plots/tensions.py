@@ -68,11 +68,11 @@ def tension(
         mark_break(axes, result, good)
         if len(shown) > 1:
             name = escape(result.layout.ropes[number].name)
-            axes.set_title(f"rope {name}", loc="left", fontsize=8.5, pad=3.0)
+            axes.set_title(name, loc="left", fontsize=8.5, pad=3.0)
         axes.tick_params(labelbottom=number == shown[-1])
     grid[len(shown) - 1].set_xlabel("time [s]")
     bar = figure.colorbar(
-        image, ax=list(grid[: len(shown)]), extend=extend, pad=0.015, aspect=18 * len(shown)
+        image, ax=list(grid[: len(shown)]), extend=extend, pad=0.015, aspect=18 * min(len(shown), 3)
     )
     bar.set_label("elastic tension [N]")
     if frames:
