@@ -132,7 +132,7 @@ def _air(scene: Scene, layout: Layout) -> Air:
         tangential[segments] = (
             0.5 * math.pi * air.density * air.tangential_coefficient * rope.diameter
         )
-        nodes = slice(span.start, span.end + 1)
+        nodes = slice(span.first, span.last + 1)  # those still on a drum, too
         drag[nodes], quadratic[nodes] = air.node_drag, air.node_drag_quadratic
     curved = bool(quadratic.any() or normal.any() or tangential.any())
     linear = int(air.node_drag > 0.0)

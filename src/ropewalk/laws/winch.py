@@ -30,7 +30,9 @@ def run_winches(system, state, t, dt, ledger):
         kinetic = kinetic_energy(state.v, state.mass)
         potential = _potential(system, state)
     for row in range(state.winch_exit.shape[0]):
-        turn(system.winches, state, row, t, dt)
+        if state.held[system.winches.anchor[row]] == 1:  # a drum that was let go does not turn
+            turn(system.winches, state, row, t, dt)
+        follow_drum(system.winches, state, row)
     if ledger:
         state.work.winch[0] += kinetic_energy(state.v, state.mass) - kinetic
         state.work.winch[1] += _potential(system, state) - potential
@@ -68,7 +70,6 @@ def turn(winches, state, row, t, dt):
         split(winches, state, row, drum, working, length)
     elif length < MERGE * nominal and segments > 1:
         merge(winches, state, row, drum, working, length)
-    follow_drum(winches, state, row)
 
 
 @kernel
@@ -145,11 +146,11 @@ def merge(winches, state, row, drum, working, length):
 
 @kernel
 def follow_drum(winches, state, row):
-    """Keep the rope that is on the drum where the drum is."""
+    """Keep the rope that is on the drum where the drum is, out of reach of every law's work."""
     drum, side = state.winch_exit[row], winches.step[row]
     i = winches.first[row]
     while i != drum:
         for k in range(3):
             state.x[k, i] = state.x[k, drum]
-            state.v[k, i] = state.v[k, drum]
+            state.v[k, i] = 0.0
         i += side
