@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from ropewalk.scene import Anchor, Material, Rope, Straight, Winch
+from ropewalk.scene import Air, Anchor, Ground, Material, Rope, Straight, Winch
 from ropewalk.simulation import Simulation
 from verification.setups import ALL, DOWN, Film, g, hold, off, run, scene
 
@@ -158,3 +158,51 @@ def test_a_winch_on_a_moving_anchor() -> None:
     drum = simulation.arrays.winch_exit[0]
     assert off(simulation.positions[: drum + 1], [0.5 * film.t[-1], 0, 0]) < 1e-12
     assert simulation.arrays.mass.sum() == pytest.approx(MU * 1.75, rel=1e-9)
+
+
+def test_air_drags_the_rope_that_was_paid_out() -> None:
+    """Every node that is out has the same drag as those that were out from the start; those on the
+    drum, and a ground around it, do no work. The balance closes, and the twin forgets the air's work.
+    """
+    made_of = Material(EA=100.0, mass_per_length=MU, axial_damping=0.2)
+    rope = Rope(segments=4, length=1.0, made_of=made_of, shape={"kind": "hanging"})
+    anchor = Anchor(node=0, motion={"kind": "velocity", "velocity": (0.5, 0.2, 0)})
+    made = scene(
+        rope,
+        [anchor],
+        dt=5e-4,
+        steps=1500,
+        gravity=DOWN,
+        winches=[Winch(end="start", speed=1.0)],
+        air=Air(node_drag=0.02, node_drag_quadratic=0.01),
+        ground=Ground(height=0.5),
+    )
+    film = run(made)
+    arrays, air = film.simulation.arrays, film.simulation.system.air
+    out = arrays.mass > 0.0
+    assert out.sum() > 6
+    drag = arrays.forces.air[:, out].T
+    u = np.linalg.norm(film.v[-2, out], axis=1)[:, None]
+    assert off(drag, -(0.02 + 0.01 * u) * film.v[-2, out]) < 1e-12
+    assert air.linear == 1
+    assert off(film.residual(), 0.0) < 1e-11
+    assert off(film.residual(without="air"), 0.0) > 1e-3
+
+
+def test_a_drum_that_is_let_go_does_not_turn() -> None:
+    """After its release the rope keeps its length and mass, and falls. The twin is held."""
+
+    def film(release: float | None) -> Film:
+        made_of = Material(EA=100.0, mass_per_length=MU, axial_damping=0.2)
+        rope = Rope(segments=4, length=1.0, made_of=made_of, shape={"kind": "hanging"})
+        anchor = Anchor(node=0, release_time=release)
+        winch = Winch(end="start", speed=1.0)
+        return run(scene(rope, [anchor], dt=5e-4, steps=1000, gravity=DOWN, winches=[winch]))
+
+    released = film(0.25)
+    assert off(unstretched(released), 1.0 + np.minimum(released.t, 0.25)) < 1e-9
+    assert off(released.residual(), 0.0) < 1e-12
+    momentum = released.block.recording.momentum[:, 1]
+    fall = np.diff(momentum[520:]) / 5e-4
+    assert off(fall, -1.25 * MU * g) < 1e-9
+    assert off(unstretched(film(None)), 1.0 + np.minimum(released.t, 0.25)) > 0.2
