@@ -1,6 +1,7 @@
 """A run that breaks: predicted before, explained after, mended by the number that it names."""
 
-from ropewalk import Result, Scene, check as check_scene, preset, simulate
+from ropewalk import Result, Scene, preset, simulate
+from ropewalk import check as check_scene
 from ropewalk.analysis.check import Check
 from ropewalk.scene import apply_overrides
 

@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner, Result
 
+from ropewalk import loads, simulate
 from ropewalk.cli import main
 
 SCENE = """\
@@ -33,6 +34,12 @@ node = -1
 """
 
 Call = Callable[..., Result]
+
+
+@pytest.fixture(scope="session", autouse=True)
+def compiled() -> None:
+    """Compile the default method, so that no test is the first run on this machine."""
+    simulate(loads(SCENE))
 
 
 @pytest.fixture

@@ -87,7 +87,7 @@ def test_all_faults_at_once(ropewalk: Any, scene: Path) -> None:
         (b"\x89PNG\r\n\x1a\n\x00\x00\xff\xfe", "is not a text file"),
         (b"[run]\x00", "is not a text file"),
         (b'name = "x"\n[run\nduration = 1', "line 2, column 5: TOML: "),
-        (b"duration = 1..2", "line 1, column 14: TOML"),
+        (b"duration = 1..2", "line 1, column 13: TOML"),
         (b"a = 1\na = 2", "line 2, column 6: TOML"),
         (b"[" * 5000, "TOML"),
     ],

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 import sys
+import warnings
 from collections.abc import Sequence
 from typing import Any
 
@@ -80,7 +81,9 @@ class RopewalkGroup(click.Group):
         if not standalone_mode:
             return super().main(args, name, complete_var, standalone_mode=False, **extra)
         try:
-            status = super().main(args, name, complete_var, standalone_mode=False, **extra)
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore", RuntimeWarning)  # numpy's, of broken runs
+                status = super().main(args, name, complete_var, standalone_mode=False, **extra)
             sys.stdout.flush()
         except Exception as error:  # the one place where errors become messages
             status = errors.report(error, extra["obj"])

@@ -9,7 +9,7 @@ import click
 
 from ropewalk.cli.console import say, tell, warn
 from ropewalk.cli.errors import BROKE, INTERRUPTED, Refusal
-from ropewalk.cli.files import claimed
+from ropewalk.cli.files import claimed, refuse_parent
 from ropewalk.cli.progress import RunProgress, tell_compiling
 from ropewalk.cli.sources import json_option, load_scene, run_options, short_name
 from ropewalk.cli.startup import without_scipy
@@ -82,6 +82,7 @@ def refuse_run(folder: Path, overwrite: bool) -> None:
     """
     from ropewalk.record.folder import check_free, is_run
 
+    refuse_parent(folder)
     if not overwrite and is_run(folder):
         raise Refusal(f"{folder}: holds a run already; take another folder, or give --overwrite")
     check_free(folder, overwrite)
