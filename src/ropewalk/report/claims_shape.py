@@ -8,7 +8,7 @@ import numpy as np
 
 from ropewalk.analysis.statics import Statics, static_shape
 from ropewalk.core.arrays import Floats
-from ropewalk.report import draw, formulas
+from ropewalk.report import draw, formulas, words
 from ropewalk.report.claims_model import G, K, L, M
 from ropewalk.report.outcome import Number, Outcome, Part
 from ropewalk.report.runs import Run, at_rest, changed, record
@@ -189,7 +189,7 @@ def waves(scene: Scene | None = None) -> Outcome:
     return Outcome(
         measured=f"A sideways tug passes the {far - near} springs from node {near} to {far} in "
         f"{1e3 * lag:.0f} ms. In the main scene, started at rest, the left loop moves with "
-        f"{size[1]:.1g} J before its anchor moves, {size[0]:.2f} J in the two seconds after it "
+        f"{words.value(size[1], "J")} before its anchor moves, {size[0]:.2f} J in the two seconds after it "
         f"stops, {later:.3f} J after one minute and {last:.4f} J after two.",
         theory=f"Waves run at √(T/μ), {float(speeds[near:far].mean()):.1f} m/s here: "
         f"{1e3 * expected:.0f} ms. They fall by 1/e in 2 m / (c μ_j) each (C5).",

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
+from matplotlib.figure import Figure
 
 from ropewalk.analysis.stability import stability
 from ropewalk.core.arrays import Floats
@@ -43,24 +44,7 @@ def better_than_euler() -> Outcome:
                              "duration=0.05"))  # fmt: skip
         swings[method] = run
         errors[method] = float(np.abs(run.x[:, 1, 1] - _exact(run)).max() / (M * G / K))
-    figure, (left, right) = draw.axes(2, 1, 3.2)
-    for method, colour in (("euler", draw.ORANGE), ("semi-implicit-euler", draw.BLUE)):
-        run = swings[method]
-        left.plot(1e3 * run.time, 1e6 * (run.x[:, 1, 1] + L + M * G / K), color=colour,
-                  label=method, lw=1.1)  # fmt: skip
-    run = swings["euler"]
-    left.plot(1e3 * run.time, 1e6 * (_exact(run) + L + M * G / K), "k--", lw=0.9, label="exact")
-    left.set_ylim(top=145.0)
-    draw.legend(left, fontsize=8, loc="upper left")
-    draw.label(left, "time (ms)", "about the place of rest (µm)", "One mass, steps of 0.1 ms")
-    names = ["semi-implicit\nEuler", "Euler"]
-    right.bar(names, found, color=[draw.BLUE, draw.ORANGE], width=0.5)
-    for i, value in enumerate(found):
-        right.text(i, value * 1.25, f"{value:.4g} ms", ha="center")
-    right.set_yscale("log")
-    right.set_ylim(1e-3, 20.0)
-    right.grid(axis="x", visible=False)
-    draw.label(right, "", "largest stable step (ms)", "Bisected in runs")
+    figure = _draw_methods(swings, found)
     ratio = found[0] / found[1]
     broken_at = break_time(broken)
     return Outcome(
@@ -88,6 +72,28 @@ def better_than_euler() -> Outcome:
     )  # fmt: skip
 
 
+def _draw_methods(swings: dict[str, Run], found: list[float]) -> Figure:
+    figure, (left, right) = draw.axes(2, 1, 3.2)
+    for method, colour in (("euler", draw.ORANGE), ("semi-implicit-euler", draw.BLUE)):
+        run = swings[method]
+        left.plot(1e3 * run.time, 1e6 * (run.x[:, 1, 1] + L + M * G / K), color=colour,
+                  label=method, lw=1.1)  # fmt: skip
+    run = swings["euler"]
+    left.plot(1e3 * run.time, 1e6 * (_exact(run) + L + M * G / K), "k--", lw=0.9, label="exact")
+    left.set_ylim(top=145.0)
+    draw.legend(left, fontsize=8, loc="upper left")
+    draw.label(left, "time (ms)", "about the place of rest (µm)", "One mass, steps of 0.1 ms")
+    names = ["semi-implicit\nEuler", "Euler"]
+    right.bar(names, found, color=[draw.BLUE, draw.ORANGE], width=0.5)
+    for i, value in enumerate(found):
+        right.text(i, value * 1.25, f"{value:.4g} ms", ha="center")
+    right.set_yscale("log")
+    right.set_ylim(1e-3, 20.0)
+    right.grid(axis="x", visible=False)
+    draw.label(right, "", "largest stable step (ms)", "Bisected in runs")
+    return figure
+
+
 def _step(scene: Scene, dt: float) -> Scene:
     return changed(scene, f"time_step={dt!r}", f"frame_rate={1 / dt!r}", f"duration={dt * 10!r}")
 
@@ -112,7 +118,8 @@ def substeps() -> Outcome:
     nehe = [_steps_in_frame(ms, "nehe") for ms in frames]
     even = [_steps_in_frame(ms, "divide") for ms in frames]
     at_60 = _steps_in_frame(1000.0 / SCREEN, "nehe")
-    by_count = {c: frames[np.array(nehe) == c] for c in (9, 10)}
+    found = {c: frames[np.array(nehe) == c] for c in (9, 10)}
+    by_count = {c: part if part.size else np.array([math.nan]) for c, part in found.items()}
     figure, ax = draw.axes(height=2.8)
     ax.step(frames, nehe, where="mid", color=draw.BLUE, label="int(frame / 2 ms) + 1")
     ax.step(frames, even, where="mid", color=draw.ORANGE, ls="--", label="ceil(frame / 2 ms)")
