@@ -195,3 +195,9 @@ def test_the_demo(ropewalk: Any) -> None:
     assert Result.open(Path("runs/demo-1")).status == "finished"
     assert "runs/demo-2" in ropewalk("demo").stdout
     refused(ropewalk("demo", "-o", "runs/demo-1"), "holds a run already")
+
+
+def test_reports_that_cannot_be_written(ropewalk: Any, scene: Path) -> None:
+    refused(ropewalk("report", "-o", "scene.toml/report"), "scene.toml is a file, not a folder")
+    refused(ropewalk("report", "-o", "."), "is not empty; take another folder")
+    assert tree(Path.cwd()) == ["scene.toml"]

@@ -6,11 +6,10 @@ from pathlib import Path
 
 import click
 
-from ropewalk.cli.console import say
-from ropewalk.cli.files import claimed
-from ropewalk.cli.progress import counting
-
-RUNS = Path("runs")
+from ropewalk.cli.commands.run import RUNS
+from ropewalk.cli.console import print_table, tell
+from ropewalk.cli.errors import Refusal
+from ropewalk.cli.files import claimed, refuse_parent
 
 
 @click.command()
@@ -21,15 +20,20 @@ RUNS = Path("runs")
     metavar="DIR",
     help="Folder of the report; default: runs/report-1, -2 and so on.",
 )
-def report(output: Path | None) -> None:
+@click.option("--overwrite", is_flag=True, help="Write over a report that is in DIR.")
+@click.option("-q", "--quiet", is_flag=True, help="Do not name the claims as they are run.")
+def report(output: Path | None, overwrite: bool, quiet: bool) -> None:
     """Check the claims of the student report and write one page with figures.
 
     Every claim with what was measured, what theory says, the verdict and a figure, as HTML and
     Markdown.
     """
+    if output is not None:
+        refuse_parent(output / "figures")
+        if output.is_dir() and any(output.iterdir()) and not overwrite:
+            raise Refusal(f"{output}: is not empty; take another folder, or give --overwrite")
     from ropewalk.report import write_report
 
-    with claimed(output, RUNS, "report") as folder, counting("claims") as progress:
-        paths = write_report(folder, progress)
-    for path in paths:
-        say(str(path))
+    with claimed(output, RUNS, "report") as folder:
+        paths = write_report(folder, None if quiet else tell)
+    print_table(("", ""), [(what, str(path)) for what, path in paths.items()])
