@@ -104,7 +104,8 @@ def two_springs(friction: float = 20.0) -> Outcome:
     return Outcome(
         measured=f"Hanging still, 20 springs of 10 kN/m are {1e3 * longer[0]:.2f} mm longer than "
         f"at rest length; 20 of 100 N/m are {longer[1]:.3f} m longer. In motion, mass times "
-        f"acceleration equals weight plus both springs to {words.value(left_over, "1")} of the weight.",
+        "acceleration equals weight plus both springs to "
+        f"{words.value(left_over, '1')} of the weight.",
         theory="Spring j from below carries j masses, so it stretches by j m g / k and the rope by "
         f"m g n (n + 1) / (2 k): {1e3 * formulas.hanging_stretch(n, K, M, G):.2f} mm and "
         f"{formulas.hanging_stretch(n, 100.0, M, G):.3f} m.",
@@ -167,7 +168,8 @@ def only_gravity(scene: Scene | None = None) -> Outcome:
     draw.below(ax, 4)
     return Outcome(
         measured=f"In the first step all {len(free)} free masses accelerate by "
-        f"{down.min():.6f} to {down.max():.6f} m/s², sideways by at most {words.value(float(sideways), "m/s²")}.",
+        f"{down.min():.6f} to {down.max():.6f} m/s², sideways by at most "
+        f"{words.value(float(sideways), 'm/s²')}.",
         theory="At rest length no spring pulls and nothing moves: the acceleration is -g alone, "
         "and the step gives it exactly.",
         parts=(

@@ -189,8 +189,8 @@ def waves(scene: Scene | None = None) -> Outcome:
     return Outcome(
         measured=f"A sideways tug passes the {far - near} springs from node {near} to {far} in "
         f"{1e3 * lag:.0f} ms. In the main scene, started at rest, the left loop moves with "
-        f"{words.value(size[1], "J")} before its anchor moves, {size[0]:.2f} J in the two seconds after it "
-        f"stops, {later:.3f} J after one minute and {last:.4f} J after two.",
+        f"{words.value(size[1], 'J')} before its anchor moves, {size[0]:.2f} J in the two seconds "
+        f"after it stops, {later:.3f} J after one minute and {last:.4f} J after two.",
         theory=f"Waves run at √(T/μ), {float(speeds[near:far].mean()):.1f} m/s here: "
         f"{1e3 * expected:.0f} ms. They fall by 1/e in 2 m / (c μ_j) each (C5).",
         parts=(
