@@ -81,7 +81,8 @@ def is_compiled(function: Any) -> bool:
     code = function.py_func.__code__
     stem = Path(code.co_filename).stem
     name = f"{stem}.{function.py_func.__qualname__}-{stem}-{code.co_firstlineno}."
-    return folder is not None and any(folder.glob(f"{name}*.nbi"))
+    version = f"py{sys.version_info.major}{sys.version_info.minor}"  # as numba names its files
+    return folder is not None and any(folder.glob(f"{name}{version}*.nbi"))
 
 
 class _SourceHashLocator(caching._CacheLocator):
