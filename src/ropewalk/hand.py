@@ -35,6 +35,8 @@ class AnchorHandle:
         vector = np.asarray(value, dtype=np.float64)
         if vector.shape != (3,) or not np.isfinite(vector).all():
             raise ValueError(f"velocity: {value!r} - must be three finite numbers [m/s]")
+        if not self.holds:
+            raise ValueError("velocity: the anchor has let go of its node and moves nothing")
         self._simulation.take_in_hand(self._row)
         self._simulation.arrays.anchor_v[self._row] = vector
 

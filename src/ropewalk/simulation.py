@@ -164,6 +164,8 @@ class Simulation:
         When a frame is broken the block ends before it with status BROKEN, and the simulation stands
         at its last good frame; with `keep_going` it records on.
         """
+        if self._dt != self.plan.dt:  # after a step of another length
+            self._start, self._dt, self._step = self.time, self.plan.dt, 0
         before = self.state if not keep_going else None
         out = make_recording(self._state, frames, self._winches)
         first = self._step
@@ -188,8 +190,9 @@ class Simulation:
         weight falling through the ropes' length, what it had at first, and all work done since.
         """
         others = np.delete(out.work[:frames], CONSERVATIVE, axis=1)
+        turned = np.delete(out.work[:frames], CONSERVATIVE[0], axis=1)
         gain = out.energy[:frames].sum(axis=1) - self._energy - others.sum(axis=1)
-        honest = self._turnover + np.abs(others).sum(axis=1)
+        honest = self._turnover + np.abs(turned).sum(axis=1)
         broken = np.flatnonzero(np.abs(gain) > MADE_UP * honest)
         return int(broken[0]) if len(broken) else frames
 

@@ -153,7 +153,7 @@ def explain(simulation: Simulation) -> Diagnosis:
         again = Simulation(model, ledger=False)
         _skip(again, frames - back)
         positions = retrace(again, (back + 1) * plan.steps_per_frame)
-        if check_state(again.arrays) == OK:
+        if check_state(again.arrays, again.system.break_stretch) == OK:
             positions = None
     if positions is None:
         here = simulation.state

@@ -9,6 +9,7 @@ import numpy as np
 from ropewalk.core.arrays import Floats, State, System
 from ropewalk.laws.winch import MERGE, SPLIT
 from ropewalk.methods.bound import Chain
+from ropewalk.motions.table import ORBIT, SHAKE, TABLE, VELOCITY
 
 
 def chains(system: System, state: State, speed: float = 0.0) -> dict[str, Chain]:
@@ -28,7 +29,8 @@ def chains(system: System, state: State, speed: float = 0.0) -> dict[str, Chain]
         node_stiffness=zero,
         node_damping=_air_damping(system, state, speed),
         free=free,
-        sideways=bool(np.any(system.gravity) or np.any(state.v) or len(state.held) > 0),
+        sideways=bool(np.any(system.gravity) or np.any(state.v) or len(state.held) > 0)
+        or not _is_straight(state.x),
     )
     cases = {"in the air": base}
     for row in range(len(state.winch_exit)):
@@ -38,6 +40,8 @@ def chains(system: System, state: State, speed: float = 0.0) -> dict[str, Chain]
             )
     if len(state.winch_exit):
         cases["with all rope paid out"] = _paid_out(base, system, state)
+    for row in range(len(state.winch_exit)):
+        cases["with all rope reeled in"] = _reeled_in(base, system, state, row)
     if system.ground.active:
         ground = system.ground
         for name, chain in tuple(cases.items()):
@@ -51,6 +55,13 @@ def chains(system: System, state: State, speed: float = 0.0) -> dict[str, Chain]
                 node_damping=damping + ground.friction
             )
     return cases
+
+
+def _is_straight(x: Floats) -> bool:
+    """Tell whether all nodes lie on one line, within rounding."""
+    spread = x - x.mean(axis=1, keepdims=True)
+    sizes = np.linalg.eigvalsh(spread @ spread.T)
+    return bool(sizes[1] <= 1e-18 * max(sizes[2], 1e-300))
 
 
 def _air_damping(system: System, state: State, speed: float) -> Floats:
@@ -76,6 +87,27 @@ def _winch_case(base: Chain, system: System, state: State, row: int, share: floa
     axial[working] = winches.axial[row] / length
     mass[drum + side] += 0.5 * winches.line[row] * (length - state.rest_length[working])
     return base._replace(mass=mass, stiffness=stiffness, damping_vector=vector, damping_axial=axial)
+
+
+def _reeled_in(base: Chain, system: System, state: State, row: int) -> Chain:
+    """The chain when a winch has left one segment, as short as it may get."""
+    winches = system.winches
+    side, last = int(winches.step[row]), int(winches.last[row])
+    drum = last - side
+    segment = min(drum, last)
+    length = min(MERGE * winches.segment[row], winches.shortest[row])
+    changed = {
+        "stiffness": winches.EA[row] / length,
+        "damping_vector": winches.vector[row] / length,
+        "damping_axial": winches.axial[row] / length,
+    }
+    arrays = {name: getattr(base, name).copy() for name in changed}
+    for name, value in changed.items():
+        arrays[name][segment] = value
+    free, mass = base.free.copy(), base.mass.copy()
+    free[drum] = False
+    mass[last] += 0.5 * winches.line[row] * (length - winches.segment[row])
+    return base._replace(free=free, mass=mass, **arrays)
 
 
 def _paid_out(base: Chain, system: System, state: State) -> Chain:
@@ -114,6 +146,30 @@ def speed_scale(system: System, state: State) -> float:
     wind = system.air.wind[:, None]
     start = float(np.linalg.norm(state.v - wind, axis=0).max())
     fall = math.sqrt(2.0 * float(np.linalg.norm(system.gravity)) * float(state.rest_length.sum()))
+    moved = max((_anchor_speed(system, row) for row in range(len(state.held))), default=0.0)
+    return max(start, fall + float(np.linalg.norm(wind)), moved + float(np.linalg.norm(wind)))
+
+
+def _anchor_speed(system: System, row: int) -> float:
+    """Return the largest speed of an anchor's motion [m/s]."""
     anchors = system.anchors
-    moved = float(np.linalg.norm(anchors.params[:, 3:6], axis=1).max(initial=0.0))
-    return max(start, fall + float(np.linalg.norm(wind)), moved)
+    p, kind = anchors.params[row], anchors.kind[row]
+    if kind == VELOCITY:
+        return float(np.linalg.norm(p[3:6]))
+    if kind == SHAKE:
+        return float(2.0 * math.pi * p[6] * np.linalg.norm(p[3:6]))
+    if kind == ORBIT:
+        return float(2.0 * math.pi * abs(p[9]) * np.linalg.norm(np.cross(p[6:9], p[:3] - p[3:6])))
+    if kind == TABLE:
+        first = int(anchors.table_start[row])
+        rows = anchors.table[first : first + int(anchors.table_rows[row])]
+        return _table_speed(rows)
+    return 0.0
+
+
+def _table_speed(rows: Floats) -> float:
+    """Return the largest speed along a table [m/s], from a quadratic per interval sampled 9 times."""
+    share = np.linspace(0.0, 1.0, 9)[None, :, None]
+    s = share * np.diff(rows[:, 0])[:, None, None]
+    c1, c2, c3 = (rows[:-1, None, i::4] for i in (2, 3, 4))
+    return float(np.linalg.norm(c1 + s * (2.0 * c2 + 3.0 * s * c3), axis=2).max())

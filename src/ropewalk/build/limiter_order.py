@@ -6,7 +6,7 @@ from collections import deque
 
 import numpy as np
 
-from ropewalk.build.layout import Layout
+from ropewalk.build.layout import Layout, Span
 from ropewalk.core.arrays import Floats, Ints
 
 
@@ -19,7 +19,8 @@ def limiter_order(layout: Layout) -> tuple[Ints, Floats]:
     order: list[int] = []
     share: list[float] = []
     for span in layout.ropes:
-        distance = _distances(span.first, span.last, layout.anchor_nodes)
+        held = tuple(_far_side(span, node) for node in layout.anchor_nodes)
+        distance = _distances(span.first, span.last, held)
         segments = range(span.first, span.last)
 
         def far(j: int, d: dict[int, int] = distance) -> int:
@@ -30,6 +31,11 @@ def limiter_order(layout: Layout) -> tuple[Ints, Floats]:
             order.append(j)
             share.append(0.5 if near == other else (0.0 if near < other else 1.0))
     return np.array(order, dtype=np.int64), np.array(share, dtype=np.float64)
+
+
+def _far_side(span: Span, node: int) -> int:
+    """A held end's node, or the innermost one on its drum: all rope comes from there."""
+    return {span.start: span.first, span.end: span.last}.get(node, node)
 
 
 def _distances(first: int, last: int, anchors: tuple[int, ...]) -> dict[int, int]:

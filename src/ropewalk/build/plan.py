@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+import numpy as np
+
 from ropewalk.build.chains import chains, speed_scale
 from ropewalk.core.arrays import State, System
 from ropewalk.methods.bound import largest_step
@@ -52,15 +54,28 @@ def make_plan(scene: Scene, system: System, state: State) -> Plan:
     Raises SceneError when "auto" finds no stable step, or the plan has more than 2^53 steps.
     """
     run = scene.run
-    step = run.time_step
-    if step == "auto":
-        step = auto_step(run, system, state)
+    if run.time_step == "auto":
+        step = min(auto_step(run, system, state), _winch_step(system))
+    else:
+        step = run.time_step
     count, dt = divide(run.frame_interval, step, run.steps)
+    if dt > _winch_step(system):
+        rule = f"must be at most {_winch_step(system):.3g}: the winch winds a segment's part a step"
+        raise SceneError([Fault("run.time_step", dt, rule)])
     frames = max(1, round(run.duration / (count * dt)))
     if frames * count >= 2**53:
         rule = f"makes {frames * count:.2g} steps; take a longer one"
         raise SceneError([Fault("run.time_step", run.time_step, rule)])
     return Plan(run.method, dt, count, frames)
+
+
+def _winch_step(system: System) -> float:
+    """The step in which no winch winds more than a fifth of a segment [s]."""
+    winches = system.winches
+    if len(winches.speed) == 0:
+        return math.inf
+    with np.errstate(divide="ignore"):
+        return float((0.2 * winches.segment / np.abs(winches.speed)).min())
 
 
 def auto_step(run: RunSettings, system: System, state: State) -> float:

@@ -21,6 +21,7 @@ from ropewalk.core.arrays import (
     Winches,
     Work,
 )
+from ropewalk.core.status import BREAK_STRETCH
 from ropewalk.laws.anchors import start_of_anchor
 from ropewalk.scene import Material, Rope, Scene, Springs
 
@@ -92,6 +93,7 @@ def _ropes(scene: Scene, layout: Layout) -> State:
         anchor_v=np.zeros((a, 3)),
         reaction=np.zeros((a, 3)),
         winch_exit=np.array(exits, dtype=np.int64),
+        winch_rate=np.zeros(w),
         winch_debt=np.zeros(w),
         forces=Forces(*(np.zeros(shape) for shape in (segment, segment, node, node, node))),
         work=Work(*(np.zeros(size) for size in (s, s, n, n, n, n, a, 2, 2))),
@@ -111,6 +113,7 @@ def _system(scene: Scene, layout: Layout, state: State) -> System:
     return System(
         gravity=np.array(scene.gravity, dtype=np.float64),
         flags=np.array([0, state.damping_axial.any(), (floor == 0.0).any()], dtype=np.int64),
+        break_stretch=_break_stretch(scene, state),
         slack_floor=floor,
         air=_air(scene, layout),
         ground=_ground(scene),
@@ -118,6 +121,14 @@ def _system(scene: Scene, layout: Layout, state: State) -> System:
         anchors=anchor_tables(scene, origins),
         winches=_winches(scene, layout),
     )
+
+
+def _break_stretch(scene: Scene, state: State) -> float:
+    """The stretch that tells a broken simulation from a soft rope under all its weight [1]."""
+    weight = math.hypot(*scene.gravity) * float(state.mass.sum())
+    softest = state.stiffness * state.rest_length
+    softest = softest[softest > 0.0]
+    return BREAK_STRETCH + (3.0 * weight / float(softest.min()) if len(softest) else 0.0)
 
 
 def _air(scene: Scene, layout: Layout) -> Air:

@@ -90,6 +90,7 @@ class System(NamedTuple):
 
     gravity: Floats  # (3,) [m/s^2]
     flags: Ints  # (3,) which optional parts act: APPLIED, AXIAL, TENSION_ONLY
+    break_stretch: float  # [1] a segment stretched more than this is a broken simulation
     slack_floor: Floats  # (s,) least elastic tension [N]: 0 for tension-only segments, else -inf
     air: Air
     ground: Ground
@@ -140,6 +141,7 @@ class State(NamedTuple):
     anchor_v: Floats  # (a, 3) [m/s]
     reaction: Floats  # (a, 3) force of the anchor on the rope, mean over the last step [N]
     winch_exit: Ints  # (w,) the last node on the drum
+    winch_rate: Floats  # (w,) growth of the working segment's length [m/s], of the last step
     winch_debt: Floats  # (w,) unstretched length still to be given back [m]
     forces: Forces
     work: Work

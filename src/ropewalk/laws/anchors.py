@@ -78,10 +78,10 @@ def move_anchors(system, state, forces, t, dt, middle, ledger, point, speed):
 
 
 @part
-def release_anchors(system, state, t):
+def release_anchors(system, state, t, dt):
     """Let go of the anchors whose release time is reached at the start of a step."""
     for row in range(state.held.shape[0]):
-        if state.held[row] == 1 and t >= system.anchors.release[row]:
+        if state.held[row] == 1 and t >= system.anchors.release[row] - 1e-6 * dt:
             i = state.anchor_node[row]
             state.held[row] = 0
             state.inverse_mass[i] = 1.0 / state.mass[i]

@@ -2,8 +2,12 @@
 
 After a step, segment by segment from the anchors outward, the outer node is moved so that the stretch r/L
 stays between two bounds. In the original only positions move, so that a rope at rest keeps large velocities.
-Here the part of the relative velocity that would drive the segment further out of bounds is removed as well
-(an inelastic stop: momentum is taken up by the same nodes that are moved, energy never grows).
+Here every segment at a bound also loses the part of its velocity that would drive it on: impulses along the
+segments, all solved for together,
+    (w_j + w_i) p_j - w_i (t_j . t_i) p_i - w_j (t_j . t_h) p_h = (v_i - v_j) . t_j,   i = j + 1, h = j - 1
+with w = 1 / m, t the unit vectors: a projection in the metric of the masses, which conserves momentum and
+never adds kinetic energy (Moreau 1988, inelastic impact). What a held
+node would take of it is a reaction of its anchor.
 """
 
 from __future__ import annotations
@@ -14,20 +18,27 @@ from ropewalk.core.jit import kernel
 from ropewalk.laws.ledger import gravity_energy, kinetic_energy
 from ropewalk.laws.stretch import elastic_energy
 
+AT_BOUND = 1e-9  # [1] a stretch this close to its bound counts as at it
+
 
 @kernel
-def limit_stretch(system, state, ledger):
-    """Bring every segment's stretch within bounds, and book what that costs."""
+def limit_stretch(system, state, work, dt, ledger):
+    """Bring every segment's stretch within bounds, stop it there, and book what that costs.
+
+    `work` is (7, n): unit vectors, diagonal, upper diagonal, right side of the segments' equations, active.
+    """
     if system.limiter.active == 0:
         return
-    kinetic, potential = 0.0, 0.0
+    kinetic, potential, anchors = 0.0, 0.0, 0.0
     if ledger:
         kinetic = kinetic_energy(state.v, state.mass)
         potential = _potential(system, state)
     for _ in range(system.limiter.passes):
         sweep(system, state)
+    stop_segments(system.limiter, state, work)
+    anchors = give_to_anchors(state, work, dt, ledger)
     if ledger:
-        state.work.limiter[0] += kinetic_energy(state.v, state.mass) - kinetic
+        state.work.limiter[0] += kinetic_energy(state.v, state.mass) - kinetic - anchors
         state.work.limiter[1] += _potential(system, state) - potential
 
 
@@ -40,18 +51,20 @@ def _potential(system, state):
 
 @kernel
 def sweep(system, state):
-    """Correct every segment once, in the order of the table."""
+    """Correct the length of every segment once, in the order of the table."""
     limiter = system.limiter
-    x, v = state.x, state.v
+    x = state.x
+    held = 0
+    for row in range(state.held.shape[0]):
+        held += state.held[row]
     for row in range(limiter.order.shape[0]):
         j = limiter.order[row]
-        share = limiter.share[row]
-        if state.inverse_mass[j] == 0.0:
-            share = 0.0
-        elif state.inverse_mass[j + 1] == 0.0:
-            share = 1.0
-        if state.inverse_mass[j] == 0.0 and state.inverse_mass[j + 1] == 0.0:
+        both = state.inverse_mass[j] + state.inverse_mass[j + 1]
+        if both == 0.0:
             continue
+        share = limiter.share[row]
+        if held == 0 or share == 0.5 or both in (state.inverse_mass[j], state.inverse_mass[j + 1]):
+            share = state.inverse_mass[j] / both
         dx = x[0, j + 1] - x[0, j]
         dy = x[1, j + 1] - x[1, j]
         dz = x[2, j + 1] - x[2, j]
@@ -62,24 +75,86 @@ def sweep(system, state):
         wanted = min(max(r, limiter.shortest * length), limiter.longest * length)
         if wanted == r:
             continue
-        dx, dy, dz = dx / r, dy / r, dz / r
-        shift = wanted - r
-        speed = (
-            (v[0, j + 1] - v[0, j]) * dx
-            + (v[1, j + 1] - v[1, j]) * dy
-            + (v[2, j + 1] - v[2, j]) * dz
+        low = share * (r - wanted) / r
+        high = (1.0 - share) * (r - wanted) / r
+        x[0, j] += low * dx
+        x[1, j] += low * dy
+        x[2, j] += low * dz
+        x[0, j + 1] -= high * dx
+        x[1, j + 1] -= high * dy
+        x[2, j + 1] -= high * dz
+
+
+@kernel
+def stop_segments(limiter, state, work):
+    """Solve for the impulses of the segments at a bound (Thomas) and apply them to the free nodes.
+
+    Leaves the impulses [N s] in row 5 of `work`, their directions in rows 0 to 2.
+    """
+    segments = state.rest_length.shape[0]
+    for j in range(segments):
+        _set_up(limiter, state, work, j)
+    for j in range(segments - 1):
+        coupled = work[6, j] * work[6, j + 1]
+        along = (
+            work[0, j] * work[0, j + 1] + work[1, j] * work[1, j + 1] + work[2, j] * work[2, j + 1]
         )
-        stop = -speed if speed * shift < 0.0 else 0.0
-        low, high = share, 1.0 - share
-        x[0, j] -= low * shift * dx
-        x[1, j] -= low * shift * dy
-        x[2, j] -= low * shift * dz
-        x[0, j + 1] += high * shift * dx
-        x[1, j + 1] += high * shift * dy
-        x[2, j + 1] += high * shift * dz
-        v[0, j] -= low * stop * dx
-        v[1, j] -= low * stop * dy
-        v[2, j] -= low * stop * dz
-        v[0, j + 1] += high * stop * dx
-        v[1, j + 1] += high * stop * dy
-        v[2, j + 1] += high * stop * dz
+        work[4, j] = -coupled * state.inverse_mass[j + 1] * along
+    for j in range(1, segments):
+        factor = work[4, j - 1] / work[3, j - 1]
+        work[3, j] -= factor * work[4, j - 1]
+        work[5, j] -= factor * work[5, j - 1]
+    work[5, segments - 1] /= work[3, segments - 1]
+    for back in range(segments - 1):
+        j = segments - 2 - back
+        work[5, j] = (work[5, j] - work[4, j] * work[5, j + 1]) / work[3, j]
+    for j in range(segments):
+        for k in range(3):
+            state.v[k, j] += state.inverse_mass[j] * work[5, j] * work[k, j]
+            state.v[k, j + 1] -= state.inverse_mass[j + 1] * work[5, j] * work[k, j]
+
+
+@kernel
+def _set_up(limiter, state, work, j):
+    """Write one segment's row of the equations; the identity where it is not at a bound."""
+    x, v = state.x, state.v
+    work[3, j], work[4, j], work[5, j], work[6, j] = 1.0, 0.0, 0.0, 0.0
+    dx, dy, dz = x[0, j + 1] - x[0, j], x[1, j + 1] - x[1, j], x[2, j + 1] - x[2, j]
+    r = math.sqrt(dx * dx + dy * dy + dz * dz)
+    length = state.rest_length[j]
+    both = state.inverse_mass[j] + state.inverse_mass[j + 1]
+    if r == 0.0 or length == 0.0 or both == 0.0:
+        return
+    dx, dy, dz = dx / r, dy / r, dz / r
+    speed = (
+        (v[0, j + 1] - v[0, j]) * dx + (v[1, j + 1] - v[1, j]) * dy + (v[2, j + 1] - v[2, j]) * dz
+    )
+    out = r >= limiter.longest * length * (1.0 - AT_BOUND) and speed > 0.0
+    back = r <= limiter.shortest * length * (1.0 + AT_BOUND) and speed < 0.0
+    if out or back:
+        work[0, j], work[1, j], work[2, j] = dx, dy, dz
+        work[3, j], work[5, j], work[6, j] = both, speed, 1.0
+
+
+@kernel
+def give_to_anchors(state, work, dt, ledger):
+    """Add what the held nodes would have taken to their anchors' reactions; return its work [J]."""
+    total = 0.0
+    segments = state.rest_length.shape[0]
+    for row in range(state.held.shape[0]):
+        if state.held[row] == 0:
+            continue
+        i = state.anchor_node[row]
+        done = 0.0
+        for k in range(3):
+            impulse = 0.0
+            if i < segments:
+                impulse -= work[6, i] * work[5, i] * work[k, i]
+            if i > 0:
+                impulse += work[6, i - 1] * work[5, i - 1] * work[k, i - 1]
+            state.reaction[row, k] += impulse / dt
+            done += impulse * state.v[k, i]
+        total += done
+        if ledger:
+            state.work.anchors[row] += done
+    return total

@@ -58,6 +58,22 @@ def axial_friction(x, v, coefficient, friction):
 
 
 @kernel
+def growth_friction(x, state, winches, friction):
+    """Take the growth of the winches' working segments out of their friction, (3, n + 1).
+
+    Friction follows the rate of strain, d(r/L)/dt = (r' - r L'/L) / L: rope that is paid out unstrained
+    meets none.
+    """
+    for row in range(state.winch_exit.shape[0]):
+        drum = state.winch_exit[row]
+        j = drum if winches.step[row] > 0 else drum - 1
+        c = state.damping_vector[j] + state.damping_axial[j]
+        growth = c * state.winch_rate[row] / state.rest_length[j]
+        for k in range(3):
+            friction[k, j + 1] -= growth * (x[k, j + 1] - x[k, j])
+
+
+@kernel
 def drop_slack_friction(x, rest_length, floor, friction):
     """Set the friction of slack tension-only segments to zero."""
     for j in range(rest_length.shape[0]):

@@ -14,6 +14,7 @@ from ropewalk.laws.stretch import (
     axial_friction,
     drop_slack_friction,
     elastic_forces,
+    growth_friction,
     vector_friction,
 )
 
@@ -26,6 +27,8 @@ def evaluate(system, state, x, v, forces):
     vector_friction(v, state.damping_vector, forces.friction)
     if system.flags[AXIAL] == 1:
         axial_friction(x, v, state.damping_axial, forces.friction)
+    if state.winch_exit.shape[0] > 0:
+        growth_friction(x, state, system.winches, forces.friction)
     if system.flags[TENSION_ONLY] == 1:
         drop_slack_friction(x, state.rest_length, floor, forces.friction)
     air = system.air

@@ -30,6 +30,7 @@ def run_winches(system, state, t, dt, ledger):
         kinetic = kinetic_energy(state.v, state.mass)
         potential = _potential(system, state)
     for row in range(state.winch_exit.shape[0]):
+        state.winch_rate[row] = 0.0
         if state.held[system.winches.anchor[row]] == 1:  # a drum that was let go does not turn
             turn(system.winches, state, row, t, dt)
         follow_drum(system.winches, state, row)
@@ -53,23 +54,45 @@ def turn(winches, state, row, t, dt):
     working = drum if side > 0 else drum - 1
     nominal = winches.segment[row]
     length = state.rest_length[working]
-    segments = abs(winches.last[row] - drum)
-    total = length + (segments - 1) * nominal + state.winch_debt[row]
+    outer = drum + side
     wound = 0.0
-    if winches.start[row] <= t < winches.stop[row]:
-        wound = winches.speed[row] * dt
+    turned = min(t + dt, winches.stop[row]) - max(t, winches.start[row])
+    if turned > 0.0:
+        total = unstretched(winches, state, row)
+        wound = winches.speed[row] * turned
         wound = min(max(wound, winches.shortest[row] - total), winches.longest[row] - total)
+        if state.inverse_mass[outer] == 0.0:  # a held node cannot come on to the drum
+            wound = max(wound, min(0.0, 0.5 * nominal - length))
+        if drum == winches.first[row]:  # nothing is left to pay out
+            wound = min(wound, max(0.0, SPLIT * nominal - length))
     back = state.winch_debt[row] * min(1.0, abs(wound) / nominal)  # its mass never left the rope
     state.winch_debt[row] -= back
+    state.winch_rate[row] = (wound + back) / dt
     if wound + back != 0.0:
         length += wound + back
         state.mass[drum] += 0.5 * winches.line[row] * wound
-        add_mass(state, drum + side, 0.5 * winches.line[row] * wound)
+        add_mass(state, outer, 0.5 * winches.line[row] * wound)
         set_segment(winches, state, row, working, length)
     if length > SPLIT * nominal and drum != winches.first[row]:
         split(winches, state, row, drum, working, length)
-    elif length < MERGE * nominal and segments > 1:
+    elif (
+        length < MERGE * nominal and outer != winches.last[row] and state.inverse_mass[outer] > 0.0
+    ):
         merge(winches, state, row, drum, working, length)
+
+
+@kernel
+def unstretched(winches, state, row):
+    """Return the unstretched length of the rope off all its drums [m], debts included."""
+    low = min(winches.first[row], winches.last[row])
+    high = max(winches.first[row], winches.last[row])
+    total = 0.0
+    for j in range(low, high):
+        total += state.rest_length[j]  # what is on a drum is dead, of length 0
+    for other in range(state.winch_exit.shape[0]):
+        if low <= state.winch_exit[other] <= high:
+            total += state.winch_debt[other]
+    return total
 
 
 @kernel
@@ -126,6 +149,7 @@ def merge(winches, state, row, drum, working, length):
     stretched, merged = math.sqrt(stretched), math.sqrt(merged)
     both = length + state.rest_length[following]
     kept = merged * length / stretched if stretched > length else both
+    kept = max(kept, MERGE * winches.segment[row])  # a fold must not make it short and stiff
     state.winch_debt[row] += both - kept
     state.mass[outer] += state.mass[drum] - 0.5 * winches.line[row] * length
     add_mass(state, far, 0.5 * winches.line[row] * length)

@@ -19,4 +19,4 @@ def close_frame(system, state, frame, out):
     """Record the frame where there is room for it; return the state's status."""
     if out.x.shape[0] > frame:
         record_frame(system, state, frame, out)
-    return check_state(state)
+    return check_state(state, system.break_stretch)

@@ -9,7 +9,7 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats, State
 from ropewalk.core.jit import kernel
-from ropewalk.core.status import BREAK_STRETCH, BROKEN, OK
+from ropewalk.core.status import BROKEN, OK
 from ropewalk.laws.ledger import gravity_energy, kinetic_energy
 from ropewalk.laws.stretch import elastic_energy, segment_tension
 
@@ -103,17 +103,17 @@ def record_frame(system, state, frame, out):
 
 
 @kernel
-def check_state(state):
-    """Return BROKEN when a coordinate is not finite or a live segment is stretched beyond reason."""
+def check_state(state, break_stretch):
+    """Return BROKEN when anything is not finite or a live segment is stretched beyond reason."""
     x = state.x
     for j in range(state.rest_length.shape[0]):
         dx = x[0, j + 1] - x[0, j]
         dy = x[1, j + 1] - x[1, j]
         dz = x[2, j + 1] - x[2, j]
         r = math.sqrt(dx * dx + dy * dy + dz * dz)
-        if not math.isfinite(r):
-            return BROKEN
         length = state.rest_length[j]
-        if length > 0.0 and r > BREAK_STRETCH * length and state.stiffness[j] > 0.0:
+        if not math.isfinite(r) or not math.isfinite(length):
+            return BROKEN
+        if length > 0.0 and r > break_stretch * length and state.stiffness[j] > 0.0:
             return BROKEN
     return OK

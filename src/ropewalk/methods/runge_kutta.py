@@ -68,11 +68,11 @@ def advance(system, state, scratch, extras, clock, frames, ledger, out, stop_at_
     for frame in range(frames):
         for s in range(frame * steps, frame * steps + steps):
             t, after = clock[0] + (done + s) * dt, clock[0] + (done + s + 1) * dt
-            release_anchors(system, state, t)
+            release_anchors(system, state, t, dt)
             step(system, state, scratch, t, after, dt, ledger, tableau)
             if extras is not None:
                 run_winches(system, state, t, dt, ledger)
-                limit_stretch(system, state, ledger)
+                limit_stretch(system, state, scratch.limiter, dt, ledger)
         status = close_frame(system, state, frame, out)
         if status != OK and stop_at_break:
             return status, frame

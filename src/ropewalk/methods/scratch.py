@@ -21,13 +21,16 @@ class Scratch(NamedTuple):
     point: Floats  # (3,)
     speed: Floats  # (3,)
     mean: Forces
+    limiter: Floats  # (7, n) rows of the limiter's equations
 
 
 def make_scratch(state: State) -> Scratch:
     """Return working arrays that fit `state`."""
     middle, x, v, dx, dv = (np.zeros_like(state.x) for _ in range(5))
     mean = Forces(*(np.zeros_like(channel) for channel in state.forces))
-    return Scratch(middle, x, v, dx, dv, np.zeros(3), np.zeros(3), mean)
+    return Scratch(
+        middle, x, v, dx, dv, np.zeros(3), np.zeros(3), mean, np.zeros((7, state.x.shape[1]))
+    )
 
 
 @kernel
