@@ -115,11 +115,11 @@ class Film:
         return self.total - self.total[0] - sum(self.work(law) for law in laws)
 
 
-def run(what: Scene | Simulation, *, ok: bool = True) -> Film:
-    """Run a scene to its end, or until it breaks when `ok` is False."""
+def run(what: Scene | Simulation, *, ok: bool = True, keep_going: bool = False) -> Film:
+    """Run a scene to its end, or until it breaks when `ok` is False, or on into the break."""
     simulation = what if isinstance(what, Simulation) else Simulation(what)
-    blocks = [simulation.recording(), *simulation.frames()]
-    assert not ok or blocks[-1].status == OK, "the run broke"
+    blocks = [simulation.recording(), *simulation.frames(keep_going=keep_going)]
+    assert not ok or keep_going or blocks[-1].status == OK, "the run broke"
     return Film(join(blocks), simulation)
 
 
