@@ -211,10 +211,10 @@ def _draw_tradeoff(rates: tuple[float, ...], found: list[float]) -> Figure:
         ax.annotate(
             f"report: {name} N/m",
             (60.0, k),
-            xytext=(-8, 4),
+            xytext=(8, -9) if k < 174 else (-8, 4),  # clear of the line
             textcoords="offset points",
             fontsize=8,
-            ha="right",
+            ha="left" if k < 174 else "right",
         )
     draw.label(ax, "steps a second (1/s)", "largest stable\nspring constant (N/m)")
     ax.set_xticks(list(rates), [f"{f:g}" for f in rates])
