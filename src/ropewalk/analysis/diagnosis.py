@@ -20,7 +20,6 @@ from numpy.typing import NDArray
 from ropewalk.analysis.stability import Stability, milliseconds, plain, stability
 from ropewalk.build import Layout
 from ropewalk.core.status import OK
-from ropewalk.methods.recording import check_state
 from ropewalk.simulation import Broken, Simulation
 
 Floats = NDArray[np.float64]
@@ -141,7 +140,7 @@ def explain(simulation: Simulation) -> Diagnosis:
     """Diagnose a run from a simulation that stands at its last good frame; it is left as it is.
 
     The steps before the break are taken again from the start by a second simulation, at the cost of
-    one more run; where that would take too long, or the second one does not break (it was moved by
+    one more run; where that would take too long, or the second one comes out elsewhere (it was moved by
     hand), only the steps after the last good frame are looked at.
     """
     model, plan = simulation.model, simulation.plan
@@ -152,8 +151,10 @@ def explain(simulation: Simulation) -> Diagnosis:
     if step * simulation.layout.nodes <= _MOST_WORK:
         again = Simulation(model, ledger=False)
         _skip(again, frames - back)
-        positions = retrace(again, (back + 1) * plan.steps_per_frame)
-        if check_state(again.arrays, again.system.break_stretch) == OK:
+        steps = (back + 1) * plan.steps_per_frame
+        positions = retrace(again, steps, keep=steps + 1)
+        good = back * plan.steps_per_frame
+        if len(positions) <= good or not np.array_equal(positions[good], simulation.positions):
             positions = None
     if positions is None:
         here = simulation.state
