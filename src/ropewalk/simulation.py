@@ -193,7 +193,7 @@ class Simulation:
         turned = np.delete(out.work[:frames], CONSERVATIVE[0], axis=1)
         gain = out.energy[:frames].sum(axis=1) - self._energy - others.sum(axis=1)
         honest = self._turnover + np.abs(turned).sum(axis=1)
-        broken = np.flatnonzero(np.abs(gain) > MADE_UP * honest)
+        broken = np.flatnonzero(~(np.abs(gain) <= MADE_UP * honest))  # NaN is broken, too
         return int(broken[0]) if len(broken) else frames
 
     def frames(self, frames: int | None = None, *, keep_going: bool = False) -> Iterator[Block]:

@@ -19,13 +19,16 @@ from ropewalk.laws.ledger import gravity_energy, kinetic_energy
 from ropewalk.laws.stretch import elastic_energy
 
 AT_BOUND = 1e-9  # [1] a stretch this close to its bound counts as at it
+ATTEMPTS = 8  # solves for the impulses at most; each but the last lets go of what would be pulled
+SINGULAR = 1e-10  # [1] a pivot this small, over its diagonal, is none
+BOTH = 2.0  # marks a segment of one length only
 
 
 @kernel
 def limit_stretch(system, state, work, dt, ledger):
     """Bring every segment's stretch within bounds, stop it there, and book what that costs.
 
-    `work` is (7, n): unit vectors, diagonal, upper diagonal, right side of the segments' equations, active.
+    `work` is (7, n): unit vectors, diagonal, upper diagonal, right side of the segments' equations, bound.
     """
     if system.limiter.active == 0:
         return
@@ -87,27 +90,25 @@ def sweep(system, state):
 
 @kernel
 def stop_segments(limiter, state, work):
-    """Solve for the impulses of the segments at a bound (Thomas) and apply them to the free nodes.
+    """Find the impulses of the segments at a bound and apply them to the free nodes.
 
-    Leaves the impulses [N s] in row 5 of `work`, their directions in rows 0 to 2.
+    A bound only pushes back: a segment whose impulse would pull it to the bound is let go, and the rest
+    solved for again. Leaves the impulses [N s] in row 5 of `work`, their directions in rows 0 to 2.
     """
     segments = state.rest_length.shape[0]
     for j in range(segments):
-        _set_up(limiter, state, work, j)
-    for j in range(segments - 1):
-        coupled = work[6, j] * work[6, j + 1]
-        along = (
-            work[0, j] * work[0, j + 1] + work[1, j] * work[1, j + 1] + work[2, j] * work[2, j + 1]
-        )
-        work[4, j] = -coupled * state.inverse_mass[j + 1] * along
-    for j in range(1, segments):
-        factor = work[4, j - 1] / work[3, j - 1]
-        work[3, j] -= factor * work[4, j - 1]
-        work[5, j] -= factor * work[5, j - 1]
-    work[5, segments - 1] /= work[3, segments - 1]
-    for back in range(segments - 1):
-        j = segments - 2 - back
-        work[5, j] = (work[5, j] - work[4, j] * work[5, j + 1]) / work[3, j]
+        _find_bound(limiter, state, work, j)
+    for _ in range(ATTEMPTS):
+        _solve(state, work)
+        pulling = 0
+        for j in range(segments):
+            if work[6, j] * work[5, j] < 0.0 and work[6, j] != BOTH:
+                work[6, j] = 0.0
+                pulling += 1
+        if pulling == 0:
+            break
+    if pulling > 0:
+        _solve(state, work)
     for j in range(segments):
         for k in range(3):
             state.v[k, j] += state.inverse_mass[j] * work[5, j] * work[k, j]
@@ -115,25 +116,53 @@ def stop_segments(limiter, state, work):
 
 
 @kernel
-def _set_up(limiter, state, work, j):
-    """Write one segment's row of the equations; the identity where it is not at a bound."""
-    x, v = state.x, state.v
-    work[3, j], work[4, j], work[5, j], work[6, j] = 1.0, 0.0, 0.0, 0.0
+def _find_bound(limiter, state, work, j):
+    """Write a segment's direction, and at which bound it is: 1 longest, -1 shortest, 0 none."""
+    x = state.x
+    work[6, j] = 0.0
     dx, dy, dz = x[0, j + 1] - x[0, j], x[1, j + 1] - x[1, j], x[2, j + 1] - x[2, j]
     r = math.sqrt(dx * dx + dy * dy + dz * dz)
     length = state.rest_length[j]
     both = state.inverse_mass[j] + state.inverse_mass[j + 1]
+    work[0, j], work[1, j], work[2, j] = 0.0, 0.0, 0.0
     if r == 0.0 or length == 0.0 or both == 0.0:
         return
-    dx, dy, dz = dx / r, dy / r, dz / r
-    speed = (
-        (v[0, j + 1] - v[0, j]) * dx + (v[1, j + 1] - v[1, j]) * dy + (v[2, j + 1] - v[2, j]) * dz
-    )
-    out = r >= limiter.longest * length * (1.0 - AT_BOUND) and speed > 0.0
-    back = r <= limiter.shortest * length * (1.0 + AT_BOUND) and speed < 0.0
-    if out or back:
-        work[0, j], work[1, j], work[2, j] = dx, dy, dz
-        work[3, j], work[5, j], work[6, j] = both, speed, 1.0
+    work[0, j], work[1, j], work[2, j] = dx / r, dy / r, dz / r
+    long = r >= limiter.longest * length * (1.0 - AT_BOUND)
+    short = r <= limiter.shortest * length * (1.0 + AT_BOUND)
+    if long and short:
+        work[6, j] = BOTH
+    elif long:
+        work[6, j] = 1.0
+    elif short:
+        work[6, j] = -1.0
+
+
+@kernel
+def _solve(state, work):
+    """Solve the equations of the segments at a bound (Thomas); the others get no impulse."""
+    segments = state.rest_length.shape[0]
+    v, weights = state.v, state.inverse_mass
+    for j in range(segments):
+        work[3, j], work[4, j], work[5, j] = 1.0, 0.0, 0.0
+        if work[6, j] != 0.0:
+            work[3, j] = weights[j] + weights[j + 1]
+            for k in range(3):
+                work[5, j] += (v[k, j + 1] - v[k, j]) * work[k, j]
+        if j > 0 and work[6, j] != 0.0 and work[6, j - 1] != 0.0:
+            for k in range(3):
+                work[4, j - 1] -= weights[j] * work[k, j] * work[k, j - 1]
+    for j in range(1, segments):
+        factor = work[4, j - 1] / work[3, j - 1]
+        work[3, j] -= factor * work[4, j - 1]
+        work[5, j] -= factor * work[5, j - 1]
+        if work[6, j] != 0.0 and work[3, j] < SINGULAR * (weights[j] + weights[j + 1]):
+            # taut between two anchors: one impulse follows from the others
+            work[3, j], work[4, j], work[5, j] = 1.0, 0.0, 0.0
+    work[5, segments - 1] /= work[3, segments - 1]
+    for back in range(segments - 1):
+        j = segments - 2 - back
+        work[5, j] = (work[5, j] - work[4, j] * work[5, j + 1]) / work[3, j]
 
 
 @kernel
@@ -149,9 +178,9 @@ def give_to_anchors(state, work, dt, ledger):
         for k in range(3):
             impulse = 0.0
             if i < segments:
-                impulse -= work[6, i] * work[5, i] * work[k, i]
+                impulse -= work[5, i] * work[k, i]
             if i > 0:
-                impulse += work[6, i - 1] * work[5, i - 1] * work[k, i - 1]
+                impulse += work[5, i - 1] * work[k, i - 1]
             state.reaction[row, k] += impulse / dt
             done += impulse * state.v[k, i]
         total += done

@@ -105,7 +105,10 @@ def record_frame(system, state, frame, out):
 @kernel
 def check_state(state, break_stretch):
     """Return BROKEN when anything is not finite or a live segment is stretched beyond reason."""
-    x = state.x
+    x, v = state.x, state.v
+    for i in range(v.shape[1]):
+        if not math.isfinite(v[0, i] + v[1, i] + v[2, i]):
+            return BROKEN
     for j in range(state.rest_length.shape[0]):
         dx = x[0, j + 1] - x[0, j]
         dy = x[1, j + 1] - x[1, j]
