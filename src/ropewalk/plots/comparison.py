@@ -142,7 +142,10 @@ def _draw_shapes(
         below = number + columns >= len(found.results)
         axes.tick_params(labelbottom=below)
         label(axes, seen.view, across=below, up=number % columns == 0)
-    handles, names = grid[0].get_legend_handles_labels()
+    # a run that broke early shows fewer times than the others
+    handles, names = max(
+        (axes.get_legend_handles_labels() for axes in grid), key=lambda x: len(x[1])
+    )
     grid[0].figure.legend(handles, names, loc="outside right upper", title="time")
 
 
