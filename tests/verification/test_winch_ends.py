@@ -1,0 +1,93 @@
+"""Winches at the ends of what they can do: stops, two drums, held nodes, haste, soft ropes."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from ropewalk.core.status import OK
+from ropewalk.scene import (
+    Anchor,
+    Hanging,
+    Material,
+    Rope,
+    RunSettings,
+    Scene,
+    SceneError,
+    Springs,
+    Straight,
+    Winch,
+)
+from ropewalk.simulation import Simulation
+
+CORD = Material(EA=100.0, mass_per_length=0.1, axial_damping=1.0)
+
+
+def winched(*winches: Winch, step: float = 1e-3, duration: float = 2.0, nodes=(0, -1)) -> Scene:
+    """A cord of 8 m in 16 segments between anchors at the given nodes."""
+    return Scene(
+        ropes=[Rope(segments=16, length=8.0, made_of=CORD, shape=Straight(end=(6.0, 0.0, 0.0)))],
+        anchors=[Anchor(node=node) for node in nodes],
+        winches=winches,
+        run=RunSettings(duration=duration, time_step=step, steps="exact"),
+    )
+
+
+def length(simulation: Simulation) -> float:
+    """Unstretched length off the drums [m]."""
+    state = simulation.arrays
+    return float(state.rest_length.sum() + state.winch_debt.sum())
+
+
+def test_a_winch_stops_within_a_step() -> None:
+    """Speed times the time it turns, to round-off: 0.1 m/s from 0 to 0.1005 s with steps of 1 ms."""
+    simulation = Simulation(winched(Winch(end="start", speed=0.1, stop=0.1005), duration=0.2))
+    list(simulation.frames())
+    assert length(simulation) == pytest.approx(8.0 + 0.1 * 0.1005, abs=1e-12)
+
+
+def test_two_winches_share_one_rope() -> None:
+    """The shortest length counts the whole rope, however much the other end pays out."""
+    winches = (
+        Winch(end="start", speed=-1.0, min_length=7.0),
+        Winch(end="end", speed=0.5, max_length=20.0),
+    )
+    simulation = Simulation(winched(*winches, duration=4.0))
+    for block in simulation.frames():
+        assert block.status == OK
+        assert np.isfinite(block.recording.x).all()
+    assert length(simulation) == pytest.approx(7.0, abs=0.5 * 1e-3 + 1e-9)  # one step's pay-out
+
+
+def test_a_held_node_does_not_come_on_to_the_drum() -> None:
+    """An anchor two segments from the drum ends the winding; it keeps its node and its place."""
+    simulation = Simulation(winched(Winch(end="start", speed=-0.5), duration=4.0, nodes=(0, 2)))
+    place = simulation.positions[2].copy()
+    list(simulation.frames())
+    assert len(set(simulation.arrays.anchor_node)) == 2
+    np.testing.assert_array_equal(simulation.positions[2], place)
+
+
+def test_a_winch_too_fast_for_the_step_is_refused() -> None:
+    with pytest.raises(SceneError, match=r"run\.time_step: .*must be at most"):
+        Simulation(winched(Winch(end="start", speed=-200.0), step=1e-3))
+
+
+def test_a_soft_rope_under_its_weight_is_not_broken() -> None:
+    """k = 50 N/m, 5 springs of 0.1 m with 1 kg nodes: the top one rests at 1 + 5 m g / (k L) = 10.8."""
+    springs = Springs(spring_constant=50.0, node_mass=1.0, segment_length=0.1, spring_friction=5.0)
+    simulation = Simulation(
+        Scene(
+            ropes=[Rope(segments=5, made_of=springs, shape=Hanging())],
+            anchors=[Anchor(node=0)],
+            run=RunSettings(duration=40.0, time_step=1 / 240),
+        )
+    )
+    for block in simulation.frames():
+        assert block.status == OK
+    stretch = np.linalg.norm(np.diff(simulation.positions, axis=0), axis=1)[0] / 0.1
+    # the slowest mode decays as exp(-c mu t / 2 m), mu = 4 sin^2(pi / 22): exp(-8) after 40 s
+    slowest = math.exp(-0.5 * 5.0 * 4.0 * math.sin(math.pi / 22) ** 2 * 40.0)
+    assert stretch == pytest.approx(1.0 + 5 * 9.81 / 5.0, rel=2.0 * slowest + 1e-9)
