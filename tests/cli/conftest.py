@@ -73,7 +73,11 @@ def process(tmp_path: Path) -> Callable[..., subprocess.CompletedProcess[str]]:
             text=True,
             check=False,
             cwd=tmp_path,
-            env=os.environ | {"PYTHONWARNINGS": "error::ResourceWarning"},
+            env=os.environ
+            | {
+                "PYTHONWARNINGS": "error::ResourceWarning",
+                "PYTHONDONTWRITEBYTECODE": "1",  # a limit on file size would cut it short for good
+            },
             timeout=300,
             **options,  # type: ignore[call-overload]
         )
