@@ -4,11 +4,11 @@ PYTHON ?= python3
 BIN := .venv/bin
 
 .DEFAULT_GOAL := help
-.PHONY: help venv runtime dev demo test test-slow lint format bench docs report clean distclean
+.PHONY: help venv runtime dev demo view test test-browser test-slow lint format bench work-precision docs report page page-check clean distclean
 
 help:  ## list the targets
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | \
-	  awk -F '\t' '{printf "  make %-10s %s\n", $$1, $$2}'
+	  awk -F '\t' '{printf "  make %-14s %s\n", $$1, $$2}'
 
 venv:
 	@command -v "$(PYTHON)" >/dev/null || { \
@@ -46,11 +46,17 @@ dev: runtime
 demo: runtime  ## set up, run the three-anchor rope of the report, print its results
 	@$(BIN)/ropewalk demo
 
-test: lint  ## set up, check the style, types and imports, run the tests (not the slow ones)
-	$(BIN)/python -m pytest -m "not slow"
+view: runtime  ## set up, show the three-anchor rope live in the browser
+	@$(BIN)/ropewalk view
+
+test: lint  ## set up, check the style, types and imports, run the tests (not slow or browser ones)
+	$(BIN)/python -m pytest -m "not slow and not browser"
+
+test-browser: dev  ## drive the live page and shared pages in a real Chromium
+	$(BIN)/python -m pytest -m browser tests/browser
 
 test-slow: dev  ## run the slow tests
-	$(BIN)/python -m pytest -m slow
+	$(BIN)/python -m pytest -m "slow and not browser"
 
 lint: dev  ## check style, format, types and the import contracts
 	$(BIN)/ruff check .
@@ -62,8 +68,11 @@ format: dev  ## put the code into the common format
 	$(BIN)/ruff check --fix .
 	$(BIN)/ruff format .
 
-bench: dev  ## measure the speed: a table, also written as CSV
+bench: dev  ## measure the speed, and error against time: tables, figures, CSV (an hour)
 	$(BIN)/python -m bench
+
+work-precision: dev  ## only error against time of all methods, numpy and scipy
+	$(BIN)/python -m bench work_precision
 
 docs: dev  ## build the documentation as a site in docs/_build/html
 	$(BIN)/sphinx-build -q -W --keep-going -n -b html docs docs/_build/html
@@ -72,9 +81,21 @@ docs: dev  ## build the documentation as a site in docs/_build/html
 report: runtime  ## check the claims of the student report: one page with figures
 	$(BIN)/ropewalk report
 
+page/node_modules/.package-lock.json: page/package-lock.json
+	@command -v npm >/dev/null || { \
+	  echo "make: there is no npm; on Debian and Ubuntu: apt install nodejs npm" >&2; exit 1; }
+	cd page && npm ci --no-audit --no-fund
+	@touch $@
+
+page: page/node_modules/.package-lock.json  ## bundle the live view's page from page/ (needs Node)
+	cd page && npm run --silent build
+
+page-check: page/node_modules/.package-lock.json  ## check the page: format, types, tests, whether the bundle is fresh
+	cd page && npm run --silent check
+
 clean:  ## remove what was built and cached, keep .venv and runs
 	rm -rf docs/_build .pytest_cache .mypy_cache .ruff_cache .hypothesis .import_linter_cache build dist
 	find src tests docs bench examples -name __pycache__ -type d -prune -exec rm -rf {} + 2>/dev/null || true
 
-distclean: clean  ## remove .venv as well
-	rm -rf .venv
+distclean: clean  ## remove .venv and Node's packages as well
+	rm -rf .venv page/node_modules

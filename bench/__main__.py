@@ -5,20 +5,36 @@ from __future__ import annotations
 import argparse
 import csv
 import datetime
+import os
 import platform
+from collections.abc import Callable
+from functools import cache
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from rich.console import Console
 from rich.table import Table
 
-from bench.cases import CASES, Row
+from bench.cases import CASES, segment_step
+from bench.row import Row
 from ropewalk import __version__
 
+if TYPE_CHECKING:
+    from bench.work_precision.measure import Point
+
+WORK_PRECISION = "work_precision"
 RESULTS = Path(__file__).parent / "results"
 
 
+@cache
 def processor() -> str:
-    """Return the processor's name as the system gives it."""
+    """Return the processor's name, its cores, and how busy they are besides."""
+    load = f", load {os.getloadavg()[0]:.1f}" if hasattr(os, "getloadavg") else ""
+    return f"{processor_name()}, {os.cpu_count()} cores{load}"
+
+
+def processor_name() -> str:
+    """Return the processor's name as the system gives it, nominal clock and all."""
     cpuinfo = Path("/proc/cpuinfo")
     if cpuinfo.exists():
         for line in cpuinfo.read_text().splitlines():
@@ -41,18 +57,38 @@ def store(rows: list[Row]) -> Path:
     return path
 
 
+def precision(ropes: list[str], say: Callable[[str], None]) -> list[Row]:
+    """Measure error against time (minutes), store the points, return the targets."""
+    from bench.work_precision.run import work_precision, write_points
+
+    path = RESULTS / f"work-precision-{datetime.date.today().isoformat()}.csv"
+    RESULTS.mkdir(exist_ok=True)
+    about = {"version": __version__, "processor": processor()}
+
+    def keep(points: list[Point]) -> None:
+        write_points(points, path, about)
+
+    rows = work_precision(ropes, keep, segment_step(), say)
+    say(f"stored as {path}, figures and tables in docs/images/work-precision")
+    return rows
+
+
 def main() -> None:
     """Measure, print, store."""
     parser = argparse.ArgumentParser(description=__doc__)
     names = [case.__name__ for case in CASES]
-    parser.add_argument("case", nargs="*", choices=[[], *names], default=[])
-    chosen = parser.parse_args().case
+    parser.add_argument("case", nargs="*", choices=[[], *names, WORK_PRECISION], default=[])
+    parser.add_argument("--rope", action="append", default=[], help=f"only of {WORK_PRECISION}")
+    given = parser.parse_args()
+    chosen = given.case
     console = Console()
     rows: list[Row] = []
     for case in CASES:
         if not chosen or case.__name__ in chosen:
             console.print(f"{case.__name__}: {case.__doc__}", style="dim")
             rows += case()
+    if not chosen or WORK_PRECISION in chosen:
+        rows += precision(given.rope, lambda text: console.print(text, style="dim"))
     table = Table("case", "value", "unit", "target", title=f"Ropewalk {__version__}, {processor()}")
     table.columns[1].justify = "right"
     for row in rows:

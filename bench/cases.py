@@ -9,24 +9,19 @@ import tempfile
 import time
 from collections.abc import Callable
 from pathlib import Path
-from typing import NamedTuple
 
 from bench.clock import Timing, take_turns
+from bench.implicit import newton
+from bench.live import live_server
+from bench.row import Row
 from bench.yardsticks import bare_loop, numpy_loop
 from ropewalk import Anchor, Rope, RunSettings, Scene, Simulation, Springs
+from ropewalk.build import build
 from ropewalk.methods.recording import make_recording
 from ropewalk.methods.registry import METHODS
+from ropewalk.record.run import record_run
 
 DT = 0.002  # [s] the report's
-
-
-class Row(NamedTuple):
-    """One measured number."""
-
-    case: str
-    value: float
-    unit: str
-    target: str
 
 
 def report_rope(
@@ -39,7 +34,7 @@ def report_rope(
     """Return ropes of the report's springs, both ends held."""
     springs = Springs(spring_constant=1e4, node_mass=0.05, spring_friction=0.05, segment_length=1.0)
     names = [f"rope{i}" for i in range(ropes)]
-    step = DT if METHODS[method].order != 1 or method != "euler" else 1e-6
+    step = 1e-6 if method == "euler" else DT
     return Scene(
         gravity=(0.0, -9.81, 0.0),
         ropes=[Rope(name=name, segments=segments, made_of=springs) for name in names],
@@ -57,7 +52,7 @@ def stepper(scene: Scene, steps: int, *, ledger: bool) -> Callable[[], None]:
 
 def one_rope() -> list[Row]:
     """1000 segments against a bare loop of the same arithmetic."""
-    n, steps = 1000, 1000
+    n, steps = 1000, 300
     bare = bare_loop(n + 1, DT)
     timing = take_turns(
         {
@@ -77,7 +72,7 @@ def one_rope() -> list[Row]:
 
 def against_numpy() -> list[Row]:
     """100 segments against whole-array numpy."""
-    n, steps = 100, 300
+    n, steps = 100, 900
     numpy_version = numpy_loop(n + 1, DT)
     timing = take_turns(
         {
@@ -96,51 +91,62 @@ def many_ropes() -> list[Row]:
     """100 ropes of 100 segments against one of 10000, per segment."""
     timing = take_turns(
         {
-            "many": stepper(report_rope(100, ropes=100), 100, ledger=False),
-            "one": stepper(report_rope(10_000), 100, ledger=False),
+            "many": stepper(report_rope(100, ropes=100), 36, ledger=False),
+            "one": stepper(report_rope(10_000), 36, ledger=False),
         }
     )
     return [Row("100 ropes of 100 / 1 of 10000", timing.ratio("many", "one"), "1", "0.8 to 1.2")]
 
 
 def flatness() -> list[Row]:
-    """Cost per segment from 100 to a million segments."""
+    """Cost per segment from 100 to a million segments, in frames of 9 steps (60 Hz and 2 ms)."""
     sizes = (100, 1000, 10_000, 100_000, 1_000_000)
-    runs = {}
-    for n in sizes:
-        runs[str(n)] = stepper(report_rope(n), max(1, 1_000_000 // n), ledger=False)
-    timing = take_turns(runs, rounds=7)
-    costs = {n: timing.best(str(n)) / (max(1, 1_000_000 // n) * n) * 1e9 for n in sizes}
-    rows = [Row(f"cost at {n} segments", costs[n], "ns/segment/step", "") for n in sizes]
-    spread = max(costs.values()) / min(costs.values())
-    return [*rows, Row("largest / smallest cost", spread, "1", "<= 1.5")]
-
-
-def recording() -> list[Row]:
-    """100000 steps of 1000 segments, every frame at 60 Hz recorded in memory, against no recording."""
+    counts = {n: max(9, 900_000 // n) for n in sizes}
     rows = []
-    for dt, name in ((DT, "9 steps a frame"), (1.8e-4, "93 steps a frame")):
-        scene = report_rope(1000).replace(run=RunSettings(time_step=dt, duration=100.0))
-        timing = _recorded(scene, 100_000)
-        overhead = timing.ratio("recorded", "plain") - 1.0
-        rows.append(Row(f"recording every frame, {name}", 100 * overhead, "%", "< 10"))
+    for ledger, name in ((False, ""), (True, ", with the work ledger")):
+        runs = {str(n): stepper(report_rope(n), counts[n], ledger=ledger) for n in sizes}
+        timing = take_turns(runs, rounds=12)
+        costs = {n: timing.best(str(n)) / (counts[n] * n) * 1e9 for n in sizes}
+        rows += [Row(f"cost at {n} segments{name}", costs[n], "ns/segment/step", "") for n in sizes]
+        spread = max(costs.values()) / min(costs.values())
+        rows.append(Row(f"largest / smallest cost{name}", spread, "1", "" if ledger else "<= 1.5"))
     return rows
 
 
-def _recorded(scene: Scene, steps: int) -> Timing:
-    per_frame = Simulation(scene).plan.steps_per_frame
+def recording() -> list[Row]:
+    """Every frame at 60 Hz of 1000 segments, in memory and into a folder, against no recording."""
+    rows = []
+    for dt, steps in ((DT, 9), (1.8e-4, 93)):
+        for ledger in (False, True):
+            name = f"{steps} steps a frame" + (", with the work ledger" if ledger else "")
+            timing = _recorded(dt, ledger)
+            for how in ("memory", "folder"):
+                overhead = 100.0 * (timing.ratio(how, "plain") - 1.0)
+                rows.append(Row(f"recording every frame in {how}, {name}", overhead, "%", "< 10"))
+    return rows
 
-    def run(*, record: bool) -> None:
-        simulation = Simulation(scene, ledger=False)
-        frames, size = steps // per_frame, simulation.block_frames
-        out = make_recording(simulation.arrays, size if record else 0, False)
-        while frames > 0:
-            simulation._advance(per_frame, min(size, frames), out)
-            frames -= size
 
-    return take_turns(
-        {"plain": lambda: run(record=False), "recorded": lambda: run(record=True)}, rounds=5
-    )
+def _recorded(dt: float, ledger: bool, steps: int = 25_000) -> Timing:
+    scene = report_rope(1000)
+    per_frame = Simulation(scene.replace(run=RunSettings(time_step=dt))).plan.steps_per_frame
+    duration = steps // per_frame / 60.0
+    model = build(scene.replace(run=RunSettings(time_step=dt, duration=duration)))
+
+    def plain() -> None:
+        simulation = Simulation(model, ledger=ledger)
+        nothing = make_recording(simulation.arrays, 0, False)
+        simulation._advance(simulation.plan.steps_per_frame, simulation.plan.frames, nothing)
+
+    def memory() -> None:
+        for _ in Simulation(model, ledger=ledger).frames():
+            pass
+
+    def folder() -> None:
+        with tempfile.TemporaryDirectory() as place:
+            record_run(model, Path(place) / "run", ledger=ledger)
+
+    runs = {"plain": plain, "memory": memory, "folder": folder}
+    return take_turns(runs, rounds=8)
 
 
 def methods() -> list[Row]:
@@ -151,6 +157,12 @@ def methods() -> list[Row]:
         Row(f"method {name}", timing.best(name) / 1e5 * 1e9, "ns/segment/step", "")
         for name in METHODS
     ]
+
+
+def segment_step() -> float:
+    """Return the cost of an explicit step of semi-implicit Euler [s], per segment of 1000."""
+    timing = take_turns({"plain": stepper(report_rope(1000), 100, ledger=False)}, rounds=7)
+    return timing.best("plain") / 1e5
 
 
 def start_up() -> list[Row]:
@@ -168,4 +180,14 @@ def start_up() -> list[Row]:
     return [Row("warm `ropewalk run`, whole command", min(times), "s", "< 1.5 to the first step")]
 
 
-CASES = (one_rope, against_numpy, many_ropes, flatness, recording, methods, start_up)
+CASES = (
+    one_rope,
+    against_numpy,
+    many_ropes,
+    flatness,
+    recording,
+    methods,
+    newton,
+    start_up,
+    live_server,
+)

@@ -1,13 +1,17 @@
-"""Timing that survives a noisy machine: contestants take turns, ratios are taken turn by turn."""
+"""Timing that survives a noisy machine: contestants take turns, and the least of many turns counts.
+
+The clock is the processor time of this process, its threads together: other programs on the same core
+do not count, and what a second thread does counts as on one core. What others take of caches and memory still
+counts; only the least time is free of that.
+"""
 
 from __future__ import annotations
 
-import statistics
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
-ROUNDS = 15
+ROUNDS = 60
 
 
 @dataclass
@@ -21,19 +25,18 @@ class Timing:
         return min(self.seconds[name])
 
     def ratio(self, name: str, other: str) -> float:
-        """Return the median over the turns of one's time over the other's [1]."""
-        pairs = zip(self.seconds[name], self.seconds[other], strict=True)
-        return statistics.median(a / b for a, b in pairs)
+        """Return one's shortest time over the other's [1]."""
+        return self.best(name) / self.best(other)
 
 
-def take_turns(contestants: dict[str, Callable[[], object]], rounds: int = ROUNDS) -> Timing:
+def take_turns(contestants: Mapping[str, Callable[[], object]], rounds: int = ROUNDS) -> Timing:
     """Time all contestants in turn, after one untimed call of each."""
     for run in contestants.values():
         run()
     seconds: dict[str, list[float]] = {name: [] for name in contestants}
     for _ in range(rounds):
         for name, run in contestants.items():
-            start = time.perf_counter()
+            start = time.process_time()
             run()
-            seconds[name].append(time.perf_counter() - start)
+            seconds[name].append(time.process_time() - start)
     return Timing(seconds)

@@ -91,7 +91,10 @@ def methods_table() -> Iterator[str]:
     yield "| method | order | force evaluations per step | |"
     yield "|---|---|---|---|"
     for method in METHODS.values():
-        yield f"| `{method.name}` | {method.order} | {method.evaluations} | {method.summary} |"
+        cost = str(method.evaluations)
+        if method.implicit:
+            cost = f"{cost} stage{'s' * (method.evaluations > 1)} to solve"
+        yield f"| `{method.name}` | {method.order} | {cost} | {method.summary} |"
 
 
 def presets_table() -> Iterator[str]:

@@ -17,11 +17,13 @@ from typing import Any
 _HOMES = {
     "Air": "scene",
     "Anchor": "scene",
+    "Clamp": "scene",
     "Ground": "scene",
     "Limiter": "scene",
     "Load": "scene",
     "Material": "scene",
     "Rope": "scene",
+    "Ring": "scene",
     "RunSettings": "scene",
     "Scene": "scene",
     "SceneError": "scene",
@@ -37,10 +39,19 @@ _HOMES = {
     "BrokenRun": "api",
     "Result": "record.result",
     "simulate": "api",
+    "equilibrium": "api",
+    "modes": "api",
+    "Modes": "vibration",
+    "NoRest": "statics",
     "run": "api",
     "resume": "api",
     "RunError": "record.errors",
     "check": "analysis.check",
+    "catenary": "theory",
+    "elastic_catenary": "theory",
+    "parabola": "theory",
+    "lumped_chain": "theory",
+    "hanging_chain": "theory",
 }
 
 __version__ = "0.1.0"

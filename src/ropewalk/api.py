@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
+from ropewalk.build import build
 from ropewalk.record.facts import INTERRUPTED
 from ropewalk.record.result import Result
 from ropewalk.record.simulate import Progress, simulate_in_memory
 from ropewalk.scene import Scene, load
 from ropewalk.scene.presets import names, preset
 from ropewalk.simulation import Broken, Simulation
+
+if TYPE_CHECKING:
+    from ropewalk.vibration import Modes
 
 SceneLike = Scene | str | Path
 
@@ -59,6 +63,49 @@ def simulate(
         as_scene(scene), keep_going=keep_going, progress=progress, ledger=ledger, explain=explain
     )
     return _ended(result, on_failure)
+
+
+def equilibrium(scene: SceneLike) -> Result:
+    """Return the shape in which a scene is at rest, without running it.
+
+    All laws take part but friction: weight, stretch, ground, wind, bending; anchors stand where they are
+    at time zero. The stretch limiter is no force, and takes no part.
+
+    Args:
+        scene: scene, preset's name, or scene file.
+
+    Returns:
+        A result of one frame with the status "at rest": `positions` [m], `tension` [N], `reactions` [N],
+        and `residual`, the largest force that is left on a free node [N]. Where several shapes are at
+        rest (a rope that lies on the ground), it is the one that the scene's own shape leads to.
+
+    Raises SceneError for a scene without a rest shape, with what is missing; `statics.NoRest` when
+    Newton's method finds none.
+    """
+    from ropewalk.record.rest import rest_result
+
+    return rest_result(as_scene(scene))
+
+
+def modes(
+    scene: SceneLike, about: Literal["equilibrium", "start"] = "equilibrium", count: int = 10
+) -> Modes:
+    """Return the slowest natural modes of a scene, from the exact tangents of all laws.
+
+    Args:
+        scene: scene, preset's name, or scene file.
+        about: the shape they are about: "equilibrium", or "start", the scene as it starts, whether forces
+            balance there or not.
+        count: how many, slowest first.
+
+    Returns:
+        Frequencies [Hz], shapes, damping ratios [1] and what moves in each mode.
+
+    Raises SceneError for a scene without a rest shape, ValueError for another `about` or a count below 1.
+    """
+    from ropewalk import vibration
+
+    return vibration.modes(build(as_scene(scene)), about, count)
 
 
 def run(

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class AnchorHandle:
-    """One anchor of a running simulation."""
+    """One anchor of a running simulation; once it has let go it follows the node that it held."""
 
     def __init__(self, simulation: Simulation, row: int) -> None:
         self._simulation = simulation
@@ -22,13 +22,19 @@ class AnchorHandle:
 
     @property
     def position(self) -> Floats:
-        """Where the anchor is [m], (3,), a copy."""
-        return np.array(self._simulation.arrays.anchor_x[self._row])
+        """Where the anchor is, or the node that it let go [m], (3,), a copy."""
+        state = self._simulation.arrays
+        return np.array(state.anchor_x[self._row] if self.holds else state.x[:, self._node])
 
     @property
     def velocity(self) -> Floats:
-        """The anchor's velocity [m/s], (3,), a copy; set it to move the anchor from now on."""
-        return np.array(self._simulation.arrays.anchor_v[self._row])
+        """Velocity of the anchor, or of the node that it let go [m/s], (3,), a copy.
+
+        Set it to move the anchor from now on. Raises ValueError for anything but three finite numbers,
+        and when the anchor has let go.
+        """
+        state = self._simulation.arrays
+        return np.array(state.anchor_v[self._row] if self.holds else state.v[:, self._node])
 
     @velocity.setter
     def velocity(self, value: ArrayLike) -> None:
@@ -50,7 +56,12 @@ class AnchorHandle:
         """Whether the anchor still holds its node."""
         return bool(self._simulation.arrays.held[self._row])
 
+    @property
+    def _node(self) -> int:
+        return int(self._simulation.arrays.anchor_node[self._row])
+
     def __repr__(self) -> str:
         name = self._simulation.layout.anchor_names[self._row]
         x, y, z = self.position
-        return f"<Anchor {name!r} at ({x:.4g}, {y:.4g}, {z:.4g}) m>"
+        released = "" if self.holds else "released, its node "
+        return f"<Anchor {name!r} {released}at ({x:.4g}, {y:.4g}, {z:.4g}) m>"

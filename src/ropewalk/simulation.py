@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from importlib import import_module
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -14,20 +15,28 @@ from ropewalk.build import Model, build
 from ropewalk.build.plan import divide
 from ropewalk.core import arrays
 from ropewalk.core.arrays import APPLIED, Floats, Ints, State
-from ropewalk.core.status import BROKEN, OK
+from ropewalk.core.status import BROKEN, OK, UNSOLVED
+from ropewalk.drum import WinchHandle
 from ropewalk.hand import AnchorHandle
+from ropewalk.laws.clamps import start_clamps
+from ropewalk.methods.implicit import SMALLEST_PART, unsolved
 from ropewalk.methods.loop import close_frame, prepare
-from ropewalk.methods.recording import LAWS, Recording, make_recording
+from ropewalk.methods.recording import (
+    CONSERVATIVE,
+    Recording,
+    bends,
+    make_recording,
+    work_names,
+)
 from ropewalk.methods.registry import METHODS
-from ropewalk.methods.scratch import make_scratch
 from ropewalk.motions.table import HAND
 from ropewalk.scene import Scene
+from ropewalk.start import started
 
 # The energy error that tells a broken simulation, over all energy that can honestly be turned over [1].
 MADE_UP = 3.0
-# Columns of the recorded work whose energies are recorded too: elastic force and weight.
-CONSERVATIVE = (LAWS.index("elastic"), LAWS.index("weight"))
-BLOCK_BYTES = 4_000_000  # positions and velocities of one block of frames
+_VIEW = "ropewalk.live.view"  # a layer above this one, so it is looked up when it is needed
+BLOCK_BYTES = 8_000_000  # positions and velocities of one block of frames
 
 
 class Broken(RuntimeError):  # noqa: N818 - it is what happened, not a mistake
@@ -42,6 +51,7 @@ class Snapshot(NamedTuple):
     dt: float  # [s]
     step: int
     motion_kinds: Ints  # (a,) which anchors have been taken in hand
+    winch_drive: Floats  # (3, w) speed [m/s], start and stop [s] of the winches
 
 
 class Simulation:
@@ -54,19 +64,26 @@ class Simulation:
     def __init__(self, scene: Scene | Model, *, ledger: bool = True) -> None:
         """Build the scene. With `ledger` the work of every law is added up in every step.
 
-        Raises SceneError when the scene cannot be planned.
+        Raises SceneError when the scene cannot be planned, or starts at rest and has no rest shape.
         """
-        self.model = scene if isinstance(scene, Model) else build(scene)
+        self.model = started(scene if isinstance(scene, Model) else build(scene))
         self.scene, self.layout, self.plan = self.model.scene, self.model.layout, self.model.plan
         system = self.model.system
         self._kinds = system.anchors.kind.copy()
+        winches = system.winches
+        self._drive = np.stack((winches.speed, winches.start, winches.stop))
+        speed, start, stop = self._drive
         self.system = system._replace(
-            flags=system.flags.copy(), anchors=system.anchors._replace(kind=self._kinds)
+            flags=system.flags.copy(),
+            anchors=system.anchors._replace(kind=self._kinds),
+            winches=winches._replace(speed=speed, start=start, stop=stop),
         )
         self._state: State = arrays.copy(self.model.state)
         self.ledger = ledger
-        self._scratch = make_scratch(self._state)
         self._method = METHODS[self.plan.method]
+        self._tableau = self._method.coefficients(self.scene.run.spectral_radius)
+        self._scratch = self._method.make_scratch(self._state)
+        self.failure = ""  # set where an implicit method finds no solution of a step
         self._winches = len(self.scene.winches) > 0
         self._extras = 1 if self._winches or self.scene.limiter else None
         self._start, self._dt, self._step = 0.0, self.plan.dt, 0
@@ -74,9 +91,12 @@ class Simulation:
         self._set_first_reactions()
         energy = self.recording().recording.energy[0]
         self._energy = float(energy.sum())
-        self._turnover = float(energy[0] + energy[2]) + self._energy_scale()
+        self._turnover = float(energy[0] + energy[2:].sum()) + self._energy_scale()
         self.anchors = {
             name: AnchorHandle(self, row) for row, name in enumerate(self.layout.anchor_names)
+        }
+        self.winches = {
+            winch.name: WinchHandle(self, row) for row, winch in enumerate(self.scene.winches)
         }
 
     def _set_first_reactions(self) -> None:
@@ -85,9 +105,12 @@ class Simulation:
         for row, i in enumerate(state.anchor_node):
             total = forces.elastic[:, i + 1] - forces.elastic[:, i]
             total = total + forces.friction[:, i + 1] - forces.friction[:, i]
+            if bends(state):
+                total = total + forces.bending[:, i + 1] - forces.bending[:, i]
             total = total + forces.air[:, i] + forces.ground[:, i]
             total = total + state.mass[i] * self.system.gravity
             state.reaction[row] = -total if state.held[row] else 0.0
+        start_clamps(self.system, state)
 
     def _energy_scale(self) -> float:
         """Weight times length of all ropes [J], and a little elastic energy where nothing weighs."""
@@ -102,6 +125,11 @@ class Simulation:
     def time(self) -> float:
         """Simulated time [s]: start + step * dt, never a running sum."""
         return self._start + self._step * self._dt
+
+    @property
+    def clock(self) -> tuple[float, float, int]:
+        """Start of the present step length [s], the step [s], and steps since: what `time` is made of."""
+        return self._start, self._dt, self._step
 
     @property
     def positions(self) -> Floats:
@@ -121,21 +149,20 @@ class Simulation:
     @property
     def state(self) -> Snapshot:
         """A copy of everything that evolves; `restore` goes back to it, to the same bits."""
-        return Snapshot(
-            arrays.copy(self._state), self._start, self._dt, self._step, self._kinds.copy()
-        )
+        taken = self._kinds.copy(), self._drive.copy()
+        return Snapshot(arrays.copy(self._state), self._start, self._dt, self._step, *taken)
 
     def restore(self, snapshot: Snapshot) -> None:
         """Go back (or forth) to a snapshot of this simulation."""
         arrays.assign(self._state, snapshot.state)
         self._start, self._dt, self._step = snapshot.start, snapshot.dt, snapshot.step
-        self._kinds[:] = snapshot.motion_kinds
+        self._kinds[:], self._drive[:] = snapshot.motion_kinds, snapshot.winch_drive
         self.system.flags[APPLIED] = int(self._state.forces.applied.any())
 
     def recording(self) -> Block:
         """Return the present state as one frame."""
         out = make_recording(self._state, 1, self._winches)
-        close_frame(self.system, self._state, 0, out)
+        close_frame(self.system, self._state, np.zeros_like(self._state.x), 0, out)
         return Block(np.array([self.time]), out)
 
     # -- moving on ----------------------------------------------------------------------
@@ -154,9 +181,18 @@ class Simulation:
             count, dt = divide(duration, self.plan.dt, "divide")
         if dt != self._dt:
             self._start, self._dt, self._step = self.time, dt, 0
+        self.failure = ""
         status, _ = self._advance(count, 1, make_recording(self._state, 0, False))
         if status != OK:
-            raise Broken(f"the simulation broke before t = {self.time:g} s")
+            raise Broken(self.failure or f"the simulation broke before t = {self.time:g} s")
+
+    def advance_steps(self, steps: int) -> int:
+        """Advance by so many steps of the present length; return OK, or why not: the state is broken.
+
+        `failure` then says where an implicit method found no solution.
+        """
+        self.failure = ""
+        return self._advance(steps, 1, make_recording(self._state, 0, False))[0]
 
     def advance_frames(self, frames: int, *, keep_going: bool = False) -> Block:
         """Advance by `frames` frames of the plan and return them.
@@ -166,7 +202,7 @@ class Simulation:
         """
         if self._dt != self.plan.dt:  # after a step of another length
             self._start, self._dt, self._step = self.time, self.plan.dt, 0
-        before = self.state if not keep_going else None
+        before, self.failure = self.state if not keep_going else None, ""
         out = make_recording(self._state, frames, self._winches)
         first = self._step
         status, good = self._advance(self.plan.steps_per_frame, frames, out, not keep_going)
@@ -176,8 +212,10 @@ class Simulation:
         steps = first + self.plan.steps_per_frame * np.arange(1, frames + 1)
         times = np.asarray(self._start + steps * self._dt, dtype=np.float64)
         block = Block(times, out, status)
-        if status == OK or before is None:
+        if status == OK or (before is None and status == BROKEN):
             return block
+        if before is None:
+            return block.head(good)
         self.restore(before)
         if good > 0:
             self._advance(self.plan.steps_per_frame, good, make_recording(self._state, 0, False))
@@ -189,8 +227,11 @@ class Simulation:
         The method's own energy error is then far beyond all energy that the scene can turn over: its
         weight falling through the ropes' length, what it had at first, and all work done since.
         """
-        others = np.delete(out.work[:frames], CONSERVATIVE, axis=1)
-        turned = np.delete(out.work[:frames], CONSERVATIVE[0], axis=1)
+        laws = work_names(bends(self._state))
+        stored = [laws.index(law) for law in CONSERVATIVE if law in laws]
+        inner = [column for column in stored if laws[column] != "weight"]
+        others = np.delete(out.work[:frames], stored, axis=1)
+        turned = np.delete(out.work[:frames], inner, axis=1)
         gain = out.energy[:frames].sum(axis=1) - self._energy - others.sum(axis=1)
         honest = self._turnover + np.abs(turned).sum(axis=1)
         broken = np.flatnonzero(~(np.abs(gain) <= MADE_UP * honest))  # NaN is broken, too
@@ -198,7 +239,7 @@ class Simulation:
 
     def frames(self, frames: int | None = None, *, keep_going: bool = False) -> Iterator[Block]:
         """Yield blocks of up to `frames` frames (default: the rest of the plan) until one breaks."""
-        left = self.plan.frames if frames is None else frames
+        left = self.frames_left if frames is None else frames
         while left > 0:
             block = self.advance_frames(min(left, self.block_frames), keep_going=keep_going)
             yield block
@@ -207,17 +248,36 @@ class Simulation:
             left -= block.frames
 
     @property
+    def frames_left(self) -> int:
+        """Frames that lead from now to the end of the plan, or beyond it by part of a frame."""
+        left = (self.plan.duration - self.time) / self.plan.frame_interval
+        return max(0, math.ceil(left * (1.0 - 1e-12) - 1e-6))
+
+    @property
     def block_frames(self) -> int:
-        """Frames in one block: about 4 MB of positions and velocities."""
+        """Frames in one block: about 8 MB of positions and velocities."""
         return max(1, min(4096, BLOCK_BYTES // (48 * self.layout.nodes)))
 
     def _advance(self, steps: int, frames: int, out: Any, stop: bool = True) -> tuple[int, int]:
         clock = np.array([self._start, self._dt, self._step, steps], dtype=np.float64)
         common = (self.system, self._state, self._scratch, self._extras, clock, frames)
-        status, good = self._method.advance(*common, self.ledger, out, stop, *self._method.tableau)
+        status, good = self._method.advance(*common, self.ledger, out, stop, self._tableau)
+        if status == UNSOLVED:
+            self.failure = self._describe_failure()
         done = frames if status == OK else good + 1
         self._step += steps * done
         return status, good
+
+    def _describe_failure(self) -> str:
+        """Say where Newton's method found no solution, and what to try."""
+        time, node, residual = unsolved(self._scratch)
+        rope, index = self.layout.rope_of(node)
+        return (
+            f"{self.plan.method} found no solution of a step at t = {time:.6g} s, not even in parts "
+            f"of {self._dt * SMALLEST_PART:.2g} s: at node {index} of rope {rope!r} a force of "
+            f"{residual:.3g} N stays unbalanced. Try a shorter time_step; look for anchors that "
+            "jump or move apart, and for nodes thrown or pressed together at the start."
+        )
 
     # -- hands --------------------------------------------------------------------------
 
@@ -229,14 +289,32 @@ class Simulation:
         vector = np.asarray(force, dtype=np.float64)
         if vector.shape != (3,) or not np.isfinite(vector).all():
             raise ValueError(f"force: {force!r} - must be three finite numbers [N]")
+        self.push({self.layout.node(node, rope): vector})
+
+    def push(self, forces: Mapping[int, Floats]) -> None:
+        """Apply forces [N], each (3,), to nodes by their index in the arrays, as `apply_force` does."""
         applied = self._state.forces.applied
-        applied[:, self.layout.node(node, rope)] = vector
+        for index, vector in forces.items():
+            applied[:, index] = vector
         self.system.flags[APPLIED] = int(applied.any())
         prepare(self.system, self._state)
 
     def take_in_hand(self, row: int) -> None:
         """Let an anchor be moved by its velocity from now on, whatever its motion was."""
         self._kinds[row] = HAND
+
+    def turn_by_hand(self, row: int, speed: float) -> None:
+        """Let a winch turn at `speed` [m/s] from now on, whatever the scene told it."""
+        self._drive[:, row] = speed, -math.inf, math.inf
+
+    def view(self, **options: Any) -> Any:
+        """Show the simulation in the browser, or here in a notebook, and return the view.
+
+        The loop stays with your program: call `view.update()` once a frame. Hands on the page can move
+        anchors, pull and kick nodes. Options: `open_browser`, `port`. Raises RunError when the packages
+        of `ropewalk[view]` are missing.
+        """
+        return import_module(_VIEW).view_simulation(self, **options)
 
     def __repr__(self) -> str:
         name = self.scene.name

@@ -166,3 +166,51 @@ def test_flags(ropewalk: Any, scene: Path, flags: tuple[str, ...], said: str) ->
 def test_scenes_that_are_not_there(ropewalk: Any, source: str, said: str) -> None:
     refused(ropewalk("run", source), said)
     assert tree(Path.cwd()) == []
+
+
+def test_what_is_found_only_when_a_scene_is_built_names_the_file(
+    ropewalk: Any, scene: Path
+) -> None:
+    """A winch that is too fast for the step: the file, the value, which winch, and what is allowed."""
+    scene.write_text(
+        scene.read_text() + '[[winch]]\nname = "hoist"\nend = "start"\nspeed = 1000.0\n'
+    )
+    said = f"{scene}: run.time_step: 0.001851851851851852 - must be at most 0.0001: in a step winch"
+    for command in ("check", "run"):
+        done = ropewalk(command, scene)
+        refused(done, said)
+        assert "winch 'hoist' may wind a fifth of a segment" in done.stderr
+    refused(ropewalk("compare", scene, scene), said)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("[[anchor]]\nnode = 0", "[anchor]\nnode = 0", "a list of tables has double brackets"),
+        ('name = "small"', 'name = "small', "line 1, column 14: TOML: a text must end on its own"),
+        (
+            'name = "small"',
+            'name = "a"\nname = "b"',
+            "line 2, column 11: TOML: this is there already",
+        ),
+    ],
+)
+def test_toml_errors_say_what_to_do(
+    ropewalk: Any, scene: Path, old: str, new: str, said: str
+) -> None:
+    text = scene.read_text()
+    assert old in text
+    scene.write_text(text.replace(old, new, 1))
+    refused(ropewalk("check", scene), said)
+
+
+def test_a_csv_with_more_cells_than_columns(ropewalk: Any, scene: Path) -> None:
+    """A comma for a decimal point makes one cell more; it must not pass in silence."""
+    text = scene.read_text()
+    motion = '[[anchor]]\nnode = 0\n[anchor.motion]\nkind = "table"\nfile = "path.csv"\n'
+    scene.write_text(text.replace("[[anchor]]\nnode = 0\n", motion, 1))
+    path = scene.with_name("path.csv")
+    path.write_text("time,x,y,z\n0,0,0,0\n1,1,0,0,5\n")
+    refused(ropewalk("check", scene), '"path.csv" - line 3: has 5 cells, the first line has 4')
+    path.write_text("time,x,y,z\n0,0,0,0\n1,1,0,0.5\n")
+    assert ropewalk("check", scene).exit_code == 0

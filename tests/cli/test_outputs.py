@@ -201,3 +201,24 @@ def test_reports_that_cannot_be_written(ropewalk: Any, scene: Path) -> None:
     refused(ropewalk("report", "-o", "scene.toml/report"), "scene.toml is a file, not a folder")
     refused(ropewalk("report", "-o", "."), "is not empty; take another folder")
     assert tree(Path.cwd()) == ["scene.toml"]
+
+
+def test_compare_keeps_what_it_runs_when_asked(ropewalk: Any, run: Path, scene: Path) -> None:
+    """With -o and a folder: a run folder for each scene, and the figure; nothing for a run that is
+    there. A second call is refused before anything is run, or replaces with --overwrite.
+    """
+    arguments = ("compare", run, scene, "r1", "--duration", "0.1", "-o", "study")
+    done = ropewalk(*arguments, "--json")
+    assert done.exit_code == 0, done.output
+    found = json.loads(done.stdout)
+    assert found["folders"] == ["a", "study/scene", "study/r1"]
+    assert found["figure"] == "study/compare.png"
+    assert {path.name for path in Path("study").iterdir()} == {"scene", "r1", "compare.png"}
+    assert Result.open("study/r1").status == "finished"
+    assert Result.open("study/scene").time[-1] == pytest.approx(0.1)
+    before = tree(Path.cwd())
+    refused(ropewalk(*arguments), "study/compare.png: exists already")
+    Path("study/compare.png").unlink()
+    refused(ropewalk(*arguments), "study/scene: holds a run already")
+    assert ropewalk(*arguments, "--overwrite").exit_code == 0
+    assert set(tree(Path.cwd())) == set(before)

@@ -325,9 +325,10 @@ def test_a_method_is_compiled_when_it_is_and_not_before(
     kernel = METHODS["verlet"].advance
     monkeypatch.setattr(jit, "cache_folder", lambda: tmp_path)
     if not kernel.signatures:
-        (tmp_path / "runge_kutta.advance-1.py311.nbi").touch()
+        stem = f"loop-{kernel.py_func.__code__.co_firstlineno}.py{sys.version_info[0]}{sys.version_info[1]}"
+        (tmp_path / f"loop.advance-runge_kutta-{stem}.nbi").touch()
         assert not is_compiled("verlet")
-        (tmp_path / "verlet.advance-1.py311.nbi").touch()
+        (tmp_path / f"loop.advance-verlet-{stem}.nbi").touch()
         assert is_compiled("verlet")
 
 

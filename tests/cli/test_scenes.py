@@ -16,8 +16,8 @@ from ropewalk.cli.commands.new import starter
 from ropewalk.scene import Springs, load, loads, presets, schema
 
 COMMANDS = [
-    "demo", "presets", "new", "check", "run", "resume", "info", "plot", "movie", "compare",
-    "export", "report", "schema",
+    "demo", "view", "presets", "new", "check", "settle", "modes", "run", "resume", "info", "plot",
+    "movie", "share", "compare", "export", "report", "schema",
 ]  # fmt: skip
 
 
@@ -161,8 +161,10 @@ def test_every_part_of_the_starter_can_be_switched_on() -> None:
     assert loads(text).name == "my rope"
     parts = optional_parts(text)
     expected = {"rope.made_of", "rope.load", "rope.kick", "anchor", "air", "ground", "limiter"}
-    assert set(parts) == expected | {"winch"}
+    assert set(parts) == expected | {"winch", "anchor.clamp"}
     _, springs = parts.pop("rope.made_of")
+    part, clamp = parts.pop("anchor.clamp")  # holds only what resists bending, which no winch winds
+    assert loads(text.replace("# EI =", "EI =").replace(part, clamp)).anchors[0].clamp is not None
     for part, switched in parts.values():
         assert "# release_time" not in switched
         assert loads(text.replace(part, switched)) != loads(text)

@@ -121,8 +121,15 @@ def test_slack_short_and_unheld() -> None:
 
 
 def test_ground_above_the_rest_shape() -> None:
-    assert "hang below the ground" in warnings(ground=Ground(height=-0.5))
-    assert "ground" not in warnings(ground=Ground(height=-1.0, repulsion=10.0, absorption=0.0))
+    """The sag of 0.718 m is held up by a ground at 0.5 m, and left alone by one at 1 m."""
+    near, far = (check(scene(ground=Ground(height=-h))) for h in (0.5, 1.0))
+    assert near.statics.grounded.sum() > 5
+    assert near.statics.sag[0] < 0.6
+    assert "nodes lie on the ground" in "\n".join(near.lines())
+    assert far.statics.sag[0] == pytest.approx(0.718, abs=1e-3)
+    assert "lie on the ground" not in "\n".join(far.lines())
+    assert near.statics.solved
+    assert "no shape of rest" not in warnings(ground=Ground(height=-0.5))
 
 
 def test_run_time_is_measured_when_the_kernel_is_there() -> None:
@@ -223,3 +230,33 @@ def test_real_ropes_pass(diameter: float, EA: float, line: float) -> None:
     rope = material(diameter=diameter, EA=EA, mass_per_length=line)
     made = scene().model_copy(update={"ropes": (rope,)})
     assert unit_slips(build(made)) == []
+
+
+def test_durations_that_are_no_whole_frames() -> None:
+    """Said with the time at which the run ends; the twin is a whole number of frames."""
+    said = warnings(duration=1.01, frame_rate=50.0, time_step=0.002)
+    assert "run.duration: 1.01 s is no whole number of frames; the run ends at 1 s" in said
+    assert "after 50 frames of 0.02 s" in said
+    assert "run.duration" not in warnings(duration=1.02, frame_rate=50.0, time_step=0.002)
+    # exact steps: 8 steps of 2 ms are a frame of 16 ms, and 63 of these are 1.008 s
+    assert "the run ends at 1.008 s" in warnings(duration=1.005, time_step=0.002, steps="exact")
+    assert "after 1 frame of 0.02 s" in warnings(duration=1e-3, frame_rate=50.0)
+
+
+def test_the_warning_of_a_break_says_so_once() -> None:
+    said = warnings(time_step=1.0 / 60.0)
+    assert said.count("will break") == 1
+    assert "first at rope 'rope', node" in said
+
+
+def test_the_highest_frequency_at_rest_is_below_the_bound_for_any_shape() -> None:
+    """Exact for the nearly straight rope of the report: 2 sqrt(k/m) sin(19 pi/40), closed forms 1.1."""
+    found = check(scene())
+    assert found.highest_at_rest is not None
+    exact = 2.0 * math.sqrt(1e4 / 0.05) * math.sin(19 * math.pi / 40)
+    assert found.highest_at_rest == pytest.approx(exact, rel=1e-3)
+    assert found.highest_at_rest <= found.stability.highest_frequency
+    slack = check(scene(shape=Straight(start=(0, 0, 0), end=(8, 0, 0))))
+    assert slack.highest_at_rest < 0.999 * slack.stability.highest_frequency
+    assert "rad/s about the rest shape" in found.lines()[1]
+    assert check(scene(), measure=False).highest_at_rest is None

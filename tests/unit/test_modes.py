@@ -1,57 +1,122 @@
-"""Modes of uniform chains against the tabulated frequencies and against the matrices."""
+"""What modes are given and refuse; how runs start at rest, and go on to the same bits."""
 
 from __future__ import annotations
+
+from pathlib import Path
 
 import numpy as np
 import pytest
 
-from ropewalk.analysis.modes import ENDS, decay_times, frequencies, mode_factors, shape
+import ropewalk as rw
+from ropewalk.record.resume import resume_run
+from ropewalk.record.run import record_run
+from ropewalk.scene import Anchor, Rope, Scene, Springs, Straight, Velocity
+from ropewalk.scene.rope import Kick
+
+STUFF = Springs(spring_constant=500.0, node_mass=0.05, segment_length=0.5, spring_friction=0.05)
+REST = rw.RunSettings(start="at-rest", duration=0.2)
+
+
+def scene(run: rw.RunSettings = REST, **more: object) -> Scene:
+    velocity = more.pop("velocity", (0, 0, 0))
+    shape = Straight(end=(2.5, 0, 0.2), velocity=velocity)
+    rope = Rope(segments=6, made_of=STUFF, shape=shape, kicks=more.pop("kicks", ()))
+    anchors = more.pop("anchors", (Anchor(node=0), Anchor(node=-1)))
+    return Scene(ropes=(rope,), anchors=anchors, run=run, **more)
+
+
+def test_a_table_of_modes() -> None:
+    found = rw.modes(scene(), count=4)
+    assert found.count == 4
+    assert (np.diff(found.natural_frequencies) >= 0.0).all()
+    row = found.table[0]
+    assert row["mode"] == 1
+    assert row["frequency [Hz]"] == found.frequencies[0]
+    assert 0.0 < row["damping ratio [1]"] < 0.1
+    assert row["motion"] in ("in plane", "out of plane")
+    np.testing.assert_allclose(np.linalg.norm(np.abs(found.shapes), axis=2).max(axis=1), 1.0)
+    assert (found.shapes[:, [0, -1]] == 0.0).all()
+    assert repr(found).startswith("Modes of 'scene' about its equilibrium: ")
+    assert found.motions[0].along + found.motions[0].in_plane + found.motions[0].out_of_plane == (
+        pytest.approx(1.0)
+    )
+    again = rw.modes(scene(), count=4)
+    np.testing.assert_array_equal(again.eigenvalues, found.eigenvalues)
+
+
+def test_what_modes_refuse() -> None:
+    with pytest.raises(ValueError, match="about: \"rest\"|about: 'rest' - must be"):
+        rw.modes(scene(), about="rest")  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="count: 0 - must be at least 1"):
+        rw.modes(scene(), count=0)
+    with pytest.raises(rw.SceneError, match="no anchor holds it"):
+        rw.modes(scene(anchors=(), run=rw.RunSettings()))
+    both = Scene(
+        ropes=(Rope(segments=1, made_of=STUFF),), anchors=(Anchor(node=0), Anchor(node=-1))
+    )
+    assert rw.modes(both).count == 0  # nothing is free
+
+
+def test_a_run_starts_from_the_equilibrium() -> None:
+    simulation = rw.Simulation(scene())
+    np.testing.assert_array_equal(simulation.positions, rw.equilibrium(scene()).positions[0])
+    assert not simulation.velocities.any()
+    kicked = rw.Simulation(scene(kicks=(Kick(node=2, velocity=(0, 0, 1)),)))
+    assert kicked.velocities[2, 2] == 1.0
+    assert np.count_nonzero(kicked.velocities) == 1
+    moving = (Anchor(node=0, motion=Velocity(velocity=(0, 0, 0.5))), Anchor(node=-1))
+    moved = rw.Simulation(scene(anchors=moving))
+    np.testing.assert_array_equal(moved.velocities[0], [0, 0, 0.5])
+    assert np.count_nonzero(moved.velocities) == 1
+
+
+def test_a_run_rings_in_a_mode() -> None:
+    ring = REST.replace(ring=rw.Ring(mode=3, speed=0.25))
+    simulation = rw.Simulation(scene(ring))
+    shape = rw.modes(scene(), count=3).shapes[2].real
+    speeds = np.linalg.norm(simulation.velocities, axis=1)
+    assert speeds.max() == pytest.approx(0.25, rel=1e-12)
+    np.testing.assert_allclose(simulation.velocities, 0.25 * shape, atol=1e-3)
+
+
+def test_a_resumed_run_that_started_at_rest_goes_on_to_the_same_bits(tmp_path: Path) -> None:
+    ring = REST.replace(ring=rw.Ring(mode=1, speed=0.3), duration=0.4)
+    whole = record_run(scene(ring), tmp_path / "whole")
+
+    def stop(done: int, planned: int, block: object) -> None:
+        if done >= 6:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        record_run(scene(ring), tmp_path / "cut", progress=stop, commit_seconds=0.0)
+    resumed = resume_run(tmp_path / "cut")
+    np.testing.assert_array_equal(resumed.positions, whole.positions)
+    assert resumed.scene == whole.scene
+    assert whole.scene.run.ring == rw.Ring(mode=1, speed=0.3)
 
 
 @pytest.mark.parametrize(
-    ("ends", "table"),
+    ("make", "words"),
     [
-        ("fixed-fixed", {1: 47.2634611, 2: 94.26260575, 3: 140.7345957, 20: 630.6870581}),
-        ("fixed-free", {1: 24.22477581, 2: 72.53216683, 3: 120.4139102, 20: 630.5997818}),
-        ("fixed-half", {1: 24.83008766, 2: 74.33717724, 3: 123.3859534, 20: 631.9679317}),
-        ("free-free", {1: 0.0, 2: 49.62188913, 3: 98.93784282, 20: 630.5058827}),
+        (lambda: rw.RunSettings(ring=rw.Ring(mode=1, speed=1.0)), 'ring: needs start = "at-rest"'),
+        (lambda: rw.Ring(mode=0, speed=1.0), "mode: 0 - must be at least 1"),
+        (lambda: rw.Ring(mode=1, speed=0.0), "speed: 0.0 - must be"),
+        (lambda: rw.RunSettings(start="rest"), 'start: "rest" - must be'),
+        (
+            lambda: scene(velocity=(1, 0, 0)),
+            'rope[0].shape.velocity: [1.0, 0.0, 0.0] - leave it out with run.start = "at-rest"',
+        ),
+        (
+            lambda: rw.Simulation(scene(REST.replace(ring=rw.Ring(mode=99, speed=1.0)))),
+            "run.ring.mode: 99 - must be at most 15",
+        ),
+        (
+            lambda: rw.Simulation(scene(anchors=())),
+            'rope[0]: "rope" - no anchor holds it, and there is no ground: it falls',
+        ),
     ],
 )
-def test_frequencies_of_twenty_masses(ends: str, table: dict[int, float]) -> None:
-    # Closed forms 1.1: N 20, m 0.01, k 1000.
-    found = frequencies(20, 1000.0, 0.01, ends)
-    for j, expected in table.items():
-        assert found[j - 1] == pytest.approx(expected, rel=1e-9)
-
-
-def stiffness(n: int, ends: str) -> tuple[np.ndarray, np.ndarray]:
-    K = 2.0 * np.eye(n) - np.eye(n, k=1) - np.eye(n, k=-1)
-    M = np.eye(n)
-    if ends != "fixed-fixed":
-        K[-1, -1] = 1.0
-    if ends == "free-free":
-        K[0, 0] = 1.0
-    if ends == "fixed-half":
-        M[-1, -1] = 0.5
-    return K, M
-
-
-@pytest.mark.parametrize("ends", ENDS)
-def test_shapes_are_eigenvectors(ends: str) -> None:
-    K, M = stiffness(9, ends)
-    for mode, mu in enumerate(mode_factors(9, ends), start=1):
-        x = shape(9, mode, ends)
-        np.testing.assert_allclose(K @ x, mu * M @ x, atol=1e-13)
-        assert np.abs(K @ x - 1.01 * (mu + 0.01) * M @ x).max() > 1e-3
-
-
-def test_decay_times_of_the_report() -> None:
-    # Seed systems 3.4: n 19, c 0.05: 81, 20, 9 s; n 39: 324, 81, 36 s.
-    np.testing.assert_allclose(decay_times(19, 0.05, 0.05)[:3], [81, 20, 9], rtol=0.03)
-    np.testing.assert_allclose(decay_times(39, 0.05, 0.05)[:3], [324, 81, 36], rtol=0.01)
-    assert np.isinf(decay_times(19, 0.0, 0.05)).all()
-
-
-def test_other_ends_are_refused() -> None:
-    with pytest.raises(ValueError, match="fixed-half"):
-        mode_factors(3, "loose")
+def test_starts_that_cannot_be(make, words: str) -> None:
+    with pytest.raises(rw.SceneError) as caught:
+        make()
+    assert words in str(caught.value)

@@ -15,6 +15,7 @@ EXPECTED = {
     *(f"r{i}" for i in range(1, 10)),
     *("n39-constant-velocity", "n39-gravity", "n39-spring", "n40", "h1", "h2", "h3"),
     *("hanging-rope", "skipping-rope", "whip", "wave-on-a-string", "falling-chain"),
+    *("fishing-rod", "wire-arch"),
 }
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+import warnings
 
 import numpy as np
 import pytest
@@ -210,3 +211,22 @@ def test_a_result_loads_no_figures_and_no_stores() -> None:
         env={**os.environ, "PYTHONPATH": os.pathsep.join(path for path in sys.path if path)},
     )
     assert done.stdout.strip() == "[]"
+
+
+def test_numbers_of_a_broken_run_come_without_numpys_warnings() -> None:
+    """Recorded on into its break a run has infinite and NaN numbers; what is made of them says NaN, and
+    the table keeps to finite ones. The twin: before the break all is finite.
+    """
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        made = rw.preset("r6")
+        result = rw.simulate(
+            made.replace(run=made.run.replace(duration=3.0)), keep_going=True, on_failure="return"
+        )
+        assert np.isnan(result.energy_error[-1])
+        assert np.isnan(result.balance_residual[-1])
+        assert not np.isfinite(result.rope().stretch[-1]).all()
+        assert np.isfinite(result.table["largest tension [N]"])
+        assert "broke" in repr(result)
+        assert result.node(3)["height"].shape == (result.frames,)
+    assert np.isfinite(result.energy_error[:3]).all()

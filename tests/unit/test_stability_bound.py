@@ -19,14 +19,14 @@ from ropewalk.methods.bound import (
     stiffness_matrix,
     worst_mode,
 )
-from ropewalk.methods.characteristic import CHARACTERISTIC
+from ropewalk.methods.characteristic import CHARACTERISTIC, UNCONDITIONAL
 from ropewalk.methods.tridiagonal import (
     largest_eigenvalue,
     largest_eigenvector,
     smallest_eigenvalue,
 )
 
-METHODS = tuple(CHARACTERISTIC)
+METHODS = tuple(name for name in CHARACTERISTIC if name not in UNCONDITIONAL)
 
 
 def chain(
@@ -140,12 +140,22 @@ def test_three_pins_are_two_chains_between_pins() -> None:
     assert abs(100.0 * without - expected) > 0.5
 
 
-@pytest.mark.parametrize(("rate", "limit"), [(60.0, 174.0), (500.0, 12450.0), (30.0, 42.0)])
-def test_long_chain_limits(rate: float, limit: float) -> None:
-    # k_max = m f^2 - 2 c f.
-    found = chain(20001, 100.0)
-    factor = largest_stiffness_factor("semi-implicit-euler", found, 1.0 / rate)
-    assert 100.0 * factor == pytest.approx(limit, rel=1e-6)
+RATES = {30: 42, 50: 120, 60: 174, 75: 274, 90: 396, 120: 708, 144: 1022, 500: 12450}
+
+
+@pytest.mark.parametrize("rate", RATES)
+def test_long_chain_limits(rate: int) -> None:
+    # k_max = m f^2 - 2 c f (seed systems 3.3); at 60 Hz 120 with c = 0.5, and none from c = 1.5 on.
+    factor = largest_stiffness_factor("semi-implicit-euler", chain(20001, 100.0), 1.0 / rate)
+    assert 100.0 * factor == pytest.approx(0.05 * rate**2 - 2 * 0.05 * rate, rel=1e-6)
+    assert 100.0 * factor == pytest.approx(RATES[rate], abs=0.51)
+    if rate == 60:
+        for c, limit in ((0.5, 120.0), (1.4, 12.0)):
+            damped = chain(20001, 100.0, 0.05, c)
+            factor = largest_stiffness_factor("semi-implicit-euler", damped, 1.0 / 60.0)
+            assert 100.0 * factor == pytest.approx(limit, rel=1e-5)
+        damped = chain(20001, 1e-6, 0.05, 1.5001)
+        assert largest_step("semi-implicit-euler", damped) < 1.0 / 60.0
 
 
 @pytest.mark.parametrize(
@@ -311,7 +321,7 @@ def test_ropes_of_different_friction_keep_their_own_bounds() -> None:
     # Joined by dead segments; the friction of one does not help the other: euler dt = min c/k.
     parts = [chain(12, 1e4, c=c, held=(0, 11)) for c in (0.01, 0.05, 1.0)]
     fields = []
-    for name in Chain._fields[:-1]:
+    for name in Chain._fields[:7]:
         arrays = [getattr(part, name) for part in parts]
         if arrays[0].size == 11:
             arrays = [part for array in arrays for part in (array, np.zeros(1))][:-1]
@@ -331,3 +341,12 @@ def test_a_load_and_air_on_a_uniform_rope_are_nearly_exact(method: str) -> None:
     assert radius(method, found, bound * (1.0 - 1e-6)) <= 1.0 + 1e-12
     along = largest_step(method, found._replace(sideways=False))
     assert radius(method, found, along * 1.02) > 1.0
+
+
+@pytest.mark.parametrize("method", sorted(UNCONDITIONAL))
+def test_implicit_methods_have_no_bound(method: str) -> None:
+    found = chain(24, 700.0, 0.08, 0.4, held=(3,), drag=0.1)
+    assert largest_step(method, found) == math.inf
+    assert largest_stiffness_factor(method, found, 1e3) == math.inf
+    assert 0.0 <= growth_per_step(method, found, 1e3) <= 1.0 + 1e-12
+    assert growth_per_step("verlet", found, 1e3) > 2.0  # the twin

@@ -92,7 +92,7 @@ def test_what_a_folder_holds(tmp_path: Path) -> None:
         assert provenance[key]
     assert provenance["started"] <= provenance["ended"]
     events = [json.loads(line) for line in (folder / "events.jsonl").read_text().splitlines()]
-    assert [event["event"] for event in events] == ["started", "finished"]
+    assert [event["event"] for event in events] == ["started", "released", "finished"]
     status = json.loads((folder / "status.json").read_text())
     assert status["status"] == "finished"
     assert status["frames"] == status["planned_frames"] == result.frames

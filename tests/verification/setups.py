@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -17,12 +18,15 @@ from ropewalk.scene import Anchor, Points, Rope, RunSettings, Scene, Springs
 from ropewalk.simulation import Simulation
 
 ALL = tuple(METHODS)
+IMPLICIT = tuple(name for name, method in METHODS.items() if method.implicit)
+EXPLICIT = tuple(name for name in ALL if name not in IMPLICIT)
 SYMPLECTIC = ("semi-implicit-euler", "verlet")
 NO_GRAVITY = (0.0, 0.0, 0.0)
 DOWN = (0.0, -9.81, 0.0)  # y is up
 g = 9.81
 FACTORIAL = (1.0, 1.0, 2.0, 6.0, 24.0)
 RUNGE_KUTTA_STAGES = {"euler": 1, "heun": 2, "rk4": 4}
+GAMMA = 1.0 - math.sqrt(0.5)  # of SDIRK2
 
 
 def springs(k: float, m: float, length: float, c: float = 0.0, **more: Any) -> Springs:
@@ -148,15 +152,53 @@ def step_matrix(method: str, a: float, b: float) -> np.ndarray:
         f1 = -a * x1 - b * np.array([0.0, 1.0, 1.0])
         return np.array([x1, np.array([0.0, 1.0, 0.5]) + 0.5 * f1, f1])
     A = np.array([[0.0, 1.0], [-a, -b]])
+    if method in IMPLICIT:
+        return implicit_step_matrix(method, A)
     powers = [np.linalg.matrix_power(A, p) for p in range(RUNGE_KUTTA_STAGES[method] + 1)]
     return sum(power / FACTORIAL[p] for p, power in enumerate(powers))
+
+
+def implicit_step_matrix(method: str, A: np.ndarray) -> np.ndarray:
+    """One step of an implicit method on (x, v dt) of x' = A x; BDF2 on two such pairs, the newer first,
+    generalized-alpha (rho 0.8) with a dt^2 as well.
+
+    Implicit Euler 1 / (1 - z), midpoint (1 + z/2) / (1 - z/2), SDIRK2 (1 + (1 - 2g) z) / (1 - g z)^2,
+    ESDIRK3 from its table (Hairer & Wanner, IV.3); Chung & Hulbert 1993 by solving their equations.
+    """
+    one = np.eye(2)
+    if method == "implicit-euler":
+        return np.linalg.inv(one - A)
+    if method == "implicit-midpoint":
+        return np.linalg.solve(one - 0.5 * A, one + 0.5 * A)
+    if method == "sdirk2":
+        inverse = np.linalg.inv(one - GAMMA * A)
+        return inverse @ inverse @ (one + (1.0 - 2.0 * GAMMA) * A)
+    if method == "bdf2":
+        inverse = np.linalg.inv(1.5 * one - A)
+        return np.block([[2.0 * inverse, -0.5 * inverse], [one, np.zeros((2, 2))]])
+    if method == "esdirk3":
+        table = METHODS["esdirk3"].tableau
+        whole = np.eye(8) - np.kron(table.A, A)
+        stages = np.linalg.solve(whole, np.kron(np.ones((4, 1)), one))
+        return one + np.kron(table.b, A) @ stages
+    am, af, gamma, beta = 1.0 / 3.0, 4.0 / 9.0, 11.0 / 18.0, 25.0 / 81.0
+    a, b = -A[1, 0], -A[1, 1]
+    # unknowns x1, v1, w1; rows: position, velocity, balance
+    left = np.array([[1.0, 0.0, -beta], [0.0, 1.0, -gamma], [a * (1 - af), b * (1 - af), 1 - am]])
+    right = np.array([[1.0, 1.0, 0.5 - beta], [0.0, 1.0, 1.0 - gamma], [-a * af, -b * af, -am]])
+    return np.linalg.solve(left, right)
 
 
 def mode_history(method: str, a: float, b: float, steps: int, x: float = 1.0, u: float = 0.0):
     """The scheme's own amplitudes of a mode after 0..steps steps, from x and u = v dt."""
     matrix = step_matrix(method, a, b)
-    state = np.array([x, u] if method != "verlet" else [x, u, -a * x - b * u])
+    with_force = method in ("verlet", "generalized-alpha")
+    state = np.array([x, u, -a * x - b * u] if with_force else [x, u])
     history = [x]
+    if method == "bdf2":  # its first step is SDIRK2's
+        state = np.concatenate([step_matrix("sdirk2", a, b) @ state, state])
+        history.append(state[0])
+        steps -= 1
     for _ in range(steps):
         state = matrix @ state
         history.append(state[0])

@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 import pytest
+from scipy.interpolate import CubicSpline
 
 from ropewalk.scene import (
     Anchor,
@@ -94,6 +95,23 @@ def test_a_table_with_a_cubic_spline() -> None:
     assert off(x, linear) > 1e-2
 
 
+def test_a_cubic_table_is_scipys_natural_spline() -> None:
+    """An independent implementation, also of uneven and many times, to rounding. Twins: the other
+    ends that such tables may have, not-a-knot and clamped, and straight lines.
+    """
+    rng = np.random.default_rng(3)
+    many = np.cumsum(rng.uniform(0.005, 0.08, 30)) - 0.02
+    for times, places in ((TIMES, PLACES), (many, rng.normal(size=(30, 3)))):
+        t, x, v = path(Table(times=times, positions=places, interpolation="cubic"))
+        inside = (t > times[0]) & (t < times[-1] - 1e-9)
+        spline = CubicSpline(times, places, bc_type="natural")
+        speed = np.abs(spline(t[inside], 1)).max()
+        assert off(x[inside], spline(t[inside])) < 1e-12 * max(1.0, speed)
+        assert off(v[inside], spline(t[inside], 1)) < 1e-11 * max(1.0, speed)
+        for ends in ("not-a-knot", "clamped"):
+            assert off(x[inside], CubicSpline(times, places, bc_type=ends)(t[inside])) > 1e-3
+
+
 def test_a_table_with_straight_lines() -> None:
     """np.interp between the times; velocity the slope of the line that begins there."""
     t, x, v = path(Table(times=TIMES, positions=PLACES))
@@ -155,7 +173,7 @@ def test_a_released_node_falls_freely(method: str) -> None:
     rope = Rope(segments=1, made_of=springs(1e-9, 1.0, 1.0), shape=Straight(velocity=(1, 0, 0)))
     film = run(scene(rope, [moved], dt=DT, steps=300, method=method, gravity=DOWN))
     s = np.arange(201)
-    shift = {"euler": -1.0, "semi-implicit-euler": 1.0}.get(method, 0.0)
+    shift = {"euler": -1.0, "semi-implicit-euler": 1.0, "implicit-euler": 1.0}.get(method, 0.0)
     assert off(film.x[100:, 0, 1], -0.5 * g * DT * DT * s * (s + shift)) < 1e-9
     assert off(film.x[:, 0, 0], film.t) < 1e-9
     assert off(film.x[:101, 0, 1], 0.0) == 0.0

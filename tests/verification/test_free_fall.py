@@ -17,7 +17,7 @@ def fallen(method: str, s: np.ndarray, dt: float = DT) -> np.ndarray:
     v_i = -g i dt exactly for all. euler moves with v_i, hence s (s - 1) / 2; semi-implicit Euler with
     v_(i+1), hence s (s + 1) / 2; the others reach g t^2 / 2 (exact for constant acceleration).
     """
-    shift = {"euler": -1.0, "semi-implicit-euler": 1.0}.get(method, 0.0)
+    shift = {"euler": -1.0, "semi-implicit-euler": 1.0, "implicit-euler": 1.0}.get(method, 0.0)
     return 0.5 * g * dt * dt * s * (s + shift)
 
 

@@ -6,18 +6,23 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
+from ropewalk.analysis.bending import bending_warnings
 from ropewalk.analysis.cost import seconds_per_step
+from ropewalk.analysis.plan_notes import plan_notes
 from ropewalk.analysis.stability import Stability, milliseconds, plain, rounded_down, stability
-from ropewalk.analysis.statics import Statics, static_shape
 from ropewalk.analysis.units import unit_slips
 from ropewalk.build import Model, build
 from ropewalk.scene import Scene
+from ropewalk.start import started
+from ropewalk.statics import Statics, static_shape
 
 __all__ = ["Check", "RopeCheck", "check", "milliseconds"]
 
 _SMALL_MARGIN = 0.1
 _ROUNDING = 1e-9
+_AFFORDABLE = 20_000  # nodes up to which the highest frequency at rest is computed
 _SHORT = 0.01  # a curve's chords are a little shorter than its arcs
 
 
@@ -66,6 +71,7 @@ class Check:
     seconds: float  # estimated run time [s], without recording
     seconds_measured: bool  # whether steps were timed, or the cost taken from a table
     warnings: tuple[str, ...]
+    highest_at_rest: float | None = None  # frequency about the shape of rest [rad/s]
 
     @property
     def ok(self) -> bool:
@@ -84,6 +90,8 @@ class Check:
                 "slack_segments": int(statics.slack.sum()),
                 "spans": [vars(span) for span in statics.spans],
                 "unheld": statics.unheld,
+                "nodes_on_ground": int(statics.grounded.sum()),
+                "residual": statics.residual,
             },
             "ropes": [vars(rope) for rope in self.ropes],
             "frames": self.frames,
@@ -93,6 +101,7 @@ class Check:
             "estimated_seconds": self.seconds,
             "estimate_measured": self.seconds_measured,
             "warnings": self.warnings,
+            "highest_frequency_at_rest": self.highest_at_rest,
         }
         return {key: plain(value) for key, value in found.items()}
 
@@ -101,6 +110,10 @@ class Check:
         s = self.stability
         text = [f"{self.name}: {s.verdict}"]
         text.append(f"highest frequency {s.highest_frequency:.6g} rad/s, decided {s.case}")
+        if self.highest_at_rest is not None:
+            text[-1] += (
+                f" (bound for any shape; {self.highest_at_rest:.6g} rad/s about the rest shape)"
+            )
         if s.method == "semi-implicit-euler":
             text.append(f"stability meter a + 2b = {s.meter:.4g} of 4")
         text.append("largest stable steps:")
@@ -111,9 +124,13 @@ class Check:
             text.append(f"largest EA {s.largest_axial_stiffness:.6g} N at this step")
         else:
             text.append(f"all springs could be {s.largest_spring_factor:.4g} times as stiff")
+        if s.largest_bending_stiffness is not None:
+            text.append(f"largest EI {s.largest_bending_stiffness:.6g} N m^2 at this step")
         for rope in self.ropes:
             text += rope.lines()
         text += [f"  {span}" for span in self.statics.spans]
+        if self.statics.grounded.any():
+            text.append(f"  at rest {_count(self.statics.grounded, 'node')} on the ground")
         text.append(
             f"{self.frames} frames of {self.steps_per_frame} steps, {self.steps} steps of "
             f"{milliseconds(s.step)}; about {_duration(self.seconds)} to run"
@@ -136,8 +153,8 @@ def check(source: Scene | Model, *, measure: bool = True) -> Check:
 
     Raises SceneError when the scene cannot be planned.
     """
-    model = source if isinstance(source, Model) else build(source)
-    statics = static_shape(model)
+    model = started(source if isinstance(source, Model) else build(source))
+    statics = static_shape(model, strict=False)
     found = stability(model, statics)
     ropes = tuple(_rope(model, statics, name.name) for name in model.layout.ropes)
     cost, measured = seconds_per_step(model, measure)
@@ -154,7 +171,17 @@ def check(source: Scene | Model, *, measure: bool = True) -> Check:
         seconds=cost * plan.steps,
         seconds_measured=measured,
         warnings=tuple(_warnings(model, found, statics, ropes)),
+        highest_at_rest=_highest_at_rest(model, statics) if measure else None,
     )
+
+
+def _highest_at_rest(model: Model, statics: Statics) -> float | None:
+    """Return the highest frequency about the rest shape [rad/s]; None where it is not cheap to know."""
+    if not statics.spans or not statics.solved or model.layout.nodes > _AFFORDABLE:
+        return None
+    from ropewalk.vibration import highest_frequency
+
+    return highest_frequency(model, statics.positions.T.copy(), statics.tension)
 
 
 def _rope(model: Model, statics: Statics, name: str) -> RopeCheck:
@@ -202,15 +229,16 @@ def _warnings(
         f"rope {name!r}: nothing holds it" + ("; it falls" if np.any(model.system.gravity) else "")
         for name in statics.unheld
     ]
-    warnings += _limiter_warnings(model, statics) + _ground_warnings(model, statics)
-    return warnings + unit_slips(model)
+    warnings += _limiter_warnings(model, statics) + _rest_warnings(statics)
+    warnings += bending_warnings(model)
+    return warnings + plan_notes(model) + unit_slips(model)
 
 
 def _stability_warnings(found: Stability) -> list[str]:
     remedies = "; ".join(found.remedies)
     where = f"rope {found.rope!r}, node {found.node}, {found.case}"
     if found.breaks:
-        return [f"the run will break ({found.verdict}; first at {where}). Change to: {remedies}"]
+        return [f"the run {found.verdict}, first at {where}. Change to: {remedies}"]
     if not found.stable:
         return [f"the run {found.verdict}. Change to: {remedies}"]
     if found.margin < _SMALL_MARGIN:
@@ -244,17 +272,18 @@ def _limiter_warnings(model: Model, statics: Statics) -> list[str]:
     ]
 
 
-def _ground_warnings(model: Model, statics: Statics) -> list[str]:
-    ground = model.system.ground
-    if not ground.active or not statics.spans:
-        return []
-    below = int((statics.positions @ ground.up < ground.height).sum())
-    if below == 0:
+def _rest_warnings(statics: Statics) -> list[str]:
+    if statics.solved:
         return []
     return [
-        f"at rest {below} nodes would hang below the ground at {ground.height:g} m: the sag and "
-        "tension given here are those without ground"
+        f"no shape of rest was found ({statics.residual:.2g} N are left on a node): sag and tension "
+        "given here are those of a shape near to it"
     ]
+
+
+def _count(which: NDArray[np.bool_], noun: str) -> str:
+    number = int(which.sum())
+    return f"{number} {noun} lies" if number == 1 else f"{number} {noun}s lie"
 
 
 def _duration(seconds: float) -> str:

@@ -10,7 +10,6 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from ropewalk.analysis.statics import Statics, static_shape
 from ropewalk.build import Model, build
 from ropewalk.build.chains import chains, speed_scale
 from ropewalk.methods.bound import (
@@ -24,7 +23,10 @@ from ropewalk.methods.bound import (
 )
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import Scene, Springs
+from ropewalk.statics import Statics, static_shape
 
+# Of the implicit methods, the one to recommend.
+STIFF = "sdirk2"
 # Weak growth that multiplies a motion by less than this over the whole run does not break it.
 _HARMLESS = 10.0
 # A swinging rope carries up to about three times its weight at rest.
@@ -45,6 +47,7 @@ class Stability:
     largest_spring_factor: float  # on all springs, at `step` and `method` [1]
     largest_spring_constant: float | None  # [N/m], where all springs are alike
     largest_axial_stiffness: float | None  # [N], where all ropes are of one material
+    largest_bending_stiffness: float | None  # [N m^2], where all ropes have one EI, not 0
     case: str  # where the bound comes from, e.g. "in the air"
     cases: dict[str, float]  # largest step of `method` by case [s]
     rope: str  # where the fastest mode is largest ...
@@ -89,7 +92,13 @@ class Stability:
             found.append(f"spring_constant <= {rounded_down(self.largest_spring_constant)} N/m")
         elif self.largest_axial_stiffness:
             found.append(f"EA <= {rounded_down(self.largest_axial_stiffness)} N")
-        better = [name for name, step in self.largest_step.items() if step >= self.step]
+        if self.largest_bending_stiffness:
+            found.append(f"EI <= {rounded_down(self.largest_bending_stiffness)} N m^2")
+        better = [
+            name
+            for name, step in self.largest_step.items()
+            if step >= self.step and (name == STIFF or not METHODS[name].implicit)
+        ]
         if better:
             found.append(f"method = {' or '.join(better)}")
         elif self.bound == 0.0:
@@ -115,7 +124,7 @@ class Stability:
         names = (
             "method step steps largest_step highest_frequency stable breaks margin "
             "growth_per_step meter largest_spring_factor largest_spring_constant "
-            "largest_axial_stiffness case cases rope node"
+            "largest_axial_stiffness largest_bending_stiffness case cases rope node"
         )
         return {name: plain(getattr(self, name)) for name in names.split()} | {
             "notes": list(self.notes)
@@ -187,6 +196,7 @@ def stability(source: Scene | Model, statics: Statics | None = None) -> Stabilit
         largest_spring_factor=factor,
         largest_spring_constant=None if constant is None else factor * constant,
         largest_axial_stiffness=None if material is None else factor * material,
+        largest_bending_stiffness=_largest_bending(model.scene, cases, method, dt),
         case=case,
         cases=own,
         rope=rope,
@@ -224,6 +234,18 @@ def _uniform(scene: Scene) -> tuple[float | None, float | None]:
     if len(constants) + len(materials) != 1:
         return None, None
     return (constants.pop(), None) if constants else (None, materials.pop())
+
+
+def _largest_bending(scene: Scene, cases: dict[str, Chain], method: str, dt: float) -> float | None:
+    """Return the largest EI [N m^2] that all ropes, of one EI now, could have at `dt`; 0: none."""
+    shared = {rope.bending_stiffness for rope in scene.ropes}
+    if len(shared) != 1 or 0.0 in shared:
+        return None
+    swapped = (  # the factor is on what stands in the springs' place
+        chain._replace(stiffness=np.asarray(chain.bending), bending=chain.stiffness)
+        for chain in cases.values()
+    )
+    return shared.pop() * min(largest_stiffness_factor(method, chain, dt) for chain in swapped)
 
 
 def _notes(

@@ -22,6 +22,7 @@ _HEAVY_NODE = 10.0  # kg, of a rope whose nodes are at most a metre apart
 _THINNEST_LINE = 1e-6  # kg/m
 _YOUNG = 1e3, 2e12  # N/m^2
 _DENSITY = 10.0, 40_000.0  # kg/m^3; a chain goes by the diameter of its bar
+_STIFFEST = 1.5  # [1] radius of gyration over that of a solid round section; a thin tube has 1.41
 _FAR_OFF = 100.0  # initial length over unstretched length, or the reverse
 
 
@@ -32,6 +33,7 @@ def unit_slips(model: Model) -> list[str]:
     for i, rope in enumerate(scene.ropes):
         path = f"rope[{i}]"
         found += _line(path, rope) + _section(path, rope) + _size(path, rope, model)
+        found += _bending(path, rope)
         for j, load in enumerate(rope.loads):
             if load.mass > 1000.0 * max(rope.own_mass, 1.0):
                 found.append(
@@ -128,6 +130,28 @@ def _section(path: str, rope: Rope) -> list[str]:
                 "g/m for kg/m?"
             )
     return found
+
+
+def _bending(path: str, rope: Rope) -> list[str]:
+    """EI over EA is the square of a section's radius of gyration, d/4 of a round rod."""
+    made_of = rope.made_of
+    if not isinstance(made_of, Material) or made_of.EI == 0.0:
+        return []
+    radius = math.sqrt(made_of.EI / made_of.EA)
+    if "diameter" in rope.model_fields_set:
+        solid = 0.25 * rope.diameter
+        if radius > _STIFFEST * solid:
+            return [
+                f"{path}.made_of.EI: {made_of.EI:g} N m^2 is more than a round section of "
+                f"{1e3 * rope.diameter:g} mm can have with this EA; a solid one has "
+                f"{made_of.EA * solid**2:.3g} N m^2, strands that slide far less; N mm^2 for N m^2?"
+            ]
+    elif radius > 0.25 * rope.length_unstretched:
+        return [
+            f"{path}.made_of.EI: {made_of.EI:g} N m^2 over EA {made_of.EA:g} N means a section "
+            f"{4.0 * radius:.3g} m thick; N mm^2 for N m^2?"
+        ]
+    return []
 
 
 def _size(path: str, rope: Rope, model: Model) -> list[str]:

@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from ropewalk.build.bends import bends
 from ropewalk.core.arrays import Floats, State, System
 from ropewalk.laws.winch import MERGE, SPLIT
 from ropewalk.methods.bound import Chain
@@ -21,6 +22,7 @@ def chains(system: System, state: State, speed: float = 0.0) -> dict[str, Chain]
     free = state.mass > 0.0
     free[held] = False
     zero = np.zeros_like(state.mass)
+    bending, rubbing = bends(system, state)
     base = Chain(
         mass=np.where(state.mass > 0.0, state.mass, 1.0),
         stiffness=state.stiffness,
@@ -31,6 +33,8 @@ def chains(system: System, state: State, speed: float = 0.0) -> dict[str, Chain]
         free=free,
         sideways=bool(np.any(system.gravity) or np.any(state.v) or len(state.held) > 0)
         or not _is_straight(state.x),
+        bending=bending,
+        damping_bending=rubbing,
     )
     cases = {"in the air": base}
     for row in range(len(state.winch_exit)):

@@ -8,6 +8,7 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats
 from ropewalk.scene import Hanging, Points, Polyline, Rope, Scene, Slack, Straight
+from ropewalk.theory.catenary import parameter
 
 
 def initial_points(scene: Scene, rope: Rope) -> Floats:
@@ -63,7 +64,7 @@ def catenary_points(
         bottom = 0.5 * (length + drop)
         depth = np.where(s <= bottom, s, 2.0 * bottom - s)
         return start + depth[:, None] * down + share[:, None] * across
-    a = catenary_parameter(span, math.sqrt(length * length - drop * drop))
+    a = parameter(length, span, drop)
     low = 0.5 * span - a * math.atanh(-drop / length)  # x of the lowest point
     # arc length from the start: s = a (sinh((x - low)/a) + sinh(low/a))
     x = low + a * np.arcsinh(s / a - math.sinh(low / a))
@@ -71,15 +72,3 @@ def catenary_points(
     points: Floats = start + (x / span)[:, None] * across - height[:, None] * down
     points[-1] = end
     return points
-
-
-def catenary_parameter(span: float, chord: float) -> float:
-    """Solve chord = 2 a sinh(span / 2a) for a [m] by bisection on u = span / 2a."""
-    low, high = 1e-9, 700.0
-    for _ in range(200):
-        u = 0.5 * (low + high)
-        if math.sinh(u) / u < chord / span:
-            low = u
-        else:
-            high = u
-    return span / (2.0 * u)

@@ -6,8 +6,7 @@ import math
 from dataclasses import dataclass
 
 from ropewalk.scene import Rope, Scene, Winch
-
-LARGEST_SPARE = 1_000_000
+from ropewalk.scene.base import MOST_ON_DRUM
 
 
 @dataclass(frozen=True)
@@ -19,6 +18,10 @@ class Span:
     nodes: int  # spare ones included
     spare_start: int = 0
     spare_end: int = 0
+
+    def length_on_drum(self, end: str, segment_length: float) -> float:
+        """Length of the rope that spare nodes wait for on the drum at an end [m]."""
+        return (self.spare_start if end == "start" else self.spare_end) * segment_length
 
     @property
     def last(self) -> int:
@@ -44,6 +47,8 @@ class Layout:
     anchor_names: tuple[str, ...]
     anchor_nodes: tuple[int, ...]
     nodes: int
+    bends: bool = False  # whether any rope has bending stiffness
+    clamped: bool = False  # whether any anchor holds a direction
 
     @property
     def segments(self) -> int:
@@ -99,14 +104,23 @@ def make_layout(scene: Scene) -> Layout:
         spans[scene.rope_index(anchor.rope)].start + scene.anchor_node(anchor)
         for anchor in scene.anchors
     )
-    return Layout(tuple(spans), tuple(anchor.name for anchor in scene.anchors), nodes, first)
+    return Layout(
+        tuple(spans),
+        tuple(anchor.name for anchor in scene.anchors),
+        nodes,
+        first,
+        any(rope.bending_stiffness > 0.0 for rope in scene.ropes),
+        any(anchor.clamp is not None for anchor in scene.anchors),
+    )
 
 
 def _spare_nodes(scene: Scene, rope: Rope, winch: Winch) -> int:
     """Nodes that must wait on the drum for all the rope that the winch can pay out."""
+    if winch.on_drum is not None:
+        return min(math.ceil(winch.on_drum / rope.segment_length * (1.0 - 1e-12)), MOST_ON_DRUM)
     if winch.speed <= 0.0:
         return 0
     paid = winch.speed * max(min(winch.stop, scene.run.duration) - winch.start, 0.0)
     if winch.max_length is not None:
         paid = min(paid, winch.max_length - rope.length_unstretched)
-    return min(math.ceil(max(paid, 0.0) / rope.segment_length) + 1, LARGEST_SPARE)
+    return min(math.ceil(max(paid, 0.0) / rope.segment_length) + 1, MOST_ON_DRUM)

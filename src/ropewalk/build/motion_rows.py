@@ -6,14 +6,14 @@ import math
 
 import numpy as np
 
-from ropewalk.core.arrays import Anchors, Floats
+from ropewalk.core.arrays import Anchors, Floats, Ints
 from ropewalk.motions.table import CODES
 from ropewalk.scene import Orbit, Scene, Shake, Table, Velocity
 
 PARAMETERS = 16
 
 
-def anchor_tables(scene: Scene, origins: Floats) -> Anchors:
+def anchor_tables(scene: Scene, origins: Floats, nodes: Ints) -> Anchors:
     """Return the anchors' tables; `origins` are the held nodes' initial places (a, 3) [m]."""
     count = len(scene.anchors)
     params = np.zeros((count, PARAMETERS))
@@ -46,6 +46,7 @@ def anchor_tables(scene: Scene, origins: Floats) -> Anchors:
         table_start=start,
         table_rows=rows,
         table=np.ascontiguousarray(np.concatenate(tables)),
+        order=np.argsort(nodes, kind="stable"),
     )
 
 

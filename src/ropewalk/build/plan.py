@@ -14,6 +14,7 @@ from ropewalk.scene import RunSettings, Scene, SceneError
 from ropewalk.scene.errors import Fault
 
 # The rule of NeHe's lesson: whole number of steps whose length stays below the given one.
+WINCH_SHARE = 0.2  # a winch winds at most this part of a segment in a step [1]
 _ROUND_OFF = 1e-9  # [1] a frame this close to a whole number of steps counts as whole
 
 
@@ -59,8 +60,12 @@ def make_plan(scene: Scene, system: System, state: State) -> Plan:
     else:
         step = run.time_step
     count, dt = divide(run.frame_interval, step, run.steps)
-    if dt > _winch_step(system):
-        rule = f"must be at most {_winch_step(system):.3g}: the winch winds a segment's part a step"
+    if dt > (most := _winch_step(system)):
+        fastest = int(np.argmax(np.abs(system.winches.speed) / system.winches.segment))
+        rule = (
+            f"must be at most {most:.4g}: in a step winch {scene.winches[fastest].name!r} may wind "
+            "a fifth of a segment"
+        )
         raise SceneError([Fault("run.time_step", dt, rule)])
     frames = max(1, round(run.duration / (count * dt)))
     if frames * count >= 2**53:
@@ -75,7 +80,7 @@ def _winch_step(system: System) -> float:
     if len(winches.speed) == 0:
         return math.inf
     with np.errstate(divide="ignore"):
-        return float((0.2 * winches.segment / np.abs(winches.speed)).min())
+        return float((WINCH_SHARE * winches.segment / np.abs(winches.speed)).min())
 
 
 def auto_step(run: RunSettings, system: System, state: State) -> float:

@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from ropewalk.build.bending import add_bending, no_bending
 from ropewalk.build.curve import initial_points
 from ropewalk.build.layout import Layout, Span
 from ropewalk.build.limiter_order import limiter_order
@@ -30,6 +31,7 @@ def make_tables(scene: Scene, layout: Layout) -> tuple[System, State]:
     """Return the constant tables and the state at time zero."""
     state = _ropes(scene, layout)
     system = _system(scene, layout, state)
+    system, state = add_bending(scene, layout, system, state)
     _hold(system, state)
     return system, state
 
@@ -83,6 +85,9 @@ def _ropes(scene: Scene, layout: Layout) -> State:
         acceleration=np.zeros(node),
         mass=mass,
         inverse_mass=inverse,
+        tension=np.zeros(s),
+        drift=np.zeros(node),
+        past=np.zeros(3),
         rest_length=lengths,
         stiffness=stiffness,
         damping_vector=vector,
@@ -95,8 +100,14 @@ def _ropes(scene: Scene, layout: Layout) -> State:
         winch_exit=np.array(exits, dtype=np.int64),
         winch_rate=np.zeros(w),
         winch_debt=np.zeros(w),
-        forces=Forces(*(np.zeros(shape) for shape in (segment, segment, node, node, node))),
-        work=Work(*(np.zeros(size) for size in (s, s, n, n, n, n, a, 2, 2))),
+        winch_paid=np.zeros(w),
+        bending_stiffness=np.zeros(0),
+        bending_damping=np.zeros(0),
+        clamp_direction=np.zeros((0, 3)),
+        clamp_spin=np.zeros((0, 3)),
+        moment=np.zeros((0, 6)),
+        forces=Forces(*(np.zeros(shape) for shape in (segment, segment, node, node, node, (3, 0)))),
+        work=Work(*(np.zeros(size) for size in (s, s, n, n, n, n, a, 2, 2, 0, 0))),
     )
 
 
@@ -112,14 +123,15 @@ def _system(scene: Scene, layout: Layout, state: State) -> System:
     origins = state.x[:, state.anchor_node].T.copy()
     return System(
         gravity=np.array(scene.gravity, dtype=np.float64),
-        flags=np.array([0, state.damping_axial.any(), (floor == 0.0).any()], dtype=np.int64),
+        flags=np.array([0, state.damping_axial.any(), (floor == 0.0).any(), 0], dtype=np.int64),
         break_stretch=_break_stretch(scene, state),
         slack_floor=floor,
         air=_air(scene, layout),
         ground=_ground(scene),
         limiter=_limiter(scene, layout),
-        anchors=anchor_tables(scene, origins),
+        anchors=anchor_tables(scene, origins, state.anchor_node),
         winches=_winches(scene, layout),
+        bending=no_bending(),
     )
 
 
@@ -188,12 +200,13 @@ def _winches(scene: Scene, layout: Layout) -> Winches:
                 length,
                 winch.min_length or 0.5 * length,
                 winch.max_length or math.inf,
+                span.length_on_drum(winch.end, length) if winch.on_drum is None else winch.on_drum,
                 rope.segment_stiffness * length,
                 *form,
                 line_density(rope),
             )
         )
-    columns = np.array(rows, dtype=np.float64).reshape(-1, 14).T
+    columns = np.array(rows, dtype=np.float64).reshape(-1, 15).T
     anchor, first, last, step = (column.astype(np.int64) for column in columns[:4])
     rest = (np.ascontiguousarray(column) for column in columns[4:])
     return Winches(anchor, first, last, step, *rest)

@@ -21,6 +21,7 @@ from ropewalk.cli.commands.compare import compare
 from ropewalk.cli.commands.demo import demo
 from ropewalk.cli.commands.export import export
 from ropewalk.cli.commands.info import info
+from ropewalk.cli.commands.modes import modes
 from ropewalk.cli.commands.movie import movie
 from ropewalk.cli.commands.new import new
 from ropewalk.cli.commands.plot import plot
@@ -29,6 +30,9 @@ from ropewalk.cli.commands.report import report
 from ropewalk.cli.commands.resume import resume
 from ropewalk.cli.commands.run import run
 from ropewalk.cli.commands.schema import schema
+from ropewalk.cli.commands.settle import settle
+from ropewalk.cli.commands.share import share
+from ropewalk.cli.commands.view import view
 
 
 def _set_debug(context: click.Context, _: click.Parameter, value: bool) -> None:
@@ -110,7 +114,8 @@ def main() -> None:
 
 
 for _command in (
-    demo, presets, new, check, run, resume, info, plot, movie, compare, export, report, schema,
+    demo, view, presets, new, check, settle, modes, run, resume, info, plot, movie, share, compare,
+    export, report, schema,
 ):  # fmt: skip
     main.add_command(_command)
 main.params.append(debug_option())

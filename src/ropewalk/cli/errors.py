@@ -77,6 +77,9 @@ def explain(error: Exception) -> tuple[int, str]:
         for words, flag in _IN_FLAGS.items():
             text = text.replace(words, flag)
         return BAD_INPUT, _error_lines(text)
+    statics = sys.modules.get("ropewalk.statics")
+    if statics is not None and isinstance(error, statics.NoRest):
+        return BROKE, _error_lines(str(error))
     name = type(error).__name__
     return BUG, f"error in Ropewalk itself: {name}: {error}"
 

@@ -6,7 +6,6 @@ import math
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
@@ -22,20 +21,19 @@ def is_compiled(method: str) -> bool:
     from ropewalk.core import jit
     from ropewalk.methods.registry import METHODS
 
-    kernel = METHODS[method].advance
-    if kernel.signatures:
-        return True
-    source = Path(kernel.py_func.__code__.co_filename).stem
-    folder = jit.cache_folder()
-    name = f"{source}.{kernel.py_func.__qualname__}-*.nbi"
-    return folder is not None and any(folder.glob(name))
+    return jit.is_compiled(METHODS[method].advance)
 
 
 def tell_compiling(method: str) -> None:
     """Say that the first steps will take a while, when they will."""
+    from ropewalk.methods.registry import METHODS
+
     if not is_compiled(method):
+        kind, time = (
+            ("an implicit", "two minutes") if METHODS[method].implicit else ("a", "a minute")
+        )
         tell(
-            f"compiling {method}: the first run of a method on this machine takes up to a minute, "
+            f"compiling {method}: the first run of {kind} method on this machine takes up to {time}, "
             "later ones begin at once"
         )
 
@@ -45,10 +43,11 @@ def energy_error(block: Block) -> float:
 
     Up to a constant: the energy at the run's start.
     """
-    from ropewalk.methods.recording import LAWS
+    from ropewalk.methods.recording import CONSERVATIVE, ENERGIES, work_names
 
     work, energy = block.recording.work[-1], block.recording.energy[-1]
-    potential = LAWS.index("elastic"), LAWS.index("weight")
+    laws = work_names(len(energy) > len(ENERGIES))
+    potential = [laws.index(law) for law in CONSERVATIVE if law in laws]
     done = work.sum() - sum(work[i] for i in potential)
     return float(energy.sum() - done)
 

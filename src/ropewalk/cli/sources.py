@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -65,6 +66,19 @@ def load_scene(source: str, overrides: Sequence[str] = (), **run: str | None) ->
         return apply_overrides(scene, changes)
     except SceneError as error:
         raise SceneError(error.faults, f"{source}, changed by flags") from None
+
+
+@contextmanager
+def named(source: str) -> Iterator[None]:
+    """Give the scene's name to what is found wrong with it only when it is built."""
+    from ropewalk.scene import SceneError
+
+    try:
+        yield
+    except SceneError as error:
+        if error.source is None:
+            raise SceneError(error.faults, source) from None
+        raise
 
 
 def _is_path(source: str) -> bool:

@@ -44,6 +44,7 @@ def print_result_json(result: Result, warnings: tuple[str, ...] = ()) -> None:
             "planned_duration": result.plan.duration,
             "results": {name: value for name, value in result.table.items() if name != "status"},
             "warnings": warnings,
+            "events": result.events,
         }
     )
 

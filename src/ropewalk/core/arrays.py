@@ -17,7 +17,7 @@ Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
 # Places in `System.flags`.
-APPLIED, AXIAL, TENSION_ONLY = range(3)
+APPLIED, AXIAL, TENSION_ONLY, BENDING = range(4)
 
 
 class Air(NamedTuple):
@@ -64,6 +64,7 @@ class Anchors(NamedTuple):
     table_start: Ints  # (a,) first row of the motion's own table
     table_rows: Ints  # (a,)
     table: Floats  # (rows, 13) time, then cubic coefficients of x, y, z
+    order: Ints  # (a,) rows by the node they hold at the start
 
 
 class Winches(NamedTuple):
@@ -79,17 +80,33 @@ class Winches(NamedTuple):
     segment: Floats  # (w,) nominal segment length [m]
     shortest: Floats  # (w,) [m] stop of reeling in
     longest: Floats  # (w,) [m] stop of paying out
+    drum: Floats  # (w,) [m] rope that waits on the drum at the start
     EA: Floats  # (w,) [N]
     vector: Floats  # (w,) vector friction times length [N s]
     axial: Floats  # (w,) axial friction times length [N s]
     line: Floats  # (w,) mass per length [kg/m]
 
 
+class Bending(NamedTuple):
+    """Bending stiffness at the nodes, and the anchors that hold a direction, one row per anchor."""
+
+    stiffness: Floats  # (n,) EI over half the two rest lengths [N m]; 0 where there is no bend
+    damping: Floats  # (n,) the same of the bending damping [N m s]
+    natural: Floats  # (3, n) curvature binormal of the unloaded rope [1]
+    clamped: Ints  # (a,) 1 for an anchor that holds a direction
+    clamp_stiffness: Floats  # (a, 2) of the half cells before and after the node [N m]
+    clamp_damping: Floats  # (a, 2) [N m s]
+    clamp_natural: Floats  # (a, 6) [1]
+    direction: Floats  # (a, 3) unit vector at time zero
+    axis: Floats  # (a, 3) unit vector about which it turns
+    turn: Floats  # (a, 3) rate [rad/s], start [s], stop [s]
+
+
 class System(NamedTuple):
     """All that stays the same during a run."""
 
     gravity: Floats  # (3,) [m/s^2]
-    flags: Ints  # (3,) which optional parts act: APPLIED, AXIAL, TENSION_ONLY
+    flags: Ints  # (4,) which optional parts act: APPLIED, AXIAL, TENSION_ONLY, BENDING
     break_stretch: float  # [1] a segment stretched more than this is a broken simulation
     slack_floor: Floats  # (s,) least elastic tension [N]: 0 for tension-only segments, else -inf
     air: Air
@@ -97,6 +114,7 @@ class System(NamedTuple):
     limiter: Limiter
     anchors: Anchors
     winches: Winches
+    bending: Bending
 
 
 class Forces(NamedTuple):
@@ -107,6 +125,7 @@ class Forces(NamedTuple):
     air: Floats  # (3, n)
     ground: Floats  # (3, n)
     applied: Floats  # (3, n)
+    bending: Floats  # (3, n + 1) elastic part only; (3, 0) where no rope has bending stiffness
 
 
 class Work(NamedTuple):
@@ -121,6 +140,8 @@ class Work(NamedTuple):
     anchors: Floats  # (a,)
     limiter: Floats  # (2,) kinetic, potential
     winch: Floats  # (2,) kinetic, potential
+    bending: Floats  # (s,); (0,) where no rope has bending stiffness
+    clamps: Floats  # (a,) by turning clamped directions; (0,) where none is clamped
 
 
 class State(NamedTuple):
@@ -131,6 +152,9 @@ class State(NamedTuple):
     acceleration: Floats  # (3, n) [m/s^2], of the last evaluation
     mass: Floats  # (n,) [kg]
     inverse_mass: Floats  # (n,) [1/kg], 0 for held nodes
+    tension: Floats  # (s,) [N] of the last stage of an implicit method, its next guess
+    drift: Floats  # (3, n) what the last step moved the nodes by [m], for multistep methods
+    past: Floats  # (3,) last step [s], 0: none; anchors held and sum of winch exits in it
     rest_length: Floats  # (s,) [m]
     stiffness: Floats  # (s,) [N/m]
     damping_vector: Floats  # (s,) [N s/m]
@@ -143,6 +167,14 @@ class State(NamedTuple):
     winch_exit: Ints  # (w,) the last node on the drum
     winch_rate: Floats  # (w,) growth of the working segment's length [m/s], of the last step
     winch_debt: Floats  # (w,) unstretched length still to be given back [m]
+    winch_paid: Floats  # (w,) rope paid out since the start, less what was reeled in [m]
+    bending_stiffness: Floats  # (n,) [N m], 0 at clamped nodes; (0,) without bending, as the next
+    bending_damping: Floats  # (n,) [N m s]
+    clamp_direction: Floats  # (a, 3) unit vector; (0, 3) where none is clamped, as the next two
+    clamp_spin: Floats  # (a, 3) its angular velocity [rad/s]
+    moment: (
+        Floats  # (a, 6) of the clamps on the rope at the last step's end [N m]: elastic, friction
+    )
     forces: Forces
     work: Work
 

@@ -113,6 +113,11 @@ class _KernelCacheImpl(caching.CompileResultCacheImpl):
 class _KernelCache(caching.FunctionCache):
     _impl_class = _KernelCacheImpl
 
+    def _index_key(self, sig: Any, codegen: Any) -> Any:
+        # The source hash stands for the code. numba adds a hash of what a closure holds, which for a
+        # compiled function is another in every process.
+        return sig, codegen.magic_tuple()
+
 
 def _njit(**options: Any) -> Any:
     # `_nrt` is not in numba's type stubs; it is what numba's own allocation-free code uses.
@@ -140,3 +145,8 @@ def part(function: Callable[..., Any]) -> Any:
     the work on a short rope. Not for calls from the host: nothing of it is cached.
     """
     return _njit(inline="always")(function)
+
+
+def small(function: Callable[..., Any]) -> Any:
+    """Compile `function` so that LLVM puts it into its callers: for arithmetic on a few numbers."""
+    return _njit(forceinline=True)(function)

@@ -14,33 +14,41 @@ from __future__ import annotations
 import math
 
 from ropewalk.core.jit import kernel
+from ropewalk.core.ranges import ALL, rows
 
 
 @kernel
-def linear_drag(v, node_drag, wind, force):
+def linear_drag(v, node_drag, wind, force, lo=0, hi=ALL):
     """Write the linear drag of every node [N], (3, n)."""
-    for k in range(3):
-        for i in range(node_drag.shape[0]):
-            force[k, i] = -node_drag[i] * (v[k, i] - wind[k])
+    v0, v1, v2 = rows(v, lo, hi)
+    f0, f1, f2 = rows(force, lo, hi)
+    node_drag = node_drag[lo:hi]
+    wx, wy, wz = wind[0], wind[1], wind[2]
+    for i in range(node_drag.shape[0]):
+        f0[i] = -node_drag[i] * (v0[i] - wx)
+        f1[i] = -node_drag[i] * (v1[i] - wy)
+        f2[i] = -node_drag[i] * (v2[i] - wz)
 
 
 @kernel
-def quadratic_node_drag(v, coefficient, wind, force):
+def quadratic_node_drag(v, coefficient, wind, force, lo=0, hi=ALL):
     """Add the isotropic quadratic drag of every node [N], (3, n)."""
+    v0, v1, v2 = rows(v, lo, hi)
+    f0, f1, f2 = rows(force, lo, hi)
+    coefficient = coefficient[lo:hi]
+    wx, wy, wz = wind[0], wind[1], wind[2]
     for i in range(coefficient.shape[0]):
-        ux = v[0, i] - wind[0]
-        uy = v[1, i] - wind[1]
-        uz = v[2, i] - wind[2]
+        ux, uy, uz = v0[i] - wx, v1[i] - wy, v2[i] - wz
         drag = coefficient[i] * math.sqrt(ux * ux + uy * uy + uz * uz)
-        force[0, i] -= drag * ux
-        force[1, i] -= drag * uy
-        force[2, i] -= drag * uz
+        f0[i] -= drag * ux
+        f1[i] -= drag * uy
+        f2[i] -= drag * uz
 
 
 @kernel
-def quadratic_line_drag(x, v, normal, tangential, wind, force):
+def quadratic_line_drag(x, v, normal, tangential, wind, force, lo=0, hi=ALL):
     """Add the drag of every segment, half to each end [N], (3, n)."""
-    for j in range(normal.shape[0]):
+    for j in range(lo, min(hi, normal.shape[0])):
         if normal[j] == 0.0 and tangential[j] == 0.0:
             continue
         dx = x[0, j + 1] - x[0, j]

@@ -8,8 +8,36 @@ A sudden start of a motion is an impulse: it shows in R for one step.
 from __future__ import annotations
 
 from ropewalk.core.jit import kernel, part
+from ropewalk.core.ranges import ALL
+from ropewalk.laws.clamps import close_clamps, let_bend, turn_clamps
 from ropewalk.laws.table import force_on_node
 from ropewalk.motions.table import HAND, place
+
+
+@part
+def first_index(order, state, lo):
+    """Return the first index into `order` with a node not before `lo`."""
+    return count_before(order, state.anchor_node, lo) if lo > 0 else 0
+
+
+@part
+def last_index(order, state, hi):
+    """Return the index into `order` after the last one with a node before `hi`."""
+    whole = hi >= state.mass.shape[0]
+    return order.shape[0] if whole else count_before(order, state.anchor_node, hi)
+
+
+@kernel
+def count_before(order, nodes, node):
+    """Return how many anchors hold nodes before `node`; `order` sorts them (unless a winch turned)."""
+    low, high = 0, order.shape[0]
+    while low < high:
+        middle = (low + high) // 2
+        if nodes[order[middle]] < node:
+            low = middle + 1
+        else:
+            high = middle
+    return low
 
 
 @part
@@ -49,12 +77,15 @@ def place_stage(system, state, t, ahead, x, v, point, speed):
             for k in range(3):
                 x[k, i] = point[k]
                 v[k, i] = speed[k]
+    turn_clamps(system, state, t)
 
 
 @part
-def move_anchors(system, state, forces, t, dt, middle, ledger, point, speed):
+def move_anchors(system, state, forces, t, dt, middle, ledger, point, speed, lo=0, hi=ALL):
     """Move the held nodes to the end of the step at time `t`; book reaction and work."""
-    for row in range(state.held.shape[0]):
+    order = system.anchors.order
+    for index in range(first_index(order, state, lo), last_index(order, state, hi)):
+        row = order[index]
         if state.held[row] == 0:
             continue
         i = state.anchor_node[row]
@@ -75,14 +106,24 @@ def move_anchors(system, state, forces, t, dt, middle, ledger, point, speed):
             state.v[k, i] = speed[k]
         if ledger:
             state.work.anchors[row] += done
+    close_clamps(system, state, t, dt, ledger)
 
 
 @part
-def release_anchors(system, state, t, dt):
-    """Let go of the anchors whose release time is reached at the start of a step."""
-    for row in range(state.held.shape[0]):
+def release_anchors(system, state, t, dt, lo=0, hi=ALL):
+    """Let go of the anchors whose release time is reached at the start of a step.
+
+    Return whether a clamp was among them: the forces at hand are then no longer those of the state.
+    """
+    unclamped = False
+    order = system.anchors.order
+    for index in range(first_index(order, state, lo), last_index(order, state, hi)):
+        row = order[index]
         if state.held[row] == 1 and t >= system.anchors.release[row] - 1e-6 * dt:
             i = state.anchor_node[row]
+            if system.bending.clamped.shape[0] > 0 and system.bending.clamped[row] == 1:
+                unclamped = True
+                let_bend(system, state, row)
             state.held[row] = 0
             state.inverse_mass[i] = 1.0 / state.mass[i]
             for k in range(3):
@@ -90,3 +131,4 @@ def release_anchors(system, state, t, dt):
                 state.acceleration[k, i] = (
                     force_on_node(system, state, state.forces, i, k) / state.mass[i]
                 )
+    return unclamped

@@ -8,19 +8,72 @@ counted in the work of the ground, not in the elastic energy.
 from __future__ import annotations
 
 from ropewalk.core.jit import kernel
+from ropewalk.core.ranges import ALL, rows
 
 
 @kernel
-def ground_forces(x, v, ground, force):
+def ground_forces(x, v, ground, force, lo=0, hi=ALL):
     """Write the force of the ground on every node [N], (3, n)."""
     ux, uy, uz = ground.up[0], ground.up[1], ground.up[2]
-    for i in range(x.shape[1]):
-        depth = ground.height - (x[0, i] * ux + x[1, i] * uy + x[2, i] * uz)
+    x0, x1, x2 = rows(x, lo, hi)
+    v0, v1, v2 = rows(v, lo, hi)
+    f0, f1, f2 = rows(force, lo, hi)
+    for i in range(x0.shape[0]):
+        depth = ground.height - (x0[i] * ux + x1[i] * uy + x2[i] * uz)
         touching = 1.0 if depth > 0.0 else 0.0
-        rise = v[0, i] * ux + v[1, i] * uy + v[2, i] * uz
+        rise = v0[i] * ux + v1[i] * uy + v2[i] * uz
         sinking = rise if rise < 0.0 else 0.0
         slide = touching * ground.friction
         push = touching * (ground.repulsion * depth - ground.absorption * sinking)
+        f0[i] = push * ux - slide * (v0[i] - rise * ux)
+        f1[i] = push * uy - slide * (v1[i] - rise * uy)
+        f2[i] = push * uz - slide * (v2[i] - rise * uz)
+
+
+@kernel
+def marked_ground_forces(x, v, ground, touches, force):
+    """Write the force of the ground on every node [N], (3, n), friction on those marked only."""
+    ux, uy, uz = ground.up[0], ground.up[1], ground.up[2]
+    for i in range(x.shape[1]):
+        depth = ground.height - (x[0, i] * ux + x[1, i] * uy + x[2, i] * uz)
+        rise = v[0, i] * ux + v[1, i] * uy + v[2, i] * uz
+        sinking = rise if rise < 0.0 else 0.0
+        slide = touches[i] * ground.friction
+        push = ground.repulsion * max(depth, 0.0) - touches[i] * ground.absorption * sinking
         force[0, i] = push * ux - slide * (v[0, i] - rise * ux)
         force[1, i] = push * uy - slide * (v[1, i] - rise * uy)
         force[2, i] = push * uz - slide * (v[2, i] - rise * uz)
+
+
+@kernel
+def mark_touching(x, ground, touches):
+    """Write 1 for every node below the ground's height, else 0, (n,); return how many changed."""
+    ux, uy, uz = ground.up[0], ground.up[1], ground.up[2]
+    changed = 0.0
+    for i in range(x.shape[1]):
+        depth = ground.height - (x[0, i] * ux + x[1, i] * uy + x[2, i] * uz)
+        touching = 1.0 if depth > 0.0 else 0.0
+        changed += abs(touching - touches[i])
+        touches[i] = touching
+    return changed
+
+
+@kernel
+def ground_tangent(v, ground, touches, weight_x, weight_v, band):
+    """Add the derivatives of the ground's force on the nodes marked in `touches`, (n,).
+
+    -dF/dx = k_g u u^T,   -dF/dv = c_a u u^T while sinking + c_s (I - u u^T),   u upward.
+    """
+    up = ground.up
+    for i in range(v.shape[1]):
+        if touches[i] == 0.0:
+            continue
+        rise = v[0, i] * up[0] + v[1, i] * up[1] + v[2, i] * up[2]
+        slide = weight_v * ground.friction
+        across = weight_x * ground.repulsion - slide
+        if rise < 0.0:
+            across += weight_v * ground.absorption
+        for k in range(3):
+            band.diagonal[i, 4 * k] += slide
+            for m in range(3):
+                band.diagonal[i, 3 * k + m] += across * up[k] * up[m]

@@ -9,30 +9,38 @@ The sums run per segment and per node, so that the loops vectorise and the sums 
 
 from __future__ import annotations
 
-from ropewalk.core.arrays import APPLIED
+from ropewalk.core.arrays import APPLIED, BENDING
 from ropewalk.core.jit import kernel, part
+from ropewalk.core.ranges import ALL, rows
 
 
 @part
-def account(system, state, forces, middle, dt):
-    """Add one step's work of every law; `middle` is (v0 + v1) / 2 of each node [m/s], (3, n)."""
+def account(system, state, forces, middle, dt, lo=0, hi=ALL):
+    """Add one step's work of every law; `middle` is (v0 + v1) / 2 of each node [m/s], (3, n).
+
+    For nodes `lo` to `hi - 1` and the segments that end there.
+    """
     work = state.work
-    add_segment_power(forces.elastic, middle, dt, work.elastic)
-    add_segment_power(forces.friction, middle, dt, work.friction)
-    add_weight_power(state.mass, system.gravity, middle, dt, work.weight)
+    begin, end = max(lo - 1, 0), min(hi, state.mass.shape[0]) - 1
+    add_segment_power(forces.elastic, middle, dt, work.elastic, begin, end)
+    add_segment_power(forces.friction, middle, dt, work.friction, begin, end)
+    add_weight_power(state.mass, system.gravity, middle, dt, work.weight, lo, hi)
+    if system.flags[BENDING] == 1:
+        add_segment_power(forces.bending, middle, dt, work.bending, begin, end)
     if system.flags[APPLIED] == 1:
-        add_power(forces.applied, middle, dt, work.applied)
+        add_power(forces.applied, middle, dt, work.applied, lo, hi)
     if system.air.linear == 1 or system.air.quadratic == 1:
-        add_power(forces.air, middle, dt, work.air)
+        add_power(forces.air, middle, dt, work.air, lo, hi)
     if system.ground.active == 1:
-        add_power(forces.ground, middle, dt, work.ground)
+        add_power(forces.ground, middle, dt, work.ground, lo, hi)
 
 
 @kernel
-def add_segment_power(force, middle, dt, work):
+def add_segment_power(force, middle, dt, work, lo=0, hi=ALL):
     """Add the work of forces between neighbours [J] to `work` (s,); `force` is (3, n + 1)."""
-    f0, f1, f2 = force[0], force[1], force[2]
-    u0, u1, u2 = middle[0], middle[1], middle[2]
+    f0, f1, f2 = rows(force, lo, hi + 1)
+    u0, u1, u2 = rows(middle, lo, hi + 1)
+    work = work[lo:hi]
     for j in range(work.shape[0]):
         work[j] -= dt * (
             f0[j + 1] * (u0[j + 1] - u0[j])
@@ -42,21 +50,23 @@ def add_segment_power(force, middle, dt, work):
 
 
 @kernel
-def add_weight_power(mass, gravity, middle, dt, work):
+def add_weight_power(mass, gravity, middle, dt, work, lo, hi):
     """Add the work of weight [J] to `work` (n,)."""
     gx, gy, gz = dt * gravity[0], dt * gravity[1], dt * gravity[2]
-    u0, u1, u2 = middle[0], middle[1], middle[2]
+    u0, u1, u2 = rows(middle, lo, hi)
+    mass, work = mass[lo:hi], work[lo:hi]
     for i in range(work.shape[0]):
         work[i] += mass[i] * (gx * u0[i] + gy * u1[i] + gz * u2[i])
 
 
 @kernel
-def add_power(force, middle, dt, work):
+def add_power(force, middle, dt, work, lo, hi):
     """Add force . velocity * dt of every node [J] to `work` (n,)."""
+    f0, f1, f2 = rows(force, lo, hi)
+    u0, u1, u2 = rows(middle, lo, hi)
+    work = work[lo:hi]
     for i in range(work.shape[0]):
-        work[i] += dt * (
-            force[0, i] * middle[0, i] + force[1, i] * middle[1, i] + force[2, i] * middle[2, i]
-        )
+        work[i] += dt * (f0[i] * u0[i] + f1[i] * u1[i] + f2[i] * u2[i])
 
 
 @kernel

@@ -14,7 +14,9 @@ from __future__ import annotations
 
 import math
 
+from ropewalk.core.arrays import BENDING
 from ropewalk.core.jit import kernel
+from ropewalk.laws.clamps import bent_energy
 from ropewalk.laws.ledger import gravity_energy, kinetic_energy
 from ropewalk.laws.stretch import elastic_energy
 
@@ -47,8 +49,11 @@ def limit_stretch(system, state, work, dt, ledger):
 
 @kernel
 def _potential(system, state):
-    return gravity_energy(state.x, state.mass, system.gravity) + elastic_energy(
-        state.x, state.rest_length, state.stiffness, system.slack_floor
+    bending = bent_energy(system, state) if system.flags[BENDING] == 1 else 0.0
+    return (
+        gravity_energy(state.x, state.mass, system.gravity)
+        + elastic_energy(state.x, state.rest_length, state.stiffness, system.slack_floor)
+        + bending
     )
 
 

@@ -11,17 +11,19 @@ from __future__ import annotations
 
 import math
 
-from ropewalk.core.jit import kernel
+from ropewalk.core.jit import kernel, part
+from ropewalk.core.ranges import ALL, rows
 
 
 @kernel
-def elastic_forces(x, rest_length, stiffness, floor, elastic):
+def elastic_forces(x, rest_length, stiffness, floor, elastic, lo=0, hi=ALL):
     """Write the elastic force of every segment [N], (3, n + 1).
 
     Per segment 17 flops, a square root and a division; 6 reads and 3 writes of 8 bytes.
     """
-    x0, x1, x2 = x[0], x[1], x[2]
-    e0, e1, e2 = elastic[0], elastic[1], elastic[2]
+    x0, x1, x2 = rows(x, lo, hi + 1)
+    e0, e1, e2 = rows(elastic, lo, hi + 1)
+    rest_length, stiffness, floor = rest_length[lo:hi], stiffness[lo:hi], floor[lo:hi]
     for j in range(rest_length.shape[0]):
         dx, dy, dz = x0[j + 1] - x0[j], x1[j + 1] - x1[j], x2[j + 1] - x2[j]
         r = math.sqrt(dx * dx + dy * dy + dz * dz)
@@ -33,20 +35,27 @@ def elastic_forces(x, rest_length, stiffness, floor, elastic):
 
 
 @kernel
-def vector_friction(v, coefficient, friction):
+def vector_friction(v, coefficient, friction, lo=0, hi=ALL):
     """Write the vector form's friction of every segment [N], (3, n + 1)."""
-    for k in range(3):
-        row, u = friction[k], v[k]
-        for j in range(coefficient.shape[0]):
-            row[j + 1] = coefficient[j] * (u[j + 1] - u[j])
+    coefficient = coefficient[lo:hi]
+    _difference(v[0, lo : hi + 1], coefficient, friction[0, lo : hi + 1])
+    _difference(v[1, lo : hi + 1], coefficient, friction[1, lo : hi + 1])
+    _difference(v[2, lo : hi + 1], coefficient, friction[2, lo : hi + 1])
+
+
+@part
+def _difference(u, coefficient, row):
+    for j in range(coefficient.shape[0]):
+        row[j + 1] = coefficient[j] * (u[j + 1] - u[j])
 
 
 @kernel
-def axial_friction(x, v, coefficient, friction):
+def axial_friction(x, v, coefficient, friction, lo=0, hi=ALL):
     """Add the axial form's friction of every segment [N], (3, n + 1)."""
-    x0, x1, x2 = x[0], x[1], x[2]
-    v0, v1, v2 = v[0], v[1], v[2]
-    c0, c1, c2 = friction[0], friction[1], friction[2]
+    x0, x1, x2 = rows(x, lo, hi + 1)
+    v0, v1, v2 = rows(v, lo, hi + 1)
+    c0, c1, c2 = rows(friction, lo, hi + 1)
+    coefficient = coefficient[lo:hi]
     for j in range(coefficient.shape[0]):
         dx, dy, dz = x0[j + 1] - x0[j], x1[j + 1] - x1[j], x2[j + 1] - x2[j]
         square = dx * dx + dy * dy + dz * dz
@@ -55,6 +64,35 @@ def axial_friction(x, v, coefficient, friction):
         c0[j + 1] += along * dx
         c1[j + 1] += along * dy
         c2[j + 1] += along * dz
+
+
+@kernel
+def spring_forces(x, v, rest_length, stiffness, floor, vector, axial, total, lo, hi):
+    """Write the sum of elastic force and friction of every segment [N], (3, n + 1).
+
+    The arithmetic of the three kernels above, for who needs no shares of the work; `axial` may be None.
+    """
+    x0, x1, x2 = rows(x, lo, hi + 1)
+    v0, v1, v2 = rows(v, lo, hi + 1)
+    f0, f1, f2 = rows(total, lo, hi + 1)
+    rest_length, stiffness, floor = rest_length[lo:hi], stiffness[lo:hi], floor[lo:hi]
+    vector = vector[lo:hi]
+    along = vector if axial is None else axial[lo:hi]
+    for j in range(rest_length.shape[0]):
+        dx, dy, dz = x0[j + 1] - x0[j], x1[j + 1] - x1[j], x2[j + 1] - x2[j]
+        ux, uy, uz = v0[j + 1] - v0[j], v1[j + 1] - v1[j], v2[j + 1] - v2[j]
+        square = dx * dx + dy * dy + dz * dz
+        r = math.sqrt(square)
+        tension = max(stiffness[j] * (r - rest_length[j]), floor[j])
+        pull = tension / r if r > 0.0 else 0.0
+        cx, cy, cz = vector[j] * ux, vector[j] * uy, vector[j] * uz
+        if axial is not None:
+            rate = along[j] * (ux * dx + uy * dy + uz * dz)
+            share = rate / square if square > 0.0 else 0.0
+            cx, cy, cz = cx + share * dx, cy + share * dy, cz + share * dz
+        f0[j + 1] = pull * dx + cx
+        f1[j + 1] = pull * dy + cy
+        f2[j + 1] = pull * dz + cz
 
 
 @kernel
@@ -74,15 +112,26 @@ def growth_friction(x, state, winches, friction):
 
 
 @kernel
-def drop_slack_friction(x, rest_length, floor, friction):
+def drop_slack_friction(x, rest_length, floor, friction, lo=0, hi=ALL):
     """Set the friction of slack tension-only segments to zero."""
+    x0, x1, x2 = rows(x, lo, hi + 1)
+    c0, c1, c2 = rows(friction, lo, hi + 1)
+    rest_length, floor = rest_length[lo:hi], floor[lo:hi]
     for j in range(rest_length.shape[0]):
         if floor[j] == 0.0:
-            dx, dy, dz = x[0, j + 1] - x[0, j], x[1, j + 1] - x[1, j], x[2, j + 1] - x[2, j]
+            dx, dy, dz = x0[j + 1] - x0[j], x1[j + 1] - x1[j], x2[j + 1] - x2[j]
             if math.sqrt(dx * dx + dy * dy + dz * dz) < rest_length[j]:
-                friction[0, j + 1] = 0.0
-                friction[1, j + 1] = 0.0
-                friction[2, j + 1] = 0.0
+                c0[j + 1], c1[j + 1], c2[j + 1] = 0.0, 0.0, 0.0
+
+
+@kernel
+def drop_marked_friction(rubs, friction):
+    """Set the friction of the segments that are not marked as rubbing to zero."""
+    for j in range(rubs.shape[0]):
+        if rubs[j] == 0.0:
+            friction[0, j + 1] = 0.0
+            friction[1, j + 1] = 0.0
+            friction[2, j + 1] = 0.0
 
 
 @kernel

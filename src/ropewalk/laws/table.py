@@ -6,71 +6,173 @@ A new law is a file of its own in this folder, a channel in `core.arrays.Forces`
 
 from __future__ import annotations
 
-from ropewalk.core.arrays import APPLIED, AXIAL, TENSION_ONLY
+from ropewalk.core.arrays import APPLIED, AXIAL, BENDING, TENSION_ONLY
 from ropewalk.core.jit import kernel, part
+from ropewalk.core.ranges import ALL, rows
 from ropewalk.laws.air_drag import linear_drag, quadratic_line_drag, quadratic_node_drag
+from ropewalk.laws.bending import bending_forces, bending_friction
+from ropewalk.laws.clamps import clamp_forces
 from ropewalk.laws.ground import ground_forces
 from ropewalk.laws.stretch import (
     axial_friction,
     drop_slack_friction,
     elastic_forces,
     growth_friction,
+    spring_forces,
     vector_friction,
 )
 
 
 @part
-def evaluate(system, state, x, v, forces):
-    """Write the forces of all laws at positions `x` and velocities `v`, both (3, n), by channel [N]."""
+def evaluate(system, state, x, v, forces, lo=0, hi=ALL):
+    """Write the forces of all laws at positions `x` and velocities `v`, both (3, n), by channel [N].
+
+    For nodes `lo` to `hi - 1`, when those of the nodes before are written already.
+    """
     floor = system.slack_floor
-    elastic_forces(x, state.rest_length, state.stiffness, floor, forces.elastic)
-    vector_friction(v, state.damping_vector, forces.friction)
-    if system.flags[AXIAL] == 1:
-        axial_friction(x, v, state.damping_axial, forces.friction)
-    if state.winch_exit.shape[0] > 0:
-        growth_friction(x, state, system.winches, forces.friction)
+    elastic_forces(x, state.rest_length, state.stiffness, floor, forces.elastic, lo, hi)
+    rub_segments(system, state, x, v, forces, lo, hi)
     if system.flags[TENSION_ONLY] == 1:
-        drop_slack_friction(x, state.rest_length, floor, forces.friction)
-    air = system.air
-    if air.linear == 1 or air.quadratic == 1:
-        linear_drag(v, air.node_drag, air.wind, forces.air)
-    if air.quadratic == 1:
-        quadratic_node_drag(v, air.node_drag_quadratic, air.wind, forces.air)
-        quadratic_line_drag(x, v, air.normal, air.tangential, air.wind, forces.air)
+        drop_slack_friction(x, state.rest_length, floor, forces.friction, lo, hi)
+    evaluate_smooth(system, state, x, v, forces, lo, hi)
     if system.ground.active == 1:
-        ground_forces(x, v, system.ground, forces.ground)
+        ground_forces(x, v, system.ground, forces.ground, lo, hi)
 
 
 @part
-def accelerate(system, state, forces, a):
+def rub_segments(system, state, x, v, forces, lo=0, hi=ALL):
+    """Write the internal friction of all segments, slack ones included."""
+    vector_friction(v, state.damping_vector, forces.friction, lo, hi)
+    if system.flags[AXIAL] == 1:
+        axial_friction(x, v, state.damping_axial, forces.friction, lo, hi)
+    if state.winch_exit.shape[0] > 0:
+        growth_friction(x, state, system.winches, forces.friction)
+
+
+@part
+def evaluate_smooth(system, state, x, v, forces, lo=0, hi=ALL):
+    """Write the forces of all laws that neither segments nor the ground have; bending rubs, too."""
+    if system.flags[BENDING] == 1:
+        evaluate_bending(system, state, x, v, forces)
+    # The segment before a node has added its drag to it already.
+    ahead, end = lo + (1 if lo > 0 else 0), hi + 1
+    air = system.air
+    if air.linear == 1 or air.quadratic == 1:
+        linear_drag(v, air.node_drag, air.wind, forces.air, ahead, end)
+    if air.quadratic == 1:
+        quadratic_node_drag(v, air.node_drag_quadratic, air.wind, forces.air, ahead, end)
+        quadratic_line_drag(x, v, air.normal, air.tangential, air.wind, forces.air, lo, hi)
+
+
+@part
+def evaluate_bending(system, state, x, v, forces):
+    """Write the elastic forces of bending, clamps included, and add their friction to the segments'."""
+    lengths, bending = state.rest_length, system.bending
+    bending_forces(x, lengths, state.bending_stiffness, bending.natural, forces.bending)
+    bending_friction(x, v, lengths, state.bending_damping, forces.friction)
+    if state.moment.shape[0] > 0:
+        clamp_forces(
+            x,
+            v,
+            lengths,
+            state.held,
+            state.anchor_node,
+            bending,
+            state.clamp_direction,
+            state.clamp_spin,
+            forces.bending,
+            forces.friction,
+        )
+
+
+@part
+def accelerate(system, state, forces, a, lo=0, hi=ALL):
     """Write every node's acceleration [m/s^2], (3, n): total force over mass; zero for held nodes."""
-    weigh_segments(forces.elastic, forces.friction, state.inverse_mass, system.gravity, a)
+    weigh_segments(forces.elastic, forces.friction, state.inverse_mass, system.gravity, a, lo, hi)
+    if system.flags[BENDING] == 1:
+        add_segments_over_mass(forces.bending, state.inverse_mass, a)
     if system.flags[APPLIED] == 1:
-        add_over_mass(forces.applied, state.inverse_mass, a)
+        add_over_mass(forces.applied, state.inverse_mass, a, lo, hi)
     if system.air.linear == 1 or system.air.quadratic == 1:
-        add_over_mass(forces.air, state.inverse_mass, a)
+        add_over_mass(forces.air, state.inverse_mass, a, lo, hi)
     if system.ground.active == 1:
-        add_over_mass(forces.ground, state.inverse_mass, a)
+        add_over_mass(forces.ground, state.inverse_mass, a, lo, hi)
 
 
 @kernel
-def weigh_segments(elastic, friction, inverse_mass, gravity, a):
+def weigh_segments(elastic, friction, inverse_mass, gravity, a, lo, hi):
     """Write gravity plus the segments' forces over mass, (3, n)."""
-    for k in range(3):
-        g, row = gravity[k], a[k]
-        e, c = elastic[k], friction[k]
-        for i in range(inverse_mass.shape[0]):
-            free = g if inverse_mass[i] > 0.0 else 0.0
-            row[i] = (e[i + 1] - e[i] + (c[i + 1] - c[i])) * inverse_mass[i] + free
+    inverse_mass = inverse_mass[lo:hi]
+    e0, e1, e2 = rows(elastic, lo, hi + 1)
+    c0, c1, c2 = rows(friction, lo, hi + 1)
+    a0, a1, a2 = rows(a, lo, hi)
+    _weigh(e0, c0, inverse_mass, gravity[0], a0)
+    _weigh(e1, c1, inverse_mass, gravity[1], a1)
+    _weigh(e2, c2, inverse_mass, gravity[2], a2)
+
+
+@part
+def _weigh(e, c, inverse_mass, g, a):
+    for i in range(inverse_mass.shape[0]):
+        free = g if inverse_mass[i] > 0.0 else 0.0
+        a[i] = (e[i + 1] + c[i + 1] - (e[i] + c[i])) * inverse_mass[i] + free
 
 
 @kernel
-def add_over_mass(force, inverse_mass, a):
-    """Add force over mass of every node, (3, n)."""
+def add_segments_over_mass(force, inverse_mass, a):
+    """Add the force of the segments over mass of every node, (3, n); `force` is (3, n + 1)."""
     for k in range(3):
         row, f = a[k], force[k]
         for i in range(inverse_mass.shape[0]):
-            row[i] += f[i] * inverse_mass[i]
+            row[i] += (f[i + 1] - f[i]) * inverse_mass[i]
+
+
+@kernel
+def add_over_mass(force, inverse_mass, a, lo, hi):
+    """Add force over mass of every node, (3, n)."""
+    inverse_mass = inverse_mass[lo:hi]
+    f0, f1, f2 = rows(force, lo, hi)
+    a0, a1, a2 = rows(a, lo, hi)
+    _add_scaled(f0, inverse_mass, a0)
+    _add_scaled(f1, inverse_mass, a1)
+    _add_scaled(f2, inverse_mass, a2)
+
+
+@part
+def _add_scaled(force, inverse_mass, a):
+    for i in range(inverse_mass.shape[0]):
+        a[i] += force[i] * inverse_mass[i]
+
+
+@part
+def has_plain_forces(system):
+    """Tell whether nothing acts but springs, their friction and weight."""
+    air = system.air.linear == 1 or system.air.quadratic == 1
+    flags = system.flags[BENDING] == 1 or system.flags[APPLIED] == 1
+    return not (air or flags or system.ground.active == 1)
+
+
+@part
+def has_plain_springs(system, state):
+    """Tell whether, besides, no segment goes slack and none grows."""
+    return system.flags[TENSION_ONLY] == 0 and state.winch_exit.shape[0] == 0
+
+
+@part
+def add_up_springs(system, state, x, v, total, lo, hi):
+    """Write elastic force and friction of every segment in one sum, (3, n + 1) [N]."""
+    length, k, floor = state.rest_length, state.stiffness, system.slack_floor
+    if system.flags[AXIAL] == 1:
+        axial = state.damping_axial
+        spring_forces(x, v, length, k, floor, state.damping_vector, axial, total, lo, hi)
+    else:
+        spring_forces(x, v, length, k, floor, state.damping_vector, None, total, lo, hi)
+
+
+@part
+def reaches_neighbours_only(system):
+    """Tell whether the force on a node depends on itself and the nodes next to it alone."""
+    return system.flags[BENDING] == 0
 
 
 @part
@@ -78,12 +180,13 @@ def force_on_node(system, state, forces, i, k):
     """Return component `k` of the total force on node `i` [N], weight included, anchors excluded."""
     force = (
         forces.elastic[k, i + 1]
-        - forces.elastic[k, i]
         + forces.friction[k, i + 1]
-        - forces.friction[k, i]
+        - (forces.elastic[k, i] + forces.friction[k, i])
         + forces.applied[k, i]
         + state.mass[i] * system.gravity[k]
     )
+    if system.flags[BENDING] == 1:
+        force += forces.bending[k, i + 1] - forces.bending[k, i]
     if system.air.linear == 1 or system.air.quadratic == 1:
         force += forces.air[k, i]
     if system.ground.active == 1:

@@ -60,13 +60,18 @@ def turn(winches, state, row, t, dt):
     if turned > 0.0:
         total = unstretched(winches, state, row)
         wound = winches.speed[row] * turned
-        wound = min(max(wound, winches.shortest[row] - total), winches.longest[row] - total)
+        if wound < 0.0:
+            wound = max(wound, min(0.0, winches.shortest[row] - total))
+        else:
+            left = winches.drum[row] - state.winch_paid[row]
+            wound = min(wound, max(0.0, min(winches.longest[row] - total, left)))
         if state.inverse_mass[outer] == 0.0:  # a held node cannot come on to the drum
             wound = max(wound, min(0.0, 0.5 * nominal - length))
-        if drum == winches.first[row]:  # nothing is left to pay out
+        if drum == winches.first[row]:  # no node is left to pay out
             wound = min(wound, max(0.0, SPLIT * nominal - length))
     back = state.winch_debt[row] * min(1.0, abs(wound) / nominal)  # its mass never left the rope
     state.winch_debt[row] -= back
+    state.winch_paid[row] += wound
     state.winch_rate[row] = (wound + back) / dt
     if wound + back != 0.0:
         length += wound + back

@@ -3,7 +3,7 @@
 A chain is reduced to one unknown per node. The stiffness of a segment, as a matrix, lies between
 -k I and k I for any shape in which no segment is pressed below half its length (k along it,
 k (1 - L/r) across it), so the chain with k everywhere bounds every shape from above and is exact
-along a straight one. An eigenvector of
+along a straight one. Bends become springs between neighbours (`build.bends`). An eigenvector of
 
     M x'' + C x' + K x = 0
 
@@ -31,7 +31,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ropewalk.methods.characteristic import MARGINS, growth, is_stable
+from ropewalk.methods.characteristic import MARGINS, UNCONDITIONAL, growth, is_stable
 from ropewalk.methods.tridiagonal import (
     is_positive_definite,
     largest_eigenvalue,
@@ -61,6 +61,8 @@ class Chain(NamedTuple):
     node_damping: Floats  # (n,) [N s/m], e.g. of the air
     free: NDArray[np.bool_]  # (n,) False where the node is held
     sideways: bool = True  # whether anything can push the chain sideways
+    bending: Floats | float = 0.0  # (n - 1,) [N/m] springs no softer than the bends
+    damping_bending: Floats | float = 0.0  # (n - 1,) [N s/m]
 
 
 class Matrix(NamedTuple):
@@ -95,12 +97,13 @@ def assemble(chain: Chain, segments: Floats, nodes: Floats) -> Matrix:
 
 def stiffness_matrix(chain: Chain, factor: float = 1.0) -> Matrix:
     """Return M^-1/2 K M^-1/2 [1/s^2], the springs multiplied by `factor`."""
-    return assemble(chain, factor * chain.stiffness, chain.node_stiffness)
+    return assemble(chain, factor * chain.stiffness + chain.bending, chain.node_stiffness)
 
 
 def friction_matrix(chain: Chain, axial: bool = True) -> Matrix:
-    """Return M^-1/2 C M^-1/2 [1/s]; without the axial friction for sideways motion."""
-    segments = chain.damping_vector + (chain.damping_axial if axial else 0.0)
+    """Return M^-1/2 C M^-1/2 [1/s]; for sideways motion only the friction that surely acts there."""
+    more = chain.damping_axial + chain.damping_bending if axial else 0.0
+    segments = chain.damping_vector + more
     return assemble(chain, segments, chain.node_damping)
 
 
@@ -278,7 +281,7 @@ def largest_step(method: str, chain: Chain) -> float:
     Raises KeyError for an unknown method.
     """
     MARGINS[method]
-    if not chain.free.any():
+    if method in UNCONDITIONAL or not chain.free.any():
         return math.inf
     K, C = stiffness_matrix(chain), friction_matrix(chain)
     kappa, gamma = max(_largest(K), 0.0), max(_largest(C), 0.0)
@@ -310,7 +313,7 @@ def _descending(is_good: Callable[[float], bool], high: float, kappa: float) -> 
 
 def largest_stiffness_factor(method: str, chain: Chain, dt: float) -> float:
     """Return the largest factor on all springs [1] stable at dt; 0 where none is, or inf."""
-    if not chain.free.any() or not np.any(chain.stiffness > 0.0):
+    if method in UNCONDITIONAL or not chain.free.any() or not np.any(chain.stiffness > 0.0):
         return math.inf
     C = friction_matrix(chain)
     directions = _DIRECTIONS if chain.mass.size < 2000 else _DIRECTIONS_LONG

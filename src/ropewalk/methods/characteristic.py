@@ -22,6 +22,8 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ropewalk.methods.implicit_characteristic import implicit_characteristics
+
 Array = NDArray[np.float64]
 Characteristic = Callable[[ArrayLike, ArrayLike], Array]
 Margins = Callable[[Array, Array], tuple[Array, ...]]
@@ -120,7 +122,7 @@ def _rk4_margins(a: Array, b: Array) -> tuple[Array, ...]:
     return _second_order_margins(_rk4_drop(a, b), _rk4_loss(a, b))
 
 
-CHARACTERISTIC: dict[str, Characteristic] = {
+CHARACTERISTIC: dict[str, Characteristic] = implicit_characteristics() | {
     "euler": euler,
     "semi-implicit-euler": semi_implicit_euler,
     "verlet": verlet,
@@ -128,7 +130,15 @@ CHARACTERISTIC: dict[str, Characteristic] = {
     "rk4": rk4,
 }
 
-MARGINS: dict[str, Margins] = {
+
+def _positive_margins(a: Array, b: Array) -> tuple[Array, ...]:
+    return a, b
+
+
+#: Methods that are stable at any step: A-stable ones.
+UNCONDITIONAL = frozenset(implicit_characteristics())
+
+MARGINS: dict[str, Margins] = dict.fromkeys(UNCONDITIONAL, _positive_margins) | {
     "euler": _euler_margins,
     "semi-implicit-euler": _semi_implicit_euler_margins,
     "verlet": _verlet_margins,

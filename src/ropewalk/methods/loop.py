@@ -1,22 +1,97 @@
-"""What comes before a run's first step and after every frame, whatever the method."""
+"""The loop over frames and steps, one for all methods, and what comes before and after it."""
 
 from __future__ import annotations
 
+from typing import Any
+
 from ropewalk.core.jit import kernel
-from ropewalk.laws.table import accelerate, evaluate
+from ropewalk.core.status import OK
+from ropewalk.laws.anchors import release_anchors
+from ropewalk.laws.limiter import limit_stretch
+from ropewalk.laws.stretch import segment_tension
+from ropewalk.laws.table import accelerate, evaluate, reaches_neighbours_only
+from ropewalk.laws.winch import run_winches
 from ropewalk.methods.recording import check_state, record_frame
+
+TILE = 1024  # nodes; about 250 kB of all their arrays
+DEPTH = 32  # steps
 
 
 @kernel
 def prepare(system, state):
-    """Evaluate all forces and accelerations at the state itself (before a first step)."""
+    """Evaluate all forces and accelerations at the state itself; what a method kept is void."""
     evaluate(system, state, state.x, state.v, state.forces)
     accelerate(system, state, state.forces, state.acceleration)
+    floor = system.slack_floor
+    segment_tension(state.x, state.rest_length, state.stiffness, floor, state.tension)
+    state.past[0] = 0.0
 
 
 @kernel
-def close_frame(system, state, frame, out):
-    """Record the frame where there is room for it; return the state's status."""
+def close_frame(system, state, room, frame, out):
+    """Record the frame where `out` has it; return the state's status. `room` is work space (3, n)."""
     if out.x.shape[0] > frame:
-        record_frame(system, state, frame, out)
+        record_frame(system, state, room, frame, out)
     return check_state(state, system.break_stretch)
+
+
+def make_advance(
+    step: Any, *, carries: bool = False, solves: bool = False, tiles: bool = False
+) -> Any:
+    """Return the kernel that advances by a method's `step`, a part compiled into it.
+
+    `carries` says that a step begins with the forces and accelerations that the one before ended with,
+    `solves` that it solves equations and returns a status, `tiles` that a step takes a range of nodes.
+
+    Then a long rope is cut into tiles that fit the cache, and a tile goes through up to DEPTH steps
+    before the next one: from step to step it moves back by one node, so that all neighbours stand where
+    they are needed and every node goes through the same arithmetic as in one sweep, to the same bits.
+    What a tile needs of the segment before it, it finds in the force arrays: the tile before wrote that
+    column in the same step and none of the later steps reached it.
+    """
+
+    def advance(system, state, scratch, extras, clock, frames, ledger, out, stop_at_break, tableau):
+        """Advance `frames` frames; return the status and the number of good frames.
+
+        `clock` holds t0, dt, steps done and steps per frame, so that t = t0 + step dt, never a sum.
+        `extras` is None or 1: with None winches and limiter are left out of the machine code.
+        `tableau` holds the method's coefficients, if it has any.
+        """
+        dt = clock[1]
+        done, steps = int(clock[2]), int(clock[3])
+        n = state.mass.shape[0]
+        width = TILE if tiles and extras is None and reaches_neighbours_only(system) else n
+        for frame in range(frames):
+            for start in range(done, done + steps, DEPTH):
+                first = 0
+                while first < n:
+                    last = first + width if n - first >= 2 * width else n
+                    for s in range(start, min(start + DEPTH, done + steps)):
+                        lo = first - (s - start) if first > 0 else 0
+                        hi = last - (s - start) if last < n else n
+                        t, after = clock[0] + s * dt, clock[0] + (s + 1) * dt
+                        if release_anchors(system, state, t, dt, lo, hi) and carries:
+                            prepare(system, state)
+                        if tiles:
+                            step(system, state, scratch, t, after, dt, ledger, tableau, lo, hi)
+                        elif solves:
+                            status = step(system, state, scratch, t, after, dt, ledger, tableau)
+                            if status != OK:
+                                return status, frame
+                        else:
+                            step(system, state, scratch, t, after, dt, ledger, tableau)
+                        if extras is not None:
+                            run_winches(system, state, t, dt, ledger)
+                            limit_stretch(system, state, scratch.limiter, dt, ledger)
+                            if carries:
+                                prepare(system, state)
+                    first = last
+            done += steps
+            status = close_frame(system, state, scratch.middle, frame, out)
+            if status != OK and stop_at_break:
+                return status, frame
+        return OK, frames
+
+    # Files of machine code are named after the function: one name for every method.
+    advance.__qualname__ = f"advance-{step.py_func.__module__.rpartition('.')[2]}"
+    return kernel(advance)

@@ -5,10 +5,21 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
+import numpy as np
 from numpy.typing import ArrayLike
 
-from ropewalk.core.arrays import Floats
-from ropewalk.methods import characteristic, runge_kutta, semi_implicit_euler, verlet
+from ropewalk.core.arrays import Floats, State
+from ropewalk.methods import (
+    characteristic,
+    implicit,
+    runge_kutta,
+    semi_implicit_euler,
+    tableaus,
+    verlet,
+)
+from ropewalk.methods.scratch import make_scratch
+
+NO_TABLEAU = np.zeros((2, 0))
 
 
 class Method(NamedTuple):
@@ -18,9 +29,29 @@ class Method(NamedTuple):
     order: int
     evaluations: int  # force evaluations per step
     advance: Any  # the kernel
-    tableau: tuple[Floats, ...]  # Runge-Kutta coefficients, the kernel's last argument, if any
+    tableau: Any  # coefficients that the kernel takes
     characteristic: Callable[[ArrayLike, ArrayLike], Floats]
     summary: str
+    implicit: bool = False
+
+    def coefficients(self, spectral_radius: float) -> Any:
+        """Return what the kernel takes; `spectral_radius` [1] is that of generalized-alpha."""
+        if self.name == "generalized-alpha":
+            return tableaus.generalized_alpha(spectral_radius)
+        return self.tableau
+
+    def make_scratch(self, state: State) -> Any:
+        """Return working arrays that fit `state`."""
+        if self.implicit:
+            return implicit.make_implicit_scratch(state, self.tableau)
+        return make_scratch(state)
+
+
+def _implicit(name: str, order: int, tableau: tableaus.Tableau, summary: str) -> Method:
+    """Return an implicit method; its evaluations are the stages to solve, some four each."""
+    solved = 1 if tableau.kind != tableaus.DIRK else int(np.count_nonzero(np.diag(tableau.A)))
+    polynomial = characteristic.CHARACTERISTIC[name]
+    return Method(name, order, solved, implicit.advance, tableau, polynomial, summary, True)
 
 
 METHODS = {
@@ -31,7 +62,7 @@ METHODS = {
             1,
             1,
             runge_kutta.advance,
-            (runge_kutta.EULER,),
+            runge_kutta.EULER,
             characteristic.euler,
             "Explicit Euler; gains energy, for comparison only.",
         ),
@@ -40,7 +71,7 @@ METHODS = {
             1,
             1,
             semi_implicit_euler.advance,
-            (),
+            NO_TABLEAU,
             characteristic.semi_implicit_euler,
             "Velocity first, then position with it; symplectic without friction.",
         ),
@@ -49,7 +80,7 @@ METHODS = {
             2,
             1,
             verlet.advance,
-            (),
+            NO_TABLEAU,
             characteristic.verlet,
             "Velocity Verlet; symplectic without friction.",
         ),
@@ -58,7 +89,7 @@ METHODS = {
             2,
             2,
             runge_kutta.advance,
-            (runge_kutta.HEUN,),
+            runge_kutta.HEUN,
             characteristic.heun,
             "Improved Euler, Habrador's; weakly unstable without friction.",
         ),
@@ -67,9 +98,37 @@ METHODS = {
             4,
             4,
             runge_kutta.advance,
-            (runge_kutta.RK4,),
+            runge_kutta.RK4,
             characteristic.rk4,
             "Classical Runge-Kutta; the most accurate per step.",
+        ),
+        _implicit(
+            "implicit-euler",
+            1,
+            tableaus.IMPLICIT_EULER,
+            "Implicit Euler; damps a lot, never fails.",
+        ),
+        _implicit(
+            "implicit-midpoint",
+            2,
+            tableaus.IMPLICIT_MIDPOINT,
+            "Implicit midpoint; symplectic without friction, keeps stiff modes ringing.",
+        ),
+        _implicit("bdf2", 2, tableaus.BDF_2, "BDF2, two steps, one solve; damps fast modes."),
+        _implicit(
+            "sdirk2",
+            2,
+            tableaus.SDIRK2,
+            "Alexander's SDIRK2, L-stable; the choice for stiff ropes.",
+        ),
+        _implicit(
+            "esdirk3", 3, tableaus.ESDIRK3, "Kennedy and Carpenter's ESDIRK3, L-stable, accurate."
+        ),
+        _implicit(
+            "generalized-alpha",
+            2,
+            tableaus.generalized_alpha(),
+            "Generalized-alpha, one solve; damps fast modes as its spectral radius says.",
         ),
     )
 }

@@ -9,14 +9,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from ropewalk.core.jit import kernel, part
-from ropewalk.core.status import OK
-from ropewalk.laws.anchors import move_anchors, place_stage, release_anchors
+from ropewalk.core.jit import part
+from ropewalk.laws.anchors import move_anchors, place_stage
 from ropewalk.laws.ledger import account
-from ropewalk.laws.limiter import limit_stretch
 from ropewalk.laws.table import accelerate, evaluate
-from ropewalk.laws.winch import run_winches
-from ropewalk.methods.loop import close_frame
+from ropewalk.methods.loop import make_advance
 from ropewalk.methods.scratch import add, add_forces, axpy, clear, clear_forces, put
 
 # nodes c (row 0) and weights b (row 1)
@@ -56,24 +53,4 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
         account(system, state, mean, middle, dt)
 
 
-@kernel
-def advance(system, state, scratch, extras, clock, frames, ledger, out, stop_at_break, tableau):
-    """Advance `frames` frames; return the status and the number of good frames.
-
-    `clock` holds t0, dt, steps done and steps per frame, so that t = t0 + step dt, never a sum.
-    `extras` is None or 1: with None winches and limiter are left out of the machine code.
-    """
-    dt = clock[1]
-    done, steps = int(clock[2]), int(clock[3])
-    for frame in range(frames):
-        for s in range(frame * steps, frame * steps + steps):
-            t, after = clock[0] + (done + s) * dt, clock[0] + (done + s + 1) * dt
-            release_anchors(system, state, t, dt)
-            step(system, state, scratch, t, after, dt, ledger, tableau)
-            if extras is not None:
-                run_winches(system, state, t, dt, ledger)
-                limit_stretch(system, state, scratch.limiter, dt, ledger)
-        status = close_frame(system, state, frame, out)
-        if status != OK and stop_at_break:
-            return status, frame
-    return OK, frames
+advance = make_advance(step)

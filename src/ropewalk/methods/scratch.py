@@ -6,8 +6,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ropewalk.core.arrays import APPLIED, Floats, Forces, State
+from ropewalk.core.arrays import APPLIED, BENDING, Floats, Forces, State
 from ropewalk.core.jit import kernel, part
+from ropewalk.core.ranges import ALL, rows
 
 
 class Scratch(NamedTuple):
@@ -54,10 +55,15 @@ def clear(values):
 @kernel
 def put(source, result):
     """Copy an array (3, m) into another."""
-    for k in range(3):
-        to, row = result[k], source[k]
-        for i in range(to.shape[0]):
-            to[i] = row[i]
+    _put(source[0], result[0])
+    _put(source[1], result[1])
+    _put(source[2], result[2])
+
+
+@part
+def _put(source, result):
+    for i in range(result.shape[0]):
+        result[i] = source[i]
 
 
 @part
@@ -65,6 +71,8 @@ def add_forces(system, forces, weight, total):
     """Add every acting channel of `forces`, times `weight`, to those of `total`."""
     add(forces.elastic, weight, total.elastic)
     add(forces.friction, weight, total.friction)
+    if system.flags[BENDING] == 1:
+        add(forces.bending, weight, total.bending)
     if system.air.linear == 1 or system.air.quadratic == 1:
         add(forces.air, weight, total.air)
     if system.ground.active == 1:
@@ -78,6 +86,8 @@ def clear_forces(system, forces):
     """Set every acting channel to zero."""
     clear(forces.elastic)
     clear(forces.friction)
+    if system.flags[BENDING] == 1:
+        clear(forces.bending)
     if system.air.linear == 1 or system.air.quadratic == 1:
         clear(forces.air)
     if system.ground.active == 1:
@@ -86,20 +96,36 @@ def clear_forces(system, forces):
 
 
 @kernel
-def push(x, v, a, dt):
+def push(x, v, a, dt, lo, hi):
     """Kick, then drift: v += dt a, x += dt v."""
-    for k in range(3):
-        xk, vk, ak = x[k], v[k], a[k]
-        for i in range(xk.shape[0]):
-            new = vk[i] + dt * ak[i]
-            vk[i] = new
-            xk[i] += dt * new
+    x0, x1, x2 = rows(x, lo, hi)
+    v0, v1, v2 = rows(v, lo, hi)
+    a0, a1, a2 = rows(a, lo, hi)
+    _push(x0, v0, a0, dt)
+    _push(x1, v1, a1, dt)
+    _push(x2, v2, a2, dt)
+
+
+@part
+def _push(x, v, a, dt):
+    for i in range(x.shape[0]):
+        new = v[i] + dt * a[i]
+        v[i] = new
+        x[i] += dt * new
 
 
 @kernel
-def axpy(base, factor, values, result):
+def axpy(base, factor, values, result, lo=0, hi=ALL):
     """Write base + factor * values, arrays (3, n)."""
-    for k in range(3):
-        to, b, u = result[k], base[k], values[k]
-        for i in range(to.shape[0]):
-            to[i] = b[i] + factor * u[i]
+    b0, b1, b2 = rows(base, lo, hi)
+    u0, u1, u2 = rows(values, lo, hi)
+    r0, r1, r2 = rows(result, lo, hi)
+    _axpy(b0, factor, u0, r0)
+    _axpy(b1, factor, u1, r1)
+    _axpy(b2, factor, u2, r2)
+
+
+@part
+def _axpy(base, factor, values, result):
+    for i in range(result.shape[0]):
+        result[i] = base[i] + factor * values[i]

@@ -8,19 +8,16 @@ Source: Swope, Andersen, Berens & Wilson 1982, J. Chem. Phys. 76:637; predictor 
 
 from __future__ import annotations
 
-from ropewalk.core.jit import kernel, part
-from ropewalk.core.status import OK
-from ropewalk.laws.anchors import move_anchors, place_stage, release_anchors
+from ropewalk.core.jit import part
+from ropewalk.laws.anchors import move_anchors, place_stage
 from ropewalk.laws.ledger import account
-from ropewalk.laws.limiter import limit_stretch
 from ropewalk.laws.table import accelerate, evaluate
-from ropewalk.laws.winch import run_winches
-from ropewalk.methods.loop import close_frame, prepare
+from ropewalk.methods.loop import make_advance
 from ropewalk.methods.scratch import add, add_forces, axpy, clear_forces, put
 
 
 @part
-def step(system, state, scratch, t, after, dt, ledger):
+def step(system, state, scratch, t, after, dt, ledger, tableau):
     """Advance the state by one step of `dt` from time `t` [s]."""
     x, v, a, middle = state.x, state.v, state.acceleration, scratch.middle
     old, predicted, mean = scratch.x, scratch.v, scratch.mean
@@ -42,25 +39,4 @@ def step(system, state, scratch, t, after, dt, ledger):
         account(system, state, mean, middle, dt)
 
 
-@kernel
-def advance(system, state, scratch, extras, clock, frames, ledger, out, stop_at_break):
-    """Advance `frames` frames; return the status and the number of good frames.
-
-    `clock` holds t0, dt, steps done and steps per frame, so that t = t0 + step dt, never a sum.
-    `extras` is None or 1: with None winches and limiter are left out of the machine code.
-    """
-    dt = clock[1]
-    done, steps = int(clock[2]), int(clock[3])
-    for frame in range(frames):
-        for s in range(frame * steps, frame * steps + steps):
-            t, after = clock[0] + (done + s) * dt, clock[0] + (done + s + 1) * dt
-            release_anchors(system, state, t, dt)
-            step(system, state, scratch, t, after, dt, ledger)
-            if extras is not None:
-                run_winches(system, state, t, dt, ledger)
-                limit_stretch(system, state, scratch.limiter, dt, ledger)
-                prepare(system, state)  # the carried acceleration no longer fits
-        status = close_frame(system, state, frame, out)
-        if status != OK and stop_at_break:
-            return status, frame
-    return OK, frames
+advance = make_advance(step, carries=True)

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import math
 
-from ropewalk.core.jit import kernel
+from ropewalk.core.jit import kernel, part
 
 FIXED, VELOCITY, TABLE, SHAKE, ORBIT, HAND = range(6)
 CODES = {
@@ -92,12 +92,16 @@ def place_table(table, first, rows, t, x, v):
             x[k] = table[low, c]
 
 
-@kernel
+@part
 def place(anchors, row, t, x, v):
     """Write position and velocity of anchor `row` at time `t` [s]; a hand's place is left alone."""
     kind = anchors.kind[row]
     p = anchors.params[row]
-    if kind == VELOCITY:
+    if kind == FIXED:
+        for k in range(3):
+            x[k] = p[k]
+            v[k] = 0.0
+    elif kind == VELOCITY:
         place_velocity(p, t, x, v)
     elif kind == TABLE:
         place_table(anchors.table, anchors.table_start[row], anchors.table_rows[row], t, x, v)
@@ -105,7 +109,3 @@ def place(anchors, row, t, x, v):
         place_shake(p, t, x, v)
     elif kind == ORBIT:
         place_orbit(p, t, x, v)
-    elif kind == FIXED:
-        for k in range(3):
-            x[k] = p[k]
-            v[k] = 0.0

@@ -28,8 +28,13 @@ if TYPE_CHECKING:
 
 _MOST_ANCHORS = 4
 _SUM = "anchors together"
-_COLOURS = {"kinetic": "#0072B2", "gravity": "#009E73", "elastic": "#E69F00", "total": "#000000"}
-_INNER = ("elastic", "weight")  # their works are the changes of the energies drawn anyway
+_COLOURS = {"kinetic": "#0072B2", "gravity": "#009E73", "elastic": "#E69F00"}
+_COLOURS |= {"bending": "#CC79A7", "total": "#000000"}
+_INNER = (
+    "elastic",
+    "weight",
+    "bending",
+)  # their works are the changes of the energies drawn anyway
 
 
 @styled
@@ -118,16 +123,18 @@ def _break_scale(axes: Axes, curves: list[Floats], good: int, ticks: int) -> Non
 
 
 def energy_curves(result: Result) -> dict[str, Floats]:
-    """Return kinetic, gravity (from its start), elastic and total energy [J], (f,) each.
+    """Return kinetic, gravity (from its start), elastic, bending and total energy [J], (f,) each.
 
-    Without gravity its energy is left out.
+    Gravity without gravity and bending without stiffness are left out.
     """
     energies = result.energy
     with np.errstate(all="ignore"):
         gravity = np.asarray(energies["gravity"]) - energies["gravity"][0]
         kinetic, elastic = np.asarray(energies["kinetic"]), np.asarray(energies["elastic"])
-        total = kinetic + gravity + elastic
-    parts = {"kinetic": kinetic, "gravity": gravity, "elastic": elastic, "total": total}
+        parts = {"kinetic": kinetic, "gravity": gravity, "elastic": elastic}
+        if "bending" in energies:
+            parts["bending"] = np.asarray(energies["bending"])
+        parts["total"] = np.sum(list(parts.values()), axis=0)
     if not any(result.scene.gravity):
         del parts["gravity"]
     return parts

@@ -73,7 +73,10 @@ def load(folder: Path, like: Snapshot) -> Checkpoint:
             float(found["run.seconds"]),
             str(found["run.diagnosis"]),
         )
-    except (ValueError, KeyError, OSError, EOFError, zipfile.BadZipFile) as error:
+    except KeyError as error:
+        rule = f"is damaged, or of another version: it lacks {error.args[0]}"
+        raise RunError(path, rule) from None
+    except (ValueError, OSError, EOFError, zipfile.BadZipFile) as error:
         raise RunError(path, f"is damaged: {error}") from None
 
 

@@ -12,6 +12,7 @@ from ropewalk.build import Plan
 from ropewalk.core.jit import source_hash
 
 FINISHED, BROKE, INTERRUPTED, RUNNING = "finished", "broke", "interrupted", "running"
+AT_REST = "at rest"  # no run: the one frame of an equilibrium
 
 
 @dataclass(frozen=True)
@@ -25,6 +26,7 @@ class Facts:
     diagnosis: str = ""
     seconds: float = 0.0  # wall time spent in the run [s], over all its parts
     provenance: dict[str, Any] = field(default_factory=dict)
+    events: tuple[dict[str, Any], ...] = ()
 
     def but(self, **changes: Any) -> Facts:
         """Return a copy with some facts changed."""

@@ -10,7 +10,6 @@ status.json       running, finished, broke or interrupted; up to where
 
 from __future__ import annotations
 
-import json
 import os
 import shutil
 from collections.abc import Iterator
@@ -22,6 +21,8 @@ from typing import Any
 from ropewalk.build import Layout, Plan
 from ropewalk.build.layout import make_layout
 from ropewalk.record.errors import RunError
+from ropewalk.record.events import NAME as EVENTS
+from ropewalk.record.events import log, read_events
 from ropewalk.record.facts import INTERRUPTED, RUNNING, Facts, now
 from ropewalk.record.files import read_json, reason, write, write_json, writing
 from ropewalk.record.lock import NAME as LOCK
@@ -32,7 +33,7 @@ from ropewalk.record.store import FORMAT, Writer
 from ropewalk.scene import Scene, SceneError, dumps, load
 
 SCENE, PROVENANCE, DATA = "scene.toml", "provenance.json", "data.zarr"
-EVENTS, STATUS = "events.jsonl", "status.json"
+STATUS = "status.json"
 PARTS = (SCENE, PROVENANCE, DATA, "checkpoint.npz", EVENTS, STATUS, LOCK)
 
 
@@ -127,13 +128,6 @@ def write_end(folder: Path) -> None:
     write_json(folder / PROVENANCE, {**found, "ended": now()}, sync=True)
 
 
-def log(folder: Path, event: str, **more: Any) -> None:
-    """Add a line to the log of events. Raises OSError."""
-    line = json.dumps({"at": now(), "event": event, **more}, ensure_ascii=False)
-    with open(folder / EVENTS, "ab", buffering=0) as file:
-        file.write(line.encode() + b"\n")
-
-
 def read_scene(folder: Path) -> Scene:
     """Read the scene of a run. Raises RunError."""
     if not folder.is_dir():
@@ -173,6 +167,7 @@ def read_facts(folder: Path) -> Facts:
             str(status.get("diagnosis", "")),
             float(status.get("seconds", 0.0)),
             provenance,
+            read_events(folder),
         )
     except (KeyError, TypeError, ValueError):
         raise RunError(folder / PROVENANCE, "is damaged: it does not describe a run") from None
@@ -203,6 +198,8 @@ def save_result(result: Result, folder: Path, overwrite: bool) -> Result:
             writer.add_raw(arrays)
         writer.commit()
         write_status(made, facts, result.frames, float(result.time[-1]))
+        for event in result.events:
+            log(made, **event)
         log(made, "saved", status=facts.status)
     return open_result(folder)
 

@@ -13,18 +13,23 @@ from collections.abc import Mapping
 import numpy as np
 
 from ropewalk.core.arrays import Floats
+from ropewalk.methods.recording import CONSERVATIVE
 
-CONSERVATIVE = ("elastic", "weight")
-_WITH_JUMPS = ("limiter", "winch")
+_WITH_JUMPS = ("limiter", "winch", "clamps")
 
 
 def energy_error(energy: Mapping[str, Floats], work: Mapping[str, Floats], ledger: bool) -> Floats:
-    """Return total - total[0] - works of all laws without a potential [J], (frames,)."""
+    """Return total - total[0] - works of all laws without a potential [J], (frames,).
+
+    NaN where frames recorded into a break are no longer finite.
+    """
     total = energy["total"]
     if not ledger:
         return np.full(total.shape, np.nan)
-    done = sum((w for name, w in work.items() if name not in CONSERVATIVE), np.zeros(total.shape))
-    error: Floats = total - total[0] - (done - done[0])
+    others = [w for name, w in work.items() if name not in CONSERVATIVE]
+    with np.errstate(invalid="ignore", over="ignore"):
+        done = sum(others, np.zeros(total.shape))
+        error: Floats = total - total[0] - (done - done[0])
     return error
 
 
@@ -34,11 +39,14 @@ def balance_residual(
     """Return the change of the kinetic energy minus all works [J], (frames,).
 
     Limiter and winch change positions and masses too; only what they put into the kinetic energy
-    (`jump`, (frames, 2)) counts here.
+    (`jump`, (frames, 2)) counts here. Turning a clamp puts its work into the energy of bending.
+    NaN where frames recorded into a break are no longer finite.
     """
     kinetic = energy["kinetic"]
     if not ledger:
         return np.full(kinetic.shape, np.nan)
-    done = sum((w for name, w in work.items() if name not in _WITH_JUMPS), jump.sum(axis=1))
-    residual: Floats = kinetic - kinetic[0] - (done - done[0])
+    others = [w for name, w in work.items() if name not in _WITH_JUMPS]
+    with np.errstate(invalid="ignore", over="ignore"):
+        done = sum(others, jump.sum(axis=1))
+        residual: Floats = kinetic - kinetic[0] - (done - done[0])
     return residual

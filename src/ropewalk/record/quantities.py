@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from ropewalk.block import Block
 from ropewalk.build import Layout
 from ropewalk.core.arrays import Floats
-from ropewalk.methods.recording import ENERGIES, LAWS
+from ropewalk.methods.recording import energy_names, work_names
 
 AXES = ("x", "y", "z")
 JUMPS = ("limiter", "winch")
@@ -39,6 +39,7 @@ QUANTITIES = (
     Quantity(
         "reactions", ("time", "anchor", "axis"), "N", "anchor's force on the rope", "reaction"
     ),
+    Quantity("moments", ("time", "anchor", "axis"), "N m", "clamp's moment on the rope", "moment"),
     Quantity("momentum", ("time", "axis"), "kg m/s", "momentum", "momentum"),
     Quantity(
         "angular_momentum",
@@ -53,14 +54,14 @@ BY_NAME = {quantity.name: quantity for quantity in QUANTITIES}
 
 def law_names(layout: Layout) -> tuple[str, ...]:
     """Return the columns of `work`: the laws, then the anchors."""
-    return (*LAWS, *(f"anchor:{name}" for name in layout.anchor_names))
+    return (*work_names(layout.bends), *(f"anchor:{name}" for name in layout.anchor_names))
 
 
 def labels(layout: Layout) -> dict[str, tuple[str, ...]]:
     """Return the names along the dimensions that are counted by names."""
     return {
         "axis": AXES,
-        "form": ENERGIES,
+        "form": energy_names(layout.bends),
         "law": law_names(layout),
         "cause": JUMPS,
         "anchor": layout.anchor_names,
@@ -70,6 +71,8 @@ def labels(layout: Layout) -> dict[str, tuple[str, ...]]:
 def recorded(layout: Layout, with_lengths: bool) -> tuple[Quantity, ...]:
     """Return the quantities that a run of this layout records (none of length zero)."""
     left_out = set() if layout.anchor_names else {"reactions"}
+    if not layout.clamped:
+        left_out.add("moments")
     if not with_lengths:
         left_out.add("rest_length")
     return tuple(quantity for quantity in QUANTITIES if quantity.name not in left_out)

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import base64
 import html
+import math
 from collections.abc import Mapping
 from functools import cached_property
+from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,7 +16,7 @@ import numpy as np
 from ropewalk.build import Layout, Plan
 from ropewalk.core.arrays import Floats
 from ropewalk.record.drawing import Plots, png
-from ropewalk.record.facts import Facts
+from ropewalk.record.facts import AT_REST, Facts
 from ropewalk.record.ledger import balance_residual, energy_error
 from ropewalk.record.quantities import joined, labels, rest_length_at_start
 from ropewalk.record.rope_view import RopeView
@@ -25,6 +27,8 @@ from ropewalk.scene import Scene
 if TYPE_CHECKING:
     import xarray as xr
 
+_SHARE = "ropewalk.live.share"
+_VIEW = "ropewalk.live.view"  # a layer above this one, so it is looked up when it is needed
 Bools = np.ndarray[Any, np.dtype[np.bool_]]
 
 
@@ -124,7 +128,7 @@ class Result:
 
     @cached_property
     def energy(self) -> Mapping[str, Floats]:
-        """Energies [J], each (frames,): kinetic, gravity, elastic, total."""
+        """Energies [J], each (frames,): kinetic, gravity, elastic, total; with any EI also bending."""
         array = self._all("energy")
         parts = {name: array[:, i] for i, name in enumerate(labels(self.layout)["form"])}
         return parts | {"total": array.sum(axis=1)}
@@ -143,6 +147,13 @@ class Result:
         return self._all("reactions")
 
     @property
+    def moments(self) -> Floats:
+        """Moment of each clamp on the rope [N m], (frames, anchors, 3); 0 of other anchors."""
+        if "moments" not in self.source.names:
+            return np.zeros((self.frames, len(self.layout.anchor_names), 3))
+        return self._all("moments")
+
+    @property
     def momentum(self) -> Floats:
         """Momentum [kg m/s], (frames, 3)."""
         return self._all("momentum")
@@ -156,8 +167,9 @@ class Result:
     def energy_error(self) -> Floats:
         """Energy that no law accounts for [J], (frames,): the error of method and step.
 
-        total - total[0] - work of friction, air, ground, applied forces, limiter, winch and anchors.
-        NaN when the run kept no ledger.
+        total - total[0] - work of friction, air, ground, applied forces, limiter, winch, anchors and the
+        turning of clamps.
+        NaN when the run kept no ledger, and in broken frames whose numbers are not finite.
         """
         return energy_error(self.energy, self.work, self.facts.ledger)
 
@@ -165,7 +177,7 @@ class Result:
     def balance_residual(self) -> Floats:
         """Change of the kinetic energy minus all works [J], (frames,): round-off only.
 
-        NaN when the run kept no ledger.
+        NaN when the run kept no ledger, and in broken frames whose numbers are not finite.
         """
         return balance_residual(self.energy, self.work, self._all("jump"), self.facts.ledger)
 
@@ -192,9 +204,22 @@ class Result:
         return self.facts.status
 
     @property
+    def residual(self) -> float:
+        """Largest force that is left on a free node of an equilibrium [N]; NaN for a run."""
+        return float(self.facts.provenance.get("statics", {}).get("residual", math.nan))
+
+    @property
     def diagnosis(self) -> str:
         """Why the run broke, in one or two sentences; empty otherwise."""
         return self.facts.diagnosis
+
+    @property
+    def events(self) -> tuple[dict[str, Any], ...]:
+        """What happened, in order: anchors that let go, winches that stopped, a break, ...
+
+        Each has `event`, and `time` [s] where it concerns the scene. See `docs/concepts/run-folder`.
+        """
+        return self.facts.events
 
     @property
     def table(self) -> dict[str, Any]:
@@ -246,6 +271,23 @@ class Result:
         """Figures: `result.plot.shape()`, `.film()`, `.height()`, `.tension()`, `.energy()`, ..."""
         return Plots(self)
 
+    def view(self, **options: Any) -> Any:
+        """Replay the run in the browser, or here in a notebook, and return the view.
+
+        Options: `open_browser`, `playing`, `port`. Raises RunError when the packages of
+        `ropewalk[view]` are missing.
+        """
+        return import_module(_VIEW).view_result(self, **options)
+
+    def share(self, path: str | Path, *, frame_rate: float = 60.0, overwrite: bool = False) -> Path:
+        """Write one HTML file that replays the run without server or network; return its path.
+
+        `frame_rate` [1/s] is the most that is kept. Raises RunError when the file exists already, unless
+        `overwrite`, or cannot be written.
+        """
+        made = import_module(_SHARE).share_result
+        return Path(made(self, path, frame_rate=frame_rate, overwrite=overwrite))
+
     def __repr__(self) -> str:
         names = ", ".join(repr(span.name) for span in self.layout.ropes[:3])
         more = len(self.layout.ropes) - 3
@@ -253,6 +295,12 @@ class Result:
         ropes += f" and {more} more" if more > 0 else ""
         segments = sum(rope.segments for rope in self.scene.ropes)
         where = f" in {self.folder}" if self.folder else ""
+        if self.status == AT_REST:
+            return (
+                f"Equilibrium of {self.scene.name!r}{where}: {ropes} with {segments} segments, "
+                f"largest tension {self.table['largest tension [N]']:.6g} N, "
+                f"at most {self.residual:.2g} N left on a node."
+            )
         said = (
             f"Result of {self.scene.name!r}{where}: {ropes} with {segments} segments, "
             f"{self.time[-1]:.6g} s in {self.frames} frames by {self.plan.method} "

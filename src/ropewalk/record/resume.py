@@ -10,9 +10,10 @@ from ropewalk.build import build
 from ropewalk.core.jit import source_hash
 from ropewalk.record import checkpoint
 from ropewalk.record.errors import RunError
-from ropewalk.record.facts import BROKE, FINISHED
+from ropewalk.record.events import log
+from ropewalk.record.facts import AT_REST, BROKE, FINISHED
 from ropewalk.record.files import writing
-from ropewalk.record.folder import DATA, log, read_facts, read_scene
+from ropewalk.record.folder import DATA, read_facts, read_scene
 from ropewalk.record.lock import is_locked
 from ropewalk.record.reader import Stored
 from ropewalk.record.result import Result
@@ -41,6 +42,8 @@ def resume_run(
         raise RunError(folder, "is being written by another process")
     if facts.status == FINISHED:
         raise RunError(folder, "is finished: there is nothing to resume")
+    if facts.status == AT_REST:
+        raise RunError(folder, "holds an equilibrium, not a run: there is nothing to resume")
     if facts.status == BROKE:
         raise RunError(folder, f"broke; a broken run cannot be resumed. {facts.diagnosis}".rstrip())
     _check_sources(folder, str(facts.provenance.get("source_hash")), force)
@@ -50,11 +53,11 @@ def resume_run(
     _check_sources(folder, found.source_hash, force)
     simulation.restore(found.snapshot)
     writer = _take_up(folder, simulation, found.frames)
-    runner = Runner(simulation, facts.keep_going, explain, found.diagnosis)
+    runner = Runner(simulation, facts.keep_going, explain, resumed=True, diagnosis=found.diagnosis)
     recorder = Recorder(simulation, folder, writer, facts, runner, commit_seconds)
     recorder.earlier = found.seconds
     with writing(folder):
-        log(folder, "resumed", frames=found.frames, time=simulation.time)
+        log(folder, "resumed", time=simulation.time, frames=found.frames)
     return finish(recorder, progress)
 
 

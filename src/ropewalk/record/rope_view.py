@@ -76,10 +76,14 @@ class RopeView:
 
     @property
     def stretch(self) -> Floats:
-        """Length over unstretched length [1], (frames, segments); 1 on the drum."""
-        lengths = np.linalg.norm(np.diff(self.positions, axis=1), axis=2)
+        """Length over unstretched length [1], (frames, segments); 1 on the drum.
+
+        Not finite where a frame recorded into a break is not.
+        """
         rest = self.rest_length
-        ratio: Floats = np.divide(lengths, rest, out=np.ones_like(lengths), where=rest > 0.0)
+        with np.errstate(invalid="ignore", over="ignore"):
+            lengths = np.linalg.norm(np.diff(self.positions, axis=1), axis=2)
+            ratio: Floats = np.divide(lengths, rest, out=np.ones_like(lengths), where=rest > 0.0)
         return ratio
 
     def __repr__(self) -> str:

@@ -8,21 +8,25 @@ import time
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 from types import FrameType
+from typing import Any
 
+from ropewalk.block import Block
 from ropewalk.build import Model
 from ropewalk.core.jit import source_hash
 from ropewalk.core.status import OK
 from ropewalk.record import checkpoint
+from ropewalk.record.background import Background
 from ropewalk.record.checkpoint import Checkpoint
 from ropewalk.record.errors import RunError
+from ropewalk.record.events import log
 from ropewalk.record.facts import BROKE, FINISHED, INTERRUPTED, RUNNING, Facts, provenance
 from ropewalk.record.files import writing
 from ropewalk.record.folder import (
     DATA,
     begin,
-    log,
     new_folder,
     open_result,
     write_end,
@@ -58,22 +62,25 @@ class Recorder:
     commit_cost: float = 0.0
 
     def record(self, progress: Progress | None) -> str:
-        """Simulate and write to the end; return how it ended. Raises RunError."""
-        plan = self.facts.plan
-        with stop_requests() as stop:
-            while self.writer.frames <= plan.frames:
-                count = min(self.writer.open_frames, plan.frames + 1 - self.writer.frames)
+        """Simulate and write to the end; return how it ended. Raises RunError.
+
+        A block is written while the next one is simulated: one in flight, and no more.
+        """
+        plan, chunk, taken = self.facts.plan, self.writer.chunk, self.writer.frames
+        with stop_requests() as stop, Background() as beside:
+            while taken <= plan.frames:
+                count = min(chunk - taken % chunk, plan.frames + 1 - taken)
                 block = self.runner.advance(count)
-                with writing(self.folder, KEPT):
-                    self.writer.add(block)
+                beside.wait()
+                taken += block.frames
                 if progress is not None:
-                    progress(self.writer.frames - 1, plan.frames, block)
-                if block.status != OK:
-                    return BROKE
-                if stop and self.writer.frames <= plan.frames:
-                    return INTERRUPTED
-                if self._is_due():
-                    self.commit(RUNNING)
+                    progress(taken - 1, plan.frames, block)
+                last = block.status != OK or (bool(stop) and taken <= plan.frames)
+                due = self._is_due() and not last
+                made = self._checkpoint(taken) if due else None
+                beside.start(partial(self._write, block, self.runner.take_events(), made))
+                if last:
+                    return BROKE if block.status != OK else INTERRUPTED
         return BROKE if self.runner.diagnosis else FINISHED
 
     def _is_due(self) -> bool:
@@ -82,22 +89,34 @@ class Recorder:
         wait = max(self.commit_seconds, self.commit_cost / COMMIT_SHARE)
         return time.perf_counter() - self.last_commit >= wait
 
+    def _write(self, block: Block, events: list[dict[str, Any]], made: Checkpoint | None) -> None:
+        """Write a block and what happened in it; commit it where there is a checkpoint."""
+        with writing(self.folder, KEPT):
+            self.writer.add(block)
+            for event in events:
+                log(self.folder, **event)
+            if made is not None:
+                self._commit(RUNNING, made)
+
     def commit(self, status: str) -> None:
         """Show readers what there is: numbers first, then the checkpoint. Raises RunError."""
         with writing(self.folder, KEPT):
-            self._commit(status)
+            self._commit(status, self._checkpoint(self.writer.frames))
 
-    def _commit(self, status: str) -> None:
+    def _checkpoint(self, frames: int) -> Checkpoint:
+        """Return what it takes to go on from here, where `frames` frames have been recorded."""
+        seconds = self.earlier + time.perf_counter() - self.begun
+        now, diagnosis = self.simulation.state, self.runner.diagnosis
+        return Checkpoint(now, frames, source_hash(), seconds, diagnosis)
+
+    def _commit(self, status: str, made: Checkpoint) -> None:
         start = time.perf_counter()
-        seconds = self.earlier + start - self.begun
-        self.facts = self.facts.but(status=status, seconds=seconds, diagnosis=self.runner.diagnosis)
+        diagnosis = made.diagnosis
+        self.facts = self.facts.but(status=status, seconds=made.seconds, diagnosis=diagnosis)
         self.writer.commit()
-        frames = self.writer.frames
-        made = Checkpoint(
-            self.simulation.state, frames, source_hash(), seconds, self.runner.diagnosis
-        )
         checkpoint.save(self.folder, made)
-        write_status(self.folder, self.facts, frames, self.simulation.time)
+        now = made.snapshot
+        write_status(self.folder, self.facts, made.frames, now.start + now.step * now.dt)
         self.last_commit = time.perf_counter()
         self.commit_cost = self.last_commit - start
 
@@ -147,11 +166,9 @@ def finish(recorder: Recorder, progress: Progress | None) -> Result:
             with suppress(OSError):
                 log(folder, "failed", reason=error.rule)
             raise
-        more = {"diagnosis": recorder.facts.diagnosis} if recorder.facts.diagnosis else {}
         with writing(folder):
             write_end(folder)
-            frames, clock = recorder.writer.frames, recorder.simulation.time
-            log(folder, status, frames=frames, time=clock, **more)
+            log(folder, **recorder.runner.ending(status, recorder.writer.frames))
     return open_result(folder)
 
 

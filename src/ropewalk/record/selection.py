@@ -17,7 +17,7 @@ from ropewalk.record.result import Result
 Indices = NDArray[np.int64]
 
 EXPORTED = tuple(quantity.name for quantity in QUANTITIES if quantity.name != "jump")
-DEFAULT = ("positions", "velocities", "tension", "energy", "work", "reactions")
+DEFAULT = ("positions", "velocities", "tension", "energy", "work", "reactions", "moments")
 _VALUES = 500_000  # numbers handled together
 
 

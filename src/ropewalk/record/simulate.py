@@ -7,11 +7,13 @@ from collections.abc import Callable
 
 from ropewalk.block import Block, join
 from ropewalk.build import Model
-from ropewalk.core.status import OK
+from ropewalk.core.status import OK, UNSOLVED
+from ropewalk.record.events import Event
 from ropewalk.record.facts import BROKE, FINISHED, Facts, provenance
 from ropewalk.record.quantities import recorded
 from ropewalk.record.result import Result
 from ropewalk.record.source import Memory
+from ropewalk.record.watch import Watch
 from ropewalk.scene import Scene
 from ropewalk.simulation import Simulation
 
@@ -27,27 +29,55 @@ def no_explanation(simulation: Simulation) -> str:
 
 
 class Runner:
-    """Advances a simulation; when it breaks, has the break explained, and may go on into it."""
+    """Advances a simulation and notes what happens; has a break explained, and may go on into it."""
 
     def __init__(
-        self, simulation: Simulation, keep_going: bool, explain: Explain, diagnosis: str = ""
+        self,
+        simulation: Simulation,
+        keep_going: bool,
+        explain: Explain,
+        *,
+        resumed: bool = False,
+        diagnosis: str = "",
     ) -> None:
         self.simulation = simulation
         self._keep_going, self._explain = keep_going, explain
+        self._watch = Watch(simulation, resumed=resumed)
+        self._events: list[Event] = []
         self.diagnosis = diagnosis  # set by a break; given when the run broke before it was resumed
 
     def advance(self, frames: int) -> Block:
         """Advance by so many frames, or up to the break, where the status is then BROKEN."""
+        block = self._advance(frames)
+        self._events += self._watch.look()
+        return block
+
+    def _advance(self, frames: int) -> Block:
         if self.diagnosis and self._keep_going:
             return self.simulation.advance_frames(frames, keep_going=True)
         block = self.simulation.advance_frames(frames)
         if block.status == OK:
             return block
-        self.diagnosis = self._explain(self.simulation)
-        if not self._keep_going:
+        self._events += self._watch.look()
+        self.diagnosis = self.simulation.failure or self._explain(self.simulation)
+        if not self._keep_going or block.status == UNSOLVED:
             return block
+        told = {"event": BROKE, "time": self.simulation.time, "diagnosis": self.diagnosis}
+        self._events.append(told)
         rest = self.simulation.advance_frames(frames - block.frames, keep_going=True)
         return join([block, rest])
+
+    def take_events(self) -> list[Event]:
+        """Return what has happened since this was last asked."""
+        events, self._events = self._events, []
+        return events
+
+    def ending(self, status: str, frames: int) -> Event:
+        """Return the last event of a run: how it ended ("ended" after a break that went on)."""
+        event = {"event": status, "time": self.simulation.time, "frames": frames}
+        if not self.diagnosis:
+            return event
+        return event | ({"event": "ended"} if self._keep_going else {"diagnosis": self.diagnosis})
 
 
 def simulate_in_memory(
@@ -68,20 +98,24 @@ def simulate_in_memory(
     simulation.advance_frames(0)  # compiles, where it is not done yet, outside the clock
     begun = time.perf_counter()
     blocks = [simulation.recording()]
+    events: list[Event] = []
     done = 0
-    while done < plan.frames and not (runner.diagnosis and not keep_going):
+    while done < plan.frames and blocks[-1].status == OK:
         blocks.append(runner.advance(min(simulation.block_frames, plan.frames - done)))
         done += blocks[-1].frames
+        events += runner.take_events()
         if progress is not None:
             progress(done, plan.frames, blocks[-1])
+    status = BROKE if runner.diagnosis else FINISHED
     facts = Facts(
         plan,
         ledger,
         keep_going,
-        BROKE if runner.diagnosis else FINISHED,
+        status,
         runner.diagnosis,
         time.perf_counter() - begun,
         provenance(plan, ledger, keep_going),
+        (*events, runner.ending(status, done + 1)),
     )
     with_lengths = bool(simulation.scene.winches)
     names = tuple(q.name for q in recorded(simulation.layout, with_lengths))

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ropewalk.core.arrays import Floats
+from ropewalk.record.facts import AT_REST
 from ropewalk.record.quantities import joined, rest_length_at_start
 
 if TYPE_CHECKING:
@@ -23,6 +24,8 @@ def summary(result: Result) -> dict[str, Any]:
     extremes. Reads the run in pieces, so that memory does not grow with its length.
     """
     found = _extremes(result)
+    if result.status == AT_REST:
+        return _at_rest(result, found)
     layout, time = result.layout, result.time
     tension, frame, segment = found["tension"]
     stretch, stretch_frame, stretch_segment = found["stretch"]
@@ -51,6 +54,29 @@ def summary(result: Result) -> dict[str, Any]:
         "final total energy [J]": float(result.energy["total"][-1]),
         "wall time [s]": seconds,
         "simulated time over wall time [1]": float(time[-1]) / seconds if seconds > 0 else math.nan,
+    }
+
+
+def _at_rest(result: Result, found: dict[str, tuple[float, int, int]]) -> dict[str, Any]:
+    """Return the numbers of an equilibrium, without those of a motion."""
+    layout = result.layout
+    about = result.facts.provenance["statics"]
+    table: dict[str, Any] = {"status": result.status}
+    for name, title, noun, sign in (
+        ("tension", "largest tension [N]", "segment", 1.0),
+        ("stretch", "largest stretch [1]", "segment", 1.0),
+        ("lowest", "lowest point [m]", "node", -1.0),
+    ):
+        value, _, index = found[name]
+        rope, number = layout.rope_of(index)
+        table[title] = sign * value
+        table[f"{title.partition(' [')[0]} at"] = f"{noun} {number} of rope {rope!r}"
+    return table | {
+        "potential energy [J]": float(result.energy["total"][0]),
+        "largest force left [N]": result.residual,
+        "largest gap left [m]": float(about["gap"]),
+        "Newton steps": int(about["steps"]),
+        "wall time [s]": result.facts.seconds,
     }
 
 

@@ -28,7 +28,8 @@ class Table:
 def tables(result: Result, chosen: Selection, layout: str) -> list[Table]:
     """Return the tables that hold the chosen quantities, `long` or `wide`.
 
-    nodes: positions and velocities; segments: tension and unstretched length; anchors: reactions;
+    nodes: positions and velocities; segments: tension and unstretched length; anchors: reactions
+    and moments;
     run: energies, works, momentum, one row per frame in either layout.
     """
     ropes, numbers = _node_labels(result)
@@ -38,7 +39,7 @@ def tables(result: Result, chosen: Selection, layout: str) -> list[Table]:
     kinds = (
         ("nodes", "node", chosen.nodes, at_nodes, ("positions", "velocities")),
         ("segments", "segment", chosen.segments, at_segments, ("tension", "rest_length")),
-        ("anchors", "anchor", anchors, list(result.layout.anchor_names), ("reactions",)),
+        ("anchors", "anchor", anchors, list(result.layout.anchor_names), ("reactions", "moments")),
     )
     found = []
     for name, noun, places, shown, quantities in kinds:
@@ -63,7 +64,7 @@ def _node_labels(result: Result) -> tuple[NDArray[Any], Indices]:
     return ropes, np.array([number for _, number in labelled])
 
 
-_SYMBOLS = {"positions": "", "velocities": "v", "reactions": "f"}
+_SYMBOLS = {"positions": "", "velocities": "v", "reactions": "f", "moments": "m"}
 
 
 def _components(quantity: str) -> list[tuple[str, str]]:

@@ -107,7 +107,8 @@ def _poly_data(
     points: dict[str, NDArray[Any]] = {"rope": number[nodes], "node": _numbers(result, nodes)}
     if "velocities" in parts:
         velocity = parts["velocities"][nodes]
-        points |= {"velocity": velocity, "speed": np.linalg.norm(velocity, axis=1)}
+        with np.errstate(over="ignore", invalid="ignore"):  # of a broken frame
+            points |= {"velocity": velocity, "speed": np.linalg.norm(velocity, axis=1)}
     of_cells: dict[str, NDArray[Any]] = {"rope": number[cells]}
     if "tension" in parts:
         of_cells["tension"] = parts["tension"][cells]

@@ -8,7 +8,6 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from ropewalk.analysis.stability import stability
-from ropewalk.analysis.statics import static_shape
 from ropewalk.core.arrays import Floats
 from ropewalk.report import draw, formulas
 from ropewalk.report.claims_model import C, G, K, L, M
@@ -17,6 +16,7 @@ from ropewalk.report.claims_steps import break_time
 from ropewalk.report.outcome import Number, Outcome, Part
 from ropewalk.report.runs import Run, bisect, changed, log_growth, record
 from ropewalk.scene import Scene
+from ropewalk.statics import static_shape
 
 SCREEN = 60.0  # [1/s]
 FRAME = f"time_step={1 / SCREEN!r}"

@@ -6,7 +6,6 @@ import math
 
 import numpy as np
 
-from ropewalk.analysis.statics import Statics, static_shape
 from ropewalk.core.arrays import Floats
 from ropewalk.report import draw, formulas, words
 from ropewalk.report.claims_model import G, K, L, M
@@ -14,6 +13,7 @@ from ropewalk.report.outcome import Number, Outcome, Part
 from ropewalk.report.runs import Run, at_rest, changed, record
 from ropewalk.scene import Scene
 from ropewalk.scene.files import scene_table
+from ropewalk.statics import Statics, static_shape
 
 SPAN = 20.0  # [m] and springs between two anchors
 STILL = ("anchor.left.motion.kind=fixed",)

@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import math
 
+from ropewalk.theory.chain_modes import chain_decay_times, chain_factors
+
 
 def scheme_frequency(k: float, m: float, c: float, dt: float) -> float:
     """Angular frequency of one mass under semi-implicit Euler [rad/s].
@@ -27,12 +29,12 @@ def euler_factor(k: float, m: float, c: float, dt: float) -> float:
 
 def mode(j: int, free: int) -> float:
     """4 sin^2(j pi / (2 (n + 1))): mode j of n free masses between two pins [1]."""
-    return 4.0 * math.sin(j * math.pi / (2.0 * (free + 1))) ** 2
+    return float(chain_factors(free)[j - 1])
 
 
 def decay_time(j: int, free: int, m: float, c: float) -> float:
     """Time in which mode j falls to 1/e under vector friction, 2 m / (c mu_j) [s]."""
-    return 2.0 * m / (c * mode(j, free))
+    return float(chain_decay_times(free, c, m)[j - 1])
 
 
 def hanging_stretch(n: int, k: float, m: float, g: float) -> float:

@@ -8,11 +8,11 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ropewalk.analysis.statics import static_shape
 from ropewalk.core.arrays import Floats
 from ropewalk.report import draw
 from ropewalk.report.claims_rates import section_scene
 from ropewalk.report.runs import Run, changed, record
+from ropewalk.statics import static_shape
 
 ANCHORS = (0, 20, 40)
 

@@ -8,7 +8,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ropewalk.analysis.statics import Statics, static_shape
 from ropewalk.block import join
 from ropewalk.build import build
 from ropewalk.core.arrays import Floats
@@ -18,6 +17,7 @@ from ropewalk.scene.files import scene_table
 from ropewalk.scene.overrides import apply_overrides
 from ropewalk.scene.presets import preset
 from ropewalk.simulation import Simulation
+from ropewalk.statics import Statics, static_shape
 
 
 @dataclass(frozen=True)

@@ -1,11 +1,12 @@
 """What the user describes: scenes as frozen, validated models, read from and written to TOML."""
 
-from ropewalk.scene.anchor import Anchor
+from ropewalk.scene.anchor import Anchor, Clamp
 from ropewalk.scene.environment import Air, Ground, Limiter
 from ropewalk.scene.errors import Fault, SceneError, SceneFileError
 from ropewalk.scene.files import dumps, load, loads, save, schema
 from ropewalk.scene.motions import Fixed, Hand, Motion, Orbit, Shake, Table, Velocity
 from ropewalk.scene.overrides import apply_overrides
+from ropewalk.scene.ring import Ring
 from ropewalk.scene.rope import Kick, Load, Material, Rope, Springs
 from ropewalk.scene.run_settings import RunSettings
 from ropewalk.scene.scene import Scene
@@ -15,6 +16,7 @@ from ropewalk.scene.winch import Winch
 __all__ = [
     "Air",
     "Anchor",
+    "Clamp",
     "Fault",
     "Fixed",
     "Ground",
@@ -28,6 +30,7 @@ __all__ = [
     "Orbit",
     "Points",
     "Polyline",
+    "Ring",
     "Rope",
     "RunSettings",
     "Scene",

@@ -1,12 +1,63 @@
-"""Anchors: what holds or moves a node."""
+"""Anchors: what holds or moves a node, and the rope's direction there."""
 
 from __future__ import annotations
 
-from pydantic import Field
+import math
 
-from ropewalk.scene.base import Flag, Model, Number, Text, Whole, quantity
-from ropewalk.scene.motions import Fixed, Hand, Motion, Orbit, Shake, Table, Velocity
+from pydantic import Field, model_validator
+
+from ropewalk.scene.base import (
+    Flag,
+    Model,
+    Number,
+    Text,
+    Vector,
+    Whole,
+    not_negative,
+    quantity,
+    refuse,
+    vector,
+)
+from ropewalk.scene.errors import Fault
+from ropewalk.scene.motions import (
+    Fixed,
+    Hand,
+    Motion,
+    Orbit,
+    Shake,
+    Table,
+    Velocity,
+    axis_faults,
+    interval_faults,
+)
 from ropewalk.scene.rope import NAME, NODE
+
+
+class Clamp(Model):
+    """Holds the rope's direction at an anchored node, fixed or turned; needs bending stiffness.
+
+    It turns about an axis at ``turn_rate`` from ``start`` to ``stop``, right-handed.
+    """
+
+    direction: Vector = vector(
+        "Direction of the rope at time zero, from its start towards its end (any length but zero)",
+        "1",
+    )
+    turn_axis: Vector = vector("Axis about which it turns (any length but zero)", "1", (0, 0, 1))
+    turn_rate: Number = quantity("Angle per time", "rad/s", 0.0)
+    start: Number = not_negative("Time at which it begins to turn", "s", 0.0)
+    stop: Number = quantity(
+        "Time at which it stops (inf: never)", "s", math.inf, ge=0, le=math.inf, allow_inf_nan=True
+    )
+
+    @model_validator(mode="after")
+    def _check(self) -> Clamp:
+        faults = interval_faults(self.start, self.stop)
+        if not any(self.direction):
+            faults.append(Fault("direction", self.direction, "must not be zero"))
+        faults += [Fault("turn_axis", f.value, f.rule) for f in axis_faults(self.turn_axis)]
+        refuse(faults)
+        return self
 
 
 class Anchor(Model):
@@ -23,6 +74,9 @@ class Anchor(Model):
     )
     node: Whole = NODE
     motion: Motion = Field(default=Fixed(), description="How the node is moved")
+    clamp: Clamp | None = Field(
+        default=None, description="Holds the rope's direction, too; free to turn without it"
+    )
     release_time: Number | None = quantity("Time at which it lets go of the node", "s", None, ge=0)
     above_ground: Flag = Field(
         default=False, description="Whether the ground stops the anchor's way down"
@@ -32,7 +86,8 @@ class Anchor(Model):
         name = f" {self.name!r}" if self.name else ""
         rope = f" of {self.rope!r}" if self.rope else ""
         end = "" if self.release_time is None else f" until {self.release_time:g} s"
-        return f"Anchor{name} holds node {self.node}{rope}{end}, {_way(self.motion)}."
+        clamped = ", clamped" if self.clamp is not None else ""
+        return f"Anchor{name} holds node {self.node}{rope}{end}, {_way(self.motion)}{clamped}."
 
     __repr__ = __str__
 

@@ -31,6 +31,8 @@ HUGE = 1e15
 TINY = 1e-12
 #: Most segments a scene may have.
 MOST_SEGMENTS = 10_000_000
+#: Most segments that wait on a winch's drum.
+MOST_ON_DRUM = 1_000_000
 
 
 def _plain(value: Any) -> Any:

@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterator, Sequence
 
 from ropewalk.scene.anchor import Anchor
-from ropewalk.scene.base import MOST_SEGMENTS
+from ropewalk.scene.base import MOST_ON_DRUM, MOST_SEGMENTS
 from ropewalk.scene.environment import Limiter
 from ropewalk.scene.errors import MISSING, NO_VALUE, Fault
 from ropewalk.scene.rope import Rope, node_range
@@ -111,6 +111,9 @@ def _anchors(ropes: Sequence[Rope | None], anchors: Sequence[Anchor | None]) -> 
         if not -rope.nodes <= anchor.node < rope.nodes:
             yield Fault(f"anchor[{i}].node", anchor.node, node_range(rope))
             continue
+        if anchor.clamp is not None and rope.bending_stiffness == 0.0:
+            rule = f"holds a direction: {rope.name!r} needs a material with bending stiffness (EI)"
+            yield Fault(f"anchor[{i}].clamp", NO_VALUE, rule)
         first = held.setdefault((index, anchor.node % rope.nodes), i)
         if first != i:
             yield Fault(f"anchor[{i}].node", anchor.node, f"is held by anchor[{first}] already")
@@ -120,10 +123,14 @@ def _winches(
     ropes: Sequence[Rope | None], anchors: Sequence[Anchor | None], winches: Sequence[Winch | None]
 ) -> Iterator[Fault]:
     first: dict[tuple[int, str], int] = {}
+    names: dict[str, int] = {}
     for i, winch in enumerate(winches):
         if winch is None:
             continue
         path = f"winch[{i}]"
+        name = winch.name or f"winch{i}"
+        if names.setdefault(name, i) != i:
+            yield Fault(f"{path}.name", name, f"is the name of winch[{names[name]}] already")
         index = _rope_of(winch, ropes)
         if isinstance(index, Fault):
             yield index.below(path)
@@ -163,9 +170,16 @@ def _winch_lengths(winch: Winch, rope: Rope) -> Iterator[Fault]:
     if length == 0.0:
         yield Fault("rope", rope.name, "has springs of no length, which a winch cannot change")
         return
+    if rope.bending_stiffness > 0.0:
+        rule = "has bending stiffness (EI), with which a winch cannot wind it"
+        yield Fault("rope", rope.name, rule)
     if winch.min_length is not None and winch.min_length > length:
         rule = f"must be at most the rope's length at the start ({length:g} m)"
         yield Fault("min_length", winch.min_length, rule)
     if winch.max_length is not None and winch.max_length < length:
         rule = f"must be at least the rope's length at the start ({length:g} m)"
         yield Fault("max_length", winch.max_length, rule)
+    most = MOST_ON_DRUM * rope.segment_length
+    if winch.on_drum is not None and winch.on_drum > most:
+        rule = f"must be at most {most:g} m, a million segments of this rope"
+        yield Fault("on_drum", winch.on_drum, rule)

@@ -164,6 +164,17 @@ def _scene(text: str, source: str | None, folder: Path) -> Scene:
         raise SceneError(error.faults, source) from None
 
 
+_WORDS = {  # of tomllib, in words that say what to do
+    "Cannot overwrite a value": "this is there already; a list of tables has double brackets, as "
+    "[[anchor]]",
+    "Illegal character '\\n'": "a text must end on its own line; a quotation mark is missing",
+}
+
+
+def _in_words(message: str) -> str:
+    return _WORDS.get(message, message)
+
+
 def _syntax(text: str, error: Exception) -> Fault:
     """A TOML syntax error as a fault whose path is the line and column."""
     if "\0" in text:
@@ -172,7 +183,7 @@ def _syntax(text: str, error: Exception) -> Fault:
     found = re.search(r" \(at line (\d+), column (\d+)\)$", message)
     if found:
         place = f"line {found[1]}, column {found[2]}"
-        return Fault(place, NO_VALUE, f"TOML: {message[: found.start()]}")
+        return Fault(place, NO_VALUE, f"TOML: {_in_words(message[: found.start()])}")
     lines = text.splitlines() or [""]
     place = f"line {len(lines)}, column {len(lines[-1]) + 1}"
     return Fault(

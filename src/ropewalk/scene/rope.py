@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
@@ -34,6 +35,8 @@ _FRICTION = (
     "vector: against the whole difference of velocities; axial: only along the segment, which "
     "keeps angular momentum"
 )
+#: Largest angle between two segments of the unloaded rope [rad].
+_MOST_TURN = 1.0
 _TENSION_ONLY = "Whether a segment shorter than its rest length goes slack instead of pushing"
 
 
@@ -60,8 +63,30 @@ class Material(Model):
     EA: Number = positive("Axial stiffness: tension per strain", "N")
     mass_per_length: Number = positive("Mass per unstretched length", "kg/m")
     axial_damping: Number = not_negative("Tension per strain rate (EA x retardation)", "N s", 0.0)
+    EI: Number = not_negative(
+        "Bending stiffness: moment per curvature; 0 bends freely", "N m^2", 0.0
+    )
+    bending_damping: Number = not_negative(
+        "Moment per rate of curvature (EI x retardation)", "N m^2 s", 0.0
+    )
+    curvature: Vector = vector(
+        "Natural curvature: 1/radius of the unloaded rope along the axis it curls about "
+        "(right-handed from start to end); the axis stays fixed in space",
+        "1/m",
+        (0, 0, 0),
+    )
     friction: Friction = Field(default="axial", description=_FRICTION)
     tension_only: Flag = Field(default=False, description=_TENSION_ONLY)
+
+    @model_validator(mode="after")
+    def _check(self) -> Material:
+        rule = "needs a bending stiffness: give EI (N m^2)"
+        if self.EI == 0.0:
+            if self.bending_damping > 0.0:
+                refuse([Fault("bending_damping", self.bending_damping, rule)])
+            if any(self.curvature):
+                refuse([Fault("curvature", self.curvature, rule)])
+        return self
 
 
 class Load(Model):
@@ -134,6 +159,11 @@ class Rope(Model):
         return self.made_of.axial_damping / self.segment_length
 
     @property
+    def bending_stiffness(self) -> float:
+        """Bending stiffness EI [N m^2]; 0 for springs."""
+        return 0.0 if isinstance(self.made_of, Springs) else self.made_of.EI
+
+    @property
     def own_mass(self) -> float:
         """Mass without loads [kg]."""
         if isinstance(self.made_of, Springs):
@@ -188,6 +218,12 @@ def rope_faults(rope: Rope) -> list[Fault]:
     if not springs and rope.length is None:
         faults.append(Fault("length", MISSING, "a material needs the rope's length (m)"))
         return faults
+    if isinstance(rope.made_of, Material):
+        turn = math.hypot(*rope.made_of.curvature) * rope.segment_length
+        if turn > _MOST_TURN:
+            least = math.ceil(rope.segments * turn / _MOST_TURN)
+            rule = f"turns by {turn:.3g} rad from segment to segment; take {least} segments or more"
+            faults.append(Fault("made_of.curvature", rope.made_of.curvature, rule))
     nodes = [(f"load[{i}].node", load.node) for i, load in enumerate(rope.loads)]
     nodes += [(f"kick[{i}].node", kick.node) for i, kick in enumerate(rope.kicks)]
     for path, node in nodes:

@@ -6,10 +6,23 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field, model_validator
 
-from ropewalk.scene.base import HUGE, TINY, Model, Number, positive, refuse
-from ropewalk.scene.errors import Fault
+from ropewalk.scene.base import HUGE, TINY, Model, Number, not_negative, positive, refuse
+from ropewalk.scene.errors import NO_VALUE, Fault
+from ropewalk.scene.ring import Ring
 
-Method = Literal["euler", "semi-implicit-euler", "verlet", "heun", "rk4"]
+Method = Literal[
+    "euler",
+    "semi-implicit-euler",
+    "verlet",
+    "heun",
+    "rk4",
+    "implicit-euler",
+    "implicit-midpoint",
+    "bdf2",
+    "sdirk2",
+    "esdirk3",
+    "generalized-alpha",
+]
 #: Most frames one run may record.
 MOST_FRAMES = 1e9
 
@@ -45,6 +58,15 @@ class RunSettings(Model):
         "nehe: int(frame / time_step) + 1 equal steps a frame",
     )
     method: Method = Field(default="semi-implicit-euler", description="Time integration method")
+    spectral_radius: Annotated[Number, Field(le=1.0)] = not_negative(
+        "What generalized-alpha leaves of the fastest modes in a step, 0 to 1", "1", 0.8
+    )
+    start: Literal["shape", "at-rest"] = Field(
+        default="shape",
+        description="shape: as the ropes' shapes say; at-rest: from the equilibrium, with no velocity "
+        "but kicks and ring (anchors move from there)",
+    )
+    ring: Ring | None = Field(default=None, description='Mode to ring in; needs start = "at-rest"')
 
     @property
     def frame_interval(self) -> float:
@@ -57,4 +79,8 @@ class RunSettings(Model):
         if frames > MOST_FRAMES:
             rule = f"makes {frames:.3g} frames at {self.frame_rate:g} 1/s; at most 1e9 are possible"
             refuse([Fault("duration", self.duration, rule)])
+        if self.ring is not None and self.start != "at-rest":
+            refuse(
+                [Fault("ring", NO_VALUE, 'needs start = "at-rest": modes are about the rest shape')]
+            )
         return self

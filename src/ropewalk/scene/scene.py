@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from importlib import import_module
 from typing import Any, TypeVar
 
 from pydantic import Field, field_validator, model_validator
@@ -18,6 +19,7 @@ from ropewalk.scene.run_settings import RunSettings
 from ropewalk.scene.winch import Winch
 
 SCHEMA_VERSION = 1
+_VIEW = "ropewalk.live.view"  # a layer above this one, so it is looked up when it is needed
 _P = TypeVar("_P", bound=Model)
 
 
@@ -80,6 +82,18 @@ class Scene(Model):
         """The node that an anchor of this scene holds, counted from 0 within its rope."""
         return self.rope_named(anchor.rope).node_index(anchor.node)
 
+    def view(self, **options: Any) -> Any:
+        """Play the scene live in the browser, or here in a notebook, and return the view.
+
+        It plays by itself, as `ropewalk view` does. Options: `folder` of a run to keep the session in,
+        `open_browser`, `playing`, `port`.
+
+        Raises:
+            SceneError: when it cannot be planned.
+            RunError: for the folder, and when the packages of ``ropewalk[view]`` are missing.
+        """
+        return import_module(_VIEW).view_scene(self, **options)
+
     @field_validator("schema_version")
     @classmethod
     def _check_version(cls, value: int) -> int:
@@ -91,6 +105,7 @@ class Scene(Model):
     @model_validator(mode="after")
     def _check(self) -> Scene:
         refuse(scene_faults(self.gravity, self.ropes, self.anchors, self.winches, self.limiter))
+        refuse(_start_faults(self.run, self.ropes))
         self._fill_in_names()
         return self
 
@@ -100,7 +115,9 @@ class Scene(Model):
         anchors = tuple(
             _filled(anchor, name=f"anchor{i}", rope=rope) for i, anchor in enumerate(self.anchors)
         )
-        winches = tuple(_filled(winch, rope=rope) for winch in self.winches)
+        winches = tuple(
+            _filled(winch, name=f"winch{i}", rope=rope) for i, winch in enumerate(self.winches)
+        )
         self.__dict__.update(anchors=anchors, winches=winches)  # frozen for everyone else
 
     @classmethod
@@ -122,6 +139,20 @@ class Scene(Model):
         return f"Scene {self.name!r}: {ropes}, {_count(len(self.anchors), 'anchor')}, {how}."
 
     __repr__ = __str__
+
+
+def _start_faults(run: RunSettings, ropes: Sequence[Rope]) -> list[Fault]:
+    """Velocities of a whole rope that starts at rest."""
+    if run.start != "at-rest":
+        return []
+    rule = (
+        'leave it out with run.start = "at-rest"; kicks and run.ring set a rope at rest in motion'
+    )
+    return [
+        Fault(f"rope[{i}].shape.velocity", rope.shape.velocity, rule)
+        for i, rope in enumerate(ropes)
+        if any(rope.shape.velocity)
+    ]
 
 
 def _filled(part: _P, **defaults: str) -> _P:

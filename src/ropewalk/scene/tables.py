@@ -43,12 +43,17 @@ def read_columns(
         for number, line in lines
     ]
     order = _header(file, rows[0], names)
+    width = len(rows[0][1])
     if order is None:
         order = list(range(len(names)))
     else:
         del rows[0]
     if not rows:
         refuse([Fault("file", file, "has a header but no rows")])
+    for number, cells in rows:
+        if len(cells) > width:
+            rule = f"line {number}: has {len(cells)} cells, the first line has {width}"
+            refuse([Fault("file", file, rule)])
     return _numbers(file, rows, names, order, rising)
 
 

@@ -10,11 +10,18 @@ from pydantic import Field, model_validator
 from ropewalk.scene.base import Model, Number, Text, not_negative, positive, quantity, refuse
 from ropewalk.scene.errors import Fault
 from ropewalk.scene.motions import interval_faults
+from ropewalk.scene.rope import NAME
 
 
 class Winch(Model):
-    """Changes the unstretched length of a rope at one anchored end, at a given speed."""
+    """Changes the unstretched length of a rope at one anchored end, at a given speed.
 
+    In a Scene every winch has its name and its rope's name filled in.
+    """
+
+    name: Text = Field(
+        default="", pattern=NAME, max_length=60, description='Name; default "winch0", "winch1" ..'
+    )
     rope: Text = Field(
         default="", min_length=1, description="Name of the rope; may be left out with one rope"
     )
@@ -26,6 +33,10 @@ class Winch(Model):
     )
     min_length: Number | None = positive("Unstretched length at which reeling in ends", "m", None)
     max_length: Number | None = positive("Unstretched length at which paying out ends", "m", None)
+
+    on_drum: Number | None = quantity(
+        "Rope that waits on the drum; default: what speed pays out during the run", "m", None, ge=0
+    )
 
     @model_validator(mode="after")
     def _check(self) -> Winch:
@@ -39,6 +50,7 @@ class Winch(Model):
     def __str__(self) -> str:
         way = "pays out" if self.speed >= 0 else "reels in"
         rope = f" of {self.rope!r}" if self.rope else ""
-        return f"Winch at the {self.end}{rope} {way} {abs(self.speed):g} m/s."
+        name = f" {self.name!r}" if self.name else ""
+        return f"Winch{name} at the {self.end}{rope} {way} {abs(self.speed):g} m/s."
 
     __repr__ = __str__

@@ -8,7 +8,7 @@ import click
 
 from ropewalk.cli.console import print_json, print_table, say, warn
 from ropewalk.cli.errors import BROKE
-from ropewalk.cli.sources import json_option, load_scene, run_options
+from ropewalk.cli.sources import json_option, load_scene, named, run_options
 
 if TYPE_CHECKING:
     from ropewalk.analysis.check import Check
@@ -36,7 +36,8 @@ def check(
     from ropewalk.analysis.check import check as check_scene
 
     loaded = load_scene(scene, overrides, duration=duration, time_step=time_step, method=method)
-    found = check_scene(loaded)
+    with named(scene):
+        found = check_scene(loaded)
     if as_json:
         print_json({"scene": scene} | found.as_dict())
     else:

@@ -8,16 +8,18 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from ropewalk.cli.commands.run import refuse_run
 from ropewalk.cli.console import print_json, print_table, say, tell, warn
 from ropewalk.cli.errors import Refusal
 from ropewalk.cli.files import free_name, refuse_existing
 from ropewalk.cli.progress import RunProgress, tell_compiling
 from ropewalk.cli.runs import open_run
-from ropewalk.cli.sources import json_option, load_scene, run_options, short_name
+from ropewalk.cli.sources import json_option, load_scene, named, run_options, short_name
 
 if TYPE_CHECKING:
     from ropewalk.analysis.compare import Comparison
     from ropewalk.record.result import Result
+    from ropewalk.scene import Scene
 
 
 @click.command()
@@ -26,7 +28,8 @@ if TYPE_CHECKING:
     "-o",
     "--output",
     type=click.Path(path_type=Path),
-    help="The figure, which ends in .png, .svg or .pdf; default: compare-A-B.png.",
+    help="The figure, which ends in .png, .svg or .pdf (default: compare-A-B.png); or a folder, "
+    "which gets the figure and keeps the run of every scene that is run.",
 )
 @click.option(
     "--time",
@@ -37,33 +40,31 @@ if TYPE_CHECKING:
     help="Show the shapes at this time, in seconds; can be given again.",
 )
 @run_options
-@click.option("--overwrite", is_flag=True, help="Replace a figure that is there.")
+@click.option("--overwrite", is_flag=True, help="Replace a figure, and runs, that are there.")
 @json_option
 def compare(
     runs: tuple[str, ...],
     output: Path | None,
     times: tuple[float, ...],
     overrides: tuple[str, ...],
-    duration: str | None,
-    time_step: str | None,
-    method: str | None,
     overwrite: bool,
     as_json: bool,
+    **changes: str | None,
 ) -> None:
     """Compare two or more runs with the first of them: numbers, distance in time, one figure.
 
-    Each is a run folder, or a scene file or preset, which is then run in memory; --set and the other
-    flags of a run change the scenes that are run.
+    Each is a run folder, or a scene file or preset, which is then run: in memory, or with -o FOLDER
+    into a folder in it. --set and the other flags of a run change the scenes that are run.
     """
     if len(runs) < 2:
         raise Refusal(f"{runs[0]}: is one run; name two or more to compare")
     labels = _labels(runs)
-    path = output or free_name(Path(f"compare-{'-'.join(map(short_name, runs[:4]))}.png"))
-    if path.suffix.lower() not in (".png", ".svg", ".pdf"):
-        raise Refusal(f"{path}: must end in .png, .svg or .pdf")
-    refuse_existing(path, overwrite=overwrite)
-    changes = {"duration": duration, "time_step": time_step, "method": method}
-    results = [_result(run, overrides, changes) for run in runs]
+    path, kept = _places(runs, labels, output, overwrite=overwrite)
+    scenes = [None if Path(run).is_dir() else load_scene(run, overrides, **changes) for run in runs]
+    results = [
+        open_run(Path(run)) if scene is None else _run(scene, run, folder, overwrite=overwrite)
+        for run, scene, folder in zip(runs, scenes, kept, strict=True)
+    ]
     from ropewalk import plots
     from ropewalk.analysis.compare import compare_runs
 
@@ -74,29 +75,61 @@ def compare(
         raise Refusal(f"--time: {error}" if times else str(error)) from error
     path.parent.mkdir(parents=True, exist_ok=True)
     plots.save(figure, path)
+    folders = [result.folder for result in results]
     if as_json:
         settings = {key: list(values) for key, values in found.settings}
-        print_json({"runs": found.rows, "settings": settings, "figure": str(path)})
+        print_json(
+            {"runs": found.rows, "settings": settings, "folders": folders, "figure": str(path)}
+        )
     else:
         _print(found)
         say(f"figure: {path}")
 
 
-def _result(source: str, overrides: tuple[str, ...], changes: dict[str, str | None]) -> Result:
-    """Open a run folder, or run a scene in memory."""
-    path = Path(source)
-    if path.is_dir():
-        return open_run(path)
-    scene = load_scene(source, overrides, **changes)
-    from ropewalk.api import simulate
+def _places(
+    runs: Sequence[str], labels: Sequence[str], output: Path | None, *, overwrite: bool
+) -> tuple[Path, list[Path | None]]:
+    """Return where the figure goes, and the folder that keeps each run, if any.
+
+    Raises Refusal, before anything is run, for what must not be written to.
+    """
+    nowhere: list[Path | None] = [None for _ in runs]
+    if output is None:
+        return free_name(Path(f"compare-{'-'.join(map(short_name, runs[:4]))}.png")), nowhere
+    if output.suffix and not output.is_dir():
+        if output.suffix.lower() not in (".png", ".svg", ".pdf"):
+            raise Refusal(f"{output}: must end in .png, .svg or .pdf, or be a folder")
+        refuse_existing(output, overwrite=overwrite)
+        return output, nowhere
+    figure = output / "compare.png"
+    refuse_existing(figure, overwrite=overwrite)
+    kept = [
+        None if Path(run).is_dir() else output / short_name(label.replace("/", "-"))
+        for run, label in zip(runs, labels, strict=True)
+    ]
+    for folder in kept:
+        if folder is not None:
+            refuse_run(folder, overwrite)
+    return figure, kept
+
+
+def _run(scene: Scene, source: str, folder: Path | None, *, overwrite: bool) -> Result:
+    """Run a scene, in memory or into a folder."""
+    from ropewalk import api
 
     tell_compiling(scene.run.method)
-    with RunProgress(scene) as progress:
-        result = simulate(scene, on_failure="return", progress=progress)
+    with named(source), RunProgress(scene) as progress:
+        result = (
+            api.simulate(scene, on_failure="return", progress=progress)
+            if folder is None
+            else api.run(scene, folder, on_failure="return", overwrite=overwrite, progress=progress)
+        )
     if result.diagnosis:
         warn(f"{source}: {result.diagnosis}")
     elif result.status != "finished":
         tell(f"{source}: {result.status}")
+    if folder is not None:
+        tell(f"{source}: kept in {folder}")
     return result
 
 

@@ -13,6 +13,7 @@ from ropewalk.cli.startup import without_scipy
 from ropewalk.cli.summary import print_results
 
 PRESET = "r4"
+PAGE = "page.html"
 FIGURES = ("shape", "film", "height", "tension", "energy")
 
 
@@ -40,6 +41,7 @@ def demo(output: Path | None, overwrite: bool) -> None:
     assert folder is not None
     tell("drawing figures and writing tables")
     from ropewalk import plots
+    from ropewalk.live.share import share_run
     from ropewalk.record.export import export
 
     figures = folder / "figures"
@@ -47,11 +49,14 @@ def demo(output: Path | None, overwrite: bool) -> None:
     for kind in FIGURES:
         plots.save(plots.PLOTS[kind].draw(result), figures / f"{kind}.png")
     tables = export(result, "csv", folder / "csv", overwrite=True)
+    page = folder / PAGE
+    share_run(folder, page, overwrite=True)
     print_results(result, f"{scene.name}: {result.status}")
     rows = [
         ("run folder", str(folder)),
         ("figures", ", ".join(f"{kind}.png" for kind in FIGURES) + f" in {figures}"),
         ("tables", ", ".join(path.name for path in tables) + f" in {folder / 'csv'}"),
+        ("page to open", str(page)),
     ]
     print_table(("", ""), rows)
     say("look further:   ropewalk movie " + str(folder))

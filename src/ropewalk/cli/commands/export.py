@@ -37,7 +37,7 @@ _FLAGS = {
     "quantities",
     multiple=True,
     metavar="NAME",
-    help="positions, velocities, tension, rest_length, energy, work, reactions, momentum or "
+    help="positions, velocities, tension, rest_length, energy, work, reactions, moments, momentum or "
     "angular_momentum; can be given again. Default: all but momenta and rest_length.",
 )
 @click.option(
@@ -68,12 +68,10 @@ def export(
     folder: Path,
     to: str,
     output: Path | None,
-    quantities: tuple[str, ...],
     nodes: tuple[str, ...],
-    times: tuple[float, ...],
-    every: int | None,
     long: bool,
     overwrite: bool,
+    **chosen: Any,
 ) -> None:
     """Write the numbers of the run in DIR for other programs.
 
@@ -85,15 +83,14 @@ def export(
 
     rope, numbers = _places(nodes)
     options: dict[str, Any] = {
+        key: value for key, value in chosen.items() if value not in (None, ())
+    }
+    options |= {
         "nodes": numbers,
         "rope": rope,
-        "times": list(times) or None,
-        "every": every,
         "layout": "long" if long else "wide",
         "overwrite": overwrite or output is None,
     }
-    if quantities:
-        options["quantities"] = quantities
     out = output or folder / ("run.npz" if to == "npz" else to)
     try:
         paths = write(open_run(folder), to, out, **options)

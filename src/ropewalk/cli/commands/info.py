@@ -38,6 +38,7 @@ def info(folder: Path, as_json: bool) -> None:
         for name, array in _arrays(result).items()
     ]
     print_table(("recorded", "shape", "unit"), arrays)
+    print_table(("event", "at", "what"), [_event(event) for event in result.events])
     if result.diagnosis:
         say(result.diagnosis)
     if result.status == "interrupted":
@@ -56,6 +57,15 @@ def _rows(result: Result) -> list[tuple[str, str]]:
         ("anchors", ", ".join(result.layout.anchor_names)),
     ]
     return rows + [(key, str(known.get(key, ""))) for key in _PROVENANCE]
+
+
+def _event(event: dict[str, Any]) -> tuple[str, str, str]:
+    """Return an event's name, its time in the scene or else by the clock, and what else is known."""
+    time = event.get("time")
+    at = f"t = {time:.6g} s" if isinstance(time, (int, float)) else str(event.get("at", ""))
+    known = {"event", "at", "time", "diagnosis"}
+    more = [f"{key} {value}" for key, value in event.items() if key not in known]
+    return event["event"], at, ", ".join(more)
 
 
 def _arrays(result: Result) -> dict[str, dict[str, Any]]:
@@ -79,6 +89,7 @@ def _facts(result: Result) -> dict[str, Any]:
         "status": result.status,
         "diagnosis": result.diagnosis or None,
         "provenance": result.facts.provenance,
+        "events": result.events,
         "results": result.table,
         "arrays": _arrays(result),
     }

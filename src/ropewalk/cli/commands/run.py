@@ -11,7 +11,7 @@ from ropewalk.cli.console import say, tell, warn
 from ropewalk.cli.errors import BROKE, INTERRUPTED, Refusal
 from ropewalk.cli.files import claimed, refuse_parent
 from ropewalk.cli.progress import RunProgress, tell_compiling
-from ropewalk.cli.sources import json_option, load_scene, run_options, short_name
+from ropewalk.cli.sources import json_option, load_scene, named, run_options, short_name
 from ropewalk.cli.startup import without_scipy
 from ropewalk.cli.summary import print_result_json, print_results
 
@@ -64,14 +64,15 @@ def run(
     if output is not None:
         with without_scipy():
             refuse_run(output, overwrite)
-    result, warnings = run_scene(
-        loaded,
-        output,
-        short_name(scene),
-        keep_going=keep_going,
-        overwrite=overwrite,
-        quiet=quiet,
-    )
+    with named(scene):
+        result, warnings = run_scene(
+            loaded,
+            output,
+            short_name(scene),
+            keep_going=keep_going,
+            overwrite=overwrite,
+            quiet=quiet,
+        )
     return conclude(result, warnings, as_json=as_json, quiet=quiet)
 
 
@@ -142,6 +143,8 @@ def conclude(result: Result, warnings: tuple[str, ...] = (), *, as_json: bool, q
     else:
         print_results(result, f"{result.scene.name}: {result.status}")
         say(f"run folder: {result.folder}")
+    if not quiet:
+        _tell_of_winches(result)
     if result.status == "interrupted":
         tell(f"interrupted at t = {result.time[-1]:.6g} s; what there is was kept")
         tell(f"go on with: ropewalk resume {result.folder}")
@@ -152,3 +155,11 @@ def conclude(result: Result, warnings: tuple[str, ...] = (), *, as_json: bool, q
             tell(f"everything up to t = {result.time[-1]:.6g} s is kept in {result.folder}")
         return BROKE
     return 0
+
+
+def _tell_of_winches(result: Result) -> None:
+    """Say which winches stood still for want of rope."""
+    for event in result.events:
+        if event["event"] == "winch stopped" and event["by"] == "empty drum":
+            at = f"{event['time']:.6g} s"
+            warn(f"winch {event['winch']!r} stopped at t = {at}: its drum was empty")

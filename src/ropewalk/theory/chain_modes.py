@@ -1,4 +1,4 @@
-"""Normal modes of uniform chains in closed form: frequencies, shapes and decay.
+"""Normal modes of uniform straight chains in closed form: frequencies, shapes and decay.
 
 N equal masses m and springs k; mode j = 1 .. N has the stiffness k mu_j and the friction c mu_j with
 mu_j = 4 sin^2(theta_j). Sideways modes of a chain stretched to segments of length l by the tension T
@@ -29,7 +29,7 @@ def _half_angles(masses: int, ends: str) -> Floats:
     raise ValueError(f"ends: {ends!r} - must be one of {', '.join(ENDS)}")
 
 
-def mode_factors(masses: int, ends: str = "fixed-fixed") -> Floats:
+def chain_factors(masses: int, ends: str = "fixed-fixed") -> Floats:
     """Return mu_j of all modes [1], (masses,), slowest first.
 
     `ends`: "fixed-fixed"; "fixed-free"; "fixed-half", the free end with half a mass (a lumped rod);
@@ -38,22 +38,26 @@ def mode_factors(masses: int, ends: str = "fixed-fixed") -> Floats:
     return np.asarray(4.0 * np.sin(_half_angles(masses, ends)) ** 2)
 
 
-def frequencies(masses: int, stiffness: float, mass: float, ends: str = "fixed-fixed") -> Floats:
+def chain_frequencies(
+    masses: int, stiffness: float, mass: float, ends: str = "fixed-fixed"
+) -> Floats:
     """Return the angular frequencies of all modes [rad/s], (masses,), without friction."""
-    return np.asarray(np.sqrt(stiffness / mass * mode_factors(masses, ends)))
+    return np.asarray(np.sqrt(stiffness / mass * chain_factors(masses, ends)))
 
 
-def decay_times(masses: int, friction: float, mass: float, ends: str = "fixed-fixed") -> Floats:
+def chain_decay_times(
+    masses: int, friction: float, mass: float, ends: str = "fixed-fixed"
+) -> Floats:
     """Return the times in which modes fall to 1/e, tau_j = 2 m / (c mu_j) [s], (masses,).
 
     For underdamped modes; inf without friction. Source: m x'' + c mu x' + k mu x = 0.
     """
-    rate = 0.5 * friction / mass * mode_factors(masses, ends)
+    rate = 0.5 * friction / mass * chain_factors(masses, ends)
     times: Floats = np.divide(1.0, rate, out=np.full(masses, np.inf), where=rate > 0.0)
     return times
 
 
-def shape(masses: int, mode: int, ends: str = "fixed-fixed") -> Floats:
+def chain_shape(masses: int, mode: int, ends: str = "fixed-fixed") -> Floats:
     """Return the displacements of the masses in a mode counted from 1 [1], largest about 1."""
     angle = 2.0 * _half_angles(masses, ends)[mode - 1]
     place = np.arange(1, masses + 1)

@@ -1,4 +1,4 @@
-"""The exact rest shape of one stretch of a chain between two held nodes.
+"""The exact rest shape of a chain of masses and springs (or rigid links) between two points.
 
 The segments between two held nodes carry the force vectors t_i = (H, V_i) with H constant and
 V_{i+1} = V_i + m_i g (the funicular polygon). A segment of stiffness k and rest length L under the
@@ -10,7 +10,7 @@ are two equations for (H, V_1). They are the gradient of the complementary energ
 sum (L T + T^2 / 2k) - H X - V_1 Y, which is convex, so there is one solution. It is found by damped
 Newton steps in the tension and the slope of the lowest segment, in which the equations stay smooth
 when that segment goes slack. Nothing is approximated: the result is the equilibrium of the masses
-and springs.
+and springs. Rigid links are springs of infinite k.
 
 Source: Irvine, Cable Structures (1981), ch. 1, for the continuum; elementary statics.
 """
@@ -21,13 +21,16 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
+
+from ropewalk.theory.catenary import parameter
+from ropewalk.theory.given import need_ends
 
 Floats = NDArray[np.float64]
 
 
 class Hung(NamedTuple):
-    """A stretch of s segments at rest, in the vertical plane through its two ends."""
+    """A chain of s segments at rest, in the upright plane through its two ends."""
 
     along: Floats  # (s,) horizontal length of each segment [m]
     upward: Floats  # (s,) vertical length of each segment [m]
@@ -35,9 +38,65 @@ class Hung(NamedTuple):
     horizontal: float  # H [N]
     vertical: Floats  # (s,) V_i [N], upward part of the force towards the next node
 
+    @property
+    def positions(self) -> Floats:
+        """Places of the s + 1 nodes, across and up from the first one [m], (s + 1, 2)."""
+        steps = np.stack([self.along, self.upward], axis=1)
+        return np.concatenate([np.zeros((1, 2)), np.cumsum(steps, axis=0)])
+
+
+def lumped_chain(
+    weights: ArrayLike, stiffness: ArrayLike, length: ArrayLike, across: float, rise: float = 0.0
+) -> Hung:
+    """Return the exact equilibrium of a chain of point weights between two points.
+
+    Args:
+        weights: of the s - 1 nodes between the ends [N], not negative.
+        stiffness: of the segments [N/m], (s,) or one for all; inf makes them rigid links.
+        length: rest length of the segments [m], (s,) or one for all.
+        across: horizontal distance of the ends [m].
+        rise: how much higher the second end is [m].
+
+    Raises ValueError for rigid links that do not reach, for shapes that do not fit, and for numbers
+    that are not positive.
+    """
+    weights = np.atleast_1d(np.asarray(weights, dtype=np.float64))
+    segments = weights.size + 1
+    need_ends(across, rise)
+    try:
+        k = np.broadcast_to(np.asarray(stiffness, dtype=np.float64), (segments,))
+        rest = np.broadcast_to(np.asarray(length, dtype=np.float64), (segments,))
+    except ValueError:
+        rule = f"must be one number or {segments}, one more than the weights"
+        raise ValueError(f"stiffness, length: {rule}") from None
+    if not np.all(k > 0.0):
+        raise ValueError("stiffness: must be positive")
+    if not (np.all(rest >= 0.0) and np.all(np.isfinite(rest))):
+        raise ValueError("length: must be finite and not negative")
+    if not (np.all(weights >= 0.0) and np.all(np.isfinite(weights))):
+        raise ValueError("weights: must be finite and not negative")
+    return hang(weights, k, rest, across, rise)
+
+
+def hanging_chain(weights: ArrayLike, stiffness: ArrayLike, length: ArrayLike) -> Hung:
+    """Return the equilibrium of a chain that hangs straight down from its first node.
+
+    Args:
+        weights: of the s nodes below the first one [N].
+        stiffness: of the segments [N/m], (s,) or one for all; inf makes them rigid links.
+        length: rest length of the segments [m], (s,) or one for all.
+
+    Segment i carries all weights below it: T_i = sum of w_j, j >= i, and is L_i + T_i/k_i long
+    (Timoshenko, Strength of Materials I).
+    """
+    weights = np.atleast_1d(np.asarray(weights, dtype=np.float64))
+    tension: Floats = np.cumsum(weights[::-1])[::-1]
+    size = np.asarray(length, dtype=np.float64) + tension / np.asarray(stiffness, dtype=np.float64)
+    return Hung(np.zeros(weights.size), -size, tension, 0.0, -tension)
+
 
 def hang(weights: Floats, stiffness: Floats, length: Floats, across: float, rise: float) -> Hung:
-    """Return the rest shape of s segments between two points.
+    """Return the rest shape of s segments between two points, as `lumped_chain` with arrays only.
 
     Args:
         weights: m g of the s - 1 nodes between [N], not negative.
@@ -52,9 +111,15 @@ def hang(weights: Floats, stiffness: Floats, length: Floats, across: float, rise
     carried = np.concatenate([[0.0], np.cumsum(weights)])
     reach = float(length.sum())
     distance = math.hypot(across, rise)
+    rigid = bool(np.isinf(stiffness).all())
+    if rigid and reach <= distance * (1.0 - 1e-12 * (length.size == 1)):
+        raise ValueError(
+            f"length: {reach:g} m - must be more than the distance of the ends, {distance:g} m: "
+            "rigid links are not stretched"
+        )
     if length.size == 1:
         size = max(distance, 1e-300)
-        pull = float(stiffness[0]) * (distance - reach)
+        pull = 0.0 if rigid else float(stiffness[0]) * (distance - reach)
         ends = np.array([across]), np.array([rise])
         x, y = pull * across / size, pull * rise / size
         return Hung(*ends, np.array([pull]), x, np.array([y]))
@@ -86,7 +151,8 @@ class _Chain(NamedTuple):
 def _weightless(
     stiffness: Floats, length: Floats, across: float, rise: float, reach: float, distance: float
 ) -> Hung:
-    tension = max((distance - reach) / float((1.0 / stiffness).sum()), 0.0)
+    tension = max(distance - reach, 0.0)
+    tension = tension / float((1.0 / stiffness).sum()) if tension > 0.0 else 0.0
     size = length + tension / stiffness
     if tension == 0.0:
         size = size * (distance / reach if reach > 0.0 else 0.0)
@@ -291,25 +357,11 @@ def _start(chain: _Chain) -> tuple[float, float]:
     """Guess (H, V_1): the catenary of the same weight, or the taut cord that sags by stretching."""
     reach, distance = float(chain.length.sum()), math.hypot(chain.across, chain.rise)
     weight, across, soft = float(chain.carried[-1]), chain.across, chain.softness
-    taut = max((distance - reach) / soft, 0.0)
+    taut = (distance - reach) / soft if distance > reach else 0.0
     # H^3 = k w^2 X^2 / 24 of a cord whose ends are its own length apart (Irvine, sec. 2).
-    cord = max((weight**2 * across / soft / 24.0) ** (1.0 / 3.0), taut)
-    if reach <= 1.02 * distance:
+    cord = max((weight**2 * across / soft / 24.0) ** (1.0 / 3.0), taut) if soft else math.inf
+    if reach <= 1.02 * distance and soft:
         return cord * across / distance, -0.5 * weight + cord * chain.rise / distance
-    z = _inverse_sinhc(math.sqrt(reach**2 - chain.rise**2) / across)
-    horizontal = min(max(weight * across / (2.0 * z * reach), 1e-12 * weight), cord)
+    a = parameter(reach, across, chain.rise)
+    horizontal = min(max(weight / reach * a, 1e-12 * weight), cord)
     return horizontal, 0.5 * weight * (chain.rise / reach - 1.0)
-
-
-def _inverse_sinhc(value: float) -> float:
-    """Return z > 0 with sinh(z)/z = value > 1."""
-    low, high = 0.0, 1.0
-    while math.sinh(high) < value * high and high < 300.0:
-        high *= 2.0
-    for _ in range(60):
-        middle = 0.5 * (low + high)
-        if math.sinh(middle) < value * middle:
-            low = middle
-        else:
-            high = middle
-    return max(high, 1e-6)

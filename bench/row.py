@@ -1,0 +1,14 @@
+"""One measured number."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+
+class Row(NamedTuple):
+    """One measured number."""
+
+    case: str
+    value: float
+    unit: str
+    target: str

@@ -1,0 +1,185 @@
+// The page: puts stage, hand, panels and graphs together over one session.
+
+import { Keys } from "./input/keys.js";
+import { Pointer } from "./input/pointer.js";
+import { Graphs } from "./graphs/graphs.js";
+import { Bar } from "./panels/bar.js";
+import { BrokenCard } from "./panels/broken.js";
+import { Compare } from "./panels/compare.js";
+import { Controls } from "./panels/controls.js";
+import { h } from "./panels/dom.js";
+import { Help } from "./panels/help.js";
+import { Keep } from "./panels/keep.js";
+import { Labels } from "./panels/labels.js";
+import { Legend } from "./panels/legend.js";
+import { Meter } from "./panels/meter.js";
+import { Notices } from "./panels/notices.js";
+import { Scenes } from "./panels/scenes.js";
+import { Tools } from "./panels/tools.js";
+import { Tour } from "./panels/tour.js";
+import { Tweak } from "./panels/tweak.js";
+import { Views } from "./panels/views.js";
+import { Stage } from "./stage.js";
+import { applyTheme } from "./view/theme.js";
+
+/** @typedef {import("./session.js").Session} Session */
+/** @typedef {import("./render/view.js").Renderer} Renderer */
+
+const NARROW = "(max-width: 700px)";
+
+export class App {
+  /** @param {HTMLElement} root @param {Session} session
+   * @param {(canvas: HTMLCanvasElement) => Renderer} render */
+  constructor(root, session, render) {
+    this.session = session;
+    this.root = root;
+    const part = (/** @type {keyof HTMLElementTagNameMap} */ tag, /** @type {string} */ name) =>
+      h(tag, { className: name, id: name });
+    this.barHost = part("header", "bar");
+    this.meterHost = part("section", "meter");
+    this.scene = part("main", "scene");
+    this.panel = part("aside", "panel");
+    this.graphHost = part("section", "graphs");
+    this.footer = part("footer", "controls");
+    const canvas = h("canvas", { id: "view", tabIndex: 0, "aria-label": "The ropes" });
+    this.scene.append(canvas);
+    root.replaceChildren(
+      this.barHost,
+      this.meterHost,
+      this.scene,
+      this.panel,
+      this.graphHost,
+      this.footer,
+    );
+    this.graphHost.hidden = true;
+
+    this.stage = new Stage(session, render(canvas));
+    this.labels = new Labels(this.stage, this.scene);
+    this.notices = new Notices(session, this.scene);
+    this.legend = new Legend(this.stage, this.scene);
+    this.views = new Views(this.stage, this.scene);
+    this.graphs = new Graphs(this.stage, this.graphHost);
+    this.tools = new Tools(this.stage, this.scene, (node) => this.follow(node));
+    this.pointer = new Pointer(this.stage, this.stage.renderer.canvas, {
+      use: (tool, hit) => this.tools.use(tool, hit),
+      menu: (hit, x, y) => this.tools.menu(hit, x, y),
+    });
+    this.tools.pointer = this.pointer;
+    this.meter = new Meter(session, this.meterHost);
+    this.controls = new Controls(session, this.footer, () => this.graphs.toggle());
+    this.tweak = new Tweak(session, this.panel);
+    this.broken = new BrokenCard(session, this.scene);
+    this.tour = new Tour(session, this.scene);
+    this.scenes = new Scenes(session, root);
+    this.compare = new Compare(this.stage, root, this.scene, (many) => this.compareColours(many));
+    this.help = new Help(root);
+    this.keep = new Keep(this.stage, root, this.notices);
+    this.bar = new Bar(this.barHost, {
+      scenes: () => this.scenes.open(),
+      tour: () => this.tour.start(),
+      compare: () => this.compare.open(),
+      keep: (at) => this.keep.open(at),
+      help: () => this.help.open(),
+      theme: () => this.toggleTheme(),
+      panel: () => this.togglePanel(),
+    });
+    this.keys = new Keys(session, this.stage.camera, this.shortcuts());
+    this.watchHand();
+    this.panel.hidden = matchMedia(NARROW).matches;
+    new ResizeObserver(() => this.resize()).observe(this.scene);
+    this.resize();
+    session.on("hello", () => this.hello());
+    session.on("layout", ({ scene }) => this.bar.show(scene.name));
+    session.on("status", ({ address }) => this.writeAddress(address));
+    this.asked = false;
+    addEventListener("hashchange", () => this.openAddress());
+  }
+
+  /** @returns {Record<string, () => void>} */
+  shortcuts() {
+    return {
+      " ": () => this.controls.toggle(),
+      ".": () => this.controls.doStep(),
+      r: () => this.controls.doReset(),
+      f: () => this.stage.fit(),
+      g: () => this.graphs.toggle(),
+      p: () => this.togglePanel(),
+      t: () => this.toggleTheme(),
+      h: () => this.help.open(),
+      "?": () => this.help.open(),
+    };
+  }
+
+  /** The tour wants to know when the hand moved something. */
+  watchHand() {
+    const { source } = this.session;
+    const send = source.send.bind(source);
+    source.send = (command) => {
+      send(command);
+      if (["drag", "move", "grab"].includes(command.type)) this.tour.handMoved();
+    };
+  }
+
+  hello() {
+    const { session } = this;
+    const hello = /** @type {import("./source/protocol.js").Hello} */ (session.hello);
+    const drawn = this.stage.renderer.name === "webgl" ? "WebGL" : "Canvas 2D";
+    this.help.version.textContent = `Ropewalk ${hello.ropewalk}, drawn with ${drawn}.`;
+    this.root.dataset.mode = hello.mode;
+    this.bar.compare.hidden = !session.can("compare");
+    this.bar.tour.hidden = !session.can("set");
+    this.bar.choose.disabled = !session.can("scene");
+    const tweak = session.can("set");
+    if (!tweak) this.panel.hidden = true;
+    this.bar.panel.hidden = !tweak;
+    if (!this.asked && location.hash.slice(1) !== hello.address) this.openAddress();
+    this.asked = true;
+    this.resize();
+  }
+
+  /** Open the set-up that the page's address names. */
+  openAddress() {
+    const { session } = this;
+    const wanted = location.hash.slice(1);
+    if (wanted && wanted !== session.status?.address && session.can("scene")) {
+      session.tell({ type: "scene", address: wanted });
+    }
+  }
+
+  /** @param {string} address */
+  writeAddress(address) {
+    if (!this.session.source.base || !address || location.hash.slice(1) === address) return;
+    history.replaceState(null, "", `#${address}`);
+  }
+
+  /** @param {number} node of the first variant */
+  follow(node) {
+    this.stage.marks.toggleTrail(node);
+    this.graphs.rebuild();
+    if (!this.graphs.open && this.stage.marks.followed.size === 1 && !matchMedia(NARROW).matches)
+      this.graphs.toggle(true);
+  }
+
+  /** Several copies are told apart by colour. @param {boolean} many */
+  compareColours(many) {
+    this.legend.select.value = many ? "plain" : "tension";
+    this.legend.choose();
+  }
+
+  togglePanel() {
+    this.panel.hidden = !this.panel.hidden;
+    this.resize();
+  }
+
+  toggleTheme() {
+    applyTheme(document.documentElement.dataset.theme === "dark" ? "light" : "dark", true);
+    this.stage.setTheme();
+    this.graphs.rebuild();
+  }
+
+  resize() {
+    this.root.classList.toggle("with-panel", !this.panel.hidden);
+    const { clientWidth, clientHeight } = this.scene;
+    if (clientWidth && clientHeight) this.stage.resize(clientWidth, clientHeight);
+  }
+}

@@ -1,0 +1,276 @@
+// The drawer of graphs: the last seconds while it runs; paused, one can scroll back.
+
+import { ROPES } from "../view/colours.js";
+import { h } from "../panels/dom.js";
+import { History } from "./history.js";
+import { PhasePlane } from "./phase.js";
+import { Plot } from "./plot.js";
+import { samplesOf } from "./samples.js";
+
+/** @typedef {import("../stage.js").Stage} Stage */
+/** @typedef {import("../source/frame.js").Frame} Frame */
+/** @typedef {"energies" | "tension" | "motion" | "phase" | "difference"} Kind */
+/** @typedef {{kind: Kind, box: HTMLElement, plot: Plot | PhasePlane | null}} Panel */
+
+const WINDOWS = [2, 5, 10, 30, 60]; // s
+const REFRESH = 66; // ms between two drawings of a graph
+const TITLES = {
+  energies: "Energies",
+  tension: "Tension",
+  motion: "Height or speed",
+  phase: "Phase plane",
+  difference: "Difference",
+};
+const ENERGIES = /** @type {[string, string, string][]} */ ([
+  ["kinetic", "kinetic", ROPES[0]],
+  ["gravity", "gravity", ROPES[2]],
+  ["elastic", "elastic", ROPES[1]],
+  ["lost", "lost", ROPES[3]],
+]);
+
+export class Graphs {
+  /** @param {Stage} stage @param {HTMLElement} host */
+  constructor(stage, host) {
+    this.stage = stage;
+    this.host = host;
+    this.history = new History();
+    this.window = 10;
+    this.back = 0; // s scrolled back
+    this.quantity = "height";
+    /** @type {Map<Kind, Panel>} */ this.panels = new Map();
+    this.lastDraw = 0;
+    this.turn = 0;
+    this.plots = h("div", { className: "plots" });
+    this.chips = h("div", { className: "chips" });
+    this.scroll = h("input", {
+      type: "range",
+      id: "graph-scroll",
+      min: "0",
+      max: "0",
+      step: "any",
+      "aria-label": "Scroll back in time",
+      oninput: () => {
+        this.back = Number(this.scroll.max) - Number(this.scroll.value);
+        this.drawAll();
+      },
+    });
+    this.windowChoice = h(
+      "select",
+      {
+        id: "graph-window",
+        "aria-label": "Seconds shown",
+        onchange: () => this.setWindow(Number(this.windowChoice.value)),
+      },
+      ...WINDOWS.map((s) =>
+        h("option", { value: String(s), selected: s === this.window }, `${s} s`),
+      ),
+    );
+    this.quantityChoice = h(
+      "select",
+      { id: "graph-quantity", "aria-label": "Height or speed", onchange: () => this.setQuantity() },
+      h("option", { value: "height" }, "Height"),
+      h("option", { value: "speed" }, "Speed"),
+    );
+    host.append(
+      h(
+        "div",
+        { className: "graph-bar" },
+        this.chips,
+        this.quantityChoice,
+        h("label", {}, "Last", this.windowChoice),
+        this.scroll,
+      ),
+      this.plots,
+    );
+    const narrow = matchMedia("(max-width: 700px)").matches;
+    /** @type {Set<Kind>} */
+    this.shown = new Set(narrow ? ["energies"] : ["energies", "tension", "motion"]);
+    stage.session.on("frame", (frame) => this.take(frame));
+    stage.session.on("layout", () => this.rebuild());
+    stage.session.on("status", () => this.bounds());
+    new ResizeObserver(() => this.resize()).observe(this.plots);
+    this.plots.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
+  }
+
+  get open() {
+    return !this.host.hidden;
+  }
+
+  /** @param {boolean} [open] */
+  toggle(open = !this.open) {
+    this.host.hidden = !open;
+    if (open) this.rebuild();
+    else this.clear();
+  }
+
+  /** @param {Frame} frame */
+  take(frame) {
+    const { layout } = this.stage.session;
+    if (!layout) return;
+    this.history.add(frame.time, samplesOf(layout, frame, this.stage.marks.followed));
+    if (!this.open) return;
+    const now = performance.now();
+    if (now - this.lastDraw < REFRESH / Math.max(1, this.panels.size)) return;
+    this.lastDraw = now;
+    const panels = [...this.panels.values()];
+    this.turn = (this.turn + 1) % Math.max(1, panels.length);
+    if (panels[this.turn]) this.draw(panels[this.turn]); // one at a time, so that no frame waits long
+    if (this.turn === 0) this.bounds();
+  }
+
+  clear() {
+    for (const { plot, box } of this.panels.values()) {
+      if (plot instanceof Plot) plot.destroy();
+      box.remove();
+    }
+    this.panels.clear();
+  }
+
+  /** Make the graphs anew, after other nodes were chosen. */
+  rebuild() {
+    if (!this.open) return;
+    this.clear();
+    const many = (this.stage.session.layout?.variants.length ?? 1) > 1;
+    const kinds = /** @type {Kind[]} */ (Object.keys(TITLES)).filter(
+      (kind) => kind !== "difference" || many,
+    );
+    this.chips.replaceChildren(...kinds.map((kind) => this.chip(kind)));
+    this.quantityChoice.hidden = !this.shown.has("motion");
+    for (const kind of kinds) {
+      if (!this.shown.has(kind)) continue;
+      const box = h("div", { className: "plot", data: { kind } });
+      this.plots.append(box);
+      this.panels.set(kind, { kind, box, plot: null });
+    }
+    for (const panel of this.panels.values()) panel.plot = this.make(panel);
+    requestAnimationFrame(() => this.resize());
+    this.bounds();
+  }
+
+  /** @param {Kind} kind */
+  chip(kind) {
+    return h(
+      "button",
+      {
+        type: "button",
+        className: "chip",
+        "aria-pressed": String(this.shown.has(kind)),
+        data: { graph: kind },
+        onclick: () => {
+          const narrow = matchMedia("(max-width: 700px)").matches;
+          if (narrow) this.shown.clear();
+          if (!this.shown.delete(kind)) this.shown.add(kind);
+          this.rebuild();
+        },
+      },
+      TITLES[kind],
+    );
+  }
+
+  /** @param {Panel} panel */
+  make({ kind, box }) {
+    if (kind === "phase") return new PhasePlane(box);
+    const unit = {
+      energies: "J",
+      tension: "N",
+      motion: this.quantity === "height" ? "m" : "m/s",
+      difference: "m",
+    }[kind];
+    return new Plot(box, unit, this.series(kind));
+  }
+
+  /** @param {Kind} kind @returns {import("./plot.js").Series[]} */
+  series(kind) {
+    if (kind === "energies")
+      return ENERGIES.map(([name, label, colour]) => ({ name, label, colour }));
+    const variants = this.stage.session.layout?.variants ?? [];
+    if (kind === "difference") {
+      return variants.slice(1).map((variant, v) => ({
+        name: `difference ${v + 1}`,
+        label: `${variant.label}, rms`,
+        colour: ROPES[(v + 1) % ROPES.length],
+      }));
+    }
+    const prefix = kind === "tension" ? "tension" : this.quantity;
+    const followed = [...this.stage.marks.followed].map((node, i) => ({
+      name: `${prefix} ${node}`,
+      label: this.nodeName(node),
+      colour: ROPES[(i + 1) % ROPES.length],
+    }));
+    if (kind === "tension")
+      return [{ name: "tension_max", label: "largest", colour: ROPES[0] }, ...followed];
+    if (this.quantity === "speed")
+      return [{ name: "speed_high", label: "fastest", colour: ROPES[0] }, ...followed];
+    if (followed.length) return followed;
+    return [
+      { name: "high", label: "highest", colour: ROPES[0] },
+      { name: "low", label: "lowest", colour: ROPES[5] },
+    ];
+  }
+
+  /** @param {number} node */
+  nodeName(node) {
+    const ropes = this.stage.session.layout?.variants[0].ropes ?? [];
+    const rope = ropes.find(({ first, nodes }) => node >= first && node < first + nodes);
+    return ropes.length > 1 && rope
+      ? `${rope.name} ${node - rope.zero}`
+      : `node ${node - (rope?.zero ?? 0)}`;
+  }
+
+  /** @param {Panel} panel */
+  draw({ kind, plot }) {
+    const to = this.history.last - this.back;
+    if (!Number.isFinite(to)) return;
+    const from = to - this.window;
+    if (plot instanceof Plot) {
+      const names = plot.series.map(({ name }) => name);
+      plot.show(this.history.between(from, to, names), from, to);
+    } else if (plot && kind === "phase") {
+      const node = [...this.stage.marks.followed][0];
+      const [times, heights] = this.history.between(from, to, [`height ${node}`]);
+      plot.show(times, heights, ROPES[1]);
+    }
+  }
+
+  drawAll() {
+    for (const panel of this.panels.values()) this.draw(panel);
+  }
+
+  /** How far one can scroll back, only while paused. */
+  bounds() {
+    const playing = this.stage.session.status?.playing ?? true;
+    const most = Math.max(0, this.history.last - this.history.first - this.window) || 0;
+    if (playing) this.back = 0;
+    this.scroll.disabled = playing || most === 0;
+    this.scroll.title = playing ? "Pause to scroll back" : "Scroll back in time";
+    this.scroll.max = String(most);
+    this.scroll.value = String(most - this.back);
+    if (!playing) this.drawAll();
+  }
+
+  /** @param {WheelEvent} event */
+  wheel(event) {
+    if (this.scroll.disabled) return;
+    event.preventDefault();
+    const by = ((event.deltaX || event.deltaY) / 400) * this.window;
+    this.back = Math.min(Number(this.scroll.max), Math.max(0, this.back - by));
+    this.bounds();
+  }
+
+  /** @param {number} seconds */
+  setWindow(seconds) {
+    this.window = seconds;
+    this.bounds();
+    this.drawAll();
+  }
+
+  setQuantity() {
+    this.quantity = this.quantityChoice.value;
+    this.rebuild();
+  }
+
+  resize() {
+    for (const { plot } of this.panels.values()) plot?.resize();
+    this.drawAll();
+  }
+}

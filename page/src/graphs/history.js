@@ -1,0 +1,86 @@
+// The last seconds as columns of numbers for the graphs: contiguous, in constant memory.
+
+/** @typedef {import("../source/protocol.js").Layout} Layout */
+/** @typedef {import("../source/frame.js").Frame} Frame */
+
+const KEPT = 7200; // samples, two minutes at 60 frames per second
+
+export class History {
+  constructor() {
+    this.count = 0; // of samples, which lie in `start` to `start + count`
+    this.start = 0;
+    this.time = new Float64Array(2 * KEPT);
+    /** @type {Map<string, Float64Array>} */
+    this.columns = new Map();
+  }
+
+  clear() {
+    this.count = this.start = 0;
+    this.columns.clear();
+  }
+
+  /** Add a sample; names that were not there before are NaN in the past.
+   * @param {number} time [s] @param {Iterable<[string, number]>} values */
+  add(time, values) {
+    if (this.count > 0 && time <= this.last) {
+      if (time === this.last) return; // a paused run
+      this.clear();
+    }
+    if (this.start + this.count === 2 * KEPT) {
+      for (const column of [this.time, ...this.columns.values()])
+        column.copyWithin(0, this.start + 1);
+      this.start = 0;
+      this.count = KEPT - 1;
+    }
+    const at = this.start + this.count;
+    this.time[at] = time;
+    for (const column of this.columns.values()) column[at] = NaN;
+    for (const [name, value] of values) {
+      let column = this.columns.get(name);
+      if (!column) {
+        column = new Float64Array(2 * KEPT).fill(NaN);
+        this.columns.set(name, column);
+      }
+      column[at] = value;
+    }
+    this.count++;
+    if (this.count > KEPT) {
+      this.count = KEPT;
+      this.start++;
+    }
+  }
+
+  /** The newest time [s], or NaN. */
+  get last() {
+    return this.count ? this.time[this.start + this.count - 1] : NaN;
+  }
+
+  /** The oldest time [s], or NaN. */
+  get first() {
+    return this.count ? this.time[this.start] : NaN;
+  }
+
+  /** Times and columns between two times, without a copy.
+   * @param {number} from @param {number} to [s] @param {string[]} names @returns {Float64Array[]} */
+  between(from, to, names) {
+    const low = Math.max(0, this.search(from) - 1);
+    const high = Math.min(this.count, this.search(to) + 1);
+    const [a, b] = [this.start + low, this.start + high];
+    const empty = new Float64Array(b - a).fill(NaN);
+    return [
+      this.time.subarray(a, b),
+      ...names.map((name) => this.columns.get(name)?.subarray(a, b) ?? empty),
+    ];
+  }
+
+  /** How many samples are before a time. @param {number} time */
+  search(time) {
+    let [low, high] = [0, this.count];
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (this.time[this.start + middle] < time) low = middle + 1;
+      else high = middle;
+    }
+    return low;
+  }
+}

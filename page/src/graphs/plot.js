@@ -1,0 +1,97 @@
+// One graph over time, drawn by uPlot, with the values under the pointer below it.
+
+import uPlot from "uplot";
+
+import { figures, quantity } from "../view/range.js";
+
+/** @typedef {{name: string, label: string, colour: string}} Series */
+
+const colour = (/** @type {string} */ name) =>
+  getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+
+export class Plot {
+  /** @param {HTMLElement} host @param {string} unit @param {Series[]} series */
+  constructor(host, unit, series) {
+    this.host = host;
+    this.series = series;
+    const ink = () => colour("--faint");
+    const line = { stroke: () => colour("--line"), width: 1 };
+    const font = "11px system-ui, sans-serif";
+    this.uplot = new uPlot(
+      {
+        width: 100,
+        height: 100,
+        pxAlign: false,
+        cursor: { drag: { x: false, y: false }, points: { size: 6 }, sync: { key: "ropewalk" } },
+        legend: { live: true },
+        scales: {
+          x: { time: false, auto: false, range: (_, low, high) => [low, high] },
+          y: { range: (_, low, high) => roomy(low, high) },
+        },
+        axes: [
+          {
+            stroke: ink,
+            grid: line,
+            ticks: { ...line, size: 4 },
+            font,
+            size: 24,
+            values: (_, ticks) => ticks.map((t) => `${figures(t)} s`),
+          },
+          {
+            stroke: ink,
+            grid: line,
+            ticks: { ...line, size: 4 },
+            font,
+            size: 52,
+            values: (_, ticks) => ticks.map((v) => quantity(v, unit)),
+          },
+        ],
+        series: [
+          { label: "time", value: (_, value) => (value === null ? "" : `${value.toFixed(2)} s`) },
+          ...series.map(({ label, colour: stroke }) => ({
+            label,
+            stroke,
+            width: 1.6,
+            points: { show: false },
+            value: (/** @type {uPlot} */ _, /** @type {number} */ value) =>
+              value === null ? "" : quantity(value, unit),
+          })),
+        ],
+      },
+      /** @type {any} */ ([[], ...series.map(() => [])]),
+      host,
+    );
+    this.resize();
+  }
+
+  resize() {
+    const legend = this.host.querySelector(".u-legend");
+    const below = legend instanceof HTMLElement ? legend.offsetHeight : 24;
+    const width = this.host.clientWidth;
+    const height = Math.max(60, this.host.clientHeight - below - 2);
+    if (width > 40 && (this.uplot.width !== width || this.uplot.height !== height)) {
+      this.uplot.setSize({ width, height });
+    }
+  }
+
+  /** @param {Float64Array[]} columns @param {number} from @param {number} to [s] */
+  show(columns, from, to) {
+    this.uplot.batch(() => {
+      this.uplot.setData(/** @type {any} */ (columns), false);
+      this.uplot.setScale("x", { min: from, max: to });
+    });
+  }
+
+  destroy() {
+    this.uplot.destroy();
+  }
+}
+
+/** A range with room around the values, not empty where they are all the same.
+ * @param {number | null} low @param {number | null} high @returns {[number, number]} */
+function roomy(low, high) {
+  if (low === null || high === null || !Number.isFinite(low) || !Number.isFinite(high))
+    return [0, 1];
+  const room = Math.max(0.08 * (high - low), 0.01 * Math.max(Math.abs(low), Math.abs(high)), 1e-9);
+  return [low - room, high + room];
+}

@@ -1,0 +1,78 @@
+// The hand: what a drag of an anchor or a rope sends, at most once per animation frame.
+
+import { figures } from "../view/range.js";
+import { length, minus, plus, times } from "../view/vector.js";
+
+/** @typedef {import("../stage.js").Stage} Stage */
+/** @typedef {import("./pick.js").Hit} Hit */
+/** @typedef {import("../view/vector.js").Vector} Vector */
+
+const KICK = 0.05; // [m/s] of velocity per pixel of arrow
+
+export class Hand {
+  /** @param {Stage} stage @param {Hit} hit @param {"drag" | "grab" | "kick"} way */
+  constructor(stage, hit, way) {
+    this.stage = stage;
+    this.hit = hit;
+    this.way = way;
+    /** @type {Vector} where the pointer has it, in the picture */
+    this.place = hit.place;
+    this.pending = false;
+  }
+
+  /** @param {number} px @param {number} py */
+  moveTo(px, py) {
+    const { stage, hit } = this;
+    this.place = stage.camera.inPlane(px, py, hit.place);
+    if (this.way === "kick") {
+      const text = `${figures(length(this.velocity()))} m/s`;
+      stage.marks.kick = { from: hit.place, to: this.place, text };
+      stage.marks.dirty = true;
+      return;
+    }
+    if (this.pending) return;
+    this.pending = true;
+    requestAnimationFrame(() => {
+      this.pending = false;
+      this.sendTarget();
+    });
+  }
+
+  sendTarget() {
+    if (this.over) return;
+    const target = minus(this.place, this.stage.shifts[this.hit.variant]);
+    const { session } = this.stage;
+    if (this.hit.kind === "anchor") session.send({ type: "drag", anchor: this.hit.anchor, target });
+    else session.send({ type: "grab", node: this.hit.node, target });
+  }
+
+  /** The velocity of a kick [m/s], as long as its arrow is on the screen. */
+  velocity() {
+    const { camera } = this.stage;
+    const perPixel = camera.pose.distance / camera.focal;
+    return times(minus(this.place, this.hit.place), KICK / perPixel);
+  }
+
+  /** The pointer is up. @param {boolean} keep hold on to a grabbed node */
+  release(keep) {
+    const { session, marks } = this.stage;
+    if (this.way === "kick") {
+      marks.kick = null;
+      marks.dirty = true;
+      const velocity = this.velocity();
+      if (length(velocity) > 0.05) session.tell({ type: "kick", node: this.hit.node, velocity });
+    } else if (this.hit.kind === "anchor") {
+      this.sendTarget();
+      session.send({ type: "drop", anchor: this.hit.anchor });
+    } else if (!keep) session.send({ type: "let_go", node: this.hit.node });
+    else this.sendTarget();
+    this.over = true;
+  }
+
+  over = false;
+
+  /** Where the hand holds on, for the ring. */
+  get ring() {
+    return plus(this.place, [0, 0, 0]);
+  }
+}

@@ -1,0 +1,178 @@
+// What stands beside the ropes: anchors, loads, reactions, the hand, trails, and labels in newtons.
+
+import { ROPES, fromHex } from "./view/colours.js";
+import { figures, quantity } from "./view/range.js";
+import { plus, times, vector } from "./view/vector.js";
+import { Trails } from "./render/trails.js";
+
+/** @typedef {import("./stage.js").Stage} Stage */
+/** @typedef {import("./source/protocol.js").Layout} Layout */
+/** @typedef {import("./render/view.js").Marker} Marker */
+/** @typedef {import("./render/view.js").Arrow} Arrow */
+/** @typedef {import("./view/vector.js").Vector} Vector */
+/** @typedef {{at: Vector, text: string, kind: "reaction" | "grab" | "kick" | "hint"}} Label */
+
+const REACTION = 84; // length of the longest arrow [CSS pixels]
+const MOST_LABELS = 8;
+
+export class Marks {
+  /** @param {Stage} stage */
+  constructor(stage) {
+    this.stage = stage;
+    this.dirty = true;
+    this.reactions = true;
+    /** @type {Trails | null} */ this.trails = null;
+    /** @type {Set<number>} nodes of the first variant */ this.followed = new Set();
+    /** A ring under the pointer. @type {Vector | null} */ this.hover = null;
+    /** A kick that is being drawn. @type {{from: Vector, to: Vector, text: string} | null} */
+    this.kick = null;
+    this.strongest = 0; // the force that has the longest arrow [N]
+    /** @type {Label[]} */ this.labels = [];
+  }
+
+  /** @param {Layout} layout */
+  setLayout(layout) {
+    const most = layout.variants[0].nodes;
+    for (const node of this.followed) if (node >= most) this.followed.delete(node);
+    this.resetTrails();
+    this.strongest = 0;
+    this.hover = this.kick = null;
+  }
+
+  /** Start or stop a trail. @param {number} node of the first variant */
+  toggleTrail(node) {
+    if (!this.followed.delete(node)) this.followed.add(node);
+    if (this.followed.size > 8) this.followed.delete([...this.followed][0]);
+    this.resetTrails();
+  }
+
+  resetTrails() {
+    const nodes = [...this.followed];
+    const colours = nodes.map((_, i) => fromHex(ROPES[(i + 1) % ROPES.length]));
+    this.trails = nodes.length ? new Trails(nodes, colours) : null;
+    this.dirty = true;
+  }
+
+  /** Build markers, arrows and labels from the last frame. */
+  collect() {
+    /** @type {Marker[]} */ const markers = [];
+    /** @type {Arrow[]} */ const arrows = [];
+    this.labels = [];
+    const { session } = this.stage;
+    if (session.layout && session.frame) {
+      this.addAnchors(markers, arrows);
+      this.addLoads(markers);
+      this.addGrabs(markers, arrows);
+      this.addHand(markers, arrows);
+    }
+    return { markers, arrows };
+  }
+
+  /** @param {Marker[]} markers @param {Arrow[]} arrows */
+  addAnchors(markers, arrows) {
+    const { session, theme, anchors, camera } = this.stage;
+    const layout = /** @type {Layout} */ (session.layout);
+    const frame = /** @type {import("./source/frame.js").Frame} */ (session.frame);
+    const reach = (REACTION * camera.pose.distance) / camera.focal;
+    let at = 0;
+    let strongest = 0;
+    /** @type {{place: Vector, force: number[], size: number}[]} */ const forces = [];
+    layout.variants.forEach((variant, v) => {
+      const part = frame.parts[v];
+      variant.anchors.forEach((anchor, a) => {
+        const place = vector(anchors.shown.subarray(at, at + 3));
+        at += 3;
+        if (part.anchors[10 * a + 9] < 0.5) return; // it has let go
+        const [x, y, z] = place;
+        const colour = anchor.pinned
+          ? theme.pin
+          : anchor.motion === "hand"
+            ? theme.hand
+            : theme.anchor;
+        const pixels = anchor.pinned ? 12 : 17;
+        markers.push({ x, y, z, kind: "square", colour, size: 0, pixels });
+        const force = [...part.anchors.subarray(10 * a + 6, 10 * a + 9)];
+        const size = Math.hypot(...force);
+        if (!Number.isFinite(size)) return;
+        strongest = Math.max(strongest, size);
+        if (v === 0 || this.stage.apart) forces.push({ place, force, size });
+      });
+    });
+    if (!this.reactions) return;
+    this.strongest = Math.max(strongest, this.strongest * 0.995);
+    for (const { place, force, size } of forces) {
+      if (size < 0.04 * this.strongest || size < 1e-9) continue;
+      const to = plus(place, force, reach / this.strongest);
+      arrows.push({ from: place, to, colour: theme.arrow, pixels: 2.6, head: true });
+      if (forces.length <= MOST_LABELS) {
+        this.labels.push({ at: to, text: quantity(size, "N"), kind: "reaction" });
+      }
+    }
+  }
+
+  /** @param {Marker[]} markers */
+  addLoads(markers) {
+    const { session, theme, nodes, starts } = this.stage;
+    const layout = /** @type {Layout} */ (session.layout);
+    layout.variants.forEach((variant, v) => {
+      const total = variant.ropes.reduce((sum, rope) => sum + rope.mass, 0);
+      for (const load of variant.loads) {
+        const at = 4 * (starts[v] + load.index);
+        const [x, y, z] = nodes.shown.subarray(at, at + 3);
+        const pixels = 9 + 11 * Math.min(1.6, Math.cbrt(load.mass / Math.max(total, 1e-9)));
+        markers.push({ x, y, z, kind: "round", colour: theme.load, size: 0, pixels });
+      }
+    });
+    for (const [i, node] of [...this.followed].entries()) {
+      const [x, y, z] = nodes.shown.subarray(4 * node, 4 * node + 3);
+      const colour = fromHex(ROPES[(i + 1) % ROPES.length]);
+      markers.push({ x, y, z, kind: "round", colour, size: 0, pixels: 8 });
+    }
+  }
+
+  /** The springs of hands, this page's and others'. @param {Marker[]} markers @param {Arrow[]} arrows */
+  addGrabs(markers, arrows) {
+    const { session, theme, nodes, starts, shifts } = this.stage;
+    const frame = /** @type {import("./source/frame.js").Frame} */ (session.frame);
+    frame.parts.forEach((part, v) => {
+      for (let i = 0; i < part.grabs.length; i += 8) {
+        const node = part.grabs[i];
+        if (!(node >= 0)) continue;
+        const at = 4 * (starts[v] + node);
+        const from = vector(nodes.shown.subarray(at, at + 3));
+        const to = plus(part.grabs.subarray(i + 1, i + 4), shifts[v]);
+        arrows.push({ from, to, colour: theme.grab, pixels: 2, head: false });
+        markers.push({
+          x: to[0],
+          y: to[1],
+          z: to[2],
+          kind: "ring",
+          colour: theme.grab,
+          size: 0,
+          pixels: 16,
+        });
+        const [fx, fy, fz] = part.grabs.subarray(i + 4, i + 7);
+        if (v === 0)
+          this.labels.push({ at: to, text: quantity(Math.hypot(fx, fy, fz), "N"), kind: "grab" });
+      }
+    });
+  }
+
+  /** The ring under the pointer and a kick's arrow. @param {Marker[]} markers @param {Arrow[]} arrows */
+  addHand(markers, arrows) {
+    const { theme } = this.stage;
+    if (this.hover) {
+      const [x, y, z] = this.hover;
+      markers.push({ x, y, z, kind: "ring", colour: theme.hover, size: 0, pixels: 24 });
+    }
+    if (!this.kick) return;
+    const { from, to, text } = this.kick;
+    arrows.push({ from, to, colour: theme.grab, pixels: 3, head: true });
+    this.labels.push({ at: plus(from, times(plus(to, from, -1), 1.05)), text, kind: "kick" });
+  }
+
+  /** What the longest arrow means. */
+  get scale() {
+    return `${figures(this.strongest)} N`;
+  }
+}

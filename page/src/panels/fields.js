@@ -1,0 +1,124 @@
+// Controllers of the panel beyond lil-gui's own: quantities with a slider and unit, and vectors.
+
+import { Controller } from "lil-gui";
+
+import { h } from "./dom.js";
+import { fieldText, placeOf, readNumber, valueAt } from "./scale.js";
+
+/** @typedef {import("lil-gui").GUI} GUI */
+/** @typedef {import("../source/protocol.js").Parameter} Parameter */
+
+const NOTCHES = 1000;
+
+// lil-gui's types leave out the constructor that its own controllers use.
+const Base = /** @type {any} */ (Controller);
+
+/** A number: a slider over the sensible range and a field for any allowed value. */
+export class QuantityController extends Base {
+  /** @param {GUI} parent @param {{value: number | null}} object @param {Parameter} parameter */
+  constructor(parent, object, parameter) {
+    super(parent, object, "value", "quantity");
+    this.parameter = parameter;
+    this.sliding = false;
+    this.slider = h("input", {
+      type: "range",
+      min: "0",
+      max: String(NOTCHES),
+      step: "1",
+      "aria-label": parameter.label,
+      oninput: () => {
+        this.sliding = true;
+        this.setValue(valueAt(this.scale, Number(this.slider.value) / NOTCHES));
+      },
+      onchange: () => {
+        this.sliding = false;
+        this._callOnFinishChange();
+      },
+    });
+    this.field = h("input", {
+      type: "text",
+      inputMode: "decimal",
+      spellcheck: false,
+      autocomplete: "off",
+      "aria-label": `${parameter.label} [${parameter.unit}]`,
+      onchange: () => this.commit(),
+      onkeydown: (/** @type {KeyboardEvent} */ event) => {
+        if (event.key === "Enter") this.commit();
+      },
+    });
+    this.$widget.append(this.slider, this.field);
+    this.updateDisplay();
+  }
+
+  get scale() {
+    const { low, high, scale, kind } = /** @type {Parameter} */ (this.parameter);
+    return { low, high, scale, whole: kind === "whole" };
+  }
+
+  commit() {
+    const value = readNumber(this.field.value);
+    if (Number.isFinite(value) && value !== this.getValue()) this.setValue(value);
+    else this.updateDisplay();
+  }
+
+  updateDisplay() {
+    const value = this.getValue();
+    if (!this.sliding)
+      this.slider.value = String(value === null ? 0 : NOTCHES * placeOf(this.scale, value));
+    if (document.activeElement !== this.field || this.sliding) {
+      this.field.value = value === null ? "" : fieldText(value);
+      this.field.placeholder = value === null ? "differ" : "";
+    }
+    return this;
+  }
+
+  /** @param {boolean} on */
+  disable(on = true) {
+    this.slider.disabled = this.field.disabled = on;
+    return super.disable(on);
+  }
+}
+
+/** Three numbers, as for gravity and wind. */
+export class VectorController extends Base {
+  /** @param {GUI} parent @param {{value: number[]}} object @param {Parameter} parameter */
+  constructor(parent, object, parameter) {
+    super(parent, object, "value", "vector");
+    this.fields = ["x", "y", "z"].map((axis) =>
+      h("input", {
+        type: "text",
+        inputMode: "decimal",
+        spellcheck: false,
+        autocomplete: "off",
+        "aria-label": `${parameter.label} ${axis} [${parameter.unit}]`,
+        title: axis,
+        onchange: () => this.commit(),
+      }),
+    );
+    this.$widget.append(...this.fields);
+    this.updateDisplay();
+  }
+
+  commit() {
+    const values = this.fields.map((/** @type {HTMLInputElement} */ field) =>
+      readNumber(field.value),
+    );
+    if (values.every(Number.isFinite)) this.setValue(values);
+    else this.updateDisplay();
+  }
+
+  updateDisplay() {
+    const value = this.getValue() ?? ["", "", ""];
+    this.fields.forEach((/** @type {HTMLInputElement} */ field, /** @type {number} */ i) => {
+      if (document.activeElement === field) return;
+      field.value = typeof value[i] === "number" ? fieldText(value[i]) : "";
+    });
+    return this;
+  }
+
+  /** @param {boolean} on */
+  disable(on = true) {
+    for (const field of this.fields) field.disabled = on;
+    return super.disable(on);
+  }
+}

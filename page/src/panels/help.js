@@ -1,0 +1,56 @@
+// The help panel: what mouse, fingers and keys do.
+
+import { dialog, h } from "./dom.js";
+
+const HAND = [
+  ["Drag an anchor (square)", "it follows the hand, in the plane parallel to the screen"],
+  ["Drag the rope", "by a soft spring; its force is shown in newtons"],
+  ["Hold Shift at the end of a drag", "the spring stays; double-click on empty space lets go"],
+  ["Right-click, or a long press", "pin, cut, load, kick, follow"],
+  ["Drag empty space", "turn the view; with Shift or the right button: shift it"],
+  ["Wheel, or two fingers", "zoom"],
+];
+const KEYS = [
+  ["← → ↑ ↓", "move the first anchor at 3 m/s"],
+  ["Home, End", "move it away from you, towards you"],
+  ["A D W S Q E", "the same for the second anchor"],
+  ["J L I K U O", "the same for the third anchor"],
+  ["Space", "play or pause"],
+  [".", "one step"],
+  ["R", "reset to time zero"],
+  ["F", "show everything"],
+  ["G", "graphs"],
+  ["P", "panel of constants"],
+  ["T", "light or dark"],
+  ["H or ?", "this help"],
+];
+
+export class Help {
+  /** @param {HTMLElement} host */
+  constructor(host) {
+    const rows = (/** @type {string[][]} */ list, /** @type {"kbd" | "span"} */ tag) =>
+      h(
+        "dl",
+        {},
+        ...list.flatMap(([what, does]) => [h("dt", {}, h(tag, {}, what)), h("dd", {}, does)]),
+      );
+    this.version = h("p", { className: "faint" });
+    this.window = dialog(
+      "Help",
+      "help",
+      h(
+        "div",
+        { className: "columns" },
+        h("section", {}, h("h3", {}, "Hand"), rows(HAND, "span")),
+        h("section", {}, h("h3", {}, "Keys"), rows(KEYS, "kbd")),
+      ),
+      this.version,
+    );
+    host.append(this.window);
+  }
+
+  open() {
+    if (this.window.open) this.window.close();
+    else this.window.showModal();
+  }
+}

@@ -1,0 +1,111 @@
+// Keeping things: the run, tables, a picture, the scene, a page that replays it, the link.
+
+import { download, popup } from "./dom.js";
+
+/** @typedef {import("../stage.js").Stage} Stage */
+/** @typedef {import("./notices.js").Notices} Notices */
+
+const FILES = /** @type {Record<string, string>} */ ({
+  "nodes.csv": "Table of nodes (CSV)",
+  "energies.csv": "Table of energies (CSV)",
+  "tension.csv": "Table of tension (CSV)",
+  "scene.toml": "Scene (TOML)",
+  "page.html": "Page that replays it (HTML)",
+});
+
+export class Keep {
+  /** @param {Stage} stage @param {HTMLElement} host @param {Notices} notices */
+  constructor(stage, host, notices) {
+    this.stage = stage;
+    this.host = host;
+    this.notices = notices;
+  }
+
+  /** @param {HTMLElement} at the button that opens the menu */
+  open(at) {
+    const { session } = this.stage;
+    const { base } = session.source;
+    const { hello } = session;
+    const items = [
+      {
+        label: "Save the run",
+        id: "keep-save",
+        hint: hello?.folder ?? "",
+        show: session.can("save"),
+        press: () => this.save(),
+      },
+      {
+        label: "Copy the link to this set-up",
+        id: "keep-link",
+        show: session.can("scene"),
+        press: () => this.copyLink(),
+      },
+      { label: "Picture (PNG)", id: "keep-png", show: true, press: () => this.picture() },
+      ...(hello?.exports ?? []).map((name) => ({
+        label: FILES[name] ?? name,
+        id: `keep-${name.replace(".", "-")}`,
+        show: true,
+        press: () => this.file(`${base}export/${name}`, name),
+      })),
+    ];
+    const box = at.getBoundingClientRect();
+    const room = this.host.getBoundingClientRect();
+    popup(
+      this.host,
+      box.right - room.left - 240,
+      box.bottom - room.top + 4,
+      items.filter(({ show }) => show),
+      "Keep",
+    );
+  }
+
+  async save() {
+    await this.stage.session.tell({ type: "save" }); // "saved" says where
+  }
+
+  /** Fetch a file of the server, so that a refusal can be told. @param {string} address
+   * @param {string} name */
+  async file(address, name) {
+    this.notices.say(`Making ${name} …`);
+    try {
+      const answer = await fetch(address);
+      if (!answer.ok)
+        throw new Error(answer.status === 404 ? "it cannot be made here" : await answer.text());
+      const url = URL.createObjectURL(await answer.blob());
+      download(url, name);
+      setTimeout(() => URL.revokeObjectURL(url), 10_000);
+      this.notices.say(`${name} is in your downloads.`);
+    } catch (error) {
+      this.notices.say(`${name}: ${error instanceof Error ? error.message : error}`, "fault");
+    }
+  }
+
+  /** The scene as it is drawn, with twice the pixels where that is possible. */
+  picture() {
+    this.stage.draw(true); // toBlob reads what was drawn in this same task
+    this.stage.renderer.canvas.toBlob((blob) => {
+      if (!blob) return;
+      const url = URL.createObjectURL(blob);
+      download(url, `${fileName(this.stage.session.layout?.scene.name ?? "rope")}.png`);
+      setTimeout(() => URL.revokeObjectURL(url), 10_000);
+    });
+  }
+
+  async copyLink() {
+    const status = this.stage.session.status;
+    const address = `${location.href.split("#")[0]}${status?.address ? `#${status.address}` : ""}`;
+    try {
+      await navigator.clipboard.writeText(address);
+      this.notices.say("The link is copied. It opens this scene with these constants.");
+    } catch {
+      this.notices.say(address); // no clipboard: it can be copied from here
+    }
+  }
+}
+
+/** @param {string} name */
+export const fileName = (name) =>
+  name
+    .toLowerCase()
+    .replace(/[^a-z0-9]+/g, "-")
+    .replace(/^-|-$/g, "") || "rope";

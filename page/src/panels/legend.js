@@ -1,0 +1,127 @@
+// What the colours mean, with the range in units, and what is shown besides the ropes.
+
+import { css, uniformMap } from "../view/colours.js";
+import { figures, quantity } from "../view/range.js";
+import { colourOf } from "../view/copies.js";
+import { h } from "./dom.js";
+
+/** @typedef {import("../stage.js").Stage} Stage */
+/** @typedef {import("../source/gather.js").Colouring} Colouring */
+
+/** The unit for the numbers of a colouring, and what they are multiplied with.
+ * @param {Colouring} colouring @param {number} most @returns {[string, number]} */
+function unitFor(colouring, most) {
+  if (colouring === "strain") return ["%", 100];
+  if (colouring === "speed") return ["m/s", 1];
+  if (most >= 1e7) return ["MN", 1e-6];
+  return most >= 1e4 ? ["kN", 1e-3] : ["N", 1];
+}
+
+export class Legend {
+  /** @param {Stage} stage @param {HTMLElement} host */
+  constructor(stage, host) {
+    this.stage = stage;
+    this.select = h(
+      "select",
+      { id: "colouring", "aria-label": "Colour of the ropes", onchange: () => this.choose() },
+      h("option", { value: "tension" }, "Tension"),
+      h("option", { value: "strain" }, "Strain"),
+      h("option", { value: "speed" }, "Speed"),
+      h("option", { value: "plain" }, "Plain colours"),
+    );
+    this.bar = h("div", { className: "map" });
+    const map = uniformMap();
+    const stops = Array.from({ length: 17 }, (_, i) =>
+      css(map[Math.round((i / 16) * (map.length - 1))]),
+    );
+    this.bar.style.backgroundImage = `linear-gradient(to right, ${stops.join(", ")})`;
+    this.low = h("span", {});
+    this.middle = h("span", {});
+    this.high = h("span", {});
+    this.numbers = h(
+      "div",
+      { className: "numbers", id: "legend-numbers" },
+      this.low,
+      this.middle,
+      this.high,
+    );
+    this.ropes = h("div", { className: "rope-names" });
+    this.arrows = this.check("Forces", "show-forces", true, (on) => (stage.marks.reactions = on));
+    this.dots = this.check("Nodes", "show-nodes", false, (on) => (stage.dots = on));
+    this.grid = h("span", { className: "faint grid-size" });
+    host.append(
+      h(
+        "div",
+        { className: "card legend" },
+        this.select,
+        this.bar,
+        this.numbers,
+        this.ropes,
+        h("div", { className: "row" }, this.arrows, this.dots, this.grid),
+      ),
+    );
+    stage.session.on("layout", () => this.names());
+    stage.afterDraw.push(() => this.refresh());
+  }
+
+  /** @param {string} text @param {string} id @param {boolean} on @param {(on: boolean) => void} change */
+  check(text, id, on, change) {
+    const box = h("input", {
+      type: "checkbox",
+      id,
+      checked: on,
+      onchange: () => {
+        change(box.checked);
+        this.stage.dirty = true;
+      },
+    });
+    return h("label", {}, box, text);
+  }
+
+  choose() {
+    this.stage.setColouring(/** @type {Colouring} */ (this.select.value));
+    this.names();
+  }
+
+  /** The names of ropes or copies in their colours. */
+  names() {
+    const { layout } = this.stage.session;
+    const plain = this.stage.colouring === "plain";
+    this.bar.hidden = this.numbers.hidden = plain;
+    this.ropes.replaceChildren();
+    if (!layout || !plain) return;
+    const many = layout.variants.length > 1;
+    const entries = many
+      ? layout.variants.map((variant, v) => ({
+          name: variant.label,
+          colour: colourOf(layout, v, 0),
+        }))
+      : layout.variants[0].ropes.map((rope, r) => ({
+          name: rope.name,
+          colour: colourOf(layout, 0, r),
+        }));
+    for (const { name, colour } of entries.slice(0, 6)) {
+      const dot = h("i", {});
+      dot.style.background = css(colour);
+      this.ropes.append(h("span", {}, dot, name));
+    }
+    if (entries.length > 6)
+      this.ropes.append(h("span", { className: "faint" }, `and ${entries.length - 6} more`));
+  }
+
+  refresh() {
+    const { range, colouring } = this.stage;
+    const { low, high } = range;
+    const [unit, scale] = unitFor(colouring, Math.max(Math.abs(low), Math.abs(high)));
+    const text = (/** @type {number} */ value) => figures(Number((value * scale).toPrecision(2)));
+    write(this.low, text(low));
+    write(this.middle, text((low + high) / 2));
+    write(this.high, `${text(high)} ${unit}`);
+    write(this.grid, `Grid ${quantity(this.stage.spacing, "m")}`);
+  }
+}
+
+/** @param {HTMLElement} element @param {string} text */
+function write(element, text) {
+  if (element.textContent !== text) element.textContent = text;
+}

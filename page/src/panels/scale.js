@@ -1,0 +1,33 @@
+// From a slider's place (0 to 1) to a value and back, evenly or by powers of ten.
+
+/** @typedef {{low: number, high: number, scale: "linear" | "log", whole: boolean}} Scale */
+
+/** @param {Scale} scale @param {number} place @returns {number} */
+export function valueAt(scale, place) {
+  const { low, high } = scale;
+  const log = scale.scale === "log" && low > 0;
+  const value = log ? low * (high / low) ** place : low + place * (high - low);
+  if (scale.whole) return Math.round(value);
+  return Number(value.toPrecision(3)); // what a slider can mean
+}
+
+/** @param {Scale} scale @param {number} value @returns {number} */
+export function placeOf(scale, value) {
+  const { low, high } = scale;
+  const log = scale.scale === "log" && low > 0;
+  const place = log
+    ? Math.log(Math.max(value, low) / low) / Math.log(high / low)
+    : (value - low) / (high - low);
+  return Math.min(1, Math.max(0, Number.isFinite(place) ? place : 0));
+}
+
+/** A number as people type it. @param {string} text @returns {number} NaN if it is none */
+export function readNumber(text) {
+  const clean = text.trim().replace(",", ".").replace("−", "-");
+  return clean === "" ? NaN : Number(clean);
+}
+
+/** A number as it stands in a field: all its figures, no noise. @param {number} value */
+export function fieldText(value) {
+  return String(Number(value.toPrecision(6)));
+}

@@ -1,0 +1,164 @@
+// What the hand does to a rope: the tools at the side and the menu at the pointer.
+
+import { figures } from "../view/range.js";
+import { times } from "../view/vector.js";
+import { button, h, popup } from "./dom.js";
+import { readNumber } from "./scale.js";
+
+/** @typedef {import("../stage.js").Stage} Stage */
+/** @typedef {import("../input/pointer.js").Pointer} Pointer */
+/** @typedef {import("../input/pointer.js").Tool} Tool */
+/** @typedef {import("../input/pick.js").Hit} Hit */
+
+const TOOLS =
+  /** @type {[Tool, "hand" | "pin" | "cut" | "load" | "kick" | "follow", string, string][]} */ ([
+    ["hand", "hand", "Hand: drag anchors and ropes", ""],
+    ["pin", "pin", "Pin: hold a node where it is, or let it go again", "pin"],
+    ["cut", "cut", "Cut a segment", "cut"],
+    ["load", "load", "Hang a load on a node", "load"],
+    ["kick", "kick", "Kick: draw the velocity from a node", "kick"],
+    ["follow", "follow", "Follow a node: its trail and its graphs", ""],
+  ]);
+
+export class Tools {
+  /** @param {Stage} stage @param {HTMLElement} host @param {(node: number) => void} follow */
+  constructor(stage, host, follow) {
+    this.stage = stage;
+    this.host = host;
+    this.follow = follow;
+    /** @type {Pointer | null} */ this.pointer = null;
+    this.mass = 1;
+    /** @type {Map<Tool, HTMLButtonElement>} */ this.buttons = new Map();
+    this.bar = h("div", { className: "toolbar", role: "toolbar", "aria-label": "Tools" });
+    for (const [tool, name, title] of TOOLS) {
+      const one = button(name, title, () => this.choose(tool), { id: `tool-${tool}` });
+      this.buttons.set(tool, one);
+      this.bar.append(one);
+    }
+    this.massField = h("input", {
+      type: "text",
+      inputMode: "decimal",
+      value: "1",
+      id: "load-mass",
+      "aria-label": "Mass to hang [kg]",
+      onchange: () => {
+        const mass = readNumber(this.massField.value);
+        if (mass >= 0) this.mass = mass;
+        this.massField.value = String(this.mass);
+      },
+    });
+    this.massBox = h("label", { className: "mass", hidden: true }, this.massField, "kg");
+    this.bar.append(this.massBox);
+    host.append(this.bar);
+    stage.session.on("hello", () => this.refresh());
+    this.refresh();
+  }
+
+  refresh() {
+    for (const [tool, , , command] of TOOLS) {
+      const one = this.buttons.get(tool);
+      if (one) one.hidden = command !== "" && !this.stage.session.can(command);
+    }
+    this.choose(this.pointer?.tool ?? "hand");
+  }
+
+  /** @param {Tool} tool */
+  choose(tool) {
+    if (this.pointer) this.pointer.tool = tool;
+    for (const [name, one] of this.buttons) one.setAttribute("aria-pressed", String(name === tool));
+    this.massBox.hidden = tool !== "load";
+    this.host.dataset.tool = tool;
+  }
+
+  /** Use a tool on what was pressed. @param {Tool} tool @param {Hit} hit */
+  use(tool, hit) {
+    const { session } = this.stage;
+    if (tool === "pin") {
+      if (hit.kind === "anchor") session.tell({ type: "unpin", anchor: hit.anchor });
+      else session.tell({ type: "pin", node: hit.node });
+    } else if (tool === "cut") session.tell({ type: "cut", segment: hit.segment });
+    else if (tool === "load") session.tell({ type: "load", node: hit.node, mass: this.mass });
+    else if (tool === "follow") this.follow(hit.node);
+  }
+
+  /** The menu of a node or anchor, or of empty space. @param {Hit | null} hit @param {number} x
+   * @param {number} y */
+  menu(hit, x, y) {
+    const { session, marks } = this.stage;
+    if (!hit) {
+      popup(this.host, x, y, [
+        { label: "Show everything", press: () => this.stage.fit() },
+        {
+          label: "Let go of everything",
+          press: () => session.send({ type: "let_go" }),
+          disabled: !session.can("let_go"),
+        },
+      ]);
+      return;
+    }
+    const { node } = hit;
+    const loads = session.layout?.variants[0].loads.filter((load) => load.index === node) ?? [];
+    const hung = loads.reduce((sum, load) => sum + load.mass, 0);
+    const up = this.stage.camera.up;
+    const items = [
+      hit.kind === "anchor"
+        ? {
+            label: "Let this node go",
+            command: "unpin",
+            press: () => session.tell({ type: "unpin", anchor: hit.anchor }),
+          }
+        : {
+            label: "Pin it here",
+            command: "pin",
+            press: () => session.tell({ type: "pin", node }),
+          },
+      {
+        label: "Cut here",
+        command: "cut",
+        press: () => session.tell({ type: "cut", segment: hit.segment }),
+      },
+      ...[1, 10].map((mass) => ({
+        label: `Hang ${mass} kg here`,
+        command: "load",
+        press: () => session.tell({ type: "load", node, mass }),
+      })),
+      ...(hung > 0
+        ? [
+            {
+              label: `Take the load off (${figures(hung)} kg)`,
+              command: "load",
+              press: () => session.tell({ type: "load", node, mass: 0 }),
+            },
+          ]
+        : []),
+      {
+        label: "Kick it up (5 m/s)",
+        command: "kick",
+        press: () => session.tell({ type: "kick", node, velocity: times(up, 5) }),
+      },
+    ];
+    const allowed = items.filter((item) => session.can(item.command));
+    const followed = marks.followed.has(node);
+    popup(
+      this.host,
+      x,
+      y,
+      [
+        ...allowed,
+        {
+          label: followed ? "Stop following" : "Follow: trail and graphs",
+          press: () => this.follow(node),
+        },
+      ],
+      hit.kind === "anchor" ? `Anchor ${hit.anchor}` : this.nodeName(hit),
+    );
+  }
+
+  /** @param {Hit} hit */
+  nodeName(hit) {
+    const ropes = this.stage.session.layout?.variants[hit.variant].ropes ?? [];
+    const rope = ropes.find(({ first, nodes }) => hit.node >= first && hit.node < first + nodes);
+    if (!rope) return `Node ${hit.node}`;
+    return `Node ${hit.node - rope.zero}${ropes.length > 1 ? ` of ${rope.name}` : ""}`;
+  }
+}

@@ -1,0 +1,222 @@
+// Draws with Canvas 2D where there is no WebGL: the same camera, colours in a few batches.
+
+import { css, uniformMap } from "../../view/colours.js";
+import { TRAIL_POINTS } from "../trails.js";
+import { drawFloor, drawGrid } from "./floor.js";
+import { drawArrow, drawMarker } from "./marks.js";
+
+/** @typedef {import("../view.js").Renderer} Renderer */
+/** @typedef {import("../view.js").View} View */
+/** @typedef {import("../view.js").Theme} Theme */
+/** @typedef {import("../view.js").Shape} Shape */
+/** @typedef {import("../view.js").RopeSpan} RopeSpan */
+
+const BATCHES = 32;
+const TRAIL_BATCHES = 6;
+
+/** @implements {Renderer} */
+export class CanvasRenderer {
+  /** @param {HTMLCanvasElement} canvas */
+  constructor(canvas) {
+    const context = canvas.getContext("2d", { alpha: false });
+    if (!context) throw new Error("no canvas to draw on");
+    /** @type {"canvas"} */
+    this.name = "canvas";
+    this.canvas = canvas;
+    this.context = context;
+    const map = uniformMap();
+    this.colours = Array.from({ length: BATCHES }, (_, i) =>
+      css(map[Math.round((i / (BATCHES - 1)) * (map.length - 1))]),
+    );
+    /** @type {Shape} */
+    this.shape = { nodes: 0, ropes: [] };
+    this.seen = new Float32Array(0); // x, y [CSS pixels], depth [m] of each node
+    this.batch = new Uint8Array(0);
+    this.ratio = 1;
+    /** @type {Theme | null} */
+    this.theme = null;
+  }
+
+  /** @param {Shape} shape */
+  setShape(shape) {
+    this.shape = shape;
+    this.seen = new Float32Array(3 * shape.nodes);
+    this.batch = new Uint8Array(shape.nodes);
+  }
+
+  /** @param {Theme} theme */
+  setTheme(theme) {
+    this.theme = theme;
+  }
+
+  /** @param {number} width @param {number} height @param {number} ratio */
+  resize(width, height, ratio) {
+    this.canvas.width = Math.round(width * ratio);
+    this.canvas.height = Math.round(height * ratio);
+    this.ratio = ratio;
+  }
+
+  /** @param {View} view */
+  draw(view) {
+    const { context, theme } = this;
+    if (!theme) return;
+    context.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
+    context.fillStyle = css(theme.background);
+    context.fillRect(0, 0, view.camera.width, view.camera.height);
+    context.lineJoin = "round";
+    context.lineCap = "round";
+    if (view.ground) {
+      if (view.ground.solid) drawFloor(context, view.camera, view.ground, theme);
+      drawGrid(context, view.camera, view.ground, theme);
+      this.project(view, view.ground.height);
+      context.strokeStyle = css(theme.shadow, theme.dark ? 0.5 : 0.16);
+      for (const rope of this.shape.ropes) {
+        context.lineWidth = this.width(rope, view) * 1.2;
+        context.beginPath();
+        this.path(rope);
+        context.stroke();
+      }
+    }
+    this.project(view, null);
+    if (view.trails && !view.trails.empty) this.trails(view);
+    this.ropes(view);
+    if (view.dots) this.dots(theme);
+    for (const marker of view.markers) drawMarker(context, view.camera, marker);
+    for (const arrow of view.arrows) drawArrow(context, view.camera, arrow);
+  }
+
+  /** Places on the screen, or those of the shadows. @param {View} view @param {number | null} ground */
+  project(view, ground) {
+    const { seen } = this;
+    const { camera, nodes } = view;
+    const v = camera.view;
+    const [ux, uy, uz] = camera.up;
+    const [left, top, focal] = [camera.width / 2, camera.height / 2, camera.focal];
+    for (let i = 0; i < this.shape.nodes; i++) {
+      let [x, y, z] = [nodes[4 * i], nodes[4 * i + 1], nodes[4 * i + 2]];
+      if (ground !== null) {
+        const height = x * ux + y * uy + z * uz - ground;
+        x -= height * ux;
+        y -= height * uy;
+        z -= height * uz;
+      }
+      const depth = -(v[2] * x + v[6] * y + v[10] * z + v[14]);
+      const scale = focal / Math.max(depth, 1e-9);
+      seen[3 * i] = left + (v[0] * x + v[4] * y + v[8] * z + v[12]) * scale;
+      seen[3 * i + 1] = top - (v[1] * x + v[5] * y + v[9] * z + v[13]) * scale;
+      seen[3 * i + 2] = depth;
+    }
+  }
+
+  /** @param {RopeSpan} rope @param {View} view */
+  width(rope, view) {
+    const depth = Math.max(1e-9, this.seen[3 * (rope.first + (rope.count >> 1)) + 2]);
+    return Math.max(view.pixels, (2 * rope.radius * view.camera.focal) / depth);
+  }
+
+  /** The whole rope as one path. @param {RopeSpan} rope */
+  path(rope) {
+    const { context, seen } = this;
+    let drawing = false;
+    for (let i = rope.first; i < rope.first + rope.count; i++) {
+      const behind = seen[3 * i + 2] <= 0;
+      if (drawing && !behind) context.lineTo(seen[3 * i], seen[3 * i + 1]);
+      else context.moveTo(seen[3 * i], seen[3 * i + 1]);
+      drawing = !behind;
+    }
+  }
+
+  /** @param {View} view */
+  ropes(view) {
+    const { context } = this;
+    const theme = /** @type {Theme} */ (this.theme);
+    for (const rope of this.shape.ropes) {
+      const width = this.width(rope, view);
+      if (view.plain) {
+        context.lineWidth = width;
+        context.strokeStyle = css(rope.colour);
+        context.beginPath();
+        this.path(rope);
+        context.stroke();
+        continue;
+      }
+      this.coloured(rope, view, width);
+      if (width > 6) {
+        // a light line along the middle makes it round
+        context.lineWidth = width * 0.25;
+        context.strokeStyle = theme.dark ? "rgba(255, 255, 255, 0.18)" : "rgba(255, 255, 255, 0.3)";
+        context.beginPath();
+        this.path(rope);
+        context.stroke();
+      }
+    }
+  }
+
+  /** Segments of one shade in one path each. @param {RopeSpan} rope @param {View} view
+   * @param {number} width */
+  coloured(rope, view, width) {
+    const { context, seen, batch } = this;
+    const { low, high } = view.range;
+    const scale = BATCHES / Math.max(high - low, 1e-30);
+    const last = rope.first + rope.count - 1;
+    for (let i = rope.first; i < last; i++) {
+      const value = 0.5 * (view.nodes[4 * i + 3] + view.nodes[4 * i + 7]);
+      batch[i] = Math.min(BATCHES - 1, Math.max(0, Math.floor((value - low) * scale)));
+    }
+    context.lineWidth = width;
+    for (let shade = 0; shade < BATCHES; shade++) {
+      let joined = false;
+      let used = false;
+      for (let i = rope.first; i < last; i++) {
+        const shown = batch[i] === shade;
+        if (!shown || seen[3 * i + 2] <= 0 || seen[3 * i + 5] <= 0) {
+          joined = false;
+          continue;
+        }
+        if (!used) context.beginPath();
+        if (!joined) context.moveTo(seen[3 * i], seen[3 * i + 1]);
+        context.lineTo(seen[3 * i + 3], seen[3 * i + 4]);
+        joined = used = true;
+      }
+      if (!used) continue;
+      context.strokeStyle = this.colours[shade];
+      context.stroke();
+    }
+  }
+
+  /** @param {Theme} theme */
+  dots(theme) {
+    const { context, seen } = this;
+    context.fillStyle = css(theme.node);
+    context.beginPath();
+    for (let i = 0; i < this.shape.nodes; i++) {
+      if (seen[3 * i + 2] <= 0) continue;
+      context.moveTo(seen[3 * i] + 2.2, seen[3 * i + 1]);
+      context.arc(seen[3 * i], seen[3 * i + 1], 2.2, 0, 2 * Math.PI);
+    }
+    context.fill();
+  }
+
+  /** @param {View} view */
+  trails(view) {
+    const trails = /** @type {import("../trails.js").Trails} */ (view.trails);
+    const { context } = this;
+    context.lineWidth = 2.5;
+    const each = TRAIL_POINTS / TRAIL_BATCHES;
+    trails.nodes.forEach((_, row) => {
+      for (let batch = 0; batch < TRAIL_BATCHES; batch++) {
+        context.strokeStyle = css(trails.colours[row], 0.7 * ((batch + 1) / TRAIL_BATCHES) ** 2);
+        context.beginPath();
+        for (let k = batch * each; k <= Math.min((batch + 1) * each, TRAIL_POINTS - 1); k++) {
+          const at = 4 * (row * TRAIL_POINTS + ((trails.head + k) % TRAIL_POINTS));
+          const p = trails.points;
+          const [x, y, depth] = view.camera.project(p[at], p[at + 1], p[at + 2]);
+          if (depth > 0) context.lineTo(x, y);
+        }
+        context.stroke();
+      }
+    });
+  }
+
+  dispose() {}
+}

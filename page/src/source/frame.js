@@ -1,0 +1,74 @@
+// Frames: typed arrays over the bytes of a message, as the layout says; nothing is copied.
+
+/** @typedef {import("./protocol.js").Layout} Layout */
+/** @typedef {import("./protocol.js").Variant} Variant */
+
+export const MAGIC = 0x46505752;
+export const PLAYING = 1;
+export const BROKEN = 2;
+export const SLOW = 4;
+export const GRABBED = 8;
+export const AT_END = 16;
+
+/** @typedef {{scalars: Float32Array, positions: Float32Array, tension: Uint16Array, speed: Uint16Array,
+ *   anchors: Float32Array, grabs: Float32Array}} Part the numbers of one variant */
+/** @typedef {{layout: number, number: number, flags: number, time: number, steps: number, realtime: number,
+ *   speed: number, load: number, parts: Part[]}} Frame */
+
+/** The number of the layout a frame is written in. @param {ArrayBuffer} buffer */
+export const layoutOf = (buffer) => new DataView(buffer).getUint32(4, true);
+
+/** The number of a frame. @param {ArrayBuffer} buffer */
+export const numberOf = (buffer) => new DataView(buffer).getUint32(8, true);
+
+/** @param {ArrayBuffer} buffer @param {Layout} layout @returns {Frame}
+ * @throws {Error} for bytes that are no frame of this layout */
+export function readFrame(buffer, layout) {
+  const head = new DataView(buffer);
+  if (head.byteLength < 48 || head.getUint32(0, true) !== MAGIC) throw new Error("not a frame");
+  if (head.getUint32(4, true) !== layout.layout) throw new Error("a frame of another layout");
+  if (buffer.byteLength < layout.bytes) throw new Error("a frame cut short");
+  return {
+    layout: layout.layout,
+    number: head.getUint32(8, true),
+    flags: head.getUint32(12, true),
+    time: head.getFloat64(16, true),
+    steps: head.getFloat64(24, true),
+    realtime: head.getFloat32(32, true),
+    speed: head.getFloat32(36, true),
+    load: head.getFloat32(40, true),
+    parts: layout.variants.map((variant, i) => readPart(buffer, layout, variant, i)),
+  };
+}
+
+/** @param {ArrayBuffer} buffer @param {Layout} layout @param {Variant} variant @param {number} i
+ * @returns {Part} */
+function readPart(buffer, layout, variant, i) {
+  const { offsets, nodes, anchors } = variant;
+  const end = layout.variants[i + 1]?.offsets.scalars ?? layout.bytes;
+  return {
+    scalars: new Float32Array(buffer, offsets.scalars, layout.scalars.length),
+    positions: new Float32Array(buffer, offsets.positions, 3 * nodes),
+    tension: new Uint16Array(buffer, offsets.tension, nodes),
+    speed: new Uint16Array(buffer, offsets.speed, nodes),
+    anchors: new Float32Array(buffer, offsets.anchors, 10 * anchors.length),
+    grabs: new Float32Array(buffer, offsets.grabs, 8 * Math.floor((end - offsets.grabs) / 32)),
+  };
+}
+
+/** The index of a scalar in the layout's list, or -1. @param {Layout} layout @param {string} name */
+export const scalarAt = (layout, name) => layout.scalars.indexOf(name);
+
+/** One scalar of a variant, NaN if there is none. @param {Layout} layout @param {Part} part
+ * @param {string} name */
+export function scalar(layout, part, name) {
+  const at = layout.scalars.indexOf(name);
+  return at < 0 ? NaN : part.scalars[at];
+}
+
+/** Tension of segment `j` [N]. @param {Layout} layout @param {Part} part @param {number} j */
+export function tensionOf(layout, part, j) {
+  const low = scalar(layout, part, "tension_low");
+  const high = scalar(layout, part, "tension_high");
+  return low + (part.tension[j] / 65535) * (high - low);
+}

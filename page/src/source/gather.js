@@ -1,0 +1,49 @@
+// Puts a frame's places and the numbers behind the colours into the array that is drawn.
+
+import { scalar } from "./frame.js";
+
+/** @typedef {import("./protocol.js").Layout} Layout */
+/** @typedef {import("./frame.js").Frame} Frame */
+/** @typedef {"tension" | "strain" | "speed" | "plain"} Colouring */
+
+/** Write x, y, z, value of all nodes of all variants; returns the extremes of the values.
+ * @param {Frame} frame @param {Layout} layout @param {Colouring} colouring
+ * @param {number[][]} shifts [m] of each variant @param {Float32Array} out
+ * @returns {{low: number, high: number}} */
+export function gather(frame, layout, colouring, shifts, out) {
+  let at = 0;
+  let [lowest, highest] = [Infinity, -Infinity];
+  layout.variants.forEach((variant, v) => {
+    const part = frame.parts[v];
+    const [sx, sy, sz] = shifts[v];
+    const { positions } = part;
+    for (let i = 0, p = 0, q = at; i < variant.nodes; i++, p += 3, q += 4) {
+      out[q] = positions[p] + sx;
+      out[q + 1] = positions[p + 1] + sy;
+      out[q + 2] = positions[p + 2] + sz;
+    }
+    if (colouring === "speed") {
+      const high = scalar(layout, part, "speed_high");
+      for (let i = 0; i < variant.nodes; i++) out[at + 4 * i + 3] = (part.speed[i] / 65535) * high;
+      lowest = 0;
+      highest = Math.max(highest, high);
+    } else if (colouring !== "plain") {
+      const low = scalar(layout, part, "tension_low");
+      const step = (scalar(layout, part, "tension_high") - low) / 65535;
+      for (const rope of variant.ropes) {
+        const per = colouring === "strain" ? 1 / rope.EA : 1;
+        const last = rope.first + rope.nodes - 1;
+        for (let i = rope.first; i <= last; i++) {
+          const before = part.tension[Math.max(rope.first, i - 1)];
+          const after = part.tension[Math.min(last - 1, i)];
+          const value = (low + step * 0.5 * (before + after)) * per;
+          out[at + 4 * i + 3] = value;
+          if (value < lowest) lowest = value;
+          if (value > highest) highest = value;
+        }
+      }
+    }
+    at += 4 * variant.nodes;
+  });
+  return { low: lowest, high: highest };
+}

@@ -1,0 +1,56 @@
+// The messages of the live view, as docs/reference/live-protocol.md describes them. Types only.
+
+/** @typedef {{name: string, first: number, nodes: number, zero: number, segments: number, length: number,
+ *   EA: number, diameter: number, mass: number, color: number}} Rope */
+/** @typedef {{name: string, rope: string, node: number, index: number, motion: string,
+ *   pinned: boolean}} Anchor */
+/** @typedef {{rope: string, node: number, index: number, mass: number}} Load */
+/** @typedef {{scalars: number, positions: number, tension: number, speed: number, anchors: number,
+ *   grabs: number}} Offsets */
+/** @typedef {{label: string, method: string, changes: Record<string, any>, nodes: number, ropes: Rope[],
+ *   anchors: Anchor[], loads: Load[], offsets: Offsets}} Variant */
+
+/** @typedef {{type: "hello", protocol: number, ropewalk: string, client: number,
+ *   mode: "live" | "replay" | "program", can: string[], limits: Record<string, number>, title: string,
+ *   folder: string | null, address: string, speeds: [number, number], grabs: number,
+ *   exports: string[]}} Hello */
+/** @typedef {{type: "layout", layout: number, bytes: number,
+ *   scene: {name: string, description: string, preset: string | null}, up: number[], gravity: number[],
+ *   ground: {height: number} | null, view: {center: number[], radius: number}, scalars: string[],
+ *   variants: Variant[]}} Layout */
+/** @typedef {{name: string, label: string, group: string, unit: string,
+ *   kind: "number" | "whole" | "vector" | "choice" | "flag", value: any, default: any,
+ *   low: number, high: number, scale: "linear" | "log", minimum: number, maximum: number,
+ *   choices?: {value: any, label: string}[], values?: Record<string, any>, enabled: boolean, why: string,
+ *   help: string}} Parameter */
+/** @typedef {{name: string, title: string, sentence: string, picture: string}} Preset */
+/** @typedef {{type: "status", playing: boolean, speed: number, realtime: number, slow: boolean, text: string,
+ *   time: number, step: number, dt: number, steps_per_frame: number, method: string, broken: boolean,
+ *   clients: number, address: string, duration: number | null}} Status */
+/** @typedef {{stable: boolean, breaks: boolean, zone: "green" | "amber" | "red", ratio: number | null,
+ *   step: number, bound: number | null, meter: number | null, meter_limit: number | null,
+ *   meter_name: string | null,
+ *   largest_spring_constant: number | null, largest_axial_stiffness: number | null,
+ *   spring_factor: number | null, case: string, rope: string, node: number, method: string, verdict: string,
+ *   remedies: string[], steps: Record<string, number>}} Stability */
+/** @typedef {{id: string, label: string, enabled: boolean, why: string, value?: any}} Remedy */
+/** @typedef {{type: "broken", variant: number, time: number, step: number, rope: string, node: number,
+ *   index: number, text: string, sign: string, remedies: Remedy[]}} Broken */
+/** @typedef {{type: "error", id?: number, command?: string, text: string,
+ *   faults?: {path: string, value: any, rule: string, low: number | null, high: number | null}[]}} Fault */
+/** @typedef {{type: "done", id: number, command: string, step: number, frame: number}} Done */
+
+/** Where frames and messages come from and commands go to: the socket, or a run inside the page.
+ * @typedef {Object} Source
+ * @property {(events: SourceEvents) => void} open begin; events come from now on, none before
+ * @property {(command: Record<string, any>) => void} send
+ * @property {(frame: number) => void} used the page has used this frame
+ * @property {string} base address of the server's files, "./", or "" where there are none
+ */
+/** @typedef {Object} SourceEvents
+ * @property {(message: any) => void} message a JSON message of the server
+ * @property {(frame: ArrayBuffer) => void} frame
+ * @property {(state: "open" | "lost" | "full" | "ended", text: string) => void} state of the connection
+ */
+
+export {};

@@ -1,0 +1,68 @@
+// The live source: a WebSocket to the server, found again after it was lost.
+
+/** @typedef {import("./protocol.js").Source} Source */
+/** @typedef {import("./protocol.js").SourceEvents} SourceEvents */
+
+const WAITS = [500, 1000, 2000]; // ms, the last one again and again
+const FULL = 4503;
+
+/** @implements {Source} */
+export class SocketSource {
+  constructor() {
+    this.base = "./";
+    /** @type {WebSocket | null} */
+    this.socket = null;
+    this.tries = 0;
+    this.ending = "";
+    /** @type {SourceEvents | null} */
+    this.events = null;
+  }
+
+  /** @param {SourceEvents} events */
+  open(events) {
+    this.events = events;
+    this.connect();
+  }
+
+  connect() {
+    const events = /** @type {SourceEvents} */ (this.events);
+    const address = new URL("socket", location.href.split(/[?#]/)[0]);
+    address.protocol = address.protocol.replace("http", "ws");
+    const socket = new WebSocket(address, "ropewalk.1");
+    socket.binaryType = "arraybuffer";
+    this.socket = socket;
+    socket.onopen = () => events.state("open", "");
+    socket.onmessage = ({ data }) => {
+      if (typeof data !== "string") {
+        events.frame(data);
+        return;
+      }
+      const message = JSON.parse(data);
+      if (message.type === "hello") [this.tries, this.ending] = [0, ""];
+      if (message.type === "bye") this.ending = message.text;
+      events.message(message);
+    };
+    socket.onclose = ({ code, reason }) => {
+      if (this.socket !== socket) return;
+      const wait = this.ending ? WAITS[2] : WAITS[Math.min(this.tries++, WAITS.length - 1)];
+      if (code === 1000 || code === 1001) this.ending ||= "The server has ended.";
+      if (code === FULL) events.state("full", reason || "As many pages as allowed are open.");
+      else if (this.ending)
+        events.state("ended", this.ending); // also while it is looked for again
+      else if (code === 4400 || code === 4429 || code === 1009) {
+        events.state("lost", `The server closed the connection: ${reason || code}.`);
+      } else events.state("lost", "The connection to the server is lost; the run goes on there.");
+      setTimeout(() => this.connect(), wait);
+    };
+  }
+
+  /** @param {Record<string, any>} command */
+  send(command) {
+    if (this.socket?.readyState === WebSocket.OPEN) this.socket.send(JSON.stringify(command));
+  }
+
+  /** @param {number} frame */
+  used(frame) {
+    this.send({ type: "ack", frame });
+  }
+}

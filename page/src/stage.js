@@ -1,0 +1,235 @@
+// The stage: takes frames, moves smoothly between them and draws when something has changed.
+
+import { Blend } from "./view/blend.js";
+import { Camera } from "./view/camera.js";
+import { Flight } from "./view/flight.js";
+import { Range } from "./view/range.js";
+import { nodesOf, shapeOf, shiftsOf, starts } from "./view/copies.js";
+import { boxOf, firstLook, groundOf } from "./view/room.js";
+import { readTheme } from "./view/theme.js";
+import { dot } from "./view/vector.js";
+import { textureSize } from "./render/webgl/texture_size.js";
+import { PLAYING } from "./source/frame.js";
+import { gather } from "./source/gather.js";
+import { Marks } from "./marks.js";
+
+/** @typedef {import("./session.js").Session} Session */
+/** @typedef {import("./source/protocol.js").Layout} Layout */
+/** @typedef {import("./source/frame.js").Frame} Frame */
+/** @typedef {import("./source/gather.js").Colouring} Colouring */
+/** @typedef {import("./render/view.js").Renderer} Renderer */
+/** @typedef {import("./render/view.js").Theme} Theme */
+/** @typedef {import("./view/camera.js").Pose} Pose */
+
+export class Stage {
+  /** @param {Session} session @param {Renderer} renderer */
+  constructor(session, renderer) {
+    this.session = session;
+    this.renderer = renderer;
+    this.camera = new Camera();
+    this.nodes = new Blend(4);
+    this.anchors = new Blend(0);
+    this.range = new Range();
+    /** @type {Colouring} */
+    this.colouring = "tension";
+    this.dots = false;
+    this.apart = false;
+    /** @type {number[][]} */ this.shifts = [[0, 0, 0]];
+    /** @type {number[]} */ this.starts = [0];
+    /** @type {Theme} */ this.theme = readTheme();
+    this.marks = new Marks(this);
+    this.dirty = true;
+    this.drawn = 0;
+    this.spacing = 1; // of the grid's lines [m]
+    this.floor = 0; // height of the grid where there is no ground
+    /** @type {Flight | null} */ this.flight = null;
+    this.lookPending = true;
+    this.layoutNumber = -1;
+    this.sceneKey = "";
+    this.lastTime = -Infinity;
+    this.lastPush = 0;
+    this.cameraVersion = -1;
+    /** @type {(() => void)[]} */ this.afterDraw = [];
+    session.on("layout", (layout) => this.takeLayout(layout));
+    session.on("frame", (frame) => this.takeFrame(frame));
+    session.on("broken", () => (this.range.fresh = true)); // what broke must not rule the colours
+    renderer.setTheme(this.theme);
+    const tick = (/** @type {number} */ now) => {
+      this.tick(now);
+      requestAnimationFrame(tick);
+    };
+    requestAnimationFrame(tick);
+  }
+
+  /** @param {Layout} layout */
+  takeLayout(layout) {
+    this.dirty = true;
+    if (layout.layout === this.layoutNumber) return; // only values in it are new
+    this.layoutNumber = layout.layout;
+    this.starts = starts(layout);
+    const count = nodesOf(layout);
+    const [width, height] = textureSize(count);
+    this.nodes = new Blend(4 * width * height);
+    this.anchors = new Blend(
+      3 * layout.variants.reduce((sum, { anchors }) => sum + anchors.length, 0),
+    );
+    this.camera.setUp(layout.up);
+    this.renderer.setShape(shapeOf(layout));
+    this.marks.setLayout(layout);
+    const key = `${layout.scene.name} ${layout.scene.preset} ${layout.variants.length > 1 && this.apart}`;
+    if (key !== this.sceneKey) {
+      this.sceneKey = key;
+      this.lookPending = true;
+      this.range.fresh = true;
+    }
+    this.shift(layout);
+  }
+
+  /** @param {Layout} layout */
+  shift(layout) {
+    const direction = this.lookPending ? this.camera.first : this.camera.right;
+    this.shifts = shiftsOf(layout, this.apart, direction, 2.1 * layout.view.radius);
+  }
+
+  /** @param {boolean} apart copies side by side */
+  setApart(apart) {
+    this.apart = apart;
+    const { layout, frame } = this.session;
+    if (!layout) return;
+    this.shift(layout);
+    this.lookPending = true;
+    if (frame) this.takeFrame(frame, true);
+  }
+
+  /** @param {Frame} frame @param {boolean} [again] the same one once more */
+  takeFrame(frame, again = false) {
+    const layout = /** @type {Layout} */ (this.session.layout);
+    const now = performance.now();
+    const jump = again || frame.time < this.lastTime || !(frame.flags & PLAYING);
+    if (frame.time < this.lastTime) this.marks.trails?.clear();
+    this.lastTime = frame.time;
+    const extremes = gather(frame, layout, this.colouring, this.shifts, this.nodes.next(now, jump));
+    this.range.follow(extremes.low, extremes.high, Math.min(0.2, (now - this.lastPush) / 1000));
+    this.lastPush = now;
+    this.gatherAnchors(frame, this.anchors.next(now, jump));
+    if (this.lookPending) this.look(layout);
+    if (this.marks.trails) this.marks.trails.push(this.nodes.to);
+    this.dirty = true;
+  }
+
+  /** @param {Frame} frame @param {Float32Array} out */
+  gatherAnchors(frame, out) {
+    let at = 0;
+    frame.parts.forEach((part, v) => {
+      for (let i = 0; i < part.anchors.length; i += 10) {
+        for (let k = 0; k < 3; k++) out[at++] = part.anchors[i + k] + this.shifts[v][k];
+      }
+    });
+  }
+
+  /** The first look at a scene. @param {Layout} layout */
+  look(layout) {
+    this.lookPending = false;
+    const count = nodesOf(layout);
+    const box = boxOf(this.nodes.to, count);
+    this.camera.set(firstLook(this.camera, layout, box));
+    const lowest = Math.min(...[box.low, box.high].map((corner) => dot(corner, this.camera.up)));
+    const bottom = dot(layout.view.center, this.camera.up) - layout.view.radius;
+    this.floor = Math.min(lowest, bottom);
+    this.flight = null;
+  }
+
+  /** Show all ropes, from here or from other angles.
+   * @param {{azimuth?: number, elevation?: number}} [from] */
+  fit(from = {}) {
+    const { layout } = this.session;
+    if (!layout) return;
+    const box = boxOf(this.nodes.shown, nodesOf(layout));
+    const margin = 0.06 * layout.view.radius;
+    for (let k = 0; k < 3; k++) {
+      box.low[k] -= margin;
+      box.high[k] += margin;
+    }
+    this.fly(this.camera.fitted(box, from));
+  }
+
+  /** @param {Pose} pose */
+  fly(pose) {
+    if (matchMedia("(prefers-reduced-motion: reduce)").matches) this.camera.set(pose);
+    else this.flight = new Flight(this.camera.pose, pose, performance.now());
+  }
+
+  /** @param {Colouring} colouring */
+  setColouring(colouring) {
+    this.colouring = colouring;
+    this.range = new Range();
+    if (this.session.frame) this.takeFrame(this.session.frame, true);
+  }
+
+  /** Read the style sheet's colours again after the theme was changed. */
+  setTheme() {
+    this.theme = readTheme();
+    this.renderer.setTheme(this.theme);
+    this.dirty = true;
+  }
+
+  /** @param {number} width @param {number} height CSS pixels */
+  resize(width, height) {
+    const before = this.camera.width / this.camera.height;
+    this.camera.resize(width, height);
+    this.renderer.resize(width, height, Math.min(2, devicePixelRatio || 1));
+    if (Math.abs(width / height / before - 1) > 0.3) this.lookPending = true;
+    const { layout, frame } = this.session;
+    if (layout && frame && this.lookPending) this.look(layout);
+    this.dirty = true;
+  }
+
+  /** Once per animation frame. @param {number} now ms */
+  tick(now) {
+    if (this.flight) {
+      const { pose, over } = this.flight.at(now);
+      this.camera.set(pose);
+      if (over) this.flight = null;
+    }
+    const moved = this.nodes.advance(performance.now());
+    this.anchors.advance(performance.now());
+    const turned = this.camera.version !== this.cameraVersion;
+    if (moved || turned || this.dirty || this.marks.dirty) this.draw(moved || this.dirty);
+    this.session.acknowledge();
+  }
+
+  /** @param {boolean} moved */
+  draw(moved) {
+    const { layout } = this.session;
+    if (!layout || this.nodes.empty) return;
+    this.dirty = this.marks.dirty = false;
+    this.cameraVersion = this.camera.version;
+    const { markers, arrows } = this.marks.collect();
+    const ground = groundOf(this.camera, layout, this.floor);
+    this.spacing = ground.spacing;
+    this.renderer.draw({
+      camera: this.camera,
+      nodes: this.nodes.shown,
+      moved,
+      range: this.range,
+      plain: this.colouring === "plain",
+      dots: this.dots,
+      pixels: nodesOf(layout) > 4000 ? 4 : 5.5,
+      markers,
+      arrows,
+      trails: this.marks.trails,
+      ground,
+    });
+    this.drawn++;
+    for (const hook of this.afterDraw) hook();
+  }
+
+  /** Where a node is on the screen [CSS pixels in the canvas]. @param {number} node
+   * @param {number} [variant] */
+  screenOf(node, variant = 0) {
+    const at = 4 * (this.starts[variant] + node);
+    const { shown } = this.nodes;
+    const [x, y, depth] = this.camera.project(shown[at], shown[at + 1], shown[at + 2]);
+    return { x, y, depth };
+  }
+}

@@ -1,0 +1,189 @@
+// The camera of both renderers: it looks at a target from a direction given by two angles around "up".
+
+import { cross, dot, minus, plus, times, unit } from "./vector.js";
+
+/** @typedef {import("./vector.js").Vector} Vector */
+/** @typedef {{low: Vector, high: Vector}} Box a box of the scene [m] */
+/** @typedef {{target: Vector, distance: number, azimuth: number, elevation: number}} Pose */
+
+const FIELD = (34 * Math.PI) / 180; // vertical field of view [rad]
+const SIDE = 80; // pixels kept free on each side when all is shown
+const HALF_TURN = Math.PI / 2;
+
+export class Camera {
+  constructor() {
+    this.width = 1; // CSS pixels
+    this.height = 1;
+    /** @type {Pose} */
+    this.pose = { target: [0, 0, 0], distance: 5, azimuth: -HALF_TURN + 0.5, elevation: 0.22 };
+    this.view = new Float32Array(16); // column-major, as WebGL takes it
+    this.projection = new Float32Array(16);
+    /** Changes with every change of the camera. */
+    this.version = 0;
+    /** @type {Vector} */ this.up = [0, 0, 1];
+    /** @type {Vector} */ this.first = [1, 0, 0];
+    /** @type {Vector} */ this.second = [0, 1, 0];
+    /** @type {Vector} */ this.eye = [0, 0, 0];
+    /** @type {Vector} */ this.right = [1, 0, 0];
+    /** @type {Vector} */ this.top = [0, 0, 1];
+    /** @type {Vector} */ this.toward = [0, -1, 0];
+    this.update();
+  }
+
+  /** Let this direction point up on the screen. @param {ArrayLike<number>} up */
+  setUp(up) {
+    this.up = unit(up);
+    const along = Math.abs(this.up[0]) < 0.9 ? [1, 0, 0] : [0, 0, 1];
+    this.first = unit(minus(along, times(this.up, dot(along, this.up))));
+    this.second = cross(this.up, this.first);
+    this.update();
+  }
+
+  /** @param {number} width @param {number} height in CSS pixels */
+  resize(width, height) {
+    this.width = Math.max(1, width);
+    this.height = Math.max(1, height);
+    this.update();
+  }
+
+  /** Take over a pose or part of one. @param {Partial<Pose>} pose */
+  set(pose) {
+    this.pose = { ...this.pose, ...pose };
+    this.pose.elevation = Math.min(HALF_TURN, Math.max(-HALF_TURN, this.pose.elevation));
+    this.pose.distance = Math.min(1e7, Math.max(1e-4, this.pose.distance));
+    this.update();
+  }
+
+  /** Work out axes and matrices from the pose. */
+  update() {
+    const { target, distance, azimuth, elevation } = this.pose;
+    const [ca, sa] = [Math.cos(azimuth), Math.sin(azimuth)];
+    const [ce, se] = [Math.cos(elevation), Math.sin(elevation)];
+    const level = plus(times(this.first, ca), this.second, sa);
+    this.toward = plus(times(level, ce), this.up, se);
+    this.right = plus(times(this.first, -sa), this.second, ca);
+    this.top = cross(this.toward, this.right);
+    this.eye = plus(target, this.toward, distance);
+    const axes = [this.right, this.top, this.toward];
+    for (let row = 0; row < 3; row++) {
+      for (let column = 0; column < 3; column++) this.view[4 * column + row] = axes[row][column];
+      this.view[12 + row] = -dot(axes[row], this.eye);
+      this.view[4 * row + 3] = 0;
+    }
+    this.view[15] = 1;
+    const near = distance * 0.01;
+    const far = distance * 200;
+    const focal = 1 / Math.tan(FIELD / 2);
+    this.projection.fill(0);
+    this.projection[0] = (focal * this.height) / this.width;
+    this.projection[5] = focal;
+    this.projection[10] = (far + near) / (near - far);
+    this.projection[11] = -1;
+    this.projection[14] = (2 * far * near) / (near - far);
+    this.version++;
+  }
+
+  /** Pixels that one metre takes up at a depth of one metre. */
+  get focal() {
+    return this.height / 2 / Math.tan(FIELD / 2);
+  }
+
+  /** Where a point is on the screen: pixels right, pixels down, depth [m] (negative: behind).
+   * @param {number} x @param {number} y @param {number} z @returns {Vector} */
+  project(x, y, z) {
+    const v = this.view;
+    const depth = -(v[2] * x + v[6] * y + v[10] * z + v[14]);
+    const scale = this.focal / Math.max(depth, 1e-9);
+    return [
+      this.width / 2 + (v[0] * x + v[4] * y + v[8] * z + v[12]) * scale,
+      this.height / 2 - (v[1] * x + v[5] * y + v[9] * z + v[13]) * scale,
+      depth,
+    ];
+  }
+
+  /** The direction (length 1 along the view) from the eye through a pixel.
+   * @param {number} px @param {number} py @returns {Vector} */
+  ray(px, py) {
+    const across = (px - this.width / 2) / this.focal;
+    const upward = (this.height / 2 - py) / this.focal;
+    return plus(plus(times(this.toward, -1), this.right, across), this.top, upward);
+  }
+
+  /** The point under a pixel in the plane through `point` parallel to the screen.
+   * @param {number} px @param {number} py @param {ArrayLike<number>} point @returns {Vector} */
+  inPlane(px, py, point) {
+    const depth = dot(minus(this.eye, point), this.toward);
+    return plus(this.eye, this.ray(px, py), depth);
+  }
+
+  /** Turn around the target. @param {number} dx @param {number} dy pixels */
+  orbit(dx, dy) {
+    const turn = (1.2 * Math.PI) / Math.min(this.width, this.height);
+    this.set({
+      azimuth: this.pose.azimuth - dx * turn,
+      elevation: this.pose.elevation + dy * turn,
+    });
+  }
+
+  /** Shift the scene with the hand. @param {number} dx @param {number} dy pixels */
+  pan(dx, dy) {
+    const scale = this.pose.distance / this.focal;
+    const shifted = plus(plus(this.pose.target, this.right, -dx * scale), this.top, dy * scale);
+    this.set({ target: shifted });
+  }
+
+  /** Come closer (factor below 1), keeping the point under the pixel where it is.
+   * @param {number} factor @param {number} [px] @param {number} [py] */
+  zoom(factor, px = this.width / 2, py = this.height / 2) {
+    const before = this.inPlane(px, py, this.pose.target);
+    this.set({ distance: this.pose.distance * factor });
+    const after = this.inPlane(px, py, this.pose.target);
+    this.set({ target: plus(this.pose.target, minus(before, after)) });
+  }
+
+  /** The pose that shows a whole box from the present direction, or from another one.
+   * @param {Box} box @param {{azimuth?: number, elevation?: number}} [from] @returns {Pose} */
+  fitted(box, from = {}) {
+    const probe = new Camera();
+    probe.setUp(this.up);
+    probe.resize(this.width, this.height);
+    const target = times(plus(box.low, box.high), 0.5);
+    probe.set({ ...this.pose, ...from, target, distance: 1 });
+    const half = Math.tan(FIELD / 2); // less a margin; at the sides there are tool bars
+    const halfHeight = half * 0.86;
+    const halfWidth = (half * Math.max(0.7 * this.width, this.width - 2 * SIDE)) / this.height;
+    let distance = 1e-3;
+    for (let corner = 0; corner < 8; corner++) {
+      const point = [0, 1, 2].map((i) => ((corner >> i) & 1 ? box.high[i] : box.low[i]));
+      const offset = minus(point, target);
+      const near = dot(offset, probe.toward);
+      distance = Math.max(
+        distance,
+        near + Math.abs(dot(offset, probe.right)) / halfWidth,
+        near + Math.abs(dot(offset, probe.top)) / halfHeight,
+      );
+    }
+    return { ...probe.pose, target, distance };
+  }
+
+  /** The angles from which an axis of the scene (0, 1, 2 for x, y, z) points at the viewer.
+   * @param {0 | 1 | 2} axis @param {1 | -1} [sign] @returns {{azimuth: number, elevation: number}} */
+  along(axis, sign = 1) {
+    /** @type {Vector} */
+    const from = [0, 0, 0];
+    from[axis] = sign;
+    return this.angles(from);
+  }
+
+  /** The angles of a direction towards the viewer. @param {ArrayLike<number>} toward */
+  angles(toward) {
+    const height = dot(toward, this.up);
+    const a = dot(toward, this.first);
+    const b = dot(toward, this.second);
+    const level = Math.hypot(a, b) > 1e-6;
+    return {
+      azimuth: level ? Math.atan2(b, a) : -HALF_TURN,
+      elevation: Math.atan2(height, Math.hypot(a, b)),
+    };
+  }
+}

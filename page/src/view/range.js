@@ -1,0 +1,75 @@
+// Ranges of what colours mean, and numbers in words.
+
+/** A range for colours that grows at once and shrinks slowly, so that colours do not flicker. */
+export class Range {
+  constructor() {
+    this.low = 0;
+    this.high = 1;
+    this.fresh = true;
+  }
+
+  /** Follow the present extremes. @param {number} low @param {number} high
+   * @param {number} seconds since the last call */
+  follow(low, high, seconds) {
+    if (!Number.isFinite(low) || !Number.isFinite(high)) return;
+    const bottom = low < -0.01 * high ? low : 0; // a little push is not worth a number
+    const top = Math.max(high, bottom + 1e-9);
+    if (this.fresh) {
+      [this.low, this.high, this.fresh] = [bottom, top, false];
+      return;
+    }
+    const ease = 1 - Math.exp(-seconds / 4);
+    this.high = top > this.high ? top : this.high + ease * (Math.max(top, 1e-9) - this.high);
+    this.low = bottom < this.low ? bottom : this.low + ease * (bottom - this.low);
+  }
+}
+
+const PREFIXES = /** @type {[number, string][]} */ ([
+  [1e9, "G"],
+  [1e6, "M"],
+  [1e3, "k"],
+  [1, ""],
+  [1e-3, "m"],
+  [1e-6, "µ"],
+  [1e-9, "n"],
+]);
+const PREFIXED = new Set(["N", "J", "W", "s", "Hz", "N/m", "m", "m/s", "N s/m"]);
+
+/** A unit as it is written: m/s² for m/s^2, nothing for 1. @param {string} unit */
+export const unitText = (unit) =>
+  unit === "1" ? "" : unit.replace(/\^2/g, "²").replace(/\^3/g, "³");
+
+/** A number with its unit for people: three figures, with a prefix where that is usual.
+ * @param {number | null | undefined} value @param {string} [unit] @returns {string} */
+export function quantity(value, unit = "") {
+  if (value === null || value === undefined || Number.isNaN(value)) return "–";
+  if (!Number.isFinite(value)) return value > 0 ? "∞" : "−∞";
+  const space = unit && unit !== "1" ? ` ${unitText(unit)}` : "";
+  if (value === 0) return `0${space}`;
+  const size = Math.abs(value);
+  if (PREFIXED.has(unit) && (size >= 1e4 || size < 0.1) && size >= 1e-9) {
+    const small = unit === "m" || unit === "m/s" ? 1 : 1e10; // no kilometres here
+    const [scale, prefix] = PREFIXES.find(([s]) => size >= s * 0.9995 && s <= small) ?? PREFIXES[6];
+    return `${figures(value / scale)} ${prefix}${unit}`;
+  }
+  return `${figures(value)}${space}`;
+}
+
+/** @param {number} value @returns {string} */
+export function figures(value) {
+  const size = Math.abs(value);
+  if (size >= 1e5 || size < 1e-3) {
+    if (value === 0) return "0";
+    const [mantissa, power] = value.toExponential(2).split("e");
+    return `${Number(mantissa)}e${Number(power)}`.replace("-", "−");
+  }
+  const digits = Math.max(0, 2 - Math.floor(Math.log10(size)));
+  return String(Number(value.toFixed(Math.min(6, digits)))).replace("-", "−");
+}
+
+/** A round number (1, 2 or 5 times a power of ten) near `size`. @param {number} size */
+export function round(size) {
+  const power = 10 ** Math.floor(Math.log10(size));
+  const lead = size / power;
+  return power * (lead < 1.5 ? 1 : lead < 3.5 ? 2 : lead < 7.5 ? 5 : 10);
+}

@@ -1,0 +1,76 @@
+// The room around the ropes: the first look at a scene, boxes to fit, the ground and its grid.
+
+import { cross, dot, minus, plus, times, vector } from "./vector.js";
+import { round } from "./range.js";
+
+/** @typedef {import("./camera.js").Camera} Camera */
+/** @typedef {import("./camera.js").Box} Box */
+/** @typedef {import("./camera.js").Pose} Pose */
+/** @typedef {import("./vector.js").Vector} Vector */
+/** @typedef {import("../source/protocol.js").Layout} Layout */
+/** @typedef {import("../render/view.js").Ground} Ground */
+
+/** The box of all nodes. @param {Float32Array} nodes x, y, z, value @param {number} count @returns {Box} */
+export function boxOf(nodes, count) {
+  /** @type {Box} */
+  const box = { low: [Infinity, Infinity, Infinity], high: [-Infinity, -Infinity, -Infinity] };
+  for (let i = 0; i < count; i++) {
+    for (let k = 0; k < 3; k++) {
+      const value = nodes[4 * i + k];
+      if (value < box.low[k]) box.low[k] = value;
+      if (value > box.high[k]) box.high[k] = value;
+    }
+  }
+  return box;
+}
+
+/** The axis of a scene that lies in one plane (0, 1, 2), else -1.
+ * @param {Box} box @param {ArrayLike<number>} up @param {number} radius */
+export function flatAxis(box, up, radius) {
+  const thin = [0, 1, 2].filter((k) => box.high[k] - box.low[k] < 1e-4 * radius);
+  if (!thin.length) return -1;
+  const level = thin.filter((k) => Math.abs(up[k]) < 0.9);
+  if (level.length > 1) return level.includes(1) ? 1 : level[level.length - 1]; // a straight rope
+  return level.length ? level[0] : thin[0];
+}
+
+/** The pose for the first look: across the plane of a flat scene, else from the side and above.
+ * @param {Camera} camera @param {Layout} layout @param {Box} box of the nodes now @returns {Pose} */
+export function firstLook(camera, layout, box) {
+  const { center, radius } = layout.view;
+  const axis = flatAxis(box, camera.up, radius);
+  const upright = axis >= 0 && Math.abs(camera.up[axis]) > 0.9;
+  let angles = { azimuth: -Math.PI / 2 + 0.55, elevation: 0.3 };
+  if (upright) angles = { azimuth: -Math.PI / 2, elevation: Math.PI / 2 };
+  else if (axis >= 0) {
+    const normal = vector([0, 0, 0]);
+    normal[axis] = 1;
+    const sign = dot(cross(camera.up, normal), [1, 1, 1]) >= 0 ? 1 : -1; // x to the right
+    angles = { ...camera.along(/** @type {0 | 1 | 2} */ (axis), sign), elevation: 0.07 };
+  }
+  const sides = times([1, 1, 1], radius);
+  if (axis >= 0) sides[axis] = 0;
+  const room = { low: minus(center, sides), high: plus(center, sides) };
+  return camera.fitted(merged(room, box), angles);
+}
+
+/** @param {Box} a @param {Box} b @returns {Box} */
+function merged(a, b) {
+  return {
+    low: vector([0, 1, 2].map((k) => Math.min(a.low[k], b.low[k]))),
+    high: vector([0, 1, 2].map((k) => Math.max(a.high[k], b.high[k]))),
+  };
+}
+
+/** The ground under the scene, or a grid below it where it has none.
+ * @param {Camera} camera @param {Layout} layout @param {number} fallback height without ground [m]
+ * @returns {Ground} */
+export function groundOf(camera, layout, fallback) {
+  const height = layout.ground ? layout.ground.height : fallback;
+  const spacing = round(Math.max(layout.view.radius, camera.pose.distance * 0.25) / 5);
+  const { target } = camera.pose;
+  const a = Math.round(dot(target, camera.first) / spacing) * spacing;
+  const b = Math.round(dot(target, camera.second) / spacing) * spacing;
+  const center = plus(plus(times(camera.first, a), camera.second, b), camera.up, height);
+  return { height, solid: layout.ground !== null, spacing, radius: 14 * spacing, center };
+}

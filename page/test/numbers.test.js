@@ -1,0 +1,96 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { Range, figures, quantity, round } from "../src/view/range.js";
+import { placeOf, readNumber, valueAt } from "../src/panels/scale.js";
+import { History } from "../src/graphs/history.js";
+import { distance } from "../src/input/pick.js";
+import { speedText } from "../src/panels/controls.js";
+
+test("quantities for people", () => {
+  assert.equal(quantity(12345, "N"), "12.3 kN");
+  assert.equal(quantity(0.0021, "s"), "2.1 ms");
+  assert.equal(quantity(2560, "N/m"), "2560 N/m");
+  assert.equal(quantity(-0.02, "m"), "−20 mm");
+  assert.equal(quantity(12345, "m"), "12345 m");
+  assert.equal(quantity(9.81, "m/s^2"), "9.81 m/s²");
+  assert.equal(quantity(null, "N"), "–");
+  assert.equal(quantity(0, "J"), "0 J");
+  assert.equal(figures(0.098765), "0.0988");
+  assert.equal(figures(1.5e-20), "1.5e−20");
+  assert.equal(speedText(0.01), "1/100×");
+  assert.equal(speedText(4), "4×");
+});
+
+test("round numbers for the grid", () => {
+  for (const [size, wanted] of [
+    [0.9, 1],
+    [1.6, 2],
+    [34, 20],
+    [36, 50],
+    [76, 100],
+  ]) {
+    assert.equal(round(size), wanted);
+  }
+});
+
+test("a slider goes there and back, evenly or by powers of ten", () => {
+  const log = { low: 10, high: 1e5, scale: "log", whole: false };
+  assert.equal(valueAt(log, 0.5), 1000);
+  assert.ok(Math.abs(placeOf(log, 1000) - 0.5) < 1e-12);
+  assert.equal(placeOf(log, 1), 0);
+  assert.equal(placeOf(log, 1e9), 1);
+  const linear = { low: -5, high: 5, scale: "linear", whole: true };
+  assert.equal(valueAt(linear, 0.71), 2);
+  assert.equal(placeOf(linear, 0), 0.5);
+});
+
+test("numbers as people type them", () => {
+  assert.equal(readNumber(" 1,5 "), 1.5);
+  assert.equal(readNumber("−2e3"), -2000);
+  assert.ok(Number.isNaN(readNumber("")));
+  assert.ok(Number.isNaN(readNumber("two")));
+});
+
+test("the range of colours grows at once and shrinks slowly", () => {
+  const range = new Range();
+  range.follow(0, 10, 0);
+  range.follow(0, 100, 0.016);
+  assert.equal(range.high, 100);
+  range.follow(0, 10, 0.016);
+  assert.ok(range.high > 99);
+  range.follow(0, 10, 60);
+  assert.ok(range.high < 11);
+  range.follow(NaN, NaN, 1);
+  assert.ok(Number.isFinite(range.high));
+});
+
+test("the history keeps the newest samples, in order, in constant memory", () => {
+  const history = new History();
+  for (let k = 0; k < 40_000; k++) history.add(k / 60, [["kinetic", k]]);
+  assert.equal(history.count, 7200);
+  assert.equal(history.last, 39_999 / 60);
+  const [times, values] = history.between(history.last - 1, history.last, ["kinetic"]);
+  assert.ok(times.length >= 60 && times.length <= 62);
+  for (let i = 0; i < times.length; i++) assert.ok(Math.abs(values[i] - 60 * times[i]) < 1e-6);
+  history.add(0, [["kinetic", 5]]); // a reset
+  assert.equal(history.count, 1);
+});
+
+test("a name that comes later is empty before", () => {
+  const history = new History();
+  history.add(0, [["a", 1]]);
+  history.add(1, [
+    ["a", 2],
+    ["b", 3],
+  ]);
+  const [, a, b] = history.between(0, 1, ["a", "b"]);
+  assert.deepEqual([...a], [1, 2]);
+  assert.deepEqual([...b], [NaN, 3]);
+});
+
+test("how far a point is from a segment", () => {
+  assert.deepEqual(distance(5, 3, 0, 0, 10, 0), [3, 0.5]);
+  assert.deepEqual(distance(-4, 3, 0, 0, 10, 0), [5, 0]);
+  assert.deepEqual(distance(3, 4, 0, 0, 0, 0), [5, 0]);
+});

@@ -1,0 +1,99 @@
+"""Bending stiffness and clamps as tables for the kernels."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ropewalk.build.layout import Layout
+from ropewalk.core.arrays import BENDING, Bending, Floats, State, System
+from ropewalk.scene import Anchor, Clamp, Material, Rope, Scene
+
+
+def no_bending() -> Bending:
+    """Return the tables of a scene without bending stiffness: all empty."""
+    zero, rows = np.zeros(0), np.zeros((0, 3))
+    pairs, natural = np.zeros((0, 2)), np.zeros((0, 6))
+    none = np.zeros(0, np.int64)
+    return Bending(zero, zero, np.zeros((3, 0)), none, pairs, pairs, natural, rows, rows, rows)
+
+
+def add_bending(scene: Scene, layout: Layout, system: System, state: State) -> tuple[System, State]:
+    """Return system and state with their bending; as they are where no rope has any."""
+    if not layout.bends:
+        return system, state
+    n, count = layout.nodes, len(scene.anchors) if layout.clamped else 0
+    stiffness, damping, natural = np.zeros(n), np.zeros(n), np.zeros((3, n))
+    for rope, span in zip(scene.ropes, layout.ropes, strict=True):
+        if isinstance(rope.made_of, Material):
+            inner = slice(span.start + 1, span.end)
+            stiffness[inner] = rope.made_of.EI / rope.segment_length
+            damping[inner] = rope.made_of.bending_damping / rope.segment_length
+            natural[:, inner] = binormal(rope, rope.segment_length)[:, None]
+    system = system._replace(
+        flags=system.flags.copy(),
+        bending=Bending(
+            stiffness, damping, natural, *(_clamps(scene) if count else no_bending()[3:])
+        ),
+    )
+    system.flags[BENDING] = 1
+    free = np.ones(n)
+    held = [row for row in range(count) if system.anchors.release[row] > 0.0]
+    free[[layout.anchor_nodes[r] for r in held if system.bending.clamped[r]]] = 0.0
+    state = state._replace(
+        bending_stiffness=free * stiffness,
+        bending_damping=free * damping,
+        clamp_direction=system.bending.direction.copy(),
+        clamp_spin=np.zeros((count, 3)),
+        moment=np.zeros((count, 6)),
+        forces=state.forces._replace(bending=np.zeros((3, n + 1))),
+        work=state.work._replace(bending=np.zeros(layout.segments), clamps=np.zeros(count)),
+    )
+    return system, state
+
+
+def binormal(rope: Rope, length: float) -> Floats:
+    """Return the curvature binormal of the unloaded rope where it turns along `length` [m], (3,).
+
+    2 tan(curvature * length / 2) about the axis, so that a rope of length 2 pi / curvature closes.
+    """
+    assert isinstance(rope.made_of, Material)
+    curvature = np.array(rope.made_of.curvature, dtype=np.float64)
+    size = float(np.linalg.norm(curvature))
+    return curvature * (2.0 * np.tan(0.5 * size * length) / size) if size > 0.0 else curvature
+
+
+def _clamps(scene: Scene) -> tuple[np.ndarray, ...]:
+    """Return the clamps' tables in the order of `Bending`, one row per anchor."""
+    a = len(scene.anchors)
+    clamped, stiffness, damping = np.zeros(a, np.int64), np.zeros((a, 2)), np.zeros((a, 2))
+    natural, turn = np.zeros((a, 6)), np.zeros((a, 3))
+    direction, axis = np.zeros((a, 3)), np.zeros((a, 3))
+    for row, anchor in enumerate(scene.anchors):
+        if anchor.clamp is None:
+            continue
+        clamped[row] = 1
+        rope = scene.rope_named(anchor.rope)
+        made_of = rope.made_of
+        assert isinstance(made_of, Material)
+        for side in _sides(rope, anchor):
+            stiffness[row, side] = 2.0 * made_of.EI / rope.segment_length
+            damping[row, side] = 2.0 * made_of.bending_damping / rope.segment_length
+            natural[row, 3 * side : 3 * side + 3] = binormal(rope, 0.5 * rope.segment_length)
+        direction[row], axis[row] = _unit(anchor.clamp.direction), _unit(anchor.clamp.turn_axis)
+        turn[row] = _turn(anchor.clamp)
+    return clamped, stiffness, damping, natural, direction, axis, turn
+
+
+def _sides(rope: Rope, anchor: Anchor) -> list[int]:
+    """Tell on which sides of an anchored node there is rope: 0 before it, 1 after it."""
+    node = rope.node_index(anchor.node)
+    return [side for side, is_there in ((0, node > 0), (1, node < rope.segments)) if is_there]
+
+
+def _turn(clamp: Clamp) -> tuple[float, float, float]:
+    return clamp.turn_rate, clamp.start, clamp.stop
+
+
+def _unit(vector: object) -> Floats:
+    array = np.asarray(vector, dtype=np.float64)
+    return np.asarray(array / np.linalg.norm(array))

@@ -1,0 +1,109 @@
+"""`ropewalk settle`: where a scene is at rest."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from ropewalk.cli.commands.run import refuse_run
+from ropewalk.cli.console import print_json, print_table, say, warn
+from ropewalk.cli.sources import json_option, load_scene, set_option
+from ropewalk.cli.startup import without_scipy
+from ropewalk.cli.summary import print_results
+
+if TYPE_CHECKING:
+    from ropewalk.record.result import Result
+    from ropewalk.statics import RestSpan
+
+
+@click.command()
+@click.argument("scene")
+@click.option(
+    "-o",
+    "--output",
+    type=click.Path(path_type=Path),
+    metavar="DIR",
+    help="Write the equilibrium as a run folder of one frame.",
+)
+@set_option
+@click.option("--overwrite", is_flag=True, help="Replace a run that is in DIR.")
+@json_option
+def settle(
+    scene: str, output: Path | None, overrides: tuple[str, ...], overwrite: bool, as_json: bool
+) -> None:
+    """Find the shape in which a scene is at rest, without running it.
+
+    Prints sag, tension, the force of every anchor, and what is left of the forces on the nodes. With
+    weight, stretch, ground, wind and bending; friction does not matter at rest. The folder can be
+    plotted and exported like a run. A run begins from this shape with: run.start = "at-rest".
+    """
+    loaded = load_scene(scene, overrides)
+    with without_scipy():
+        if output is not None:
+            refuse_run(output, overwrite)
+        from ropewalk.build import build
+        from ropewalk.record.rest import rest_result
+        from ropewalk.statics import rest_spans
+
+        model = build(loaded)
+        result = rest_result(model)
+        spans = rest_spans(model, result.positions[0], result.tension[0])
+        if output is not None:
+            result = result.save(output, overwrite=overwrite)
+    if loaded.limiter is not None:
+        warn("the stretch limiter is no force, and takes no part in the equilibrium")
+    if as_json:
+        print_json(_facts(result, spans))
+        return
+    print_results(result, f"{result.scene.name}: {result.status}")
+    _print_spans(spans)
+    _print_anchors(result)
+    if output is not None:
+        say(f"run folder: {output}")
+
+
+def _print_spans(spans: tuple[RestSpan, ...]) -> None:
+    columns = ("rope", "nodes", "", "length", "ends apart", "sag", "H", "largest tension")
+    rows = [
+        (
+            span.rope,
+            f"{span.first} to {span.last}",
+            "span" if span.kind == "span" else "free end",
+            f"{span.length:.6g} m",
+            f"{span.distance:.6g} m",
+            f"{span.sag:.6g} m" if span.kind == "span" else "",
+            f"{span.horizontal:.6g} N" if span.kind == "span" else "",
+            f"{span.largest_tension:.6g} N",
+        )
+        for span in spans
+    ]
+    if rows:
+        print_table(columns, rows, right=range(3, len(columns)))
+
+
+def _print_anchors(result: Result) -> None:
+    rows = []
+    for name, force in zip(result.layout.anchor_names, result.reactions[0], strict=True):
+        x, y, z = (f"{part:.6g}" for part in force)
+        size = float((force @ force) ** 0.5)
+        rows.append((name, x, y, z, f"{size:.6g}"))
+    if rows:
+        columns = ("anchor's force [N]", "x", "y", "z", "size")
+        print_table(columns, rows, right=range(1, 5))
+
+
+def _facts(result: Result, spans: tuple[RestSpan, ...]) -> dict[str, Any]:
+    names = result.layout.anchor_names
+    return {
+        "name": result.scene.name,
+        "folder": str(result.folder) if result.folder else None,
+        "status": result.status,
+        "results": {name: value for name, value in result.table.items() if name != "status"},
+        "residual": result.residual,
+        "spans": [vars(span) for span in spans],
+        "anchors": {
+            name: list(force) for name, force in zip(names, result.reactions[0], strict=True)
+        },
+    }

@@ -1,0 +1,155 @@
+"""`ropewalk view`: a rope in the browser, live or from a run."""
+
+from __future__ import annotations
+
+import signal
+import webbrowser
+from contextlib import ExitStack, suppress
+from pathlib import Path
+from types import FrameType
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from ropewalk.cli.console import say, tell, warn
+from ropewalk.cli.errors import Refusal
+from ropewalk.cli.files import claimed
+from ropewalk.cli.progress import tell_compiling
+from ropewalk.cli.sources import load_scene, run_options, short_name
+from ropewalk.cli.startup import without_scipy
+
+if TYPE_CHECKING:
+    from ropewalk.scene import Scene
+
+DEFAULT = "r4"
+RUNS = Path("runs")
+_LOCAL = ("127.0.0.1", "localhost", "::1")
+
+
+@click.command()
+@click.argument("source", metavar="[SCENE|DIR]", required=False)
+@run_options
+@click.option(
+    "--port", type=click.IntRange(0, 65535), help="Port; default: 8712, or the next free."
+)
+@click.option("--host", default="127.0.0.1", show_default=True, help="Address to listen on.")
+@click.option("--no-browser", is_flag=True, help="Print the address, open nothing.")
+@click.option("--paused", is_flag=True, help="Wait for the page's play button.")
+@click.option(
+    "-o",
+    "--output",
+    type=click.Path(path_type=Path),
+    metavar="DIR",
+    help="The session's run folder; default: runs/NAME-live-1, -2 and so on.",
+)
+@click.option("--no-save", is_flag=True, help="Keep nothing on disk.")
+@click.option("--continue", "go_on", is_flag=True, help="Go on with the live session in DIR.")
+def view(
+    source: str | None,
+    overrides: tuple[str, ...],
+    duration: str | None,
+    time_step: str | None,
+    method: str | None,
+    port: int | None,
+    host: str,
+    no_browser: bool,
+    paused: bool,
+    output: Path | None,
+    no_save: bool,
+    go_on: bool,
+) -> int:
+    """Show a scene live in the browser, or replay the run in DIR there.
+
+    The rope can be grabbed, pinned, cut and tweaked while it moves. The session is kept as a run folder,
+    from which the same commands give the same bits again. Ctrl-C ends it. Without SCENE the report's
+    three-anchor rope is shown. Only this computer can reach the page, unless --host says otherwise.
+    """
+    with without_scipy(), ExitStack() as stack:
+        from ropewalk.live.launch import check_installed
+
+        check_installed()
+        settings = {"duration": duration, "time_step": time_step, "method": method}
+        options: dict[str, Any] = {"host": host, "port": port}
+        if source is not None and _is_run(Path(source)):
+            if overrides or any(settings.values()):
+                raise Refusal(f"{source}: is a run; values of a run cannot be changed by flags")
+            if not go_on:
+                return _serve(_replay(Path(source), not paused, options), no_browser, port)
+        elif go_on:
+            raise Refusal(f"{source or DEFAULT}: --continue needs the folder of a live session")
+        options["playing"] = not paused
+        if go_on:
+            return _serve(_continued(Path(str(source)), no_save, options), no_browser, port)
+        name = short_name(source or DEFAULT)
+        if not no_save:
+            options["folder"] = stack.enter_context(claimed(output, RUNS, f"{name}-live"))
+        scene = load_scene(source or DEFAULT, overrides, **settings)
+        return _serve(_live(scene, source or DEFAULT, bool(overrides), options), no_browser, port)
+
+
+def _is_run(path: Path) -> bool:
+    from ropewalk.record.folder import is_run
+
+    with suppress(OSError):
+        return path.is_dir() and is_run(path)
+    return False
+
+
+def _live(scene: Scene, source: str, changed: bool, options: dict[str, Any]) -> Any:
+    from ropewalk.live.launch import prepare
+    from ropewalk.scene.presets import names, preset
+
+    named = source in names() and not changed and scene == preset(source)
+    tell_compiling(scene.run.method)
+    return prepare(scene, source if named else None, **options)
+
+
+def _continued(folder: Path, no_save: bool, options: dict[str, Any]) -> Any:
+    from ropewalk.live.launch import serve_session
+    from ropewalk.live.relive import relive
+
+    tell(f"playing {folder} again up to its end")
+    session = relive(folder)
+    if not no_save:
+        options |= {"folder": folder, "go_on": True}
+    return serve_session(session, **options)
+
+
+def _replay(folder: Path, playing: bool, options: dict[str, Any]) -> Any:
+    from ropewalk.live.replay import serve_run
+
+    return serve_run(folder, playing=playing, **options)
+
+
+def _serve(server: Any, no_browser: bool, port: int | None) -> int:
+    """Serve until Ctrl-C or SIGTERM; say where, and what was kept."""
+    if not server.port_was_free and port != 0:
+        tell(f"port {port or 'in use'} is busy: taking {server.port}")
+    if server.host not in _LOCAL:
+        warn(
+            f"listening on {server.host}: whoever can reach this computer and knows the address "
+            "can watch and drive the simulation"
+        )
+    before = signal.signal(signal.SIGTERM, _as_interrupt)
+    try:
+        server.start()
+        say(server.address)
+        tell("Ctrl-C ends")
+        if not no_browser:
+            webbrowser.open(server.address)
+        while server.wait(0.5):
+            pass
+    except KeyboardInterrupt:
+        tell("ending")
+    finally:
+        signal.signal(signal.SIGTERM, before)
+        server.stop("The program was ended.")
+    if server.keeper is not None:
+        if server.keeper.failure:
+            warn(server.keeper.failure)
+        say(f"run folder: {server.keeper.folder}")
+    return 0 if server.error is None else 1
+
+
+def _as_interrupt(number: int, frame: FrameType | None) -> None:
+    raise KeyboardInterrupt

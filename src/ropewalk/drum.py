@@ -1,0 +1,150 @@
+"""Winches as live objects: read how much rope is out, turn them by hand."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ropewalk.build.plan import WINCH_SHARE
+from ropewalk.core.arrays import State, Winches
+from ropewalk.laws.winch import SPLIT
+
+if TYPE_CHECKING:
+    from ropewalk.simulation import Simulation
+
+# Why a winch stands although it is told to turn.
+EMPTY, LONGEST, SHORTEST = "empty drum", "max_length", "min_length"
+LAST, HELD_NODE, RELEASED = "last segment", "held node", "released"
+_ROUNDING = 1e-9  # [1] of a segment
+
+
+class WinchHandle:
+    """One winch of a running simulation."""
+
+    def __init__(self, simulation: Simulation, row: int) -> None:
+        self._simulation = simulation
+        self._row = row
+
+    @property
+    def speed(self) -> float:
+        """Rope per second that it is told to wind [m/s], + pays out; set it to turn from now on.
+
+        What is set replaces the scene's speed and interval; the scene's lengths still limit it.
+        Raises ValueError for what is no finite number, for a speed that would wind more than a fifth
+        of a segment in a step, and for a winch whose drum was let go.
+        """
+        winches, row = self._winches, self._row
+        turns = winches.start[row] <= self._simulation.time < winches.stop[row]
+        return float(winches.speed[row]) if turns else 0.0
+
+    @speed.setter
+    def speed(self, value: float) -> None:
+        speed = _finite(value)
+        if not self._state.held[self._winches.anchor[self._row]]:
+            raise ValueError("speed: the anchor of the drum has let go; the winch turns no more")
+        most = WINCH_SHARE * float(self._winches.segment[self._row]) / self._simulation.plan.dt
+        if abs(speed) > most:
+            raise ValueError(
+                f"speed: {speed:g} - must be at most {most:.4g} m/s, a fifth of a segment a step"
+            )
+        self._simulation.turn_by_hand(self._row, speed)
+
+    @property
+    def length(self) -> float:
+        """Unstretched length of its rope that is off the drums [m]."""
+        return length_out(self._winches, self._state, self._row)
+
+    @property
+    def paid_out(self) -> float:
+        """Rope it has paid out since the start, less what it has reeled in [m]."""
+        return float(self._state.winch_paid[self._row])
+
+    @property
+    def on_drum(self) -> float:
+        """Rope that is on the drum [m]."""
+        return float(self._winches.drum[self._row]) - self.paid_out
+
+    @property
+    def limits(self) -> tuple[float, float]:
+        """Least and largest unstretched length of the rope [m]; there it stops."""
+        return float(self._winches.shortest[self._row]), float(self._winches.longest[self._row])
+
+    @property
+    def tension(self) -> float:
+        """Elastic tension of the segment next to the drum [N], without friction."""
+        state, j = self._state, _working(self._winches, self._state, self._row)
+        size = float(np.linalg.norm(state.x[:, j + 1] - state.x[:, j]))
+        pull = float(state.stiffness[j]) * (size - float(state.rest_length[j]))
+        return max(pull, float(self._simulation.system.slack_floor[j]))
+
+    @property
+    def stopped_by(self) -> str:
+        """What keeps it from turning as it is told; empty when nothing does.
+
+        "empty drum", "max_length", "min_length", "last segment" (half a segment is left outside),
+        "held node" (an anchor holds the next node) or "released" (the drum was let go).
+        """
+        return why_stopped(self._winches, self._state, self._row, self.speed)
+
+    @property
+    def _winches(self) -> Winches:
+        return self._simulation.system.winches
+
+    @property
+    def _state(self) -> State:
+        return self._simulation.arrays
+
+    def __repr__(self) -> str:
+        name, stopped = self._simulation.scene.winches[self._row].name, self.stopped_by
+        doing = f"stopped ({stopped})" if stopped else f"turning at {self.speed:.4g} m/s"
+        return f"<Winch {name!r}: {self.length:.6g} m out, {self.on_drum:.4g} m in, {doing}>"
+
+
+def why_stopped(winches: Winches, state: State, row: int, speed: float) -> str:
+    """Return what keeps a winch from turning at `speed` [m/s]; empty when nothing does."""
+    if speed == 0.0:
+        return ""
+    if not state.held[winches.anchor[row]]:
+        return RELEASED
+    return limit_reached(winches, state, row, speed)
+
+
+def limit_reached(winches: Winches, state: State, row: int, speed: float) -> str:
+    """Return which limit keeps a held winch from turning at `speed` [m/s]; empty when none does."""
+    little = _ROUNDING * float(winches.segment[row])
+    drum, out = int(state.winch_exit[row]), length_out(winches, state, row)
+    working = float(state.rest_length[_working(winches, state, row)])
+    if speed > 0.0:
+        no_node = drum == winches.first[row] and working >= SPLIT * winches.segment[row] - little
+        if no_node or winches.drum[row] - state.winch_paid[row] <= little:
+            return EMPTY
+        return LONGEST if out >= winches.longest[row] - little else ""
+    if out <= winches.shortest[row] + little:
+        return LAST if winches.shortest[row] == 0.5 * winches.segment[row] else SHORTEST
+    held = state.inverse_mass[drum + winches.step[row]] == 0.0
+    return HELD_NODE if held and working <= 0.5 * winches.segment[row] + little else ""
+
+
+def length_out(winches: Winches, state: State, row: int) -> float:
+    """Return the unstretched length of a winch's rope off all its drums [m], debts included."""
+    low, high = sorted((int(winches.first[row]), int(winches.last[row])))
+    same_rope = (low <= state.winch_exit) & (state.winch_exit <= high)
+    return float(state.rest_length[low:high].sum() + state.winch_debt[same_rope].sum())
+
+
+def _working(winches: Winches, state: State, row: int) -> int:
+    """Return the segment next to the drum."""
+    drum = int(state.winch_exit[row])
+    return drum if winches.step[row] > 0 else drum - 1
+
+
+def _finite(value: float) -> float:
+    try:
+        speed = float(value)
+    except (TypeError, ValueError):
+        speed = math.nan
+    if not math.isfinite(speed):
+        raise ValueError(f"speed: {value!r} - must be a finite number [m/s]")
+    return speed

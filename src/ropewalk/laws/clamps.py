@@ -1,0 +1,232 @@
+"""Clamps: anchors that hold the direction of the rope at their node, too.
+
+The direction d is that of the rope from its start towards its end. On either side of the node a half
+cell of length L/2 bends between d and the segment: U = B |kb - k0|^2 / 2 with B = 2 EI / L, which takes
+the place of the node's own bend. The half cell makes it second order in L: a whole one, as a first
+segment held at both ends has it, is too soft by half a segment (first order).
+It turns by the angle rate (t - start), held to [0, rate (stop - start)], about an axis.
+
+The moment of a clamp on the rope is M = - sum of e x F over its half cells, F the force that the
+segment's first node gets. Turning it by an angle p does the work integral of M . dp, the elastic part of
+which goes into the energy of bending; it is summed by the trapezoidal rule, exact to second order.
+"""
+
+from __future__ import annotations
+
+import math
+
+from ropewalk.core.jit import kernel, part
+from ropewalk.laws.bending import across, bending_energy, drags, pulls, stored, tangent
+
+
+@part
+def clamp_angle(turn, row, t):
+    """Return the angle by which a clamp has turned at time `t` [rad]."""
+    return turn[row, 0] * min(max(t - turn[row, 1], 0.0), turn[row, 2] - turn[row, 1])
+
+
+@kernel
+def point_clamps(held, clamped, first, axis, turn, t, direction, spin):
+    """Write the direction [1] and the angular velocity [rad/s] of every clamp at time `t`, (a, 3)."""
+    for row in range(clamped.shape[0]):
+        if clamped[row] == 0 or held[row] == 0:
+            continue
+        angle = clamp_angle(turn, row, t)
+        c, s = math.cos(angle), math.sin(angle)
+        ex, ey, ez = axis[row, 0], axis[row, 1], axis[row, 2]
+        dx, dy, dz = first[row, 0], first[row, 1], first[row, 2]
+        along = (ex * dx + ey * dy + ez * dz) * (1.0 - c)
+        direction[row, 0] = c * dx + s * (ey * dz - ez * dy) + along * ex
+        direction[row, 1] = c * dy + s * (ez * dx - ex * dz) + along * ey
+        direction[row, 2] = c * dz + s * (ex * dy - ey * dx) + along * ez
+        rate = turn[row, 0] if turn[row, 1] <= t < turn[row, 2] else 0.0
+        for k in range(3):
+            spin[row, k] = rate * axis[row, k]
+
+
+@part
+def half_cell(x, v, rest_length, j, side, row, bending, direction, spin):
+    """Return a half cell's elastic force and friction on the first node of its segment `j` [N]."""
+    B, D = bending.clamp_stiffness[row, side], bending.clamp_damping[row, side]
+    dx, dy, dz = direction[row, 0], direction[row, 1], direction[row, 2]
+    sx, sy, sz = spin[row, 0], spin[row, 1], spin[row, 2]
+    rx, ry, rz = sy * dz - sz * dy, sz * dx - sx * dz, sx * dy - sy * dx
+    kx = bending.clamp_natural[row, 3 * side]
+    ky = bending.clamp_natural[row, 3 * side + 1]
+    kz = bending.clamp_natural[row, 3 * side + 2]
+    tx, ty, tz, over, own = tangent(
+        x[0, j + 1] - x[0, j], x[1, j + 1] - x[1, j], x[2, j + 1] - x[2, j], rest_length[j]
+    )
+    ux, uy, uz = v[0, j + 1] - v[0, j], v[1, j + 1] - v[1, j], v[2, j + 1] - v[2, j]
+    ux, uy, uz = across(ux, uy, uz, tx, ty, tz, over, own)
+    if side == 0:
+        px, py, pz, _, _, _ = pulls(B, tx, ty, tz, dx, dy, dz, kx, ky, kz)
+        fx, fy, fz, _, _, _ = drags(D, tx, ty, tz, own, dx, dy, dz, 1.0, ux, uy, uz, rx, ry, rz)
+    else:
+        _, _, _, px, py, pz = pulls(B, dx, dy, dz, tx, ty, tz, kx, ky, kz)
+        _, _, _, fx, fy, fz = drags(D, dx, dy, dz, 1.0, tx, ty, tz, own, rx, ry, rz, ux, uy, uz)
+    px, py, pz = across(px, py, pz, tx, ty, tz, over, own)
+    fx, fy, fz = across(fx, fy, fz, tx, ty, tz, over, own)
+    return px, py, pz, fx, fy, fz
+
+
+@kernel
+def clamp_forces(x, v, rest_length, held, node, bending, direction, spin, elastic, friction):
+    """Add the forces of all half cells to the segments' elastic bending and friction [N], (3, n + 1)."""
+    for row in range(held.shape[0]):
+        if bending.clamped[row] == 0 or held[row] == 0:
+            continue
+        for side in range(2):
+            if bending.clamp_stiffness[row, side] == 0.0:
+                continue
+            j = node[row] - 1 + side
+            px, py, pz, fx, fy, fz = half_cell(
+                x, v, rest_length, j, side, row, bending, direction, spin
+            )
+            elastic[0, j + 1] += px
+            elastic[1, j + 1] += py
+            elastic[2, j + 1] += pz
+            friction[0, j + 1] += fx
+            friction[1, j + 1] += fy
+            friction[2, j + 1] += fz
+
+
+@kernel
+def clamp_energy(x, rest_length, held, node, bending, direction):
+    """Return the energy of all half cells [J]."""
+    total = 0.0
+    for row in range(held.shape[0]):
+        if bending.clamped[row] == 0 or held[row] == 0:
+            continue
+        dx, dy, dz = direction[row, 0], direction[row, 1], direction[row, 2]
+        for side in range(2):
+            if bending.clamp_stiffness[row, side] == 0.0:
+                continue
+            j = node[row] - 1 + side
+            tx, ty, tz, _, own = tangent(
+                x[0, j + 1] - x[0, j], x[1, j + 1] - x[1, j], x[2, j + 1] - x[2, j], rest_length[j]
+            )
+            B = bending.clamp_stiffness[row, side]
+            kx = bending.clamp_natural[row, 3 * side]
+            ky = bending.clamp_natural[row, 3 * side + 1]
+            kz = bending.clamp_natural[row, 3 * side + 2]
+            if side == 0:
+                total += stored(B, tx, ty, tz, own, dx, dy, dz, 1.0, kx, ky, kz)
+            else:
+                total += stored(B, dx, dy, dz, 1.0, tx, ty, tz, own, kx, ky, kz)
+    return total
+
+
+@kernel
+def clamp_moments(x, v, rest_length, held, node, bending, direction, spin, moment):
+    """Write every clamp's moment on the rope [N m], (a, 6): elastic part, then friction's."""
+    for row in range(held.shape[0]):
+        if bending.clamped[row] == 0 or held[row] == 0:
+            continue
+        for k in range(6):
+            moment[row, k] = 0.0
+        for side in range(2):
+            if bending.clamp_stiffness[row, side] == 0.0:
+                continue
+            j = node[row] - 1 + side
+            px, py, pz, fx, fy, fz = half_cell(
+                x, v, rest_length, j, side, row, bending, direction, spin
+            )
+            ex, ey, ez = x[0, j + 1] - x[0, j], x[1, j + 1] - x[1, j], x[2, j + 1] - x[2, j]
+            moment[row, 0] += py * ez - pz * ey
+            moment[row, 1] += pz * ex - px * ez
+            moment[row, 2] += px * ey - py * ex
+            moment[row, 3] += fy * ez - fz * ey
+            moment[row, 4] += fz * ex - fx * ez
+            moment[row, 5] += fx * ey - fy * ex
+
+
+@part
+def turn_clamps(system, state, t):
+    """Turn all clamps to where they are at time `t`."""
+    if state.moment.shape[0] > 0:
+        bending = system.bending
+        point_clamps(
+            state.held,
+            bending.clamped,
+            bending.direction,
+            bending.axis,
+            bending.turn,
+            t,
+            state.clamp_direction,
+            state.clamp_spin,
+        )
+
+
+@part
+def measure_clamps(system, state):
+    """Write the moments of all clamps at the state itself."""
+    if state.moment.shape[0] > 0:
+        clamp_moments(
+            state.x,
+            state.v,
+            state.rest_length,
+            state.held,
+            state.anchor_node,
+            system.bending,
+            state.clamp_direction,
+            state.clamp_spin,
+            state.moment,
+        )
+
+
+@part
+def close_clamps(system, state, t, dt, ledger):
+    """Turn all clamps to the end of the step at time `t`; write their moments, book their work."""
+    if state.moment.shape[0] > 0:
+        book_turns(system.bending, state.moment, state.held, t, dt, ledger, state.work.clamps)
+        turn_clamps(system, state, t)
+        measure_clamps(system, state)
+        book_turns(system.bending, state.moment, state.held, t, dt, ledger, state.work.clamps)
+
+
+@kernel
+def book_turns(bending, moment, held, t, dt, ledger, work):
+    """Add half of what the present moments do during the turn of the step that ends at `t` [J]."""
+    for row in range(held.shape[0]):
+        if ledger and bending.clamped[row] == 1 and held[row] == 1:
+            turned = clamp_angle(bending.turn, row, t) - clamp_angle(bending.turn, row, t - dt)
+            for k in range(3):
+                work[row] += 0.5 * turned * bending.axis[row, k] * moment[row, k]
+
+
+@kernel
+def bent_energy(system, state):
+    """Return the energy of all bends and half cells [J]."""
+    total = bending_energy(
+        state.x, state.rest_length, state.bending_stiffness, system.bending.natural
+    )
+    if state.moment.shape[0] > 0:
+        total += clamp_energy(
+            state.x,
+            state.rest_length,
+            state.held,
+            state.anchor_node,
+            system.bending,
+            state.clamp_direction,
+        )
+    return total
+
+
+@kernel
+def start_clamps(system, state):
+    """Point all clamps as at time zero and write their moments (for the host)."""
+    measure_clamps(system, state)
+
+
+@kernel
+def let_bend(system, state, row):
+    """Turn the half cells of a clamp that is let go into a bend; what they stored more is its work."""
+    i = state.anchor_node[row]
+    before = bent_energy(system, state)
+    state.held[row] = 0
+    state.bending_stiffness[i] = system.bending.stiffness[i]
+    state.bending_damping[i] = system.bending.damping[i]
+    for k in range(6):
+        state.moment[row, k] = 0.0
+    state.work.clamps[row] += bent_energy(system, state) - before

@@ -1,0 +1,90 @@
+"""Forces inside a stage of an implicit method, where the segments' tensions are unknowns of their own.
+
+A segment pulls with its tension T, whatever its length; that T fits the length is an equation of its own,
+    g = r - L - T/k = 0,      tension-only: min(T e', T/k - (r - L)) = 0 with any e' > 0,
+the second a complementarity (Qi & Sun 1993): either the segment is slack and T = 0, or it is taut.
+What begins and ends abruptly (friction of slack segments, the ground's) acts where it is marked.
+"""
+
+from __future__ import annotations
+
+import math
+
+from ropewalk.core.arrays import TENSION_ONLY
+from ropewalk.core.jit import kernel, part
+from ropewalk.laws.ground import mark_touching, marked_ground_forces
+from ropewalk.laws.stretch import drop_marked_friction
+from ropewalk.laws.table import evaluate_smooth, rub_segments
+
+
+@kernel
+def pull(x, tension, rest_length, alive, direction, stretch, over, elastic):
+    """Write directions (3, s), r - L and 1 / r (s,) and the forces (3, n + 1) at `tension` [N].
+
+    `alive` is 0 for segments between ropes, whose `stretch` is then 0.
+    """
+    x0, x1, x2 = x[0], x[1], x[2]
+    e0, e1, e2 = elastic[0], elastic[1], elastic[2]
+    d0, d1, d2 = direction[0], direction[1], direction[2]
+    for j in range(tension.shape[0]):
+        dx, dy, dz = x0[j + 1] - x0[j], x1[j + 1] - x1[j], x2[j + 1] - x2[j]
+        r = math.sqrt(dx * dx + dy * dy + dz * dz)
+        over[j] = 1.0 / r if r > 0.0 else 0.0
+        tx, ty, tz = over[j] * dx, over[j] * dy, over[j] * dz
+        d0[j], d1[j], d2[j] = tx, ty, tz
+        stretch[j] = alive[j] * (r - rest_length[j])
+        e0[j + 1], e1[j + 1], e2[j + 1] = tension[j] * tx, tension[j] * ty, tension[j] * tz
+
+
+@kernel
+def decide(stretch, tension, over, soft, weight, floor, carries, compliance, misfit):
+    """Decide which segments carry and write g [m] of those that may not.
+
+    `soft` is 1/k, `weight` the inertial stiffness whose inverse is e' [N/m]. A segment without direction
+    (its ends coincide) or between ropes carries nothing.
+    """
+    for j in range(tension.shape[0]):
+        slack = 1.0 / weight[j]
+        on = over[j] > 0.0
+        if floor[j] == 0.0:
+            on = on and (slack - soft[j]) * tension[j] + stretch[j] > 0.0
+        carries[j] = 1.0 if on else 0.0
+        compliance[j] = soft[j] if on else slack
+        misfit[j] = carries[j] * stretch[j] - compliance[j] * tension[j]
+
+
+@part
+def evaluate_stage(system, state, x, v, tension, work, saddle, forces):
+    """Write the forces of all laws at `x`, `v` and `tension`, for what is marked in the band."""
+    over, stretch = work.over, work.stretch
+    pull(x, tension, state.rest_length, work.alive, saddle.direction, stretch, over, forces.elastic)
+    floor, carries, e, g = system.slack_floor, saddle.carries, saddle.compliance, saddle.misfit
+    decide(stretch, tension, over, work.soft, work.weight, floor, carries, e, g)
+    rub_segments(system, state, x, v, forces)
+    if system.flags[TENSION_ONLY] == 1:
+        drop_marked_friction(saddle.band.rubs, forces.friction)
+    evaluate_smooth(system, state, x, v, forces)
+    if system.ground.active == 1:
+        marked_ground_forces(x, v, system.ground, saddle.band.touches, forces.ground)
+
+
+@part
+def mark_stage(system, x, saddle):
+    """Mark what rubs and what touches at the present iterate; return how many marks changed."""
+    changed = 0.0
+    if system.flags[TENSION_ONLY] == 1:
+        changed += mark_taut(system.slack_floor, saddle.carries, saddle.band.rubs)
+    if system.ground.active == 1:
+        changed += mark_touching(x, system.ground, saddle.band.touches)
+    return changed
+
+
+@kernel
+def mark_taut(floor, carries, rubs):
+    """Mark the segments with friction: all but slack tension-only ones; return how many changed."""
+    changed = 0.0
+    for j in range(rubs.shape[0]):
+        on = 1.0 if floor[j] != 0.0 else carries[j]
+        changed += abs(on - rubs[j])
+        rubs[j] = on
+    return changed

@@ -1,0 +1,86 @@
+"""The tangent of all laws: how their forces change with positions and velocities.
+
+    matrix = -(weight_x dF/dx + weight_v dF/dv)
+
+Exact, and so not symmetric where a law is not: axial friction and drag along a line depend on the
+direction of a segment. Held nodes are treated as all others; who solves with the matrix leaves their rows
+out. A new law adds its tangent in `add_tangents`; one that joins next-but-one nodes, as bending does, adds
+to `lower2` and `upper2` of the band as well.
+"""
+
+from __future__ import annotations
+
+from ropewalk.core.arrays import BENDING, TENSION_ONLY, Floats, State, System
+from ropewalk.core.band import Band, clear_band, make_band
+from ropewalk.core.jit import kernel, part
+from ropewalk.laws.air_tangent import (
+    line_drag_tangent,
+    linear_drag_tangent,
+    quadratic_node_tangent,
+)
+from ropewalk.laws.bending_tangent import bending_tangent, clamp_tangent
+from ropewalk.laws.ground import ground_tangent, mark_touching
+from ropewalk.laws.stretch_tangent import elastic_tangent, friction_tangent, mark_rubbing
+
+
+@part
+def mark(system, state, x, band):
+    """Note in the band which segments rub and which nodes touch the ground at positions `x`."""
+    if system.flags[TENSION_ONLY] == 1:
+        mark_rubbing(x, state.rest_length, system.slack_floor, band.rubs)
+    if system.ground.active == 1:
+        mark_touching(x, system.ground, band.touches)
+
+
+@part
+def add_tangents(system, state, x, v, weight_x, weight_v, band):
+    """Add the tangents of all laws but the springs', for what is marked in the band."""
+    friction_tangent(system, state, x, v, weight_x, weight_v, band.rubs, band)
+    if system.flags[BENDING] == 1:
+        add_bending_tangent(system, state, x, v, weight_x, weight_v, band)
+    air = system.air
+    if air.linear == 1 or air.quadratic == 1:
+        linear_drag_tangent(air.node_drag, weight_v, band)
+    if air.quadratic == 1:
+        quadratic_node_tangent(v, air.node_drag_quadratic, air.wind, weight_v, band)
+        line_drag_tangent(x, v, air.normal, air.tangential, air.wind, weight_x, weight_v, band)
+    if system.ground.active == 1:
+        ground_tangent(v, system.ground, band.touches, weight_x, weight_v, band)
+
+
+@part
+def add_bending_tangent(system, state, x, v, weight_x, weight_v, band):
+    """Add the tangents of bending, its friction and the clamps; the band has second off-diagonals."""
+    lengths, bending = state.rest_length, system.bending
+    stiffness, damping = state.bending_stiffness, state.bending_damping
+    natural = bending.natural
+    bending_tangent(x, v, lengths, stiffness, damping, natural, weight_x, weight_v, band)
+    if state.moment.shape[0] > 0:
+        clamp_tangent(x, v, lengths, state, bending, weight_x, weight_v, band)
+
+
+@kernel
+def assemble_tangent(system, state, x, v, weight_x, weight_v, band, clamp=False):
+    """Add -(weight_x dF/dx + weight_v dF/dv) of all acting laws at `x` and `v`, (3, n) [m, m/s].
+
+    With `clamp` the geometric stiffness T/r (I - t t^T) of compressed segments is left out, so that the
+    springs' part has no negative eigenvalue.
+    """
+    floor = system.slack_floor
+    mark(system, state, x, band)
+    elastic_tangent(x, state.rest_length, state.stiffness, floor, weight_x, clamp, band)
+    add_tangents(system, state, x, v, weight_x, weight_v, band)
+
+
+def stiffness_and_friction(
+    system: System, state: State, x: Floats | None = None, v: Floats | None = None
+) -> tuple[Band, Band]:
+    """Return -dF/dx [N/m] and -dF/dv [N s/m] at `x` and `v`, (3, n); by default at the state's own."""
+    x, v = (state.x if x is None else x), (state.v if v is None else v)
+    found = []
+    for weights in ((1.0, 0.0), (0.0, 1.0)):
+        band = make_band(x.shape[1], second=system.flags[BENDING] == 1)
+        clear_band(band)
+        assemble_tangent(system, state, x, v, *weights, band)
+        found.append(band)
+    return found[0], found[1]

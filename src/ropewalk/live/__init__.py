@@ -1,0 +1,1 @@
+"""Live: a running simulation that is changed while it runs, and its view in the browser."""

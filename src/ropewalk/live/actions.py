@@ -1,0 +1,338 @@
+"""What each command does to a session. All raise SceneError when it cannot be done."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from ropewalk.build import Layout
+from ropewalk.core.arrays import Floats
+from ropewalk.live import edits
+from ropewalk.live.commands import (
+    Back,
+    Compare,
+    Cut,
+    Drag,
+    Drop,
+    Grab,
+    Kick,
+    LetGo,
+    Load,
+    Move,
+    Pin,
+    Remedy,
+    Reset,
+    SceneCommand,
+    Set,
+    Speed,
+    Unpin,
+)
+from ropewalk.live.hands import MOST_GRABS, Target
+from ropewalk.live.parameters import named, refusal
+from ropewalk.live.remedies import calm_moment, implicit_method, suggested_step
+from ropewalk.live.session import Session
+from ropewalk.live.sources import scene_of
+from ropewalk.live.track import Track
+from ropewalk.scene import Scene
+from ropewalk.simulation import Simulation
+
+
+def speed(session: Session, command: Speed, client: int) -> str:
+    session.speed = command.value
+    return ""
+
+
+def reset(session: Session, command: Reset, client: int) -> str:
+    scene = session.initial(original=command.all)
+    made = [Track(scene, session.main.label)]
+    for track in session.tracks[1:]:
+        changed = scene
+        for name, value in track.changes.items():
+            changed = named(name).apply(changed, value)
+        made.append(Track(changed, track.label, track.changes))
+    made[0].count = session.count
+    session.tracks = made
+    if command.all:
+        session.changes = {}
+    session.broken = None
+    session.remember(clear=True)
+    session.changed()
+    return ""
+
+
+def set_(session: Session, command: Set, client: int) -> str:
+    if command.variant is not None and command.variant >= len(session.tracks):
+        rule = f"must be from 0 to {len(session.tracks) - 1}"
+        raise refusal("variant", command.variant, rule)
+    session.set(command.name, command.value, command.rope, command.variant)
+    session.broken = None
+    return ""
+
+
+def move(session: Session, command: Move, client: int) -> str:
+    for track in session.tracks:
+        handle = _anchor(track, command.anchor, required=track is session.main)
+        if handle is not None:
+            track.hands.still(track.simulation, command.anchor)
+            handle.velocity = command.velocity
+            if any(command.velocity):
+                track.hands.movers[command.anchor] = client
+    return ""
+
+
+def drag(session: Session, command: Drag, client: int) -> str:
+    for track in session.tracks:
+        if _anchor(track, command.anchor, required=track is session.main) is not None:
+            track.hands.targets[command.anchor] = Target(np.array(command.target), client)
+            track.hands.fresh = True
+    return ""
+
+
+def drop(session: Session, command: Drop, client: int) -> str:
+    for track in session.tracks:
+        if command.anchor in track.simulation.anchors:
+            track.hands.still(track.simulation, command.anchor)
+    return ""
+
+
+def grab(session: Session, command: Grab, client: int) -> str:
+    main = session.main
+    edits.at_node(main.simulation.layout, command.node)
+    name = main.holder(command.node)
+    if name is not None:
+        raise refusal("node", command.node, f"is held by anchor {name!r}; drag that")
+    here = [one for one in main.hands.grabs if (one.node, one.owner) == (command.node, client)]
+    if not here and len(main.hands.grabs) >= MOST_GRABS:
+        raise refusal("node", command.node, f"{MOST_GRABS} nodes are grabbed already")
+    for track in session.tracks:
+        node = counterpart(main.simulation, track.simulation, command.node)
+        if node is not None and track.holder(node) is None:
+            track.hands.grab(node, np.array(command.target), client)
+    return ""
+
+
+def let_go(session: Session, command: LetGo, client: int) -> str:
+    for track in session.tracks:
+        node = command.node
+        if node is not None:
+            node = counterpart(session.main.simulation, track.simulation, node)
+        if command.node is None or node is not None:
+            track.hands.let_go(track.simulation, client, node)
+        if command.node is None:
+            track.hands.stop(track.simulation, client)
+    return ""
+
+
+def pin(session: Session, command: Pin, client: int) -> str:
+    name = session.main.holder(command.node)
+    if name is not None:
+        raise refusal("node", command.node, f"is held by anchor {name!r} already")
+    return _on_node(session, command.node, edits.pin)
+
+
+def unpin(session: Session, command: Unpin, client: int) -> str:
+    name = command.anchor
+    if name is None:
+        if command.node is None:
+            raise refusal("anchor", None, "give an anchor's name or a node")
+        edits.at_node(session.main.simulation.layout, command.node)
+        name = session.main.holder(command.node)
+        if name is None:
+            raise refusal("node", command.node, "is held by no anchor")
+    for track in session.tracks:
+        if track is session.main or name in track.simulation.anchors:
+            track.restructure(lambda scene, layout: edits.drop_anchor(scene, layout, name))
+    return _structured(session)
+
+
+def cut(session: Session, command: Cut, client: int) -> str:
+    main = session.main.simulation
+    middles = [_segment(main, track.simulation, command.segment) for track in session.tracks]
+    note = ""
+    for track, segment in zip(session.tracks, middles, strict=True):
+        if segment is not None:
+            done = track.restructure(partial(_cut, segment=segment))
+            note = note or done
+    _structured(session)
+    return note
+
+
+def load(session: Session, command: Load, client: int) -> str:
+    return _on_node(session, command.node, partial(edits.load, mass=command.mass))
+
+
+def kick(session: Session, command: Kick, client: int) -> str:
+    for track in session.tracks:
+        node = counterpart(session.main.simulation, track.simulation, command.node)
+        if track is session.main:
+            track.kick(command.node, np.array(command.velocity))
+        elif node is not None and track.holder(node) is None:
+            track.kick(node, np.array(command.velocity))
+    return ""
+
+
+def scene(session: Session, command: SceneCommand, client: int) -> str:
+    made, preset, settings = scene_of(command, session.start)
+    session.open(made, preset)
+    for name, rope, value in settings:
+        session.set(name, value, rope, None)
+    session.broken = None
+    if settings:
+        reset(session, Reset(type="reset"), client)
+    return ""
+
+
+def compare(session: Session, command: Compare, client: int) -> str:
+    made = [session.main]
+    for number, variant in enumerate(command.variants, start=1):
+        changes = {
+            name: named(name).checked(_auto(name, value, session))
+            for name, value in variant.changes.items()
+        }
+        label = variant.label or _label(changes) or f"variant {number}"
+        made.append(session.main.clone(label, changes))
+    session.tracks = made
+    session.broken = None
+    session.remember(clear=True)
+    session.changed()
+    return ""
+
+
+def back(session: Session, command: Back, client: int) -> str:
+    moments = session.history.newest_first()
+    if command.seconds is None:
+        found = calm_moment(session)
+    else:
+        latest = session.time - command.seconds
+        found = next((one for one in moments if one.time <= latest), moments[-1])
+    session.go_back(found)
+    session.broken = None
+    return ""
+
+
+def remedy(session: Session, command: Remedy, client: int) -> str:
+    if session.broken is None:
+        raise refusal("remedy", command.remedy, "nothing is broken")
+    changes = dict(session.changes)
+    variant = session.broken.variant or None
+    track = session.tracks[session.broken.variant]
+    value: Any = None
+    if command.remedy == "step":
+        value = suggested_step(track.simulation)
+    elif command.remedy == "implicit":
+        value = implicit_method()
+        if value is None:
+            raise refusal("remedy", command.remedy, "there is no implicit method here")
+    wanted = session.main.scene
+    session.go_back(calm_moment(session, layout=session.main.simulation.layout))
+    session.broken = None
+    if command.remedy == "back":
+        return ""
+    _take_constants(session, wanted, changes)
+    session.set("time_step" if command.remedy == "step" else "method", value, None, variant)
+    return ""
+
+
+def _take_constants(session: Session, wanted: Any, changes: dict[Any, Any]) -> None:
+    """Give the first variant the constants that it broke with, where its ropes are still the same."""
+    track = session.main
+    layout = edits.layout_of(wanted)
+    if layout == track.simulation.layout and wanted != track.scene:
+        track.edit(edits.Edit(wanted, edits.same_nodes(layout)))
+        session.changes = changes
+
+
+def _auto(name: str, value: Any, session: Session) -> Any:
+    from ropewalk.live.track import automatic_step
+
+    return automatic_step(session.scene) if (name, value) == ("time_step", "auto") else value
+
+
+def _label(changes: dict[str, Any]) -> str:
+    return ", ".join(f"{name} = {value}" for name, value in changes.items())[:80]
+
+
+def _anchor(track: Track, name: str, *, required: bool) -> Any:
+    handle = track.simulation.anchors.get(name)
+    if handle is None and required:
+        there = ", ".join(track.simulation.anchors) or "none"
+        raise refusal("anchor", name, f"no such anchor; there is {there}")
+    if handle is not None and not handle.holds:
+        if required:
+            raise refusal("anchor", name, "has let go of its node and moves nothing")
+        return None
+    return handle
+
+
+def _cut(scene: Scene, layout: Layout, segment: int) -> edits.Edit:
+    return edits.cut(scene, layout, segment)
+
+
+def _on_node(session: Session, node: int, make: Callable[..., edits.Edit]) -> str:
+    """Make an edit of a node in all variants that have it."""
+    main, note = session.main.simulation, ""
+    nodes = [counterpart(main, track.simulation, node) for track in session.tracks]
+    edits.at_node(main.layout, node)
+    for track, here in zip(session.tracks, nodes, strict=True):
+        if here is not None:
+            note = track.restructure(partial(make, index=here)) or note
+    _structured(session)
+    return note
+
+
+def _structured(session: Session) -> str:
+    session.broken = None
+    session.changed()
+    return ""
+
+
+def counterpart(main: Simulation, other: Simulation, node: int) -> int | None:
+    """Return the node of another variant that stands for a node of the first one."""
+    if main is other or not 0 <= node < main.layout.nodes:
+        return node
+    name, number = main.layout.rope_of(node)
+    spans = {span.name: span for span in other.layout.ropes}
+    if name not in spans:
+        return None
+    here, there = main.layout.span(name), spans[name]
+    share = number / max(here.end - here.start, 1)
+    return there.start + round(share * (there.end - there.start))
+
+
+def counterparts(here: Simulation, there: Simulation) -> Floats | None:
+    """Return for every node of `here` its place among the nodes of `there`, fractional, (n,).
+
+    None when a rope is missing there.
+    """
+    spans = {span.name: span for span in there.layout.ropes}
+    found = np.zeros(here.layout.nodes)
+    for span in here.layout.ropes:
+        if span.name not in spans:
+            return None
+        other = spans[span.name]
+        found[span.first : span.last + 1] = np.linspace(other.first, other.last, span.nodes)
+    return found
+
+
+def _segment(main: Simulation, other: Simulation, segment: int) -> int | None:
+    """Return the segment of another variant in which the middle of one of the first lies."""
+    if main is other or not 0 <= segment < main.layout.segments:
+        return segment
+    name, number = main.layout.rope_of(segment)
+    spans = {span.name: span for span in other.layout.ropes}
+    if name not in spans:
+        return None
+    here, there = main.layout.span(name), spans[name]
+    count = there.end - there.start
+    share = (number + 0.5) / max(here.end - here.start, 1)
+    return there.start + min(int(share * count), count - 1)
+
+
+ACTIONS: dict[str, Callable[[Session, Any, int], str]] = {
+    "speed": speed, "reset": reset, "set": set_, "move": move, "drag": drag, "drop": drop,
+    "grab": grab, "let_go": let_go, "pin": pin, "unpin": unpin, "cut": cut, "load": load,
+    "kick": kick, "scene": scene, "compare": compare, "back": back, "remedy": remedy,
+}  # fmt: skip

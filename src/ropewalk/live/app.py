@@ -1,0 +1,156 @@
+"""The web application: the page, its files, the presets' pictures, exports, the socket."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from importlib.resources import files
+from pathlib import Path
+from typing import Any
+
+from starlette.applications import Starlette
+from starlette.concurrency import run_in_threadpool
+from starlette.requests import Request
+from starlette.responses import PlainTextResponse, Response
+from starlette.routing import Route, WebSocketRoute
+from starlette.websockets import WebSocket
+
+from ropewalk import __version__
+from ropewalk.live.commands import Command
+from ropewalk.live.exports import Exports, NothingToExport
+from ropewalk.live.hands import MOST_GRABS
+from ropewalk.live.hub import UNACKNOWLEDGED, Hub, Mailbox, as_text
+from ropewalk.live.page_socket import LONGEST_SCENE, PER_SECOND, PROTOCOL, serve_socket
+from ropewalk.live.preset_pictures import svg
+
+MOST_CLIENTS = 8
+_TYPES = {
+    ".html": "text/html; charset=utf-8",
+    ".js": "text/javascript; charset=utf-8",
+    ".css": "text/css; charset=utf-8",
+    ".svg": "image/svg+xml",
+    ".png": "image/png",
+    ".ico": "image/x-icon",
+    ".txt": "text/plain; charset=utf-8",
+    ".json": "application/json",
+    ".map": "application/json",
+    ".webmanifest": "application/manifest+json",
+}
+
+
+def page_folder() -> Path:
+    """Return the folder of the page's files."""
+    return Path(str(files("ropewalk.live"))) / "page"
+
+
+class Live:
+    """What the routes have in common: the stage, the pages, the exports."""
+
+    def __init__(
+        self,
+        stage: Any,
+        hub: Hub,
+        exports: Exports,
+        *,
+        wake: Callable[[], None] = lambda: None,
+        folder: Path | None = None,
+        title: str = "",
+        page: Path | None = None,
+        most_clients: int = MOST_CLIENTS,
+    ) -> None:
+        self.stage, self.hub, self.exports = stage, hub, exports
+        self.wake, self.run_folder, self.title = wake, folder, title
+        self.page, self.most_clients = page or page_folder(), most_clients
+
+    def submit(self, command: Command, box: Mailbox) -> None:
+        """Hand a page's command to the stage."""
+        self.stage.submit(command, box.number, lambda message: self.hub.tell_one(box, message))
+        self.wake()
+
+    def do(self, what: Callable[[Any], None]) -> None:
+        """Have something done on the stage."""
+        self.stage.submit(what, 0, lambda message: None)
+        self.wake()
+
+    def hello(self, client: int) -> str:
+        """Return the first message to a page."""
+        return as_text(
+            {
+                "type": "hello",
+                "protocol": PROTOCOL,
+                "ropewalk": __version__,
+                "client": client,
+                "mode": self.stage.mode,
+                "can": self.stage.can,
+                "limits": {
+                    "message_bytes": LONGEST_SCENE,
+                    "messages_per_second": PER_SECOND,
+                    "unacknowledged": UNACKNOWLEDGED,
+                    "clients": self.most_clients,
+                },
+                "title": self.title,
+                "folder": str(self.run_folder) if self.run_folder else None,
+                "address": self.stage.address,
+                "speeds": [0.01, 4.0],
+                "grabs": MOST_GRABS,
+                "exports": self.exports.names(),
+            }
+        )
+
+
+def make_app(live: Live) -> Starlette:
+    """Return the application. Everything it reads from disk is named here or by the page's folder."""
+    there = live.page.iterdir() if live.page.is_dir() else ()
+    found = {path.name: path for path in there if path.is_file()}
+
+    async def page_file(request: Request) -> Response:
+        name = request.path_params.get("name") or "index.html"
+        path = found.get(name)
+        if path is None or path.suffix not in _TYPES:
+            text = "no such file" if found else "the page is missing from this installation"
+            return PlainTextResponse(f"{text}\n", 404)
+        data = await run_in_threadpool(path.read_bytes)
+        return Response(data, headers={"content-type": _TYPES[path.suffix]})
+
+    async def picture(request: Request) -> Response:
+        made = await run_in_threadpool(svg, request.path_params["name"], live.stage)
+        if made is None:
+            return PlainTextResponse("no such preset\n", 404)
+        return Response(made, media_type="image/svg+xml")
+
+    async def export(request: Request) -> Response:
+        name = request.path_params["name"]
+        try:
+            data, kind = await run_in_threadpool(live.exports.make, name, request.query_params)
+        except NothingToExport as error:
+            return PlainTextResponse(f"{error}\n", 404)
+        disposition = f'attachment; filename="{live.exports.file_name(name)}"'
+        headers = {"content-type": kind, "content-disposition": disposition}
+        return Response(data, headers=headers)
+
+    async def frames(request: Request) -> Response:
+        make = getattr(live.stage, "frames_between", None)
+        try:
+            first, count, every = (
+                int(request.query_params.get(key, default))
+                for key, default in (("first", "0"), ("count", "100"), ("every", "1"))
+            )
+        except ValueError:
+            return PlainTextResponse("first, count and every must be whole numbers\n", 400)
+        if make is None or first < 0 or not 0 < count <= 4096 or every < 1:
+            return PlainTextResponse("no such frames\n", 404)
+        data = await run_in_threadpool(make, first, count, every)
+        return Response(data, media_type="application/octet-stream")
+
+    async def socket(websocket: WebSocket) -> None:
+        await serve_socket(websocket, live)
+
+    return Starlette(
+        routes=[
+            Route("/", page_file),
+            Route("/presets/{name}.svg", picture),
+            Route("/export/{name}", export),
+            Route("/replay/frames.bin", frames),
+            WebSocketRoute("/socket", socket),
+            Route("/{name}", page_file),
+        ]
+    )

@@ -1,0 +1,134 @@
+"""Carrying a running simulation over into another scene: places, velocities, anchors, work, time."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ropewalk.build import Model, build
+from ropewalk.core.arrays import Floats, State, Work
+from ropewalk.scene import Scene
+from ropewalk.simulation import Simulation
+
+# What a winch changes while it works, and the model of a scene does not know.
+_WOUND = (
+    "mass",
+    "rest_length",
+    "stiffness",
+    "damping_vector",
+    "damping_axial",
+    "winch_exit",
+    "winch_rate",
+    "winch_debt",
+    "winch_paid",
+)
+
+
+def carry_over(old: Simulation, scene: Scene, source: Floats) -> Simulation:
+    """Return a simulation of `scene` that goes on where `old` stands.
+
+    `source` says for every node of the new scene where it was, (nodes,), fractional between two
+    nodes: place and velocity are then interpolated. Raises SceneError when the scene cannot be
+    planned.
+    """
+    model = build(scene)
+    state = model.state
+    state.x[...] = _interpolated(old.arrays.x, source)
+    state.v[...] = _interpolated(old.arrays.v, source)
+    if scene.winches:
+        _carry_winches(old.arrays, state)
+    kinds = _carry_anchors(old, model)
+    made = Simulation(model, ledger=old.ledger)
+    snapshot = made.state
+    _carry_work(old, made, snapshot.state)
+    start, dt, step = old.clock
+    if made.plan.dt != dt:
+        start, dt, step = old.time, made.plan.dt, 0
+    drive = old.state.winch_drive if scene.winches else snapshot.winch_drive
+    made.restore(
+        snapshot._replace(
+            start=start, dt=dt, step=step, motion_kinds=kinds, winch_drive=drive.copy()
+        )
+    )
+    return made
+
+
+def _interpolated(values: Floats, source: Floats) -> Floats:
+    """Return columns of an array (3, n) at fractional indices."""
+    low = np.floor(source).astype(np.int64)
+    share = source - low
+    if not share.any():
+        return values[:, low]
+    high = np.minimum(low + 1, values.shape[1] - 1)
+    mixed: Floats = values[:, low] * (1.0 - share) + values[:, high] * share
+    return mixed
+
+
+def _carry_winches(old: State, new: State) -> None:
+    for name in _WOUND:
+        getattr(new, name)[...] = getattr(old, name)
+
+
+def _carry_anchors(old: Simulation, model: Model) -> np.ndarray[tuple[int], np.dtype[np.int64]]:
+    """Put the anchors where they were, by name; return their kinds of motion."""
+    before, state, system = old.arrays, model.state, model.system
+    rows = {name: row for row, name in enumerate(old.layout.anchor_names)}
+    kinds = system.anchors.kind.copy()
+    winds = bool(model.scene.winches)
+    alive = state.mass > 0.0
+    state.inverse_mass[...] = np.divide(1.0, state.mass, out=np.zeros_like(state.mass), where=alive)
+    for row, name in enumerate(model.layout.anchor_names):
+        node = int(state.anchor_node[row])
+        if name in rows:
+            was = rows[name]
+            if winds:
+                node = state.anchor_node[row] = int(before.anchor_node[was])
+            state.anchor_x[row] = before.anchor_x[was]
+            state.anchor_v[row] = before.anchor_v[was]
+            state.held[row] = before.held[was]
+            system.anchors.params[row] = old.system.anchors.params[was]
+            kinds[row] = old.system.anchors.kind[was]
+        else:
+            state.anchor_x[row] = system.anchors.params[row, :3] = state.x[:, node]
+            state.anchor_v[row] = 0.0
+            state.v[:, node] = 0.0
+            state.held[row] = 1
+        _carry_clamp(old, model, row, rows.get(name))
+        if state.held[row]:
+            state.inverse_mass[node] = 0.0
+            state.x[:, node] = state.anchor_x[row]
+            state.v[:, node] = state.anchor_v[row]
+    return kinds
+
+
+def _carry_clamp(old: Simulation, model: Model, row: int, was: int | None) -> None:
+    """Keep a clamp's direction as far as it has turned; one that has let go bends freely again."""
+    state, bending = model.state, model.system.bending
+    if not len(state.moment) or not bending.clamped[row]:
+        return
+    if was is not None and len(old.arrays.moment) and old.system.bending.clamped[was]:
+        state.clamp_direction[row] = old.arrays.clamp_direction[was]
+        state.clamp_spin[row] = old.arrays.clamp_spin[was]
+    if not state.held[row]:
+        node = int(state.anchor_node[row])
+        state.bending_stiffness[node] = bending.stiffness[node]
+        state.bending_damping[node] = bending.damping[node]
+
+
+def _carry_work(old: Simulation, made: Simulation, state: State) -> None:
+    """Keep the work done so far: part by part where the parts are the same, else in one place."""
+    before = old.arrays.work
+    rows = {name: row for row, name in enumerate(old.layout.anchor_names)}
+    for name in Work._fields:
+        values, target = getattr(before, name), getattr(state.work, name)
+        if name == "anchors":
+            continue
+        if values.shape == target.shape:
+            target[...] = values
+        elif len(target):
+            target[0] = values.sum()
+    for row, name in enumerate(made.layout.anchor_names):
+        if name in rows:
+            was = rows.pop(name)
+            state.work.anchors[row] = before.anchors[was]
+            state.reaction[row] = old.arrays.reaction[was]
+    state.work.applied[0] += before.anchors[list(rows.values())].sum()  # of anchors that are gone

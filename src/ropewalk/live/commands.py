@@ -1,0 +1,228 @@
+"""What a page may ask for: every command as a strict model. See docs/reference/live-protocol.md."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal
+
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError
+
+from ropewalk.live.parameters import refusal
+from ropewalk.scene import Fault, SceneError
+
+FAR = 1e6  # [m], [m/s]: no place and no speed that a hand gives is larger
+LONGEST_TEXT = 200_000
+MOST_VARIANTS = 4
+
+
+def _number(value: Any) -> Any:
+    """Take whole numbers for numbers, but neither true nor text."""
+    return float(value) if isinstance(value, int) and not isinstance(value, bool) else value
+
+
+Number = Annotated[float, BeforeValidator(_number), Field(strict=True, allow_inf_nan=False)]
+Coordinate = Annotated[Number, Field(ge=-FAR, le=FAR)]
+Vector = tuple[Coordinate, Coordinate, Coordinate]
+Index = Annotated[int, Field(strict=True, ge=0, le=100_000_000)]
+Name = Annotated[str, Field(strict=True, max_length=100)]
+Id = Annotated[int, Field(strict=True, ge=0, le=2**53)]
+Value = bool | int | float | str | list[Any] | None
+
+
+class Command(BaseModel):
+    """What all commands have."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+    type: str
+    id: Id | None = None
+
+
+class Ack(Command):
+    type: Literal["ack"]
+    frame: Index
+
+
+class Play(Command):
+    type: Literal["play"]
+
+
+class Pause(Command):
+    type: Literal["pause"]
+
+
+class Step(Command):
+    type: Literal["step"]
+    count: Annotated[int, Field(strict=True, ge=1, le=10_000)] = 1
+
+
+class Speed(Command):
+    type: Literal["speed"]
+    value: Annotated[Number, Field(ge=0.01, le=4.0)]
+
+
+class Reset(Command):
+    type: Literal["reset"]
+    all: bool = False
+
+
+class Set(Command):
+    type: Literal["set"]
+    name: Name
+    value: Value
+    rope: Name | None = None
+    variant: Annotated[int, Field(strict=True, ge=0, lt=MOST_VARIANTS)] | None = None
+
+
+class Move(Command):
+    type: Literal["move"]
+    anchor: Name
+    velocity: Vector
+
+
+class Drag(Command):
+    type: Literal["drag"]
+    anchor: Name
+    target: Vector
+
+
+class Drop(Command):
+    type: Literal["drop"]
+    anchor: Name
+
+
+class Grab(Command):
+    type: Literal["grab"]
+    node: Index
+    target: Vector
+
+
+class LetGo(Command):
+    type: Literal["let_go"]
+    node: Index | None = None
+
+
+class Pin(Command):
+    type: Literal["pin"]
+    node: Index
+
+
+class Unpin(Command):
+    type: Literal["unpin"]
+    anchor: Name | None = None
+    node: Index | None = None
+
+
+class Cut(Command):
+    type: Literal["cut"]
+    segment: Index
+
+
+class Load(Command):
+    type: Literal["load"]
+    node: Index
+    mass: Number
+
+
+class Kick(Command):
+    type: Literal["kick"]
+    node: Index
+    velocity: Vector
+
+
+class SceneCommand(Command):
+    type: Literal["scene"]
+    preset: Name | None = None
+    toml: Annotated[str, Field(max_length=LONGEST_TEXT)] | None = None
+    address: Annotated[str, Field(max_length=LONGEST_TEXT)] | None = None
+
+
+class Variant(BaseModel):
+    """A copy to compare with: what is different in it."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+    label: Annotated[str, Field(max_length=80)] = ""
+    changes: Annotated[dict[Name, Value], Field(max_length=30)]
+
+
+class Compare(Command):
+    type: Literal["compare"]
+    variants: Annotated[list[Variant], Field(max_length=MOST_VARIANTS - 1)]
+
+
+class Back(Command):
+    type: Literal["back"]
+    seconds: Annotated[Number, Field(ge=0.0, le=1e6)] | None = None
+
+
+class Remedy(Command):
+    type: Literal["remedy"]
+    remedy: Literal["back", "step", "implicit"]
+
+
+class Save(Command):
+    type: Literal["save"]
+
+
+class Seek(Command):
+    type: Literal["seek"]
+    time: Number
+
+
+COMMANDS: dict[str, type[Command]] = {
+    str(model.model_fields["type"].annotation.__args__[0]): model  # type: ignore[union-attr]
+    for model in (
+        Ack, Play, Pause, Step, Speed, Reset, Set, Move, Drag, Drop, Grab, LetGo, Pin, Unpin, Cut,
+        Load, Kick, SceneCommand, Compare, Back, Remedy, Save, Seek,
+    )
+}  # fmt: skip
+# Those that change the simulation, and so are kept in a session's log.
+PHYSICAL = frozenset(
+    [
+        "speed",
+        "reset",
+        "set",
+        "move",
+        "drag",
+        "drop",
+        "grab",
+        "let_go",
+        "pin",
+        "unpin",
+        "cut",
+        "load",
+        "kick",
+        "scene",
+        "compare",
+        "back",
+        "remedy",
+    ]
+)
+
+
+def parse(data: Any) -> Command:
+    """Return the command of a message. Raises SceneError with every fault and what is allowed."""
+    if not isinstance(data, dict):
+        raise refusal("message", data, "must be a JSON object")
+    kind = data.get("type")
+    if not isinstance(kind, str) or kind not in COMMANDS:
+        raise refusal("type", kind, "must be one of " + ", ".join(COMMANDS))
+    try:
+        return COMMANDS[kind].model_validate(data)
+    except ValidationError as error:
+        raise SceneError([_fault(item) for item in error.errors(include_url=False)]) from None
+
+
+def _fault(item: Any) -> Fault:
+    """One of pydantic's errors in the words of the scene's."""
+    path = "".join(f"[{at}]" if isinstance(at, int) else f".{at}" for at in item["loc"])
+    context = item.get("ctx") or {}
+    low, high = context.get("ge", context.get("gt")), context.get("le", context.get("lt"))
+    rule = str(item["msg"])
+    if item["type"] == "missing":
+        rule = "is needed"
+    elif item["type"] == "extra_forbidden":
+        rule = "unknown key"
+    elif low is not None:
+        rule = f"must be at least {low:g}"
+    elif high is not None:
+        rule = f"must be at most {high:g}"
+    return Fault(path.lstrip("."), item["input"], rule)

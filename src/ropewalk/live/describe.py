@@ -1,0 +1,189 @@
+"""The messages that describe a session to a page: layout, parameters, presets."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from ropewalk.analysis.stability import plain
+from ropewalk.build import Layout, Span
+from ropewalk.core.arrays import Floats
+from ropewalk.live.frame import HEADER, SCALARS, Shape
+from ropewalk.live.parameters import PARAMETERS, ROPE, Parameter
+from ropewalk.live.session import Session
+from ropewalk.live.sources import START
+from ropewalk.live.track import WINCH_SAFE, Track
+from ropewalk.scene import Scene
+from ropewalk.scene.presets import names, preset
+
+
+def layout(session: Session) -> dict[str, Any]:
+    """Return the `layout` message of a session as it is now."""
+    place, variants = HEADER.size, []
+    colors = _colors(session)
+    for track in session.tracks:
+        shape = Shape(track.simulation.layout.nodes, len(track.simulation.layout.anchor_names))
+        places, place = shape.places(place)
+        variants.append(_variant(track, places._asdict(), colors))
+    scene = session.scene
+    center, radius = view_box(session.main.simulation.positions, scene)
+    ground = None if scene.ground is None else {"height": scene.ground.height}
+    return {
+        "type": "layout",
+        "layout": 0,
+        "bytes": place,
+        "scene": {
+            "name": scene.name,
+            "description": scene.description,
+            "preset": session.preset,
+        },
+        "up": list(scene.up),
+        "gravity": list(scene.gravity),
+        "ground": ground,
+        "view": {"center": center, "radius": radius},
+        "scalars": list(SCALARS),
+        "variants": variants,
+    }
+
+
+def view_box(positions: Floats, scene: Scene) -> tuple[list[float], float]:
+    """Return middle and radius [m] of a view that shows ropes, also when they swing."""
+    low, high = positions.min(axis=0), positions.max(axis=0)
+    longest = max(rope.length_unstretched for rope in scene.ropes)
+    radius = max(0.5 * float(np.linalg.norm(high - low)), 0.5 * longest, 1e-3)
+    return [float(value) for value in 0.5 * (low + high)], radius
+
+
+def _colors(session: Session) -> dict[str, int]:
+    """A number for every rope, the same for both halves of a cut one."""
+    base = [rope.name for rope in session.loaded.ropes]
+    found: dict[str, int] = {}
+    for rope in session.main.scene.ropes:
+        origin = max((name for name in base if rope.name.startswith(name)), key=len, default="")
+        found[rope.name] = base.index(origin) if origin else 0
+    return found
+
+
+def _variant(track: Track, offsets: dict[str, int], colors: dict[str, int]) -> dict[str, Any]:
+    scene, where = track.scene, track.simulation.layout
+    return {
+        "label": track.label,
+        "method": track.simulation.plan.method,
+        "changes": plain(track.changes),
+        "nodes": where.nodes,
+        "ropes": rope_list(scene, where.ropes, colors),
+        "anchors": anchor_list(scene, where),
+        "loads": load_list(scene, where),
+        "offsets": offsets,
+    }
+
+
+def rope_list(scene: Scene, spans: Sequence[Span], colors: dict[str, int]) -> list[dict[str, Any]]:
+    """Return the ropes of a layout message."""
+    return [
+        {
+            "name": rope.name,
+            "first": span.first,
+            "nodes": span.nodes,
+            "zero": span.start,
+            "segments": rope.segments,
+            "length": rope.length_unstretched,
+            "EA": rope.segment_stiffness * rope.segment_length or None,
+            "diameter": rope.diameter,
+            "mass": rope.total_mass,
+            "color": colors.get(rope.name, number),
+        }
+        for number, (rope, span) in enumerate(zip(scene.ropes, spans, strict=True))
+    ]
+
+
+def anchor_list(scene: Scene, where: Layout) -> list[dict[str, Any]]:
+    """Return the anchors of a layout message."""
+    return [
+        {
+            "name": anchor.name,
+            "rope": anchor.rope,
+            "node": scene.anchor_node(anchor),
+            "index": where.node(scene.anchor_node(anchor), anchor.rope),
+            "motion": anchor.motion.kind,
+            "pinned": anchor.name.startswith("pin") and anchor.motion.kind == "hand",
+        }
+        for anchor in scene.anchors
+    ]
+
+
+def load_list(scene: Scene, where: Layout) -> list[dict[str, Any]]:
+    """Return the loads of a layout message."""
+    return [
+        {
+            "rope": rope.name,
+            "node": rope.node_index(load.node),
+            "index": where.node(load.node, rope.name),
+            "mass": load.mass,
+        }
+        for rope in scene.ropes
+        for load in rope.loads
+    ]
+
+
+def parameters(session: Session) -> dict[str, Any]:
+    """Return the `parameters` message."""
+    found = [_parameter(session, one) for one in PARAMETERS.values()]
+    return {"type": "parameters", "parameters": found}
+
+
+def _parameter(session: Session, parameter: Parameter) -> dict[str, Any]:
+    scene, loaded = session.scene, session.loaded
+    values = {
+        scene.ropes[i].name: plain(parameter.get(scene, i)) for i in parameter.ropes(scene, None)
+    }
+    distinct = {repr(value) for value in values.values()}
+    value = next(iter(values.values())) if len(distinct) == 1 else None
+    default = parameter.get(loaded, 0)
+    low, high, scale = parameter.slider(default)
+    why = ""
+    if scene.winches and parameter.group not in WINCH_SAFE:
+        why = "cannot be changed while a winch is in the scene"
+    elif parameter.name == "EA" and value is None and len(distinct) == 1:
+        why = "springs of no length have none"
+    about = {
+        "name": parameter.name,
+        "label": parameter.label,
+        "group": parameter.group,
+        "unit": parameter.unit,
+        "kind": parameter.kind,
+        "help": parameter.help,
+        "value": value,
+        "default": plain(default),
+        "low": low,
+        "high": high,
+        "scale": scale,
+        "minimum": parameter.minimum,
+        "maximum": parameter.maximum,
+        "choices": parameter.choices() if parameter.choices else None,
+        "values": values if parameter.group == ROPE and len(values) > 1 else None,
+        "enabled": not why,
+        "why": why,
+    }
+    return about | {"value": plain(about["value"])}
+
+
+def presets(session: Session) -> dict[str, Any]:
+    """Return the `presets` message."""
+    found = []
+    scene, name = session.start
+    if name is None:
+        found.append(_preset(START, scene))
+    found += [_preset(one, preset(one)) for one in names()]
+    return {"type": "presets", "presets": found}
+
+
+def _preset(name: str, scene: Scene) -> dict[str, str]:
+    return {
+        "name": name,
+        "title": scene.name,
+        "sentence": scene.description,
+        "picture": f"presets/{name}.svg",
+    }

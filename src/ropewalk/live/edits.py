@@ -1,0 +1,203 @@
+"""Changes of a scene's structure while it runs: pins, cuts, loads.
+
+Each takes a scene and its layout and returns the new scene and, per node of the new one, where it was: the
+(fractional) index of the old node. The scene's shapes are not used any more once a simulation runs, so
+they are put aside for straight ones, which fit any number of nodes.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ropewalk.build.layout import Layout, make_layout
+from ropewalk.core.arrays import Floats
+from ropewalk.live.parameters import refusal
+from ropewalk.scene import Anchor, Hand, Load, Material, Rope, Scene, Straight
+
+MOST_ANCHORS, MOST_ROPES = 100, 200
+MOST_NODES = 200_000
+
+
+@dataclass(frozen=True)
+class Edit:
+    """A changed scene, and where its nodes were before."""
+
+    scene: Scene
+    source: Floats  # (new nodes,) index of the old node, fractional between two
+    note: str = ""
+
+
+def check_size(scene: Scene) -> None:
+    """Raise SceneError for a scene that is too large to be shown live."""
+    nodes = sum(rope.nodes for rope in scene.ropes)
+    if nodes > MOST_NODES:
+        raise refusal("rope", f"{nodes} nodes", f"must be at most {MOST_NODES} in a live view")
+    if len(scene.ropes) > MOST_ROPES:
+        rule = f"must be at most {MOST_ROPES} in a live view"
+        raise refusal("rope", f"{len(scene.ropes)} ropes", rule)
+
+
+def neutral(scene: Scene) -> Scene:
+    """Return the scene with straight shapes, for a simulation whose nodes have places already."""
+    shape = Straight(start=(0.0, 0.0, 0.0), end=(1.0, 0.0, 0.0))
+    ropes = [rope.replace(shape=shape, kicks=()) for rope in scene.ropes]
+    return scene.replace(ropes=ropes)
+
+
+def same_nodes(layout: Layout) -> Floats:
+    """Return the sources when every node stays the same."""
+    return np.arange(layout.nodes, dtype=np.float64)
+
+
+def matched(before: Layout, after: Layout) -> Floats:
+    """Return the sources when ropes may have other numbers of segments.
+
+    Equal shares of arc length, between one anchor and the next: an anchored node stays where it is.
+    """
+    held = dict(zip(before.anchor_names, before.anchor_nodes, strict=True))
+    pairs = [
+        (node, held[name])
+        for name, node in zip(after.anchor_names, after.anchor_nodes, strict=True)
+        if name in held
+    ]
+    parts = []
+    for old, new in zip(before.ropes, after.ropes, strict=True):
+        nodes = np.arange(new.first, new.last + 1, dtype=np.float64)
+        if old.nodes == new.nodes:
+            parts.append(nodes + (old.first - new.first))
+            continue
+        ends = {new.first: old.first, new.last: old.last}
+        fixed = sorted((ends | {a: b for a, b in pairs if new.first <= a <= new.last}).items())
+        here, there = np.array(fixed, dtype=np.float64).T
+        parts.append(np.interp(nodes, here, there))
+    return np.concatenate(parts)
+
+
+def at_node(layout: Layout, index: int, path: str = "node") -> tuple[str, int]:
+    """Return rope and node number of an index of the arrays. Raises SceneError."""
+    if not 0 <= index < layout.nodes:
+        raise refusal(path, index, f"must be from 0 to {layout.nodes - 1}")
+    rope, node = layout.rope_of(index)
+    span = layout.span(rope)
+    if not span.start <= index <= span.end:
+        raise refusal(path, index, "is on a winch's drum")
+    return rope, node
+
+
+def pin(scene: Scene, layout: Layout, index: int) -> Edit:
+    """Hold a node where it is, by an anchor that can be moved by hand.
+
+    It takes the place of one that has let go of the node.
+    """
+    rope, node = at_node(layout, index)
+    if len(scene.anchors) >= MOST_ANCHORS:
+        raise refusal("node", index, f"{MOST_ANCHORS} anchors are there already")
+    gone = [one for one in scene.anchors if one.rope == rope and scene.anchor_node(one) == node]
+    scene = scene.replace(anchors=[one for one in scene.anchors if one not in gone])
+    taken = {anchor.name for anchor in scene.anchors}
+    number = next(i for i in range(1, MOST_ANCHORS + 2) if f"pin{i}" not in taken)
+    made = Anchor(name=f"pin{number}", rope=rope, node=node, motion=Hand())
+    return Edit(scene.replace(anchors=[*scene.anchors, made]), same_nodes(layout))
+
+
+def drop_anchor(scene: Scene, layout: Layout, name: str) -> Edit:
+    """Take an anchor away."""
+    kept = [anchor for anchor in scene.anchors if anchor.name != name]
+    if len(kept) == len(scene.anchors):
+        there = ", ".join(anchor.name for anchor in scene.anchors) or "none"
+        raise refusal("anchor", name, f"no such anchor; there is {there}")
+    return Edit(scene.replace(anchors=kept), same_nodes(layout))
+
+
+def load(scene: Scene, layout: Layout, index: int, mass: float) -> Edit:
+    """Hang a mass on a node [kg], in place of what hangs there; 0 takes it off."""
+    name, node = at_node(layout, index)
+    if not (math.isfinite(mass) and 0.0 <= mass <= 1e9):
+        raise refusal("mass", mass, "must be from 0 to 1e+09 kg")
+    ropes = list(scene.ropes)
+    i = scene.rope_index(name)
+    loads = [one for one in ropes[i].loads if ropes[i].node_index(one.node) != node]
+    loads += [Load(node=node, mass=mass)] if mass > 0.0 else []
+    ropes[i] = ropes[i].replace(loads=loads)
+    return Edit(scene.replace(ropes=ropes), same_nodes(layout))
+
+
+def cut(scene: Scene, layout: Layout, segment: int) -> Edit:
+    """Cut a segment through its middle.
+
+    Springs lose the spring. Of a material half a segment stays at either end, as mass only, so that no
+    mass is lost and no node's mass changes. A node that is left all alone is dropped, with its anchor.
+    """
+    if not 0 <= segment < layout.segments:
+        raise refusal("segment", segment, f"must be from 0 to {layout.segments - 1}")
+    name, first = at_node(layout, segment, "segment")
+    span = layout.span(name)
+    if segment >= span.end:
+        raise refusal("segment", segment, "lies between two ropes: there is nothing to cut")
+    i = scene.rope_index(name)
+    rope = scene.ropes[i]
+    if rope.segments == 1:
+        raise refusal("segment", segment, "is the rope's only one: nothing would be left")
+    if len(scene.ropes) >= MOST_ROPES:
+        raise refusal("segment", segment, f"{MOST_ROPES} ropes are there already")
+    names = _two_names(scene, name)
+    ends = [
+        (low, high, new)
+        for low, high, new in ((0, first, names[0]), (first + 1, rope.segments, names[1]))
+        if high > low
+    ]
+    if len(ends) == 1:
+        ends = [(ends[0][0], ends[0][1], name)]
+    ropes = list(scene.ropes)
+    ropes[i : i + 1] = [_piece(rope, low, high, new) for low, high, new in ends]
+    anchors = []
+    for anchor in scene.anchors:
+        if anchor.rope != name:
+            anchors.append(anchor)
+            continue
+        node = rope.node_index(anchor.node)
+        for low, high, new in ends:
+            if low <= node <= high:
+                anchors.append(anchor.replace(rope=new, node=node - low))
+    kept = np.ones(layout.nodes, dtype=bool)
+    kept[span.start : span.end + 1] = False
+    for low, high, _ in ends:
+        kept[span.start + low : span.start + high + 1] = True
+    note = "" if len(ends) == 2 else "the last node is no rope any more and was dropped"
+    made = scene.replace(ropes=ropes, anchors=anchors)
+    return Edit(made, np.flatnonzero(kept).astype(np.float64), note)
+
+
+def _two_names(scene: Scene, name: str) -> tuple[str, str]:
+    """Return names for the two halves of a cut rope that no other rope has."""
+    taken = {rope.name for rope in scene.ropes}
+    base = name[:50]
+    found = [f"{base}-{i}" for i in range(1, MOST_ROPES + 3) if f"{base}-{i}" not in taken]
+    return found[0], found[1]
+
+
+def _piece(rope: Rope, low: int, high: int, name: str) -> Rope:
+    """Return the part of a rope from node `low` to node `high`, with half a segment's mass at cuts."""
+    loads = [
+        Load(node=node - low, mass=one.mass)
+        for one in rope.loads
+        if low <= (node := rope.node_index(one.node)) <= high
+    ]
+    changes: dict[str, Any] = {"name": name, "segments": high - low}
+    if isinstance(rope.made_of, Material):
+        changes["length"] = rope.segment_length * (high - low)
+        half = 0.5 * rope.made_of.mass_per_length * rope.segment_length
+        if low > 0:
+            loads.append(Load(node=0, mass=half))
+        if high < rope.segments:
+            loads.append(Load(node=high - low, mass=half))
+    return rope.replace(loads=loads, **changes)
+
+
+def layout_of(scene: Scene) -> Layout:
+    """Return the layout of a scene."""
+    return make_layout(scene)

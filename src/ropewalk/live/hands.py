@@ -1,0 +1,155 @@
+"""Hands on the ropes: soft springs that pull nodes, and anchors that follow a pointer.
+
+Both are brought up to date every `CONTROL` seconds of simulated time, at whole steps, and act evenly in
+between. A soft spring F = K (target - x) - C v is bounded in three ways, so that it pulls hard
+enough and cannot break anything: K lifts all the rope with a stretch of 1 % of its length and
+K H^2 <= m / 4, C damps a tenth of the rope critically and C H <= m / 4, and |F| is at most 20 times
+the rope's weight (H the time between two updates, m the node's mass). With C >= K H / 2 a sampled
+spring gives no energy out (Colgate & Schenkel 1997, passivity of a virtual wall).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from typing import NamedTuple
+
+import numpy as np
+
+from ropewalk.core.arrays import Floats
+from ropewalk.simulation import Simulation
+
+CONTROL = 1.0 / 960.0  # [s] between two updates, or one step
+FOLLOW = 0.02  # [s] in which an anchor makes up 63 % of the way to its target
+FASTEST = 30.0  # [m/s] of an anchor on its way to its target
+MOST_GRABS = 8
+_LIFT, _SHARE, _FORCE = 100.0, 0.1, 20.0
+
+
+@dataclass(frozen=True)
+class Grab:
+    """A soft spring on a node."""
+
+    node: int
+    target: Floats  # (3,) [m]
+    owner: int = 0
+    force: Floats = field(default_factory=lambda: np.zeros(3))  # on the node [N]
+
+
+class Target(NamedTuple):
+    """Where an anchor is to go."""
+
+    place: Floats  # (3,) [m]
+    owner: int
+
+
+class Hands:
+    """All that hands do to one simulation."""
+
+    def __init__(self) -> None:
+        self.grabs: list[Grab] = []
+        self.targets: dict[str, Target] = {}  # of anchors that follow a pointer
+        self.movers: dict[str, int] = {}  # who moves an anchor by a held key
+        self.fresh = False  # something has changed since the last update
+
+    @property
+    def active(self) -> bool:
+        """Whether there is anything to bring up to date."""
+        return bool(self.grabs or self.targets)
+
+    def copy(self) -> Hands:
+        """Return a copy."""
+        made = Hands()
+        made.grabs, made.targets, made.fresh = list(self.grabs), dict(self.targets), self.fresh
+        made.movers = dict(self.movers)
+        return made
+
+    def grab(self, node: int, target: Floats, owner: int) -> None:
+        """Take hold of a node, or move the target of a grab."""
+        kept = [one for one in self.grabs if (one.node, one.owner) != (node, owner)]
+        self.grabs = [*kept, Grab(node, target, owner)]
+        self.fresh = True
+
+    def let_go(self, simulation: Simulation, owner: int | None, node: int | None = None) -> None:
+        """End grabs: of an owner (None: of all), of one node or of all."""
+        gone = [
+            one
+            for one in self.grabs
+            if (owner is None or one.owner == owner) and (node is None or one.node == node)
+        ]
+        if gone:
+            self.grabs = [one for one in self.grabs if one not in gone]
+            simulation.push({one.node: np.zeros(3) for one in gone})
+            self.fresh = True
+
+    def stop(self, simulation: Simulation, owner: int | None) -> None:
+        """End what an owner (None: anybody) moves: drags and held keys; the anchors stand still."""
+        names = [name for name, one in self.targets.items() if owner in (None, one.owner)]
+        names += [name for name, one in self.movers.items() if owner in (None, one)]
+        for name in names:
+            self.still(simulation, name)
+
+    def still(self, simulation: Simulation, name: str) -> None:
+        """Have an anchor stand still."""
+        self.targets.pop(name, None)
+        self.movers.pop(name, None)
+        handle = simulation.anchors.get(name)
+        if handle is not None and handle.holds:
+            handle.velocity = (0.0, 0.0, 0.0)
+
+    def holds(self, owner: int) -> bool:
+        """Tell whether an owner holds or moves anything."""
+        held = [one.owner for one in self.grabs] + [one.owner for one in self.targets.values()]
+        return owner in (*held, *self.movers.values())
+
+    def renumber(self, source: Floats) -> None:
+        """Follow the nodes into new arrays; grabs of nodes that are gone end."""
+        kept = []
+        for one in self.grabs:
+            near = int(np.argmin(np.abs(source - one.node)))
+            if abs(source[near] - one.node) <= 0.5:
+                kept.append(replace(one, node=near))
+        self.grabs, self.fresh = kept, True
+
+    def update(self, simulation: Simulation, interval: float, speed: float) -> None:
+        """Set the forces and the anchors' velocities for the next `interval` [s]."""
+        self.fresh = False
+        for name, target in list(self.targets.items()):
+            handle = simulation.anchors.get(name)
+            if handle is None or not handle.holds:
+                del self.targets[name]
+                continue
+            time = max(FOLLOW * min(max(speed, 0.01), 1.0), interval)
+            velocity = (target.place - handle.position) / time
+            size = float(np.linalg.norm(velocity))
+            handle.velocity = velocity * min(1.0, FASTEST / size) if size > 0.0 else velocity
+        if not self.grabs:
+            return
+        self.grabs = [self._pulled(simulation, one, interval) for one in self.grabs]
+        forces: dict[int, Floats] = {}
+        for one in self.grabs:
+            forces[one.node] = forces.get(one.node, np.zeros(3)) + one.force
+        simulation.push(forces)
+
+    def _pulled(self, simulation: Simulation, grab: Grab, interval: float) -> Grab:
+        state, i = simulation.arrays, grab.node
+        stiffness, damping, most = soft_spring(simulation, i, interval)
+        force = stiffness * (grab.target - state.x[:, i]) - damping * state.v[:, i]
+        size = float(np.linalg.norm(force))
+        if not size <= most:
+            force = force * (most / size) if np.isfinite(size) else np.zeros(3)
+        return replace(grab, force=force)
+
+
+def soft_spring(simulation: Simulation, node: int, interval: float) -> tuple[float, float, float]:
+    """Return stiffness [N/m], damping [N s/m] and largest force [N] of a grab of a node."""
+    state, layout = simulation.arrays, simulation.layout
+    name, _ = layout.rope_of(node)
+    span = layout.span(name)
+    length = simulation.scene.rope_named(name).length_unstretched or 1.0
+    mass = float(state.mass[span.start : span.end + 1].sum())
+    weight = mass * max(float(np.linalg.norm(simulation.system.gravity)), 1.0)
+    own = float(state.mass[node])
+    stiffness = min(_LIFT * weight / length, 0.25 * own / interval**2)
+    damping = 2.0 * float(np.sqrt(stiffness * _SHARE * mass))
+    damping = max(min(damping, 0.25 * own / interval), 0.5 * stiffness * interval)
+    return stiffness, damping, _FORCE * weight

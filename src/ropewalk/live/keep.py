@@ -1,0 +1,238 @@
+"""Keeping a live session as a run folder: frames as they come, and every command with its step.
+
+The folder is a run like any other: scene, numbers, provenance, events. A part of its own, in the
+folder `part-2` and so on, begins where the arrays or the time are not those of before: after a cut, a
+pin, another number of segments, a reset. The log of the whole session is `events.jsonl` of the first
+part; replayed from its scene it gives the same bits (`relive`).
+"""
+
+from __future__ import annotations
+
+import queue
+import threading
+import time
+from collections.abc import Callable
+from concurrent.futures import Future
+from contextlib import ExitStack, suppress
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from ropewalk.block import Block
+from ropewalk.build import Layout, Plan
+from ropewalk.live.commands import Command
+from ropewalk.live.frozen import scene_now
+from ropewalk.live.session import Session
+from ropewalk.record.errors import RunError
+from ropewalk.record.events import log
+from ropewalk.record.facts import FINISHED, RUNNING, Facts, provenance
+from ropewalk.record.files import read_json, write_json, writing
+from ropewalk.record.folder import DATA, PROVENANCE, begin, new_folder, write_end, write_status
+from ropewalk.record.lock import locked
+from ropewalk.record.store import Writer
+from ropewalk.scene import Scene
+
+COMMIT_SECONDS = 1.0
+BYTES_PER_SECOND = (
+    1_000_000  # of simulated time at most; larger scenes are recorded at fewer frames
+)
+CHUNK_FRAMES = 120
+MOST_PARTS = 1000
+_JUMPS = frozenset(["reset", "scene", "back", "remedy"])
+
+
+@dataclass
+class Part:
+    """One stretch of a session, with arrays of one shape, on its way into a folder."""
+
+    folder: Path
+    writer: Writer
+    facts: Facts
+    frames: int = 0
+    last_time: float = 0.0
+
+
+class Keeper:
+    """Writes a session into a folder, in a thread of its own, while it plays."""
+
+    def __init__(self, session: Session, folder: Path, *, go_on: bool = False) -> None:
+        """Begin the folder, or `go_on` in that of an earlier part of the same session.
+
+        Raises RunError when it cannot be written.
+        """
+        self.session, self.folder = session, folder
+        self.failure: str | None = None
+        self._parts = 0
+        self._part: Part | None = None
+        self._jobs: queue.SimpleQueue[Callable[[], None] | None] = queue.SimpleQueue()
+        self._last_commit = time.monotonic()
+        self._begun = time.monotonic()
+        self._every = 1
+        self._count = 0
+        self._layout: Layout | None = None
+        self._held = ExitStack()
+        if go_on:
+            self._held.enter_context(locked(folder))
+            self._parts = len(parts(folder))
+            self._begin_part(scene_now(session))
+            log(folder, "continued", step=session.count)
+        else:
+            self._begin_part(session.start[0])
+            self._held.enter_context(locked(folder))
+            log(folder, "session", preset=session.preset, live=1)
+        session.on_command = self._on_command
+        session.on_break = self._on_break
+        session.on_frame = self._on_frame
+        self._thread = threading.Thread(target=self._run, name="ropewalk-keeper", daemon=True)
+        self._thread.start()
+
+    # -- called on the stage ---------------------------------------------------------------
+
+    def _on_command(self, count: int, client: int, command: Command) -> None:
+        about = command.model_dump(mode="json", exclude={"id"})
+        self._put(lambda: self._log("command", step=count, client=client, command=about))
+        simulation = self.session.main.simulation
+        if command.type in _JUMPS or simulation.layout != self._layout:
+            scene = scene_now(self.session, fresh=command.type in ("reset", "scene"))
+            self._new_part(scene)
+
+    def _on_break(self, count: int, variant: int) -> None:
+        self._put(lambda: self._log("broken", step=count, variant=variant))
+
+    def _on_frame(self, session: Session) -> None:
+        self._count += 1
+        if self._count % self._every == 0:
+            block = session.main.simulation.recording()
+            self._put(lambda: self._add(block))
+
+    def _new_part(self, scene: Scene) -> None:
+        if self._parts >= MOST_PARTS or self.failure:
+            return
+        layout, plan = self.session.main.simulation.layout, self.session.main.simulation.plan
+        block = self.session.main.simulation.recording()
+        self._set_rate(layout)
+        self._put(lambda: self._next_part(scene, layout, plan, block))
+
+    def _set_rate(self, layout: Layout) -> None:
+        self._layout = layout
+        frame = max(56 * layout.nodes, 1)
+        rate = self.session.loaded.run.frame_rate
+        self._every = max(1, round(frame * rate / BYTES_PER_SECOND))
+
+    # -- called in the keeper's thread -----------------------------------------------------
+
+    def _begin_part(self, scene: Scene) -> None:
+        simulation = self.session.main.simulation
+        self._set_rate(simulation.layout)
+        self._next_part(scene, simulation.layout, simulation.plan, simulation.recording())
+
+    def _next_part(self, scene: Scene, layout: Layout, plan: Plan, block: Block) -> None:
+        self._end_part()
+        self._parts += 1
+        folder = self.folder if self._parts == 1 else self.folder / f"part-{self._parts}"
+        facts = Facts(plan, True, False, RUNNING, provenance=_about(plan))
+        with new_folder(folder, overwrite=False) as made:
+            writer = begin(made, scene, layout, facts, CHUNK_FRAMES)
+            writer.add(block)
+            writer.commit()
+            write_status(made, facts, 1, float(block.time[-1]))
+            log(made, "started", live=1)
+        writer.folder = folder / DATA
+        self._part = Part(folder, writer, facts, 1, float(block.time[-1]))
+
+    def _add(self, block: Block) -> None:
+        part = self._part
+        if part is None:
+            return
+        part.writer.add(block)
+        part.frames += 1
+        part.last_time = float(block.time[-1])
+        if time.monotonic() - self._last_commit >= COMMIT_SECONDS:
+            self._commit()
+
+    def _commit(self) -> None:
+        part = self._part
+        if part is not None:
+            part.writer.commit()
+            seconds = time.monotonic() - self._begun
+            write_status(part.folder, part.facts.but(seconds=seconds), part.frames, part.last_time)
+        self._last_commit = time.monotonic()
+
+    def _end_part(self) -> None:
+        part = self._part
+        if part is None:
+            return
+        plan = replace(part.facts.plan, frames=max(part.frames - 1, 1))
+        part.facts = part.facts.but(status=FINISHED, plan=plan)
+        self._commit()
+        found = read_json(part.folder / PROVENANCE)
+        about = {**found, "plan": {**found["plan"], "frames": plan.frames}}
+        write_json(part.folder / PROVENANCE, about)
+        write_end(part.folder)
+        self._part = None
+
+    def _log(self, event: str, **more: Any) -> None:
+        log(self.folder, event, **more)
+
+    def _put(self, job: Callable[[], None]) -> None:
+        if self.failure is None:
+            self._jobs.put(job)
+
+    def _run(self) -> None:
+        while True:
+            job = self._jobs.get()
+            if job is None:
+                return
+            if self.failure is not None:
+                continue
+            try:
+                with writing(self.folder):
+                    job()
+            except RunError as error:  # the session goes on; what was committed is kept
+                self.failure = str(error)
+
+    # -- called from anywhere ----------------------------------------------------------------
+
+    def flush(self) -> Path:
+        """Have everything up to now on disk; return the folder. Raises RunError."""
+        done: Future[None] = Future()
+
+        def job() -> None:
+            try:
+                self._commit()
+            finally:
+                done.set_result(None)
+
+        self._put(job)
+        if self.failure is None:
+            with suppress(TimeoutError):
+                done.result(30.0)
+        if self.failure is not None:
+            raise RunError(self.folder, self.failure)
+        return self.folder
+
+    def close(self) -> None:
+        """End the folder: everything is on disk."""
+        count, when = self.session.count, self.session.time
+
+        def job() -> None:
+            self._end_part()
+            self._log("ended", step=count, time=when)
+
+        self._put(job)
+        self._jobs.put(None)
+        self._thread.join(60.0)
+        self._held.close()
+
+
+def parts(folder: Path) -> list[Path]:
+    """Return a run folder and the further parts of a live session in it."""
+    found, number = [folder], 2
+    while (folder / f"part-{number}").is_dir():
+        found.append(folder / f"part-{number}")
+        number += 1
+    return found
+
+
+def _about(plan: Plan) -> dict[str, Any]:
+    return {**provenance(plan, True, False), "live": True}

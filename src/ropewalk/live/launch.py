@@ -1,0 +1,84 @@
+"""Setting up a live view: session, folder, server. For the command line and for Python alike."""
+
+from __future__ import annotations
+
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+
+from ropewalk.record.errors import RunError
+from ropewalk.scene import Scene
+
+NEEDS = ("starlette", "uvicorn", "websockets")
+
+
+def missing() -> list[str]:
+    """Return the packages that a view needs and that are not installed."""
+    return [name for name in NEEDS if find_spec(name) is None]
+
+
+def check_installed() -> None:
+    """Raise RunError when a package is missing."""
+    absent = missing()
+    if absent:
+        words = " and ".join(absent)
+        raise RunError(words, "is missing; the live view needs it: pip install 'ropewalk[view]'")
+
+
+def prepare(
+    scene: Scene,
+    preset: str | None = None,
+    *,
+    folder: Path | None = None,
+    playing: bool = True,
+    host: str = "127.0.0.1",
+    port: int | None = None,
+    page: Path | None = None,
+) -> Any:
+    """Return a server, ready to start, that plays a scene live and keeps it in `folder` (None: not).
+
+    Raises SceneError, RunError for the folder, OSError for the port.
+    """
+    from ropewalk.live.session import Session
+
+    check_installed()
+    return serve_session(
+        Session(scene, preset), folder=folder, playing=playing, host=host, port=port, page=page
+    )
+
+
+def serve_session(
+    session: Any,
+    *,
+    folder: Path | None = None,
+    go_on: bool = False,
+    playing: bool = True,
+    host: str = "127.0.0.1",
+    port: int | None = None,
+    page: Path | None = None,
+) -> Any:
+    """Return a server, ready to start, for a session that is there already. Raises as `prepare`."""
+    from ropewalk.live.keep import Keeper
+    from ropewalk.live.serve import PORT, ViewServer
+    from ropewalk.live.stage import Stage
+
+    session.main.simulation.advance_frames(0)  # compiles before anybody waits for a frame
+    stage = Stage(session, playing=playing)
+    keeper = Keeper(session, folder, go_on=go_on) if folder is not None else None
+    try:
+        server = ViewServer(
+            stage,
+            host=host,
+            port=PORT if port is None else port,
+            title=session.scene.name,
+            keeper=keeper,
+            page=page,
+        )
+    except OSError:
+        if keeper is not None:
+            keeper.close()
+        stage.close()
+        raise
+    if keeper is not None:
+        stage.on_save = lambda: str(keeper.flush())
+    return server

@@ -1,0 +1,92 @@
+"""The stability meter: how far every variant's step is from the largest stable one, now."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from ropewalk.analysis.stability import milliseconds, plain, rounded_down
+from ropewalk.build import Model
+from ropewalk.build.chains import chains, speed_scale
+from ropewalk.methods.bound import largest_step, largest_stiffness_factor, meter
+from ropewalk.methods.registry import METHODS
+from ropewalk.scene import Springs
+
+GREEN = 0.9  # of the bound
+_FRICTION = {"semi-implicit-euler": (2.0, "a + 2b"), "verlet": (4.0, "a + 4b")}
+
+
+def measure(model: Model) -> dict[str, Any]:
+    """Return one variant's part of the `stability` message.
+
+    The theory is that of `analysis.stability`; only what a meter shows is computed.
+    """
+    plan = model.plan
+    method, dt = plan.method, plan.dt
+    cases = chains(model.system, model.state, speed_scale(model.system, model.state))
+    own = {name: largest_step(method, chain) for name, chain in cases.items()}
+    case = min(own, key=lambda name: own[name])
+    bound = own[case]
+    steps = {name: min(largest_step(name, chain) for chain in cases.values()) for name in METHODS}
+    factor = min(largest_stiffness_factor(method, chain, dt) for chain in cases.values())
+    constant, material = _constants(model)
+    stable = dt <= bound
+    ratio = dt / bound if bound > 0.0 else math.inf
+    value, words = None, None
+    if method in _FRICTION:
+        weight, words = _FRICTION[method]
+        value = max(meter(chain, dt, weight) for chain in cases.values())
+    found = {
+        "method": method,
+        "stable": stable,
+        "breaks": not stable,
+        "zone": "green" if ratio < GREEN else "amber" if stable else "red",
+        "ratio": ratio,
+        "step": dt,
+        "bound": bound,
+        "meter": value,
+        "meter_limit": None if value is None else 4.0,
+        "meter_name": words,
+        "spring_factor": factor,
+        "largest_spring_constant": None if constant is None else factor * constant,
+        "largest_axial_stiffness": None if material is None else factor * material,
+        "case": case,
+        "steps": steps,
+        "verdict": _verdict(method, dt, bound, stable),
+        "remedies": _remedies(dt, bound, stable, steps),
+    }
+    return {key: plain(item) for key, item in found.items()}
+
+
+def _constants(model: Model) -> tuple[float | None, float | None]:
+    """Return the spring constant [N/m] and the EA [N] that all ropes share, if they do."""
+    ropes = model.scene.ropes
+    constants = {rope.segment_stiffness for rope in ropes}
+    materials = {
+        rope.made_of.EA
+        if not isinstance(rope.made_of, Springs)
+        else rope.segment_stiffness * rope.segment_length
+        for rope in ropes
+    }
+    return (
+        constants.pop() if len(constants) == 1 else None,
+        materials.pop() if len(materials) == 1 else None,
+    )
+
+
+def _verdict(method: str, dt: float, bound: float, stable: bool) -> str:
+    if math.isinf(bound):
+        return f"stable: {method} has no largest step here"
+    if stable:
+        return f"stable: {100.0 * dt / bound:.0f} % of the largest step of {milliseconds(bound)}"
+    if bound == 0.0:
+        return f"unstable: {method} has no stable step here"
+    return f"unstable: {dt / bound:.3g} times the largest step of {milliseconds(bound)}"
+
+
+def _remedies(dt: float, bound: float, stable: bool, steps: dict[str, float]) -> list[str]:
+    if stable:
+        return []
+    found = [f"time step at most {rounded_down(bound)} s"] if bound > 0.0 else []
+    better = [name for name, step in steps.items() if step >= dt]
+    return found + ([f"method {' or '.join(better)}"] if better else [])

@@ -1,0 +1,108 @@
+"""What a frame shows of a running track."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from ropewalk.core.arrays import Floats
+from ropewalk.live.actions import counterparts
+from ropewalk.live.frame import Picture
+from ropewalk.live.track import Track
+from ropewalk.simulation import Simulation
+
+
+class Compared:
+    """Where the nodes of every further variant lie among those of the first; kept while it holds."""
+
+    def __init__(self) -> None:
+        self._known: dict[tuple[int, int], Floats | None] = {}
+
+    def source(self, first: Simulation, other: Simulation) -> Floats | None:
+        """Return places of the nodes of `other` among those of `first`; None where they are the same."""
+        key = (id(first.layout), id(other.layout))
+        if key not in self._known:
+            if len(self._known) > 100:
+                self._known.clear()
+            same = [(s.start, s.nodes) for s in first.layout.ropes] == [
+                (s.start, s.nodes) for s in other.layout.ropes
+            ]
+            self._known[key] = None if same else counterparts(other, first)
+        return self._known[key]
+
+
+def pictures(tracks: Sequence[Track], compared: Compared) -> list[Picture]:
+    """Return the pictures of all variants."""
+    first = picture(tracks[0])
+    main = tracks[0].simulation
+    more = [picture(track, first, compared.source(main, track.simulation)) for track in tracks[1:]]
+    return [first, *more]
+
+
+def picture(track: Track, first: Picture | None = None, source: Floats | None = None) -> Picture:
+    """Return the picture of a track now.
+
+    Args:
+        track: what to show.
+        first: the picture of the first variant, to measure the difference to.
+        source: for each node of this variant, where it lies among the nodes of the first.
+    """
+    simulation = track.simulation
+    recording = simulation.recording().recording
+    state = simulation.arrays
+    positions, speed = state.x.T, np.sqrt(np.einsum("kn,kn->n", state.v, state.v))
+    live = (state.stiffness > 0.0) & (state.rest_length >= 0.0)
+    tension = np.where(live, recording.tension[0], 0.0)
+    energy = recording.energy[0]
+    lost, put_in, error = track.books(float(energy.sum()), recording.work[0])
+    heights = positions @ np.array(track.scene.up)
+    scalars = {
+        "time": simulation.time,
+        "dt": track.dt,
+        "kinetic": float(energy[0]),
+        "gravity": float(energy[1]),
+        "elastic": float(energy[2:].sum()),
+        "lost": lost,
+        "put_in": put_in,
+        "energy_error": error,
+        "tension_max": float(tension.max(initial=0.0)),
+        "strain_max": _largest_strain(simulation, tension),
+        "low": float(heights.min()),
+        "high": float(heights.max()),
+        "touching": _touching(simulation, heights),
+    }
+    if first is not None:
+        scalars |= _difference(positions, first.positions, source)
+    held = state.held.astype(np.float64)
+    anchors = np.concatenate(
+        [state.anchor_x, state.anchor_v, recording.reaction[0], held[:, None]], axis=1
+    )
+    return Picture(scalars, positions, tension, speed, anchors, track.hands.grabs)
+
+
+def _largest_strain(simulation: Simulation, tension: Floats) -> float:
+    state = simulation.arrays
+    stiff = state.stiffness * state.rest_length
+    alive = stiff > 0.0
+    return float((tension[alive] / stiff[alive]).max(initial=0.0)) if alive.any() else 0.0
+
+
+def _touching(simulation: Simulation, heights: Floats) -> float:
+    ground = simulation.system.ground
+    return float(np.count_nonzero(heights < ground.height)) if ground.active else 0.0
+
+
+def _difference(here: Floats, there: Floats, source: Floats | None) -> dict[str, float]:
+    if source is not None:
+        low = np.floor(source).astype(np.int64)
+        share = (source - low)[:, None]
+        high = np.minimum(low + 1, len(there) - 1)
+        there = there[low] * (1.0 - share) + there[high] * share
+    if there.shape != here.shape:
+        return {"difference": float("nan"), "difference_max": float("nan")}
+    away = np.linalg.norm(here - there, axis=1)
+    return {
+        "difference": float(np.sqrt((away**2).mean())),
+        "difference_max": float(away.max(initial=0.0)),
+    }

@@ -1,0 +1,173 @@
+"""A run as data inside a page: positions, tension, speed, energies of every frame, in few bytes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ropewalk import __version__
+from ropewalk.core.arrays import Floats
+from ropewalk.live.frame import SCALARS, Picture
+from ropewalk.live.packing import LARGEST, Packed, pack
+from ropewalk.live.replay import ReplayStage
+from ropewalk.record.errors import RunError
+from ropewalk.record.result import Result
+
+# Half of a step is the error: 0.95e-5 of the longest rope, or 0.095 mm where that is less.
+_OF_LENGTH, _METRES = 1.9e-5, 1.9e-4
+_LEVELS = 4000  # steps of tension, speed and force from their lowest to their highest value
+_PARTS = ("tension", "speed", "velocity", "force")
+
+
+@dataclass(frozen=True)
+class Recording:
+    """A run packed for a page.
+
+    Attributes:
+        header: what the page must know, for JSON.
+        data: the streams, one after another.
+        frames: number of frames in it.
+        left_out: frames at the end that cannot be shown (of a run that broke).
+        position_error: largest distance of a coordinate from the run's [m].
+        tension_error: the same of the tension [N].
+    """
+
+    header: dict[str, Any]
+    data: bytes
+    frames: int
+    left_out: int
+    position_error: float
+    tension_error: float
+
+
+def record(run: Path | Result, rate: float = 60.0) -> Recording:
+    """Pack a run, or the parts of a live session, at no more than `rate` frames per second.
+
+    Raises RunError when there is nothing to show.
+    """
+    stage = ReplayStage(run, playing=False)
+    where = run if isinstance(run, Path) else (run.folder or "result")
+    indices = _thinned(stage.times, rate)
+    packed: list[Packed] = []
+    parts: list[dict[str, Any]] = []
+    kept: list[Floats] = []
+    left_out = 0
+    for number, part in enumerate(stage.parts):
+        first, end = int(stage.first[number]), int(stage.first[number + 1])
+        own = indices[(indices >= first) & (indices < end)]
+        pictures = [part.picture(int(index) - first) for index in own]
+        longest = max(rope.length_unstretched for rope in part.result.scene.ropes)
+        step = min(_OF_LENGTH * longest, _METRES) if longest > 0.0 else _METRES
+        count = _showable(pictures, step)
+        left_out += len(pictures) - count
+        if count == 0:
+            continue
+        streams = _streams(pictures[:count], step)
+        packed += streams
+        kept.append(stage.times[own[:count]])
+        parts.append(
+            {
+                "layout": stage._layout_message(number),
+                "frames": count,
+                "streams": [one.header() for one in streams],
+            }
+        )
+    if not parts:
+        raise RunError(where, "has no frame that can be shown")
+    times = np.concatenate(kept)
+    clock = pack("times", times[:, None], max(1e-7, float(times[-1]) / LARGEST))
+    errors = {name: max(one.error for one in packed if one.name == name) for name in _NEEDED}
+    header = {
+        "ropewalk": __version__,
+        "title": stage.scene.name,
+        "duration": float(times[-1]),
+        "method": part.result.plan.method,
+        "dt": part.result.plan.dt,
+        "times": clock.header(),
+        "parts": parts,
+        "about": _about(times, left_out, errors),
+    }
+    data = b"".join(one.data for one in (clock, *packed))
+    return Recording(header, data, len(times), left_out, errors["positions"], errors["tension"])
+
+
+_NEEDED = ("positions", "tension")
+
+
+def _thinned(times: Floats, rate: float) -> np.ndarray:
+    """Return the frames to take, the first and the last among them."""
+    wanted = np.floor((times - times[0]) * rate + 0.25).astype(np.int64)
+    first_of_each = np.flatnonzero(np.diff(wanted, prepend=-1) > 0)
+    return np.union1d(first_of_each, [len(times) - 1])
+
+
+def _showable(pictures: list[Picture], step: float) -> int:
+    """Return how many frames there are before one that no page can show."""
+    for count, picture in enumerate(pictures):
+        far = np.abs(picture.positions).max(initial=0.0)
+        if not (far < 0.4 * LARGEST * step and np.isfinite(picture.tension).all()):
+            return count
+    return len(pictures)
+
+
+def _streams(pictures: list[Picture], step: float) -> list[Packed]:
+    rows = len(pictures)
+
+    def stacked(values: Any) -> Floats:
+        found: Floats = np.array(values, float).reshape(rows, -1)
+        return np.where(np.isfinite(found), found, 0.0)
+
+    anchors = np.array([one.anchors for one in pictures], float)
+    values = {
+        "tension": stacked([one.tension for one in pictures]),
+        "speed": stacked([one.speed for one in pictures]),
+        "velocity": stacked(list(anchors[:, :, 3:6])),
+        "force": stacked(list(anchors[:, :, 6:9])),
+    }
+    scalars = stacked([[one.scalars.get(name, 0.0) for name in SCALARS] for one in pictures])
+    found = [pack("positions", stacked([one.positions for one in pictures]), step)]
+    found += [pack(name, values[name], _step(values[name])) for name in _PARTS]
+    # A hundred thousand steps each: they stand in numbers and graphs, and cost little.
+    spans = np.ptp(scalars, axis=0)
+    steps = np.maximum(spans, np.abs(scalars).max(axis=0) * 1e-6) * 1e-5
+    found.append(pack("scalars", scalars, np.where(steps > 0.0, steps, 1.0)))
+    return found
+
+
+def _step(values: Floats) -> float:
+    span = float(np.ptp(values)) if values.size else 0.0
+    largest = float(np.abs(values).max(initial=0.0))
+    return max(span, 1e-6 * largest) / _LEVELS or 1.0
+
+
+def _about(times: Floats, left_out: int, errors: dict[str, float]) -> str:
+    """Return a sentence on what the page holds and how true it is."""
+    duration = float(times[-1] - times[0])
+    rate = (len(times) - 1) / duration if duration > 0.0 else 0.0
+    text = (
+        f"{len(times)} frames, {duration:.4g} s"
+        + (f" at {rate:.3g} frames per second" if rate else "")
+        + f"; positions are rounded to within {_length(errors['positions'])}, "
+        f"tension to within {_figures(errors['tension'])} N."
+    )
+    if left_out:
+        text += f" The last {left_out} frames, after it broke, lie too far away to be shown."
+    return text
+
+
+def _length(metres: float) -> str:
+    for size, unit in ((1e-2, "mm"), (1e-5, "µm")):
+        if metres >= 0.1 * size:
+            return f"{_figures(metres * (1e3 if unit == 'mm' else 1e6))} {unit}"
+    return f"{_figures(metres * 1e6)} µm"
+
+
+def _figures(value: float) -> str:
+    """Two figures, rounded up: what is said must hold."""
+    if value <= 0.0:
+        return "0"
+    size = 10.0 ** (np.floor(np.log10(value)) - 1)
+    return f"{np.ceil(value / size - 1e-9) * size:.2g}"

@@ -1,0 +1,305 @@
+"""Replaying a recorded run to the page: the same frames and messages as a live session sends."""
+
+from __future__ import annotations
+
+import queue
+import time
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ropewalk.core.arrays import Floats
+from ropewalk.live.commands import Command, Seek, Speed, Step
+from ropewalk.live.describe import anchor_list, load_list, rope_list, view_box
+from ropewalk.live.frame import END, HEADER, PLAYING, SCALARS, Clockwork, Picture, Shape, encode
+from ropewalk.live.keep import parts
+from ropewalk.live.messages import error_message
+from ropewalk.live.parameters import refusal
+from ropewalk.live.stage import STATUS_SECONDS, Audience, Nobody, Reply
+from ropewalk.live.track import losses_and_gifts
+from ropewalk.record.result import Result
+from ropewalk.scene import Scene, SceneError
+
+_PIECE = 64  # frames read at once
+_NAMES = ("time", "positions", "velocities", "tension", "energy", "work")
+
+
+class Recorded:
+    """One recorded run, read a few frames at a time."""
+
+    def __init__(self, result: Result) -> None:
+        self.result = result
+        self.first_energy = float(result.read("energy", 0, 1)[0].sum())
+        self._piece = -1
+        self._data: dict[str, Floats] = {}
+
+    @property
+    def frames(self) -> int:
+        """Number of frames."""
+        return self.result.frames
+
+    def picture(self, frame: int) -> Picture:
+        """Return what a frame shows."""
+        data, row = self._read(frame)
+        result = self.result
+        positions, velocities = data["positions"][row], data["velocities"][row]
+        energy, work = data["energy"][row], data["work"][row]
+        losses, gifts = losses_and_gifts(work, result.layout.bends)
+        total = float(energy.sum())
+        heights = positions @ np.array(result.scene.up)
+        tension = data["tension"][row]
+        ground = result.scene.ground
+        scalars = {
+            "time": float(data["time"][row]),
+            "dt": result.plan.dt,
+            "kinetic": float(energy[0]),
+            "gravity": float(energy[1]),
+            "elastic": float(energy[2:].sum()),
+            "lost": -losses,
+            "put_in": gifts,
+            "energy_error": total - self.first_energy - losses - gifts,
+            "tension_max": float(tension.max(initial=0.0)),
+            "strain_max": self._strain(tension),
+            "low": float(heights.min()),
+            "high": float(heights.max()),
+            "touching": float(np.count_nonzero(heights < ground.height)) if ground else 0.0,
+        }
+        speed = np.linalg.norm(velocities, axis=1)
+        nodes = list(result.layout.anchor_nodes)
+        anchors = np.zeros((len(nodes), 10))
+        anchors[:, :3], anchors[:, 3:6], anchors[:, 9] = positions[nodes], velocities[nodes], 1.0
+        if "reactions" in data:
+            anchors[:, 6:9] = data["reactions"][row]
+        return Picture(scalars, positions, tension, speed, anchors, [])
+
+    def _strain(self, tension: Floats) -> float:
+        found = 0.0
+        for rope, span in zip(self.result.scene.ropes, self.result.layout.ropes, strict=True):
+            stiff = rope.segment_stiffness * rope.segment_length
+            if stiff > 0.0:
+                own = tension[span.first : span.last]
+                found = max(found, float(own.max(initial=0.0)) / stiff)
+        return found
+
+    def _read(self, frame: int) -> tuple[dict[str, Floats], int]:
+        piece = frame // _PIECE
+        if piece != self._piece:
+            names = [*_NAMES]
+            names += ["reactions"] if "reactions" in self.result.source.names else []
+            start, stop = piece * _PIECE, (piece + 1) * _PIECE
+            self._data = {name: self.result.source.read(name, start, stop) for name in names}
+            self._piece = piece
+        return self._data, frame - piece * _PIECE
+
+
+class ReplayStage:
+    """A run, or the parts of a live session one after another, as a stage."""
+
+    mode = "replay"
+
+    def __init__(self, run: Path | Result, *, playing: bool = True) -> None:
+        """Take a result, or open a run folder. Raises RunError."""
+        results = [run] if isinstance(run, Result) else [Result.open(one) for one in parts(run)]
+        self.parts = [Recorded(result) for result in results]
+        self.first = np.cumsum([0, *(part.frames for part in self.parts)])
+        self.times = _timeline(self.parts)
+        self.duration = float(self.times[-1])
+        self.playing, self.speed, self.time = playing, 1.0, 0.0
+        self.audience: Audience = Nobody()
+        self.waiting: queue.SimpleQueue[tuple[Any, int, Reply]] = queue.SimpleQueue()
+        self.frame_number, self._shown, self._layout = 0, -1, -1
+        self._last, self._last_status = time.perf_counter(), 0.0
+        self._told: tuple[bool, float] | None = None
+
+    can = ("play", "pause", "step", "speed", "seek")
+    address = ""
+
+    @property
+    def scene(self) -> Scene:
+        """The scene that was run."""
+        return self.parts[0].result.scene
+
+    @property
+    def index(self) -> int:
+        """The frame to show now."""
+        return int(np.searchsorted(self.times, self.time + 1e-9, side="right")) - 1
+
+    def submit(self, item: Any, client: int, reply: Reply) -> None:
+        """Put a command, or something to be done on the stage, in the queue (from any thread)."""
+        self.waiting.put((item, client, reply))
+
+    def join(self, tell: Reply) -> None:
+        """Tell a new page everything."""
+        tell(self._layout_message(self._part(self.index)))
+        tell({"type": "parameters", "parameters": []})
+        tell({"type": "presets", "presets": []})
+        tell(self.status())
+        self._shown = -1
+
+    def leave(self, client: int) -> None:
+        """Nothing is held in a replay."""
+
+    def close(self) -> None:
+        """Nothing runs beside a replay."""
+
+    def tick(self) -> None:
+        """Carry out what waits, go on by the time that has passed, show a frame."""
+        self._handle()
+        now = time.perf_counter()
+        elapsed, self._last = min(now - self._last, 0.25), now
+        if self.playing:
+            self.time = min(self.time + elapsed * self.speed, self.duration)
+            self.playing = self.time < self.duration
+        told = (self.playing, self.speed)
+        if told != self._told or (self.playing and now - self._last_status > STATUS_SECONDS):
+            self._told, self._last_status = told, now
+            self.audience.tell(self.status())
+        if self.index != self._shown and self.audience.size > 0:
+            self._show()
+
+    def _handle(self) -> None:
+        while not self.waiting.empty():
+            item, _, reply = self.waiting.get_nowait()
+            if not isinstance(item, Command):
+                item(self)
+                continue
+            try:
+                self._act(item)
+            except SceneError as error:
+                reply(error_message(item.type, item.id, error))
+                continue
+            if item.id is not None:
+                made = {"id": item.id, "command": item.type, "step": self.index}
+                reply({"type": "done", **made, "frame": self.frame_number + 1})
+
+    def _act(self, command: Command) -> None:
+        if isinstance(command, Seek):
+            if not 0.0 <= command.time <= self.duration * (1.0 + 1e-9):
+                rule = f"must be from 0 to {self.duration:g} s"
+                raise refusal("time", command.time, rule)
+            self.time = command.time
+        elif isinstance(command, Speed):
+            self.speed = command.value
+        elif isinstance(command, Step):
+            frame = min(self.index + command.count, len(self.times) - 1)
+            self.time, self.playing = float(self.times[frame]), False
+        elif command.type == "play":
+            self.time = 0.0 if self.time >= self.duration else self.time
+            self.playing = True
+        elif command.type == "pause":
+            self.playing = False
+        else:
+            rule = "cannot be done in a replay; there is " + ", ".join(self.can)
+            raise refusal("type", command.type, rule)
+
+    def _part(self, index: int) -> int:
+        return int(np.searchsorted(self.first, index, side="right")) - 1
+
+    def _show(self) -> None:
+        index = self._shown = self.index
+        part = self._part(index)
+        if part != self._layout:
+            self._layout = part
+            self.audience.tell(self._layout_message(part))
+        self.frame_number += 1
+        self.audience.show(self.frame_number, self._frame(index, self.frame_number))
+
+    def _frame(self, index: int, number: int) -> bytes:
+        part = self._part(index)
+        picture = self.parts[part].picture(index - int(self.first[part]))
+        flags = PLAYING * self.playing + END * (index == len(self.times) - 1)
+        when = float(self.times[index])
+        realtime = self.speed if self.playing else 0.0
+        head = Clockwork(part + 1, number, flags, when, index, realtime, self.speed, 0.0)
+        return encode(head, [picture])
+
+    def frames_between(self, first: int, count: int, every: int) -> bytes:
+        """Return frames one after another, for a page that wants many at once."""
+        last = min(first + count * every, len(self.times))
+        reader = ReplayStage.__new__(ReplayStage)  # a reader of its own: this is another thread
+        reader.__dict__ = {**self.__dict__, "parts": [Recorded(one.result) for one in self.parts]}
+        return b"".join(reader._frame(index, index) for index in range(first, last, every))
+
+    def status(self) -> dict[str, Any]:
+        """Return the `status` message."""
+        plan = self.parts[self._part(self.index)].result.plan
+        return {
+            "type": "status",
+            "playing": self.playing,
+            "speed": self.speed,
+            "realtime": self.speed if self.playing else 0.0,
+            "slow": False,
+            "text": "",
+            "time": self.time,
+            "step": self.index,
+            "dt": plan.dt,
+            "steps_per_frame": plan.steps_per_frame,
+            "method": plan.method,
+            "broken": False,
+            "clients": self.audience.size,
+            "address": "",
+            "duration": self.duration,
+        }
+
+    def _layout_message(self, part: int) -> dict[str, Any]:
+        self._layout = part
+        result = self.parts[part].result
+        places, end = Shape(result.nodes, len(result.layout.anchor_names)).places(HEADER.size)
+        scene, spans = result.scene, result.layout.ropes
+        center, radius = view_box(result.read("positions", 0, 1)[0], scene)
+        return {
+            "type": "layout",
+            "layout": part + 1,
+            "bytes": end,
+            "scene": {"name": scene.name, "description": scene.description, "preset": None},
+            "up": list(scene.up),
+            "gravity": list(scene.gravity),
+            "ground": None if scene.ground is None else {"height": scene.ground.height},
+            "view": {"center": center, "radius": radius},
+            "scalars": list(SCALARS),
+            "variants": [
+                {
+                    "label": "",
+                    "method": result.plan.method,
+                    "changes": {},
+                    "nodes": result.nodes,
+                    "ropes": rope_list(scene, spans, {}),
+                    "anchors": anchor_list(scene, result.layout),
+                    "loads": load_list(scene, result.layout),
+                    "offsets": places._asdict(),
+                }
+            ],
+        }
+
+
+def _timeline(parts: list[Recorded]) -> Floats:
+    """Return the time of every frame [s], counted from the first one on, over all parts."""
+    times, start = [], 0.0
+    for part in parts:
+        own = part.result.time - part.result.time[0]
+        times.append(own + start)
+        start = float(times[-1][-1])
+    return np.concatenate(times)
+
+
+def serve_run(
+    run: Path | Result,
+    *,
+    playing: bool = True,
+    host: str = "127.0.0.1",
+    port: int | None = None,
+    page: Path | None = None,
+) -> Any:
+    """Return a server, ready to start, that replays a run. Raises RunError, OSError."""
+    from ropewalk.live.serve import PORT, ViewServer
+
+    stage = ReplayStage(run, playing=playing)
+    return ViewServer(
+        stage,
+        host=host,
+        port=PORT if port is None else port,
+        title=stage.scene.name,
+        folder=run if isinstance(run, Path) else None,
+        page=page,
+    )

@@ -1,0 +1,226 @@
+"""A live session: one scene, or several variants of it driven by the same hand, and all that is done to it.
+
+The session knows nothing of clocks, threads or pages. Everything that changes it is a command that takes
+effect at a counted step, so that its log replays to the same bits.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+from ropewalk.core.status import BROKEN, OK
+from ropewalk.live import edits
+from ropewalk.live.commands import PHYSICAL, Command
+from ropewalk.live.history import EVERY, History, Moment
+from ropewalk.live.parameters import named
+from ropewalk.live.track import Saved, Track, fixed_step
+from ropewalk.scene import Scene
+from ropewalk.simulation import Simulation
+
+Key = tuple[str, str | None]  # parameter and rope
+
+
+@dataclass(frozen=True)
+class Break:
+    """Where a session broke: the variant, and what it was just before and after its last good step."""
+
+    variant: int
+    chunk: int  # steps in which it broke
+
+
+class Session:
+    """A running simulation with its variants, changed by commands."""
+
+    def __init__(self, scene: Scene, preset: str | None = None, track: Track | None = None) -> None:
+        """Start a scene at time zero. Raises SceneError when it cannot be planned."""
+        self.on_command: Callable[[int, int, Command], None] = lambda count, client, command: None
+        self.on_break: Callable[[int, int], None] = lambda count, variant: None
+        self.on_frame: Callable[[Session], None] = lambda session: None
+        self.history = History()
+        self.revision = 0  # counts all that a page must be told of
+        self.speed = 1.0
+        self.broken: Break | None = None
+        self.start = (scene, preset)  # what the program was started with
+        self.tracks: list[Track] = []
+        if track is None:
+            self.open(scene, preset)
+        else:
+            self._take(track, scene, preset)
+
+    @classmethod
+    def of(cls, simulation: Simulation) -> Session:
+        """Return a session around a simulation that somebody else steps."""
+        return cls(simulation.scene, None, Track.of(simulation))
+
+    def open(self, scene: Scene, preset: str | None) -> None:
+        """Take another scene in place of the present one. Raises SceneError."""
+        edits.check_size(scene)
+        self._take(Track(scene, "as it is"), scene, preset)
+
+    def _take(self, track: Track, scene: Scene, preset: str | None) -> None:
+        track.count = self.count if self.tracks else 0
+        self.tracks = [track]
+        self.preset = preset
+        self.loaded = fixed_step(scene, track.dt)
+        self.changes: dict[Key, Any] = {}
+        self.remember(clear=True)
+        self.changed()
+
+    def changed(self) -> None:
+        """Count a change of the scene, of its structure or of a constant."""
+        self.revision += 1
+
+    # -- what it is now -----------------------------------------------------------------
+
+    @property
+    def main(self) -> Track:
+        """The first variant: the scene as it is."""
+        return self.tracks[0]
+
+    @property
+    def count(self) -> int:
+        """Steps of the first variant since the session began."""
+        return self.main.count
+
+    @property
+    def time(self) -> float:
+        """Simulated time [s]."""
+        return self.main.simulation.time
+
+    @property
+    def scene(self) -> Scene:
+        """The scene as it is now, without its shapes."""
+        return self.main.scene
+
+    # -- moving on ----------------------------------------------------------------------
+
+    def advance(self, steps: int) -> int:
+        """Advance by so many steps of the first variant, the others up to the same time.
+
+        When one breaks, all stand where they were before the present part of the steps, `broken`
+        says which, and BROKEN is returned.
+        """
+        while steps > 0 and self.broken is None:
+            frame = self.frame_steps
+            every = frame * max(1, round(EVERY / (frame * self.main.dt)))
+            now = min(steps, frame - self.count % frame)
+            before = tuple(track.save() for track in self.tracks)
+            broken = self._advance_all(now)
+            if broken is not None:
+                for track, saved in zip(self.tracks, before, strict=True):
+                    track.restore(saved, undo=True)
+                self.broken = Break(broken, now)
+                self.on_break(self.count, broken)
+                return BROKEN
+            steps -= now
+            if self.count % frame == 0:
+                self.on_frame(self)
+            if self.count % every == 0:
+                self.remember()
+        return OK if self.broken is None else BROKEN
+
+    def _advance_all(self, steps: int) -> int | None:
+        if self.main.advance(steps, self.speed) != OK:
+            return 0
+        time = self.main.simulation.time
+        for number, track in enumerate(self.tracks[1:], start=1):
+            if track.follow(time, self.speed) != OK:
+                return number
+        return None
+
+    @property
+    def frame_steps(self) -> int:
+        """Steps of the first variant from one recorded frame to the next."""
+        return max(1, round(self.loaded.run.frame_interval / self.main.dt))
+
+    # -- going back ---------------------------------------------------------------------
+
+    def remember(self, *, clear: bool = False) -> None:
+        """Keep the present moment in the history."""
+        if clear:
+            self.history.clear()
+        saved = tuple(track.save() for track in self.tracks)
+        about = (self.loaded, self.preset, dict(self.changes), list(self.tracks))
+        self.history.add(Moment(self.time, saved, about))
+
+    def go_back(self, moment: Moment) -> None:
+        """Go back to a moment of the history."""
+        self.loaded, self.preset, changes, tracks = moment.session
+        count = self.count
+        self.changes, self.tracks = dict(changes), list(tracks)
+        for track, saved in zip(self.tracks, moment.tracks, strict=True):
+            track.restore(saved)
+        self.main.count = count
+        self.history.forget_after(moment)
+        self.changed()
+
+    # -- commands -----------------------------------------------------------------------
+
+    def apply(self, command: Command, client: int = 0) -> str:
+        """Carry out a command that changes the simulation; return a note, or "".
+
+        All or nothing: when it is refused (SceneError), nothing has changed.
+        """
+        from ropewalk.live.actions import ACTIONS
+
+        if command.type not in PHYSICAL:
+            raise KeyError(command.type)
+        count = self.count
+        before = self._everything()
+        try:
+            note = ACTIONS[command.type](self, command, client)
+        except BaseException:
+            self._put_back(before)
+            raise
+        self.on_command(count, client, command)
+        return note
+
+    def _everything(self) -> tuple[Any, ...]:
+        saved = tuple(track.save() for track in self.tracks)
+        about = (self.loaded, self.preset, dict(self.changes), self.speed, self.broken)
+        return list(self.tracks), saved, about
+
+    def _put_back(self, before: tuple[Any, ...]) -> None:
+        tracks, saved, about = before
+        self.tracks = list(tracks)
+        self.loaded, self.preset, self.changes, self.speed, self.broken = about
+        one: Saved
+        for track, one in zip(self.tracks, saved, strict=True):
+            track.restore(one, undo=True)
+
+    def set(self, name: str, value: Any, rope: str | None, variant: int | None) -> None:
+        """Change a parameter of all variants, or of one. Raises SceneError."""
+        default = value is None
+        if default:
+            parameter = named(name)
+            value = parameter.get(self.loaded, parameter.ropes(self.loaded, rope)[0])
+        for number, track in enumerate(self.tracks):
+            if variant is None or number == variant:
+                before = track.scene
+                track.set(name, value, rope)
+                if number == variant and number > 0:
+                    track.changes[name] = value
+                if track.scene is not before:
+                    self.changed()
+        known = rope is None or rope in [one.name for one in self.loaded.ropes]
+        if known and (variant is None or variant == 0):
+            self.changes.pop((name, rope), None)
+            if not default:
+                self.changes[name, rope] = _resolved(name, value, self.scene)
+
+    def initial(self, *, original: bool) -> Scene:
+        """Return the scene as loaded, with the changed constants unless `original`.
+
+        Raises SceneError when they do not fit its shape at time zero.
+        """
+        scene = self.loaded
+        for (name, rope), value in {} if original else self.changes.items():
+            scene = named(name).apply(scene, value, rope)
+        return scene
+
+
+def _resolved(name: str, value: Any, scene: Scene) -> Any:
+    """The value as a number, where it was given as a word."""
+    return named(name).get(scene, 0) if value == "auto" else value

@@ -1,0 +1,232 @@
+"""One simulation of a live session, with the scene that it is now and the hands on it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from copy import copy
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ropewalk.build import build
+from ropewalk.core.arrays import Floats
+from ropewalk.core.status import OK
+from ropewalk.live import edits
+from ropewalk.live.carry import carry_over
+from ropewalk.live.edits import Edit
+from ropewalk.live.hands import CONTROL, Hands
+from ropewalk.live.parameters import named, refusal
+from ropewalk.methods.recording import CONSERVATIVE, bends, work_names
+from ropewalk.scene import Scene
+from ropewalk.simulation import Simulation, Snapshot
+
+LOSSES = ("friction", "air", "ground")
+# What may be changed while a winch works: it changes tables that all else is made of.
+WINCH_SAFE = {"World", "Air", "Ground", "Method"}
+
+
+class Saved(NamedTuple):
+    """All that a track needs to go on from there to the same bits."""
+
+    scene: Scene
+    simulation: Simulation
+    snapshot: Snapshot
+    hands: Hands
+    steps: int
+    first_energy: float
+    edited: float
+
+
+class Track:
+    """A scene in motion that can be changed."""
+
+    def __init__(self, scene: Scene, label: str = "", changes: Mapping[str, Any] | None = None):
+        """Start a scene at time zero, its time step as it is planned now.
+
+        Raises SceneError when it cannot be planned.
+        """
+        self._begin(Simulation(scene), label, changes or {})
+
+    @classmethod
+    def of(cls, simulation: Simulation) -> Track:
+        """Return a track around a simulation that is there already."""
+        made = cls.__new__(cls)
+        made._begin(simulation, "as it is", {})
+        return made
+
+    def _begin(self, simulation: Simulation, label: str, changes: Mapping[str, Any]) -> None:
+        scene = simulation.scene
+        self.label, self.changes = label, dict(changes)
+        self.simulation = simulation
+        self.scene = edits.neutral(fixed_step(scene, self.simulation.plan.dt))
+        self.hands = Hands()
+        self.count = 0  # steps done
+        self.edited = 0.0  # energy put in by changes [J]
+        self.first_energy = self.energy
+
+    @property
+    def energy(self) -> float:
+        """Kinetic, gravity and elastic energy together [J]."""
+        return float(self.simulation.recording().recording.energy[0].sum())
+
+    @property
+    def dt(self) -> float:
+        """Length of a step [s]."""
+        return self.simulation.plan.dt
+
+    @property
+    def control_steps(self) -> int:
+        """Steps between two updates of the hands."""
+        return max(1, math.floor(CONTROL / self.dt + 1e-9))
+
+    # -- moving on ----------------------------------------------------------------------
+
+    def advance(self, steps: int, speed: float = 1.0) -> int:
+        """Advance by so many steps; return OK, or BROKEN and the broken state."""
+        every = self.control_steps
+        while steps > 0:
+            now = steps
+            if self.hands.active:
+                if self.hands.fresh or self.count % every == 0:
+                    self.hands.update(self.simulation, every * self.dt, speed)
+                now = min(steps, every - self.count % every)
+            status = self.simulation.advance_steps(now)
+            if status != OK:
+                return status
+            self.count += now
+            steps -= now
+        return OK
+
+    def follow(self, time: float, speed: float) -> int:
+        """Advance up to a time [s] by whole steps, not beyond it."""
+        steps = math.floor((time - self.simulation.time) / self.dt + 1e-6)
+        return self.advance(steps, speed) if steps > 0 else OK
+
+    # -- changing -----------------------------------------------------------------------
+
+    def edit(self, change: Edit) -> None:
+        """Go over into another scene without a jump. Raises SceneError."""
+        before = self.energy
+        made = carry_over(self.simulation, change.scene, change.source)
+        self.hands.renumber(change.source)
+        self.simulation, self.scene = made, change.scene
+        self.hands.targets = {
+            name: target for name, target in self.hands.targets.items() if name in made.anchors
+        }
+        self.edited += self.energy - before
+
+    def set(self, name: str, value: Any, rope: str | None = None) -> None:
+        """Change a parameter. Raises SceneError with the allowed range."""
+        parameter = named(name)
+        if self.scene.winches and parameter.group not in WINCH_SAFE:
+            raise refusal(name, value, "cannot be changed while a winch is in the scene")
+        if name == "time_step" and value == "auto":
+            value = automatic_step(self.scene)
+        scene = parameter.apply(self.scene, value, rope)
+        if scene == self.scene:
+            return
+        if name == "ground" and value:
+            scene = named("ground_height").apply(scene, self._floor())
+        layout = edits.layout_of(scene)
+        self.edit(Edit(scene, edits.matched(self.simulation.layout, layout)))
+
+    def _floor(self) -> float:
+        """Where a new ground may lie without pushing [m]: at zero, or a little below the rope."""
+        heights = self.simulation.positions @ np.array(self.scene.up)
+        size = float(np.ptp(self.simulation.positions, axis=0).max())
+        low = float(heights.min())
+        return 0.0 if low >= 0.0 else low - 0.1 * size
+
+    def restructure(self, make: Callable[[Scene, Any], Edit]) -> str:
+        """Pin, cut or load: `make` takes scene and layout. Return a note. Raises SceneError."""
+        change = make(self.scene, self.simulation.layout)
+        if self.scene.winches and len(change.source) != self.simulation.layout.nodes:
+            raise refusal("segment", "", "ropes with a winch cannot be cut there")
+        self.edit(change)
+        return change.note
+
+    def kick(self, index: int, velocity: Floats) -> None:
+        """Add a velocity [m/s] to a node. Raises SceneError for a held one."""
+        edits.at_node(self.simulation.layout, index)
+        name = self.holder(index)
+        if name is not None:
+            raise refusal("node", index, f"is held by anchor {name!r}")
+        before = self.energy
+        self.simulation.arrays.v[:, index] += velocity
+        self.simulation.arrays.past[0] = 0.0  # a multistep method begins anew
+        self.simulation.push({})  # brings forces and accelerations up to date
+        self.edited += self.energy - before
+
+    def holder(self, index: int) -> str | None:
+        """Return the name of the anchor that holds a node, if one does."""
+        for name, handle in self.simulation.anchors.items():
+            row = self.simulation.layout.anchor_names.index(name)
+            if handle.holds and int(self.simulation.arrays.anchor_node[row]) == index:
+                return name
+        return None
+
+    # -- books --------------------------------------------------------------------------
+
+    def books(self, energy: float, work: Floats) -> tuple[float, float, float]:
+        """Return lost, put in, and the method's error [J], of total energy and work by law and anchor."""
+        losses, gifts = losses_and_gifts(work, bends(self.simulation.arrays))
+        gifts += self.edited
+        return -losses, gifts, energy - self.first_energy - losses - gifts
+
+    def save(self) -> Saved:
+        """Return everything, to `restore`."""
+        return Saved(
+            self.scene,
+            self.simulation,
+            self.simulation.state,
+            self.hands.copy(),
+            self.count,
+            self.first_energy,
+            self.edited,
+        )
+
+    def restore(self, saved: Saved, *, undo: bool = False) -> None:
+        """Go back to what was saved. Steps are counted on, unless these are to be as if not done."""
+        self.scene, self.simulation = saved.scene, saved.simulation
+        self.simulation.restore(saved.snapshot)
+        self.hands = saved.hands.copy()
+        if undo:
+            self.count = saved.steps
+        else:
+            self.hands.fresh = True
+        self.first_energy, self.edited = saved.first_energy, saved.edited
+
+    def clone(self, label: str, changes: Mapping[str, Any]) -> Track:
+        """Return a second track that stands where this one stands, with some parameters changed.
+
+        Raises SceneError.
+        """
+        made = copy(self)
+        made.label, made.changes = label, dict(changes)
+        made.hands = self.hands.copy()
+        made.hands.fresh = True
+        layout = self.simulation.layout
+        made.simulation = carry_over(self.simulation, self.scene, edits.same_nodes(layout))
+        for name, value in changes.items():
+            made.set(name, value)
+        return made
+
+
+def losses_and_gifts(work: Floats, bending: bool) -> tuple[float, float]:
+    """Return the work [J] of what takes energy out, and of all else but springs and weight."""
+    names = work_names(bending)
+    losses = float(sum(work[i] for i, name in enumerate(names) if name in LOSSES))
+    kept = float(sum(work[i] for i, name in enumerate(names) if name in CONSERVATIVE))
+    return losses, float(work.sum()) - losses - kept
+
+
+def fixed_step(scene: Scene, dt: float) -> Scene:
+    """Return the scene with its time step written out as a number of seconds."""
+    return named("time_step").apply(scene, dt)
+
+
+def automatic_step(scene: Scene) -> float:
+    """Return the step that "auto" means for a scene now [s]. Raises SceneError."""
+    run = scene.run.replace(time_step="auto", steps="divide")
+    return build(scene.replace(run=run)).plan.dt

@@ -1,0 +1,341 @@
+"""Implicit methods: tables of coefficients over the stage solve of `stage`.
+
+One kernel serves all; `tableaus` has the coefficients. A step that finds no solution is taken in halves,
+and these in halves again, by Alexander's method, as is BDF2's first step. The work ledger is exact: every
+method's change of momentum is the step times a mean of forces,
+    DIRK                m (v1 - v0) = h sum b_s F_s
+    BDF2                m (v1 - v0) = h (F' / 3 + 2/3 F),   F' the mean of the step before
+    generalized-alpha   m (v1 - v0) = h ((1 - gamma) G' + gamma G),   (1 - alpha_m) G + alpha_m G' = F
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ropewalk.core.arrays import BENDING, Floats, Forces, State
+from ropewalk.core.jit import kernel, part
+from ropewalk.core.status import OK, UNSOLVED
+from ropewalk.laws.anchors import move_anchors, place_stage
+from ropewalk.laws.ledger import account
+from ropewalk.laws.table import accelerate
+from ropewalk.methods.loop import make_advance
+from ropewalk.methods.scratch import add, add_forces, axpy, clear, clear_forces, put
+from ropewalk.methods.stage import NODE, RESIDUAL, SPLITS, TIME, Stage, make_stage, solve_stage
+from ropewalk.methods.tableaus import BDF2, DIRK, GENERALIZED_ALPHA, SDIRK2, Tableau
+
+MOST_HALVINGS = 12
+SMALLEST_PART = 0.5**MOST_HALVINGS  # [1] of a step
+
+
+class ImplicitScratch(NamedTuple):
+    """Working arrays of the implicit methods."""
+
+    stage: Stage
+    u: Floats  # (stages, 3, n) velocities of the stages
+    k: Floats  # (stages, 3, n) accelerations of the stages
+    middle: Floats  # (3, n)
+    mean: Forces
+    point: Floats  # (3,)
+    speed: Floats  # (3,)
+    reaction: Floats  # (a, 3) sum over the parts of a step [N s]
+    limiter: Floats  # (7, n)
+    rescue: Tableau  # of the method that takes the parts of a step without solution
+
+
+def make_implicit_scratch(state: State, tableau: Tableau) -> ImplicitScratch:
+    """Return working arrays that fit `state` and the method."""
+    shape = (max(tableau.stages, SDIRK2.stages), *state.x.shape)
+    return ImplicitScratch(
+        stage=make_stage(state),
+        u=np.zeros(shape),
+        k=np.zeros(shape),
+        middle=np.zeros_like(state.x),
+        mean=Forces(*(np.zeros_like(channel) for channel in state.forces)),
+        point=np.zeros(3),
+        speed=np.zeros(3),
+        reaction=np.zeros_like(state.reaction),
+        limiter=np.zeros((7, state.x.shape[1])),
+        rescue=SDIRK2,
+    )
+
+
+def unsolved(scratch: ImplicitScratch) -> tuple[float, int, float]:
+    """Return time [s], node and unbalanced force [N] of the last stage that found no solution."""
+    report = scratch.stage.report
+    return float(report[TIME]), int(report[NODE]), float(report[RESIDUAL])
+
+
+@part
+def put_forces(system, source, result):
+    """Copy every acting channel but the applied forces, which are the host's."""
+    put(source.elastic, result.elastic)
+    put(source.friction, result.friction)
+    if system.flags[BENDING] == 1:
+        put(source.bending, result.bending)
+    if system.air.linear == 1 or system.air.quadratic == 1:
+        put(source.air, result.air)
+    if system.ground.active == 1:
+        put(source.ground, result.ground)
+
+
+@kernel
+def put_row(source, result):
+    """Copy one array (m,) into another."""
+    for j in range(result.shape[0]):
+        result[j] = source[j]
+
+
+@kernel
+def empty_row(row):
+    """Set an array (m,) to zero."""
+    for j in range(row.shape[0]):
+        row[j] = 0.0
+
+
+@kernel
+def half_way(x0, v0, x1, v1, inverse_mass, middle, drift):
+    """Write mean velocity and displacement of the step; copy its end to the free nodes."""
+    for k in range(3):
+        xa, va, xb, vb, mid, moved = x0[k], v0[k], x1[k], v1[k], middle[k], drift[k]
+        for i in range(inverse_mass.shape[0]):
+            mid[i] = 0.5 * (va[i] + vb[i])
+            moved[i] = xb[i] - xa[i]
+            if inverse_mass[i] > 0.0:
+                xa[i] = xb[i]
+                va[i] = vb[i]
+
+
+@part
+def prepare_dirk(state, scratch, A, s, dt):
+    """Write what is known of stage `s` of a DIRK method; return its c1 and c2."""
+    stage = scratch.stage
+    put(state.x, stage.x_known)
+    put(state.v, stage.v_known)
+    for r in range(s):
+        add(scratch.u[r], dt * A[s, r], stage.x_known)
+        add(scratch.k[r], dt * A[s, r], stage.v_known)
+    if s == 0:
+        put(state.acceleration, stage.a)
+    return dt * A[s, s], dt * A[s, s]
+
+
+@part
+def prepare_bdf2(system, state, scratch, dt):
+    """Write what is known of BDF2's stage, from the last step's drift and mean forces."""
+    stage, before = scratch.stage, scratch.k[0]
+    accelerate(system, state, state.forces, before)
+    axpy(state.x, 1.0 / 3.0, state.drift, stage.x_known)
+    axpy(state.v, dt / 3.0, before, stage.v_known)
+    put(state.acceleration, stage.a)
+    return 2.0 / 3.0 * dt, 2.0 / 3.0 * dt
+
+
+@part
+def prepare_alpha(state, scratch, numbers, dt):
+    """Write what is known of generalized-alpha's stage, at t + (1 - alpha_f) h.
+
+    With a' at the step's start and a at its end, both filtered, and q = (1 - alpha_f) h
+        X = x + q v + q h ((1/2 - beta) a' + beta a),   V = v + q ((1 - gamma) a' + gamma a)
+        (1 - alpha_m) a + alpha_m a' = F / m .
+    """
+    stage, before = scratch.stage, state.acceleration
+    am, af, beta, gamma = numbers[0], numbers[1], numbers[2], numbers[3]
+    ahead = (1.0 - af) * dt
+    c1, c2 = beta / gamma * dt, ahead * gamma / (1.0 - am)
+    axpy(state.v, ahead * (1.0 - gamma) - c2 * am, before, stage.v_known)
+    axpy(state.x, ahead - c1, state.v, stage.x_known)
+    add(before, ahead * dt * (0.5 - beta) - c1 * ahead * (1.0 - gamma), stage.x_known)
+    put(before, stage.a)
+    return c1, c2
+
+
+@part
+def end_alpha(system, state, scratch, numbers, dt):
+    """Write the end of generalized-alpha's step, its mean forces and its filtered ones."""
+    stage, mean, before = scratch.stage, scratch.mean, scratch.k[0]
+    am, beta, gamma = numbers[0], numbers[2], numbers[3]
+    add_forces(system, state.forces, (1.0 - gamma) - gamma * am / (1.0 - am), mean)
+    add_forces(system, stage.forces, gamma / (1.0 - am), mean)
+    put(state.acceleration, before)
+    _filter(system, state, stage.forces, am)
+    accelerate(system, state, state.forces, state.acceleration)
+    axpy(state.x, dt, state.v, stage.x)
+    add(before, dt * dt * (0.5 - beta), stage.x)
+    add(state.acceleration, dt * dt * beta, stage.x)
+    axpy(state.v, dt * (1.0 - gamma), before, stage.v)
+    add(state.acceleration, dt * gamma, stage.v)
+
+
+@part
+def end_dirk(state, scratch, A, b, dt):
+    """Write the end of a DIRK step: the last stage, or the sum over all where it is not the end."""
+    stage, last = scratch.stage, b.shape[0] - 1
+    same = True
+    for r in range(b.shape[0]):
+        same = same and A[last, r] == b[r]
+    if not same:
+        put(state.x, stage.x)
+        put(state.v, stage.v)
+        for s in range(b.shape[0]):
+            add(scratch.u[s], dt * b[s], stage.x)
+            add(scratch.k[s], dt * b[s], stage.v)
+
+
+@kernel
+def take_step(system, state, scratch, t, after, dt, ledger, kind, A, b, c, numbers):
+    """Take one step from time `t` [s]; return OK, or UNSOLVED with the state as it was."""
+    stage, mean = scratch.stage, scratch.mean
+    clear_forces(system, mean)
+    put_row(state.tension, stage.tension)
+    for s in range(b.shape[0] if kind == DIRK else 1):
+        if kind == DIRK and A[s, s] == 0.0:
+            put(state.v, scratch.u[s])
+            put(state.acceleration, scratch.k[s])
+            put(state.acceleration, stage.a)
+            add_forces(system, state.forces, b[s], mean)
+            continue
+        share = c[s]
+        if kind == DIRK:
+            c1, c2 = prepare_dirk(state, scratch, A, s, dt)
+        elif kind == BDF2:
+            c1, c2 = prepare_bdf2(system, state, scratch, dt)
+            share = 1.0
+        else:
+            c1, c2 = prepare_alpha(state, scratch, numbers, dt)
+            share = 1.0 - numbers[1]
+        time, ahead = after if share == 1.0 else t + share * dt, share * dt
+        status = UNSOLVED
+        for attempt in range(2):  # accelerations and tensions as before; if that fails, none
+            if attempt == 1:
+                clear(stage.a)
+            axpy(stage.v_known, c2, stage.a, stage.v)
+            axpy(stage.x_known, c1, stage.v, stage.x)
+            place_stage(system, state, time, ahead, stage.x, stage.v, scratch.point, scratch.speed)
+            if attempt == 1:
+                empty_row(stage.tension)
+            status = solve_stage(system, state, stage, c1, c2)
+            if status == OK:
+                break
+        if status != OK:
+            stage.report[TIME] = time
+            return UNSOLVED
+        if kind == DIRK:
+            put(stage.v, scratch.u[s])
+            put(stage.a, scratch.k[s])
+            add_forces(system, stage.forces, b[s], mean)
+    if kind == GENERALIZED_ALPHA:
+        end_alpha(system, state, scratch, numbers, dt)
+    else:
+        if kind == BDF2:
+            add_forces(system, state.forces, 1.0 / 3.0, mean)
+            add_forces(system, stage.forces, 2.0 / 3.0, mean)
+            put_forces(system, mean, state.forces)
+        else:
+            end_dirk(state, scratch, A, b, dt)
+            put_forces(system, stage.forces, state.forces)
+        put(stage.a, state.acceleration)
+    middle = scratch.middle
+    half_way(state.x, state.v, stage.x, stage.v, state.inverse_mass, middle, state.drift)
+    move_anchors(system, state, mean, after, dt, middle, ledger, scratch.point, scratch.speed)
+    if ledger:
+        account(system, state, mean, middle, dt)
+    put_row(stage.tension, state.tension)
+    return OK
+
+
+@part
+def _filter(system, state, forces, am):
+    """Put (F - am G) / (1 - am) in place of every filtered force G."""
+    old, new = -am / (1.0 - am), 1.0 / (1.0 - am)
+    blend(state.forces.elastic, old, forces.elastic, new)
+    blend(state.forces.friction, old, forces.friction, new)
+    if system.flags[BENDING] == 1:
+        blend(state.forces.bending, old, forces.bending, new)
+    if system.air.linear == 1 or system.air.quadratic == 1:
+        blend(state.forces.air, old, forces.air, new)
+    if system.ground.active == 1:
+        blend(state.forces.ground, old, forces.ground, new)
+
+
+@kernel
+def blend(values, weight, others, other_weight):
+    """Write weight * values + other_weight * others into `values`, arrays (3, m)."""
+    for k in range(3):
+        row, more = values[k], others[k]
+        for i in range(row.shape[0]):
+            row[i] = weight * row[i] + other_weight * more[i]
+
+
+@kernel
+def follows(dt, held, exits, past):
+    """Tell whether the step goes on as the last one did: same length, same anchors and winch exits."""
+    holding, out = 0.0, 0.0
+    for row in range(held.shape[0]):
+        holding += held[row]
+    for row in range(exits.shape[0]):
+        out += exits[row]
+    same = past[0] == dt and past[1] == holding and past[2] == out
+    past[0], past[1], past[2] = dt, holding, out
+    return same
+
+
+@kernel
+def gather(reaction, share, total):
+    """Add a part's mean reaction, (a, 3), times its share of the step."""
+    for row in range(total.shape[0]):
+        for k in range(3):
+            total[row, k] += share * reaction[row, k]
+
+
+@kernel
+def settle_reaction(total, reaction):
+    """Write the mean reaction of a step taken in parts, and clear the sum."""
+    for row in range(total.shape[0]):
+        for k in range(3):
+            reaction[row, k] = total[row, k]
+            total[row, k] = 0.0
+
+
+@part
+def step(system, state, scratch, t, after, dt, ledger, tableau):
+    """Advance the state by one step of `dt` from time `t` [s]; return OK or UNSOLVED.
+
+    The step is part `place` of 2^level parts; one that finds no solution is halved.
+    """
+    kind, A, b, c = tableau.kind, tableau.A, tableau.b, tableau.c
+    if not follows(dt, state.held, state.winch_exit, state.past) and kind == BDF2:
+        kind = DIRK
+    level, place = 0, 0
+    status = OK
+    while True:
+        h = dt / 2.0**level
+        begin = t + place * h
+        end = after if place + 1 == 2**level else begin + h
+        status = take_step(
+            system, state, scratch, begin, end, h, ledger, kind, A, b, c, tableau.numbers
+        )
+        if status == OK:
+            if level == 0:
+                break
+            scratch.stage.report[SPLITS] += 1.0
+            gather(state.reaction, 1.0 / 2.0**level, scratch.reaction)
+            place += 1
+            while place % 2 == 0 and level > 0:
+                level, place = level - 1, place // 2
+            if level == 0:
+                settle_reaction(scratch.reaction, state.reaction)
+                break
+        elif level == MOST_HALVINGS:
+            break
+        else:
+            level, place, kind = level + 1, 2 * place, DIRK
+            A, b, c = scratch.rescue.A, scratch.rescue.b, scratch.rescue.c
+            state.past[0] = 0.0
+    if kind == DIRK and tableau.kind == BDF2:
+        put_forces(system, scratch.mean, state.forces)
+    return status
+
+
+advance = make_advance(step, carries=True, solves=True)

@@ -1,0 +1,314 @@
+"""The stage solve, the heart of every implicit method:
+
+    V = v^ + c2 a(X, V),   X = x^ + c1 V
+
+for positions X, velocities V and the segments' tensions T, by Newton's method on the saddle-point system of
+`core.saddle`, with a line search on
+
+    merit = sum m c1 c2 |a - (V - v^) / c2|^2 + sum m_j / (c1 c2) g_j^2     [J]
+
+(m_j the lighter node's mass of a segment), which no spring constant enters. Two safeguards make it converge
+from tangled states: a compressed segment's geometric stiffness is held above -0.24 m_j / (c1 c2) far from
+the solution, which keeps the matrix definite; and what begins and ends abruptly is decided in the first
+iterations only.
+
+Sources: Nocedal & Wright, Numerical Optimization, ch. 11 (line search for equations) and 16 (saddle points);
+Hairer & Wanner, Solving Ordinary Differential Equations II, IV.8 (implementation).
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ropewalk.core.arrays import AXIAL, BENDING, Floats, Forces, State
+from ropewalk.core.band import clear_band
+from ropewalk.core.band_sweep import band_sweep
+from ropewalk.core.jit import kernel, part
+from ropewalk.core.saddle import Saddle, make_saddle
+from ropewalk.core.status import OK, UNSOLVED
+from ropewalk.core.sweep import sweep
+from ropewalk.laws.stage_forces import evaluate_stage, mark_stage
+from ropewalk.laws.table import accelerate
+from ropewalk.laws.tangent import add_tangents
+
+MOST_ITERATIONS = 60
+DECIDING = 8  # iterations that may still change what rubs and what touches
+TIGHT = 1e-12  # [1] force residual over the largest force, when solved
+LOOSE = 1e-8  # [1] the same, where rounding stops the descent
+DESCENT = 1e-4  # Armijo's constant
+SHORTEST = 1e-5  # [1] smallest part of a Newton step
+COMPRESSION = -0.24  # [1] least geometric stiffness far from the solution, over m / (c1 c2)
+NEAR = 1e-2  # [1] a step that brings the merit down to this part is near the solution
+WARY = 3  # iterations that hold compression back after an exact one that failed
+EPSILON = 2.220446049250313e-16
+
+# Places in `Stage.report`; from HISTORY on the merit before each iteration [J].
+ITERATIONS, RESIDUAL, NODE, SCALE, MISFIT, SOLVES, SPLITS, TIME, HISTORY = range(9)
+
+
+class Segments(NamedTuple):
+    """What a stage knows of its segments, (s,) each."""
+
+    alive: Floats  # 1, or 0 between ropes and on a drum
+    soft: Floats  # compliance 1/k [m/N]; 0 where not alive
+    weight: Floats  # inertial stiffness m / (c1 c2) of the lighter node [N/m]
+    stretch: Floats  # r - L [m]
+    over: Floats  # 1 / r [1/m], 0 where the ends coincide
+
+
+class Stage(NamedTuple):
+    """Unknowns, equations and working arrays of one stage."""
+
+    x: Floats  # (3, n) X
+    v: Floats  # (3, n) V
+    tension: Floats  # (s,) T [N]
+    x_known: Floats  # (3, n) x^
+    v_known: Floats  # (3, n) v^
+    a: Floats  # (3, n) acceleration from the forces at X, V, T
+    forces: Forces  # at X, V, T; `applied` is the state's own
+    segments: Segments
+    saddle: Saddle
+    report: Floats  # of the last solve, see ITERATIONS to HISTORY; SOLVES and SPLITS add up
+
+
+def make_stage(state: State) -> Stage:
+    """Return working arrays that fit `state`."""
+    s = state.rest_length.shape[0]
+    x, v, x_known, v_known, a = (np.zeros_like(state.x) for _ in range(5))
+    channels = {name: np.zeros_like(channel) for name, channel in state.forces._asdict().items()}
+    forces = Forces(**(channels | {"applied": state.forces.applied}))
+    segments = Segments(*(np.zeros(s) for _ in range(5)))
+    saddle = make_saddle(state.x.shape[1], state.bending_stiffness.shape[0] > 0)
+    known, report = (x_known, v_known), np.zeros(HISTORY + MOST_ITERATIONS + 1)
+    return Stage(x, v, np.zeros(s), *known, a, forces, segments, saddle, report)
+
+
+@kernel
+def begin(mass, inverse_mass, stiffness, segments, saddle, inertia):
+    """Write what stays the same during a solve; `inertia` is 1 / (c1 c2) [1/s^2]."""
+    free, rubs = saddle.free, saddle.band.rubs
+    for i in range(mass.shape[0]):
+        free[i] = 1.0 if inverse_mass[i] > 0.0 else 0.0
+    for j in range(stiffness.shape[0]):
+        light = min(mass[j], mass[j + 1])
+        if light == 0.0:
+            light = max(mass[j], mass[j + 1])
+        segments.weight[j] = light * inertia if light > 0.0 else 1.0
+        segments.alive[j] = 1.0 if stiffness[j] > 0.0 else 0.0
+        segments.soft[j] = 1.0 / stiffness[j] if stiffness[j] > 0.0 else 0.0
+        rubs[j] = 1.0
+
+
+@kernel
+def balance(a, v, known, mass, free, c1, c2, force):
+    """Write the nodes' residuals m (a - (V - v^) / c2) [N]; return their part of the merit [J]."""
+    total, over = 0.0, 1.0 / c2
+    for k in range(3):
+        row, ak, vk, v0 = force[k], a[k], v[k], known[k]
+        for i in range(mass.shape[0]):
+            row[i] = mass[i] * free[i] * (ak[i] - over * (vk[i] - v0[i]))
+    f0, f1, f2 = force[0], force[1], force[2]
+    for i in range(mass.shape[0]):
+        square = f0[i] * f0[i] + f1[i] * f1[i] + f2[i] * f2[i]
+        total += square / mass[i] if square > 0.0 else square
+    return c1 * c2 * total
+
+
+@kernel
+def misfit_merit(misfit, weight):
+    """Return the segments' part of the merit [J]."""
+    total = 0.0
+    for j in range(misfit.shape[0]):
+        total += weight[j] * misfit[j] * misfit[j]
+    return total
+
+
+@kernel
+def largest_force(v, known, mass, free, gravity, c2, force, report):
+    """Note the largest residual [N], its node, and the largest force of inertia and weight [N]."""
+    worst, node, scale, over = 0.0, 0, 0.0, 1.0 / c2
+    pull = max(abs(gravity[0]), abs(gravity[1]), abs(gravity[2]))
+    for i in range(mass.shape[0]):
+        rate = abs(v[0, i] - known[0, i]) + abs(v[1, i] - known[1, i]) + abs(v[2, i] - known[2, i])
+        scale = max(scale, mass[i] * free[i] * max(over * rate, pull))
+        largest = max(abs(force[0, i]), abs(force[1, i]), abs(force[2, i]))
+        if not largest <= worst:
+            worst, node = largest, i
+    report[RESIDUAL], report[NODE], report[SCALE] = worst, node, scale
+
+
+@kernel
+def largest_misfit(x, tension, rest_length, friction, saddle, report):
+    """Put tensions and friction into the force scale; note the largest misfit over what is allowed."""
+    worst, scale = 0.0, report[SCALE]
+    for j in range(tension.shape[0]):
+        rub = max(abs(friction[0, j + 1]), abs(friction[1, j + 1]), abs(friction[2, j + 1]))
+        scale = max(scale, abs(tension[j]), rub)
+    for j in range(tension.shape[0]):
+        size = max(abs(x[0, j]), abs(x[1, j]), abs(x[2, j]), rest_length[j])
+        allowed = TIGHT * scale * saddle.compliance[j] + 1e-13 * rest_length[j]
+        worst = max(worst, abs(saddle.misfit[j]) / (allowed + 8.0 * EPSILON * size + 1e-300))
+    report[SCALE], report[MISFIT] = scale, worst
+
+
+@kernel
+def is_solved(report, tolerance):
+    """Tell whether the forces balance to `tolerance` [1] and the lengths fit."""
+    bound = tolerance * report[SCALE] + 1e-300
+    return report[RESIDUAL] <= bound and report[MISFIT] <= tolerance / TIGHT
+
+
+@kernel
+def stiffen(tension, over, weight, exact, across):
+    """Write the geometric stiffness of all segments; return 1 where it was held back, else 0."""
+    held_back = 0
+    for j in range(tension.shape[0]):
+        bend = tension[j] * over[j]
+        if bend < COMPRESSION * weight[j] and not exact:
+            bend, held_back = COMPRESSION * weight[j], 1
+        across[j] = bend
+    return held_back
+
+
+@kernel
+def rub_along(damping, rubs, over_c1, node_drag, mass, free, inertia, saddle):
+    """Put vector friction and linear drag into the simple system's coefficients."""
+    across, along, diagonal = saddle.across, saddle.along, saddle.inertia
+    for j in range(damping.shape[0]):
+        c = damping[j] * rubs[j] * over_c1
+        across[j] += c
+        along[j] = c
+    for i in range(mass.shape[0]):
+        c = mass[i] * inertia + over_c1 * node_drag[i]
+        diagonal[i] = c if free[i] == 1.0 else 1.0
+
+
+@kernel
+def move(part_of_step, c1, stage_x, stage_v, tension, saddle):
+    """Go a part of the Newton step, in positions, velocities and tensions."""
+    over, free, pulled = part_of_step / c1, saddle.free, saddle.pulled
+    for k in range(3):
+        x, v, z = stage_x[k], stage_v[k], saddle.moved[k]
+        for i in range(x.shape[0]):
+            x[i] += part_of_step * free[i] * z[i]
+            v[i] += over * free[i] * z[i]
+    for j in range(tension.shape[0]):
+        tension[j] += part_of_step * pulled[j]
+
+
+@kernel
+def is_finite(moved, pulled):
+    """Tell whether the Newton step is finite."""
+    z0, z1, z2 = moved[0], moved[1], moved[2]
+    a, b, c, d = 0.0, 0.0, 0.0, 0.0
+    for j in range(pulled.shape[0]):
+        a += abs(z0[j])
+        b += abs(z1[j])
+        c += abs(z2[j])
+        d += abs(pulled[j])
+    n = pulled.shape[0]
+    return a + b + c + d + abs(z0[n]) + abs(z1[n]) + abs(z2[n]) < np.inf
+
+
+@kernel
+def shorter_part(size, trial, merit):
+    """Return the next part of the step to try: the least of the parabola with slope -2 merit."""
+    if not trial < np.inf:
+        return 0.1 * size
+    best = size * size * merit / (trial + (2.0 * size - 1.0) * merit)
+    return min(max(best, 0.1 * size), 0.5 * size)
+
+
+@part
+def is_simple(system, state):
+    """Tell whether all laws fit into inertia, across and along."""
+    return (
+        system.flags[AXIAL] == 0
+        and system.flags[BENDING] == 0
+        and system.air.quadratic == 0
+        and system.ground.active == 0
+        and state.winch_exit.shape[0] == 0
+    )
+
+
+@part
+def newton_step(system, state, stage, c1, c2, exact):
+    """Assemble the equations and solve them; return 1 where compression was held back, else 0."""
+    saddle, segments, inertia = stage.saddle, stage.segments, 1.0 / (c1 * c2)
+    rubs = saddle.band.rubs
+    held_back = stiffen(stage.tension, segments.over, segments.weight, exact, saddle.across)
+    if is_simple(system, state):
+        drag = system.air.node_drag
+        rub_along(
+            state.damping_vector, rubs, 1.0 / c1, drag, state.mass, saddle.free, inertia, saddle
+        )
+        sweep(saddle)
+    else:
+        rub_along(
+            state.damping_vector, rubs, 0.0, state.mass, state.mass, saddle.free, inertia, saddle
+        )
+        clear_band(saddle.band)
+        add_tangents(system, state, stage.x, stage.v, 1.0, 1.0 / c1, saddle.band)
+        band_sweep(saddle)
+    stage.report[SOLVES] += 1.0
+    return held_back
+
+
+@kernel
+def solve_stage(system, state, stage, c1, c2):
+    """Solve the stage from the guess in `x`, `v`, `tension`; held nodes are in place already.
+
+    `c1` and `c2` [s], `x_known` and `v_known` say what the stage is. Returns OK or UNSOLVED; `report` says
+    how it went.
+    """
+    saddle, segments, report = stage.saddle, stage.segments, stage.report
+    x, v, tension, known = stage.x, stage.v, stage.tension, stage.v_known
+    mass, free = state.mass, saddle.free
+    begin(mass, state.inverse_mass, state.stiffness, segments, saddle, 1.0 / (c1 * c2))
+    merit, size, exact, wary, held_back, failed = np.inf, 0.0, False, 0, 0, False
+    iteration = 0
+    while True:
+        evaluate_stage(system, state, x, v, tension, segments, saddle, stage.forces)
+        accelerate(system, state, stage.forces, stage.a)
+        trial = balance(stage.a, v, known, mass, free, c1, c2, saddle.force)
+        trial += misfit_merit(saddle.misfit, segments.weight)
+        if size > 0.0 and not trial <= (1.0 - DESCENT * size) * merit:
+            shorter = shorter_part(size, trial, merit)
+            failed = shorter < SHORTEST
+            shorter = 0.0 if failed else shorter
+            move(shorter - size, c1, x, v, tension, saddle)
+            size = shorter
+            continue
+        if iteration < DECIDING and mark_stage(system, x, saddle) > 0.0:
+            size = 0.0
+            continue
+        largest_force(v, known, mass, free, system.gravity, c2, saddle.force, report)
+        largest_misfit(x, tension, state.rest_length, stage.forces.friction, saddle, report)
+        report[ITERATIONS], report[HISTORY + iteration] = iteration, trial
+        if is_solved(report, TIGHT) or (failed and not exact and is_solved(report, LOOSE)):
+            break
+        if iteration == MOST_ITERATIONS or (failed and not exact):
+            return UNSOLVED
+        wary = WARY if failed else wary - 1
+        near = exact or (held_back == 1 and trial < NEAR * merit)
+        exact = near and wary <= 0
+        held_back = newton_step(system, state, stage, c1, c2, exact)
+        if not is_finite(saddle.moved, saddle.pulled):
+            return UNSOLVED
+        move(1.0, c1, x, v, tension, saddle)
+        merit, size, failed, iteration = trial, 1.0, False, iteration + 1
+    finish(stage.x_known, known, stage.a, free, c1, c2, x, v)
+    return OK
+
+
+@kernel
+def finish(x_known, v_known, a, free, c1, c2, x, v):
+    """Let momentum have the last word: V and X follow from the forces, so that works add up exactly."""
+    for k in range(3):
+        x0, v0, ak, xk, vk = x_known[k], v_known[k], a[k], x[k], v[k]
+        for i in range(free.shape[0]):
+            if free[i] != 0.0:
+                vk[i] = v0[i] + c2 * ak[i]
+                xk[i] = x0[i] + c1 * vk[i]

@@ -1,0 +1,168 @@
+"""A shape of rest: the ropes coloured by tension, the anchors' forces, tension along the ropes."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.cm import ScalarMappable
+from matplotlib.collections import LineCollection
+from matplotlib.colors import Normalize
+from matplotlib.figure import Figure
+
+from ropewalk.plots.canvas import (
+    Stage,
+    draw_anchors,
+    draw_ground,
+    draw_loads,
+    label,
+    magnification_note,
+    prepare,
+    stage,
+)
+from ropewalk.plots.style import (
+    COLOURS,
+    describe,
+    escape,
+    line_style,
+    new_figure,
+    set_note,
+    set_title,
+    styled,
+)
+from ropewalk.plots.tensions import colour_scale, line_map
+from ropewalk.plots.view import anchors_at, broken_note, good_frames, limits, positions_of
+
+if TYPE_CHECKING:
+    from ropewalk.record.result import Result
+
+_ARROW = 0.16  # length of the largest force's arrow over the drawing's larger side [1]
+
+
+@styled
+def rest(result: Result, *, plane: str | None = None) -> Figure:
+    """Draw an equilibrium: shape and anchors' forces, and the tension along the ropes.
+
+    Of a run the last frame is drawn, of a broken one the last good one. `plane` names the two axes to
+    look at, as "xz".
+
+    Raises ValueError for a plane that is none.
+    """
+    good = good_frames(result)
+    frame = good - 1
+    seen = stage(result, plane, [frame])
+    box = seen.box
+    height = float(np.clip(6.4 * box.height / box.width, 1.6, 4.6))
+    figure = new_figure(7.2, height + 3.2)
+    above, below = figure.subplots(2, 1, height_ratios=[height, 1.7])
+    scale, colours, extend = colour_scale([result.tension[frame][result.live[frame]]])
+    _draw_shape(above, result, seen, frame, scale, colours)
+    bar = figure.colorbar(
+        ScalarMappable(scale, line_map(colours)), ax=above, extend=extend, pad=0.015, aspect=16
+    )
+    bar.set_label("elastic tension [N]")
+    _draw_profile(below, result, frame)
+    at_rest = result.status == "at rest"
+    about = describe(result)
+    if at_rest:
+        about = f"equilibrium; at most {result.residual:.1e} N left on a node"
+    set_title(figure, f"{result.scene.name}: {'at rest' if at_rest else 'last frame'}", about)
+    clipped = "the last good frame is drawn"
+    notes = broken_note(result, good, clipped=clipped) + magnification_note(box)
+    if len(result.layout.anchor_names):
+        notes.append("Arrows: the anchors' forces on the ropes.")
+    set_note(figure, notes)
+    return figure
+
+
+def _draw_shape(
+    axes: Axes, result: Result, seen: Stage, frame: int, scale: Normalize, colours: str
+) -> None:
+    points = seen.view.project(positions_of(result, slice(frame, frame + 1))[0])
+    ends = np.stack([points[:-1], points[1:]], axis=1)
+    live = result.live[frame]
+    prepare(axes, seen.box)
+    draw_ground(axes, seen.ground, seen.box)
+    axes.add_collection(
+        LineCollection(
+            list(ends[live]),
+            array=result.tension[frame][live],
+            cmap=line_map(colours),
+            norm=scale,
+            linewidths=2.2,
+            capstyle="round",
+            zorder=3,
+        )
+    )
+    _draw_forces(axes, result, seen, frame)
+    draw_anchors(axes, result, seen.view, frame)
+    draw_loads(axes, result, seen.view, frame)
+    label(axes, seen.view)
+
+
+def _draw_forces(axes: Axes, result: Result, seen: Stage, frame: int) -> None:
+    """Draw the anchors' forces as arrows, and write their sizes beside them."""
+    forces = result.reactions[frame]
+    sizes = np.linalg.norm(forces, axis=1)
+    if not sizes.size or sizes.max() == 0.0:
+        return
+    held = sizes > 1e-9 * sizes.max()
+    places, ways = seen.view.project(anchors_at(result, frame)), seen.view.project(forces)
+    reach = _ARROW * max(seen.box.width, seen.box.high - seen.box.low) / sizes.max()
+    shrink = np.array([1.0, 1.0 / seen.box.magnified])
+    tips = [places[0]]
+    for place, way, size in zip(places, ways[: len(places)], sizes, strict=False):
+        if size <= 1e-9 * sizes.max():
+            continue
+        tip = place + reach * way * shrink
+        tips.append(tip)
+        axes.annotate(
+            "",
+            xy=tuple(tip),
+            xytext=tuple(place),
+            arrowprops={"arrowstyle": "-|>", "color": COLOURS[1], "linewidth": 1.3},
+            annotation_clip=False,
+        )
+        side = "left" if way[0] >= 0.0 else "right"
+        axes.annotate(
+            f" {size:.4g} N ",
+            xy=tuple(tip),
+            ha=side if abs(way[0]) > 0.2 * size else "center",
+            va="bottom" if way[1] >= -0.2 * size else "top",
+            fontsize=8.0,
+            color=COLOURS[1],
+            annotation_clip=False,
+        )
+    if held.any():
+        _make_room(axes, np.array(tips))
+
+
+def _make_room(axes: Axes, tips: np.ndarray) -> None:
+    """Widen the axes so that the arrows and what is written at them lie inside."""
+    (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
+    text, line = 0.12 * (right - left), 0.08 * (high - low)
+    axes.set_xlim(min(left, tips[:, 0].min() - text), max(right, tips[:, 0].max() + text))
+    axes.set_ylim(min(low, tips[:, 1].min() - line), max(high, tips[:, 1].max() + line))
+
+
+def _draw_profile(axes: Axes, result: Result, frame: int) -> None:
+    """Draw the tension of every segment over unstretched arc length."""
+    curves = []
+    most = 0.0
+    for number, span in enumerate(result.layout.ropes):
+        rope = result.rope(span.name)
+        live = rope.live[frame]
+        lengths = rope.rest_length[frame]  # what a winch has paid out counts where it is now
+        arc = (np.cumsum(lengths) - 0.5 * lengths)[live]
+        values = rope.tension[frame][live]
+        curves.append(values)
+        most = max(most, float(rope.rest_length[frame].sum()))
+        axes.plot(arc, values, marker=".", label=escape(span.name), **line_style(number))
+    low, high = limits(curves)
+    axes.set_ylim(min(low, 0.0) if low < 0.5 * high else low, high)
+    axes.set_xlim(0.0, most or 1.0)
+    axes.set_xlabel("unstretched arc length [m]")
+    axes.set_ylabel("elastic tension [N]")
+    if 1 < len(curves) <= 8:
+        axes.legend(ncols=4, loc="lower left", bbox_to_anchor=(0.0, 1.0))

@@ -1,0 +1,51 @@
+"""The log of a run: `events.jsonl`, one JSON object a line, oldest first.
+
+Every event has `at` (the wall clock) and `event`; what happened in the scene has its `time` [s] too.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from pathlib import Path
+from typing import Any
+
+from ropewalk.record.facts import now
+
+NAME = "events.jsonl"
+Event = dict[str, Any]
+
+
+def log(folder: Path, event: str, **more: Any) -> None:
+    """Add a line to the log. Raises OSError."""
+    line = json.dumps({"at": now(), "event": event, **more}, ensure_ascii=False).encode() + b"\n"
+    with open(folder / NAME, "ab+", buffering=0) as file:
+        if file.tell() > 0:
+            file.seek(-1, os.SEEK_END)
+            if file.read(1) != b"\n":  # the process was killed in the middle of a line
+                line = b"\n" + line
+        file.write(line)
+
+
+def read_events(folder: Path) -> tuple[Event, ...]:
+    """Read the log; lines that a kill has torn are left out, and what a resumed run told again."""
+    try:
+        lines = (folder / NAME).read_bytes().splitlines()
+    except OSError:
+        return ()
+    found: list[Event] = []
+    told: list[Event] = []
+    for line in lines:
+        try:
+            event = json.loads(line)
+        except (ValueError, RecursionError):
+            continue
+        if not isinstance(event, dict) or not isinstance(event.get("event"), str):
+            continue
+        if "anchor" in event or "winch" in event:
+            what = {key: value for key, value in event.items() if key != "at"}
+            if what in told:
+                continue
+            told.append(what)
+        found.append(event)
+    return tuple(found)

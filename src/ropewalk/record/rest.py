@@ -1,0 +1,65 @@
+"""An equilibrium as a result of one frame."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import replace
+
+import numpy as np
+
+from ropewalk.block import Block
+from ropewalk.build import Model, build
+from ropewalk.core import arrays
+from ropewalk.laws.clamps import start_clamps
+from ropewalk.methods.loop import close_frame, prepare
+from ropewalk.methods.recording import ENERGIES, Recording, make_recording
+from ropewalk.record.facts import AT_REST, Facts, provenance
+from ropewalk.record.quantities import recorded
+from ropewalk.record.result import Result
+from ropewalk.record.source import Memory
+from ropewalk.scene import Scene
+from ropewalk.statics import Statics, checked_shape
+
+
+def rest_result(source: Scene | Model) -> Result:
+    """Return the equilibrium of a scene as a result of one frame, status "at rest".
+
+    Raises SceneError for a scene without a rest shape, NoRest when none is found.
+    """
+    model = source if isinstance(source, Model) else build(source)
+    begun = time.perf_counter()
+    statics = checked_shape(model)
+    plan = replace(model.plan, frames=0)
+    about = provenance(plan, ledger=True, keep_going=False)
+    about["statics"] = {
+        "residual": statics.residual,
+        "gap": statics.gap,
+        "steps": statics.steps,
+    }
+    facts = Facts(
+        plan=plan,
+        status=AT_REST,
+        seconds=time.perf_counter() - begun,
+        provenance=about,
+    )
+    block = Block(np.zeros(1), _frame(model, statics))
+    names = tuple(q.name for q in recorded(model.layout, bool(model.scene.winches)))
+    return Result(model.scene, model.layout, Memory([block], names), facts)
+
+
+def _frame(model: Model, statics: Statics) -> Recording:
+    """Return the frame as a run would record it, with the tensions that were solved for."""
+    state = arrays.copy(model.state)
+    state.x[...] = statics.positions.T
+    state.v[...] = 0.0
+    state.reaction[...] = statics.reactions
+    out = make_recording(state, 1, bool(model.scene.winches))
+    prepare(model.system, state)
+    start_clamps(model.system, state)
+    state.clamp_spin[...] = 0.0
+    close_frame(model.system, state, np.zeros_like(state.x), 0, out)
+    k = state.stiffness
+    stored = np.divide(statics.tension**2, 2.0 * k, out=np.zeros_like(k), where=k > 0.0)
+    out.tension[0] = statics.tension
+    out.energy[0, ENERGIES.index("elastic")] = float(stored.sum())
+    return out

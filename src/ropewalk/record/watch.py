@@ -1,0 +1,78 @@
+"""What happens to a scene while it runs: anchors let go, winches come to a stop."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from ropewalk.core.arrays import Floats, Ints
+from ropewalk.drum import EMPTY, RELEASED, limit_reached
+from ropewalk.record.events import Event
+from ropewalk.simulation import Simulation
+
+STOPPED, LET_GO = "winch stopped", "released"
+PLANNED = "stop time"
+
+
+class Watch:
+    """Looks at a simulation now and then and tells what has happened since the last look.
+
+    Times are the scene's where it gives them. A winch at a limit has stopped where its speed brings it
+    to what it has wound: exact as long as it turned at one speed since the last look.
+    """
+
+    def __init__(self, simulation: Simulation, *, resumed: bool = False) -> None:
+        """Begin at the present state; what has happened before it is told unless `resumed`."""
+        self._simulation = simulation
+        self._held: Ints = np.ones_like(simulation.arrays.held)
+        self._told: set[tuple[int, str]] = set()
+        self._time, self._paid = simulation.time, simulation.arrays.winch_paid.copy()
+        if resumed:
+            self.look()
+
+    def look(self) -> list[Event]:
+        """Return what has happened, in order of time: `event`, `time` [s], and whom it concerns."""
+        found = [*self._releases(), *self._stops()]
+        state = self._simulation.arrays
+        self._time, self._paid = self._simulation.time, state.winch_paid.copy()
+        return sorted(found, key=lambda event: float(event["time"]))
+
+    def _releases(self) -> list[Event]:
+        simulation, held = self._simulation, self._simulation.arrays.held
+        gone = np.flatnonzero((self._held == 1) & (held == 0))
+        self._held = held.copy()
+        release: Floats = simulation.system.anchors.release
+        names = simulation.layout.anchor_names
+        return [
+            {"event": LET_GO, "time": float(release[row]), "anchor": names[row]} for row in gone
+        ]
+
+    def _stops(self) -> list[Event]:
+        simulation, found = self._simulation, []
+        for row, winch in enumerate(simulation.scene.winches):
+            why, time = self._stop_of(row)
+            if why and (row, why) not in self._told:
+                self._told.add((row, why))
+                event: Event = {"event": STOPPED, "time": time, "winch": winch.name, "by": why}
+                if why == EMPTY and winch.on_drum is None:
+                    event["drum"] = "sized by the run's duration; on_drum gives it a length"
+                found.append(event)
+        return found
+
+    def _stop_of(self, row: int) -> tuple[str, float]:
+        """Return what a winch was stopped by and when [s]."""
+        simulation = self._simulation
+        winches, state, now = simulation.system.winches, simulation.arrays, simulation.time
+        speed = float(winches.speed[row])
+        if speed == 0.0 or now < winches.start[row]:
+            return "", now
+        if why := limit_reached(winches, state, row, speed):
+            began = max(self._time, float(winches.start[row]))
+            time = began + (float(state.winch_paid[row]) - float(self._paid[row])) / speed
+            return why, min(max(time, self._time), now) if math.isfinite(time) else now
+        stop, anchor = float(winches.stop[row]), winches.anchor[row]
+        release = float(simulation.system.anchors.release[anchor])
+        if state.held[anchor] == 0 and release < stop:
+            return RELEASED, release
+        return (PLANNED, stop) if now >= stop else ("", now)

@@ -1,0 +1,50 @@
+"""How a run starts: from the shape that the scene draws, or at rest, ringing in a mode or not."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from ropewalk.build import Model
+from ropewalk.core import arrays
+from ropewalk.core.arrays import Floats
+from ropewalk.scene import SceneError
+from ropewalk.scene.errors import Fault
+from ropewalk.scene.ring import Ring
+from ropewalk.statics import checked_shape
+
+
+def started(model: Model) -> Model:
+    """Return the model as its run starts; itself when that is as the scene draws it.
+
+    With `start = "at-rest"` its places are those of the equilibrium, and its velocities zero but for kicks,
+    anchors that move at once, and the mode that `ring` names.
+
+    Raises SceneError for a scene without a rest shape, and for a mode that is not there or does not
+    ring; `statics.NoRest` when none is found.
+    """
+    run = model.scene.run
+    if run.start != "at-rest":
+        return model
+    state = arrays.copy(model.state)
+    state.x[...] = checked_shape(model).positions.T
+    if run.ring is not None:
+        state.v[...] += run.ring.speed * _velocity(model, run.ring)
+    return replace(model, state=state)
+
+
+def _velocity(model: Model, ring: Ring) -> Floats:
+    """Return the shape of a mode (3, n), its largest displacement 1."""
+    from ropewalk.vibration import modes
+
+    found = modes(model, count=ring.mode)
+    if found.count < ring.mode:
+        rule = f"must be at most {found.count}: this scene has no more modes"
+        raise SceneError([Fault("run.ring.mode", ring.mode, rule)])
+    if not found.frequencies[-1] > 0.0:
+        rule = "does not ring: this mode only creeps; see `ropewalk modes` for those that do"
+        raise SceneError([Fault("run.ring.mode", ring.mode, rule)])
+    shape = found.shapes[ring.mode - 1].real
+    largest = float(np.sqrt((shape**2).sum(axis=1)).max())
+    return np.ascontiguousarray(shape.T / largest)

@@ -1,0 +1,83 @@
+"""Scenes that have no rest shape, or one that nothing determines: what is missing."""
+
+from __future__ import annotations
+
+import itertools
+
+import numpy as np
+
+from ropewalk.build import Model, Span
+from ropewalk.scene import SceneError
+from ropewalk.scene.errors import Fault
+from ropewalk.statics.hung import held_nodes
+
+
+def unheld_ropes(model: Model) -> tuple[str, ...]:
+    """Return the names of the ropes that no anchor holds at time zero."""
+    return tuple(rope.name for rope in model.layout.ropes if not held_nodes(model, rope))
+
+
+def undetermined_ropes(model: Model) -> tuple[str, ...]:
+    """Return the names of the ropes that have no rest shape, or any."""
+    return tuple(rope.name for rope in model.layout.ropes if _fault_of(model, rope))
+
+
+def refuse_impossible(model: Model) -> None:
+    """Raise SceneError for ropes that have no rest shape, or that nothing gives one."""
+    faults = []
+    for number, rope in enumerate(model.layout.ropes):
+        rule = _fault_of(model, rope)
+        if rule:
+            faults.append(Fault(f"rope[{number}]", rope.name, rule))
+    if faults:
+        raise SceneError(faults)
+
+
+def _fault_of(model: Model, rope: Span) -> str:
+    """Return what is missing for one rope to be at rest; "" where nothing is."""
+    held = held_nodes(model, rope)
+    heavy, windy = bool(np.any(model.system.gravity)), _has_wind(model)
+    if not held:
+        return _unheld(model, rope, heavy, windy)
+    if heavy or windy:
+        return ""
+    outer = rope.start != held[0] or rope.end != held[-1]
+    slack = any(_is_slack(model, a, b) for a, b in itertools.pairwise(held))
+    if outer or slack:
+        part = (
+            "the part beyond its last anchor" if outer else "it is slack between its anchors, and"
+        )
+        verb = "has" if outer else "has there"
+        return (
+            f"{part} {verb} no shape of its own: there is neither gravity nor wind, so every shape is "
+            "at rest; give gravity, wind, or anchors that stretch it"
+        )
+    return ""
+
+
+def _unheld(model: Model, rope: Span, heavy: bool, windy: bool) -> str:
+    named = [anchor for anchor in model.scene.anchors if anchor.rope == rope.name]
+    missing = "no anchor holds it"
+    if named:
+        missing = "all its anchors have let go at time 0 (release_time = 0)"
+    if not (heavy or windy):
+        return f"{missing}, and nothing acts on it: it is at rest wherever it is; hold a node of it"
+    if windy:
+        return f"{missing}: the wind carries it away; hold a node of it with an anchor"
+    if not model.system.ground.active:
+        return f"{missing}, and there is no ground: it falls; hold a node of it with an anchor"
+    return ""
+
+
+def _has_wind(model: Model) -> bool:
+    air = model.system.air
+    acts = bool(air.linear or air.quadratic)
+    return acts and bool(np.any(air.wind))
+
+
+def _is_slack(model: Model, first: int, last: int) -> bool:
+    if last - first == 1:
+        return False
+    state = model.state
+    distance = float(np.linalg.norm(state.x[:, last] - state.x[:, first]))
+    return distance < float(state.rest_length[first:last].sum())

@@ -1,0 +1,186 @@
+"""The shape in which a scene is at rest."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ropewalk.build import Model, build
+from ropewalk.core.arrays import Floats
+from ropewalk.scene import Scene
+from ropewalk.statics.balance import Balance
+from ropewalk.statics.hung import hung
+from ropewalk.statics.newton import Found, settle
+from ropewalk.statics.refusal import refuse_impossible, undetermined_ropes, unheld_ropes
+from ropewalk.statics.spans import RestSpan, rest_spans
+
+_SOFT = 1e-6  # compliance of rigid links on the way to their shape, in the model's units [1]
+_PUSHED = 1e-7  # of the unit of force: what counts as compression [1]
+_NUDGE = 1e-3  # of a segment: the push aside that tells whether a compressed shape is stable [1]
+
+
+class NoRest(ArithmeticError):  # noqa: N818 - it is what happened, not a mistake
+    """No shape of rest was found."""
+
+
+@dataclass(frozen=True)
+class Statics:
+    """The rest shape of a scene, as the masses and segments have it: the exact discrete solution."""
+
+    positions: Floats  # (n, 3) [m]
+    tension: Floats  # (s,) [N], elastic; negative where a segment is pressed
+    reactions: Floats  # (anchors, 3) force of each anchor on the rope [N]; 0 once released
+    slack: NDArray[np.bool_]  # (s,) segments without tension
+    stretch: Floats  # (s,) length over rest length [1]; 1 where the rest length is 0
+    grounded: NDArray[np.bool_]  # (n,) nodes on the ground
+    spans: tuple[RestSpan, ...]
+    unheld: tuple[str, ...]  # ropes that no anchor holds
+    residual: float  # largest force that is left on a free node [N]
+    gap: float  # largest difference between a segment's length and that of its tension [m]
+    steps: int  # Newton steps; 0 where the closed form is exact already
+    solved: bool  # whether it is at rest, to rounding
+
+    @property
+    def largest_tension(self) -> float:
+        """Largest tension of any segment [N]; 0 where no rope is held."""
+        return float(self.tension.max(initial=0.0))
+
+    @property
+    def sag(self) -> tuple[float, ...]:
+        """Sag of every span between two held nodes [m]."""
+        return tuple(span.sag for span in self.spans if span.kind == "span")
+
+    def __repr__(self) -> str:
+        spans = "; ".join(str(span) for span in self.spans) or "nothing is held"
+        return f"Statics: {spans}; largest tension {self.largest_tension:.4g} N."
+
+
+def static_shape(source: Scene | Model, *, strict: bool = True) -> Statics:
+    """Return the rest shape of a scene or a built model, all anchors at their initial places.
+
+    With `strict` off what Newton's method came to is returned even when it is not at rest; look at
+    `residual` then.
+
+    Ropes that nothing gives a shape (not held, or slack without weight) are left where they are,
+    without tension; `checked_shape` refuses them. The stretch limiter is no force, and takes no part.
+
+    Raises SceneError for rigid links that do not reach, NoRest when Newton's method finds no shape.
+    """
+    model = source if isinstance(source, Model) else build(source)
+    balance = Balance(model)
+    for name in undetermined_ropes(model):
+        balance.leave_out(model.layout.span(name))
+    found = _find(model, balance)
+    if strict and not found.at_rest:
+        raise NoRest(_complaint(model, balance, found))
+    return _statics(model, balance, found, unheld_ropes(model))
+
+
+def checked_shape(source: Scene | Model) -> Statics:
+    """Return the rest shape as `static_shape`, but refuse a scene that has none or many.
+
+    Raises SceneError with what is missing, and what `static_shape` raises.
+    """
+    model = source if isinstance(source, Model) else build(source)
+    refuse_impossible(model)
+    return static_shape(model)
+
+
+def _find(model: Model, balance: Balance) -> Found:
+    """Solve from the hung shape, or from the scene's own where other laws decide."""
+    x, tension = hung(model)
+    grounded = _below_ground(model, x).any()
+    own = grounded or balance.bends
+    if not own:
+        found = settle(balance, x, tension)
+        if found.at_rest:
+            return _stable(balance, found)
+    starts = [model.state.x.copy(), x] if own else [x, model.state.x.copy()]
+    best = None
+    for start in starts:
+        found = _soft_first(balance, start)
+        if found.at_rest:
+            return _stable(balance, found)
+        best = found if best is None or found.error < best.error else best
+    assert best is not None
+    return best
+
+
+def _soft_first(balance: Balance, x: Floats) -> Found:
+    """Solve with rigid links that stretch a little, then as they are."""
+    rigid = balance.live & (balance.soft == 0.0)
+    soft = balance.soft
+    least = _SOFT * balance.length / balance.force
+    balance.soft = np.where(rigid, least, soft)
+    tension = np.maximum(balance.elastic(x), 0.0)
+    found = settle(balance, x, tension, 1.0)
+    if rigid.any():
+        balance.soft = soft
+        found = settle(balance, found.x, found.tension)
+    return found
+
+
+def _stable(balance: Balance, found: Found) -> Found:
+    """Push a compressed shape a little aside: an unstable one then finds its way to a stable one."""
+    if not (found.tension[balance.live] < -_PUSHED * balance.force).any():
+        return found
+    noise = np.random.default_rng(0).normal(size=found.x.shape)  # the same for every call
+    moved = found.x + np.where(balance.free, _NUDGE * balance.length * noise, 0.0)
+    again = settle(balance, moved, np.maximum(found.tension, 0.0), 1.0)
+    return again if again.at_rest else found
+
+
+def _below_ground(model: Model, x: Floats) -> NDArray[np.bool_]:
+    ground = model.system.ground
+    if not ground.active:
+        return np.zeros(x.shape[1], dtype=bool)
+    below = ground.up @ x < ground.height
+    alive = model.state.mass > 0.0
+    return np.asarray(below & alive)
+
+
+def _statics(model: Model, balance: Balance, found: Found, unheld: tuple[str, ...]) -> Statics:
+    x, tension = found.x, found.tension
+    left = balance.imbalance(x, tension)
+    _, size = balance.directions(x)
+    rest = model.state.rest_length
+    stretch = np.divide(size, rest, out=np.ones_like(size), where=rest > 0.0)
+    none = np.abs(tension) <= 1e-12 * float(np.abs(tension).max(initial=0.0))
+    slack = (model.state.stiffness > 0.0) & none
+    for name in unheld:
+        span = model.layout.span(name)
+        stretch[span.first : span.last] = 1.0
+        slack[span.first : span.last] = False
+    reactions = np.zeros((model.state.held.size, 3))
+    for row, node in enumerate(model.state.anchor_node):
+        if model.state.held[row] == 1:
+            reactions[row] = 0.0 - left[:, node]
+    positions = np.ascontiguousarray(x.T)
+    return Statics(
+        positions=positions,
+        tension=tension,
+        reactions=reactions,
+        slack=slack,
+        stretch=stretch,
+        grounded=_below_ground(model, x),
+        spans=rest_spans(model, positions, tension),
+        unheld=unheld,
+        residual=float(np.abs(left[:, balance.free]).max(initial=0.0)),
+        gap=float(np.abs(balance.gap(x, tension)).max(initial=0.0)),
+        steps=found.steps,
+        solved=found.at_rest,
+    )
+
+
+def _complaint(model: Model, balance: Balance, found: Found) -> str:
+    left = np.where(balance.free, balance.imbalance(found.x, found.tension), 0.0)
+    node = int(np.argmax(np.abs(left).max(axis=0)))
+    rope, number = model.layout.rope_of(node)
+    gap = np.abs(balance.gap(found.x, found.tension)).max(initial=0.0)
+    return (
+        f"no shape of rest was found in {found.steps} steps: at node {number} of rope {rope!r} "
+        f"{np.abs(left[:, node]).max():.3g} N are left, and segments are {gap:.3g} m off their length. "
+        "Give the scene a shape nearer to rest, or softer ropes"
+    )

@@ -1,0 +1,45 @@
+"""Closed forms: shapes of hanging cables and chains, frequencies of strings, cables and chains.
+
+Each with formula, source and units; none of it knows of scenes. Angular frequencies are in rad/s.
+"""
+
+from __future__ import annotations
+
+from ropewalk.theory.cable import Cable
+from ropewalk.theory.cable_modes import (
+    cable_frequencies,
+    cable_parameter,
+    hanging_frequencies,
+    rigid_chain_frequencies,
+    string_frequencies,
+)
+from ropewalk.theory.catenary import catenary
+from ropewalk.theory.chain import Hung, hanging_chain, lumped_chain
+from ropewalk.theory.chain_modes import (
+    chain_decay_times,
+    chain_factors,
+    chain_frequencies,
+    chain_shape,
+)
+from ropewalk.theory.elastic_catenary import elastic_catenary
+from ropewalk.theory.parabola import Parabola, parabola
+
+__all__ = [
+    "Cable",
+    "Hung",
+    "Parabola",
+    "cable_frequencies",
+    "cable_parameter",
+    "catenary",
+    "chain_decay_times",
+    "chain_factors",
+    "chain_frequencies",
+    "chain_shape",
+    "elastic_catenary",
+    "hanging_chain",
+    "hanging_frequencies",
+    "lumped_chain",
+    "parabola",
+    "rigid_chain_frequencies",
+    "string_frequencies",
+]

@@ -1,0 +1,7 @@
+"""Vibration: natural modes of a scene about a shape, from the exact tangents of all laws."""
+
+from __future__ import annotations
+
+from ropewalk.vibration.modes import Modes, highest_frequency, modes
+
+__all__ = ["Modes", "highest_frequency", "modes"]

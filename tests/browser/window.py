@@ -1,0 +1,103 @@
+"""A page in the browser, driven and looked at through its hook `window.ropewalk`; nothing sleeps."""
+
+from __future__ import annotations
+
+import io
+from typing import Any
+
+import numpy as np
+from PIL import Image
+
+FLAGS = [
+    "--no-sandbox",
+    "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
+    "--disable-background-networking",
+    "--no-first-run",
+]
+SECONDS = 60.0  # at most for anything to happen; machines of CI are slow
+_HARMLESS = ("WebSocket connection to", "GL Driver Message", "net::ERR_")
+
+
+class Window:
+    """One page."""
+
+    def __init__(self, page: Any) -> None:
+        self.page = page
+        self.faults: list[str] = []
+        page.set_default_timeout(SECONDS * 1000.0)
+        page.on("pageerror", lambda error: self.faults.append(str(error)))
+        page.on("console", self._heard)
+
+    def _heard(self, message: Any) -> None:
+        if message.type == "error" and not any(one in message.text for one in _HARMLESS):
+            self.faults.append(message.text)
+
+    def ask(self, expression: str) -> Any:
+        """Evaluate with `r`, the hook."""
+        return self.page.evaluate(f"() => {{ const r = window.ropewalk; return {expression}; }}")
+
+    def until(self, expression: str) -> Any:
+        """Wait until an expression of `r` holds; return it."""
+        script = f"() => {{ const r = window.ropewalk; return r && ({expression}); }}"
+        return self.page.wait_for_function(script, polling=30).json_value()
+
+    def ready(self) -> Window:
+        """Wait for the first picture."""
+        self.until("r.frames > 0 && r.drawn > 0 && r.state !== 'waiting'")
+        return self
+
+    def tell(self, **command: Any) -> bool:
+        """Send a command as the page does; tell whether it was done."""
+        done: bool = self.page.evaluate("command => window.ropewalk.session.tell(command)", command)
+        return done
+
+    def node(self, node: int, variant: int = 0) -> np.ndarray:
+        """Where a node is [m]."""
+        return np.array(self.ask(f"r.nodeAt({node}, {variant})"))
+
+    def screen(self, node: int) -> tuple[float, float]:
+        """Where a node is in the window [CSS pixels]."""
+        place = self.ask(f"r.screenOf({node})")
+        return place["x"], place["y"]
+
+    def drag(self, start: tuple[float, float], by: tuple[float, float]) -> None:
+        """Press, move; the button stays down."""
+        mouse = self.page.mouse
+        mouse.move(*start)
+        mouse.down()
+        for part in (0.3, 0.6, 1.0):
+            mouse.move(start[0] + part * by[0], start[1] + part * by[1])
+
+    def settled(self) -> None:
+        """Wait until what is drawn is the newest frame, unmoving."""
+        self.page.evaluate(
+            """() => new Promise((done) => {
+                let [last, same] = [-1, 0];
+                const look = () => {
+                  const r = window.ropewalk;
+                  same = r.drawn === last && !r.stage.flight ? same + 1 : 0;
+                  last = r.drawn;
+                  if (same > 8) done(); else requestAnimationFrame(look);
+                };
+                look();
+            })"""
+        )
+
+    def picture(self) -> np.ndarray:
+        """Return what the window shows, (height, width, 3)."""
+        return np.asarray(Image.open(io.BytesIO(self.page.screenshot())).convert("RGB")).astype(int)
+
+    def at_rope(self, nodes: range) -> float:
+        """Return which part of these nodes has, within 3 pixels, a colour of the rope's map."""
+        picture = self.picture()
+        back = self.ask("r.stage.theme.background").copy()
+        paper = np.array(back) * 255.0 if max(back) <= 1.0 else np.array(back)
+        found = 0
+        for node in nodes:
+            x, y = (round(value) for value in self.screen(node))
+            around = picture[y - 3 : y + 4, x - 3 : x + 4].reshape(-1, 3)
+            spread = around.max(axis=1) - around.min(axis=1)  # paper and grid are nearly grey
+            far = np.abs(around - paper[:3]).sum(axis=1)
+            found += bool(((spread > 60) & (far > 150)).any())
+        return found / len(nodes)

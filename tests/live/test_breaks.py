@@ -1,0 +1,131 @@
+"""Breaks: frozen at the last good state, explained, and three ways on. Compared variants, history."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from live.drive import do, r4, refused
+from ropewalk.live import breaks
+from ropewalk.live.meter import measure
+from ropewalk.live.remedies import suggested_step
+from ropewalk.live.session import Session
+
+
+def broken() -> Session:
+    """Return a session that broke because its spring constant was pushed up."""
+    session = r4()
+    session.advance(1500)
+    do(session, "set", name="spring_constant", value=40_000.0)
+    while session.broken is None and session.time < 20.0:
+        session.advance(9)
+    assert session.broken is not None
+    return session
+
+
+def test_a_break_is_frozen_and_explained() -> None:
+    session = broken()
+    assert np.isfinite(session.main.simulation.positions).all()
+    before = session.main.simulation.positions.copy()
+    said = breaks.explain(session)
+    assert np.array_equal(session.main.simulation.positions, before)
+    assert "above the largest stable one" in said["text"]
+    assert "zigzag" in said["sign"]
+    assert said["variant"] == 0
+    assert 0 <= said["index"] <= 40
+    assert [one["id"] for one in said["remedies"]] == ["back", "step", "implicit"]
+    assert session.advance(100) == 1  # it does not go on by itself
+    assert session.time == said["time"]
+
+
+def test_back_to_before() -> None:
+    session = broken()
+    do(session, "back")
+    assert session.broken is None
+    assert session.scene.ropes[0].made_of.spring_constant == 10_000.0
+    assert session.time <= 1500 / 540
+    assert session.advance(2000) == 0
+
+
+def test_the_suggested_step_mends_it() -> None:
+    session = broken()
+    step = suggested_step(session.main.simulation)
+    do(session, "remedy", remedy="step")
+    assert session.main.dt == step
+    assert session.scene.ropes[0].made_of.spring_constant == 40_000.0
+    assert measure(session.main.simulation.model)["stable"]
+    assert session.advance(5000) == 0
+    assert "nothing is broken" in refused(session, "remedy", remedy="step")
+
+
+def test_going_back_some_seconds() -> None:
+    session = r4()
+    session.advance(2160)  # 4 s
+    do(session, "back", seconds=2.0)
+    assert session.time == pytest.approx(2.0, abs=0.26)
+    twin = r4()
+    twin.advance(round(session.time / twin.main.dt))
+    assert np.array_equal(twin.main.simulation.positions, session.main.simulation.positions)
+
+
+def test_the_meter_is_the_reports() -> None:
+    session = r4()
+    found = measure(session.main.simulation.model)
+    assert found["zone"] == "green"
+    assert found["meter_name"] == "a + 2b"
+    assert found["meter"] < 4.0
+    do(session, "set", name="spring_constant", value=found["largest_spring_constant"] * 1.001)
+    assert measure(session.main.simulation.model)["zone"] == "red"
+    do(session, "set", name="spring_constant", value=found["largest_spring_constant"] * 0.999)
+    found = measure(session.main.simulation.model)
+    assert found["zone"] == "amber"
+    # at the bound of a long chain a + 2b is 4 but for the chain's finite length
+    assert found["meter"] == pytest.approx(4.0, rel=0.01)
+    do(session, "set", name="method", value="rk4")
+    assert measure(session.main.simulation.model)["meter"] is None
+
+
+def test_variants_are_driven_by_the_same_hand() -> None:
+    session = r4()
+    session.advance(500)
+    do(
+        session,
+        "compare",
+        variants=[
+            {"label": "rk4", "changes": {"method": "rk4"}},
+            {"changes": {"segments": 80, "time_step": 0.0005}},
+        ],
+    )
+    do(session, "grab", node=10, target=[10.0, 3.0, 0.0])
+    do(session, "drag", anchor="right", target=[42.0, 0.0, 0.0])
+    session.advance(300)
+    first, second, third = (track.simulation for track in session.tracks)
+    assert [track.label for track in session.tracks][1:] == [
+        "rk4",
+        "segments = 80, time_step = 0.0005",
+    ]
+    assert second.plan.method == "rk4"
+    assert third.layout.nodes == 81
+    assert abs(third.time - first.time) <= 0.0005 + 1e-12
+    for simulation in (second, third):
+        place = simulation.anchors["right"].position
+        assert np.allclose(place, first.anchors["right"].position, atol=0.2)
+    assert np.allclose(third.positions[20], first.positions[10], atol=0.5)
+    assert not np.array_equal(second.positions, first.positions)
+    do(session, "cut", segment=5)
+    assert [len(track.scene.ropes) for track in session.tracks] == [2, 2, 2]
+    do(session, "compare", variants=[])
+    assert len(session.tracks) == 1
+
+
+def test_the_variant_that_breaks_is_named() -> None:
+    session = r4()
+    do(session, "compare", variants=[{"changes": {"spring_constant": 60_000.0}}])
+    while session.broken is None and session.time < 5.0:
+        session.advance(9)
+    assert session.broken is not None
+    assert session.broken.variant == 1
+    assert breaks.explain(session)["variant"] == 1
+    do(session, "remedy", remedy="step")
+    assert session.tracks[1].dt < session.tracks[0].dt
+    assert session.advance(1000) == 0

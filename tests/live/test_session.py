@@ -1,0 +1,290 @@
+"""Every command on a running session: what it does, that nothing jumps, and what is refused."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from live.drive import do, r4, refused, slack_rope
+from ropewalk.live.parameters import PARAMETERS
+from ropewalk.live.session import Session
+
+CHANGES = {
+    "spring_constant": 8000.0,
+    "EA": 9000.0,
+    "spring_friction": 0.2,
+    "friction_form": "axial",
+    "mass": 3.0,
+    "length": 42.0,
+    "diameter": 0.02,
+    "tension_only": True,
+    "gravity": [1.0, -5.0, 0.5],
+    "air_drag": 0.01,
+    "air_drag_quadratic": 0.01,
+    "air_density": 1.2,
+    "wind": [3.0, 0.0, 0.0],
+    "ground": True,
+    "ground_height": -30.0,
+    "ground_repulsion": 50.0,
+    "ground_friction": 0.5,
+    "ground_absorption": 1.0,
+    "method": "verlet",
+    "time_step": 0.001,
+    "steps_per_frame": 20,
+}
+
+
+def test_every_parameter_is_tried_here() -> None:
+    assert set(CHANGES) | {"segments"} == set(PARAMETERS)
+
+
+@pytest.mark.parametrize("name", CHANGES)
+def test_a_change_takes_effect_without_a_jump(name: str) -> None:
+    session = r4()
+    session.advance(270)
+    main = session.main.simulation
+    before, speeds = main.positions.copy(), main.velocities.copy()
+    time, work = main.time, main.arrays.work.friction.sum()
+    do(session, "set", name=name, value=CHANGES[name])
+    after = session.main.simulation
+    assert np.array_equal(after.positions, before)
+    assert np.array_equal(after.velocities, speeds)
+    assert after.time == time
+    assert after.arrays.work.friction.sum() == work
+    found = PARAMETERS[name].get(session.scene, 0)
+    assert found == pytest.approx(CHANGES[name]) if name != "friction_form" else "axial"
+    assert session.advance(9) == 0
+    assert np.abs(session.main.simulation.positions - before).max() < 0.5  # m, in 1/60 s
+
+
+def test_a_change_differs_from_no_change() -> None:
+    one, other = r4(), r4()
+    for session in (one, other):
+        session.advance(270)
+    do(other, "set", name="mass", value=3.0)
+    one.advance(100)
+    other.advance(100)
+    assert np.abs(one.main.simulation.positions - other.main.simulation.positions).max() > 1e-3
+
+
+def test_a_new_number_of_segments_keeps_rope_and_shape() -> None:
+    session = Session(slack_rope(40))
+    session.advance(1000)
+    before = session.main.simulation
+    shape, mass = before.positions.copy(), before.arrays.mass.sum()
+    momentum = before.recording().recording.momentum[0]
+    do(session, "set", name="segments", value=80)
+    after = session.main.simulation
+    # every second node of the finer rope is one of the coarser, the others lie half-way
+    assert np.array_equal(after.positions[::2], shape)
+    assert np.allclose(after.positions[1::2], 0.5 * (shape[1:] + shape[:-1]), atol=1e-15)
+    assert after.arrays.mass.sum() == pytest.approx(mass, rel=1e-12)
+    assert after.scene.ropes[0].segment_stiffness == pytest.approx(80 * 2e4 / 10.0)
+    # linear velocities on linear elements: momentum to the order of the segments' ends
+    assert np.allclose(after.recording().recording.momentum[0], momentum, atol=0.02)
+    assert session.advance(100) == 0
+
+
+def test_springs_stay_the_same_rope_when_they_are_cut_finer() -> None:
+    session = r4()
+    do(session, "set", name="segments", value=80)
+    rope = session.scene.ropes[0]
+    assert rope.length_unstretched == pytest.approx(40.0)
+    assert rope.own_mass == pytest.approx(41 * 0.05)
+    assert rope.segment_stiffness * rope.segment_length == pytest.approx(10000.0 * 1.0)
+    assert [session.scene.anchor_node(one) for one in session.scene.anchors] == [0, 40, 80]
+
+
+def test_anchors_stay_at_nodes_and_nodes_at_anchors() -> None:
+    session = r4()
+    session.advance(300)
+    do(session, "set", name="segments", value=61)  # the middle anchor wants an even number
+    assert session.scene.ropes[0].segments == 60
+    simulation = session.main.simulation
+    assert simulation.positions[30] == pytest.approx([20.0, 0.0, 0.0], abs=1e-12)
+    do(session, "pin", node=7)
+    place = session.main.simulation.positions[7].copy()
+    before = session.main.simulation.positions.copy()
+    do(
+        session, "set", name="segments", value=100
+    )  # nothing fits a pin at 7 of 60: the nearest node
+    after = session.main.simulation
+    pin = [session.scene.anchor_node(one) for one in session.scene.anchors][-1]
+    assert pin == 12
+    assert np.array_equal(after.positions[pin], place)
+    for points, other in ((before, after.positions), (after.positions, before)):
+        nearest = np.abs(points[:, None] - other[None]).max(axis=2).min(axis=1)
+        assert nearest.max() < 0.7  # m: no node is further from the old shape than half a segment
+
+
+def test_out_of_range_values_are_answered_with_the_range() -> None:
+    session = r4()
+    said = refused(session, "set", name="mass", value=-1)
+    assert said == "mass: -1 - must be from 1e-12 to 1e+15 kg"
+    assert "must be from 1 to 20000" in refused(session, "set", name="segments", value=0)
+    assert "must be a whole number from 1" in refused(session, "set", name="segments", value=1.5)
+    assert "three finite numbers" in refused(session, "set", name="gravity", value=[0, 1])
+    assert "must be true or false" in refused(session, "set", name="ground", value=1)
+    assert '"rk4"' in refused(session, "set", name="method", value="magic")
+    assert "must be a finite number" in refused(session, "set", name="EA", value=True)
+    assert 'did you mean "mass"' in refused(session, "set", name="mas", value=1)
+    assert "there is rope" in refused(session, "set", name="mass", value=1, rope="no")
+    assert "must be from 0 to 0" in refused(session, "set", name="mass", value=1, variant=1)
+    assert session.scene == r4().scene
+
+
+def test_a_refused_command_changes_nothing() -> None:
+    session = r4()
+    session.advance(100)
+    before = session.main.save()
+    assert refused(session, "set", name="spring_constant", value=0)
+    assert session.main.simulation is before.simulation
+    assert session.changes == {}
+
+
+def test_a_value_goes_back_to_the_scenes_own() -> None:
+    session = r4()
+    do(session, "set", name="mass", value=9.0)
+    do(session, "set", name="mass", value=None)
+    assert session.scene.ropes[0].own_mass == pytest.approx(2.05)
+    assert session.changes == {}
+
+
+def test_an_automatic_step_is_the_one_of_now() -> None:
+    session = r4()
+    do(session, "set", name="spring_constant", value=1e6)
+    do(session, "set", name="time_step", value="auto")
+    # report: stable up to a + 2b < 4, so about 2 sqrt(m/k) less friction; 0.8 of it
+    assert session.main.dt == pytest.approx(0.8 * np.sqrt(0.05 / 1e6), rel=0.1)
+
+
+def test_pin_and_unpin() -> None:
+    session = r4()
+    session.advance(400)
+    place = session.main.simulation.positions[10].copy()
+    do(session, "pin", node=10)
+    session.advance(400)
+    assert np.array_equal(session.main.simulation.positions[10], place)
+    assert "held by anchor 'pin1'" in refused(session, "pin", node=10)
+    do(session, "unpin", anchor="pin1")
+    session.advance(400)
+    assert np.abs(session.main.simulation.positions[10] - place).max() > 1e-3
+    do(session, "unpin", node=20)  # the scene's own middle anchor
+    assert [one.name for one in session.scene.anchors] == ["left", "right"]
+    assert "no such anchor; there is left, right" in refused(session, "unpin", anchor="pin1")
+    assert "is held by no anchor" in refused(session, "unpin", node=5)
+    assert "must be from 0 to 40" in refused(session, "pin", node=41)
+
+
+def test_the_scenes_motions_go_on_after_a_change() -> None:
+    plain, changed = r4(), r4()
+    for session in (plain, changed):
+        session.advance(540)  # 1 s: the left anchor moves from 0.5 s on
+    do(changed, "pin", node=30)
+    for session in (plain, changed):
+        session.advance(540)
+    names = plain.main.simulation.anchors, changed.main.simulation.anchors
+    assert np.array_equal(names[0]["left"].position, names[1]["left"].position)
+    assert names[0]["left"].position[0] == pytest.approx(3.0, abs=0.01)  # 2 m/s for 1.5 s
+
+
+def test_a_cut_rope_falls_apart_and_keeps_mass_and_momentum() -> None:
+    session = Session(slack_rope(40))
+    session.advance(2000)
+    before = session.main.simulation
+    mass, shape = before.arrays.mass.copy(), before.positions.copy()
+    do(session, "cut", segment=20)
+    after = session.main.simulation
+    assert np.array_equal(after.positions, shape)
+    assert np.allclose(after.arrays.mass, mass, rtol=1e-12)
+    assert [span.nodes for span in after.layout.ropes] == [21, 20]
+    assert after.arrays.stiffness[20] == 0.0
+    session.advance(2000)
+    gap = np.linalg.norm(after.positions[21] - after.positions[20])
+    assert gap > 1.0  # m after 0.4 s of falling apart
+    assert "nothing to cut" in refused(session, "cut", segment=20)
+    assert "must be from 0 to 39" in refused(session, "cut", segment=40)
+
+
+def test_a_node_that_a_cut_leaves_alone_is_dropped() -> None:
+    session = Session(slack_rope(40))
+    note = do(session, "cut", segment=0)
+    assert "dropped" in note
+    assert session.main.simulation.layout.nodes == 40
+    assert [one.name for one in session.scene.anchors] == ["right"]
+    assert session.scene.ropes[0].name == "rope"
+    assert session.advance(500) == 0
+
+
+def test_a_load_pulls_its_node_down_and_comes_off() -> None:
+    session, plain = r4(), r4()
+    do(session, "load", node=30, mass=2.0)
+    assert session.main.simulation.arrays.mass[30] == pytest.approx(2.05)
+    session.advance(500)
+    plain.advance(500)
+    heights = [one.main.simulation.positions[30, 1] for one in (session, plain)]
+    assert heights[0] < heights[1] - 0.3
+    do(session, "load", node=30, mass=0)
+    assert session.main.simulation.arrays.mass[30] == pytest.approx(0.05)
+    assert "must be from 0 to 1e+09 kg" in refused(session, "load", node=30, mass=-1)
+
+
+def test_a_kick_adds_velocity_and_is_booked() -> None:
+    session = r4()
+    session.advance(300)
+    before = session.main.simulation.velocities[10].copy()
+    energy = session.main.energy
+    do(session, "kick", node=10, velocity=[0, 4, 0])
+    assert np.allclose(session.main.simulation.velocities[10] - before, [0, 4, 0])
+    # m ((v + u)^2 - v^2) / 2
+    gain = 0.5 * 0.05 * (16.0 + 8.0 * before[1])
+    assert session.main.energy - energy == pytest.approx(gain, rel=1e-9)
+    assert session.main.edited == pytest.approx(gain, rel=1e-9)
+    assert "is held by anchor 'middle'" in refused(session, "kick", node=20, velocity=[0, 1, 0])
+
+
+def test_reset_keeps_constants_and_drops_the_rest() -> None:
+    session = r4()
+    first = session.main.simulation.positions.copy()
+    do(session, "set", name="mass", value=4.0)
+    session.advance(200)
+    do(session, "pin", node=10)
+    do(session, "cut", segment=30)
+    do(session, "reset")
+    assert session.time == 0.0
+    assert np.array_equal(session.main.simulation.positions, first)
+    assert session.scene.ropes[0].own_mass == pytest.approx(4.0)
+    assert len(session.scene.ropes) == 1
+    do(session, "reset", all=True)
+    assert session.scene.ropes[0].own_mass == pytest.approx(2.05)
+
+
+def test_reset_with_another_number_of_segments() -> None:
+    session = Session(slack_rope(40))
+    do(session, "set", name="segments", value=20)
+    do(session, "reset")
+    assert session.main.simulation.layout.nodes == 21
+    assert session.advance(100) == 0
+
+
+def test_moving_an_anchor_by_a_held_key() -> None:
+    session = r4()
+    do(session, "move", anchor="right", velocity=[3, 0, 0])
+    session.advance(270)  # 0.5 s
+    assert session.main.simulation.anchors["right"].position[0] == pytest.approx(41.5)
+    do(session, "move", anchor="right", velocity=[0, 0, 0])
+    session.advance(270)
+    assert session.main.simulation.anchors["right"].position[0] == pytest.approx(41.5)
+    assert "there is left, middle, right" in refused(
+        session, "move", anchor="up", velocity=[0, 0, 0]
+    )
+
+
+def test_the_first_variant_of_another_scene() -> None:
+    session = r4()
+    do(session, "scene", preset="n40")
+    assert session.preset == "n40"
+    assert session.time == 0.0
+    assert "no such preset" in refused(session, "scene", preset="n99")
+    assert "one of preset, toml, address" in refused(session, "scene")
+    assert session.preset == "n40"

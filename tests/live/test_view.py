@@ -1,0 +1,103 @@
+"""Views from Python: the caller's own loop, a playing scene, a result; and in a notebook."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import ropewalk as rw
+from live.drive import slack_rope
+from live.pages import Page
+from ropewalk.live.view import View
+from ropewalk.record.errors import RunError
+
+
+@pytest.fixture
+def options(tmp_path: Path) -> dict[str, object]:
+    (tmp_path / "page").mkdir()
+    (tmp_path / "page" / "index.html").write_text("<!doctype html><title>a page</title>")
+    return {"page": tmp_path / "page", "port": 0, "open_browser": False}
+
+
+def page_of(view: View) -> Page:
+    return Page(view._server)
+
+
+def test_the_loop_stays_with_the_program(options: dict[str, object]) -> None:
+    simulation = rw.Simulation(slack_rope(20))
+    trail: dict[float, np.ndarray] = {}
+
+    def stepped() -> bool:
+        simulation.step()
+        trail[simulation.time] = simulation.positions.copy()
+        view.update()
+        return True
+
+    with simulation.view(**options) as view, page_of(view) as page:
+        page.until(lambda: stepped() and page.frames)
+        assert page.message("hello")["mode"] == "program"
+        page.send("grab", node=10, target=[4.0, 0.0, 2.0], id=1)
+        page.until(lambda: stepped() and page.frames[-1][3] & 8)
+        assert simulation.arrays.forces.applied[2, 10] > 0.0
+        page.send("set", name="mass", value=1.0, id=2)
+        page.until(lambda: stepped() and any(m.get("id") == 2 for m in page.messages))
+        assert page.message("error", id=2)["text"].startswith("type: ")
+        where = page.message("layout")["variants"][0]["offsets"]["positions"]
+        shown = np.frombuffer(page.data, "<f4", 3 * 21, where).reshape(21, 3)
+        assert shown == pytest.approx(trail[page.frames[-1][4]], abs=1e-5)
+    assert simulation.time > 0.0
+    view.update()  # closed: nothing happens
+
+
+def test_a_view_does_not_change_what_it_shows(options: dict[str, object]) -> None:
+    plain, shown = (rw.Simulation(slack_rope(20)) for _ in range(2))
+    with shown.view(**options) as view:
+        for _ in range(30):
+            plain.step()
+            shown.step()
+            view.update()
+    assert np.array_equal(plain.positions, shown.positions)
+
+
+def test_a_scene_plays_by_itself(options: dict[str, object], tmp_path: Path) -> None:
+    with slack_rope(20).view(folder=tmp_path / "run", **options) as view, page_of(view) as page:
+        page.until(lambda: page.frames and page.frames[-1][4] > 0.1)
+        assert view.folder == tmp_path / "run"
+    assert rw.Result.open(tmp_path / "run").frames > 1
+
+
+def test_a_result_is_replayed(options: dict[str, object]) -> None:
+    scene = slack_rope(20)
+    result = rw.simulate(scene.replace(run=scene.run.replace(duration=0.5)))
+    with result.view(playing=False, **options) as view, page_of(view) as page:
+        assert page.message("hello")["mode"] == "replay"
+        assert page.message("status")["duration"] == pytest.approx(0.5, abs=0.01)
+        page.ask(1, "seek", time=0.25)
+        page.until(lambda: page.frames and page.frames[-1][4] > 0.2)
+        assert page.frames[-1][4] == pytest.approx(result.time[result.frame_at(0.25)])
+        where = page.message("layout")["variants"][0]["offsets"]["positions"]
+        shown = np.frombuffer(page.data, "<f4", 3 * 21, where).reshape(21, 3)
+        assert shown == pytest.approx(result.positions[result.frame_at(0.25)], abs=1e-5)
+        assert "must be from 0 to" in page.ask(2, "seek", time=9)["text"]
+        assert "in a replay" in page.ask(3, "cut", segment=1)["text"]
+        page.ask(4, "play")
+        page.until(lambda: page.frames[-1][3] & 16)
+
+
+def test_in_a_notebook_a_view_is_a_frame(options: dict[str, object]) -> None:
+    with slack_rope(20).view(**options) as view:
+        html = view._repr_html_()
+        assert html.startswith("<iframe")
+        assert view.address in html
+        assert view.address in repr(view)
+    assert repr(view) == "<View, closed>"
+
+
+def test_without_the_packages_one_line_says_what_to_install(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr("ropewalk.live.launch.NEEDS", ("starlette", "no_such_package"))
+    with pytest.raises(RunError, match=r"no_such_package: is missing.*ropewalk\[view\]"):
+        slack_rope(5).view()

@@ -1,0 +1,109 @@
+"""What has no rest shape is refused with what is missing; what the result of one frame can do."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import ropewalk as rw
+from ropewalk.build import build
+from ropewalk.record.resume import resume_run
+from ropewalk.scene import Air, Anchor, Ground, Rope, Scene, Springs, Straight
+from ropewalk.statics import NoRest, static_shape
+from ropewalk.statics.newton import Found
+from ropewalk.statics.rest import Balance, _complaint
+
+STUFF = Springs(spring_constant=1000.0, node_mass=0.01, segment_length=0.05)
+
+
+def scene(end: float | None = 0.4, held: tuple[int, ...] = (0, -1), **more: object) -> Scene:
+    release = more.pop("release_time", None)
+    shape = Straight(end=None if end is None else (end, 0.0, 0.0))
+    rope = Rope(name="cord", segments=10, made_of=STUFF, shape=shape)
+    anchors = tuple(Anchor(node=node, release_time=release) for node in held)
+    return Scene(ropes=(rope,), anchors=anchors, **more)
+
+
+WIND = Air(node_drag=0.1, wind=(1.0, 0.0, 0.0))
+
+
+@pytest.mark.parametrize(
+    ("source", "words"),
+    [
+        (scene(held=()), "no anchor holds it, and there is no ground: it falls"),
+        (scene(release_time=0.0), "all its anchors have let go at time 0"),
+        (scene(held=(), gravity=(0, 0, 0)), "nothing acts on it: it is at rest wherever it is"),
+        (scene(held=(), air=WIND, ground=Ground(height=-1.0)), "the wind carries it away"),
+        (scene(gravity=(0, 0, 0)), "slack between its anchors, and has there no shape of its own"),
+        (scene(held=(0,), gravity=(0, 0, 0)), "the part beyond its last anchor has no shape"),
+    ],
+)
+def test_what_is_missing_is_said(source: Scene, words: str) -> None:
+    with pytest.raises(rw.SceneError) as caught:
+        rw.equilibrium(source)
+    assert str(caught.value).startswith('rope[0]: "cord" - ')
+    assert words in str(caught.value)
+    assert "\n" not in str(caught.value)
+
+
+def test_what_is_enough_is_not_refused() -> None:
+    rw.equilibrium(scene(held=(), ground=Ground(height=-1.0)))
+    rw.equilibrium(scene(end=0.6, gravity=(0, 0, 0)))
+    rw.equilibrium(scene(held=(0,), gravity=(0, 0, 0), air=WIND))
+    rw.equilibrium(scene(release_time=1.0))  # held at time zero
+
+
+def test_rigid_links_that_do_not_reach() -> None:
+    model = build(scene(end=0.6))
+    model.state.stiffness[...] = math.inf
+    with pytest.raises(rw.SceneError, match="must be more than the distance of the ends") as caught:
+        static_shape(model)
+    assert str(caught.value).startswith("rope[0].length: 0.5 - ")
+    assert "anchor 'anchor0' to anchor 'anchor1'" in str(caught.value)
+
+
+def test_a_failure_names_node_residual_and_remedy() -> None:
+    model = build(scene())
+    balance = Balance(model)
+    found = Found(model.state.x, np.zeros(10), 1.0, 1e-9, 2000)
+    text = _complaint(model, balance, found)
+    assert "no shape of rest was found in 2000 steps" in text
+    assert "of rope 'cord' 0.0981 N are left" in text
+    assert "Give the scene a shape nearer to rest" in text
+    with pytest.raises(NoRest):
+        raise NoRest(text)
+
+
+def test_the_result_of_one_frame(tmp_path: Path) -> None:
+    result = rw.equilibrium(scene())
+    assert result.frames == 1
+    assert result.status == "at rest"
+    assert result.residual < 1e-12
+    assert repr(result).startswith("Equilibrium of 'scene': rope 'cord' with 10 segments, largest")
+    assert not result.velocities.any()
+    table = result.table
+    assert table["largest tension at"] == "segment 0 of rope 'cord'"
+    assert table["largest force left [N]"] == result.residual
+    saved = result.save(tmp_path / "rest")
+    assert saved.residual == result.residual
+    np.testing.assert_array_equal(saved.positions, result.positions)
+    np.testing.assert_array_equal(saved.reactions, result.reactions)
+    assert saved.table["lowest point [m]"] == table["lowest point [m]"]
+    with pytest.raises(rw.RunError, match="holds an equilibrium, not a run"):
+        resume_run(tmp_path / "rest")
+    assert math.isnan(rw.simulate(scene(run=rw.RunSettings(duration=0.1))).residual)
+
+
+def test_energies_of_an_equilibrium_are_those_of_a_frame() -> None:
+    # A run that starts at the rest shape records the same energies, tension and reactions.
+    found = rw.equilibrium(scene())
+    model = build(scene())
+    model.state.x[...] = found.positions[0].T
+    first = rw.Simulation(model).recording().recording
+    np.testing.assert_allclose(found.energy["gravity"], first.energy[:, 1], rtol=1e-12)
+    np.testing.assert_allclose(found.energy["elastic"], first.energy[:, 2], rtol=1e-9)
+    np.testing.assert_allclose(found.tension, first.tension, rtol=1e-9)
+    np.testing.assert_allclose(found.reactions, first.reaction, atol=1e-12)
