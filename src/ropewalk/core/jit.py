@@ -18,7 +18,10 @@ from pathlib import Path
 from typing import Any
 
 import numba
-from numba.core import caching
+from numba.core import caching, ir, ir_utils
+from numba.core.compiler import CompilerBase, DefaultPassBuilder
+from numba.core.compiler_machinery import FunctionPass, register_pass
+from numba.core.untyped_passes import ReconstructSSA
 
 PACKAGE = Path(__file__).resolve().parent.parent
 KERNEL_FOLDERS = ("core", "laws", "methods", "motions")
@@ -119,9 +122,61 @@ class _KernelCache(caching.FunctionCache):
         return sig, codegen.magic_tuple()
 
 
+@register_pass(mutates_CFG=False, analysis_only=False)
+class _ForwardCopies(FunctionPass):
+    """Use a variable itself in place of its copies.
+
+    numba copies the arguments of a function that it inlines. A copy of a named tuple of a hundred arrays
+    is a thousand loads and stores to LLVM: without this pass a step took three times as long to compile.
+    """
+
+    _name = "ropewalk_forward_copies"
+
+    def __init__(self) -> None:
+        FunctionPass.__init__(self)
+
+    def run_pass(self, state: Any) -> bool:
+        blocks, definitions = state.func_ir.blocks, state.func_ir._definitions
+        copies: dict[str, Any] = {}
+        for block in blocks.values():
+            for statement in block.find_insts(ir.Assign):
+                source, target = statement.value, statement.target
+                if isinstance(source, ir.Var) and all(
+                    len(definitions[variable.name]) == 1 for variable in (source, target)
+                ):
+                    copies[target.name] = source
+        for name in copies:
+            while copies[name].name in copies:
+                copies[name] = copies[copies[name].name]
+        for block in blocks.values():
+            block.body = [
+                statement
+                for statement in block.body
+                if not (isinstance(statement, ir.Assign) and statement.target.name in copies)
+            ]
+        ir_utils.replace_vars(blocks, copies)
+        return bool(copies)
+
+
+class _Compiler(CompilerBase):
+    """numba's own passes and ours."""
+
+    def define_pipelines(self) -> list[Any]:
+        manager = DefaultPassBuilder.define_nopython_pipeline(self.state)
+        manager.add_pass_after(_ForwardCopies, ReconstructSSA)
+        manager.finalize()
+        return [manager]
+
+
 def _njit(**options: Any) -> Any:
     # `_nrt` is not in numba's type stubs; it is what numba's own allocation-free code uses.
-    options |= {"nogil": True, "error_model": "numpy", "_nrt": False}
+    options |= {
+        "nogil": True,
+        "error_model": "numpy",
+        "_nrt": False,
+        "no_cfunc_wrapper": True,
+        "pipeline_class": _Compiler,
+    }
     return numba.njit(**options)
 
 

@@ -52,8 +52,9 @@ class MeterThread:
                 if self._ended:
                     return
                 models, self._question = self._question or [], None
-            begun = time.perf_counter()
+            begun = time.monotonic()
             found = {"type": "stability", "variants": [measure(model) for model in models]}
             with self._wake:
                 self.latest = self._answer = found
-            time.sleep(min(_REST * (time.perf_counter() - begun), 0.5))
+            spent = time.monotonic() - begun
+            time.sleep(min(_REST * spent, 0.5))
