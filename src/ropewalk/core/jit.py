@@ -137,14 +137,21 @@ class _ForwardCopies(FunctionPass):
 
     def run_pass(self, state: Any) -> bool:
         blocks, definitions = state.func_ir.blocks, state.func_ir._definitions
+        phis = [phi for block in blocks.values() for phi in block.find_exprs("phi")]
+        merged = {variable.name for phi in phis for variable in phi.incoming_values}
+
+        def stays(variable: Any) -> bool:
+            """Whether it is given one value, and not by a phi, which becomes several assignments."""
+            given = definitions[variable.name]
+            return len(given) == 1 and given[0] not in phis
+
         copies: dict[str, Any] = {}
         for block in blocks.values():
             for statement in block.find_insts(ir.Assign):
                 source, target = statement.value, statement.target
-                if isinstance(source, ir.Var) and all(
-                    len(definitions[variable.name]) == 1 for variable in (source, target)
-                ):
-                    copies[target.name] = source
+                if isinstance(source, ir.Var) and stays(source) and stays(target):
+                    if target.name not in merged:
+                        copies[target.name] = source
         for name in copies:
             while copies[name].name in copies:
                 copies[name] = copies[copies[name].name]

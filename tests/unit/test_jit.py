@@ -1,0 +1,64 @@
+"""The compiler pass of our own: what it forwards must not change what a loop computes."""
+
+from __future__ import annotations
+
+import pytest
+
+from ropewalk.core.jit import kernel, part
+
+
+@part
+def twice(value):
+    return value + value
+
+
+@kernel
+def one_behind(n):
+    """Return the last value but one: a copy of what the loop goes on to change."""
+    before, now = -1, 0
+    for _ in range(n):
+        before = now
+        now = now + 1
+    return before
+
+
+@kernel
+def fibonacci(n):
+    """Swap two variables in each round."""
+    a, b = 0, 1
+    for _ in range(n):
+        a, b = b, a + b
+    return a
+
+
+@kernel
+def behind_on_leaving(n):
+    """Leave the loop with a copy taken before the last change."""
+    now = 0
+    while True:
+        before = now
+        now = now + 1
+        if now > n:
+            break
+    return before
+
+
+@kernel
+def chain(n):
+    """Copy a copy, call a part on it, and change the original."""
+    now, total = 1, 0
+    for _ in range(n):
+        first = now
+        second = first
+        now = twice(second)
+        total = total + second
+    return total
+
+
+@pytest.mark.parametrize("function", [one_behind, fibonacci, behind_on_leaving])
+def test_copies_keep_their_values(function) -> None:
+    assert [function(n) for n in range(12)] == [function.py_func(n) for n in range(12)]
+
+
+def test_chains_of_copies_keep_their_values() -> None:
+    assert [chain(n) for n in range(12)] == [2**n - 1 for n in range(12)]
