@@ -126,7 +126,7 @@ def recording() -> list[Row]:
     return rows
 
 
-def _recorded(dt: float, ledger: bool, steps: int = 25_000) -> Timing:
+def _recorded(dt: float, ledger: bool, steps: int = 100_000) -> Timing:
     scene = report_rope(1000)
     per_frame = Simulation(scene.replace(run=RunSettings(time_step=dt))).plan.steps_per_frame
     duration = steps // per_frame / 60.0
@@ -146,7 +146,7 @@ def _recorded(dt: float, ledger: bool, steps: int = 25_000) -> Timing:
             record_run(model, Path(place) / "run", ledger=ledger)
 
     runs = {"plain": plain, "memory": memory, "folder": folder}
-    return take_turns(runs, rounds=8)
+    return take_turns(runs, rounds=4)
 
 
 def methods() -> list[Row]:
