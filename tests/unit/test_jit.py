@@ -62,3 +62,19 @@ def test_copies_keep_their_values(function) -> None:
 
 def test_chains_of_copies_keep_their_values() -> None:
     assert [chain(n) for n in range(12)] == [2**n - 1 for n in range(12)]
+
+
+@kernel
+def sometimes_given(n):
+    """Use a variable that one way through the loop leaves without a value."""
+    total = 0
+    for i in range(n):
+        if i > 0:
+            last = i
+        if i > 1:
+            total = total + last
+    return total
+
+
+def test_a_variable_may_be_given_on_one_way_only() -> None:
+    assert [sometimes_given(n) for n in range(6)] == [0, 0, 0, 2, 5, 9]

@@ -138,7 +138,9 @@ class _ForwardCopies(FunctionPass):
     def run_pass(self, state: Any) -> bool:
         blocks, definitions = state.func_ir.blocks, state.func_ir._definitions
         phis = [phi for block in blocks.values() for phi in block.find_exprs("phi")]
-        merged = {variable.name for phi in phis for variable in phi.incoming_values}
+        merged = {
+            value.name for phi in phis for value in phi.incoming_values if isinstance(value, ir.Var)
+        }
 
         def stays(variable: Any) -> bool:
             """Whether it is given one value, and not by a phi, which becomes several assignments."""
