@@ -25,7 +25,7 @@ import { applyTheme } from "./view/theme.js";
 /** @typedef {import("./session.js").Session} Session */
 /** @typedef {import("./render/view.js").Renderer} Renderer */
 
-const NARROW = "(max-width: 700px)";
+const NARROW = "(max-width: 700px), (max-height: 500px)";
 
 export class App {
   /** @param {HTMLElement} root @param {Session} session

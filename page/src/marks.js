@@ -2,7 +2,7 @@
 
 import { ROPES, fromHex } from "./view/colours.js";
 import { figures, quantity } from "./view/range.js";
-import { plus, times, vector } from "./view/vector.js";
+import { plus, vector } from "./view/vector.js";
 import { Trails } from "./render/trails.js";
 
 /** @typedef {import("./stage.js").Stage} Stage */
@@ -10,7 +10,8 @@ import { Trails } from "./render/trails.js";
 /** @typedef {import("./render/view.js").Marker} Marker */
 /** @typedef {import("./render/view.js").Arrow} Arrow */
 /** @typedef {import("./view/vector.js").Vector} Vector */
-/** @typedef {{at: Vector, text: string, kind: "reaction" | "grab" | "kick" | "hint"}} Label */
+/** @typedef {{from: Vector, at: Vector, text: string, kind: "reaction" | "grab" | "kick"}} Label
+ *   beside the tip of an arrow */
 
 const REACTION = 84; // length of the longest arrow [CSS pixels]
 const MOST_LABELS = 8;
@@ -105,7 +106,7 @@ export class Marks {
       const to = plus(place, force, reach / this.strongest);
       arrows.push({ from: place, to, colour: theme.arrow, pixels: 2.6, head: true });
       if (forces.length <= MOST_LABELS) {
-        this.labels.push({ at: to, text: quantity(size, "N"), kind: "reaction" });
+        this.labels.push({ from: place, at: to, text: quantity(size, "N"), kind: "reaction" });
       }
     }
   }
@@ -153,7 +154,12 @@ export class Marks {
         });
         const [fx, fy, fz] = part.grabs.subarray(i + 4, i + 7);
         if (v === 0)
-          this.labels.push({ at: to, text: quantity(Math.hypot(fx, fy, fz), "N"), kind: "grab" });
+          this.labels.push({
+            from,
+            at: to,
+            text: quantity(Math.hypot(fx, fy, fz), "N"),
+            kind: "grab",
+          });
       }
     });
   }
@@ -168,7 +174,7 @@ export class Marks {
     if (!this.kick) return;
     const { from, to, text } = this.kick;
     arrows.push({ from, to, colour: theme.grab, pixels: 3, head: true });
-    this.labels.push({ at: plus(from, times(plus(to, from, -1), 1.05)), text, kind: "kick" });
+    this.labels.push({ from, at: to, text, kind: "kick" });
   }
 
   /** What the longest arrow means. */

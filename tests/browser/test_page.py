@@ -117,9 +117,6 @@ def test_node_is_grabbed_by_a_soft_spring(open_window: Open, serve: Serve) -> No
     window.until("r.session.frame.parts[0].grabs[0] >= 0")
     window.until("Math.hypot(...r.session.frame.parts[0].grabs.slice(4, 7)) > 0")
     window.until(f"r.nodeAt(20)[1] > {before[1]} + 0.1 || r.nodeAt(19)[1] > {before[1]} + 0.1")
-    window.page.wait_for_function(
-        "() => /N$/.test(document.querySelector('.scene').innerText.trim())"
-        " || /\\d N/.test(document.querySelector('.scene').innerText)"
-    )
+    window.until("/^[\\d.]+ m?N$/.test(document.querySelector('.labels .grab')?.innerText)")
     window.page.mouse.up()
     window.until("r.session.frame.parts[0].grabs[0] < 0")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import time
 from typing import Any
 
 import numpy as np
@@ -37,10 +38,22 @@ class Window:
         """Evaluate with `r`, the hook."""
         return self.page.evaluate(f"() => {{ const r = window.ropewalk; return {expression}; }}")
 
-    def until(self, expression: str) -> Any:
-        """Wait until an expression of `r` holds; return it."""
+    def until(self, expression: str, seconds: float = SECONDS) -> Any:
+        """Wait until an expression of `r` holds; return it. The page allows no `eval`, so it is asked."""
         script = f"() => {{ const r = window.ropewalk; return r && ({expression}); }}"
-        return self.page.wait_for_function(script, polling=30).json_value()
+        end = time.monotonic() + seconds
+        while not (found := self.page.evaluate(script)):
+            if time.monotonic() > end:
+                raise AssertionError(f"waited in vain for {expression}\n{self.situation()}")
+            self.page.wait_for_timeout(25)
+        return found
+
+    def situation(self) -> str:
+        """Say what the page is at, for messages of failure."""
+        said = self.ask(
+            "[...document.querySelectorAll('.notice, .banner')].map((e) => e.innerText)"
+        )
+        return f"state {self.ask('r.state')}, time {self.ask('r.time')} s, {said}, {self.faults}"
 
     def ready(self) -> Window:
         """Wait for the first picture."""
@@ -71,22 +84,33 @@ class Window:
 
     def settled(self) -> None:
         """Wait until what is drawn is the newest frame, unmoving."""
-        self.page.evaluate(
+        still = self.page.evaluate(
             """() => new Promise((done) => {
-                let [last, same] = [-1, 0];
+                let [last, same, frames] = [-1, 0, 0];
                 const look = () => {
                   const r = window.ropewalk;
                   same = r.drawn === last && !r.stage.flight ? same + 1 : 0;
                   last = r.drawn;
-                  if (same > 8) done(); else requestAnimationFrame(look);
+                  if (same > 8 || ++frames > 1200) done(same > 8);
+                  else requestAnimationFrame(look);
                 };
                 look();
             })"""
         )
+        assert still, f"the picture never rests\n{self.situation()}"
 
     def picture(self) -> np.ndarray:
         """Return what the window shows, (height, width, 3)."""
         return np.asarray(Image.open(io.BytesIO(self.page.screenshot())).convert("RGB")).astype(int)
+
+    def press(self, *keys: str) -> None:
+        """Press keys, one after another."""
+        for key in keys:
+            self.page.keyboard.press(key)
+
+    def click(self, selector: str) -> None:
+        """Click an element."""
+        self.page.locator(selector).click()
 
     def at_rope(self, nodes: range) -> float:
         """Return which part of these nodes has, within 3 pixels, a colour of the rope's map."""

@@ -219,9 +219,9 @@ export class Graphs {
 
   /** @param {Panel} panel */
   draw({ kind, plot }) {
-    const to = this.history.last - this.back;
-    if (!Number.isFinite(to)) return;
-    const from = to - this.window;
+    if (!Number.isFinite(this.history.last)) return;
+    const from = Math.max(this.history.last - this.back - this.window, this.history.first);
+    const to = from + this.window;
     if (plot instanceof Plot) {
       const names = plot.series.map(({ name }) => name);
       plot.show(this.history.between(from, to, names), from, to);

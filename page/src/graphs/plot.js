@@ -6,6 +6,8 @@ import { figures, quantity } from "../view/range.js";
 
 /** @typedef {{name: string, label: string, colour: string}} Series */
 
+const PAUSE = 1; // s without a sample that leave a gap
+
 const colour = (/** @type {string} */ name) =>
   getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
@@ -53,6 +55,7 @@ export class Plot {
             stroke,
             width: 1.6,
             points: { show: false },
+            gaps: gapsOf,
             value: (/** @type {uPlot} */ _, /** @type {number} */ value) =>
               value === null ? "" : quantity(value, unit),
           })),
@@ -94,4 +97,31 @@ function roomy(low, high) {
     return [0, 1];
   const room = Math.max(0.08 * (high - low), 0.01 * Math.max(Math.abs(low), Math.abs(high)), 1e-9);
   return [low - room, high + room];
+}
+
+/** Where a line must not go [canvas pixels]: over samples that are not there, and over long pauses.
+ * @param {uPlot} plot @param {number} index of the series @param {number} first @param {number} last
+ * @returns {[number, number][]} */
+function gapsOf(plot, index, first, last) {
+  const [times, values] = [plot.data[0], plot.data[index]];
+  const across = (/** @type {number} */ i) => plot.valToPos(times[i], "x", true);
+  return holes(times, /** @type {any} */ (values), first, last).map(([from, to]) => [
+    across(from),
+    across(to),
+  ]);
+}
+
+/** The samples between which there is nothing. @param {ArrayLike<number>} times
+ * @param {ArrayLike<number>} values @param {number} first @param {number} last
+ * @returns {[number, number][]} */
+export function holes(times, values, first, last) {
+  /** @type {[number, number][]} */ const found = [];
+  let before = -1; // the last sample that is there
+  for (let i = first; i <= last; i++) {
+    if (!Number.isFinite(values[i])) continue;
+    if (before >= 0 && (i > before + 1 || times[i] - times[before] > PAUSE))
+      found.push([before, i]);
+    before = i;
+  }
+  return found;
 }

@@ -36,7 +36,7 @@ export class Keys {
 
   /** @param {KeyboardEvent} event */
   press(event) {
-    if (event.ctrlKey || event.metaKey || event.altKey || inField(event.target)) return;
+    if (event.ctrlKey || event.metaKey || event.altKey || takesKey(event)) return;
     const hand = HANDS.findIndex((codes) => codes.includes(event.code));
     if (hand >= 0 && this.anchor(hand) !== null && this.session.can("move")) {
       event.preventDefault();
@@ -107,11 +107,14 @@ function giveBack(event) {
   else target.closest("button")?.blur();
 }
 
-/** @param {EventTarget | null} target */
-function inField(target) {
+/** Whether what is in focus takes a key for itself; a slider takes only those that move it.
+ * @param {KeyboardEvent} event */
+function takesKey({ target, code }) {
   if (!(target instanceof HTMLElement)) return false;
-  if (target instanceof HTMLInputElement)
+  if (target instanceof HTMLInputElement) {
+    if (target.type === "range") return /^(Arrow|Page|Home|End)/.test(code);
     return !["checkbox", "radio", "button"].includes(target.type);
+  }
   return target.isContentEditable || ["SELECT", "TEXTAREA"].includes(target.tagName);
 }
 

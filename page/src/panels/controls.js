@@ -110,19 +110,19 @@ export class Controls {
 
   toggle() {
     const { status } = this.session;
-    if (!status || status.broken) return;
+    if (!status || status.broken || !this.session.can("play")) return;
     this.session.tell({ type: status.playing ? "pause" : "play" });
   }
 
   async doStep() {
     const { status } = this.session;
-    if (!status || status.broken) return;
+    if (!status || status.broken || !this.session.can("step")) return;
     if (status.playing) await this.session.tell({ type: "pause" });
     else await this.session.tell({ type: "step" });
   }
 
   doReset() {
-    this.session.tell({ type: "reset" });
+    if (this.session.can("reset")) this.session.tell({ type: "reset" });
   }
 
   setSpeed() {

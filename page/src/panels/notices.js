@@ -29,8 +29,9 @@ export class Notices {
   connection(state, text) {
     this.banner.hidden = state === "open";
     document.documentElement.dataset.connection = state;
-    if (state !== "open")
-      this.banner.replaceChildren(h("span", { className: "spinner" }), `${text} Trying again …`);
+    if (state === "open") return;
+    if (state === "damaged") this.banner.replaceChildren(text);
+    else this.banner.replaceChildren(h("span", { className: "spinner" }), `${text} Trying again …`);
   }
 
   /** @param {string} text @param {"note" | "fault"} [kind] */

@@ -8,6 +8,7 @@ import { h, icon } from "./dom.js";
 
 const SCENES = ["r4", "hanging-rope"]; // the report's rope comes first
 const STIFFER = 2;
+const IMPLICIT = "sdirk2"; // rather than others, as the server does after a break
 
 /** @type {Step[]} */
 const STEPS = [
@@ -209,6 +210,7 @@ export class Tour {
   implicitMethod() {
     const method = this.session.parameters.find((p) => p.name === "method");
     const choices = method?.choices ?? [];
+    if (choices.some(({ value }) => value === IMPLICIT)) return IMPLICIT;
     const found = choices.find(
       ({ value, label }) =>
         /implicit|sdirk|bdf|midpoint/i.test(`${value} ${label}`) &&

@@ -55,7 +55,7 @@ export class RecordingSource {
       await this.load();
     } catch (error) {
       events.state(
-        "ended",
+        "damaged",
         `This page cannot be shown: ${error instanceof Error ? error.message : error}.`,
       );
       return;

@@ -181,6 +181,9 @@ void main() {
   diameter = max(sizes.x / (pixel * -seen.z), sizes.y);
   colourOf = ink;
   gl_Position = projection * seen;
+  seen.z *= 1.0 - min(0.5, pixel * diameter);  // before the rope that ends in it
+  vec4 nearer = projection * seen;
+  gl_Position.z = nearer.z / nearer.w * gl_Position.w;
   gl_PointSize = (diameter + 2.0) * ratio;
 }
 `;

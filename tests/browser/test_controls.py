@@ -1,0 +1,296 @@
+"""Every button, key, choice and view of the page has its effect."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from browser.window import Window
+from live.drive import slack_rope
+from ropewalk.live.session import Session
+from ropewalk.scene import Anchor
+
+pytestmark = pytest.mark.browser
+Open = Callable[..., Window]
+Serve = Callable[..., object]
+SPEEDS = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 4]
+# By the key: what it does, with what tells it. `before` is what `watch` said first.
+SHORTCUTS = {
+    "f": ("r.stage.camera.pose.distance", "was !== now"),
+    "g": ("document.getElementById('graphs').hidden", "was !== now"),
+    "p": ("document.getElementById('panel').hidden", "was !== now"),
+    "t": ("document.documentElement.dataset.theme", "was !== now"),
+    " ": ("r.session.status.playing", "was !== now"),
+}
+# Keys of the three hands: left, right, up, down, away, near; and the axis and sign of each.
+HANDS = [
+    ["ArrowLeft", "ArrowRight", "ArrowUp", "ArrowDown", "Home", "End"],
+    ["a", "d", "w", "s", "q", "e"],
+    ["j", "l", "i", "k", "u", "o"],
+]
+WAYS = [(0, -1), (0, 1), (2, 1), (2, -1), (1, 1), (1, -1)]
+
+
+@pytest.fixture
+def window(open_window: Open, serve: Serve) -> Window:
+    """A paused page of a rope on three anchors."""
+    scene = slack_rope()
+    scene = scene.replace(anchors=[*scene.anchors, Anchor(name="middle", node=20)])
+    size = {"width": 1280, "height": 800}
+    return open_window(serve(Session(scene)).address, viewport=size).ready()
+
+
+def test_buttons_play_pause_step_and_reset(window: Window) -> None:
+    window.click("#play")
+    window.until("r.state === 'playing' && r.time > 0.05")
+    assert window.page.locator("#step").is_disabled()
+    window.click("#play")
+    window.until("r.state === 'paused'")
+    window.settled()
+    time = window.ask("r.time")
+    window.click("#step")
+    window.until(f"Math.abs(r.time - {time} - r.session.status.dt) < 1e-9")
+    window.click("#reset")
+    window.until("r.time === 0")
+    window.until("document.getElementById('clock').innerText === '0.00 s'")
+
+
+def test_every_speed_is_reached_by_its_notch(window: Window) -> None:
+    for notch, speed in enumerate(SPEEDS):
+        window.page.locator("#speed").fill(str(notch))
+        window.until(f"r.session.status.speed === {speed}")
+    assert window.page.locator("#speed-text").inner_text() == "4×"
+    window.page.locator("#speed").fill("3")  # a tenth: the factor reached is the one asked for
+    window.press(" ")
+    window.until("Math.abs(r.session.status.realtime / 0.1 - 1) < 0.1")
+
+
+def test_every_key_of_the_help_has_an_effect(window: Window) -> None:
+    window.page.mouse.move(640, 300)
+    window.page.mouse.wheel(0, 300)
+    window.settled()
+    done = {".", "r", "h", "?", *SHORTCUTS}
+    for key, (watch, effect) in SHORTCUTS.items():
+        window.page.evaluate(f"() => {{ const r = window.ropewalk; window.was = {watch}; }}")
+        window.press(key)
+        window.until(f"((was, now) => {effect})(window.was, {watch})")
+        if key != "f":
+            window.press(key)
+            window.until(f"window.was === {watch}")
+    _press_steps(window)
+    for key in ("h", "?"):
+        window.press(key)
+        window.page.locator("dialog.help[open]").wait_for()
+        told = window.page.locator("dialog.help kbd").all_inner_texts()
+        window.press("Escape")
+        window.page.locator("dialog.help[open]").wait_for(state="detached")
+    done |= _press_hands(window)
+    names = {"←": "ArrowLeft", "→": "ArrowRight", "↑": "ArrowUp", "↓": "ArrowDown", "Space": " "}
+    keys = {key for text in told for key in text.replace(",", " ").split() if key != "or"}
+    listed = {names.get(key, key.lower() if len(key) == 1 else key) for key in keys}
+    assert listed == done  # no key is listed that was not pressed here, and none left out
+
+
+def _press_steps(window: Window) -> None:
+    window.until("r.state === 'paused'")
+    window.press("r")
+    window.until("r.time === 0")
+    window.press(".")
+    window.until("Math.abs(r.time - r.session.status.dt) < 1e-9")
+
+
+def _press_hands(window: Window) -> set[str]:
+    """Hold every movement key for a moment: its anchor, and no other, gets 3 m/s its way."""
+    for hand, keys in enumerate(HANDS):
+        at = f"r.session.frame.parts[0].anchors.slice({10 * hand + 3}, {10 * hand + 6})"
+        for key, (axis, sign) in zip(keys, WAYS, strict=True):
+            window.page.keyboard.down(key)
+            window.until(f"Math.abs({at}[{axis}] - {3 * sign}) < 1e-3")
+            moving = window.ask(f"[0, 1, 2].filter((a) => {_fast('a')})")
+            assert moving == [hand]
+            window.page.keyboard.up(key)
+            window.until(f"!({_fast(str(hand))})")
+    return {key for keys in HANDS for key in keys}
+
+
+def _fast(anchor: str) -> str:
+    part = f"r.session.frame.parts[0].anchors.slice(10 * {anchor} + 3, 10 * {anchor} + 6)"
+    return f"Math.hypot(...{part}) > 0.01"
+
+
+def test_every_colouring_has_its_unit_and_its_picture(window: Window) -> None:
+    window.press(" ")
+    window.until("r.time > 0.3")
+    window.press(" ")
+    window.until("r.state === 'paused'")
+    seen = []
+    for colouring, unit in (("tension", "N"), ("strain", "%"), ("speed", "m/s"), ("plain", "")):
+        window.page.locator("#colouring").select_option(colouring)
+        window.settled()
+        numbers = window.page.locator("#legend-numbers")
+        if unit:
+            assert numbers.inner_text().endswith(unit)
+        else:
+            assert not numbers.is_visible()
+            assert window.page.locator(".rope-names").inner_text() == "rope"
+        assert window.at_rope(range(2, 19)) > 0.9
+        if colouring != "strain":  # of one rope that is like tension but for the unit
+            seen.append(_middle(window))
+    for i, one in enumerate(seen):
+        for other in seen[:i]:
+            assert np.abs(one - other).max() > 40
+
+
+def _middle(window: Window) -> np.ndarray:
+    """The colours along the first half of the rope."""
+    picture = window.picture()
+    places = [window.screen(node) for node in range(2, 19)]
+    return np.array([picture[round(y), round(x)] for x, y in places])
+
+
+def test_arrows_and_nodes_can_be_shown_and_hidden(window: Window) -> None:
+    window.settled()
+    assert window.page.locator(".labels .reaction:visible").count() >= 1
+    window.page.locator("#show-forces").uncheck()
+    window.settled()
+    assert window.page.locator(".labels .reaction:visible").count() == 0
+    before = window.picture()
+    window.page.locator("#show-nodes").check()
+    window.page.mouse.move(640, 10)
+    window.settled()
+    assert (np.abs(window.picture() - before).max(axis=2) > 60).sum() > 38
+
+
+def test_every_view_looks_its_way(window: Window) -> None:
+    toward = "[...r.stage.camera.toward]"
+    window.settled()
+    first = window.ask(toward)
+    for k, name in enumerate("xyz"):
+        window.click(f"#view-{name}")
+        window.settled()
+        one = np.array(window.ask(toward))
+        assert abs(one[k]) > 0.99
+        window.click(f"#view-{name}")
+        window.settled()
+        assert np.dot(one, window.ask(toward)) < -0.99  # from the other side
+    window.click("#view-home")
+    window.settled()
+    assert np.allclose(window.ask(toward), first, atol=1e-3)
+    window.page.mouse.move(640, 300)
+    window.page.mouse.wheel(0, 500)
+    window.settled()
+    far = window.ask("r.stage.camera.pose.distance")
+    window.click("#view-fit")
+    window.settled()
+    assert window.ask("r.stage.camera.pose.distance") < 0.8 * far
+    assert window.at_rope(range(2, 39)) > 0.9
+
+
+def test_the_hand_turns_shifts_and_zooms_the_view(window: Window) -> None:
+    window.settled()
+    pose = "(({azimuth, target, distance}) => [azimuth, ...target, distance])(r.stage.camera.pose)"
+    empty = (500.0, 150.0)
+    before = np.array(window.ask(pose))
+    window.drag(empty, (80.0, 20.0))
+    window.page.mouse.up()
+    turned = np.array(window.ask(pose))
+    assert abs(turned[0] - before[0]) > 0.1
+    assert np.allclose(turned[1:], before[1:])
+    window.page.keyboard.down("Shift")
+    window.drag(empty, (80.0, 20.0))
+    window.page.mouse.up()
+    window.page.keyboard.up("Shift")
+    shifted = np.array(window.ask(pose))
+    assert shifted[0] == turned[0]
+    assert np.linalg.norm(shifted[1:4] - turned[1:4]) > 0.1
+    window.page.mouse.wheel(0, -300)
+    assert window.ask("r.stage.camera.pose.distance") < 0.9 * shifted[4]
+
+
+def test_graphs_open_choose_and_scroll_back(window: Window) -> None:
+    window.click("#toggle-graphs")
+    window.page.locator("#speed").fill("8")
+    window.press(" ")
+    window.until("r.time > 3.2")
+    assert window.page.locator("#graph-scroll").is_disabled()
+    kinds = {"energies", "tension", "motion"}
+    assert set(_graphs(window)) == kinds
+    for kind in ("energies", "tension", "motion"):
+        assert _inked(window, kind) > 100
+    window.click(".chip[data-graph=tension]")
+    assert set(_graphs(window)) == kinds - {"tension"}
+    window.page.locator("#graph-quantity").select_option("speed")
+    window.until("document.querySelector('[data-kind=motion]').innerText.includes('fastest')")
+    window.page.locator("#graph-window").select_option("2")
+    window.press(" ")
+    window.until("r.state === 'paused' && !document.getElementById('graph-scroll').disabled")
+    ends = "(({min, max}) => [min, max])(r.app.graphs.panels.get('energies').plot.uplot.scales.x)"
+    low, high = window.ask(ends)
+    assert high - low == pytest.approx(2.0)
+    assert high == pytest.approx(window.ask("r.time"), abs=0.2)
+    window.page.locator("#graph-scroll").fill("0")
+    assert window.ask(ends) == pytest.approx([0.0, 2.0], abs=0.2)
+    box = window.page.locator("[data-kind=energies] .u-over").bounding_box()
+    window.page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    window.until(
+        r"/kinetic\s*[\d.]+ m?J/.test(document.querySelector('[data-kind=energies]').innerText)"
+    )
+
+
+def _graphs(window: Window) -> list[str]:
+    kinds: list[str] = window.ask(
+        "[...document.querySelectorAll('.plot')].map((p) => p.dataset.kind)"
+    )
+    return kinds
+
+
+def _inked(window: Window, kind: str) -> int:
+    """Count the coloured pixels of a graph."""
+    found: int = window.page.evaluate(
+        """(kind) => {
+            const canvas = document.querySelector(`[data-kind=${kind}] canvas`);
+            const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+            let found = 0;
+            for (let i = 0; i < data.length; i += 4) {
+                const [r, g, b] = data.slice(i, i + 3);
+                found += data[i + 3] > 100 && Math.max(r, g, b) - Math.min(r, g, b) > 60;
+            }
+            return found;
+        }""",
+        kind,
+    )
+    return found
+
+
+def test_a_followed_node_has_a_trail_graphs_and_a_phase_plane(window: Window) -> None:
+    window.settled()
+    window.click("#tool-follow")
+    window.page.mouse.click(*window.screen(10))
+    window.until("!document.getElementById('graphs').hidden")
+    window.press(" ")
+    window.until("r.time > 0.5")
+    window.click(".chip[data-graph=phase]")
+    time = window.ask("r.time")
+    window.until(f"r.time > {time} + 0.5")
+    assert _inked(window, "phase") > 50
+    assert "node 10" in window.page.locator("[data-kind=tension]").inner_text()
+    assert window.ask("r.stage.marks.trails !== null")
+    window.press(" ")
+    window.until("r.state === 'paused'")
+    window.settled()
+    window.page.mouse.click(*window.screen(10))
+    window.until("r.stage.marks.followed.size === 0")
+
+
+def test_panel_and_theme_by_their_buttons(window: Window) -> None:
+    width = window.ask("r.stage.camera.width")
+    window.click("#toggle-panel")
+    window.until(f"r.stage.camera.width > {width}")
+    window.settled()
+    assert window.picture()[400, 400].sum() > 600
+    window.click("#toggle-theme")
+    window.settled()
+    assert window.picture()[400, 400].sum() < 200
+    assert window.at_rope(range(2, 39)) > 0.9

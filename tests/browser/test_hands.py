@@ -1,0 +1,200 @@
+"""Hands on the rope: grab, pin, cut, load, kick, menu, double-click, touch."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from browser.window import Window
+from live.drive import slack_rope
+from ropewalk.live.serve import ViewServer
+from ropewalk.live.session import Session
+
+pytestmark = pytest.mark.browser
+Open = Callable[..., Window]
+Serve = Callable[..., ViewServer]
+EMPTY = (450.0, 420.0)
+GRABS = "r.session.frame.parts[0].grabs"
+VARIANT = "r.session.layout.variants[0]"
+
+
+@pytest.fixture
+def server(serve: Serve) -> ViewServer:
+    """A paused rope between two anchors."""
+    return serve(Session(slack_rope()))
+
+
+@pytest.fixture
+def window(server: ViewServer, open_window: Open) -> Window:
+    """Its page, at rest."""
+    window = open_window(server.address).ready()
+    window.settled()
+    return window
+
+
+def test_a_grab_shows_its_force_in_newtons(window: Window, server: ViewServer) -> None:
+    window.press(" ")
+    window.page.keyboard.down("Shift")
+    # Shift on empty space would shift the view, on the rope it keeps the spring
+    window.drag(window.screen(20), (0.0, -80.0))
+    window.until(f"{GRABS}[0] === 20")
+    window.page.mouse.up()
+    window.page.keyboard.up("Shift")
+    window.until("r.time > 1")
+    window.press(" ")
+    window.until("r.state === 'paused'")
+    window.settled()
+    assert window.ask(f"{GRABS}[0]") == 20  # it stays
+    force = np.linalg.norm(window.ask(f"[...{GRABS}.slice(4, 7)]"))
+    grab = server.stage.session.main.hands.grabs[0]
+    assert (grab.node, force > 0.1) == (20, True)
+    shown = window.page.locator(".labels .grab:visible").inner_text()
+    number, unit = shown.split()
+    assert float(number) * {"N": 1.0, "kN": 1e3, "mN": 1e-3}[unit] == pytest.approx(force, rel=0.01)
+    _double_click(window)
+    window.until(f"{GRABS}[0] < 0")
+    assert server.stage.session.main.hands.grabs == []
+
+
+def _double_click(window: Window) -> None:
+    window.page.mouse.click(*EMPTY)
+    window.page.mouse.click(*EMPTY)
+
+
+def test_a_node_is_pinned_and_let_go_again(window: Window) -> None:
+    window.click("#tool-pin")
+    assert window.page.locator("#tool-pin").get_attribute("aria-pressed") == "true"
+    window.page.mouse.click(*window.screen(15))
+    window.until(f"{VARIANT}.anchors.some((a) => a.pinned && a.index === 15)")
+    before = window.node(15)
+    window.press(" ")
+    window.until("r.time > 0.5")
+    assert np.allclose(window.node(15), before, atol=1e-5)
+    assert not np.allclose(window.node(25), before, atol=1e-2)
+    window.press(" ")
+    window.until("r.state === 'paused'")
+    window.settled()
+    window.page.mouse.click(*window.screen(15))
+    window.until(f"{VARIANT}.anchors.length === 2")
+    window.press(" ")
+    window.until("r.time > 1")
+    assert np.linalg.norm(window.node(15) - before) > 1e-3
+
+
+def test_a_rope_is_cut_where_it_is_clicked(window: Window) -> None:
+    a, b = window.screen(12), window.screen(13)
+    window.click("#tool-cut")
+    window.page.mouse.click((a[0] + b[0]) / 2, (a[1] + b[1]) / 2)
+    window.until(f"{VARIANT}.ropes.length === 2")
+    first, second = window.ask(f"{VARIANT}.ropes.map((rope) => [rope.first, rope.nodes])")
+    assert abs(first[0] + first[1] - 13) <= 1
+    end = second[0]
+    height = window.node(end)[2]
+    window.press(" ")
+    window.until(f"r.nodeAt({end})[2] < {height} - 1")  # what was held falls
+
+
+def test_a_load_is_hung_and_taken_off(window: Window) -> None:
+    window.click("#tool-load")
+    window.page.locator("#load-mass").fill("2.5")
+    window.page.locator("#load-mass").press("Enter")
+    window.page.mouse.click(*window.screen(20))
+    window.until(f"{VARIANT}.loads.length === 1")
+    assert window.ask(f"[{VARIANT}.loads[0].index, {VARIANT}.loads[0].mass]") == [20, 2.5]
+    window.page.mouse.click(*window.screen(20), button="right")
+    window.page.get_by_role("menuitem", name="Take the load off (2.5 kg)").click()
+    window.until(f"{VARIANT}.loads.length === 0")
+
+
+def test_a_kick_gives_the_velocity_that_is_drawn(window: Window, server: ViewServer) -> None:
+    window.click("#tool-kick")
+    window.drag(window.screen(20), (0.0, -100.0))
+    window.until("document.querySelector('.labels .kick')?.innerText.endsWith('m/s')")
+    shown = float(window.page.locator(".labels .kick").inner_text().split()[0])
+    window.page.mouse.up()
+    window.until("r.session.frame.parts[0].speed[20] === 65535")
+    window.settled()
+    velocity = server.stage.session.main.simulation.velocities[20]
+    assert np.linalg.norm(velocity) == pytest.approx(shown, rel=0.01)
+    assert velocity[2] > 0.9 * shown  # upwards
+
+
+def test_the_menu_of_a_node_does_what_it_says(window: Window, server: ViewServer) -> None:
+    def choose(node: int, name: str) -> None:
+        window.settled()
+        window.page.mouse.click(*window.screen(node), button="right")
+        window.page.get_by_role("menuitem", name=name).click()
+
+    choose(10, "Pin it here")
+    window.until(f"{VARIANT}.anchors.length === 3")
+    choose(10, "Let this node go")
+    window.until(f"{VARIANT}.anchors.length === 2")
+    choose(20, "Hang 10 kg here")
+    window.until(f"{VARIANT}.loads[0]?.mass === 10")
+    choose(25, "Kick it up (5 m/s)")
+    window.until("r.session.frame.parts[0].speed[25] === 65535")
+    assert np.allclose(server.stage.session.main.simulation.velocities[25], [0.0, 0.0, 5.0])
+    choose(30, "Follow: trail and graphs")
+    window.until("!document.getElementById('graphs').hidden")
+    window.settled()
+    choose(30, "Stop following")
+    window.until("r.stage.marks.followed.size === 0")
+    choose(5, "Cut here")
+    window.until(f"{VARIANT}.ropes.length === 2")
+    window.page.mouse.click(450, 170, button="right")
+    window.page.get_by_role("menuitem", name="Show everything").wait_for()
+    window.press("Escape")
+    assert window.page.locator(".popup").count() == 0
+
+
+def test_fingers_drag_an_anchor_open_the_menu_and_zoom(
+    server: ViewServer, open_window: Open
+) -> None:
+    window = open_window(server.address, has_touch=True, is_mobile=True).ready()
+    window.settled()
+    touch = _Fingers(window)
+    window.page.locator("#play").tap()
+    window.until("r.state === 'playing'")
+    place = window.ask(f"(({{x, y}}) => [x, y])(r.screenOf({VARIANT}.anchors[1].index))")
+    before = window.node(40)
+    touch.down([place])
+    for part in (0.3, 0.6, 1.0):
+        touch.move([(place[0] - 70 * part, place[1] - 50 * part)])
+    window.until(f"r.nodeAt(40)[2] > {before[2]} + 0.3 && r.nodeAt(40)[0] < {before[0]} - 0.3")
+    touch.up()
+    window.press(" ")
+    window.until("r.state === 'paused'")
+    window.settled()
+    touch.down([window.screen(20)])
+    window.page.get_by_role("menuitem", name="Pin it here").wait_for()
+    touch.up()
+    window.page.get_by_role("menuitem", name="Pin it here").tap()
+    window.until(f"{VARIANT}.anchors.length === 3")
+    far = window.ask("r.stage.camera.pose.distance")
+    x, y = EMPTY
+    touch.down([(x - 40, y), (x + 40, y)])
+    touch.move([(x - 120, y), (x + 120, y)])
+    touch.up()
+    assert window.ask("r.stage.camera.pose.distance") < 0.6 * far
+
+
+class _Fingers:
+    """Touches by the browser's own protocol."""
+
+    def __init__(self, window: Window) -> None:
+        self.session = window.page.context.new_cdp_session(window.page)
+
+    def _send(self, kind: str, places: list[tuple[float, float]]) -> None:
+        points = [{"x": x, "y": y, "id": i} for i, (x, y) in enumerate(places)]
+        self.session.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+
+    def down(self, places: list[tuple[float, float]]) -> None:
+        self._send("touchStart", places)
+
+    def move(self, places: list[tuple[float, float]]) -> None:
+        self._send("touchMove", places)
+
+    def up(self) -> None:
+        self._send("touchEnd", [])

@@ -1,0 +1,183 @@
+"""What the page teaches: meter, break and remedies, comparison, scenes, tour."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from browser.window import Window
+from live.drive import slack_rope
+from ropewalk.live.serve import ViewServer
+from ropewalk.live.session import Session
+from ropewalk.scene.presets import names as preset_names
+
+pytestmark = pytest.mark.browser
+Open = Callable[..., Window]
+Serve = Callable[..., ViewServer]
+SIZE = {"width": 1280, "height": 800}
+COMPILING = 240.0  # [s] for a method that this machine has not compiled yet
+CONSTANT = ".panel [data-parameter=spring_constant] input[type=text]"
+
+
+@pytest.fixture
+def window(open_window: Open, serve: Serve) -> Window:
+    """A page of the report's main scene."""
+    return open_window(serve().address, viewport=SIZE).ready()
+
+
+def _stiffen(window: Window, value: float) -> None:
+    window.page.locator(CONSTANT).fill(str(value))
+    window.page.locator(CONSTANT).press("Enter")
+    window.page.locator(CONSTANT).evaluate("(field) => field.blur()")
+
+
+def _break(window: Window) -> None:
+    """Push the spring constant up until the running rope breaks."""
+    window.press(" ")
+    window.until("r.time > 0.5")
+    _stiffen(window, 40_000.0)
+    window.until("r.state === 'broken'")
+
+
+def test_the_meter_goes_from_green_over_amber_to_red(window: Window) -> None:
+    largest = window.until("r.session.stability[0]?.largest_spring_constant")
+    colours = []
+    for factor, zone in ((0.5, "green"), (0.9, "amber"), (1.5, "red")):
+        _stiffen(window, factor * largest)
+        window.until(f"document.querySelector('.meter-row').dataset.zone === '{zone}'")
+        one = window.ask("r.session.stability[0]")
+        assert one["stable"] == (factor < 1.0)
+        # a + 2b is the square of step over bound, but for friction
+        text = window.page.locator(".meter").inner_text()
+        assert f"{float(format(100.0 * one['ratio'], '.3g')):g} % of the bound" in text
+        width = window.ask("document.querySelector('.meter .fill').style.width")
+        assert float(width[:-1]) == pytest.approx(100 * min(1, one["ratio"] / 1.25), abs=0.1)
+        colours.append(
+            window.ask("getComputedStyle(document.querySelector('.meter .fill')).backgroundColor")
+        )
+    assert len(set(colours)) == 3
+
+
+def test_a_break_freezes_says_why_and_goes_back(window: Window) -> None:
+    _break(window)
+    words = window.page.locator("#broken").inner_text()
+    assert "Broke after t = " in words
+    assert "zigzag" in words
+    assert "above the largest stable one" in words
+    assert window.page.locator("#play").is_disabled()
+    window.settled()
+    assert all(np.isfinite(window.node(node)).all() for node in range(41))
+    window.page.get_by_role("button", name="Back to before").click()
+    window.until("r.state === 'paused'")
+    window.page.locator("#broken").wait_for(state="hidden")
+    window.until(f"document.querySelector('{CONSTANT}').value === '10000'")
+
+
+def test_the_suggested_step_and_the_implicit_method_mend_it(window: Window) -> None:
+    _break(window)
+    broken = window.ask("r.session.status.dt")
+    window.click("#broken [data-remedy=step]")
+    window.until(f"r.state === 'playing' && r.session.status.dt < {broken}")
+    window.until("r.session.stability[0].stable")
+    time = window.ask("r.time")
+    window.until(f"r.time > {time} + 1")
+    assert window.ask("r.session.parameters.find((p) => p.name === 'spring_constant').value") == 4e4
+    _stiffen(window, 4_000_000.0)
+    window.until("r.state === 'broken'")
+    window.click("#broken [data-remedy=implicit]")
+    window.until("r.state === 'playing'", COMPILING)
+    window.until("r.session.stability[0].bound === null", COMPILING)
+    assert window.page.locator(".meter-ratio").inner_text() == "no bound"
+    time = window.ask("r.time")
+    window.until(f"r.time > {time} + 0.3", COMPILING)
+    assert window.ask("r.state") == "playing"
+
+
+def test_two_copies_follow_one_hand_and_their_difference_is_shown(
+    open_window: Open, serve: Serve
+) -> None:
+    window = open_window(serve(Session(slack_rope()), playing=True).address, viewport=SIZE).ready()
+    window.click("#open-compare")
+    rows = window.page.locator(".compare-rows select")
+    rows.first.select_option("mass")
+    window.page.locator(".compare-rows input").fill("8")
+    window.click("#compare-start")
+    window.until("r.session.layout.variants.length === 2")
+    window.page.locator("#difference").wait_for()
+    anchor = window.ask("r.session.layout.variants[0].anchors[1].index")
+    start = window.screen(anchor)
+    window.drag(start, (-80.0, -60.0))
+    for variant in (0, 1):  # both come to the hand
+        window.until(
+            f"(({{x, y}}) => Math.hypot(x - {start[0] - 80}, y - {start[1] - 60}) < 8)"
+            f"(r.screenOf({anchor}, {variant}))"
+        )
+    window.page.mouse.up()
+    window.until("/differs by [1-9]/.test(document.getElementById('difference').innerText)")
+    window.press(" ")
+    window.until("r.state === 'paused'")
+    window.settled()
+    ropes = [np.array([window.node(i, v) for i in range(41)]) for v in (0, 1)]
+    rms = np.sqrt(((ropes[0] - ropes[1]) ** 2).sum(axis=1).mean())
+    told = window.ask(
+        "r.session.frame.parts[1].scalars[r.session.layout.scalars.indexOf('difference')]"
+    )
+    assert told == pytest.approx(rms, rel=1e-4)
+    window.page.locator("#compare-way").select_option("apart")
+    window.settled()
+    first, second = (window.ask(f"r.screenOf(20, {v}).x") for v in (0, 1))
+    assert abs(first - second) > 100
+    window.page.locator("#difference").get_by_role("button", name="End").click()
+    window.until("r.session.layout.variants.length === 1")
+    window.page.locator("#difference").wait_for(state="hidden")
+
+
+def test_the_menu_of_scenes_shows_and_opens_them(window: Window) -> None:
+    window.click("#open-scenes")
+    cards = window.page.locator(".scene-card")
+    names = [name for name in window.ask("r.session.presets.map((p) => p.name)") if name != "start"]
+    assert names == preset_names()
+    for i in range(cards.count()):
+        assert len(cards.nth(i).locator("span").inner_text()) > 20
+    pictures = window.ask(
+        "[...document.querySelectorAll('.picture')].map((e) => e.style.maskImage)"
+    )
+    for picture in pictures:
+        address = picture.removeprefix('url("').removesuffix('")')
+        answer = window.page.request.get(address)
+        assert answer.ok
+        assert "<svg" in answer.text()
+    window.click(".scene-card[data-preset=r3]")
+    window.until("r.session.layout.scene.preset === 'r3' && r.state === 'playing'")
+    window.until("r.time > 0.2 && location.hash === '#scene=r3'")
+    assert window.page.locator(".scene-name").inner_text().startswith("R3")
+
+
+def test_the_tour_to_its_end(window: Window) -> None:
+    window.click("#open-tour")
+
+    def done(step: int) -> None:
+        window.until(f"document.querySelector('#tour small').innerText === 'Step {step} of 5'")
+        window.until("document.getElementById('tour').classList.contains('done')", COMPILING)
+        window.click("#tour-next")
+
+    window.click("#tour-act")
+    done(1)
+    window.page.keyboard.down("ArrowUp")
+    window.until("document.getElementById('tour').classList.contains('done')")
+    window.page.keyboard.up("ArrowUp")
+    done(2)
+    while window.ask("r.state") != "broken":
+        window.click("#tour-act")
+        time = window.ask("r.time")
+        window.until(f"r.state === 'broken' || r.time > {time} + 0.5")
+    done(3)
+    window.click("#tour-act")
+    done(4)
+    window.click("#tour-act")
+    done(5)
+    window.page.locator("#tour").wait_for(state="hidden")
+    assert window.ask("r.session.stability[0].bound") is None
+    assert window.ask("r.state") == "playing"

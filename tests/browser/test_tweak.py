@@ -1,0 +1,150 @@
+"""The panel: every constant that it lists is changed by hand, on the server too, and goes back."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+from browser.window import Window
+from live.drive import slack_rope
+from ropewalk.live.parameters import PARAMETERS, named
+from ropewalk.live.serve import ViewServer
+from ropewalk.live.session import Session
+from ropewalk.scene import Ground
+from ropewalk.scene.presets import preset
+
+pytestmark = pytest.mark.browser
+Open = Callable[..., Window]
+Serve = Callable[..., ViewServer]
+SIZE = {"width": 1280, "height": 900}
+
+
+def _row(name: str) -> str:
+    return f".panel [data-parameter={name}]"
+
+
+def _told(name: str) -> str:
+    """The server's description of a constant, as the page has it."""
+    return f"r.session.parameters.find((p) => p.name === '{name}')"
+
+
+def _value(server: ViewServer, name: str) -> Any:
+    found = named(name).get(server.stage.session.scene, 0)
+    return list(found) if isinstance(found, tuple) else found
+
+
+def test_every_constant_is_changed_and_goes_back(open_window: Open, serve: Serve) -> None:
+    server = serve(Session(slack_rope(ground=Ground(height=-6.0))))
+    window = open_window(server.address, viewport=SIZE).ready()
+    window.until("r.session.parameters.length > 0")
+    for folder in ("Air", "Ground"):
+        window.page.locator(".panel .lil-title", has_text=re.compile(rf"^{folder}$")).click()
+    shown = window.ask(
+        "[...document.querySelectorAll('[data-parameter]')].map((e) => e.dataset.parameter)"
+    )
+    assert sorted(shown) == sorted(PARAMETERS)
+    # a rope of `ground` false has no values of the ground, so that is changed last
+    for name in sorted(shown, key=lambda one: one == "ground"):
+        before = _value(server, name)
+        assert window.ask(f"{_told(name)}.enabled"), name
+        _change(window, name, PARAMETERS[name].kind)
+        window.until(
+            f"JSON.stringify({_told(name)}.value) !== JSON.stringify({_told(name)}.default)"
+        )
+        window.until("r.app.tweak.asked.size === 0 && r.app.tweak.queue.size === 0")
+        now = _value(server, name)
+        assert now != before, name
+        told = window.ask(f"{_told(name)}.value")
+        assert told == (pytest.approx(now) if not isinstance(now, str) else now)
+        window.page.locator(f"{_row(name)} button.back").click()
+        window.until(
+            f"JSON.stringify({_told(name)}.value) === JSON.stringify({_told(name)}.default)"
+        )
+        again = _value(server, name)
+        assert again == (pytest.approx(before) if isinstance(before, float) else before), name
+        assert window.page.locator(f"{_row(name)} button.back").is_disabled()
+        assert not window.page.locator(f"{_row(name)} .fault").is_visible()
+
+
+def _change(window: Window, name: str, kind: str) -> None:
+    """Change a constant as a hand would."""
+    row = window.page.locator(_row(name))
+    if kind in ("number", "whole"):
+        slider = row.locator("input[type=range]")
+        slider.focus()
+        # a fifth of the way to the left: nothing breaks and nothing is refused
+        slider.fill(str(max(0, round(float(slider.input_value()) - 200)) or 100))
+    elif kind == "vector":
+        row.locator("input").nth(0).fill("1.5")
+        row.locator("input").nth(0).press("Tab")
+    elif kind == "choice":
+        value = {"method": ["verlet"]}.get(name, ["axial", "vector"])
+        index = window.ask(
+            f"(({{choices, value}}) => choices.findIndex((c) => c.value !== value"
+            f" && {value}.includes(c.value)))({_told(name)})"
+        )
+        row.locator("select").select_option(index=index)
+    else:
+        row.locator("input[type=checkbox]").click()
+
+
+def test_what_is_out_of_range_is_refused_with_the_range(open_window: Open, serve: Serve) -> None:
+    server = serve(Session(slack_rope()))
+    window = open_window(server.address, viewport=SIZE).ready()
+    field = window.page.locator(f"{_row('segments')} input[type=text]")
+    field.fill("0")
+    field.press("Enter")
+    fault = window.page.locator(f"{_row('segments')} .fault")
+    fault.wait_for()
+    assert "must be from 1 to" in fault.inner_text()
+    assert _value(server, "segments") == 40
+    field.fill("50")
+    field.press("Enter")
+    fault.wait_for(state="hidden")
+    assert _value(server, "segments") == 50
+    window.until("r.session.layout.variants[0].nodes === 51")
+
+
+def test_one_rope_of_several_is_changed(open_window: Open, serve: Serve) -> None:
+    server = serve(Session(preset("r5"), "r5"))
+    window = open_window(server.address, viewport=SIZE).ready()
+    names = window.ask("r.session.layout.variants[0].ropes.map((rope) => rope.name)")
+    friction = window.page.locator(f"{_row('spring_friction')} input[type=text]")
+    assert friction.get_attribute("placeholder") == "differ"
+    window.page.locator(".panel select").first.select_option(label=names[2])
+    window.until(
+        f"document.querySelector(\"{_row('spring_friction')} input[type=text]\").value !== ''"
+    )
+    friction.fill("0.7")
+    friction.press("Enter")
+    window.until(f"{_told('spring_friction')}.values['{names[2]}'] === 0.7")
+    found = [rope.segment_friction for rope in server.stage.session.scene.ropes]
+    assert found == [0.01, 0.05, 0.7, 1.0]
+
+
+def test_a_change_makes_no_jump_while_it_runs(open_window: Open, serve: Serve) -> None:
+    window = open_window(serve(Session(slack_rope()), playing=True).address, viewport=SIZE).ready()
+    window.until("r.time > 0.5")
+    window.page.evaluate(
+        """() => {
+            const r = window.ropewalk;
+            let last = null;
+            r.jump = 0;
+            r.session.on("frame", (frame) => {
+                const now = r.nodeAt(20);
+                if (last) r.jump = Math.max(r.jump, Math.hypot(...now.map((v, i) => v - last[i])));
+                last = now;
+            });
+        }"""
+    )
+    for name in ("mass", "spring_friction", "spring_constant", "spring_constant"):
+        _change(window, name, "number")
+        time = window.ask("r.time")
+        window.until(f"r.time > {time} + 0.2")
+    speed = window.ask(
+        "Math.max(1, r.session.frame.parts[0].scalars[r.session.layout.scalars.indexOf('speed_high')])"
+    )
+    assert 0.0 < window.ask("r.jump") < 0.3 * speed  # a few frames' way, no more
