@@ -2,6 +2,9 @@
 SHELL := /bin/bash
 PYTHON ?= python3
 BIN := .venv/bin
+PYTEST := $(BIN)/python -m pytest
+# a file's tests in one process, as many processes as there are cores
+SPREAD := -n logical --dist loadfile
 
 .DEFAULT_GOAL := help
 .PHONY: help venv runtime dev demo view test test-browser test-slow lint format bench work-precision docs report page page-check clean distclean
@@ -50,13 +53,13 @@ view: runtime  ## set up, show the three-anchor rope live in the browser
 	@$(BIN)/ropewalk view
 
 test: lint  ## set up, check the style, types and imports, run the tests (not slow or browser ones)
-	$(BIN)/python -m pytest -m "not slow and not browser"
+	$(PYTEST) $(SPREAD) -m "not slow and not browser"
 
 test-browser: dev  ## drive the live page and shared pages in a real Chromium
-	$(BIN)/python -m pytest -m browser tests/browser
+	$(PYTEST) -m browser tests/browser
 
 test-slow: dev  ## run the slow tests
-	$(BIN)/python -m pytest -m "slow and not browser"
+	$(PYTEST) $(SPREAD) -m "slow and not browser"
 
 lint: dev  ## check style, format, types and the import contracts
 	$(BIN)/ruff check .

@@ -13,6 +13,7 @@ from pathlib import Path
 from bench.clock import Timing, take_turns
 from bench.implicit import newton
 from bench.live import live_server
+from bench.page import page, page_memory
 from bench.row import Row
 from bench.yardsticks import bare_loop, numpy_loop
 from ropewalk import Anchor, Rope, RunSettings, Scene, Simulation, Springs
@@ -190,4 +191,6 @@ CASES = (
     newton,
     start_up,
     live_server,
+    page,
+    page_memory,
 )
