@@ -6,7 +6,7 @@ import json
 import struct
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
@@ -64,6 +64,13 @@ class Page:
         else:
             self.messages.append(json.loads(message))
 
+    def listen(self, seconds: float) -> None:
+        """Read whatever comes for so long; other messages than frames always do."""
+        end = time.monotonic() + seconds
+        with suppress(TimeoutError):
+            while (left := end - time.monotonic()) > 0.0:
+                self.read(left)
+
     def until(self, ready: Callable[[], Any], seconds: float = 30.0) -> Any:
         """Read until something is there; return it."""
         end = time.monotonic() + seconds
@@ -99,10 +106,10 @@ class Page:
     def ended(self) -> int | None:
         """Read to the end; return the close code."""
         try:
-            while True:
-                self.read(10.0)
+            self.listen(30.0)
         except ConnectionClosed as error:
             return error.rcvd.code if error.rcvd is not None else None
+        raise AssertionError("the server did not close the socket")
 
     def close(self) -> None:
         """Leave."""
