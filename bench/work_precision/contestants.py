@@ -47,7 +47,7 @@ class Series(NamedTuple):
 def all_series(case: Case, model: Model, equations: Equations) -> Iterator[Series]:
     """Yield every contestant of a case."""
     bounds = stability(model).largest_step
-    for name in METHODS:
+    for name in (name for name, method in METHODS.items() if method.fixed):
         steps = step_sizes(bounds.get(name, math.inf), bounds["semi-implicit-euler"])
         yield Series("ropewalk", name, tuple(_ropewalk(case, name, step) for step in steps))
     steps = step_sizes(bounds["semi-implicit-euler"], math.inf)

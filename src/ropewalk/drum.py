@@ -7,9 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ropewalk.build.plan import WINCH_SHARE
 from ropewalk.core.arrays import State, Winches
-from ropewalk.laws.winch import SPLIT
+from ropewalk.laws.winch import SPLIT, WINCH_SHARE
 
 if TYPE_CHECKING:
     from ropewalk.simulation import Simulation

@@ -19,6 +19,9 @@ from ropewalk.core.status import BROKEN, OK, UNSOLVED
 from ropewalk.drum import WinchHandle
 from ropewalk.hand import AnchorHandle
 from ropewalk.laws.clamps import start_clamps
+from ropewalk.methods import adaptive
+from ropewalk.methods.adaptive import Walk
+from ropewalk.methods.controller import BEGUN, SHORTEST_STEP
 from ropewalk.methods.implicit import SMALLEST_PART, unsolved
 from ropewalk.methods.loop import close_frame, prepare
 from ropewalk.methods.recording import (
@@ -52,6 +55,7 @@ class Snapshot(NamedTuple):
     step: int
     motion_kinds: Ints  # (a,) which anchors have been taken in hand
     winch_drive: Floats  # (3, w) speed [m/s], start and stop [s] of the winches
+    walk: Walk  # of the adaptive method
 
 
 class Simulation:
@@ -82,7 +86,13 @@ class Simulation:
         self.ledger = ledger
         self._method = METHODS[self.plan.method]
         self._tableau = self._method.coefficients(self.scene.run.spectral_radius)
-        self._scratch = self._method.make_scratch(self._state)
+        self._walk = adaptive.no_walk()
+        if self.plan.tolerance is None or self.plan.longest is None:
+            self._scratch = self._method.make_scratch(self._state)
+        else:
+            limits = self.plan.tolerance, self.plan.longest
+            self._state, self._scratch = adaptive.adapt(self.system, self._state, *limits)
+            self._walk = self._scratch.walk
         self.failure = ""  # set where an implicit method finds no solution of a step
         self._winches = len(self.scene.winches) > 0
         self._extras = 1 if self._winches or self.scene.limiter else None
@@ -149,14 +159,20 @@ class Simulation:
     @property
     def state(self) -> Snapshot:
         """A copy of everything that evolves; `restore` goes back to it, to the same bits."""
-        taken = self._kinds.copy(), self._drive.copy()
+        taken = self._kinds.copy(), self._drive.copy(), arrays.copy(self._walk)
         return Snapshot(arrays.copy(self._state), self._start, self._dt, self._step, *taken)
+
+    @property
+    def step_counts(self) -> dict[str, float]:
+        """Steps accepted and rejected so far, shortest and longest [s]; empty for fixed steps."""
+        return adaptive.counts(self._walk)
 
     def restore(self, snapshot: Snapshot) -> None:
         """Go back (or forth) to a snapshot of this simulation."""
         arrays.assign(self._state, snapshot.state)
         self._start, self._dt, self._step = snapshot.start, snapshot.dt, snapshot.step
         self._kinds[:], self._drive[:] = snapshot.motion_kinds, snapshot.winch_drive
+        arrays.assign(self._walk, snapshot.walk)
         self.system.flags[APPLIED] = int(self._state.forces.applied.any())
 
     def recording(self) -> Block:
@@ -270,6 +286,8 @@ class Simulation:
 
     def _describe_failure(self) -> str:
         """Say where Newton's method found no solution, and what to try."""
+        if self.plan.tolerance is not None:
+            return self._describe_shortest()
         time, node, residual = unsolved(self._scratch)
         rope, index = self.layout.rope_of(node)
         return (
@@ -277,6 +295,21 @@ class Simulation:
             f"of {self._dt * SMALLEST_PART:.2g} s: at node {index} of rope {rope!r} a force of "
             f"{residual:.3g} N stays unbalanced. Try a shorter time_step; look for anchors that "
             "jump or move apart, and for nodes thrown or pressed together at the start."
+        )
+
+    def _describe_shortest(self) -> str:
+        """Say where the adaptive method found no step short enough, and what to try."""
+        time, node, error = adaptive.failure(self._scratch)
+        if not math.isfinite(error):
+            _, node, residual = unsolved(self._scratch)
+            why = f"a force of {residual:.3g} N stays unbalanced"
+        else:
+            why = f"its estimated error is {error:.3g} m, more than {self.plan.tolerance:g} m"
+        rope, index = self.layout.rope_of(node)
+        return (
+            f"adaptive needs steps below {SHORTEST_STEP:g} s at t = {time:.6g} s: at node {index} of rope "
+            f"{rope!r} {why}. Try a larger tolerance; look for anchors that jump or move apart, and for "
+            "nodes thrown or pressed together."
         )
 
     # -- hands --------------------------------------------------------------------------
@@ -302,10 +335,16 @@ class Simulation:
     def take_in_hand(self, row: int) -> None:
         """Let an anchor be moved by its velocity from now on, whatever its motion was."""
         self._kinds[row] = HAND
+        self._begin_anew()
 
     def turn_by_hand(self, row: int, speed: float) -> None:
         """Let a winch turn at `speed` [m/s] from now on, whatever the scene told it."""
         self._drive[:, row] = speed, -math.inf, math.inf
+        self._begin_anew()
+
+    def _begin_anew(self) -> None:
+        """Let the adaptive method walk on from the state that is shown."""
+        self._walk.control[BEGUN:] = 0.0
 
     def view(self, **options: Any) -> Any:
         """Show the simulation in the browser, or here in a notebook, and return the view.
@@ -320,7 +359,7 @@ class Simulation:
         name = self.scene.name
         return (
             f"<Simulation of {name!r}: {self.layout.nodes} nodes at t = {self.time:.6g} s, "
-            f"{self.plan.method}, steps of {self._dt:.4g} s>"
+            f"{self.plan.method}, {self.plan.pace}>"
         )
 
 

@@ -17,8 +17,8 @@ from ropewalk.methods.registry import METHODS
 from ropewalk.scene import Anchor, Points, Rope, RunSettings, Scene, Springs
 from ropewalk.simulation import Simulation
 
-ALL = tuple(METHODS)
-IMPLICIT = tuple(name for name, method in METHODS.items() if method.implicit)
+ALL = tuple(name for name, method in METHODS.items() if method.fixed)
+IMPLICIT = tuple(name for name in ALL if METHODS[name].implicit)
 EXPLICIT = tuple(name for name in ALL if name not in IMPLICIT)
 SYMPLECTIC = ("semi-implicit-euler", "verlet")
 NO_GRAVITY = (0.0, 0.0, 0.0)
@@ -176,7 +176,7 @@ def implicit_step_matrix(method: str, A: np.ndarray) -> np.ndarray:
     if method == "bdf2":
         inverse = np.linalg.inv(1.5 * one - A)
         return np.block([[2.0 * inverse, -0.5 * inverse], [one, np.zeros((2, 2))]])
-    if method == "esdirk3":
+    if method in ("esdirk3", "adaptive"):
         table = METHODS["esdirk3"].tableau
         whole = np.eye(8) - np.kron(table.A, A)
         stages = np.linalg.solve(whole, np.kron(np.ones((4, 1)), one))

@@ -72,11 +72,21 @@ class Check:
     seconds_measured: bool  # whether steps were timed, or the cost taken from a table
     warnings: tuple[str, ...]
     highest_at_rest: float | None = None  # frequency about the shape of rest [rad/s]
+    tolerance: float | None = None  # [m] of steps of varying length
+    why: str = ""  # why the method was chosen, where it was not given
 
     @property
     def ok(self) -> bool:
         """Whether the run is not expected to break."""
         return not self.stability.breaks
+
+    @property
+    def pace(self) -> str:
+        """Frames and steps in words."""
+        if self.tolerance is not None:
+            return f"{self.frames} frames, steps to a tolerance of {1e3 * self.tolerance:.4g} mm"
+        steps = f"{self.steps} steps of {milliseconds(self.stability.step)}"
+        return f"{self.frames} frames of {self.steps_per_frame} steps, {steps}"
 
     def as_dict(self) -> dict[str, object]:
         """Plain values for JSON; None stands for what is not finite."""
@@ -102,6 +112,8 @@ class Check:
             "estimate_measured": self.seconds_measured,
             "warnings": self.warnings,
             "highest_frequency_at_rest": self.highest_at_rest,
+            "tolerance": self.tolerance,
+            "why": self.why or None,
         }
         return {key: plain(value) for key, value in found.items()}
 
@@ -109,6 +121,7 @@ class Check:
         """Text, one fact a line."""
         s = self.stability
         text = [f"{self.name}: {s.verdict}"]
+        text += [self.why] if self.why else []
         text.append(f"highest frequency {s.highest_frequency:.6g} rad/s, decided {s.case}")
         if self.highest_at_rest is not None:
             text[-1] += (
@@ -131,10 +144,7 @@ class Check:
         text += [f"  {span}" for span in self.statics.spans]
         if self.statics.grounded.any():
             text.append(f"  at rest {_count(self.statics.grounded, 'node')} on the ground")
-        text.append(
-            f"{self.frames} frames of {self.steps_per_frame} steps, {self.steps} steps of "
-            f"{milliseconds(s.step)}; about {_duration(self.seconds)} to run"
-        )
+        text.append(f"{self.pace}; about {_duration(self.seconds)} to run")
         text += [f"note: {note}" for note in s.notes]
         text += [f"warning: {warning}" for warning in self.warnings]
         return text
@@ -172,6 +182,8 @@ def check(source: Scene | Model, *, measure: bool = True) -> Check:
         seconds_measured=measured,
         warnings=tuple(_warnings(model, found, statics, ropes)),
         highest_at_rest=_highest_at_rest(model, statics) if measure else None,
+        tolerance=plan.tolerance,
+        why=plan.why,
     )
 
 

@@ -12,7 +12,6 @@ from ropewalk.simulation import Broken, Simulation
 # Cost of one force evaluation and update, typical of a current processor core; only for estimates.
 _PER_NODE = 5e-9  # [s]
 _PER_STEP = 5e-7  # [s]
-_STAGE = 60.0  # a stage to solve costs as much as so many evaluations
 _SAMPLE = 0.02  # [s] of computing that a measurement takes
 
 
@@ -24,8 +23,7 @@ def seconds_per_step(model: Model, measure: bool = True) -> tuple[float, bool]:
     have code of their own, of which one cannot tell).
     """
     method = METHODS[model.plan.method]
-    evaluations = method.evaluations * (_STAGE if method.implicit else 1.0)
-    typical = evaluations * _PER_NODE * model.layout.nodes + _PER_STEP
+    typical = method.cost * _PER_NODE * model.layout.nodes + _PER_STEP
     special = model.scene.winches or model.scene.limiter
     if not measure or special or not is_compiled(method.advance):
         return typical, False

@@ -53,6 +53,9 @@ class Stability:
     rope: str  # where the fastest mode is largest ...
     node: int  # ... its node in that rope
     notes: tuple[str, ...] = field(default=())
+    tolerance: float | None = (
+        None  # [m], where the method chooses its steps and `step` is the frame
+    )
 
     @property
     def bound(self) -> float:
@@ -111,6 +114,9 @@ class Stability:
     def verdict(self) -> str:
         """One sentence."""
         bound = f"largest stable step of {self.method} {milliseconds(self.bound)}"
+        if self.tolerance is not None:
+            tolerance = f"{1e3 * self.tolerance:.4g} mm"
+            return f"stable at any step; {self.method} chooses steps to a tolerance of {tolerance}"
         at = f"{milliseconds(self.step)} a step"
         if self.stable:
             margin = "no limit" if math.isinf(self.margin) else f"margin {100 * self.margin:.3g} %"
@@ -202,6 +208,7 @@ def stability(source: Scene | Model, statics: Statics | None = None) -> Stabilit
         rope=rope,
         node=node,
         notes=_notes(model, cases, largest, share),
+        tolerance=plan.tolerance,
     )
 
 

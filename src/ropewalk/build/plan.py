@@ -8,13 +8,15 @@ from dataclasses import dataclass
 import numpy as np
 
 from ropewalk.build.chains import chains, speed_scale
+from ropewalk.build.choice import Candidate, choose, reason
 from ropewalk.core.arrays import State, System
+from ropewalk.laws.winch import WINCH_SHARE
 from ropewalk.methods.bound import largest_step
+from ropewalk.methods.controller import LONGEST_STEP
 from ropewalk.scene import RunSettings, Scene, SceneError
 from ropewalk.scene.errors import Fault
 
 # The rule of NeHe's lesson: whole number of steps whose length stays below the given one.
-WINCH_SHARE = 0.2  # a winch winds at most this part of a segment in a step [1]
 _ROUND_OFF = 1e-9  # [1] a frame this close to a whole number of steps counts as whole
 
 
@@ -26,6 +28,11 @@ class Plan:
     dt: float  # [s]
     steps_per_frame: int
     frames: int  # after the initial one
+    tolerance: float | None = (
+        None  # [m] of steps of varying length; `dt` is then the frame interval
+    )
+    longest: float | None = None  # [s] of such a step
+    why: str = ""  # why the method was chosen, where it was not given
 
     @property
     def frame_interval(self) -> float:
@@ -33,8 +40,15 @@ class Plan:
         return self.steps_per_frame * self.dt
 
     @property
+    def pace(self) -> str:
+        """The steps in words."""
+        if self.tolerance is None:
+            return f"steps of {1e3 * self.dt:.4g} ms"
+        return f"steps to a tolerance of {1e3 * self.tolerance:.4g} mm"
+
+    @property
     def steps(self) -> int:
-        """Number of steps of the whole run."""
+        """Number of steps of the whole run; of frames where the method chooses its own steps."""
         return self.frames * self.steps_per_frame
 
     @property
@@ -55,7 +69,16 @@ def make_plan(scene: Scene, system: System, state: State) -> Plan:
     Raises SceneError when "auto" finds no stable step, or the plan has more than 2^53 steps.
     """
     run = scene.run
-    if run.time_step == "auto":
+    if run.method == "adaptive":
+        return _adaptive_plan(scene)
+    method: str = run.method
+    found: list[Candidate] = []
+    if method == "auto":
+        given = math.inf if run.time_step == "auto" else run.time_step
+        most = min(given, _winch_step(system))
+        found = choose(scene, system, state, most)
+        method, step = found[0].method, found[0].step
+    elif run.time_step == "auto":
         step = min(auto_step(run, system, state), _winch_step(system))
     else:
         step = run.time_step
@@ -71,7 +94,22 @@ def make_plan(scene: Scene, system: System, state: State) -> Plan:
     if frames * count >= 2**53:
         rule = f"makes {frames * count:.2g} steps; take a longer one"
         raise SceneError([Fault("run.time_step", run.time_step, rule)])
-    return Plan(run.method, dt, count, frames)
+    why = reason(scene, found, dt) if found else ""
+    return Plan(method, dt, count, frames, why=why)
+
+
+def _adaptive_plan(scene: Scene) -> Plan:
+    """Return the plan of a run that chooses its own steps, one "step" a frame."""
+    run = scene.run
+    if scene.limiter is not None:
+        rule = (
+            "cannot work with a stretch limiter, which acts once a step, whatever its length; take a "
+            "method of fixed steps, or a stiff material in the limiter's place"
+        )
+        raise SceneError([Fault("run.method", run.method, rule)])
+    frames = max(1, round(run.duration / run.frame_interval))
+    longest = LONGEST_STEP if run.time_step == "auto" else run.time_step
+    return Plan(run.method, run.frame_interval, 1, frames, run.tolerance, longest)
 
 
 def _winch_step(system: System) -> float:

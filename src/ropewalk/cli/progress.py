@@ -25,10 +25,10 @@ def is_compiled(method: str) -> bool:
 
 
 def tell_compiling(method: str) -> None:
-    """Say that the first steps will take a while, when they will."""
+    """Say that the first steps will take a while, when they will; nothing of "auto", not yet chosen."""
     from ropewalk.methods.registry import METHODS
 
-    if not is_compiled(method):
+    if method in METHODS and not is_compiled(method):
         kind, time = (
             ("an implicit", "two minutes") if METHODS[method].implicit else ("a", "a minute")
         )

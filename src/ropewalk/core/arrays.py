@@ -204,3 +204,30 @@ def flatten(value: Any, prefix: str = "") -> dict[str, Floats]:
         else:
             found[prefix + name] = item
     return found
+
+
+def pooled(state: State) -> tuple[State, Floats]:
+    """Return a copy of `state` whose arrays lie in one, and that one, (m,): a single loop copies it all.
+
+    Whole numbers lie there by their bits.
+    """
+    parts = flatten(state)
+    starts = np.cumsum([0] + [-(-part.size // 8) * 8 for part in parts.values()])
+    pool = np.zeros(int(starts[-1]))
+    views = {}
+    for start, (name, part) in zip(starts, parts.items(), strict=False):
+        room = pool[start : start + part.size]
+        views[name] = room.view(part.dtype).reshape(part.shape)
+        views[name][...] = part
+    return _nested(state, views, ""), pool
+
+
+def _nested(like: Any, views: dict[str, Floats], prefix: str) -> Any:
+    """Return a nested named tuple like `like` of arrays by dotted name."""
+    found = (
+        _nested(item, views, f"{prefix}{name}.")
+        if isinstance(item, tuple)
+        else views[prefix + name]
+        for name, item in zip(like._fields, like, strict=True)
+    )
+    return type(like)(*found)

@@ -26,6 +26,7 @@ class Band(NamedTuple):
     lower2: Floats  # row i + 2, column i; (n, 9) or (0, 9)
     rubs: Floats  # (n - 1,) 1 for segments with friction, 0 for slack tension-only ones
     touches: Floats  # (n,) 1 for nodes below the ground's height
+    frozen: Ints  # (1,) 1 where both marks stay during a step, and forces go on smoothly across
 
 
 def make_band(nodes: int, second: bool = False) -> Band:
@@ -34,7 +35,7 @@ def make_band(nodes: int, second: bool = False) -> Band:
     near, beyond = (nodes, 9), (far, 9)
     shapes = (near, near, near, beyond, beyond)
     blocks = tuple(np.zeros(shape) for shape in shapes)
-    return Band._make((*blocks, np.ones(max(nodes - 1, 0)), np.zeros(nodes)))
+    return Band._make((*blocks, np.ones(max(nodes - 1, 0)), np.zeros(nodes), np.zeros(1, np.int64)))
 
 
 @kernel

@@ -31,15 +31,19 @@ def ground_forces(x, v, ground, force, lo=0, hi=ALL):
 
 
 @kernel
-def marked_ground_forces(x, v, ground, touches, force):
-    """Write the force of the ground on every node [N], (3, n), friction on those marked only."""
+def marked_ground_forces(x, v, ground, touches, frozen, force):
+    """Write the force of the ground on every node [N], (3, n), friction on those marked only.
+
+    With `frozen` marks the repulsion, too, acts on those marked, beyond the surface as well.
+    """
     ux, uy, uz = ground.up[0], ground.up[1], ground.up[2]
     for i in range(x.shape[1]):
         depth = ground.height - (x[0, i] * ux + x[1, i] * uy + x[2, i] * uz)
         rise = v[0, i] * ux + v[1, i] * uy + v[2, i] * uz
         sinking = rise if rise < 0.0 else 0.0
         slide = touches[i] * ground.friction
-        push = ground.repulsion * max(depth, 0.0) - touches[i] * ground.absorption * sinking
+        pressed = touches[i] * depth if frozen == 1 else max(depth, 0.0)
+        push = ground.repulsion * pressed - touches[i] * ground.absorption * sinking
         force[0, i] = push * ux - slide * (v[0, i] - rise * ux)
         force[1, i] = push * uy - slide * (v[1, i] - rise * uy)
         force[2, i] = push * uz - slide * (v[2, i] - rise * uz)

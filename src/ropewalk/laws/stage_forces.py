@@ -65,7 +65,8 @@ def evaluate_stage(system, state, x, v, tension, work, saddle, forces):
         drop_marked_friction(saddle.band.rubs, forces.friction)
     evaluate_smooth(system, state, x, v, forces)
     if system.ground.active == 1:
-        marked_ground_forces(x, v, system.ground, saddle.band.touches, forces.ground)
+        band = saddle.band
+        marked_ground_forces(x, v, system.ground, band.touches, band.frozen[0], forces.ground)
 
 
 @part

@@ -18,6 +18,7 @@ from ropewalk.laws.stretch import elastic_energy
 
 SPLIT = 1.6  # [1] times the nominal segment length
 MERGE = 0.4
+WINCH_SHARE = 0.2  # a winch winds at most this part of a segment in a step [1]
 
 
 @kernel

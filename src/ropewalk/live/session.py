@@ -15,7 +15,7 @@ from ropewalk.live import edits
 from ropewalk.live.commands import PHYSICAL, Command
 from ropewalk.live.history import EVERY, History, Moment
 from ropewalk.live.parameters import named
-from ropewalk.live.track import Saved, Track, fixed_step
+from ropewalk.live.track import Saved, Track, planned
 from ropewalk.scene import Scene
 from ropewalk.simulation import Simulation
 
@@ -63,7 +63,7 @@ class Session:
         track.count = self.count if self.tracks else 0
         self.tracks = [track]
         self.preset = preset
-        self.loaded = fixed_step(scene, track.dt)
+        self.loaded = planned(scene, track.simulation.plan)
         self.changes: dict[Key, Any] = {}
         self.remember(clear=True)
         self.changed()

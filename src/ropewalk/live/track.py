@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ropewalk.build import build
+from ropewalk.build import Plan, build
 from ropewalk.core.arrays import Floats
 from ropewalk.core.status import OK
 from ropewalk.live import edits
@@ -59,7 +59,7 @@ class Track:
         scene = simulation.scene
         self.label, self.changes = label, dict(changes)
         self.simulation = simulation
-        self.scene = edits.neutral(fixed_step(scene, self.simulation.plan.dt))
+        self.scene = edits.neutral(planned(scene, self.simulation.plan))
         self.hands = Hands()
         self.count = 0  # steps done
         self.edited = 0.0  # energy put in by changes [J]
@@ -221,9 +221,10 @@ def losses_and_gifts(work: Floats, bending: bool) -> tuple[float, float]:
     return losses, float(work.sum()) - losses - kept
 
 
-def fixed_step(scene: Scene, dt: float) -> Scene:
-    """Return the scene with its time step written out as a number of seconds."""
-    return named("time_step").apply(scene, dt)
+def planned(scene: Scene, plan: Plan) -> Scene:
+    """Return the scene with its method by name and its time step as a number of seconds."""
+    scene = scene.replace(run=scene.run.replace(method=plan.method))
+    return named("time_step").apply(scene, plan.dt)
 
 
 def automatic_step(scene: Scene) -> float:

@@ -77,5 +77,6 @@ def implicit_characteristics() -> dict[str, Characteristic]:
         "bdf2": bdf2,
         "sdirk2": partial(dirk, tableaus.SDIRK2),
         "esdirk3": partial(dirk, tableaus.ESDIRK3),
+        "adaptive": partial(dirk, tableaus.ESDIRK3),
         "generalized-alpha": partial(generalized_alpha, tableaus.generalized_alpha()),
     }

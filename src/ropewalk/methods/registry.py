@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from ropewalk.core.arrays import Floats, State
 from ropewalk.methods import (
+    adaptive,
     characteristic,
     implicit,
     runge_kutta,
@@ -20,6 +21,7 @@ from ropewalk.methods import (
 from ropewalk.methods.scratch import make_scratch
 
 NO_TABLEAU = np.zeros((2, 0))
+STAGE_COST = 60.0  # a stage to solve costs as much as so many force evaluations
 
 
 class Method(NamedTuple):
@@ -33,6 +35,12 @@ class Method(NamedTuple):
     characteristic: Callable[[ArrayLike, ArrayLike], Floats]
     summary: str
     implicit: bool = False
+    fixed: bool = True  # steps of one length, as planned
+
+    @property
+    def cost(self) -> float:
+        """Cost of a step, in force evaluations with their update."""
+        return self.evaluations * (STAGE_COST if self.implicit else 1.0)
 
     def coefficients(self, spectral_radius: float) -> Any:
         """Return what the kernel takes; `spectral_radius` [1] is that of generalized-alpha."""
@@ -130,5 +138,11 @@ METHODS = {
             tableaus.generalized_alpha(),
             "Generalized-alpha, one solve; damps fast modes as its spectral radius says.",
         ),
+        _implicit(
+            "adaptive",
+            3,
+            tableaus.ESDIRK3,
+            "ESDIRK3 in steps as long as the tolerance allows, cut at events.",
+        )._replace(advance=adaptive.advance, fixed=False),
     )
 }

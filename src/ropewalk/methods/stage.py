@@ -88,7 +88,7 @@ def make_stage(state: State) -> Stage:
 @kernel
 def begin(mass, inverse_mass, stiffness, segments, saddle, inertia):
     """Write what stays the same during a solve; `inertia` is 1 / (c1 c2) [1/s^2]."""
-    free, rubs = saddle.free, saddle.band.rubs
+    free, rubs, frozen = saddle.free, saddle.band.rubs, saddle.band.frozen[0]
     for i in range(mass.shape[0]):
         free[i] = 1.0 if inverse_mass[i] > 0.0 else 0.0
     for j in range(stiffness.shape[0]):
@@ -98,7 +98,7 @@ def begin(mass, inverse_mass, stiffness, segments, saddle, inertia):
         segments.weight[j] = light * inertia if light > 0.0 else 1.0
         segments.alive[j] = 1.0 if stiffness[j] > 0.0 else 0.0
         segments.soft[j] = 1.0 / stiffness[j] if stiffness[j] > 0.0 else 0.0
-        rubs[j] = 1.0
+        rubs[j] = rubs[j] if frozen == 1 else 1.0
 
 
 @kernel
@@ -281,7 +281,8 @@ def solve_stage(system, state, stage, c1, c2):
             move(shorter - size, c1, x, v, tension, saddle)
             size = shorter
             continue
-        if iteration < DECIDING and mark_stage(system, x, saddle) > 0.0:
+        open_marks = iteration < DECIDING and saddle.band.frozen[0] == 0
+        if open_marks and mark_stage(system, x, saddle) > 0.0:
             size = 0.0
             continue
         largest_force(v, known, mass, free, system.gravity, c2, saddle.force, report)

@@ -176,6 +176,8 @@ def describe(result: Result) -> str:
 
 def method_and_step(result: Result) -> str:
     """`semi-implicit-euler, 1.852 ms steps`."""
+    if result.plan.tolerance is not None:
+        return f"{result.plan.method}, {result.plan.pace}"
     return f"{result.plan.method}, {result.plan.dt * 1e3:.4g} ms steps"
 
 

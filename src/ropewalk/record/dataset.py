@@ -80,15 +80,26 @@ def _arc_length(layout: Layout, rest: Floats) -> Floats:
 
 def attributes(scene: Scene, provenance: dict[str, Any]) -> dict[str, Any]:
     """Return what a dataset says about itself."""
+    plan = provenance.get("plan", {})
+    tolerance = plan.get("tolerance")
+    step = (
+        {"time_step": float(plan.get("dt", 0.0))} if tolerance is None else {"tolerance": tolerance}
+    )
     return {
         "title": scene.name,
         "comment": scene.description,
         "source": f"ropewalk {provenance.get('ropewalk', '')}".rstrip(),
-        "method": str(provenance.get("plan", {}).get("method", "")),
-        "time_step": float(provenance.get("plan", {}).get("dt", 0.0)),
+        "method": str(plan.get("method", "")),
+        **step,
         "gravity": list(scene.gravity),
         "up": list(scene.up),
     }
+
+
+def _counts(result: Result) -> dict[str, float]:
+    """Return how many steps of varying length were taken, as attributes."""
+    return {f"{name}_steps": count for name, count in result.facts.step_counts.items()
+            if name in ("accepted", "rejected")}  # fmt: skip
 
 
 def make_dataset(result: Result) -> xr.Dataset:
@@ -97,7 +108,7 @@ def make_dataset(result: Result) -> xr.Dataset:
 
     if result.folder is not None:
         stored: xr.Dataset = xr.open_zarr(result.folder / "data.zarr", chunks=None)
-        return stored
+        return stored.assign_attrs(_counts(result))
     variables = {}
     for name in result.source.names:
         quantity = BY_NAME[name]
@@ -105,5 +116,5 @@ def make_dataset(result: Result) -> xr.Dataset:
         variables[name] = (quantity.dims, result.read(name), about)
     coords: dict[str, Any] = dict(coordinates(result.scene, result.layout))
     coords["time"] = ("time", result.time, TIME)
-    about = attributes(result.scene, result.facts.provenance)
+    about = attributes(result.scene, result.facts.provenance) | _counts(result)
     return xr.Dataset(variables, coords, about)

@@ -27,6 +27,9 @@ class Facts:
     seconds: float = 0.0  # wall time spent in the run [s], over all its parts
     provenance: dict[str, Any] = field(default_factory=dict)
     events: tuple[dict[str, Any], ...] = ()
+    step_counts: dict[str, float] = field(
+        default_factory=dict
+    )  # of varying steps; see `Simulation`
 
     def but(self, **changes: Any) -> Facts:
         """Return a copy with some facts changed."""

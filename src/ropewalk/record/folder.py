@@ -119,6 +119,8 @@ def write_status(folder: Path, facts: Facts, frames: int, time: float) -> None:
         "diagnosis": facts.diagnosis,
         "updated": now(),
     }
+    if facts.step_counts:
+        status["steps"] = facts.step_counts
     write_json(folder / STATUS, status)
 
 
@@ -168,6 +170,7 @@ def read_facts(folder: Path) -> Facts:
             float(status.get("seconds", 0.0)),
             provenance,
             read_events(folder),
+            dict(status.get("steps", {})),
         )
     except (KeyError, TypeError, ValueError):
         raise RunError(folder / PROVENANCE, "is damaged: it does not describe a run") from None

@@ -304,9 +304,15 @@ class Result:
         said = (
             f"Result of {self.scene.name!r}{where}: {ropes} with {segments} segments, "
             f"{self.time[-1]:.6g} s in {self.frames} frames by {self.plan.method} "
-            f"in steps of {self.plan.dt:.4g} s, {self._drift()}; {self.status}."
+            f"in {self._steps()}, {self._drift()}; {self.status}."
         )
         return f"{said} {self.diagnosis}".rstrip()
+
+    def _steps(self) -> str:
+        counts = self.facts.step_counts
+        if not counts:
+            return f"steps of {self.plan.dt:.4g} s"
+        return f"{counts['accepted']} {self.plan.pace} and {counts['rejected']} rejected"
 
     def _drift(self) -> str:
         error = self.energy_error[-1]

@@ -17,6 +17,7 @@ from ropewalk.block import Block
 from ropewalk.build import Model
 from ropewalk.core.jit import source_hash
 from ropewalk.core.status import OK
+from ropewalk.methods.adaptive import counts
 from ropewalk.record import checkpoint
 from ropewalk.record.background import Background
 from ropewalk.record.checkpoint import Checkpoint
@@ -112,7 +113,10 @@ class Recorder:
     def _commit(self, status: str, made: Checkpoint) -> None:
         start = time.perf_counter()
         diagnosis = made.diagnosis
-        self.facts = self.facts.but(status=status, seconds=made.seconds, diagnosis=diagnosis)
+        taken = counts(made.snapshot.walk)
+        self.facts = self.facts.but(
+            status=status, seconds=made.seconds, diagnosis=diagnosis, step_counts=taken
+        )
         self.writer.commit()
         checkpoint.save(self.folder, made)
         now = made.snapshot

@@ -116,6 +116,7 @@ def simulate_in_memory(
         time.perf_counter() - begun,
         provenance(plan, ledger, keep_going),
         (*events, runner.ending(status, done + 1)),
+        simulation.step_counts,
     )
     with_lengths = bool(simulation.scene.winches)
     names = tuple(q.name for q in recorded(simulation.layout, with_lengths))

@@ -37,8 +37,7 @@ def summary(result: Result) -> dict[str, Any]:
         "status": result.status,
         "simulated time [s]": float(time[-1]),
         "frames": result.frames,
-        "steps": (result.frames - 1) * result.plan.steps_per_frame,
-        "time step [s]": result.plan.dt,
+        **_steps(result),
         "largest tension [N]": tension,
         "largest tension at": _place(layout, segment, "segment", time[frame]),
         "largest stretch [1]": stretch,
@@ -54,6 +53,21 @@ def summary(result: Result) -> dict[str, Any]:
         "final total energy [J]": float(result.energy["total"][-1]),
         "wall time [s]": seconds,
         "simulated time over wall time [1]": float(time[-1]) / seconds if seconds > 0 else math.nan,
+    }
+
+
+def _steps(result: Result) -> dict[str, Any]:
+    """Return number and length of the steps."""
+    plan, counts = result.plan, result.facts.step_counts
+    if plan.tolerance is None:
+        count = (result.frames - 1) * plan.steps_per_frame
+        return {"steps": count, "time step [s]": plan.dt}
+    return {
+        "steps": counts.get("accepted", 0),
+        "rejected steps": counts.get("rejected", 0),
+        "shortest step [s]": counts.get("shortest", math.nan),
+        "longest step [s]": counts.get("longest", math.nan),
+        "tolerance [m]": plan.tolerance,
     }
 
 

@@ -22,6 +22,8 @@ Method = Literal[
     "sdirk2",
     "esdirk3",
     "generalized-alpha",
+    "adaptive",
+    "auto",
 ]
 #: Most frames one run may record.
 MOST_FRAMES = 1e9
@@ -47,7 +49,8 @@ class RunSettings(Model):
     frame_rate: Number = positive("Recorded frames per simulated second", "1/s", 60.0)
     time_step: TimeStep = Field(
         default="auto",
-        description='Largest time step, or "auto": a fraction of the predicted stability bound',
+        description='Largest time step, or "auto": a fraction of the predicted stability bound; with '
+        "adaptive 0.1 s",
         json_schema_extra={"unit": "s"},
     )
     auto_fraction: Number = positive('Fraction of the bound with time_step = "auto"', "1", 0.8)
@@ -57,7 +60,16 @@ class RunSettings(Model):
         "as given, a frame every round(frame / time_step) steps; "
         "nehe: int(frame / time_step) + 1 equal steps a frame",
     )
-    method: Method = Field(default="semi-implicit-euler", description="Time integration method")
+    method: Method = Field(
+        default="semi-implicit-euler",
+        description='Time integration method; "auto" takes the cheapest that is stable and accurate '
+        "enough, and says why",
+    )
+    tolerance: Annotated[Number, Field(ge=1e-9)] = positive(
+        "Largest estimated error of any node's place in a step of adaptive; the error that auto aims at",
+        "m",
+        1e-5,
+    )
     spectral_radius: Annotated[Number, Field(le=1.0)] = not_negative(
         "What generalized-alpha leaves of the fastest modes in a step, 0 to 1", "1", 0.8
     )

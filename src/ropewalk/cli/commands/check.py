@@ -51,6 +51,8 @@ def _print(found: Check) -> None:
     stability = found.stability
     say(f"{found.name}")
     say(f"  {stability.verdict}")
+    if found.why:
+        say(f"  {found.why}")
     rows = []
     for name, step in stability.largest_step.items():
         chosen = "this run" if name == stability.method else ""
@@ -71,5 +73,5 @@ def _facts(found: Check) -> list[str]:
     lines = found.lines()
     first = next(i for i, line in enumerate(lines) if line.startswith("largest stable steps"))
     after = first + 1 + len(found.stability.largest_step)
-    kept = [*lines[1:first], *lines[after:]]
+    kept = [line for line in (*lines[1:first], *lines[after:]) if line != found.why]
     return [line for line in kept if not line.startswith(("warning: ", "note: "))]

@@ -13,6 +13,7 @@ from ropewalk.cli.sources import json_option
 from ropewalk.cli.summary import print_results
 
 if TYPE_CHECKING:
+    from ropewalk.build import Plan
     from ropewalk.record.result import Result
 
 _PROVENANCE = ("started", "ended", "ropewalk", "python", "numpy", "numba", "platform")
@@ -53,10 +54,17 @@ def _rows(result: Result) -> list[tuple[str, str]]:
     rows = [
         ("state", state),
         ("scene", str(result.scene)),
-        ("method", f"{plan.method}, steps of {plan.dt:.6g} s, {plan.steps_per_frame} a frame"),
+        ("method", _method(plan)),
+        ("chosen", plan.why),
         ("anchors", ", ".join(result.layout.anchor_names)),
     ]
     return rows + [(key, str(known.get(key, ""))) for key in _PROVENANCE]
+
+
+def _method(plan: Plan) -> str:
+    if plan.tolerance is not None:
+        return f"{plan.method}, {plan.pace}"
+    return f"{plan.method}, steps of {plan.dt:.6g} s, {plan.steps_per_frame} a frame"
 
 
 def _event(event: dict[str, Any]) -> tuple[str, str, str]:

@@ -108,9 +108,11 @@ def run_scene(
         from ropewalk.build import build
         from ropewalk.record.run import record_run
 
-        if not quiet:
-            tell_compiling(scene.run.method)
         model = build(scene)
+        if not quiet:
+            if model.plan.why:
+                tell(model.plan.why)
+            tell_compiling(model.plan.method)
         warnings = predicted(model)
         if not quiet:
             for text in warnings:

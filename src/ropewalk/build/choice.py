@@ -1,0 +1,109 @@
+"""`method = "auto"`: the cheapest method that is stable and accurate enough, and why.
+
+Accuracy: a method of order p errs by about C l (h / tau)^p after the time tau = l / u, l the longest rope's
+length and u the speed of a fall through it, or of what is thrown or moved; C was measured on a dropped rope
+(`tests/unit/test_choice.py` does it again). The aim is `AIM` times `run.tolerance`, which is what steps to
+that tolerance add up to there. Cost: force evaluations per second, a stage to solve counted as `STAGE_COST`
+of them.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from ropewalk.build.chains import chains, speed_scale
+from ropewalk.core.arrays import State, System
+from ropewalk.methods.bound import largest_step
+from ropewalk.methods.registry import METHODS
+from ropewalk.motions.table import ORBIT, SHAKE
+from ropewalk.scene import Scene, SceneError
+from ropewalk.scene.errors import Fault
+
+#: Candidates and their C [1], the cheaper first where two cost the same.
+ERROR = {"semi-implicit-euler": 0.4, "verlet": 2.0, "rk4": 20.0, "esdirk3": 5.0}
+AIM = 100.0
+
+
+class Candidate(NamedTuple):
+    """A method at the longest step that is stable and accurate enough."""
+
+    method: str
+    step: float  # [s]
+    bound: float  # longest stable step, less the scene's margin [s]
+    cost: float  # force evaluations per simulated second [1/s]
+
+
+def choose(scene: Scene, system: System, state: State, most: float) -> list[Candidate]:
+    """Return the candidates, the cheapest first; no step is longer than `most` [s].
+
+    Raises SceneError when none has a stable step.
+    """
+    found = candidates(scene, system, state, most)
+    if not found:
+        rule = "finds no method with a stable step here; give a method and a step yourself"
+        raise SceneError([Fault("run.method", "auto", rule)])
+    return sorted(found, key=lambda one: one.cost)
+
+
+def candidates(scene: Scene, system: System, state: State, most: float) -> list[Candidate]:
+    """Return every method that can run the scene, at its longest step; none longer than `most` [s]."""
+    run = scene.run
+    cases = chains(system, state, speed_scale(system, state)).values()
+    found = []
+    for name in ERROR:
+        method = METHODS[name]
+        if method.implicit and scene.limiter is not None:  # it has no tangent
+            continue
+        bound = run.auto_fraction * min(largest_step(name, chain) for chain in cases)
+        step = min(bound, accurate_step(name, scene, system, state), run.frame_interval, most)
+        if step > 0.0:
+            twice = 2.0 if name == "verlet" and (scene.limiter or scene.winches) else 1.0
+            found.append(Candidate(name, step, bound, twice * method.cost / step))
+    return found
+
+
+def accurate_step(name: str, scene: Scene, system: System, state: State) -> float:
+    """Return the step at which a method errs by about the aim [s]."""
+    length = max(rope.length_unstretched for rope in scene.ropes)
+    speed = speed_scale(system, state)
+    rate = max(speed / length if length > 0.0 else 0.0, _fastest_turn(system))
+    if rate == 0.0:
+        return math.inf
+    error = AIM * scene.run.tolerance / (ERROR[name] * max(length, AIM * scene.run.tolerance))
+    return float(error ** (1.0 / METHODS[name].order) / rate)
+
+
+def _fastest_turn(system: System) -> float:
+    """Return the largest angular frequency of an anchor that shakes or goes round [rad/s]."""
+    anchors = system.anchors
+    place = {SHAKE: 6, ORBIT: 9}
+    turns = (
+        2.0 * math.pi * abs(float(p[place[kind]]))
+        for p, kind in zip(anchors.params, anchors.kind, strict=True)
+        if kind in place
+    )
+    return max(turns, default=0.0)
+
+
+def reason(scene: Scene, found: list[Candidate], dt: float) -> str:
+    """Say in one sentence what decided for the first candidate, run in steps of `dt` [s]."""
+    best, implicit = found[0], METHODS[found[0].method].implicit
+    said = f"auto chose {best.method} ({'implicit' if implicit else 'explicit'}) at {_ms(dt)}"
+    if scene.limiter is not None:
+        return f"{said}: a stretch limiter needs an explicit method, stable up to {_ms(best.bound)}"
+    other = next((one for one in found if METHODS[one.method].implicit != implicit), None)
+    if other is None:
+        return f"{said}: no other method has a stable step"
+    times = other.cost / best.cost
+    cost = f"{times:.2g} times as much" if times > 1.05 else "a little more"
+    if times >= 10.0:
+        cost = f"{times:.0f} times as much"
+    why = f"stability allows {_ms(best.bound)}, and {other.method} would cost {cost}"
+    if implicit:
+        why = f"{other.method} is stable up to {_ms(other.bound)} only and would cost {cost}"
+    return f"{said}: {why} for an error of about {1e3 * AIM * scene.run.tolerance:.3g} mm"
+
+
+def _ms(seconds: float) -> str:
+    return "any step" if math.isinf(seconds) else f"{1e3 * seconds:.3g} ms"

@@ -1,0 +1,275 @@
+"""Steps of varying length by ESDIRK3, to a tolerance.
+
+The method walks at its own pace, whatever is recorded: from state `begin` to state `ahead`, a step whose
+error estimate was accepted. A frame inside it is made by a step of the same method from `begin` to the
+frame's time, which the walk does not see. So the order, the ledger and the tensions of a frame are those of
+any step (a polynomial through positions would not do: a micrometre is tonnes in a steel wire), and the walk
+is the same at every recording rate. When the state was changed from outside, the walk begins anew from it.
+
+A step ends where the scene changes by itself (`controller.break_times`), and is cut where a node touches the
+ground or a segment goes taut or slack (`crossings`).
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ropewalk.core.arrays import Floats, State, System, pooled
+from ropewalk.core.jit import kernel, part
+from ropewalk.core.status import OK, UNSOLVED
+from ropewalk.laws.anchors import anchor_target, release_anchors
+from ropewalk.laws.clamps import turn_clamps
+from ropewalk.laws.winch import run_winches
+from ropewalk.methods.controller import (
+    ACCEPTED,
+    BEGIN,
+    BEGUN,
+    END,
+    ERROR,
+    EVENT_STEP,
+    JUST_BELOW,
+    LONGEST,
+    NODE,
+    REJECTED,
+    SHORTEST,
+    SHORTEST_STEP,
+    UNSOLVED_SHARE,
+    WISH,
+    break_times,
+    count_step,
+    first_step,
+    largest_error,
+    longest_step,
+    make_control,
+    next_break,
+    shorter,
+)
+from ropewalk.methods.crossings import crossings, mark_sides
+from ropewalk.methods.implicit import (
+    ImplicitScratch,
+    make_implicit_scratch,
+    put_row,
+    step,
+    take_step,
+)
+from ropewalk.methods.loop import close_frame, prepare
+from ropewalk.methods.stage import Stage
+from ropewalk.methods.tableaus import ESDIRK3
+
+SNAP = 1e-9  # [1] a frame this close to an end of a step, over its length, is at that end
+
+
+class Walk(NamedTuple):
+    """What evolves besides the state that is shown; empty arrays for methods of fixed steps."""
+
+    begin: Floats  # all numbers of the state at the last step's begin, see `arrays.pooled`
+    ahead: Floats  # the same at its end
+    shown: Floats  # the same of the last frame, to tell whether it was changed since
+    control: Floats  # see `controller`
+
+
+class AdaptiveScratch(NamedTuple):
+    """Working arrays of the adaptive method."""
+
+    solver: ImplicitScratch
+    stage: Stage  # the solver's
+    walk: Walk
+    here: Floats  # all numbers of the state that is shown
+    begin: State  # views of the walk's arrays
+    ahead: State
+    breaks: Floats  # times at which a step must end [s]
+    limits: Floats  # (2,) tolerance [m], longest step [s]
+
+
+def no_walk() -> Walk:
+    """Return the walk of a method of fixed steps."""
+    return Walk(*(np.zeros(0) for _ in Walk._fields))
+
+
+def adapt(
+    system: System, state: State, tolerance: float, longest: float
+) -> tuple[State, AdaptiveScratch]:
+    """Return a copy of `state` to show and working arrays for it; `tolerance` [m], `longest` step [s]."""
+    shown, here = pooled(state)
+    (begin, first), (ahead, second) = pooled(state), pooled(state)
+    walk = Walk(first, second, here.copy(), make_control())
+    solver = make_implicit_scratch(shown, ESDIRK3)
+    solver.stage.saddle.band.frozen[0] = 1
+    limits = np.array([tolerance, longest])
+    breaks = break_times(system)
+    return shown, AdaptiveScratch(solver, solver.stage, walk, here, begin, ahead, breaks, limits)
+
+
+def counts(walk: Walk) -> dict[str, float]:
+    """Return how many steps were accepted and rejected, and the shortest and longest [s]."""
+    if not walk.control.size:
+        return {}
+    c = walk.control
+    return {
+        "accepted": int(c[ACCEPTED]),
+        "rejected": int(c[REJECTED]),
+        "shortest": float(c[SHORTEST]) if c[ACCEPTED] else 0.0,
+        "longest": float(c[LONGEST]),
+    }
+
+
+@kernel
+def differ(one, other):
+    """Tell whether two arrays (m,) differ in any number."""
+    count = 0
+    for j in range(one.shape[0]):
+        count += 0 if one[j] == other[j] else 1
+    return count > 0
+
+
+@part
+def begin_walk(state, scratch, t):
+    """Begin anew at time `t` [s] from the state that is shown."""
+    control = scratch.walk.control
+    put_row(scratch.here, scratch.walk.ahead)
+    control[BEGIN], control[END], control[BEGUN] = t, t, 1.0
+
+
+@part
+def open_step(system, state, t, solver, ledger):
+    """Let go of anchors and take up their velocities after time `t` [s]; a jump is booked as work."""
+    jumps = 1 if release_anchors(system, state, t, 0.0) else 0
+    for row in range(state.held.shape[0]):
+        if state.held[row] == 0:
+            continue
+        anchor_target(system, state, row, t, 0.0, solver.point, solver.speed)
+        i = state.anchor_node[row]
+        for k in range(3):
+            old, new = state.anchor_v[row, k], solver.speed[k]
+            if old != new:
+                jumps += 1
+                if ledger:
+                    state.work.anchors[row] += 0.5 * state.mass[i] * (new * new - old * old)
+                state.anchor_v[row, k] = new
+                state.v[k, i] = new
+    if state.moment.shape[0] > 0:
+        turn_clamps(system, state, t)
+    return jumps > 0
+
+
+@kernel
+def try_step(system, state, before, scratch, t, after, dt, ledger, tableau):
+    """Take a step of `dt` from `t` [s]; return the length to try next [s], 0 where it was accepted, and how
+    many nodes and segments have changed sides, negative where that is why it was not."""
+    solver, control, tolerance = scratch.solver, scratch.walk.control, scratch.limits[0]
+    A, b, c, numbers = tableau.A, tableau.b, tableau.c, tableau.numbers
+    status = take_step(system, state, solver, t, after, dt, ledger, tableau.kind, A, b, c, numbers)
+    if status != OK:
+        control[ERROR] = np.inf
+        return UNSOLVED_SHARE * dt, 0
+    largest_error(solver.u, b, tableau.embedded, dt, state.inverse_mass, control)
+    if not control[ERROR] <= tolerance:
+        return dt * shorter(control[ERROR] / tolerance), 0
+    end, changes = crossings(system, before, state, dt, tolerance)
+    if end < dt and dt > EVENT_STEP:
+        return max(end, EVENT_STEP), -changes
+    return 0.0, changes
+
+
+@kernel
+def stride(system, scratch, extras, ledger, tableau):
+    """Take one accepted step from `ahead`; return OK, or UNSOLVED where none is short enough."""
+    state, before, solver, control = (
+        scratch.ahead,
+        scratch.begin,
+        scratch.solver,
+        scratch.walk.control,
+    )
+    t = control[END]
+    if open_step(system, state, t, solver, ledger) or control[WISH] == 0.0:
+        prepare(system, state)
+    put_row(scratch.walk.ahead, scratch.walk.begin)
+    mark_sides(system, state, solver.stage.saddle.band)
+    longest = longest_step(system.winches, scratch.limits[1])
+    if control[WISH] == 0.0:
+        control[WISH] = first_step(state.acceleration, system.gravity, scratch.limits[0], longest)
+    dt, cut, retried, changes = min(control[WISH], longest), False, False, 0
+    stop = next_break(scratch.breaks, t)
+    while True:
+        end, after = t + dt, t + dt
+        if end >= stop - 1e-6 * dt:
+            end, after, cut = stop, stop * JUST_BELOW, True
+        elif end + dt > stop:  # two equal steps rather than a tiny second one
+            end, cut = t + 0.5 * (stop - t), True
+            after = end
+        dt = end - t
+        again, changes = try_step(system, state, before, scratch, t, after, dt, ledger, tableau)
+        if again == 0.0:
+            break
+        control[REJECTED] += 1.0
+        put_row(scratch.walk.begin, scratch.walk.ahead)
+        if again < SHORTEST_STEP or t + again == t:
+            return UNSOLVED
+        if changes < 0:
+            cut = True
+        else:
+            control[WISH], retried, cut = again, True, False
+        dt = again
+    if extras is not None:
+        run_winches(system, state, t, dt, ledger)
+    if extras is not None or changes > 0:
+        prepare(system, state)
+    control[BEGIN], control[END] = t, end
+    count_step(control, dt, control[ERROR] / scratch.limits[0], cut, retried)
+    return OK
+
+
+@kernel
+def show(system, state, scratch, extras, time, ledger, tableau):
+    """Bring the state that is shown to `time` [s], inside the last step; return OK or UNSOLVED."""
+    walk = scratch.walk
+    begin, end = walk.control[BEGIN], walk.control[END]
+    if time >= end - SNAP * (end - begin):
+        put_row(walk.ahead, scratch.here)
+        return OK
+    put_row(walk.begin, scratch.here)
+    if time <= begin + SNAP * (end - begin):
+        return OK
+    mark_sides(system, state, scratch.stage.saddle.band)
+    dt = time - begin
+    status = step(system, state, scratch.solver, begin, time, dt, ledger, tableau)
+    if status != OK:
+        walk.control[ERROR] = np.inf
+    if extras is not None:
+        run_winches(system, state, begin, dt, ledger)
+        prepare(system, state)
+    return status
+
+
+@kernel
+def advance(system, state, scratch, extras, clock, frames, ledger, out, stop_at_break, tableau):
+    """Advance `frames` frames; return the status and the number of good frames. See `loop.make_advance`.
+
+    `clock` holds t0, time between two frames, frames done and, for a frame, how many of them.
+    """
+    control, walk = scratch.walk.control, scratch.walk
+    done = int(clock[2])
+    if control[BEGUN] == 0.0 or differ(scratch.here, walk.shown):
+        begin_walk(state, scratch, clock[0] + done * clock[1])
+    for frame in range(frames):
+        done += int(clock[3])
+        time = clock[0] + done * clock[1]
+        while control[END] < time:
+            status = stride(system, scratch, extras, ledger, tableau)
+            if status != OK:
+                return status, frame
+        status = show(system, state, scratch, extras, time, ledger, tableau)
+        if status == OK:
+            put_row(scratch.here, walk.shown)
+            status = close_frame(system, state, scratch.solver.middle, frame, out)
+        if status != OK and (stop_at_break or status == UNSOLVED):
+            return status, frame
+    return OK, frames
+
+
+def failure(scratch: AdaptiveScratch) -> tuple[float, int, float]:
+    """Return time [s], node and estimated error [m] of the step that failed; inf: it has no solution."""
+    control = scratch.walk.control
+    return float(control[END]), int(control[NODE]), float(control[ERROR])
