@@ -132,7 +132,7 @@ def test_the_page_is_whole_and_self_contained(
     assert page.open == []
     assert len(page.ids) == len(set(page.ids))
     assert {link.removeprefix("#") for link in page.links} <= set(page.ids)
-    assert len(page.pictures) == 5  # figures 1 to 3 and two claims
+    assert len(page.pictures) == 6  # figures 1 to 3, two claims, and the last section
     assert all(str(p["src"]).startswith("data:image/svg+xml;base64,") for p in page.pictures)
     assert all(p["alt"] for p in page.pictures)
     assert not re.search(r'(src|href)="(?!#|data:)', text)
@@ -156,7 +156,7 @@ def test_the_markdown_names_files_that_are_there(
     path = written[0]["markdown"]
     text = path.read_text(encoding="utf-8")
     pictures = re.findall(r"!\[[^\]]*\]\(([^)]+)\)", text)
-    assert len(pictures) == 5
+    assert len(pictures) == 6
     assert all((path.parent / name).stat().st_size > 1000 for name in pictures)
     assert "a < b \\| c" in text  # a bar would end the cell
     assert "**no**" in text
@@ -171,7 +171,8 @@ def test_the_numbers_are_a_table(written: tuple[dict[str, Path], list[str]]) -> 
 
 
 def test_progress_names_every_claim(written: tuple[dict[str, Path], list[str]]) -> None:
-    assert written[1] == ["figures 1 to 3", "C3 Only gravity at first", "C2 Made up"]
+    claims = ["C3 Only gravity at first", "C2 Made up"]
+    assert written[1] == ["figures 1 to 3", *claims, "10 kN/m at 60 steps a second"]
 
 
 def test_a_claim_has_the_same_numbers_and_picture_every_time() -> None:

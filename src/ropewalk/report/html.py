@@ -11,10 +11,10 @@ from ropewalk.report import draw, words
 from ropewalk.report.outcome import Number, Verdict
 
 if TYPE_CHECKING:
-    from ropewalk.report.page import Judged, Shown
+    from ropewalk.report.page import Answered, Judged, Shown
 
 
-def html_page(figures: Sequence[Shown], judged: Sequence[Judged], foot: str) -> str:
+def html_page(figures: Sequence[Shown], judged: Sequence[Judged], last: Answered, foot: str) -> str:
     """Return the whole page, figures included."""
     style = (files("ropewalk.report") / "style.css").read_text(encoding="utf-8")
     pictures = "\n".join(
@@ -37,6 +37,7 @@ def html_page(figures: Sequence[Shown], judged: Sequence[Judged], foot: str) -> 
 <section id="summary"><h2>Summary</h2>{_summary(judged)}</section>
 <section id="figures"><h2>The report’s figures</h2>{pictures}</section>
 {_groups(judged)}
+{_answer(last)}
 </main>
 <footer><p>{escape(foot)}</p></footer>
 </body>
@@ -66,6 +67,22 @@ def _groups(judged: Sequence[Judged]) -> str:
         + "</section>"
         for name in names
     )
+
+
+def _answer(last: Answered) -> str:
+    made = last.answer
+    heads = "".join(f'<th scope="col">{escape(head)}</th>' for head in words.ANSWER_HEADS)
+    rows = "\n".join(
+        f'<tr><th scope="row">{escape(cells[0])}</th>'
+        + "".join(f'<td class="n">{escape(cell)}</td>' for cell in cells[1:])
+        + "</tr>"
+        for cells in map(words.answer_cells, made.rows)
+    )
+    return f"""<section><h2>{escape(words.ANSWER)}</h2><article id="{escape(made.id)}">
+<h3>{escape(made.title)}</h3><p>{escape(made.text)}</p>
+{_figure(last.shown)}
+<div class="wide"><table class="numbers"><thead><tr>{heads}</tr></thead>
+<tbody>{rows}</tbody></table></div></article></section>"""
 
 
 def _claim(one: Judged) -> str:

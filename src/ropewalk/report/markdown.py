@@ -9,10 +9,12 @@ from ropewalk.report import words
 from ropewalk.report.outcome import Number
 
 if TYPE_CHECKING:
-    from ropewalk.report.page import Judged, Shown
+    from ropewalk.report.page import Answered, Judged, Shown
 
 
-def markdown_page(figures: Sequence[Shown], judged: Sequence[Judged], foot: str) -> str:
+def markdown_page(
+    figures: Sequence[Shown], judged: Sequence[Judged], last: Answered, foot: str
+) -> str:
     """Return the whole page."""
     verdicts = [one.outcome.verdict for one in judged]
     lines = [f"# {words.TITLE}", "", words.LEAD, "", words.counts(verdicts), ""]
@@ -31,8 +33,16 @@ def markdown_page(figures: Sequence[Shown], judged: Sequence[Judged], foot: str)
             group = one.claim.group
             lines += [f"## {group}", ""]
         lines += _claim(one)
-    lines += ["---", "", foot, ""]
+    lines += [*_answer(last), "---", "", foot, ""]
     return "\n".join(lines)
+
+
+def _answer(last: Answered) -> list[str]:
+    made, heads = last.answer, words.ANSWER_HEADS
+    lines = [f"## {words.ANSWER}", "", f"### {made.title}", "", made.text, "", *_figure(last.shown)]
+    lines += ["| " + " | ".join(heads) + " |", "|---|" + "--:|" * (len(heads) - 1)]
+    lines += ["| " + " | ".join(words.answer_cells(row)) + " |" for row in made.rows]
+    return [*lines, ""]
 
 
 def _order(judged: Sequence[Judged], one: Judged) -> int:

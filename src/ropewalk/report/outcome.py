@@ -101,3 +101,26 @@ class Claim:
     text: str  # the claim, in our words
     group: str
     run: Callable[[], Outcome]
+
+
+@dataclass(frozen=True)
+class Row:
+    """One run against the fine one."""
+
+    name: str
+    steps: float  # per frame
+    places: float  # largest over the frames of the rms error over the nodes [m]; inf: broken
+    tension: float  # rms error of the tension at the middle anchor over its mean [1]
+    end: str
+
+
+@dataclass(frozen=True)
+class Answer:
+    """A section of the page: text, a figure and a table."""
+
+    id: str
+    title: str
+    text: str
+    rows: tuple[Row, ...]
+    figure: Figure
+    caption: str

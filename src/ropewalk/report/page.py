@@ -11,9 +11,10 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
 from ropewalk.report import draw
+from ropewalk.report.answer import answer
 from ropewalk.report.html import html_page
 from ropewalk.report.markdown import markdown_page
-from ropewalk.report.outcome import Claim, Outcome
+from ropewalk.report.outcome import Answer, Claim, Outcome
 from ropewalk.report.pictures import pictures
 from ropewalk.report.registry import CLAIMS
 
@@ -34,6 +35,14 @@ class Judged:
 
     claim: Claim
     outcome: Outcome
+    shown: Shown
+
+
+@dataclass(frozen=True)
+class Answered:
+    """The last section with its figure."""
+
+    answer: Answer
     shown: Shown
 
 
@@ -66,7 +75,10 @@ def write_report(
         picture = draw.svg(outcome.figure)
         shown = Shown(one.id.lower(), one.title, outcome.caption, picture)
         judged.append(Judged(one, outcome, shown))
-    for shown in [*figures, *(one.shown for one in judged)]:
+    tell("10 kN/m at 60 steps a second")
+    made = answer()
+    last = Answered(made, Shown(made.id, made.title, made.caption, draw.svg(made.figure)))
+    for shown in [*figures, *(one.shown for one in judged), last.shown]:
         (folder / f"{shown.id}.svg").write_bytes(shown.picture)
     paths = {
         "html": out / "report.html",
@@ -75,8 +87,8 @@ def write_report(
         "figures": folder,
     }
     foot = f"Written on {date.today().isoformat()} with {versions()}."
-    paths["html"].write_text(html_page(figures, judged, foot), encoding="utf-8")
-    paths["markdown"].write_text(markdown_page(figures, judged, foot), encoding="utf-8")
+    paths["html"].write_text(html_page(figures, judged, last, foot), encoding="utf-8")
+    paths["markdown"].write_text(markdown_page(figures, judged, last, foot), encoding="utf-8")
     _write_numbers(paths["numbers"], judged)
     return paths
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from ropewalk.report.outcome import Number, Verdict
+from ropewalk.report.outcome import Number, Row, Verdict
 
 TITLE = "The rope of the report, claim by claim"
 LEAD = (
@@ -15,6 +15,10 @@ LEAD = (
     "Masses are 50 g, springs 1 m and 10 kN/m with a friction of 0.05 N s/m, steps of 2 ms and "
     "gravity 9.81 m/s², unless a claim says otherwise."
 )
+ANSWER = "Beyond the report"
+ANSWER_HEADS = (
+    "Method", "Steps a frame", "Outcome", "Places off by (rms)", "Tension off by (rms)",
+)  # fmt: skip
 MARK = {Verdict.CONFIRMED: "✓", Verdict.IN_PART: "◐", Verdict.REFUTED: "✗"}
 CLASS = {Verdict.CONFIRMED: "yes", Verdict.IN_PART: "part", Verdict.REFUTED: "no"}
 
@@ -46,3 +50,10 @@ def counts(verdicts: list[Verdict]) -> str:
     """Sum up the verdicts in one sentence."""
     parts = [f"{verdicts.count(one)} {one.value}" for one in Verdict]
     return f"Of {len(verdicts)} claims: {', '.join(parts)}."
+
+
+def answer_cells(row: Row) -> tuple[str, ...]:
+    """Write one run of the last section."""
+    places = f"{1e3 * row.places:.2g} mm" if math.isfinite(row.places) else "–"
+    tension = f"{100 * row.tension:.2g} %" if math.isfinite(row.tension) else "–"
+    return row.name, f"{row.steps:g}", row.end, places, tension
