@@ -19,6 +19,7 @@ extensions = [
     "sphinx.ext.autodoc",
     "sphinx.ext.mathjax",
     "sphinx.ext.napoleon",
+    "gallery",
     "tables",
 ]
 exclude_patterns = ["_build", "images/*.py"]

@@ -3,6 +3,7 @@
 import { App } from "./app.js";
 import { makeHook } from "./hook.js";
 import { connectRecording } from "./recorded.js";
+import { connectReplay } from "./replayed.js";
 import { chooseRenderer } from "./render/choose.js";
 import { Session } from "./session.js";
 import { findRecording } from "./source/recording.js";
@@ -15,5 +16,6 @@ const session = new Session(recording ?? new SocketSource());
 const root = /** @type {HTMLElement} */ (document.getElementById("app"));
 const app = new App(root, session, chooseRenderer);
 if (recording) connectRecording(app, recording);
+else connectReplay(app);
 Object.assign(window, { ropewalk: makeHook(app) });
 session.open();

@@ -181,7 +181,7 @@ export class Stage {
     if (Math.abs(width / height / before - 1) > 0.3) this.lookPending = true;
     const { layout, frame } = this.session;
     if (layout && frame && this.lookPending) this.look(layout);
-    this.dirty = true;
+    this.draw(true); // at once: a canvas of another size is empty
   }
 
   /** Once per animation frame. @param {number} now ms */

@@ -15,6 +15,7 @@ FLAGS = [
     "--enable-unsafe-swiftshader",
     "--disable-background-networking",
     "--no-first-run",
+    "--host-resolver-rules=MAP rebound.test 127.0.0.1",  # as DNS rebinding does
 ]
 SECONDS = 60.0  # at most for anything to happen; machines of CI are slow
 _HARMLESS = ("WebSocket connection to", "GL Driver Message", "net::ERR_")
@@ -40,7 +41,9 @@ class Window:
 
     def until(self, expression: str, seconds: float = SECONDS) -> Any:
         """Wait until an expression of `r` holds; return it. The page allows no `eval`, so it is asked."""
-        script = f"() => {{ const r = window.ropewalk; return r && ({expression}); }}"
+        # what is not there yet (a frame of a new layout) is not yet true
+        body = f"try {{ return r && ({expression}); }} catch {{ return null; }}"
+        script = f"() => {{ const r = window.ropewalk; {body} }}"
         end = time.monotonic() + seconds
         while not (found := self.page.evaluate(script)):
             if time.monotonic() > end:
@@ -112,15 +115,19 @@ class Window:
         """Click an element."""
         self.page.locator(selector).click()
 
-    def at_rope(self, nodes: range) -> float:
-        """Return which part of these nodes has, within 3 pixels, a colour of the rope's map."""
+    def at_rope(self, nodes: range, down: int = 0) -> float:
+        """Return which part of these nodes has, within 3 pixels, a colour of the rope's map.
+
+        `down`: look so many pixels below.
+        """
         picture = self.picture()
         back = self.ask("r.stage.theme.background").copy()
         paper = np.array(back) * 255.0 if max(back) <= 1.0 else np.array(back)
         found = 0
         for node in nodes:
             x, y = (round(value) for value in self.screen(node))
-            around = picture[y - 3 : y + 4, x - 3 : x + 4].reshape(-1, 3)
+            row = y + down
+            around = picture[row - 3 : row + 4, x - 3 : x + 4].reshape(-1, 3)
             spread = around.max(axis=1) - around.min(axis=1)  # paper and grid are nearly grey
             far = np.abs(around - paper[:3]).sum(axis=1)
             found += bool(((spread > 60) & (far > 150)).any())

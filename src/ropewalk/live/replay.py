@@ -112,7 +112,7 @@ class ReplayStage:
         self._last, self._last_status = time.perf_counter(), 0.0
         self._told: tuple[bool, float] | None = None
 
-    can = ("play", "pause", "step", "speed", "seek")
+    can = ("play", "pause", "step", "speed", "seek", "reset")
     address = ""
 
     @property
@@ -189,6 +189,8 @@ class ReplayStage:
             self.playing = True
         elif command.type == "pause":
             self.playing = False
+        elif command.type == "reset":
+            self.time = 0.0
         else:
             rule = "cannot be done in a replay; there is " + ", ".join(self.can)
             raise refusal("type", command.type, rule)

@@ -43,6 +43,7 @@ out float along;
 out vec3 side;
 out vec3 sight;
 out vec3 ropeTint;
+out float behind;
 vec4 node(int i) { return texelFetch(nodes, ivec2(i % columns, i / columns), 0); }
 void main() {
   int i = gl_VertexID >> 1;
@@ -52,7 +53,9 @@ void main() {
   vec3 after = look.w > 0.5 ? node(i + 1).xyz : here.xyz;
   sight = normalize(eye - here.xyz);
   side = sideways(before, here.xyz, after, sight);
-  float perPixel = pixel * -(view * vec4(here.xyz, 1.0)).z;
+  float depth = -(view * vec4(here.xyz, 1.0)).z;
+  behind = depth > 0.0 ? 0.0 : 1.0;
+  float perPixel = pixel * max(depth, 1e-3);
   halfWidth = max(look.x / perPixel, 0.5 * least);
   value = here.w;
   along = look.y / max(look.x, 1e-9);
@@ -74,8 +77,10 @@ in float along;
 in vec3 side;
 in vec3 sight;
 in vec3 ropeTint;
+in float behind;       // > 0: a part of a segment that ends behind the eye
 out vec4 colour;
 void main() {
+  if (behind > 0.0) discard;
   float w = across * (halfWidth + 1.0);
   float cover = clamp(halfWidth + 0.5 - abs(w), 0.0, 1.0);
   if (cover <= 0.0) discard;

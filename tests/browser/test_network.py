@@ -1,0 +1,167 @@
+"""Several pages, slow ones, a server that goes and comes back, a reload, and pages of other sites."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable, Iterator
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from browser.window import Window
+from live.drive import slack_rope
+from ropewalk.live.serve import ViewServer
+from ropewalk.live.session import Session
+from ropewalk.live.stage import Stage
+
+pytestmark = pytest.mark.browser
+Open = Callable[..., Window]
+Serve = Callable[..., ViewServer]
+ANCHOR = "r.nodeAt(40)"
+
+
+@pytest.fixture
+def server(serve: Serve) -> ViewServer:
+    """A running rope between two anchors."""
+    return serve(Session(slack_rope()), playing=True)
+
+
+def test_two_pages_see_and_drive_one_rope(server: ViewServer, open_window: Open) -> None:
+    first, second = (open_window(server.address).ready() for _ in range(2))
+    before = second.node(40)
+    first.drag(first.screen(40), (-60.0, -60.0))
+    second.until(f"{ANCHOR}[2] > {before[2]} + 0.3")
+    first.page.mouse.up()
+    second.tell(type="pin", node=20)
+    first.until("r.session.layout.variants[0].anchors.length === 3")
+    assert first.ask("r.session.status.clients") == 2
+    second.tell(type="grab", node=10, target=[1.0, 0.0, 1.0])
+    first.until("r.session.frame.parts[0].grabs[0] === 10")
+    second.page.context.close()
+    first.until("r.session.frame.parts[0].grabs[0] < 0")  # what it held ends with it
+    first.until("r.session.status.clients === 1")
+
+
+def test_a_slow_page_gets_fewer_frames_and_no_queue(server: ViewServer, open_window: Open) -> None:
+    window, quick = (open_window(server.address).ready() for _ in range(2))
+    window.until("r.time > 0.5")
+    before, quick_before = window.ask("[r.frames, r.frame]"), quick.ask("r.frames")
+    window.page.evaluate(
+        "() => { const end = performance.now() + 3000; while (performance.now() < end); }"
+    )
+    window.until(f"r.frame > {before[1]} + 60")
+    now, frames, number = window.ask("[r.time, r.frames, r.frame]")
+    came, made = frames - before[0], number - before[1]
+    assert came < 0.5 * made  # most were never sent to it
+    assert quick.ask("r.frames") - quick_before > 1.5 * came  # the other page did not wait
+    assert server.stage.session.time - now < 1.0  # and what it shows is of now, not 3 s old
+
+
+def test_a_lost_server_is_said_and_found_again(serve: Serve, open_window: Open) -> None:
+    server = serve(Session(slack_rope()), playing=True)
+    window = open_window(server.address).ready()
+    window.until("r.time > 0.2")
+    window.ask("r.session.source.socket.close()")
+    window.until("r.state === 'lost' && !document.getElementById('banner').hidden")
+    assert "the run goes on there" in window.page.locator("#banner").inner_text()
+    window.until("r.state === 'playing' && document.getElementById('banner').hidden")
+    server.stop()
+    window.until("r.state === 'ended' && !document.getElementById('banner').hidden")
+    assert "Trying again" in window.page.locator("#banner").inner_text()
+    time = window.ask("r.time")
+    stage = Stage(Session(slack_rope(20)), playing=True)
+    back = ViewServer(stage, port=server.port, token=server.token)
+    assert back.port == server.port
+    back.start()
+    try:
+        window.until("r.state === 'playing' && r.session.layout.variants[0].nodes === 21")
+        window.until(f"r.time < {time} || r.time > {time} + 1")
+        assert not window.page.locator("#banner").is_visible()
+    finally:
+        back.stop()
+
+
+def test_a_reload_finds_the_session(server: ViewServer, open_window: Open) -> None:
+    window = open_window(server.address).ready()
+    window.tell(type="set", name="mass", value=3.0)
+    window.tell(type="pin", node=20)
+    window.until("r.time > 1")
+    window.page.reload()
+    window.ready()
+    assert window.ask("r.time") > 1.0
+    assert window.ask("r.session.layout.variants[0].anchors.length") == 3
+    window.until("r.session.parameters.find((p) => p.name === 'mass').value === 3")
+    assert window.ask("r.state") == "playing"
+
+
+@pytest.fixture
+def other_site(tmp_path: Path) -> Iterator[str]:
+    """A page of another site."""
+    folder = tmp_path / "site"
+    folder.mkdir()
+    (folder / "index.html").write_text("<!doctype html><title>other</title>")
+    handler = partial(_Quiet, directory=str(folder))
+    site = ThreadingHTTPServer(("127.0.0.1", 0), handler)
+    threading.Thread(target=site.serve_forever, daemon=True).start()
+    yield f"http://127.0.0.1:{site.server_port}/"
+    site.shutdown()
+    site.server_close()
+
+
+class _Quiet(SimpleHTTPRequestHandler):
+    def log_message(self, *_: Any) -> None:
+        """Say nothing."""
+
+
+TRIES = """async (address) => {
+    const load = (tag, url) => new Promise((done) => {
+        const one = document.createElement(tag);
+        one.onload = () => done("loaded");
+        one.onerror = () => done("refused");
+        one.src = url;
+        document.body.append(one);
+    });
+    return {
+        fetch: await fetch(address).then(() => "loaded", () => "refused"),
+        blind: await fetch(address, { mode: "no-cors" }).then(() => "loaded", () => "refused"),
+        script: await load("script", address + "bundle.js"),
+        picture: await load("img", address + "presets/r4.svg"),
+        socket: await new Promise((done) => {
+            const socket = new WebSocket(address.replace("http", "ws") + "socket", "ropewalk.1");
+            socket.onopen = () => done("loaded");
+            socket.onerror = () => done("refused");
+        }),
+    };
+}"""
+
+
+def test_another_sites_page_gets_nothing_even_with_the_token(
+    server: ViewServer, browser: Any, other_site: str
+) -> None:
+    page = browser.new_context().new_page()
+    try:
+        page.goto(other_site)
+        assert set(page.evaluate(TRIES, server.address).values()) == {"refused"}
+        # The twin: the server's own page may do all of it.
+        page.goto(server.address)
+        page.wait_for_timeout(100)
+        own = page.evaluate(TRIES, server.address)
+        assert (own["fetch"], own["picture"], own["socket"]) == ("loaded",) * 3
+    finally:
+        page.context.close()
+
+
+def test_a_name_bound_to_this_computer_gets_nothing(server: ViewServer, browser: Any) -> None:
+    page = browser.new_context().new_page()
+    try:
+        bound = server.address.replace("127.0.0.1", "rebound.test")  # see FLAGS
+        answer = page.goto(bound)
+        assert answer.status == 403
+        assert "ropewalk" not in page.content().lower()
+        assert page.goto(server.address.replace(server.token, "x" * 32)).status == 404
+        assert page.goto(server.address).status == 200
+    finally:
+        page.context.close()

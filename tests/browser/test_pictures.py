@@ -1,0 +1,185 @@
+"""Pictures: the rope is where the data says, nothing covers anything, and the docs' pictures.
+
+With ROPEWALK_PICTURES=docs/images the pictures of README and docs are written there.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from itertools import combinations
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from browser.window import Window
+from live.drive import slack_rope
+from ropewalk.live.serve import ViewServer
+from ropewalk.live.session import Session
+
+pytestmark = pytest.mark.browser
+Open = Callable[..., Window]
+Serve = Callable[..., ViewServer]
+WIDE: dict[str, Any] = {"viewport": {"width": 1200, "height": 760}}
+PHONE: dict[str, Any] = {
+    "viewport": {"width": 390, "height": 844},
+    "device_scale_factor": 2,
+    "has_touch": True,
+    "is_mobile": True,
+}
+LYING = PHONE | {"viewport": {"width": 844, "height": 390}}
+DARK = {"color_scheme": "dark"}
+LIGHT = {"color_scheme": "light"}
+SHAPES = {
+    "light": WIDE | LIGHT,
+    "dark": WIDE | DARK,
+    "phone": PHONE | LIGHT,
+    "phone-dark": PHONE | DARK,
+    "phone-lying": LYING | LIGHT,
+}
+# What lies over the scene; of these none may cover another.
+CARDS = ".toolbar, .legend, .difference, .tour, .broken, .slow-note"
+BOXES = f"""[...document.querySelectorAll("{CARDS}")]
+    .filter((e) => e.getClientRects().length)
+    .map((e) => [e.className, ...Object.values(e.getBoundingClientRect().toJSON()).slice(0, 4)])"""
+
+
+@pytest.mark.parametrize("renderer", ["webgl", "canvas"])
+def test_the_rope_is_where_the_data_says(open_window: Open, serve: Serve, renderer: str) -> None:
+    server = serve(Session(slack_rope()))
+    window = open_window(f"{server.address}?renderer={renderer}", **WIDE).ready()
+    assert window.ask("r.renderer").startswith(renderer)
+    window.tell(type="kick", node=20, velocity=[0.0, 4.0, 3.0])
+    window.tell(type="step", count=1500)
+    for theme in ("light", "dark"):
+        for view in ("home", "x", "y", "z"):
+            window.click(f"#view-{view}")
+            window.page.mouse.move(600, 20)
+            window.settled()
+            assert window.at_rope(range(2, 39)) > 0.9
+        assert window.ask("document.documentElement.dataset.theme") == theme
+        window.press("t")
+    window.click("#view-y")
+    window.settled()
+    # The twin: 12 pixels below the rope there is none of it.
+    assert window.at_rope(range(2, 39), down=12) < 0.1
+
+
+@pytest.mark.parametrize("renderer", ["webgl", "canvas"])
+def test_colours_go_with_the_tension(open_window: Open, serve: Serve, renderer: str) -> None:
+    server = serve(Session(slack_rope()))
+    window = open_window(f"{server.address}?renderer={renderer}", **WIDE).ready()
+    window.tell(type="load", node=10, mass=3.0)
+    window.press(" ")
+    window.until("r.time > 1")
+    window.press(" ")
+    window.until("r.state === 'paused'")
+    window.settled()
+    tension = np.array(window.ask("[...r.session.frame.parts[0].tension]"))[1:38]
+    picture = window.picture()
+    places = [window.screen(node) for node in range(1, 38)]
+    warm = np.array([_warmth(picture, x, y) for x, y in places])  # from blue over red to yellow
+    order = np.argsort(tension)
+    assert warm[order[-6:]].min() > warm[order[:6]].max()
+
+
+def _warmth(picture: np.ndarray, x: float, y: float) -> float:
+    """How yellow, and how little blue, the most coloured pixel at a place is."""
+    around = picture[round(y) - 2 : round(y) + 3, round(x) - 2 : round(x) + 3].reshape(-1, 3)
+    red, green, blue = around[np.argmax(around.max(axis=1) - around.min(axis=1))]
+    return float(red + green - 2 * blue) / max(red, green, blue, 1)
+
+
+@pytest.mark.parametrize("shape", SHAPES)
+def test_nothing_covers_anything(open_window: Open, serve: Serve, shape: str) -> None:
+    window = open_window(serve(playing=True).address, **SHAPES[shape]).ready()
+    window.until("r.time > 2.2")
+    _tidy(window)
+    _keep(window, shape)
+    window.click("#toggle-graphs")
+    window.until("r.time > 3.2")
+    _tidy(window)
+    _keep(window, f"{shape}-graphs")
+    window.click("#toggle-graphs")
+    window.tell(type="compare", variants=[{"label": "rk4", "changes": {"method": "rk4"}}])
+    window.until("r.session.layout.variants.length === 2")
+    _tidy(window)
+    window.click("#open-tour")
+    _tidy(window)
+    window.click("#open-tour")
+    window.tell(type="compare", variants=[])
+    window.tell(type="set", name="spring_constant", value=40_000.0)
+    window.until("r.state === 'broken'")
+    _tidy(window, but={"broken", "legend", "toolbar", "views"} if "phone" in shape else set())
+    _keep(window, f"{shape}-broken")
+    window.click("#broken [data-remedy=back]")
+    window.until("r.state === 'paused'")
+    for opener in ("#open-scenes", "#open-help", "#open-compare"):
+        if window.page.locator(opener).is_visible():
+            window.click(opener)
+            _inside(window, "dialog[open]")
+            _keep(window, f"{shape}-{opener[6:]}")
+            window.press("Escape")
+
+
+def _tidy(window: Window, but: set[str] = frozenset()) -> None:  # type: ignore[assignment]
+    """Check that cards lie in the scene, none over another, and that no bar runs over its end."""
+    window.until(f"({BOXES}).length >= 1")
+    boxes = [
+        (set(name.split()), np.array([x, y, x + w, y + h]))
+        for name, x, y, w, h in window.ask(BOXES)
+    ]
+    for (one, a), (other, b) in combinations(boxes, 2):
+        apart = max(a[0], b[0]) >= min(a[2], b[2]) or max(a[1], b[1]) >= min(a[3], b[3])
+        assert apart or (one & but and other & but), f"{one} covers {other}: {a}, {b}"
+    _inside(window, ".scene :is(" + CARDS + ")", ".scene")
+    _inside(window, ".labels span:not([hidden])", ".scene")
+    _lit(window)
+    for bar in ("bar", "meter", "graphs", "controls"):
+        wide = window.ask(f"(({{scrollWidth: a, clientWidth: b}}) => a - b)({bar_of(bar)})")
+        assert wide <= 0, f"{bar} is {wide} pixels too wide"
+
+
+def _lit(window: Window) -> None:
+    """Check that the canvas is painted: at its upper edge there is its paper."""
+    window.until("!r.stage.dirty")
+    box = window.page.locator("#view").bounding_box()
+    ratio = window.page.evaluate("() => devicePixelRatio")
+    row, column = (round(ratio * one) for one in (box["y"] + 3, box["x"] + 0.5 * box["width"]))
+    paper = 255.0 * np.array(window.ask("[...r.stage.theme.background]"))
+    assert np.abs(window.picture()[row, column] - paper).max() < 12
+
+
+def bar_of(name: str) -> str:
+    """The element of one part of the page."""
+    return f"document.querySelector('.app > .{name}')"
+
+
+def _inside(window: Window, what: str, where: str = "html") -> None:
+    """Check that elements lie in another."""
+    out = window.page.evaluate(
+        """([what, where]) => {
+            const room = document.querySelector(where).getBoundingClientRect();
+            return [...document.querySelectorAll(what)].filter((e) => {
+                const box = e.getBoundingClientRect();
+                return e.getClientRects().length && (box.left < room.left - 1 || box.top < room.top - 1
+                    || box.right > room.right + 1 || box.bottom > room.bottom + 1);
+            }).map((e) => `${e.className}: ${e.innerText}`);
+        }""",
+        [what, where],
+    )
+    assert out == []
+
+
+def _keep(window: Window, name: str) -> None:
+    """Write a picture where that is asked for."""
+    folder = os.environ.get("ROPEWALK_PICTURES")
+    if not folder:
+        return
+    window.page.mouse.move(2, 2)
+    path = Path(folder) / f"live-{name}.png"
+    window.page.screenshot(path=path)
+    Image.open(path).convert("RGB").save(path, optimize=True)
