@@ -110,8 +110,8 @@ def test_two_pages_drive_one_session_and_what_one_held_ends_with_it(server: View
 
 def test_a_page_that_comes_back_finds_the_run(server: ViewServer) -> None:
     with Page(server) as page:
-        page.ask(1, "set", name="mass", value=4.0)
-        page.until(lambda: page.frames)
+        done = page.ask(1, "set", name="mass", value=4.0)
+        page.until(lambda: page.frames and page.frames[-1][2] >= done["frame"])
         time_before = page.frames[-1][4]
     with Page(server) as page:
         page.until(lambda: page.frames)
