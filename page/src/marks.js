@@ -74,7 +74,8 @@ export class Marks {
     const { session, theme, anchors, camera } = this.stage;
     const layout = /** @type {Layout} */ (session.layout);
     const frame = /** @type {import("./source/frame.js").Frame} */ (session.frame);
-    const reach = (REACTION * camera.pose.distance) / camera.focal;
+    const longest = Math.min(REACTION, 0.14 * camera.width);
+    const reach = (longest * camera.pose.distance) / camera.focal;
     let at = 0;
     let strongest = 0;
     /** @type {{place: Vector, force: number[], size: number}[]} */ const forces = [];

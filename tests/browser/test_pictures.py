@@ -40,6 +40,8 @@ SHAPES = {
     "phone-dark": PHONE | DARK,
     "phone-lying": LYING | LIGHT,
 }
+# The pictures that README and docs show; each is below 200 kB.
+SHOWN = {"light-graphs", "dark", "dark-broken", "phone", "phone-dark-graphs"}
 # What lies over the scene; of these none may cover another.
 CARDS = ".toolbar, .legend, .difference, .tour, .broken, .slow-note"
 BOXES = f"""[...document.querySelectorAll("{CARDS}")]
@@ -54,16 +56,14 @@ def test_the_rope_is_where_the_data_says(open_window: Open, serve: Serve, render
     assert window.ask("r.renderer").startswith(renderer)
     window.tell(type="kick", node=20, velocity=[0.0, 4.0, 3.0])
     window.tell(type="step", count=1500)
-    for theme in ("light", "dark"):
-        for view in ("home", "x", "y", "z"):
-            window.click(f"#view-{view}")
-            window.page.mouse.move(600, 20)
-            window.settled()
-            assert window.at_rope(range(2, 39)) > 0.9
-        assert window.ask("document.documentElement.dataset.theme") == theme
-        window.press("t")
-    window.click("#view-y")
+    for view in ("home", "x", "z", "y"):
+        window.click(f"#view-{view}")
+        window.page.mouse.move(600, 20)
+        window.settled()
+        assert window.at_rope(range(2, 39)) > 0.9
+    window.press("t")
     window.settled()
+    assert window.at_rope(range(2, 39)) > 0.9
     # The twin: 12 pixels below the rope there is none of it.
     assert window.at_rope(range(2, 39), down=12) < 0.1
 
@@ -96,6 +96,7 @@ def _warmth(picture: np.ndarray, x: float, y: float) -> float:
 @pytest.mark.parametrize("shape", SHAPES)
 def test_nothing_covers_anything(open_window: Open, serve: Serve, shape: str) -> None:
     window = open_window(serve(playing=True).address, **SHAPES[shape]).ready()
+    window.tell(type="speed", value=0.5)  # more frames for the graphs, whatever the computer
     window.until("r.time > 2.2")
     _tidy(window)
     _keep(window, shape)
@@ -113,7 +114,7 @@ def test_nothing_covers_anything(open_window: Open, serve: Serve, shape: str) ->
     window.tell(type="compare", variants=[])
     window.tell(type="set", name="spring_constant", value=40_000.0)
     window.until("r.state === 'broken'")
-    _tidy(window, but={"broken", "legend", "toolbar", "views"} if "phone" in shape else set())
+    _tidy(window)
     _keep(window, f"{shape}-broken")
     window.click("#broken [data-remedy=back]")
     window.until("r.state === 'paused'")
@@ -125,16 +126,13 @@ def test_nothing_covers_anything(open_window: Open, serve: Serve, shape: str) ->
             window.press("Escape")
 
 
-def _tidy(window: Window, but: set[str] = frozenset()) -> None:  # type: ignore[assignment]
+def _tidy(window: Window) -> None:
     """Check that cards lie in the scene, none over another, and that no bar runs over its end."""
     window.until(f"({BOXES}).length >= 1")
-    boxes = [
-        (set(name.split()), np.array([x, y, x + w, y + h]))
-        for name, x, y, w, h in window.ask(BOXES)
-    ]
+    boxes = [(name, np.array([x, y, x + w, y + h])) for name, x, y, w, h in window.ask(BOXES)]
     for (one, a), (other, b) in combinations(boxes, 2):
         apart = max(a[0], b[0]) >= min(a[2], b[2]) or max(a[1], b[1]) >= min(a[3], b[3])
-        assert apart or (one & but and other & but), f"{one} covers {other}: {a}, {b}"
+        assert apart, f"{one} covers {other}: {a}, {b}"
     _inside(window, ".scene :is(" + CARDS + ")", ".scene")
     _inside(window, ".labels span:not([hidden])", ".scene")
     _lit(window)
@@ -148,9 +146,12 @@ def _lit(window: Window) -> None:
     window.until("!r.stage.dirty")
     box = window.page.locator("#view").bounding_box()
     ratio = window.page.evaluate("() => devicePixelRatio")
-    row, column = (round(ratio * one) for one in (box["y"] + 3, box["x"] + 0.5 * box["width"]))
+    row, first, last = (
+        round(ratio * one)
+        for one in (box["y"] + 3, box["x"] + 0.3 * box["width"], box["x"] + 0.7 * box["width"])
+    )
     paper = 255.0 * np.array(window.ask("[...r.stage.theme.background]"))
-    assert np.abs(window.picture()[row, column] - paper).max() < 12
+    assert np.abs(window.picture()[row, first:last] - paper).max(axis=1).min() < 12
 
 
 def bar_of(name: str) -> str:
@@ -177,9 +178,10 @@ def _inside(window: Window, what: str, where: str = "html") -> None:
 def _keep(window: Window, name: str) -> None:
     """Write a picture where that is asked for."""
     folder = os.environ.get("ROPEWALK_PICTURES")
-    if not folder:
+    if not folder or name not in SHOWN:
         return
     window.page.mouse.move(2, 2)
     path = Path(folder) / f"live-{name}.png"
     window.page.screenshot(path=path)
     Image.open(path).convert("RGB").save(path, optimize=True)
+    assert path.stat().st_size < 200_000

@@ -103,6 +103,19 @@ def test_plays_to_the_end_and_again(window: Window) -> None:
     window.until("r.state === 'playing' && r.time < 1")
 
 
+def test_a_damaged_page_says_so(result: Result, tmp_path: Path, open_window: Open) -> None:
+    page = result.share(tmp_path / "page.html")
+    whole = page.read_text()
+    at = whole.index('id="recording-data">') + 4000
+    page.write_text(whole[:at] + "A" * 200 + whole[at + 200 :])
+    window = open_window(page.as_uri(), offline=True)
+    window.until("r.state === 'damaged'")
+    banner = window.page.locator("#banner")
+    assert banner.is_visible()
+    assert "This page cannot be shown" in banner.inner_text()
+    assert "again" not in banner.inner_text()
+
+
 def test_says_how_true_it_is(window: Window) -> None:
     window.page.keyboard.press("h")
     text = window.page.locator("#about").inner_text()

@@ -6,7 +6,7 @@ import { figures, quantity } from "../view/range.js";
 
 /** @typedef {{name: string, label: string, colour: string}} Series */
 
-const PAUSE = 1; // s without a sample that leave a gap
+const PAUSE = 3; // s without a sample that leave a gap
 
 const colour = (/** @type {string} */ name) =>
   getComputedStyle(document.documentElement).getPropertyValue(name).trim();

@@ -64,11 +64,11 @@ export function placeLabel([x, y], [dx, dy], width, room) {
     APART + Math.min(width / 2 / Math.abs(ux || 1e-9), HEIGHT / 2 / Math.abs(uy || 1e-9));
   const inside = (/** @type {number} */ value, /** @type {number} */ most) =>
     Math.max(2, Math.min(value, most - 2));
-  return {
-    x: inside(x + ux * reach - width / 2, room[0] - width),
-    y: inside(y + uy * reach - HEIGHT / 2, room[1] - HEIGHT),
-    width,
-  };
+  const wanted = x + ux * reach - width / 2;
+  const across = inside(wanted, room[0] - width);
+  const pushed = Math.abs(across - wanted) > 4; // then above the arrow, which it would cover
+  const down = y + uy * reach - HEIGHT / 2 - (pushed ? HEIGHT : 0);
+  return { x: across, y: inside(down, room[1] - HEIGHT), width };
 }
 
 /** @param {Place} one @param {Place} other */
