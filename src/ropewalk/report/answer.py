@@ -44,10 +44,10 @@ def answer() -> Answer:
         "the step a system of equations, solved at a cost in proportion to the number of springs. "
         f"R6 breaks after {stopped:.2f} s; with sdirk2 at the same one step a frame it "
         f"{sdirk2.end}. What is stable is not yet exact: on this rope of 40 m sdirk2 is off by up "
-        f"to {1e3 * sdirk2.places:.0f} mm, the report's own {nine.steps:g} steps a frame by "
-        f"{1e3 * nine.places:.0f} mm. Of the implicit methods {best.name} has the truest tension "
-        f"here; on much stiffer ropes the tension of sdirk2 cannot be trusted, that of bdf2 and "
-        "esdirk3 can.",
+        f"to {1e3 * sdirk2.places:.0f} mm (rms over the nodes), the report's own {nine.steps:g} "
+        f"steps a frame by {1e3 * nine.places:.0f} mm. Of the implicit methods {best.name} has the "
+        "truest tension here; on much stiffer ropes the tension of sdirk2 cannot be trusted, that "
+        "of bdf2 and esdirk3 can.",
         tuple(rows),
         _draw(broken, small, found, fine),
         "The same springs and the same step of 1/60 s. Above: semi-implicit Euler in the break, and "

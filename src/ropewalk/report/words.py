@@ -54,6 +54,6 @@ def counts(verdicts: list[Verdict]) -> str:
 
 def answer_cells(row: Row) -> tuple[str, ...]:
     """Write one run of the last section."""
-    places = f"{1e3 * row.places:.2g} mm" if math.isfinite(row.places) else "–"
+    places = f"{1e3 * row.places:.0f} mm" if math.isfinite(row.places) else "–"
     tension = f"{100 * row.tension:.2g} %" if math.isfinite(row.tension) else "–"
     return row.name, f"{row.steps:g}", row.end, places, tension
