@@ -203,6 +203,29 @@ def test_the_recording_changes_no_bit(make: Any) -> None:
     assert np.array_equal(whole.recording.x, bare.recording.x)
 
 
+@pytest.mark.slow
+def test_a_winch_turns_after_each_step() -> None:
+    """First order, as stated: errors fall with the steps, whatever is recorded; no bit changes."""
+
+    def winding(**more: Any) -> Scene:
+        shape = {"kind": "straight", "start": (0, 0, 0), "end": (1.02, 0, 0)}
+        rope = Rope(segments=10, length=1.0, made_of=SOFT, shape=shape)
+        winch = Winch(end="start", speed=0.3, start=0.2, stop=0.55)
+        anchors = [Anchor(node=0), Anchor(node=-1)]
+        return Scene(ropes=[rope], anchors=anchors, winches=[winch], run=settings(**more))
+
+    fine = run(winding(method="verlet", time_step=1e-5)).x
+    errors, steps = [], []
+    for tolerance in (1e-4, 1e-6):
+        film = run(winding(tolerance=tolerance))
+        errors.append(float(np.linalg.norm(film.x - fine, axis=2).max()))
+        steps.append(film.simulation.step_counts["accepted"])
+    assert errors[1] < 2.0 * errors[0] * steps[0] / steps[1]
+    assert errors[1] < 3e-3
+    whole = Simulation(winding()).advance_frames(32)
+    assert same(whole, Simulation(winding(frame_rate=RATE / 4)).advance_frames(8), 4)
+
+
 def test_what_hands_do_is_seen() -> None:
     """A kick, a force, an anchor taken in hand: the walk begins anew from what is shown."""
     free = Rope(segments=1, length=1.0, made_of=SOFT, shape={"kind": "straight"})
