@@ -68,13 +68,17 @@ def step_sizes(bound: float, other: float) -> list[float]:
 
 
 def _ropewalk(case: Case, method: str, step: float) -> Entry:
-    run = case.scene.run.replace(
-        method=method,
-        duration=case.duration,
-        frame_rate=1.0 / case.duration,
-        time_step=step,
-        steps="divide",
-    )
+    return _stepped(case, method, step, time_step=step, steps="divide")
+
+
+def _adaptive(case: Case, tolerance: float) -> Entry:
+    return _stepped(case, "adaptive", tolerance, time_step="auto", tolerance=tolerance)
+
+
+def _stepped(case: Case, method: str, setting: float, **more: object) -> Entry:
+    """Return an entry that runs in one frame, with no ledger."""
+    once = {"duration": case.duration, "frame_rate": 1.0 / case.duration}
+    run = case.scene.run.replace(method=method, **once, **more)
     simulation = Simulation(case.scene.replace(run=run), ledger=False)
     start = simulation.state
 
@@ -82,7 +86,7 @@ def _ropewalk(case: Case, method: str, step: float) -> Entry:
         simulation.step()
         return simulation.positions
 
-    return Entry("ropewalk", method, step, lambda: simulation.restore(start), positions)
+    return Entry("ropewalk", method, setting, lambda: simulation.restore(start), positions)
 
 
 def _numpy(case: Case, equations: Equations, step: float) -> Entry:

@@ -15,7 +15,7 @@ from ropewalk.plots.style import COLOURS, GREY, new_figure, styled
 
 MARKERS = "osD^vP*Xhd"
 SCIPY_MARKERS = {"LSODA": "o", "Radau": "s", "BDF": "^"}
-LOWEST, HIGHEST = 1e-8, 1.0  # [m]
+LOWEST, HIGHEST = 1e-10, 1.0  # [m]
 
 
 def looks(family: str, name: str) -> dict[str, object]:

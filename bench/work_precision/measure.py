@@ -15,8 +15,8 @@ from bench.work_precision.reference import Reference, distance, reference
 from bench.work_precision.scenes import Case
 from ropewalk.build import build
 
-ROUNDS = 15  # at most, per entry
-SHARE = 0.5  # [s] of repeats per entry, after the first
+ROUNDS = 7  # at most, per entry
+SHARE = 0.25  # [s] of repeats per entry, after the first
 LONGEST = 2.5  # [s] a contestant that took longer is not given a smaller step
 BROKEN_LONGEST = 0.2  # [s] the same, for one that broke
 FLOOR = 10.0  # times the reference's own error: nothing below it is believed
