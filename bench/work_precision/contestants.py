@@ -50,6 +50,7 @@ def all_series(case: Case, model: Model, equations: Equations) -> Iterator[Serie
     for name in (name for name, method in METHODS.items() if method.fixed):
         steps = step_sizes(bounds.get(name, math.inf), bounds["semi-implicit-euler"])
         yield Series("ropewalk", name, tuple(_ropewalk(case, name, step) for step in steps))
+    yield Series("ropewalk", "adaptive", tuple(_adaptive(case, tol) for tol in TOLERANCES))
     steps = step_sizes(bounds["semi-implicit-euler"], math.inf)
     yield Series("numpy", "semi-implicit-euler", tuple(_numpy(case, equations, s) for s in steps))
     for name in SCIPY:
