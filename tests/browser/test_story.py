@@ -98,7 +98,7 @@ def test_the_suggested_step_and_the_implicit_method_mend_it(window: Window) -> N
 def test_two_copies_follow_one_hand_and_their_difference_is_shown(
     open_window: Open, serve: Serve
 ) -> None:
-    window = open_window(serve(Session(slack_rope()), playing=True).address, viewport=SIZE).ready()
+    window = open_window(serve(Session(slack_rope())).address, viewport=SIZE).ready()
     window.click("#open-compare")
     rows = window.page.locator(".compare-rows select")
     rows.first.select_option("mass")
@@ -106,15 +106,13 @@ def test_two_copies_follow_one_hand_and_their_difference_is_shown(
     window.click("#compare-start")
     window.until("r.session.layout.variants.length === 2")
     window.page.locator("#difference").wait_for()
-    anchor = window.ask("r.session.layout.variants[0].anchors[1].index")
-    start = window.screen(anchor)
-    window.drag(start, (-80.0, -60.0))
+    window.settled()
+    window.click("#play")
+    window.tell(type="drag", anchor="right", target=[6.0, 0.0, 2.0])
     for variant in (0, 1):  # both come to the hand
         window.until(
-            f"(({{x, y}}) => Math.hypot(x - {start[0] - 80}, y - {start[1] - 60}) < 8)"
-            f"(r.screenOf({anchor}, {variant}))"
+            f"Math.hypot(r.nodeAt(40, {variant})[0] - 6, r.nodeAt(40, {variant})[2] - 2) < 0.1"
         )
-    window.page.mouse.up()
     window.until("/differs by [1-9]/.test(document.getElementById('difference').innerText)")
     window.press(" ")
     window.until("r.state === 'paused'")

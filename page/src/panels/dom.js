@@ -108,6 +108,10 @@ export function dialog(title, kind, ...children) {
     ...children,
   );
   close.onclick = () => box.close();
+  box.addEventListener("close", () => {
+    // the keys are the rope's again, not those of the button that opened this
+    if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
+  });
   box.addEventListener("click", (event) => {
     if (event.target === box) box.close();
   });

@@ -60,7 +60,7 @@ export class Meter {
         "of",
       ]);
     }
-    facts.push([`largest step ${quantity(one.bound, "s")}`, "step"]);
+    if (one.bound !== null) facts.push([`largest step ${quantity(one.bound, "s")}`, "step"]);
     if (one.largest_spring_constant !== null) {
       facts.push([`largest spring constant ${quantity(one.largest_spring_constant, "N/m")}`, "k"]);
     } else if (one.largest_axial_stiffness !== null) {
@@ -71,7 +71,11 @@ export class Meter {
       { className: `meter-row ${zone}`, title: one.verdict, data: { zone } },
       h("span", { className: "meter-name" }, many && label ? label : "Stability"),
       bar,
-      h("strong", { className: "meter-ratio" }, ratio === null ? "no bound" : percent(ratio)),
+      h(
+        "strong",
+        { className: "meter-ratio" },
+        ratio === null || one.bound === null ? "no bound" : percent(ratio),
+      ),
       ...facts.map(([fact, kind]) => h("span", { className: `meter-fact ${kind}` }, fact)),
     );
   }
