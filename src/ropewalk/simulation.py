@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 
 from ropewalk.block import Block
 from ropewalk.build import Model, build
+from ropewalk.build.links import has_links, reaches
 from ropewalk.build.plan import divide
 from ropewalk.core import arrays
 from ropewalk.core.arrays import APPLIED, Floats, Ints, State
@@ -23,7 +24,7 @@ from ropewalk.methods import adaptive
 from ropewalk.methods.adaptive import Walk
 from ropewalk.methods.controller import BEGUN, SHORTEST_STEP
 from ropewalk.methods.implicit import SMALLEST_PART, unsolved
-from ropewalk.methods.loop import close_frame, prepare
+from ropewalk.methods.loop import close_frame, prepare, prepare_links
 from ropewalk.methods.recording import (
     CONSERVATIVE,
     Recording,
@@ -39,6 +40,9 @@ from ropewalk.start import started
 # The energy error that tells a broken simulation, over all energy that can honestly be turned over [1].
 MADE_UP = 3.0
 _VIEW = "ropewalk.live.view"  # a layer above this one, so it is looked up when it is needed
+ALMOST_TAUT = (
+    0.999  # a span of rigid links this near to their length [1] is why they have no solution
+)
 BLOCK_BYTES = 8_000_000  # positions and velocities of one block of frames
 
 
@@ -85,7 +89,9 @@ class Simulation:
         self._state: State = arrays.copy(self.model.state)
         self.ledger = ledger
         self._method = METHODS[self.plan.method]
-        self._tableau = self._method.coefficients(self.scene.run.spectral_radius)
+        self._tableau = self._method.coefficients(
+            self.scene.run.spectral_radius, has_links(self._state)
+        )
         self._walk = adaptive.no_walk()
         if self.plan.tolerance is None or self.plan.longest is None:
             self._scratch = self._method.make_scratch(self._state)
@@ -97,7 +103,7 @@ class Simulation:
         self._winches = len(self.scene.winches) > 0
         self._extras = 1 if self._winches or self.scene.limiter else None
         self._start, self._dt, self._step = 0.0, self.plan.dt, 0
-        prepare(self.system, self._state)
+        self._prepare()
         self._set_first_reactions()
         energy = self.recording().recording.energy[0]
         self._energy = float(energy.sum())
@@ -108,6 +114,13 @@ class Simulation:
         self.winches = {
             winch.name: WinchHandle(self, row) for row, winch in enumerate(self.scene.winches)
         }
+
+    def _prepare(self) -> None:
+        """Evaluate the forces at the state itself, tensions of rigid links included."""
+        if self._method.implicit:
+            prepare_links(self.system, self._state, self._scratch.stage.saddle)
+        else:
+            prepare(self.system, self._state)
 
     def _set_first_reactions(self) -> None:
         """At time zero an anchor's reaction balances the forces on its node."""
@@ -126,8 +139,9 @@ class Simulation:
         """Weight times length of all ropes [J], and a little elastic energy where nothing weighs."""
         state = self._state
         weight = float(np.linalg.norm(self.system.gravity) * state.mass.sum())
-        elastic = 0.5 * float(np.sum(state.stiffness * state.rest_length**2))
-        return weight * float(state.rest_length.sum()) + 1e-6 * elastic
+        gives = np.isfinite(state.stiffness)
+        elastic = 0.5 * state.stiffness * state.rest_length**2
+        return weight * float(state.rest_length.sum()) + 1e-6 * float(elastic[gives].sum())
 
     # -- what it is now -----------------------------------------------------------------
 
@@ -289,12 +303,24 @@ class Simulation:
         if self.plan.tolerance is not None:
             return self._describe_shortest()
         time, node, residual = unsolved(self._scratch)
+        step = self._step + max(1, math.ceil((time - self.time) / self._dt - 1e-9))
         rope, index = self.layout.rope_of(node)
+        text = (
+            f"{self.plan.method} found no solution of step {step} at t = {time:.6g} s, not even in "
+            f"parts of {self._dt * SMALLEST_PART:.2g} s: at node {index} of rope {rope!r} a force of "
+            f"{residual:.3g} N stays unbalanced"
+        )
+        stage = self._scratch.stage
+        off = np.abs(stage.saddle.misfit)
+        if has_links(self._state):
+            rope, segment = self.layout.rope_of(int(np.argmax(off)))
+            text += f", and segment {segment} of rope {rope!r} is {off.max():.3g} m off its length"
+        for reach in reaches(self.layout, self._state, stage.x):
+            if reach.distance > ALMOST_TAUT * reach.length:
+                return f"{text}: {reach}. Keep the anchors nearer, or give the rope a finite stiffness."
         return (
-            f"{self.plan.method} found no solution of a step at t = {time:.6g} s, not even in parts "
-            f"of {self._dt * SMALLEST_PART:.2g} s: at node {index} of rope {rope!r} a force of "
-            f"{residual:.3g} N stays unbalanced. Try a shorter time_step; look for anchors that "
-            "jump or move apart, and for nodes thrown or pressed together at the start."
+            f"{text}. Try a shorter time_step; look for anchors that jump or move apart, and for nodes "
+            "thrown or pressed together at the start."
         )
 
     def _describe_shortest(self) -> str:
@@ -330,7 +356,7 @@ class Simulation:
         for index, vector in forces.items():
             applied[:, index] = vector
         self.system.flags[APPLIED] = int(applied.any())
-        prepare(self.system, self._state)
+        self._prepare()
 
     def take_in_hand(self, row: int) -> None:
         """Let an anchor be moved by its velocity from now on, whatever its motion was."""

@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from ropewalk.build import Model
+from ropewalk.build.links import with_links
 from ropewalk.core import arrays
 from ropewalk.core.arrays import Floats
 from ropewalk.scene import SceneError
@@ -18,20 +19,23 @@ from ropewalk.statics import checked_shape
 def started(model: Model) -> Model:
     """Return the model as its run starts; itself when that is as the scene draws it.
 
+    Rigid links start at their lengths (`build.links`), whatever chords the shape has.
+
     With `start = "at-rest"` its places are those of the equilibrium, and its velocities zero but for kicks,
     anchors that move at once, and the mode that `ring` names.
 
-    Raises SceneError for a scene without a rest shape, and for a mode that is not there or does not
+    Raises SceneError for a scene without a rest shape, for rigid links that a method cannot hold, that do
+    not reach or do not have the shape's length, and for a mode that is not there or does not
     ring; `statics.NoRest` when none is found.
     """
     run = model.scene.run
     if run.start != "at-rest":
-        return model
+        return with_links(model)
     state = arrays.copy(model.state)
     state.x[...] = checked_shape(model).positions.T
     if run.ring is not None:
         state.v[...] += run.ring.speed * _velocity(model, run.ring)
-    return replace(model, state=state)
+    return with_links(replace(model, state=state))
 
 
 def _velocity(model: Model, ring: Ring) -> Floats:

@@ -46,6 +46,8 @@ class RopeCheck:
             f"rope {self.name!r}: {self.segments} segments, {self.length:.6g} m, {self.mass:.6g} kg"
         ]
         waves = f"  waves along it {self.longitudinal:.4g} m/s"
+        if math.isinf(self.longitudinal):
+            waves = "  rigid links: a pull runs along it at once"
         if self.transverse:
             low, high = self.transverse
             waves += f", sideways {low:.4g} to {high:.4g} m/s at rest"
@@ -122,11 +124,13 @@ class Check:
         s = self.stability
         text = [f"{self.name}: {s.verdict}"]
         text += [self.why] if self.why else []
-        text.append(f"highest frequency {s.highest_frequency:.6g} rad/s, decided {s.case}")
+        if math.isinf(s.highest_frequency):
+            text.append("highest frequency: none bounds it, rigid links do not stretch")
+        else:
+            text.append(f"highest frequency {s.highest_frequency:.6g} rad/s, decided {s.case}")
         if self.highest_at_rest is not None:
-            text[-1] += (
-                f" (bound for any shape; {self.highest_at_rest:.6g} rad/s about the rest shape)"
-            )
+            bound = "" if math.isinf(s.highest_frequency) else "bound for any shape; "
+            text[-1] += f" ({bound}{self.highest_at_rest:.6g} rad/s about the rest shape)"
         if s.method == "semi-implicit-euler":
             text.append(f"stability meter a + 2b = {s.meter:.4g} of 4")
         text.append("largest stable steps:")
@@ -135,7 +139,7 @@ class Check:
             text.append(f"largest spring constant {s.largest_spring_constant:.6g} N/m at this step")
         elif s.largest_axial_stiffness is not None:
             text.append(f"largest EA {s.largest_axial_stiffness:.6g} N at this step")
-        else:
+        elif not math.isinf(s.highest_frequency):
             text.append(f"all springs could be {s.largest_spring_factor:.4g} times as stiff")
         if s.largest_bending_stiffness is not None:
             text.append(f"largest EI {s.largest_bending_stiffness:.6g} N m^2 at this step")
@@ -193,7 +197,8 @@ def _highest_at_rest(model: Model, statics: Statics) -> float | None:
         return None
     from ropewalk.vibration import highest_frequency
 
-    return highest_frequency(model, statics.positions.T.copy(), statics.tension)
+    found = highest_frequency(model, statics.positions.T.copy(), statics.tension)
+    return None if found == math.inf else found  # of rigid links
 
 
 def _rope(model: Model, statics: Statics, name: str) -> RopeCheck:

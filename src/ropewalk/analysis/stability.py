@@ -12,6 +12,7 @@ import numpy as np
 
 from ropewalk.build import Model, build
 from ropewalk.build.chains import chains, speed_scale
+from ropewalk.build.links import has_links
 from ropewalk.methods.bound import (
     Chain,
     growth_per_step,
@@ -173,6 +174,8 @@ def stability(source: Scene | Model, statics: Statics | None = None) -> Stabilit
     known, saves solving for the tension that makes sideways motion stiff.
     """
     model = source if isinstance(source, Model) else build(source)
+    if has_links(model.state):
+        return _rigid(model)
     plan, method, dt = model.plan, model.plan.method, model.plan.dt
     cases = chains(model.system, model.state, speed_scale(model.system, model.state))
     steps = {
@@ -209,6 +212,32 @@ def stability(source: Scene | Model, statics: Statics | None = None) -> Stabilit
         node=node,
         notes=_notes(model, cases, largest, share),
         tolerance=plan.tolerance,
+    )
+
+
+def _rigid(model: Model) -> Stability:
+    """Return what there is to say of rigid links: no frequency, so no bound for the methods that hold."""
+    rigid = [rope.name for rope in model.scene.ropes if rope.rigid]
+    bounds = {name: math.inf if method.holds_links else 0.0 for name, method in METHODS.items()}
+    able = ", ".join(name for name, bound in bounds.items() if bound > 0.0)
+    note = f"rope {rigid[0]!r} does not stretch: its links need one of the methods {able}"
+    return Stability(
+        method=model.plan.method,
+        step=model.plan.dt,
+        steps=model.plan.steps,
+        largest_step=bounds,
+        highest_frequency=math.inf,
+        growth_per_step=1.0,
+        meter=math.inf,
+        largest_spring_factor=math.inf,
+        largest_spring_constant=None,
+        largest_axial_stiffness=None,
+        largest_bending_stiffness=None,
+        case="of rigid links",
+        cases={"of rigid links": bounds[model.plan.method]},
+        rope=rigid[0],
+        node=0,
+        notes=(note,),
     )
 
 

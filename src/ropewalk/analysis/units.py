@@ -93,7 +93,7 @@ def _line(path: str, rope: Rope) -> list[str]:
             "lengths in millimetres?"
         )
     sound = math.sqrt(stiffness / line)
-    if sound > _FASTEST:
+    if sound > _FASTEST and not rope.rigid:
         why = "Young's modulus (N/m^2) for EA (N)" if name == "EA" else "kN/m^2 or N/m^2 for N/m"
         found.append(
             f"{path}.made_of.{name}: {value} makes sound run along the rope at {sound:.3g} m/s, "
@@ -117,7 +117,7 @@ def _section(path: str, rope: Rope) -> list[str]:
     area = 0.25 * math.pi * rope.diameter**2
     if isinstance(rope.made_of, Material):
         modulus = rope.made_of.EA / area
-        if not _YOUNG[0] <= modulus <= _YOUNG[1]:
+        if not (rope.rigid or _YOUNG[0] <= modulus <= _YOUNG[1]):
             found.append(
                 f"{path}.made_of.EA: {rope.made_of.EA:g} N over {1e3 * rope.diameter:g} mm of "
                 f"diameter is a modulus of {modulus:.3g} N/m^2, that of no material; EA is in N"
@@ -135,7 +135,7 @@ def _section(path: str, rope: Rope) -> list[str]:
 def _bending(path: str, rope: Rope) -> list[str]:
     """EI over EA is the square of a section's radius of gyration, d/4 of a round rod."""
     made_of = rope.made_of
-    if not isinstance(made_of, Material) or made_of.EI == 0.0:
+    if not isinstance(made_of, Material) or made_of.EI == 0.0 or rope.rigid:
         return []
     radius = math.sqrt(made_of.EI / made_of.EA)
     if "diameter" in rope.model_fields_set:

@@ -12,6 +12,8 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+import numpy as np
+
 from ropewalk.build.chains import chains, speed_scale
 from ropewalk.core.arrays import State, System
 from ropewalk.methods.bound import largest_step
@@ -55,6 +57,8 @@ def candidates(scene: Scene, system: System, state: State, most: float) -> list[
         method = METHODS[name]
         if method.implicit and scene.limiter is not None:  # it has no tangent
             continue
+        if not method.holds_links and np.isinf(state.stiffness).any():
+            continue
         bound = run.auto_fraction * min(largest_step(name, chain) for chain in cases)
         step = min(bound, accurate_step(name, scene, system, state), run.frame_interval, most)
         if step > 0.0:
@@ -93,6 +97,8 @@ def reason(scene: Scene, found: list[Candidate], dt: float) -> str:
     if scene.limiter is not None:
         return f"{said}: a stretch limiter needs an explicit method, stable up to {_ms(best.bound)}"
     other = next((one for one in found if METHODS[one.method].implicit != implicit), None)
+    if other is None and any(rope.rigid for rope in scene.ropes):
+        return f"{said}: rigid links need a method that holds their lengths"
     if other is None:
         return f"{said}: no other method has a stable step"
     times = other.cost / best.cost

@@ -58,7 +58,12 @@ class Plan:
 
 
 def predicted_step(system: System, state: State, method: str) -> float:
-    """Return the largest stable step of `method` for this system [s], over all its cases."""
+    """Return the largest stable step of `method` for this system [s], over all its cases.
+
+    Rigid links have no frequency: methods that hold them have no largest step, and no other is run.
+    """
+    if np.isinf(state.stiffness).any():
+        return math.inf
     cases = chains(system, state, speed_scale(system, state))
     return min(largest_step(method, chain) for chain in cases.values())
 

@@ -75,7 +75,8 @@ def _ropes(scene: Scene, layout: Layout) -> State:
         lengths[segments] = rope.segment_length
         stiffness[segments] = rope.segment_stiffness
         form = vector if rope.made_of.friction == "vector" else axial
-        form[segments] = rope.segment_friction
+        if rope.made_of.friction == "vector" or not rope.rigid:  # no length changes, nothing rubs
+            form[segments] = rope.segment_friction
     inverse = np.divide(1.0, mass, out=np.zeros(n), where=mass > 0.0)
     segment, node = (3, n + 1), (3, n)
     exits = [_exit(layout.span(winch.rope), winch.end) for winch in scene.winches]
@@ -139,7 +140,7 @@ def _break_stretch(scene: Scene, state: State) -> float:
     """The stretch that tells a broken simulation from a soft rope under all its weight [1]."""
     weight = math.hypot(*scene.gravity) * float(state.mass.sum())
     softest = state.stiffness * state.rest_length
-    softest = softest[softest > 0.0]
+    softest = softest[(softest > 0.0) & np.isfinite(softest)]
     return BREAK_STRETCH + (3.0 * weight / float(softest.min()) if len(softest) else 0.0)
 
 

@@ -21,7 +21,7 @@ from ropewalk.laws.table import evaluate_smooth, rub_segments
 def pull(x, tension, rest_length, alive, direction, stretch, over, elastic):
     """Write directions (3, s), r - L and 1 / r (s,) and the forces (3, n + 1) at `tension` [N].
 
-    `alive` is 0 for segments between ropes, whose `stretch` is then 0.
+    `alive` is 0 for segments between ropes, whose direction and `stretch` are then 0.
     """
     x0, x1, x2 = x[0], x[1], x[2]
     e0, e1, e2 = elastic[0], elastic[1], elastic[2]
@@ -29,7 +29,7 @@ def pull(x, tension, rest_length, alive, direction, stretch, over, elastic):
     for j in range(tension.shape[0]):
         dx, dy, dz = x0[j + 1] - x0[j], x1[j + 1] - x1[j], x2[j + 1] - x2[j]
         r = math.sqrt(dx * dx + dy * dy + dz * dz)
-        over[j] = 1.0 / r if r > 0.0 else 0.0
+        over[j] = alive[j] / r if r > 0.0 else 0.0
         tx, ty, tz = over[j] * dx, over[j] * dy, over[j] * dz
         d0[j], d1[j], d2[j] = tx, ty, tz
         stretch[j] = alive[j] * (r - rest_length[j])

@@ -11,6 +11,8 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.ranges import ALL, rows
 
@@ -147,13 +149,13 @@ def segment_tension(x, rest_length, stiffness, floor, tension):
 
 @kernel
 def elastic_energy(x, rest_length, stiffness, floor):
-    """Return the elastic energy of all segments [J]; slack tension-only segments store none."""
+    """Return the elastic energy of all segments [J]; slack and rigid ones store none."""
     total = 0.0
     for j in range(rest_length.shape[0]):
         dx = x[0, j + 1] - x[0, j]
         dy = x[1, j + 1] - x[1, j]
         dz = x[2, j + 1] - x[2, j]
         e = math.sqrt(dx * dx + dy * dy + dz * dz) - rest_length[j]
-        if stiffness[j] * e >= floor[j]:
+        if stiffness[j] < np.inf and stiffness[j] * e >= floor[j]:
             total += 0.5 * stiffness[j] * e * e
     return total

@@ -223,7 +223,7 @@ def remedy(session: Session, command: Remedy, client: int) -> str:
     if command.remedy == "step":
         value = suggested_step(track.simulation)
     elif command.remedy == "implicit":
-        value = implicit_method()
+        value = implicit_method(session.tracks[session.broken.variant].simulation)
         if value is None:
             raise refusal("remedy", command.remedy, "there is no implicit method here")
     wanted = session.main.scene

@@ -14,7 +14,7 @@ from ropewalk.live.frame import HEADER, SCALARS, Shape
 from ropewalk.live.parameters import PARAMETERS, ROPE, Parameter
 from ropewalk.live.session import Session
 from ropewalk.live.sources import START
-from ropewalk.live.track import WINCH_SAFE, Track
+from ropewalk.live.track import RIGID_FIXED, WINCH_SAFE, WITH_LINKS, Track
 from ropewalk.scene import Scene
 from ropewalk.scene.presets import names, preset
 
@@ -90,7 +90,7 @@ def rope_list(scene: Scene, spans: Sequence[Span], colors: dict[str, int]) -> li
             "zero": span.start,
             "segments": rope.segments,
             "length": rope.length_unstretched,
-            "EA": rope.segment_stiffness * rope.segment_length or None,
+            "EA": plain(rope.segment_stiffness * rope.segment_length or None),
             "diameter": rope.diameter,
             "mass": rope.total_mass,
             "color": colors.get(rope.name, number),
@@ -146,6 +146,8 @@ def _parameter(session: Session, parameter: Parameter) -> dict[str, Any]:
     why = ""
     if scene.winches and parameter.group not in WINCH_SAFE:
         why = "cannot be changed while a winch is in the scene"
+    elif parameter.name in RIGID_FIXED and any(rope.rigid for rope in scene.ropes):
+        why = f"cannot be changed {WITH_LINKS}"
     elif parameter.name == "EA" and value is None and len(distinct) == 1:
         why = "springs of no length have none"
     about = {

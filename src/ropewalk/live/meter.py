@@ -5,9 +5,16 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from ropewalk.analysis.stability import milliseconds, plain, rounded_down
+from ropewalk.analysis.stability import (
+    Stability,
+    milliseconds,
+    plain,
+    rounded_down,
+    stability,
+)
 from ropewalk.build import Model
 from ropewalk.build.chains import chains, speed_scale
+from ropewalk.build.links import has_links
 from ropewalk.methods.bound import largest_step, largest_stiffness_factor, meter
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import Springs
@@ -23,6 +30,8 @@ def measure(model: Model) -> dict[str, Any]:
     """
     plan = model.plan
     method, dt = plan.method, plan.dt
+    if has_links(model.state):
+        return _rigid(stability(model))
     cases = chains(model.system, model.state, speed_scale(model.system, model.state))
     own = {name: largest_step(method, chain) for name, chain in cases.items()}
     case = min(own, key=lambda name: own[name])
@@ -56,6 +65,33 @@ def measure(model: Model) -> dict[str, Any]:
         "remedies": _remedies(dt, bound, stable, steps),
     }
     return {key: plain(item) for key, item in found.items()}
+
+
+def _rigid(found: Stability) -> dict[str, Any]:
+    """Return the meter of rigid links, which have no frequency and no largest step."""
+    names = {
+        "method",
+        "step",
+        "meter",
+        "case",
+        "largest_spring_constant",
+        "largest_axial_stiffness",
+    }
+    shown = {name: getattr(found, name) for name in names} | {
+        "stable": True,
+        "breaks": False,
+        "zone": "green",
+        "ratio": 0.0,
+        "bound": math.inf,
+        "meter": None,
+        "meter_limit": None,
+        "meter_name": None,
+        "spring_factor": math.inf,
+        "steps": found.largest_step,
+        "verdict": _verdict(found.method, found.step, math.inf, True),
+        "remedies": [],
+    }
+    return {key: plain(item) for key, item in shown.items()}
 
 
 def _constants(model: Model) -> tuple[float | None, float | None]:

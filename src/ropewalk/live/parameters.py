@@ -109,6 +109,8 @@ class Parameter:
         if self.kind not in (NUMBER, WHOLE):
             return None, None, "linear"
         low, high = self.minimum or 0.0, self.maximum or HUGE
+        if default == math.inf:  # of rigid links, which nothing changes
+            default = None
         if self.factor and isinstance(default, (int, float)) and default > 0.0:
             ends = max(default / self.factor, low), min(default * self.factor, high)
             return float(ends[0]), float(ends[1]), "log"

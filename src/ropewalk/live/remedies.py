@@ -6,6 +6,7 @@ import math
 from typing import TYPE_CHECKING, Any, get_args
 
 from ropewalk.build import Layout
+from ropewalk.build.links import has_links
 from ropewalk.build.plan import predicted_step
 from ropewalk.live.history import Moment
 from ropewalk.methods.registry import METHODS
@@ -33,11 +34,11 @@ def suggested_step(simulation: Simulation) -> float:
     return float(f"{math.floor(wanted / unit + 1e-9) * unit:.2g}")
 
 
-def implicit_method() -> str | None:
-    """Return the implicit method to recommend, if there is one."""
-    known = get_args(Method)
+def implicit_method(simulation: Simulation) -> str | None:
+    """Return the implicit method to recommend for a simulation, if there is one."""
+    known, links = get_args(Method), has_links(simulation.arrays)
     for name in ("sdirk2", "bdf2", "implicit-euler"):
-        if name in METHODS and name in known:
+        if name in METHODS and name in known and (METHODS[name].holds_links or not links):
             return name
     found = [
         name
@@ -85,7 +86,7 @@ def as_messages(session: Session) -> list[dict[str, Any]]:
     if session.broken is None:
         return []
     track = session.tracks[session.broken.variant]
-    step, method = suggested_step(track.simulation), implicit_method()
+    step, method = suggested_step(track.simulation), implicit_method(track.simulation)
     there = method is not None and method != track.simulation.plan.method
     why = "" if there else "no implicit method is installed" if method is None else "in use already"
     return [

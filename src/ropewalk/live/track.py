@@ -24,6 +24,9 @@ from ropewalk.simulation import Simulation, Snapshot
 LOSSES = ("friction", "air", "ground")
 # What may be changed while a winch works: it changes tables that all else is made of.
 WINCH_SAFE = {"World", "Air", "Ground", "Method"}
+# What would break the lengths of rigid links, or what they do not have.
+RIGID_FIXED = {"spring_constant", "EA", "length", "segments", "tension_only"}
+WITH_LINKS = "while a rope of rigid links is in the scene"
 
 
 class Saved(NamedTuple):
@@ -121,6 +124,8 @@ class Track:
         parameter = named(name)
         if self.scene.winches and parameter.group not in WINCH_SAFE:
             raise refusal(name, value, "cannot be changed while a winch is in the scene")
+        if name in RIGID_FIXED and any(one.rigid for one in self.scene.ropes):
+            raise refusal(name, value, f"cannot be changed {WITH_LINKS}")
         if name == "time_step" and value == "auto":
             value = automatic_step(self.scene)
         scene = parameter.apply(self.scene, value, rope)

@@ -54,7 +54,7 @@ from ropewalk.methods.implicit import (
     step,
     take_step,
 )
-from ropewalk.methods.loop import close_frame, prepare
+from ropewalk.methods.loop import close_frame, prepare_links
 from ropewalk.methods.stage import Stage
 from ropewalk.methods.tableaus import ESDIRK3
 
@@ -160,7 +160,8 @@ def try_step(system, state, before, scratch, t, after, dt, ledger, tableau):
     many nodes and segments have changed sides, negative where that is why it was not."""
     solver, control, tolerance = scratch.solver, scratch.walk.control, scratch.limits[0]
     A, b, c, numbers = tableau.A, tableau.b, tableau.c, tableau.numbers
-    status = take_step(system, state, solver, t, after, dt, ledger, tableau.kind, A, b, c, numbers)
+    kind = tableau.kind
+    status = take_step(system, state, solver, t, after, dt, ledger, False, kind, A, b, c, numbers)
     if status != OK:
         control[ERROR] = np.inf
         return UNSOLVED_SHARE * dt, 0
@@ -184,7 +185,7 @@ def stride(system, scratch, extras, ledger, tableau):
     )
     t = control[END]
     if open_step(system, state, t, solver, ledger) or control[WISH] == 0.0:
-        prepare(system, state)
+        prepare_links(system, state, solver.stage.saddle)
     put_row(scratch.walk.ahead, scratch.walk.begin)
     mark_sides(system, state, solver.stage.saddle.band)
     longest = longest_step(system.winches, scratch.limits[1])
@@ -215,7 +216,7 @@ def stride(system, scratch, extras, ledger, tableau):
     if extras is not None:
         run_winches(system, state, t, dt, ledger)
     if extras is not None or changes > 0:
-        prepare(system, state)
+        prepare_links(system, state, solver.stage.saddle)
     control[BEGIN], control[END] = t, end
     count_step(control, dt, control[ERROR] / scratch.limits[0], cut, retried)
     return OK
@@ -239,7 +240,7 @@ def show(system, state, scratch, extras, time, ledger, tableau):
         walk.control[ERROR] = np.inf
     if extras is not None:
         run_winches(system, state, begin, dt, ledger)
-        prepare(system, state)
+        prepare_links(system, state, scratch.stage.saddle)
     return status
 
 

@@ -1,8 +1,7 @@
 """Implicit methods: tables of coefficients over the stage solve of `stage`.
 
-One kernel serves all; `tableaus` has the coefficients. A step that finds no solution is taken in halves,
-and these in halves again, by Alexander's method, as is BDF2's first step. The work ledger is exact: every
-method's change of momentum is the step times a mean of forces,
+One kernel serves all; `tableaus` has the coefficients. A step that finds no solution, or makes up energy, is
+taken in halves, and these in halves again, by implicit Euler. The work ledger is exact: every method's change of momentum is the step times a mean of forces,
     DIRK                m (v1 - v0) = h sum b_s F_s
     BDF2                m (v1 - v0) = h (F' / 3 + 2/3 F),   F' the mean of the step before
     generalized-alpha   m (v1 - v0) = h ((1 - gamma) G' + gamma G),   (1 - alpha_m) G + alpha_m G' = F
@@ -20,12 +19,15 @@ from ropewalk.core.status import OK, UNSOLVED
 from ropewalk.laws.anchors import move_anchors, place_stage
 from ropewalk.laws.ledger import account
 from ropewalk.laws.table import accelerate
+from ropewalk.methods import tableaus
+from ropewalk.methods.gain import makes_up_energy
 from ropewalk.methods.loop import make_advance
 from ropewalk.methods.scratch import add, add_forces, axpy, clear, clear_forces, put
 from ropewalk.methods.stage import NODE, RESIDUAL, SPLITS, TIME, Stage, make_stage, solve_stage
 from ropewalk.methods.tableaus import BDF2, DIRK, GENERALIZED_ALPHA, SDIRK2, Tableau
 
 MOST_HALVINGS = 12
+WATCHED = 6  # halvings up to which a step may be refused for the energy that it makes up
 SMALLEST_PART = 0.5**MOST_HALVINGS  # [1] of a step
 
 
@@ -46,7 +48,9 @@ class ImplicitScratch(NamedTuple):
 
 def make_implicit_scratch(state: State, tableau: Tableau) -> ImplicitScratch:
     """Return working arrays that fit `state` and the method."""
-    shape = (max(tableau.stages, SDIRK2.stages), *state.x.shape)
+    links = bool(np.isinf(state.stiffness).any())
+    stages = tableau.stages if not links else tableaus.ESDIRK3.stages
+    shape = (max(stages, SDIRK2.stages), *state.x.shape)
     return ImplicitScratch(
         stage=make_stage(state),
         u=np.zeros(shape),
@@ -57,7 +61,7 @@ def make_implicit_scratch(state: State, tableau: Tableau) -> ImplicitScratch:
         speed=np.zeros(3),
         reaction=np.zeros_like(state.reaction),
         limiter=np.zeros((7, state.x.shape[1])),
-        rescue=SDIRK2,
+        rescue=tableaus.IMPLICIT_EULER,
     )
 
 
@@ -170,7 +174,10 @@ def end_alpha(system, state, scratch, numbers, dt):
 
 @part
 def end_dirk(state, scratch, A, b, dt):
-    """Write the end of a DIRK step: the last stage, or the sum over all where it is not the end."""
+    """Write the end of a DIRK step: the last stage, or the sum over all where it is not the end.
+
+    Returns whether it is the last stage.
+    """
     stage, last = scratch.stage, b.shape[0] - 1
     same = True
     for r in range(b.shape[0]):
@@ -181,11 +188,15 @@ def end_dirk(state, scratch, A, b, dt):
         for s in range(b.shape[0]):
             add(scratch.u[s], dt * b[s], stage.x)
             add(scratch.k[s], dt * b[s], stage.v)
+    return same
 
 
 @kernel
-def take_step(system, state, scratch, t, after, dt, ledger, kind, A, b, c, numbers):
-    """Take one step from time `t` [s]; return OK, or UNSOLVED with the state as it was."""
+def take_step(system, state, scratch, t, after, dt, ledger, watch, kind, A, b, c, numbers):
+    """Take one step from time `t` [s]; return OK, or UNSOLVED with the state as it was.
+
+    With `watch` a step that makes up energy counts as unsolved.
+    """
     stage, mean = scratch.stage, scratch.mean
     clear_forces(system, mean)
     put_row(state.tension, stage.tension)
@@ -231,9 +242,14 @@ def take_step(system, state, scratch, t, after, dt, ledger, kind, A, b, c, numbe
         if kind == BDF2:
             add_forces(system, state.forces, 1.0 / 3.0, mean)
             add_forces(system, stage.forces, 2.0 / 3.0, mean)
+            ends_here = True
+        else:
+            ends_here = end_dirk(state, scratch, A, b, dt)
+        if watch and ends_here and makes_up_energy(system, state, stage, mean.elastic, dt):
+            return UNSOLVED
+        if kind == BDF2:
             put_forces(system, mean, state.forces)
         else:
-            end_dirk(state, scratch, A, b, dt)
             put_forces(system, stage.forces, state.forces)
         put(stage.a, state.acceleration)
     middle = scratch.middle
@@ -314,7 +330,19 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
         begin = t + place * h
         end = after if place + 1 == 2**level else begin + h
         status = take_step(
-            system, state, scratch, begin, end, h, ledger, kind, A, b, c, tableau.numbers
+            system,
+            state,
+            scratch,
+            begin,
+            end,
+            h,
+            ledger,
+            level < WATCHED,
+            kind,
+            A,
+            b,
+            c,
+            tableau.numbers,
         )
         if status == OK:
             if level == 0:

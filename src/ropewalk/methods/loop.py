@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from ropewalk.core.jit import kernel
+from ropewalk.core.jit import kernel, part
 from ropewalk.core.status import OK
 from ropewalk.laws.anchors import release_anchors
 from ropewalk.laws.limiter import limit_stretch
+from ropewalk.laws.links import hold_links
 from ropewalk.laws.stretch import segment_tension
 from ropewalk.laws.table import accelerate, evaluate, reaches_neighbours_only
 from ropewalk.laws.winch import run_winches
@@ -25,6 +26,25 @@ def prepare(system, state):
     floor = system.slack_floor
     segment_tension(state.x, state.rest_length, state.stiffness, floor, state.tension)
     state.past[0] = 0.0
+
+
+@kernel
+def prepare_links(system, state, saddle):
+    """As `prepare`, and hold the lengths of rigid links; `saddle` lends its arrays."""
+    prepare(system, state)
+    hold_links(system, state, saddle)
+
+
+@part
+def _prepare_solver(system, state, scratch):
+    """Prepare for a method that solves."""
+    prepare_links(system, state, scratch.stage.saddle)
+
+
+@part
+def _prepare_other(system, state, scratch):
+    """Prepare for a method without equations."""
+    prepare(system, state)
 
 
 @kernel
@@ -46,9 +66,10 @@ def make_advance(
     Then a long rope is cut into tiles that fit the cache, and a tile goes through up to DEPTH steps
     before the next one: from step to step it moves back by one node, so that all neighbours stand where
     they are needed and every node goes through the same arithmetic as in one sweep, to the same bits.
-    What a tile needs of the segment before it, it finds in the force arrays: the tile before wrote that
-    column in the same step and none of the later steps reached it.
+    What a tile needs of the segment before it is in the force arrays: written by the tile before it in the
+    same step, and reached by none of the later ones.
     """
+    begin_anew = _prepare_solver if solves else _prepare_other
 
     def advance(system, state, scratch, extras, clock, frames, ledger, out, stop_at_break, tableau):
         """Advance `frames` frames; return the status and the number of good frames.
@@ -71,7 +92,7 @@ def make_advance(
                         hi = last - (s - start) if last < n else n
                         t, after = clock[0] + s * dt, clock[0] + (s + 1) * dt
                         if release_anchors(system, state, t, dt, lo, hi) and carries:
-                            prepare(system, state)
+                            begin_anew(system, state, scratch)
                         if tiles:
                             step(system, state, scratch, t, after, dt, ledger, tableau, lo, hi)
                         elif solves:
@@ -84,7 +105,7 @@ def make_advance(
                             run_winches(system, state, t, dt, ledger)
                             limit_stretch(system, state, scratch.limiter, dt, ledger)
                             if carries:
-                                prepare(system, state)
+                                begin_anew(system, state, scratch)
                     first = last
             done += steps
             status = close_frame(system, state, scratch.middle, frame, out)

@@ -125,15 +125,19 @@ def record_motion(x, v, mass, gravity, room, energy, momentum, angular):
 
 
 @kernel
-def record_tension(x, rest_length, stiffness, floor, stored, tension):
-    """Write every segment's elastic tension [N] and energy [J], both (s,); see `laws.stretch`."""
+def record_tension(x, rest_length, stiffness, floor, solved, stored, tension):
+    """Write every segment's elastic tension [N] and energy [J], both (s,); see `laws.stretch`.
+
+    A rigid link has the tension that was solved for, and stores nothing.
+    """
     x0, x1, x2 = x[0], x[1], x[2]
     for j in range(rest_length.shape[0]):
         dx, dy, dz = x0[j + 1] - x0[j], x1[j + 1] - x1[j], x2[j + 1] - x2[j]
         e = math.sqrt(dx * dx + dy * dy + dz * dz) - rest_length[j]
-        pull = stiffness[j] * e
+        gives = stiffness[j] < np.inf
+        pull = stiffness[j] * e if gives else solved[j]
         tension[j] = max(pull, floor[j])
-        stored[j] = 0.5 * pull * e if pull >= floor[j] else 0.0
+        stored[j] = 0.5 * pull * e if gives and pull >= floor[j] else 0.0
 
 
 @kernel
@@ -143,7 +147,8 @@ def record_frame(system, state, room, frame, out):
     put(state.v, out.v[frame])
     floor, stored = system.slack_floor, room[0, : state.rest_length.shape[0]]
     tension, energy = out.tension[frame], out.energy[frame]
-    record_tension(state.x, state.rest_length, state.stiffness, floor, stored, tension)
+    lengths, stiffness = state.rest_length, state.stiffness
+    record_tension(state.x, lengths, stiffness, floor, state.tension, stored, tension)
     energy[2] = add_up(stored)
     for j in range(out.rest_length.shape[1]):
         out.rest_length[frame, j] = state.rest_length[j]

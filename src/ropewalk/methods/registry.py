@@ -35,6 +35,7 @@ class Method(NamedTuple):
     characteristic: Callable[[ArrayLike, ArrayLike], Floats]
     summary: str
     implicit: bool = False
+    holds_links: bool = False  # whether lengths and tensions of rigid links are right
     fixed: bool = True  # steps of one length, as planned
 
     @property
@@ -42,8 +43,13 @@ class Method(NamedTuple):
         """Cost of a step, in force evaluations with their update."""
         return self.evaluations * (STAGE_COST if self.implicit else 1.0)
 
-    def coefficients(self, spectral_radius: float) -> Any:
-        """Return what the kernel takes; `spectral_radius` [1] is that of generalized-alpha."""
+    def coefficients(self, spectral_radius: float, links: bool = False) -> Any:
+        """Return what the kernel takes; `spectral_radius` [1] is that of generalized-alpha.
+
+        With `links` for a system with rigid links.
+        """
+        if links and self.name == "bdf2":
+            return tableaus.BDF_2_LINKS
         if self.name == "generalized-alpha":
             return tableaus.generalized_alpha(spectral_radius)
         return self.tableau
@@ -55,11 +61,13 @@ class Method(NamedTuple):
         return make_scratch(state)
 
 
-def _implicit(name: str, order: int, tableau: tableaus.Tableau, summary: str) -> Method:
+def _implicit(
+    name: str, order: int, tableau: tableaus.Tableau, summary: str, links: bool = False
+) -> Method:
     """Return an implicit method; its evaluations are the stages to solve, some four each."""
     solved = 1 if tableau.kind != tableaus.DIRK else int(np.count_nonzero(np.diag(tableau.A)))
     polynomial = characteristic.CHARACTERISTIC[name]
-    return Method(name, order, solved, implicit.advance, tableau, polynomial, summary, True)
+    return Method(name, order, solved, implicit.advance, tableau, polynomial, summary, True, links)
 
 
 METHODS = {
@@ -115,6 +123,7 @@ METHODS = {
             1,
             tableaus.IMPLICIT_EULER,
             "Implicit Euler; damps a lot, never fails.",
+            links=True,
         ),
         _implicit(
             "implicit-midpoint",
@@ -122,7 +131,9 @@ METHODS = {
             tableaus.IMPLICIT_MIDPOINT,
             "Implicit midpoint; symplectic without friction, keeps stiff modes ringing.",
         ),
-        _implicit("bdf2", 2, tableaus.BDF_2, "BDF2, two steps, one solve; damps fast modes."),
+        _implicit(
+            "bdf2", 2, tableaus.BDF_2, "BDF2, two steps, one solve; damps fast modes.", links=True
+        ),
         _implicit(
             "sdirk2",
             2,
@@ -130,7 +141,11 @@ METHODS = {
             "Alexander's SDIRK2, L-stable; the choice for stiff ropes.",
         ),
         _implicit(
-            "esdirk3", 3, tableaus.ESDIRK3, "Kennedy and Carpenter's ESDIRK3, L-stable, accurate."
+            "esdirk3",
+            3,
+            tableaus.ESDIRK3,
+            "Kennedy and Carpenter's ESDIRK3, L-stable, accurate.",
+            links=True,
         ),
         _implicit(
             "generalized-alpha",
@@ -143,6 +158,6 @@ METHODS = {
             3,
             tableaus.ESDIRK3,
             "ESDIRK3 in steps as long as the tolerance allows, cut at events.",
-        )._replace(advance=adaptive.advance, fixed=False),
+        )._replace(advance=adaptive.advance, fixed=False, holds_links=True),
     )
 }

@@ -82,6 +82,8 @@ def _esdirk3() -> Tableau:
 
 ESDIRK3 = _esdirk3()
 BDF_2 = SDIRK2._replace(kind=BDF2)
+#: For rigid links, whose tensions SDIRK2 gets wrong in its one step, too.
+BDF_2_LINKS = ESDIRK3._replace(kind=BDF2)
 SPECTRAL_RADIUS = 0.8
 
 

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Annotated, Any, TypeVar
 
 from pydantic import (
+    AfterValidator,
     AliasChoices,
     BaseModel,
     BeforeValidator,
@@ -60,8 +62,17 @@ def _triple(value: Any) -> Any:
     return tuple(value)
 
 
+def _huge_or_inf(value: float) -> float:
+    """Refuse numbers above ``HUGE`` other than inf."""
+    if HUGE < value < math.inf:
+        rule = f"must be at most {HUGE:g}, or inf for links that do not stretch"
+        raise PydanticCustomError("too_stiff", rule)
+    return value
+
+
 if TYPE_CHECKING:  # what may be given; what is stored is a tuple
     Number = float
+    Stiffness = float
     Whole = int
     Flag = bool
     Text = str
@@ -71,6 +82,7 @@ else:
     _T = TypeVar("_T")
     _list = BeforeValidator(_listed)
     Number = Annotated[float, BeforeValidator(_plain), Strict()]
+    Stiffness = Annotated[Number, AfterValidator(_huge_or_inf)]
     Whole = Annotated[int, BeforeValidator(_plain), Strict()]
     Flag = Annotated[bool, BeforeValidator(_plain), Strict()]
     Text = Annotated[str, Strict()]
@@ -88,6 +100,11 @@ def quantity(description: str, unit: str, default: Any = ..., **rules: Any) -> A
 def positive(description: str, unit: str, default: Any = ..., **rules: Any) -> Any:
     """A number greater than zero with a unit."""
     return quantity(description, unit, default, **({"gt": 0, "ge": TINY} | rules))
+
+
+def stiffness(description: str, unit: str) -> Any:
+    """A number greater than zero with a unit, or inf."""
+    return positive(description, unit, le=None, allow_inf_nan=None)
 
 
 def not_negative(description: str, unit: str, default: Any = ...) -> Any:

@@ -58,6 +58,9 @@ def _ropes(ropes: Sequence[Rope | None], limiter: Limiter | None) -> Iterator[Fa
             yield Fault(
                 "limiter", NO_VALUE, f"cannot limit rope[{i}], whose springs have no length"
             )
+        if limiter is not None and rope.rigid:
+            rule = f"cannot limit rope[{i}], whose links are rigid (inf): leave it out"
+            yield Fault("limiter", NO_VALUE, rule)
     total = sum(rope.segments for rope in ropes if rope is not None)
     if total > MOST_SEGMENTS:
         yield Fault("rope", f"{total} segments", f"must be at most {MOST_SEGMENTS} in total")
@@ -170,6 +173,12 @@ def _winch_lengths(winch: Winch, rope: Rope) -> Iterator[Fault]:
     if length == 0.0:
         yield Fault("rope", rope.name, "has springs of no length, which a winch cannot change")
         return
+    if rope.rigid:
+        rule = (
+            "has rigid links (inf), which a winch cannot wind segment by segment without a jolt; "
+            "give it a finite stiffness: implicit methods take any, such as EA = 1e9, at the same cost"
+        )
+        yield Fault("rope", rope.name, rule)
     if rope.bending_stiffness > 0.0:
         rule = "has bending stiffness (EI), with which a winch cannot wind it"
         yield Fault("rope", rope.name, rule)

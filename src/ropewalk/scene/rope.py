@@ -13,6 +13,7 @@ from ropewalk.scene.base import (
     Many,
     Model,
     Number,
+    Stiffness,
     Text,
     Vector,
     Whole,
@@ -20,6 +21,7 @@ from ropewalk.scene.base import (
     not_negative,
     positive,
     refuse,
+    stiffness,
     vector,
 )
 from ropewalk.scene.errors import MISSING, Fault
@@ -48,7 +50,7 @@ class Springs(Model):
     """
 
     kind: Literal["springs"] = "springs"
-    spring_constant: Number = positive("Stiffness of each spring", "N/m")
+    spring_constant: Stiffness = stiffness("Stiffness of each spring; inf makes rigid links", "N/m")
     node_mass: Number = positive("Mass of every node, the ends too", "kg")
     spring_friction: Number = not_negative("Friction coefficient of each spring", "N s/m", 0.0)
     segment_length: Number = not_negative("Rest length of each spring (0 is allowed)", "m")
@@ -60,7 +62,9 @@ class Material(Model):
     """A rope as a continuum: it stays the same rope however many segments it is cut into."""
 
     kind: Literal["material"] = "material"
-    EA: Number = positive("Axial stiffness: tension per strain", "N")
+    EA: Stiffness = stiffness(
+        "Axial stiffness: tension per strain; inf makes a rope that does not stretch", "N"
+    )
     mass_per_length: Number = positive("Mass per unstretched length", "kg/m")
     axial_damping: Number = not_negative("Tension per strain rate (EA x retardation)", "N s", 0.0)
     EI: Number = not_negative(
@@ -152,6 +156,11 @@ class Rope(Model):
         return self.made_of.EA / self.segment_length
 
     @property
+    def rigid(self) -> bool:
+        """Whether its segments are rigid links."""
+        return math.isinf(self.segment_stiffness)
+
+    @property
     def segment_friction(self) -> float:
         """Friction coefficient of one segment [N s/m], of the form ``made_of.friction``."""
         if isinstance(self.made_of, Springs):
@@ -192,7 +201,9 @@ class Rope(Model):
 
     def __str__(self) -> str:
         made_of = self.made_of
-        if isinstance(made_of, Springs):
+        if self.rigid:
+            stuff = "rigid links"
+        elif isinstance(made_of, Springs):
             stuff = f"springs of {made_of.spring_constant:g} N/m"
         else:
             stuff = f"material with EA = {made_of.EA:g} N"
@@ -218,6 +229,9 @@ def rope_faults(rope: Rope) -> list[Fault]:
     if not springs and rope.length is None:
         faults.append(Fault("length", MISSING, "a material needs the rope's length (m)"))
         return faults
+    if springs and rope.rigid and rope.segment_length == 0.0:
+        rule = "inf makes rigid links, which need a segment_length greater than 0"
+        faults.append(Fault("made_of.spring_constant", math.inf, rule))
     if isinstance(rope.made_of, Material):
         turn = math.hypot(*rope.made_of.curvature) * rope.segment_length
         if turn > _MOST_TURN:

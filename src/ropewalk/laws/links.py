@@ -1,0 +1,127 @@
+"""Rigid links (stiffness inf) at one instant: the tensions that keep them from changing their length.
+
+A constant length r demands of the ends' accelerations a and their relative velocity u
+    t . (a_(j+1) - a_j) = -|u_across|^2 / r,
+which makes the tensions T of neighbouring links the solution of, with w = 1 / m, i = j - 1 and k = j + 1,
+    (w_j + w_k) T_j - w_j (t_j . t_i) T_i - w_k (t_j . t_k) T_k = t . (a'_k - a'_j) + |u_across|^2 / r,
+a' the accelerations from all other forces. A tension-only link that is slack, or that would have to
+push, carries nothing. The acceleration of an anchor's motion is not known and left out.
+
+What a step needs to begin with, and a recording for its first frame; in a step links are part of the
+stage's own equations (`methods.stage`).
+Source: Hairer & Wanner, Solving Ordinary Differential Equations II, VII.1 (index reduction).
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from ropewalk.core.jit import kernel, part
+from ropewalk.laws.table import accelerate
+
+SLACK = 1e-9  # [1] a tension-only link shorter by this part is slack
+ATTEMPTS = 8  # solves at most; each but the last lets go of what would push
+
+
+@part
+def hold_links(system, state, saddle):
+    """Write tensions and forces of all rigid links, and the accelerations with them.
+
+    All other forces are in `state.forces` already; `saddle` lends its arrays.
+    """
+    if mark_links(state.x, state.rest_length, state.stiffness, system.slack_floor, saddle) == 0:
+        return
+    clear_links(state.stiffness, state.tension, state.forces.elastic)
+    accelerate(system, state, state.forces, state.acceleration)
+    for _ in range(ATTEMPTS):
+        gather_links(state.v, state.acceleration, state.inverse_mass, saddle)
+        solve_links(saddle.across, saddle.along, saddle.misfit)
+        if drop_pushing(saddle.misfit, system.slack_floor, saddle.carries) == 0:
+            break
+    pull_links(saddle.misfit, saddle.carries, saddle.direction, state.tension, state.forces.elastic)
+    accelerate(system, state, state.forces, state.acceleration)
+
+
+@kernel
+def mark_links(x, rest_length, stiffness, floor, saddle):
+    """Write directions (3, s), 1 / r and what carries (s,); return the number of rigid links."""
+    direction, over, carries, count = saddle.direction, saddle.compliance, saddle.carries, 0
+    for j in range(stiffness.shape[0]):
+        dx, dy, dz = x[0, j + 1] - x[0, j], x[1, j + 1] - x[1, j], x[2, j + 1] - x[2, j]
+        r = math.sqrt(dx * dx + dy * dy + dz * dz)
+        over[j] = 1.0 / r if r > 0.0 else 0.0
+        direction[0, j], direction[1, j], direction[2, j] = over[j] * dx, over[j] * dy, over[j] * dz
+        rigid = stiffness[j] == np.inf
+        count += 1 if rigid else 0
+        slack = floor[j] == 0.0 and r < (1.0 - SLACK) * rest_length[j]
+        carries[j] = 1.0 if rigid and not slack else 0.0
+    return count
+
+
+@kernel
+def clear_links(stiffness, tension, elastic):
+    """Set tension and force of all rigid links to zero."""
+    for j in range(stiffness.shape[0]):
+        if stiffness[j] == np.inf:
+            tension[j] = 0.0
+            elastic[0, j + 1], elastic[1, j + 1], elastic[2, j + 1] = 0.0, 0.0, 0.0
+
+
+@kernel
+def gather_links(v, a, inverse_mass, saddle):
+    """Write diagonal, off-diagonal and right side (s,) of the equations of the links that carry."""
+    t, over, carries = saddle.direction, saddle.compliance, saddle.carries
+    diagonal, upper, right = saddle.across, saddle.along, saddle.misfit
+    for j in range(carries.shape[0]):
+        diagonal[j], upper[j], right[j] = 1.0, 0.0, 0.0
+        both = inverse_mass[j] + inverse_mass[j + 1]
+        if carries[j] == 0.0 or both == 0.0:
+            continue
+        diagonal[j] = both
+        along, square = 0.0, 0.0
+        for k in range(3):
+            u = v[k, j + 1] - v[k, j]
+            along += u * t[k, j]
+            square += u * u
+            right[j] += (a[k, j + 1] - a[k, j]) * t[k, j]
+        right[j] += (square - along * along) * over[j]
+        if j + 1 < carries.shape[0] and carries[j + 1] != 0.0:
+            turn = t[0, j] * t[0, j + 1] + t[1, j] * t[1, j + 1] + t[2, j] * t[2, j + 1]
+            upper[j] = -inverse_mass[j + 1] * turn
+
+
+@kernel
+def solve_links(diagonal, upper, right):
+    """Solve the symmetric tridiagonal equations in place (Thomas); the solution is in `right`."""
+    last = right.shape[0] - 1
+    for j in range(last):
+        factor = upper[j] / diagonal[j]
+        diagonal[j + 1] -= factor * upper[j]
+        right[j + 1] -= factor * right[j]
+    right[last] /= diagonal[last]
+    for back in range(last):
+        j = last - 1 - back
+        right[j] = (right[j] - upper[j] * right[j + 1]) / diagonal[j]
+
+
+@kernel
+def drop_pushing(tension, floor, carries):
+    """Let go of the tension-only links that would push; return how many."""
+    dropped = 0
+    for j in range(tension.shape[0]):
+        if carries[j] != 0.0 and floor[j] == 0.0 and tension[j] < 0.0:
+            carries[j] = 0.0
+            dropped += 1
+    return dropped
+
+
+@kernel
+def pull_links(found, carries, direction, tension, elastic):
+    """Put the tensions of the links that carry into the state and its forces."""
+    for j in range(found.shape[0]):
+        if carries[j] != 0.0 and found[j] - found[j] == 0.0:
+            tension[j] = found[j]
+            for k in range(3):
+                elastic[k, j + 1] = found[j] * direction[k, j]

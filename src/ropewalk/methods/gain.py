@@ -1,0 +1,57 @@
+"""Steps that make up energy: found before they count.
+
+Springs pressed to a point, which fly apart within a step, are not monotone: no Runge-Kutta or multistep
+method bounds their energy, and L-stable ones were seen to multiply it by eight. What a step makes up is
+known exactly,
+    sum U(x1) - U(x0) - h f . (u0 + u1) / 2
+over the segments, U their elastic energy, f the mean force that the step used and u the ends' relative
+velocity; see `laws.ledger`. A step that makes up a good part of all energy there is has no worth.
+"""
+
+from __future__ import annotations
+
+import math
+
+from ropewalk.core.jit import kernel, part
+from ropewalk.laws.ledger import kinetic_energy
+from ropewalk.laws.stretch import elastic_energy
+
+MOST = 0.05  # [1] of kinetic and elastic energy, and of weight times length
+
+
+@part
+def makes_up_energy(system, state, stage, force, dt):
+    """Tell whether a step from `state` to `stage` under the mean elastic `force` (3, n + 1) does."""
+    lengths, k, floor = state.rest_length, state.stiffness, system.slack_floor
+    before = elastic_energy(state.x, lengths, k, floor)
+    after = elastic_energy(stage.x, lengths, k, floor)
+    gain = after - before - taken(force, state.v, stage.v, dt)
+    if gain <= MOST * before:
+        return False
+    least = min(
+        before + kinetic_energy(state.v, state.mass), after + kinetic_energy(stage.v, state.mass)
+    )
+    return gain > MOST * (least + weight_times_length(state.mass, lengths, system.gravity))
+
+
+@kernel
+def taken(force, v0, v1, dt):
+    """Return the work that the segments take up in a step [J], minus what they do on the nodes."""
+    total = 0.0
+    for k in range(3):
+        f, a, b = force[k], v0[k], v1[k]
+        for j in range(f.shape[0] - 2):
+            total += f[j + 1] * (a[j + 1] - a[j] + b[j + 1] - b[j])
+    return 0.5 * dt * total
+
+
+@kernel
+def weight_times_length(mass, rest_length, gravity):
+    """Return weight times length of all ropes [J]: what gravity can turn over."""
+    weight, length = 0.0, 0.0
+    for i in range(mass.shape[0]):
+        weight += mass[i]
+    for j in range(rest_length.shape[0]):
+        length += rest_length[j]
+    x, y, z = gravity[0], gravity[1], gravity[2]
+    return math.sqrt(x * x + y * y + z * z) * weight * length
