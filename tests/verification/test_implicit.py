@@ -154,13 +154,12 @@ def test_a_step_that_makes_up_energy_is_taken_in_parts() -> None:
 @pytest.mark.parametrize("method", ["implicit-euler", "sdirk2", "bdf2", "esdirk3"])
 @pytest.mark.parametrize("kind", KINDS)
 def test_hostile_states_for_long(kind: str, method: str) -> None:
-    """The same for 10^4 steps, more stiffnesses, links that do not stretch, and EI from 0 to a bar's."""
+    """The same for 10^4 steps, more stiffnesses, links that do not stretch, and a little EI."""
     for EA in (1.0, 1e3, 1e6, 1e9, 1e12, math.inf):
         for step in (1e-5, 1e-4, 1e-3, 1e-2, 1e-1):
-            for slender in (0.0, 1e-8, 1e-4):  # EI / EA, the square of a radius of gyration [m^2]
+            for EI in (0.0, 1e-3):
                 if math.isinf(EA) and (kind in UNEVEN or method == "sdirk2"):
                     continue
-                EI = slender * (EA if math.inf > EA else 1e6)
                 found = largest_energy(hostile(kind, EA, step, method, 2, EI=EI), 10_000)
                 assert found < MOST, (EA, step, EI)
 

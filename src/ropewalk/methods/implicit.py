@@ -1,7 +1,8 @@
 """Implicit methods: tables of coefficients over the stage solve of `stage`.
 
-One kernel serves all; `tableaus` has the coefficients. A step that finds no solution, or makes up energy, is
-taken in halves, and these in halves again, by implicit Euler. The work ledger is exact: every method's change of momentum is the step times a mean of forces,
+One kernel serves all; `tableaus` has the coefficients. A step that finds no solution, or makes up energy,
+is taken in halves, and these in halves again, by implicit Euler. The work ledger is exact: every method's
+change of momentum is the step times a mean of forces,
     DIRK                m (v1 - v0) = h sum b_s F_s
     BDF2                m (v1 - v0) = h (F' / 3 + 2/3 F),   F' the mean of the step before
     generalized-alpha   m (v1 - v0) = h ((1 - gamma) G' + gamma G),   (1 - alpha_m) G + alpha_m G' = F

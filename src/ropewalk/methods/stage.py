@@ -45,7 +45,7 @@ WARY = 3  # iterations that hold compression back after an exact one that failed
 EPSILON = 2.220446049250313e-16
 
 # Places in `Stage.report`; from HISTORY on the merit before each iteration [J].
-ITERATIONS, RESIDUAL, NODE, SCALE, MISFIT, SOLVES, SPLITS, TIME, HISTORY = range(9)
+ITERATIONS, RESIDUAL, NODE, SCALE, MISFIT, SOLVES, SPLITS, TIME, ROUNDING, HISTORY = range(10)
 
 
 class Segments(NamedTuple):
@@ -154,9 +154,21 @@ def largest_misfit(x, tension, rest_length, friction, saddle, report):
 
 
 @kernel
+def bending_rounding(x, rest_length, stiffness):
+    """Return what rounding of the places does to the forces of bending [N]: about eps EI |x| / l^3."""
+    largest, size = 0.0, 0.0
+    for i in range(1, stiffness.shape[0] - 1):
+        size = max(size, abs(x[0, i]), abs(x[1, i]), abs(x[2, i]))
+        if stiffness[i] > 0.0:
+            length = min(rest_length[i - 1], rest_length[i])
+            largest = max(largest, stiffness[i] / (length * length))
+    return 16.0 * EPSILON * largest * size
+
+
+@kernel
 def is_solved(report, tolerance):
-    """Tell whether the forces balance to `tolerance` [1] and the lengths fit."""
-    bound = tolerance * report[SCALE] + 1e-300
+    """Tell whether the forces balance to `tolerance` [1], or to rounding, and the lengths fit."""
+    bound = tolerance * report[SCALE] + report[ROUNDING] + 1e-300
     return report[RESIDUAL] <= bound and report[MISFIT] <= tolerance / TIGHT
 
 
@@ -287,6 +299,8 @@ def solve_stage(system, state, stage, c1, c2):
             continue
         largest_force(v, known, mass, free, system.gravity, c2, saddle.force, report)
         largest_misfit(x, tension, state.rest_length, stage.forces.friction, saddle, report)
+        if system.flags[BENDING] == 1:
+            report[ROUNDING] = bending_rounding(x, state.rest_length, state.bending_stiffness)
         report[ITERATIONS], report[HISTORY + iteration] = iteration, trial
         if is_solved(report, TIGHT) or (failed and not exact and is_solved(report, LOOSE)):
             break
