@@ -62,7 +62,6 @@ def make_advance(
 
     `carries` says that a step begins with the forces and accelerations that the one before ended with,
     `solves` that it solves equations and returns a status, `tiles` that a step takes a range of nodes.
-
     Then a long rope is cut into tiles that fit the cache, and a tile goes through up to DEPTH steps
     before the next one: from step to step it moves back by one node, so that all neighbours stand where
     they are needed and every node goes through the same arithmetic as in one sweep, to the same bits.
