@@ -158,6 +158,6 @@ METHODS = {
             3,
             tableaus.ESDIRK3,
             "ESDIRK3 in steps as long as the tolerance allows, cut at events.",
-        )._replace(advance=adaptive.advance, fixed=False, holds_links=True),
+        )._replace(advance=adaptive.advance, fixed=False),
     )
 }
