@@ -8,7 +8,7 @@ import { h, icon } from "./dom.js";
 
 const SCENES = ["r4", "hanging-rope"]; // the report's rope comes first
 const STIFFER = 2;
-const IMPLICIT = "sdirk2"; // rather than others, as the server does after a break
+const IMPLICIT = "bdf2"; // rather than others, as the server does after a break
 
 /** @type {Step[]} */
 const STEPS = [

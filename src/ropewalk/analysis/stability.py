@@ -26,8 +26,8 @@ from ropewalk.methods.registry import METHODS
 from ropewalk.scene import Scene, Springs
 from ropewalk.statics import Statics, static_shape
 
-# Of the implicit methods, the one to recommend.
-STIFF = "sdirk2"
+# Of the implicit methods, the one to recommend: true tensions, one solve, and from any start (ADR 0011).
+STIFF = "bdf2"
 # Weak growth that multiplies a motion by less than this over the whole run does not break it.
 _HARMLESS = 10.0
 # A swinging rope carries up to about three times its weight at rest.

@@ -224,8 +224,6 @@ def remedy(session: Session, command: Remedy, client: int) -> str:
         value = suggested_step(track.simulation)
     elif command.remedy == "implicit":
         value = implicit_method(session.tracks[session.broken.variant].simulation)
-        if value is None:
-            raise refusal("remedy", command.remedy, "there is no implicit method here")
     wanted = session.main.scene
     session.go_back(calm_moment(session, layout=session.main.simulation.layout))
     session.broken = None

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any, get_args
+from typing import TYPE_CHECKING, Any
 
+from ropewalk.analysis.stability import STIFF
 from ropewalk.build import Layout
-from ropewalk.build.links import has_links
 from ropewalk.build.plan import predicted_step
 from ropewalk.live.history import Moment
-from ropewalk.methods.registry import METHODS
-from ropewalk.scene.run_settings import Method
 from ropewalk.simulation import Simulation
 
 if TYPE_CHECKING:
@@ -34,18 +32,9 @@ def suggested_step(simulation: Simulation) -> float:
     return float(f"{math.floor(wanted / unit + 1e-9) * unit:.2g}")
 
 
-def implicit_method(simulation: Simulation) -> str | None:
-    """Return the implicit method to recommend for a simulation, if there is one."""
-    known, links = get_args(Method), has_links(simulation.arrays)
-    for name in ("sdirk2", "bdf2", "implicit-euler"):
-        if name in METHODS and name in known and (METHODS[name].holds_links or not links):
-            return name
-    found = [
-        name
-        for name, method in METHODS.items()
-        if getattr(method, "implicit", False) and name in known
-    ]
-    return found[0] if found else None
+def implicit_method(simulation: Simulation) -> str:
+    """Return the implicit method to recommend in place of a simulation's own."""
+    return STIFF if simulation.plan.method != STIFF else "implicit-euler"
 
 
 def calm_moment(session: Session, layout: Layout | None = None) -> Moment:
@@ -87,8 +76,6 @@ def as_messages(session: Session) -> list[dict[str, Any]]:
         return []
     track = session.tracks[session.broken.variant]
     step, method = suggested_step(track.simulation), implicit_method(track.simulation)
-    there = method is not None and method != track.simulation.plan.method
-    why = "" if there else "no implicit method is installed" if method is None else "in use already"
     return [
         {"id": "back", "label": "Back to before", "value": None, "enabled": True, "why": ""},
         {
@@ -100,9 +87,9 @@ def as_messages(session: Session) -> list[dict[str, Any]]:
         },
         {
             "id": "implicit",
-            "label": f"Use {method}" if method else "Use an implicit method",
+            "label": f"Use {method}",
             "value": method,
-            "enabled": there,
-            "why": why,
+            "enabled": True,
+            "why": "",
         },
     ]

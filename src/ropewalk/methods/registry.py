@@ -132,13 +132,17 @@ METHODS = {
             "Implicit midpoint; symplectic without friction, keeps stiff modes ringing.",
         ),
         _implicit(
-            "bdf2", 2, tableaus.BDF_2, "BDF2, two steps, one solve; damps fast modes.", links=True
+            "bdf2",
+            2,
+            tableaus.BDF_2,
+            "BDF2, one solve; damps fast modes, true tensions.",
+            links=True,
         ),
         _implicit(
             "sdirk2",
             2,
             tableaus.SDIRK2,
-            "Alexander's SDIRK2, L-stable; the choice for stiff ropes.",
+            "Alexander's SDIRK2, L-stable; for moderate stiffness, see ADR 0011.",
         ),
         _implicit(
             "esdirk3",
