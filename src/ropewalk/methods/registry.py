@@ -122,7 +122,7 @@ METHODS = {
             "implicit-euler",
             1,
             tableaus.IMPLICIT_EULER,
-            "Implicit Euler; damps a lot, never fails.",
+            "Implicit Euler; damps a lot.",
             links=True,
         ),
         _implicit(

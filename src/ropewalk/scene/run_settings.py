@@ -66,7 +66,7 @@ class RunSettings(Model):
         "enough, and says why",
     )
     tolerance: Annotated[Number, Field(ge=1e-9)] = positive(
-        "Largest estimated error of any node's place in a step of adaptive; the error that auto aims at",
+        "Largest estimated error of any node's place in a step of adaptive; auto aims at 100 times it",
         "m",
         1e-5,
     )
