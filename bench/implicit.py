@@ -59,7 +59,7 @@ def newton() -> list[Row]:
         ratio = take_turns({"implicit": run, "explicit": explicit}).ratio("implicit", "explicit")
         per = ratio * 100.0 / iterations
         rows.append(Row(f"Newton iteration / explicit step, {name}", per, "1", target))
-    sizes = (100, 1000, 10_000, 100_000)
+    sizes = (100, 1000, 10_000, 100_000, 1_000_000)
     runs = {n: swing(dropped(n, 0.1 * n), max(1, 6000 // n)) for n in sizes}
     timing = take_turns({str(n): run for n, (run, _) in runs.items()}, rounds=3)
     costs = {n: 1e9 * timing.best(str(n)) / (runs[n][1] * n) for n in sizes}
