@@ -10,9 +10,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ropewalk import unsolved
 from ropewalk.block import Block
 from ropewalk.build import Model, build
-from ropewalk.build.links import has_links, reaches
+from ropewalk.build.links import has_links
 from ropewalk.build.plan import divide
 from ropewalk.core import arrays
 from ropewalk.core.arrays import APPLIED, Floats, Ints, State
@@ -22,8 +23,7 @@ from ropewalk.hand import AnchorHandle
 from ropewalk.laws.clamps import start_clamps
 from ropewalk.methods import adaptive
 from ropewalk.methods.adaptive import Walk
-from ropewalk.methods.controller import BEGUN, SHORTEST_STEP
-from ropewalk.methods.implicit import SMALLEST_PART, unsolved
+from ropewalk.methods.controller import BEGUN
 from ropewalk.methods.loop import close_frame, prepare, prepare_links
 from ropewalk.methods.recording import (
     CONSERVATIVE,
@@ -40,9 +40,6 @@ from ropewalk.start import started
 # The energy error that tells a broken simulation, over all energy that can honestly be turned over [1].
 MADE_UP = 3.0
 _VIEW = "ropewalk.live.view"  # a layer above this one, so it is looked up when it is needed
-ALMOST_TAUT = (
-    0.999  # a span of rigid links this near to their length [1] is why they have no solution
-)
 BLOCK_BYTES = 8_000_000  # positions and velocities of one block of frames
 
 
@@ -200,8 +197,9 @@ class Simulation:
     def step(self, duration: float | None = None) -> None:
         """Advance by `duration` [s] (default: one frame), in equal steps no longer than the plan's.
 
-        Raises Broken when the simulation breaks (the state is then the broken one), ValueError for
-        a duration that is not positive and finite.
+        Raises Broken when the simulation breaks: the state is then the broken one, or that before
+        the step, or the part of it, without solution; `time` is the state's. ValueError for a
+        duration that is not positive and finite.
         """
         if duration is None or duration == self.plan.frame_interval:
             count, dt = self.plan.steps_per_frame, self.plan.dt
@@ -219,7 +217,7 @@ class Simulation:
     def advance_steps(self, steps: int) -> int:
         """Advance by so many steps of the present length; return OK, or why not: the state is broken.
 
-        `failure` then says where an implicit method found no solution.
+        `failure` then says where an implicit method found no solution; the state is that before.
         """
         self.failure = ""
         return self._advance(steps, 1, make_recording(self._state, 0, False))[0]
@@ -234,13 +232,13 @@ class Simulation:
             self._start, self._dt, self._step = self.time, self.plan.dt, 0
         before, self.failure = self.state if not keep_going else None, ""
         out = make_recording(self._state, frames, self._winches)
-        first = self._step
+        start, first = self._start, self._step
         status, good = self._advance(self.plan.steps_per_frame, frames, out, not keep_going)
         if before is not None and self.ledger:
             sane = self._sane_frames(out, good)
             status, good = (BROKEN, sane) if sane < good else (status, good)
         steps = first + self.plan.steps_per_frame * np.arange(1, frames + 1)
-        times = np.asarray(self._start + steps * self._dt, dtype=np.float64)
+        times = np.asarray(start + steps * self._dt, dtype=np.float64)
         block = Block(times, out, status)
         if status == OK or (before is None and status == BROKEN):
             return block
@@ -293,50 +291,13 @@ class Simulation:
         common = (self.system, self._state, self._scratch, self._extras, clock, frames)
         status, good = self._method.advance(*common, self.ledger, out, stop, self._tableau)
         if status == UNSOLVED:
-            self.failure = self._describe_failure()
-        done = frames if status == OK else good + 1
-        self._step += steps * done
-        return status, good
-
-    def _describe_failure(self) -> str:
-        """Say where Newton's method found no solution, and what to try."""
-        if self.plan.tolerance is not None:
-            return self._describe_shortest()
-        time, node, residual = unsolved(self._scratch)
-        step = self._step + max(1, math.ceil((time - self.time) / self._dt - 1e-9))
-        rope, index = self.layout.rope_of(node)
-        text = (
-            f"{self.plan.method} found no solution of step {step} at t = {time:.6g} s, not even in "
-            f"parts of {self._dt * SMALLEST_PART:.2g} s: at node {index} of rope {rope!r} a force of "
-            f"{residual:.3g} N stays unbalanced"
-        )
-        stage = self._scratch.stage
-        off = np.abs(stage.saddle.misfit)
-        if has_links(self._state):
-            rope, segment = self.layout.rope_of(int(np.argmax(off)))
-            text += f", and segment {segment} of rope {rope!r} is {off.max():.3g} m off its length"
-        for reach in reaches(self.layout, self._state, stage.x):
-            if reach.distance > ALMOST_TAUT * reach.length:
-                return f"{text}: {reach}. Keep the anchors nearer, or give the rope a finite stiffness."
-        return (
-            f"{text}. Try a shorter time_step; look for anchors that jump or move apart, and for nodes "
-            "thrown or pressed together at the start."
-        )
-
-    def _describe_shortest(self) -> str:
-        """Say where the adaptive method found no step short enough, and what to try."""
-        time, node, error = adaptive.failure(self._scratch)
-        if not math.isfinite(error):
-            _, node, residual = unsolved(self._scratch)
-            why = f"a force of {residual:.3g} N stays unbalanced"
+            self.failure = unsolved.describe(
+                self.plan, self.layout, self._state, self.clock, self._scratch
+            )
+            self._start, self._step = unsolved.standing(self.clock, self._scratch)
         else:
-            why = f"its estimated error is {error:.3g} m, more than {self.plan.tolerance:g} m"
-        rope, index = self.layout.rope_of(node)
-        return (
-            f"adaptive needs steps below {SHORTEST_STEP:g} s at t = {time:.6g} s: at node {index} of rope "
-            f"{rope!r} {why}. Try a larger tolerance; look for anchors that jump or move apart, and for "
-            "nodes thrown or pressed together."
-        )
+            self._step += steps * (frames if status == OK else good + 1)
+        return status, good
 
     # -- hands --------------------------------------------------------------------------
 

@@ -36,7 +36,7 @@ from ropewalk.scene import (
     Velocity,
     Winch,
 )
-from ropewalk.simulation import Simulation
+from ropewalk.simulation import Broken, Simulation
 from verification.setups import run
 
 RATE = 64.0  # a power of two, so that frames of all rates are at the same times to the last bit
@@ -313,6 +313,11 @@ def test_the_shortest_step_ends_the_run_with_words() -> None:
     assert "of rope 'rope'" in simulation.failure
     assert "larger tolerance" in simulation.failure
     assert np.array_equal(simulation.positions, Simulation(simulation.scene).positions)
+    with pytest.raises(Broken, match="adaptive needs steps below"):
+        simulation.step()
+    assert simulation.time < 1e-9  # that of the last accepted step, not of the frame
+    z = math.sin(2.0 * math.pi * 1e9 * simulation.time)
+    assert simulation.positions[0, 2] == pytest.approx(z, abs=1e-9)
 
 
 def test_what_is_refused() -> None:

@@ -9,7 +9,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from ropewalk.core.status import OK
+from ropewalk.analysis.diagnosis import explain
+from ropewalk.analysis.stability import stability
+from ropewalk.core.status import BROKEN, OK, UNSOLVED
 from ropewalk.methods.characteristic import growth
 from ropewalk.methods.stage import HISTORY, ITERATIONS, SOLVES, SPLITS
 from ropewalk.scene import Anchor, Material, Points, Rope, RunSettings, Scene, Straight, presets
@@ -215,6 +217,30 @@ def test_an_unsolvable_step_is_said_with_time_and_node() -> None:
     assert simulation._scratch.stage.report[SOLVES] > 0
     assert kept.advance_frames(5).frames == 0
     assert "Try a shorter time_step" in kept.failure
+
+
+@pytest.mark.parametrize("method", ["implicit-midpoint", "generalized-alpha", "bdf2"])
+def test_a_method_that_rings_is_named_where_it_breaks(method: str) -> None:
+    """A stiff rope dropped, at 1/60 s: `check` says that no limit holds for small motions only, and the
+    break, with a solution or without, names what to take. The twin: bdf2 goes on.
+    """
+    made = dropped(method, FRAME, EA=1e7, segments=20)
+    simulation, other, verdict = Simulation(made), Simulation(made), stability(made).verdict
+    block = simulation.advance_frames(120)
+    other.arrays.v[1, 3] = 1e200
+    assert other.advance_steps(1) == UNSOLVED
+    if method == "bdf2":
+        assert block.status == OK
+        assert "small motions" not in verdict
+        assert "look for anchors" in other.failure
+        return
+    assert "no limit, for small motions only" in verdict
+    assert block.status == BROKEN
+    broken = explain(simulation)
+    assert "bdf2 or esdirk3" in broken.advice[0]
+    for said in (broken.text, other.failure):
+        assert "bdf2 or esdirk3, or a shorter" in said
+        assert "anchors" not in said
 
 
 def swing(method: str, step: float) -> tuple[np.ndarray, np.ndarray]:

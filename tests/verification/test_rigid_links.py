@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from contextlib import suppress
 from itertools import pairwise
 from typing import Any
 
@@ -27,7 +28,7 @@ from ropewalk.scene import (
     Straight,
     Winch,
 )
-from ropewalk.simulation import Simulation
+from ropewalk.simulation import Broken, Simulation
 from ropewalk.theory import lumped_chain
 from verification.setups import DOWN, chain, g, hold, off, run, scene, springs
 
@@ -319,6 +320,33 @@ def test_anchors_that_pull_too_far_end_the_run_with_all_before_it() -> None:
             "'anchor0' and 'anchor1'",
         ):
             assert part in simulation.failure
+
+
+def test_after_a_failure_time_and_state_agree() -> None:
+    """The anchor that leaves at 1 m/s stands at 8 m + t wherever it stopped: in one call of many steps, in
+    single ones, in frames; between two steps where parts of the last one were solved. The twin: the time
+    that was asked for.
+    """
+    moved = [Anchor(node=0), Anchor(node=-1, motion={"kind": "velocity", "velocity": (1.0, 0, 0)})]
+    made_of = Material(EA=INF, mass_per_length=0.5)
+    shape = Slack(start=(0, 0, 0), end=(8, 0, 0))
+    rope = Rope(segments=20, length=10.0, made_of=made_of, shape=shape)
+    settings = RunSettings(duration=4.0, time_step=1 / 60, method="bdf2")
+    scene = Scene(ropes=rope, anchors=moved, run=settings)
+    ways = (
+        lambda one: one.step(3.0),
+        lambda one: [one.step() for _ in range(180)],
+        lambda one: one.advance_steps(180),
+        lambda one: one.advance_frames(180, keep_going=True),
+    )
+    for way in ways:
+        simulation = Simulation(scene)
+        with suppress(Broken):
+            way(simulation)
+        assert "found no solution of step 12" in simulation.failure
+        assert simulation.positions[-1, 0] == pytest.approx(8.0 + simulation.time, abs=1e-9)
+        assert 1.9 < simulation.time < 2.0 + 1e-9
+        assert abs(simulation.time - 3.0) > 0.9
 
 
 def test_a_rod_that_bends_but_does_not_stretch() -> None:

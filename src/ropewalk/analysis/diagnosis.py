@@ -21,6 +21,7 @@ from ropewalk.analysis.stability import Stability, milliseconds, plain, stabilit
 from ropewalk.build import Layout
 from ropewalk.core.status import OK
 from ropewalk.simulation import Broken, Simulation
+from ropewalk.unsolved import CALMER
 
 Floats = NDArray[np.float64]
 
@@ -95,6 +96,8 @@ def diagnose(
         worst = _longest(lengths, _alive(layout))
     rope, node = layout.rope_of(worst)
     advice = theory.remedies
+    if theory.stable and theory.rings:
+        advice = f"method = {CALMER}", "a shorter time_step"
     text = _text(theory, rope, node, time, zigzag, flip, growth)
     return Diagnosis(
         time=time,
@@ -278,6 +281,11 @@ def _text(
         else:
             law = f"{theory.method} has no stable step here"
         return f"{head} {law}; change to {', or '.join(theory.remedies)}."
+    if theory.rings:
+        return (
+            f"{head} {theory.method} has no limit for small motions only: it keeps stiff segments "
+            f"ringing; change to {CALMER}, or a shorter step."
+        )
     lower = 0.5 * theory.step
     if zigzag < _CLEAR and growth > 1.0:
         return (

@@ -25,11 +25,13 @@ from ropewalk.methods.bound import (
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import Scene, Springs
 from ropewalk.statics import Statics, static_shape
+from ropewalk.unsolved import CALMER, RINGING
 
 # Of the implicit methods, the one to recommend: true tensions, one solve, and from any start (ADR 0011).
 STIFF = "bdf2"
 # Weak growth that multiplies a motion by less than this over the whole run does not break it.
 _HARMLESS = 10.0
+_RESOLVED = 2.0  # [1] frequency times step up to which a mode is followed, if roughly
 # A swinging rope carries up to about three times its weight at rest.
 _SWING = 3.0
 
@@ -67,6 +69,11 @@ class Stability:
     def stable(self) -> bool:
         """Whether nothing grows at the chosen step."""
         return self.step <= self.bound
+
+    @property
+    def rings(self) -> bool:
+        """Whether the method keeps modes that the step does not resolve: stable by linear theory only."""
+        return self.method in RINGING and self.step * self.highest_frequency > _RESOLVED
 
     @property
     def margin(self) -> float:
@@ -120,7 +127,9 @@ class Stability:
             return f"stable at any step; {self.method} chooses steps to a tolerance of {tolerance}"
         at = f"{milliseconds(self.step)} a step"
         if self.stable:
-            margin = "no limit" if math.isinf(self.margin) else f"margin {100 * self.margin:.3g} %"
+            margin = f"margin {100 * self.margin:.3g} %"
+            if math.isinf(self.margin):
+                margin = "no limit" + (", for small motions only" if self.rings else "")
             return f"stable at {at} ({bound}, {margin})"
         if self.breaks:
             return f"will break at {at}: x{self.growth_per_step:.4g} per step ({bound})"
@@ -290,6 +299,13 @@ def _notes(
     """Say in words what a bound of 0 means, and what still air would do."""
     notes = []
     method, dt = model.plan.method, model.plan.dt
+    highest = max(highest_frequency(chain) for chain in cases.values())
+    if method in RINGING and dt * highest > _RESOLVED:
+        notes.append(
+            f"{method} has no limit for small motions only: segments that go slack and taut may feed the "
+            f"modes that this step does not resolve until the run breaks; then take {CALMER}, or a "
+            "shorter step"
+        )
     for name in ("euler", "heun"):
         if largest[name] > 0.0:
             continue

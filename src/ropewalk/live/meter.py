@@ -18,6 +18,7 @@ from ropewalk.build.links import has_links
 from ropewalk.methods.bound import largest_step, largest_stiffness_factor, meter
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import Springs
+from ropewalk.unsolved import RINGING
 
 GREEN = 0.9  # of the bound
 _FRICTION = {"semi-implicit-euler": (2.0, "a + 2b"), "verlet": (4.0, "a + 4b")}
@@ -112,7 +113,8 @@ def _constants(model: Model) -> tuple[float | None, float | None]:
 
 def _verdict(method: str, dt: float, bound: float, stable: bool) -> str:
     if math.isinf(bound):
-        return f"stable: {method} has no largest step here"
+        small = " for small motions" if method in RINGING else ""
+        return f"stable{small}: {method} has no largest step here"
     if stable:
         return f"stable: {100.0 * dt / bound:.0f} % of the largest step of {milliseconds(bound)}"
     if bound == 0.0:
