@@ -69,7 +69,12 @@ def test_what_a_scene_limits() -> None:
     winch = Winch(end="start", speed=10.0)
     wound = plan(rope(1e7).replace(winches=[winch]))
     assert wound.dt <= 0.2 * 0.5 / 10.0
-    assert plan(rope(1e7, time_step=1e-3)).dt <= 1e-3
+    capped = plan(rope(1e7, time_step=1e-3))
+    assert capped.dt <= 1e-3
+    assert "at the scene's time_step of 1 ms" in capped.why
+    assert "the scene's time_step being 1 ms: " in plan(rope(1e3, time_step=1e-3)).why
+    assert "the scene's time_step" not in plan(rope(1e7, time_step=1.0)).why  # the twin
+    assert "ms (0.8 of the bound)" in capped.why
 
 
 def test_it_is_resolved_for_the_record(tmp_path: Path) -> None:

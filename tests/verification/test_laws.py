@@ -7,11 +7,14 @@ import math
 import numpy as np
 import pytest
 
-from ropewalk.scene import Air, Anchor, Ground, Limiter, Rope, Straight, Velocity
+from ropewalk.build import build
+from ropewalk.scene import Air, Anchor, Ground, Limiter, Rope, SceneError, Straight, Velocity
 from ropewalk.simulation import Simulation
 from verification.setups import (
     ALL,
     DOWN,
+    EXPLICIT,
+    IMPLICIT,
     NO_GRAVITY,
     along_x,
     chain,
@@ -193,7 +196,7 @@ def limited(velocities: bool = True, method: str = "semi-implicit-euler"):
     return frames
 
 
-@pytest.mark.parametrize("method", ALL)
+@pytest.mark.parametrize("method", EXPLICIT)
 def test_the_limiter_holds_lengths_and_velocities(method: str) -> None:
     """A mass that the spring cannot carry falls until 1.10 and then stays, at rest: the limiter takes
     the velocity that would stretch further. The twin keeps it, as Habrador's does (seed 2.1).
@@ -207,7 +210,19 @@ def test_the_limiter_holds_lengths_and_velocities(method: str) -> None:
     assert -limited(velocities=False)[-1][1][1] > 20.0
 
 
-@pytest.mark.parametrize("method", ALL)
+@pytest.mark.parametrize("method", [*IMPLICIT, "adaptive"])
+def test_a_limiter_is_refused_by_implicit_methods(method: str) -> None:
+    """It has no tangent: the plan names law and method. The twins: without it; and auto takes another."""
+    rope = chain(np.array([(0, 0, 0), (0, -1.0, 0)]), springs(1.0, 1.0, 1.0))
+    free = scene(rope, hold(0), dt=1e-2, steps=3, method=method)
+    with pytest.raises(SceneError, match=f'run.method: "{method}" - .*stretch limiter.*explicit'):
+        build(free.replace(limiter=Limiter()))
+    assert build(free).plan.method == method
+    auto = free.replace(limiter=Limiter(), run=free.run.replace(method="auto"))
+    assert build(auto).plan.method in EXPLICIT
+
+
+@pytest.mark.parametrize("method", EXPLICIT)
 def test_the_limiter_keeps_momentum_and_never_adds_energy(method: str) -> None:
     """Free ropes: both nodes give way by halves, so the momentum of equal masses stays; an inelastic
     stop loses kinetic energy. The twin: without a limiter the segments go beyond 1.1.

@@ -94,8 +94,13 @@ def reason(scene: Scene, found: list[Candidate], dt: float) -> str:
     """Say in one sentence what decided for the first candidate, run in steps of `dt` [s]."""
     best, implicit = found[0], METHODS[found[0].method].implicit
     said = f"auto chose {best.method} ({'implicit' if implicit else 'explicit'}) at {_ms(dt)}"
+    given = scene.run.time_step
+    if best.step == given:
+        said += f", the scene's time_step being {_ms(best.step)}"
+    share = f"{scene.run.auto_fraction:g} of the bound"
     if scene.limiter is not None:
-        return f"{said}: a stretch limiter needs an explicit method, stable up to {_ms(best.bound)}"
+        allowed = _allowed(best, share)
+        return f"{said}: a stretch limiter needs an explicit method, and stability allows {allowed}"
     other = next((one for one in found if METHODS[one.method].implicit != implicit), None)
     if other is None and any(rope.rigid for rope in scene.ropes):
         return f"{said}: rigid links need a method that holds their lengths"
@@ -105,10 +110,16 @@ def reason(scene: Scene, found: list[Candidate], dt: float) -> str:
     cost = f"{times:.2g} times as much" if times > 1.05 else "a little more"
     if times >= 10.0:
         cost = f"{times:.0f} times as much"
-    why = f"stability allows {_ms(best.bound)}, and {other.method} would cost {cost}"
+    if other.step == given:
+        cost += f" at the scene's time_step of {_ms(other.step)},"
+    why = f"stability allows {_allowed(best, share)}, and {other.method} would cost {cost}"
     if implicit:
-        why = f"{other.method} is stable up to {_ms(other.bound)} only and would cost {cost}"
+        why = f"{other.method} is allowed {_allowed(other, share)} only and would cost {cost}"
     return f"{said}: {why} for an error of about {1e3 * AIM * scene.run.tolerance:.3g} mm"
+
+
+def _allowed(one: Candidate, share: str) -> str:
+    return _ms(one.bound) + ("" if math.isinf(one.bound) else f" ({share})")
 
 
 def _ms(seconds: float) -> str:

@@ -13,6 +13,7 @@ from ropewalk.core.arrays import State, System
 from ropewalk.laws.winch import WINCH_SHARE
 from ropewalk.methods.bound import largest_step
 from ropewalk.methods.controller import LONGEST_STEP
+from ropewalk.methods.registry import METHODS
 from ropewalk.scene import RunSettings, Scene, SceneError
 from ropewalk.scene.errors import Fault
 
@@ -71,9 +72,11 @@ def predicted_step(system: System, state: State, method: str) -> float:
 def make_plan(scene: Scene, system: System, state: State) -> Plan:
     """Return the plan of a scene's run.
 
-    Raises SceneError when "auto" finds no stable step, or the plan has more than 2^53 steps.
+    Raises SceneError when "auto" finds no stable step, an implicit method meets a stretch limiter, or
+    the plan has more than 2^53 steps.
     """
     run = scene.run
+    _refuse_limiter(scene)
     if run.method == "adaptive":
         return _adaptive_plan(scene)
     method: str = run.method
@@ -103,15 +106,20 @@ def make_plan(scene: Scene, system: System, state: State) -> Plan:
     return Plan(method, dt, count, frames, why=why)
 
 
+def _refuse_limiter(scene: Scene) -> None:
+    """Refuse a limiter where forces are solved for: it is an impulse, and has no tangent."""
+    method = scene.run.method
+    if scene.limiter is not None and method != "auto" and METHODS[method].implicit:
+        rule = (
+            "cannot work with a stretch limiter, an impulse without a tangent; take an explicit method "
+            "or auto, or a stiff material in the limiter's place"
+        )
+        raise SceneError([Fault("run.method", method, rule)])
+
+
 def _adaptive_plan(scene: Scene) -> Plan:
     """Return the plan of a run that chooses its own steps, one "step" a frame."""
     run = scene.run
-    if scene.limiter is not None:
-        rule = (
-            "cannot work with a stretch limiter, which acts once a step, whatever its length; take a "
-            "method of fixed steps, or a stiff material in the limiter's place"
-        )
-        raise SceneError([Fault("run.method", run.method, rule)])
     frames = max(1, round(run.duration / run.frame_interval))
     longest = LONGEST_STEP if run.time_step == "auto" else run.time_step
     return Plan(run.method, run.frame_interval, 1, frames, run.tolerance, longest)

@@ -14,6 +14,7 @@ from ropewalk.simulation import Simulation
 if TYPE_CHECKING:
     from ropewalk.live.session import Session
 
+NO_TANGENT = "implicit methods cannot work with a stretch limiter"
 _BEFORE = 1.0  # [s] before a break that no bound predicted
 _MARGIN = 0.9  # of the largest stable step
 
@@ -89,7 +90,7 @@ def as_messages(session: Session) -> list[dict[str, Any]]:
             "id": "implicit",
             "label": f"Use {method}",
             "value": method,
-            "enabled": True,
-            "why": "",
+            "enabled": not track.scene.limiter,
+            "why": NO_TANGENT if track.scene.limiter else "",
         },
     ]
