@@ -40,6 +40,13 @@ def test_modes_as_json_and_as_a_figure(ropewalk: Call, scene: Path) -> None:
         (("-o", "modes.txt"), "must end in .png"),
         (("--about", "rest"), "rest"),
         (("--set", "anchor=[]"), "no anchor holds it"),
+        (
+            (
+                *("--about", "start", "--set", "rope.made_of.tension_only=true"),
+                *("--set", "rope.shape={kind='straight', end=[1, 0, 0]}"),
+            ),
+            "where it starts all its segments are slack",
+        ),
     ],
 )
 def test_modes_refuses(ropewalk: Call, scene: Path, arguments: tuple[str, ...], words: str) -> None:

@@ -12,6 +12,7 @@ from ropewalk.record.resume import resume_run
 from ropewalk.record.run import record_run
 from ropewalk.scene import Anchor, Rope, Scene, Springs, Straight, Velocity
 from ropewalk.scene.rope import Kick
+from ropewalk.vibration import NoModes
 
 STUFF = Springs(spring_constant=500.0, node_mass=0.05, segment_length=0.5, spring_friction=0.05)
 REST = rw.RunSettings(start="at-rest", duration=0.2)
@@ -77,6 +78,48 @@ def test_a_run_rings_in_a_mode() -> None:
     speeds = np.linalg.norm(simulation.velocities, axis=1)
     assert speeds.max() == pytest.approx(0.25, rel=1e-12)
     np.testing.assert_allclose(simulation.velocities, 0.25 * shape, atol=1e-3)
+
+
+@pytest.mark.parametrize("mode", [1, 2, 3, 4])
+@pytest.mark.parametrize("friction", [0.0, 0.05])
+def test_a_run_rings_in_the_mode_that_is_listed(mode: int, friction: float) -> None:
+    # A taut string without weight: modes 1 and 2, 3 and 4 have equal frequencies in two planes.
+    taut = Rope(
+        segments=6, made_of=STUFF.replace(spring_friction=friction), shape=Straight(end=(3.3, 0, 0))
+    )
+    string = scene(REST.replace(ring=rw.Ring(mode=mode, speed=1.0)), gravity=(0, 0, 0))
+    string = string.replace(ropes=(taut,))
+    listed = rw.modes(string)
+    assert listed.motions[mode - 1].name == ("in plane", "out of plane")[(mode - 1) % 2]
+    shape = listed.shapes[mode - 1].real
+    np.testing.assert_allclose(rw.Simulation(string).velocities, shape, atol=1e-9)
+    other = listed.shapes[mode - 2 + 2 * (mode % 2)].real  # its twin in the other plane
+    assert np.abs(rw.Simulation(string).velocities - other).max() > 0.9
+
+
+def test_modes_that_do_not_settle_are_said(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("ropewalk.vibration.solve.DENSE", 0)
+    monkeypatch.setattr("ropewalk.vibration.solve._DENSE_DAMPED", 0)
+    long = Rope(segments=60, made_of=STUFF, shape=Straight(end=(33, 0, 0)))
+    damped = scene().replace(ropes=(long,))
+    still = damped.replace(ropes=(long.replace(made_of=STUFF.replace(spring_friction=0.0)),))
+    for source in (damped, still):
+        assert rw.modes(source, count=3).count == 3
+    monkeypatch.setattr("ropewalk.vibration.solve._ROUNDS", 1)
+    for source in (damped, still):
+        with pytest.raises(NoModes, match="did not settle in 1 rounds: they still change by"):
+            rw.modes(source, count=3)
+
+
+def test_slack_ropes_have_no_modes_where_they_start() -> None:
+    loose = Rope(
+        segments=6, made_of=STUFF.replace(tension_only=True), shape=Straight(end=(3.0, 0, 0))
+    )
+    source = scene().replace(ropes=(loose,))
+    with pytest.raises(rw.SceneError, match="where it starts all its segments are slack") as caught:
+        rw.modes(source, about="start")
+    assert str(caught.value).startswith('rope[0]: "rope" - has no modes')
+    assert rw.modes(source).frequencies[0] > 0.1  # at rest it hangs
 
 
 def test_a_resumed_run_that_started_at_rest_goes_on_to_the_same_bits(tmp_path: Path) -> None:

@@ -10,7 +10,7 @@ import pytest
 import ropewalk as rw
 from ropewalk import theory
 from ropewalk.build import build
-from ropewalk.scene import Air, Load, Points, Rope, Straight
+from ropewalk.scene import Air, Load, Points, Rope, Slack, Straight
 from ropewalk.vibration import modes
 
 G = 9.81
@@ -88,6 +88,27 @@ def test_hanging_rigid_links(masses: int) -> None:
     exact = theory.rigid_chain_frequencies(masses, 1.0 / masses)
     np.testing.assert_allclose(rates(found), np.repeat(exact, 2), rtol=1e-10)
     assert {motion.name for motion in found.motions} == {"sideways"}
+
+
+@pytest.mark.parametrize("EA", [1e9, 1e12, 1e15, math.inf])
+def test_a_sagging_rope_of_any_stiffness(EA: float) -> None:
+    # Twenty rigid links, 10 m on 8 m, are the limit: what stretch shifts is of the order of
+    # mu g L / EA < 1e-7. All that swing are compared: 2 (n - 1) - 2 in plane or out of it, and slow.
+    def sagging(EA: float, sag: float = 8.0) -> rw.Scene:
+        stuff = rw.Material(EA=EA, mass_per_length=0.2)
+        rope = Rope(segments=20, length=10.0, made_of=stuff, shape=Slack(end=(sag, 0, 0)))
+        held = (rw.Anchor(node=0), rw.Anchor(node=-1))
+        return rw.Scene(ropes=(rope,), anchors=held, run=rw.RunSettings(method="bdf2"))
+
+    found, rigid = rw.modes(sagging(EA), count=30), rw.modes(sagging(math.inf), count=30)
+    np.testing.assert_allclose(found.frequencies, rigid.frequencies, rtol=1e-6)
+    assert rigid.frequencies[0] > 0.3
+    assert rw.modes(sagging(EA, 8.1)).frequencies[0] > 1.001 * rigid.frequencies[0]
+    if math.isinf(EA):
+        # As drawn, on chords of the continuous curve, the links' tensions are nearly those at rest.
+        drawn = rw.modes(sagging(EA), about="start", count=10).frequencies
+        np.testing.assert_allclose(drawn, rigid.frequencies[:10], rtol=2e-3)
+        assert (drawn > 0.0).all()
 
 
 def test_hanging_rope_converges_to_the_bessel_zeros() -> None:

@@ -77,9 +77,10 @@ def explain(error: Exception) -> tuple[int, str]:
         for words, flag in _IN_FLAGS.items():
             text = text.replace(words, flag)
         return BAD_INPUT, _error_lines(text)
-    statics = sys.modules.get("ropewalk.statics")
-    if statics is not None and isinstance(error, statics.NoRest):
-        return BROKE, _error_lines(str(error))
+    for module, failure in (("ropewalk.statics", "NoRest"), ("ropewalk.vibration", "NoModes")):
+        known = sys.modules.get(module)
+        if known is not None and isinstance(error, getattr(known, failure)):
+            return BROKE, _error_lines(str(error))
     name = type(error).__name__
     return BUG, f"error in Ropewalk itself: {name}: {error}"
 

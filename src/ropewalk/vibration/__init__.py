@@ -3,5 +3,6 @@
 from __future__ import annotations
 
 from ropewalk.vibration.modes import Modes, highest_frequency, modes
+from ropewalk.vibration.solve import NoModes
 
-__all__ = ["Modes", "highest_frequency", "modes"]
+__all__ = ["Modes", "NoModes", "highest_frequency", "modes"]

@@ -55,6 +55,11 @@ class Linear:
         return bool((self.soft == 0.0).any())
 
     @property
+    def loose(self) -> bool:
+        """Whether nothing brings any node back."""
+        return bool(self.nodes.size) and not self.soft.size and not self.other.count_nonzero()
+
+    @property
     def has_friction(self) -> bool:
         """Whether anything is damped."""
         return bool(self.friction.count_nonzero())

@@ -9,8 +9,13 @@ from typing import Any, Literal
 import numpy as np
 
 from ropewalk.build import Layout, Model, build
+from ropewalk.build.links import has_links
+from ropewalk.core import arrays
 from ropewalk.core.arrays import BENDING, Floats
-from ropewalk.scene import Scene
+from ropewalk.core.saddle import make_saddle
+from ropewalk.methods.loop import prepare_links
+from ropewalk.scene import Scene, SceneError
+from ropewalk.scene.errors import Fault
 from ropewalk.statics import checked_shape
 from ropewalk.vibration.drawing import ModePlots
 from ropewalk.vibration.linear import linearise
@@ -18,6 +23,8 @@ from ropewalk.vibration.motion import Motion, motions, plane_normal
 from ropewalk.vibration.solve import Complex, highest, solve, untangle
 
 About = Literal["equilibrium", "start"]
+
+_ROUNDING = 8.0 * float(np.finfo(np.float64).eps)  # of the largest coordinate: no stretch [1]
 
 
 @dataclass(frozen=True)
@@ -91,8 +98,9 @@ class Modes:
 def modes(source: Scene | Model, about: About = "equilibrium", count: int = 10) -> Modes:
     """Return the slowest modes of a scene or a built model.
 
-    Raises SceneError for a scene that has no rest shape (about "equilibrium"), ValueError for another
-    word and for a count below 1.
+    Raises SceneError for a scene that has no rest shape (about "equilibrium") or in whose shape nothing
+    is taut (about "start"), ValueError for another word and for a count below 1, `NoModes` when a
+    large model's do not settle.
     """
     if about not in ("equilibrium", "start"):
         raise ValueError(f'about: {about!r} - must be "equilibrium" or "start"')
@@ -101,12 +109,13 @@ def modes(source: Scene | Model, about: About = "equilibrium", count: int = 10) 
     model = source if isinstance(source, Model) else build(source)
     x, tension = shape_about(model, about)
     linear = linearise(model, x, tension)
-    values, flat = solve(linear, count)
+    if linear.loose:
+        _refuse_loose(model, about)
+    more = 2 * len(model.layout.ropes)  # so that none of equal frequency is cut off
+    values, flat = solve(linear, count + more)
     normal = plane_normal(model, x)
-    if linear.symmetric and not linear.has_friction:
-        squares = np.where(values.imag > 0.0, values.imag**2, -(values.real**2))
-        aside = np.tile(normal, linear.nodes.size)
-        flat = untangle(squares, flat.real, linear.mass, aside).astype(complex)
+    flat = untangle(values, flat, linear.mass, np.tile(normal, linear.nodes.size))
+    values, flat = values[:count], flat[:count]
     shapes = np.zeros((len(values), x.shape[1], 3), dtype=complex)
     shapes[:, linear.nodes] = flat.reshape(len(values), linear.nodes.size, 3)
     return Modes(
@@ -118,6 +127,16 @@ def modes(source: Scene | Model, about: About = "equilibrium", count: int = 10) 
         shapes=_scaled(shapes),
         motions=motions(model, x, _scaled(shapes), normal),
     )
+
+
+def _refuse_loose(model: Model, about: About) -> None:
+    """Raise SceneError for ropes that nothing would bring back."""
+    where = "where it starts" if about == "start" else "at rest"
+    rule = f"has no modes: {where} all its segments are slack, and nothing else brings it back"
+    if about == "start":
+        rule += '; take them about the "equilibrium", or a shape that stretches it'
+    names = enumerate(rope.name for rope in model.scene.ropes)
+    raise SceneError([Fault(f"rope[{number}]", name, rule) for number, name in names])
 
 
 def highest_frequency(model: Model, x: Floats, tension: Floats) -> float | None:
@@ -136,10 +155,21 @@ def shape_about(model: Model, about: About) -> tuple[Floats, Floats]:
     if about == "equilibrium":
         statics = checked_shape(model)
         return np.ascontiguousarray(statics.positions.T), statics.tension
-    state = model.state
-    r = np.sqrt((np.diff(state.x, axis=1) ** 2).sum(axis=0))
-    k = np.where(np.isinf(state.stiffness), 0.0, state.stiffness)
-    return state.x.copy(), np.maximum(k * (r - state.rest_length), model.system.slack_floor)
+    state, rigid = model.state, np.isinf(model.state.stiffness)
+    stretch = np.sqrt((np.diff(state.x, axis=1) ** 2).sum(axis=0)) - state.rest_length
+    stretch[np.abs(stretch) <= _ROUNDING * np.abs(state.x).max()] = 0.0
+    tension = np.maximum(np.where(rigid, 0.0, state.stiffness) * stretch, model.system.slack_floor)
+    if has_links(state):
+        tension = np.where(rigid, _held_tension(model), tension)
+    return state.x.copy(), tension
+
+
+def _held_tension(model: Model) -> Floats:
+    """Return the tensions (s,) [N] that keep rigid links at their lengths as they let go, at rest."""
+    state = arrays.copy(model.state)
+    state.v[...] = 0.0
+    prepare_links(model.system, state, make_saddle(state.x.shape[1]))
+    return np.asarray(state.tension)
 
 
 def _scaled(shapes: Complex) -> Complex:

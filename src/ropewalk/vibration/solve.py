@@ -26,15 +26,25 @@ _DENSE_DAMPED = 400  # the same with friction, where the problem has twice as ma
 _SINGULAR = (
     1e14  # flexibility, in units of the model's own, beyond which something moves freely [1]
 )
+_STIFF = 1e6  # stiffness of a segment, over that of its tension, that counts for the rate [1]
 _SHIFT = 1e-6  # shift that is then taken, in units of the model's rate [1]
 _ROUNDS = 300  # of a subspace's iteration at most
 _SETTLED = 1e-13  # relative change of an eigenvalue in one round that ends it [1]
+_NEUTRAL = 1e-13  # of the rate squared: a w^2 that is negative by less is rounding [1]
+_GROWS = 1e-9  # of an eigenvalue's size: a positive real part below is rounding [1]
+_ENOUGH = 1e-6  # change that is accepted after all rounds: of more nothing is known [1]
 _ALIKE = 1e-7  # relative difference of eigenvalues that are one [1]
+_DISTINCT = 1e-6  # shapes of one eigenvalue nearer to each other than this are one shape [1]
 
 
-def solve(linear: Linear, count: int) -> tuple[Complex, Complex]:
+class NoModes(ArithmeticError):  # noqa: N818 - it is what happened, not a mistake
+    """The modes of a model were not found."""
+
+
+def solve(linear: Linear, count: int) -> tuple[Complex, Floats | Complex]:
     """Return the eigenvalues l [1/s] (m,) and shapes (m, 3 f) of the slowest modes, m <= count.
 
+    Shapes are real without friction.
     l = -d + i w of modes that ring, of which only those with w >= 0 are given, and real ones of modes
     that creep or, when they are positive, grow.
     """
@@ -42,8 +52,10 @@ def solve(linear: Linear, count: int) -> tuple[Complex, Complex]:
         return np.zeros(0, complex), np.zeros((0, 0), complex)
     if linear.symmetric and not linear.has_friction:
         squares, shapes = undamped(linear, count)
+        rounding = _NEUTRAL * _rate(linear) ** 2
+        squares = np.where((squares < 0.0) & (squares > -rounding), 0.0, squares)
         values = np.where(squares >= 0.0, 1j, 1.0) * np.sqrt(np.abs(squares))
-        return values.astype(complex), shapes.astype(complex)
+        return values.astype(complex), shapes
     return _damped(linear, count)
 
 
@@ -78,13 +90,18 @@ def highest(linear: Linear) -> float:
 
 def _inverse(linear: Linear) -> tuple[Callable[[Any], Any], float]:
     """Return the solution of (K + s C + s^2 M) u = f, and the shift s that was needed [1/s]."""
+    from scipy.sparse.csgraph import structural_rank
     from scipy.sparse.linalg import splu
 
     size = linear.mass.size
     shift = 0.0
     for _ in range(2):
+        matrix = linear.saddle(shift)
+        matrix.eliminate_zeros()
         try:
-            factors = splu(linear.saddle(shift))
+            if structural_rank(matrix) < matrix.shape[0]:  # SuperLU may crash on it
+                raise RuntimeError
+            factors = splu(matrix)
             probe = factors.solve(np.append(_start(size), np.zeros(linear.soft.size)))[:size]
             sound = bool(np.abs(probe).max() * linear.mass.max() * _rate(linear) ** 2 < _SINGULAR)
         except RuntimeError:  # exactly singular
@@ -93,7 +110,7 @@ def _inverse(linear: Linear) -> tuple[Callable[[Any], Any], float]:
             break
         shift = _SHIFT * _rate(linear)
     if not sound:
-        raise ArithmeticError("the stiffness of this shape is singular: its modes cannot be found")
+        raise NoModes("the stiffness of this shape is singular: its modes cannot be found")
 
     def inverse(force: Any) -> Any:
         right = np.zeros((factors.shape[0], *force.shape[1:]))
@@ -104,11 +121,29 @@ def _inverse(linear: Linear) -> tuple[Callable[[Any], Any], float]:
 
 
 def _rate(linear: Linear) -> float:
-    """Return a middle frequency of the model, from its diagonals [1/s]."""
-    with np.errstate(divide="ignore"):
-        along = (linear.lengths.multiply(linear.lengths)).T @ np.minimum(1.0 / linear.soft, 1e15)
-    diagonal = np.abs(linear.other.diagonal()) + along
-    return float(np.sqrt(np.median((diagonal / linear.mass)[diagonal > 0.0])) or 1.0)
+    """Return a middle frequency of the model, from its diagonals [1/s].
+
+    The slow modes of stiff ropes must not count as free: of stiff segments no more than `_STIFF` times
+    their tension counts, of rigid links nothing.
+    """
+    soft, other = linear.soft, np.abs(linear.other.diagonal())
+    hard = np.divide(1.0, soft, out=np.zeros_like(soft), where=soft > 0.0)
+    if other.any():
+        hard = np.minimum(hard, _STIFF * np.median(other[other > 0.0]))
+    diagonal = other + linear.lengths.multiply(linear.lengths).T @ hard
+    if not diagonal.any():
+        return 1.0
+    return float(np.sqrt(np.median((diagonal / linear.mass)[diagonal > 0.0])))
+
+
+def _need_settled(change: Any, values: Any) -> None:
+    """Raise NoModes when eigenvalues still change after all rounds."""
+    left = float((change / np.maximum(np.abs(values), 1e-300)).max(initial=0.0))
+    if not left <= _ENOUGH:
+        raise NoModes(
+            f"the modes did not settle in {_ROUNDS} rounds: they still change by {left:.1g} of "
+            "themselves; ask for more or fewer modes, or take fewer segments"
+        )
 
 
 def _start(size: int) -> Floats:
@@ -144,8 +179,11 @@ def _dense(linear: Linear, modes: int) -> tuple[Floats, Floats]:
     return squares, (vectors / root[:, None]).T
 
 
-def _subspace(linear: Linear, count: int) -> tuple[Floats, Floats]:
-    """Iterate a subspace under the flexibility: equal frequencies are all found."""
+def _subspace(linear: Linear, count: int, *, rough: bool = False) -> tuple[Floats, Floats]:
+    """Iterate a subspace under the flexibility: equal frequencies are all found.
+
+    Raises NoModes when they do not settle, unless `rough` ones will do.
+    """
     inverse, shift = _inverse(linear)
     root = np.sqrt(linear.mass)
     block = np.random.default_rng(1).normal(size=(root.size, 2 * count + 8))
@@ -157,9 +195,12 @@ def _subspace(linear: Linear, count: int) -> tuple[Floats, Floats]:
         values, turn = np.linalg.eigh(0.5 * (small + small.T))
         order = np.argsort(-np.abs(values))[:count]
         values = values[order]
-        if np.all(np.abs(values - before) <= _SETTLED * np.abs(values)):
+        change, before = np.abs(values - before), values
+        if np.all(change <= _SETTLED * np.abs(values)):
             break
-        before = values
+    else:
+        moves = (_without(shift, values) != 0.0) & (not rough)  # what moves freely is rounding
+        _need_settled(change[moves], values[moves])
     vectors = basis @ turn[:, order]
     return _without(shift, values), (vectors / root[:, None]).T
 
@@ -173,7 +214,11 @@ def _damped(linear: Linear, count: int) -> tuple[Complex, Complex]:
         found, vectors = _inverted(linear, inverse, shift, count)
     size = np.abs(found)
     found = np.where(np.abs(found.imag) <= 1e-9 * size, found.real, found)
-    found = np.where(np.abs(found.real) <= 1e-12 * size, 1j * found.imag, found)
+    rounding = (np.abs(found.real) <= 1e-12 * size) | (
+        (found.real > 0.0) & (found.real <= _GROWS * size)
+    )
+    found = np.where(rounding, 1j * found.imag, found)
+    found = np.where(size <= 0.1 * shift, 0.0, found)  # moves freely
     upper = found.imag >= 0.0
     found, vectors = found[upper], vectors[: linear.mass.size, upper]
     order = np.argsort(np.abs(found), kind="stable")[:count]
@@ -182,8 +227,8 @@ def _damped(linear: Linear, count: int) -> tuple[Complex, Complex]:
 
 def _companion(linear: Linear) -> tuple[Complex, Complex]:
     """Return all eigenvalues and vectors of the companion matrix; for what moves freely."""
-    size, rate = linear.mass.size, _rate(linear)
-    over = 1.0 / linear.mass[:, None]
+    size, over = linear.mass.size, 1.0 / linear.mass[:, None]
+    rate = float(np.sqrt(np.median(np.abs(linear.stiffness.diagonal()) / linear.mass))) or 1.0
     below = [-over * linear.stiffness.toarray() / rate, -over * linear.friction.toarray()]
     matrix = np.block([[np.zeros((size, size)), rate * np.eye(size)], below])
     values, vectors = np.linalg.eig(matrix)
@@ -207,17 +252,17 @@ def _inverted(
     if size <= _DENSE_DAMPED:
         values, vectors = np.linalg.eig(apply(np.eye(2 * size)))
     else:
-        values, vectors = _iterate(linear, apply, rate, count)
+        values, vectors = _iterate(linear, apply, shift, count)
     kept = np.abs(values) > 1e-14 * np.abs(values).max()
     return shift + 1.0 / values[kept], vectors[:, kept]
 
 
 def _iterate(
-    linear: Linear, apply: Callable[[Any], Any], rate: float, count: int
+    linear: Linear, apply: Callable[[Any], Any], shift: float, count: int
 ) -> tuple[Complex, Complex]:
     """Iterate a subspace that begins with the undamped modes."""
     size = linear.mass.size
-    _, shapes = _subspace(linear, count + 4)
+    _, shapes = _subspace(linear, count + 4, rough=True)
     zero = np.zeros_like(shapes.T)
     noise = np.random.default_rng(2).normal(size=(2 * size, 8))
     top, bottom = np.concatenate([shapes.T, zero]), np.concatenate([zero, shapes.T])
@@ -229,33 +274,38 @@ def _iterate(
         values, turn = np.linalg.eig(basis.T @ block)
         order = np.argsort(-np.abs(values), kind="stable")[: 2 * count]
         values = values[order]
-        if np.all(np.abs(np.abs(values) - before) <= _SETTLED * np.abs(values)):
+        change, before = np.abs(np.abs(values) - before), np.abs(values)
+        if np.all(change <= _SETTLED * before):
             break
-        before = np.abs(values)
+    else:
+        moves = np.abs(values) * shift < 0.9  # the others move freely: l = 0 but for rounding
+        moves[count:] = False  # the last pairs may be cut in two, and never settle
+        _need_settled(change[moves], values[moves])
     return values, basis @ turn[:, order]
 
 
-def untangle(squares: Floats, shapes: Floats, mass: Floats, aside: Floats) -> Floats:
-    """Turn the shapes of equal frequencies so that they lie in the plane or out of it.
+def untangle(values: Complex, shapes: Any, mass: Floats, aside: Floats) -> Complex:
+    """Turn the shapes of equal eigenvalues so that they lie in the plane or out of it.
 
     Args:
-        squares: w^2 (m,), sorted.
+        values: eigenvalues l (m,), sorted by size.
         shapes: (m, 3 f).
         mass: of the unknowns (3 f,) [kg].
         aside: out-of-plane unit vector, repeated for every node (3 f,).
     """
-    shapes = shapes.copy()
-    first = 0
-    scale = np.abs(squares)
-    for last in range(1, len(squares) + 1):
-        if last < len(squares) and scale[last] - scale[first] <= _ALIKE * scale[last]:
+    from scipy.linalg import eigh
+
+    shapes, first = shapes.copy(), 0
+    for last in range(1, len(values) + 1):
+        if last < len(values) and abs(values[last] - values[first]) <= _ALIKE * abs(values[last]):
             continue
         if last - first > 1:
             group = shapes[first:last]
-            group = group / np.sqrt((group**2 * mass).sum(axis=1))[:, None]
+            group = group / np.sqrt((np.abs(group) ** 2 * mass).sum(axis=1))[:, None]
             part = (group * aside).reshape(last - first, -1, 3).sum(axis=2)
-            weight = part * mass[::3]
-            _, turn = np.linalg.eigh(weight @ part.T)
-            shapes[first:last] = turn.T @ group
+            whole = (group * mass) @ group.conj().T
+            if np.linalg.eigvalsh(whole)[0] > _DISTINCT:
+                _, turn = eigh((part * mass[::3]) @ part.conj().T, whole)
+                shapes[first:last] = turn.conj().T @ group
         first = last
-    return shapes
+    return np.asarray(shapes, dtype=complex)
