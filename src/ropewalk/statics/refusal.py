@@ -39,7 +39,8 @@ def _fault_of(model: Model, rope: Span) -> str:
     heavy, windy = bool(np.any(model.system.gravity)), _has_wind(model)
     if not held:
         return _unheld(model, rope, heavy, windy)
-    if heavy or windy:
+    bends = model.scene.ropes[model.scene.rope_index(rope.name)].bending_stiffness > 0.0
+    if heavy or windy or bends:
         return ""
     outer = rope.start != held[0] or rope.end != held[-1]
     slack = any(_is_slack(model, a, b) for a, b in itertools.pairwise(held))

@@ -220,7 +220,8 @@ def _solve(chain: _Chain, lowest: int, gap: float) -> Hung:
     ):
         found = _hung(chain, j, *_newton(chain, j, h, v))
         left = math.hypot(found.along.sum() - chain.across, found.upward.sum() - chain.rise)
-        if left <= 1e-11 * (float(chain.length.sum()) + chain.across + abs(chain.rise)):
+        size = float((chain.length + np.abs(found.tension) / chain.stiffness).sum())
+        if left <= 1e-11 * (size + chain.across + abs(chain.rise)):
             return found
     raise ArithmeticError(f"the rest shape did not close: {left:.3g} m are left open")
 
