@@ -33,10 +33,11 @@ def hung(model: Model) -> tuple[Floats, Floats]:
         for first, last in itertools.pairwise(nodes):
             try:
                 _span(model, x, tension, first, last)
-            except ValueError as error:
+            except (ValueError, ArithmeticError) as error:
                 number = model.scene.rope_index(rope.name)
                 names = _anchors_at(model, first, last)
-                rule = str(error).partition(" - ")[2] + f" (from {names})"
+                said = str(error)
+                rule = (said.partition(" - ")[2] or said) + f" (from {names})"
                 length = float(model.state.rest_length[first:last].sum())
                 fault = Fault(f"rope[{number}].length", length, rule)
                 raise SceneError([fault]) from None
