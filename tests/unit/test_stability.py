@@ -25,6 +25,7 @@ from ropewalk.scene import (
     Straight,
     Winch,
 )
+from ropewalk.scene.presets import preset
 from ropewalk.simulation import Broken, Simulation
 
 
@@ -252,3 +253,11 @@ def test_no_limit_is_said_so() -> None:
     assert found.stable
     assert "no limit" in found.verdict
     assert found.as_dict()["margin"] is None
+
+
+def test_no_implicit_method_is_recommended_to_a_limiter() -> None:
+    """It would be refused. Twin: the same rope without the limiter."""
+    scene = preset("h2")
+    scene = scene.replace(run=scene.run.replace(time_step=0.5, method="semi-implicit-euler"))
+    assert "bdf2" not in " ".join(stability(scene).remedies)
+    assert "bdf2" in " ".join(stability(scene.replace(limiter=None)).remedies)

@@ -203,6 +203,8 @@ def stability(source: Scene | Model, statics: Statics | None = None) -> Stabilit
     rope, node = model.layout.rope_of(int(np.argmax(np.abs(shape))))
     constant, material = _uniform(model.scene)
     largest = {known: min(found[known] for found in steps.values()) for known in METHODS}
+    if model.scene.limiter is not None:  # implicit methods refuse it
+        largest |= {known: 0.0 for known in METHODS if METHODS[known].implicit}
     return Stability(
         method=method,
         step=dt,
