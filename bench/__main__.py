@@ -44,16 +44,19 @@ def processor_name() -> str:
 
 
 def store(rows: list[Row]) -> Path:
-    """Write the rows as CSV and return the file's path."""
+    """Write the rows as CSV, among those that were measured the same day; return the file's path."""
     RESULTS.mkdir(exist_ok=True)
-    today = datetime.date.today().isoformat()
-    path = RESULTS / f"{today}.csv"
+    path = RESULTS / f"{datetime.date.today().isoformat()}.csv"
+    head = ["case", "value", "unit", "target", "version", "processor"]
+    lines: dict[str, list[str]] = {}
+    if path.exists():
+        with path.open(newline="") as file:
+            lines = {line[0]: line for line in list(csv.reader(file))[1:]}
+    for row in rows:
+        value = f"{row.value:.4g}"
+        lines[row.case] = [row.case, value, row.unit, row.target, __version__, processor()]
     with path.open("w", newline="") as file:
-        writer = csv.writer(file)
-        writer.writerow(["case", "value", "unit", "target", "version", "processor"])
-        for row in rows:
-            value = f"{row.value:.4g}"
-            writer.writerow([row.case, value, row.unit, row.target, __version__, processor()])
+        csv.writer(file).writerows([head, *lines.values()])
     return path
 
 

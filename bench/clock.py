@@ -29,14 +29,28 @@ class Timing:
         return self.best(name) / self.best(other)
 
 
-def take_turns(contestants: Mapping[str, Callable[[], object]], rounds: int = ROUNDS) -> Timing:
-    """Time all contestants in turn, after one untimed call of each."""
-    for run in contestants.values():
+def take_turns(
+    contestants: Mapping[str, Callable[[], object]],
+    rounds: int = ROUNDS,
+    before: Mapping[str, Callable[[], object]] | None = None,
+) -> Timing:
+    """Time all contestants in turn, after one untimed call of each.
+
+    What is in `before` under a contestant's name is done before each of its turns, untimed.
+    """
+    prepare = before or {}
+    for name, run in contestants.items():
+        prepare.get(name, _nothing)()
         run()
     seconds: dict[str, list[float]] = {name: [] for name in contestants}
     for _ in range(rounds):
         for name, run in contestants.items():
+            prepare.get(name, _nothing)()
             start = time.process_time()
             run()
             seconds[name].append(time.process_time() - start)
     return Timing(seconds)
+
+
+def _nothing() -> None:
+    return None

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from functools import partial
-
 from bench.clock import take_turns
 from bench.row import Row
 from ropewalk import Anchor, Material, Rope, RunSettings, Scene, Simulation
+from ropewalk.methods.recording import make_recording
 from ropewalk.methods.stage import SOLVES
 from ropewalk.scene import Straight
 
@@ -28,21 +26,30 @@ def dropped(segments: int, length: float = 10.0, method: str = "sdirk2", **more:
     return Scene(ropes=rope, anchors=[Anchor(node=0)], run=run)
 
 
-def swing(scene: Scene, steps: int) -> tuple[Callable[[], None], int]:
-    """Return a function that takes `steps` steps from the start, and its Newton iterations."""
-    simulation = Simulation(scene, ledger=False)
-    start = simulation.state
+class Swing:
+    """Steps of a scene from its start, in one call of the compiled loop: what it takes without Python."""
 
-    def run() -> None:
-        simulation.restore(start)
-        for _ in range(steps):
-            simulation.step()
+    def __init__(self, scene: Scene, steps: int) -> None:
+        self.simulation, self.steps = Simulation(scene, ledger=False), steps
+        self.start = self.simulation.state
+        self.nothing = make_recording(self.simulation.arrays, 0, False)
 
-    report = simulation._scratch.stage.report
-    run()
-    before = report[SOLVES]
-    run()
-    return run, int(report[SOLVES] - before)
+    def restore(self) -> None:
+        """Go back to the start."""
+        self.simulation.restore(self.start)
+
+    def run(self) -> None:
+        """Take the steps."""
+        self.simulation._advance(self.steps, 1, self.nothing)
+
+    @property
+    def iterations(self) -> int:
+        """Newton iterations of one run."""
+        report = self.simulation._scratch.stage.report
+        self.restore()
+        before = report[SOLVES]
+        self.run()
+        return int(report[SOLVES] - before)
 
 
 def newton() -> list[Row]:
@@ -53,16 +60,25 @@ def newton() -> list[Row]:
         ("axial friction", {"axial_damping": 1.0}, ""),
         ("bending", {"EI": 0.01}, "<= 70"),
     ):
-        run, iterations = swing(dropped(1000, **more), 6)
-        simple = Simulation(dropped(1000, method="semi-implicit-euler"), ledger=False)
-        explicit = partial(simple.step, 100e-6)
-        ratio = take_turns({"implicit": run, "explicit": explicit}).ratio("implicit", "explicit")
-        per = ratio * 100.0 / iterations
+        implicit = Swing(dropped(1000, **more), 6)
+        explicit = Swing(dropped(1000, method="semi-implicit-euler"), 100)
+        iterations = implicit.iterations
+        contestants = {"implicit": implicit.run, "explicit": explicit.run}
+        timing = take_turns(contestants, before={"implicit": implicit.restore})
+        per = timing.ratio("implicit", "explicit") * 100.0 / iterations
         rows.append(Row(f"Newton iteration / explicit step, {name}", per, "1", target))
+    return rows + flat_iterations()
+
+
+def flat_iterations() -> list[Row]:
+    """Cost of an iteration from 100 to a million nodes."""
     sizes = (100, 1000, 10_000, 100_000, 1_000_000)
-    runs = {n: swing(dropped(n, 0.1 * n), max(1, 6000 // n)) for n in sizes}
-    timing = take_turns({str(n): run for n, (run, _) in runs.items()}, rounds=3)
-    costs = {n: 1e9 * timing.best(str(n)) / (runs[n][1] * n) for n in sizes}
-    rows += [Row(f"iteration at {n} nodes", costs[n], "ns/node", "") for n in sizes]
+    swings = {str(n): Swing(dropped(n, 0.1 * n), max(1, 6000 // n)) for n in sizes}
+    runs, before = (
+        {name: getattr(one, do) for name, one in swings.items()} for do in ("run", "restore")
+    )
+    timing = take_turns(runs, rounds=6, before=before)
+    costs = {n: timing.best(str(n)) / (swings[str(n)].iterations * n) for n in sizes}
+    rows = [Row(f"iteration at {n} nodes", 1e9 * costs[n], "ns/node", "") for n in sizes]
     spread = max(costs.values()) / min(costs.values())
     return [*rows, Row("largest / smallest cost of an iteration", spread, "1", "<= 1.5")]

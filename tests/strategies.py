@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 from hypothesis import strategies as st
 
+from ropewalk.methods.registry import METHODS
 from ropewalk.scene import (
     Air,
     Anchor,
+    Clamp,
     Fixed,
     Ground,
     Hand,
@@ -32,12 +35,18 @@ from ropewalk.scene import (
     Winch,
 )
 
-METHODS = ("euler", "semi-implicit-euler", "verlet", "heun", "rk4")
+ALL_METHODS = (*METHODS, "auto")
+LINKED = tuple(name for name, method in METHODS.items() if method.holds_links)
 
 
 def numbers(low: float, high: float) -> st.SearchStrategy[float]:
     """Floats of any length between two bounds."""
     return st.floats(low, high, allow_nan=False, allow_infinity=False, allow_subnormal=False)
+
+
+def powers(low: float, high: float) -> st.SearchStrategy[float]:
+    """Floats of any order of magnitude between two powers of ten."""
+    return numbers(low, high).map(lambda exponent: 10.0**exponent)
 
 
 def vectors(size: float) -> st.SearchStrategy[tuple[float, float, float]]:
@@ -61,11 +70,19 @@ def names() -> st.SearchStrategy[str]:
     return st.from_regex(r"\A[A-Za-zöß][A-Za-z0-9ö_-]{0,8}\Z")
 
 
-def springs() -> st.SearchStrategy[Springs]:
-    """Springs between those of the seeds and much softer ones."""
+def stiffnesses(method: str) -> st.SearchStrategy[float]:
+    """Stiffnesses that a method can run: up to stiff ones, or rigid links, where it solves for forces."""
+    soft = numbers(10.0, 1e4)
+    if method == "auto" or METHODS[method].implicit:
+        soft |= powers(1.0, 12.0)
+    return soft | st.just(math.inf) if method in (*LINKED, "auto") else soft
+
+
+def springs(method: str) -> st.SearchStrategy[Springs]:
+    """Springs between those of the seeds and much softer ones, or stiff ones for a method that can."""
     return st.builds(
         Springs,
-        spring_constant=numbers(10.0, 1e4),
+        spring_constant=stiffnesses(method),
         node_mass=numbers(0.01, 1.0),
         spring_friction=st.just(0.0) | numbers(0.0, 1.0),
         segment_length=numbers(0.05, 1.0),
@@ -74,15 +91,23 @@ def springs() -> st.SearchStrategy[Springs]:
     )
 
 
-def materials() -> st.SearchStrategy[Material]:
-    """Materials from rubber bands to cords."""
-    return st.builds(
-        Material,
-        EA=numbers(10.0, 1e4),
-        mass_per_length=numbers(0.01, 1.0),
-        axial_damping=st.just(0.0) | numbers(0.0, 5.0),
-        friction=st.sampled_from(["vector", "axial"]),
-        tension_only=st.booleans(),
+@st.composite
+def materials(draw: st.DrawFn, method: str) -> Material:
+    """Materials from rubber bands to cords, or steel and rods for a method that can."""
+    EI = draw(st.just(0.0) | powers(-6.0, 0.0))
+    bent = {}
+    if EI > 0.0:
+        damping = draw(st.just(0.0) | powers(-4.0, -1.0)) * EI
+        axis = draw(st.sampled_from([(0.0, 0.0, 0.0), (0.0, 0.2, 0.1)]))
+        bent = {"bending_damping": damping, "curvature": axis}
+    return Material(
+        EA=draw(stiffnesses(method)),
+        mass_per_length=draw(numbers(0.01, 1.0)),
+        axial_damping=draw(st.just(0.0) | numbers(0.0, 5.0)),
+        EI=EI,
+        friction=draw(st.sampled_from(["vector", "axial"])),
+        tension_only=draw(st.booleans()),
+        **bent,
     )
 
 
@@ -134,10 +159,10 @@ def shapes(segments: int, length: float) -> st.SearchStrategy[object]:
 
 
 @st.composite
-def ropes(draw: st.DrawFn, name: str = "rope", max_segments: int = 8) -> Rope:
-    """A rope of springs or a material with loads and kicks."""
+def ropes(draw: st.DrawFn, method: str, name: str = "rope", max_segments: int = 8) -> Rope:
+    """A rope of springs or a material with loads and kicks, for a method."""
     segments = draw(st.integers(1, max_segments))
-    made_of = draw(springs() | materials())
+    made_of = draw(springs(method) | materials(method))
     length = draw(numbers(0.3, 4.0))
     own = segments * made_of.segment_length if isinstance(made_of, Springs) else length
     node = st.integers(-segments - 1, segments)
@@ -192,6 +217,17 @@ def motions() -> st.SearchStrategy[object]:
     )
 
 
+def clamps() -> st.SearchStrategy[Clamp]:
+    """Directions held, or turned for a while."""
+    return st.builds(
+        Clamp,
+        direction=axes(),
+        turn_axis=axes(),
+        turn_rate=st.just(0.0) | numbers(-10.0, 10.0),
+        stop=numbers(0.01, 0.2) | st.just(math.inf),
+    )
+
+
 @st.composite
 def anchors(draw: st.DrawFn, rope: Rope, max_anchors: int = 3) -> list[Anchor]:
     """Anchors at different nodes of a rope, named after it."""
@@ -202,6 +238,7 @@ def anchors(draw: st.DrawFn, rope: Rope, max_anchors: int = 3) -> list[Anchor]:
             rope=rope.name,
             node=draw(st.sampled_from([node, node - rope.nodes])),
             motion=draw(motions()),
+            clamp=draw(st.none() | clamps()) if rope.bending_stiffness > 0.0 else None,
             release_time=draw(st.none() | numbers(0.0, 1.0)),
             above_ground=draw(st.booleans()),
         )
@@ -231,31 +268,41 @@ def winches(draw: st.DrawFn, rope: Rope, held: list[Anchor]) -> list[Winch]:
     ]
 
 
-def run_settings() -> st.SearchStrategy[RunSettings]:
-    """Short runs by every method and rule."""
+def run_settings(methods: Sequence[str]) -> st.SearchStrategy[RunSettings]:
+    """Short runs by every method and rule; steps up to a frame's for methods that allow them."""
     return st.builds(
         RunSettings,
         duration=numbers(0.02, 0.2),
         frame_rate=numbers(20.0, 120.0),
-        time_step=st.just("auto") | numbers(1e-4, 5e-3),
+        time_step=st.just("auto") | numbers(1e-4, 5e-3) | numbers(5e-3, 5e-2),
         auto_fraction=numbers(0.1, 0.95),
         steps=st.sampled_from(["divide", "exact", "nehe"]),
-        method=st.sampled_from(METHODS),
+        method=st.sampled_from(methods),
+        tolerance=powers(-6.0, -3.0),
+        spectral_radius=numbers(0.0, 1.0),
     )
 
 
 @st.composite
-def scenes(draw: st.DrawFn, max_ropes: int = 2, max_segments: int = 8) -> Scene:
-    """A valid scene with anything in it that a scene can have."""
+def scenes(
+    draw: st.DrawFn,
+    methods: Sequence[str] = ALL_METHODS,
+    max_ropes: int = 2,
+    max_segments: int = 8,
+) -> Scene:
+    """A valid scene with anything in it that a scene can have and one of the methods can run."""
+    settings = draw(run_settings(methods))
+    explicit = settings.method == "auto" or not METHODS[settings.method].implicit
     rope_names = draw(st.lists(names(), min_size=1, max_size=max_ropes, unique=True))
-    made = [draw(ropes(name, max_segments)) for name in rope_names]
+    made = [draw(ropes(settings.method, name, max_segments)) for name in rope_names]
+    rigid = any(rope.rigid for rope in made)
     held = {rope.name: draw(anchors(rope)) for rope in made}
     line = st.text(st.characters(codec="utf-8", exclude_characters="\r"), max_size=30)
     return Scene(
         name=draw(line.filter(len)),
         description=draw(line),
         gravity=draw(gravities()),
-        run=draw(run_settings()),
+        run=settings,
         ropes=made,
         anchors=[anchor for group in held.values() for anchor in group],
         air=draw(
@@ -288,6 +335,13 @@ def scenes(draw: st.DrawFn, max_ropes: int = 2, max_segments: int = 8) -> Scene:
                 max_stretch=numbers(1.0, 1.5),
                 passes=st.integers(1, 4),
             )
+            if explicit and not rigid
+            else st.none()
         ),
-        winches=[winch for rope in made for winch in draw(winches(rope, held[rope.name]))],
+        winches=[
+            winch
+            for rope in made
+            if not rope.rigid and rope.bending_stiffness == 0.0
+            for winch in draw(winches(rope, held[rope.name]))
+        ],
     )

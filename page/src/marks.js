@@ -85,6 +85,7 @@ export class Marks {
         const place = vector(anchors.shown.subarray(at, at + 3));
         at += 3;
         if (part.anchors[10 * a + 9] < 0.5) return; // it has let go
+        if (!place.every(Number.isFinite)) return; // a recorded run may go on after its break
         const [x, y, z] = place;
         const colour = anchor.pinned
           ? theme.pin

@@ -5,7 +5,7 @@ import { Camera } from "./view/camera.js";
 import { Flight } from "./view/flight.js";
 import { Range } from "./view/range.js";
 import { nodesOf, shapeOf, shiftsOf, starts } from "./view/copies.js";
-import { boxOf, firstLook, groundOf } from "./view/room.js";
+import { boxOf, firstLook, groundOf, tame } from "./view/room.js";
 import { readTheme } from "./view/theme.js";
 import { dot } from "./view/vector.js";
 import { textureSize } from "./render/webgl/texture_size.js";
@@ -20,6 +20,8 @@ import { Marks } from "./marks.js";
 /** @typedef {import("./render/view.js").Renderer} Renderer */
 /** @typedef {import("./render/view.js").Theme} Theme */
 /** @typedef {import("./view/camera.js").Pose} Pose */
+
+const LEAP = 1; // s between two frames of which the one does not go on from the other
 
 export class Stage {
   /** @param {Session} session @param {Renderer} renderer */
@@ -45,6 +47,7 @@ export class Stage {
     /** @type {Flight | null} */ this.flight = null;
     this.lookPending = true;
     this.layoutNumber = -1;
+    /** @type {number[]} */ this.up = [0, 0, 1];
     this.sceneKey = "";
     this.lastTime = -Infinity;
     this.lastPush = 0;
@@ -54,9 +57,10 @@ export class Stage {
     session.on("frame", (frame) => this.takeFrame(frame));
     session.on("broken", () => (this.range.fresh = true)); // what broke must not rule the colours
     renderer.setTheme(this.theme);
+    renderer.canvas.addEventListener("webglcontextrestored", () => this.setTheme()); // it is black
     const tick = (/** @type {number} */ now) => {
+      requestAnimationFrame(tick); // first: a fault in one frame must not end all
       this.tick(now);
-      requestAnimationFrame(tick);
     };
     requestAnimationFrame(tick);
   }
@@ -64,7 +68,10 @@ export class Stage {
   /** @param {Layout} layout */
   takeLayout(layout) {
     this.dirty = true;
-    if (layout.layout === this.layoutNumber) return; // only values in it are new
+    if (layout.layout === this.layoutNumber) {
+      this.follow(layout);
+      return; // only values in it are new
+    }
     this.layoutNumber = layout.layout;
     this.starts = starts(layout);
     const count = nodesOf(layout);
@@ -73,6 +80,7 @@ export class Stage {
     this.anchors = new Blend(
       3 * layout.variants.reduce((sum, { anchors }) => sum + anchors.length, 0),
     );
+    this.up = layout.up;
     this.camera.setUp(layout.up);
     this.renderer.setShape(shapeOf(layout));
     this.marks.setLayout(layout);
@@ -83,6 +91,15 @@ export class Stage {
       this.range.fresh = true;
     }
     this.shift(layout);
+  }
+
+  /** Let up follow gravity that has turned; without any it stays. @param {Layout} layout */
+  follow({ up, gravity }) {
+    const same = up.every((value, k) => Math.abs(value - this.up[k]) < 1e-6);
+    if (same || gravity.every((value) => value === 0)) return;
+    this.up = up;
+    this.camera.setUp(up);
+    this.lookPending = true;
   }
 
   /** @param {Layout} layout */
@@ -107,8 +124,14 @@ export class Stage {
     const now = performance.now();
     const jump = again || frame.time < this.lastTime || !(frame.flags & PLAYING);
     if (frame.time < this.lastTime) this.marks.trails?.clear();
+    if (frame.time < this.lastTime || frame.time > this.lastTime + LEAP) {
+      this.range.fresh = true; // what was strong then says nothing now
+      this.marks.strongest = 0;
+    }
     this.lastTime = frame.time;
-    const extremes = gather(frame, layout, this.colouring, this.shifts, this.nodes.next(now, jump));
+    const nodes = this.nodes.next(now, jump);
+    const extremes = gather(frame, layout, this.colouring, this.shifts, nodes);
+    tame(nodes, nodesOf(layout), layout.view);
     this.range.follow(extremes.low, extremes.high, Math.min(0.2, (now - this.lastPush) / 1000));
     this.lastPush = now;
     this.gatherAnchors(frame, this.anchors.next(now, jump));
@@ -181,7 +204,8 @@ export class Stage {
     if (Math.abs(width / height / before - 1) > 0.3) this.lookPending = true;
     const { layout, frame } = this.session;
     if (layout && frame && this.lookPending) this.look(layout);
-    this.draw(true); // at once: a canvas of another size is empty
+    this.renderer.clear(); // at once: a canvas of another size is empty, which is black
+    this.draw(true);
   }
 
   /** Once per animation frame. @param {number} now ms */

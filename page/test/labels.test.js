@@ -2,20 +2,37 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { holes } from "../src/graphs/plot.js";
-import { placeLabel } from "../src/panels/labels.js";
+import { free, placesFor } from "../src/view/places.js";
+
+const SIZE = [60, 20];
+const first = (tip, way, room = [400, 300]) => placesFor(tip, way, SIZE, room)[0];
 
 test("a label stands beyond its arrow's tip and inside the scene", () => {
-  const room = [400, 300];
-  const right = placeLabel([200, 100], [30, 0], 60, room);
-  assert.ok(right.x >= 200);
-  const left = placeLabel([200, 100], [-30, 0], 60, room);
-  assert.ok(left.x + 60 <= 200);
-  const up = placeLabel([200, 100], [0, -30], 60, room);
+  assert.ok(first([200, 100], [30, 0]).x >= 200);
+  assert.ok(first([200, 100], [-30, 0]).x + 60 <= 200);
+  const up = first([200, 100], [0, -30]);
   assert.ok(up.y + 20 <= 100);
   assert.equal(up.x, 170);
-  const edge = placeLabel([395, 100], [30, 0], 60, room);
-  assert.ok(edge.x + 60 <= 400);
-  assert.ok(placeLabel([5, 2], [-1, -30], 60, room).y >= 0);
+  for (const tip of [
+    [395, 100],
+    [5, 2],
+    [200, 299],
+  ]) {
+    for (const { x, y } of placesFor(tip, [-1, -30], SIZE, [400, 300]))
+      assert.ok(x >= 0 && x + 60 <= 400 && y >= 0 && y + 20 <= 300);
+  }
+});
+
+test("there is a place clear of a card, of an anchor and of a rope", () => {
+  const places = placesFor([100, 100], [0, -30], SIZE, [400, 300]);
+  const card = { x: 60, y: 0, width: 80, height: 98 }; // over the first place
+  const plate = { x: 90, y: 120, width: 20, height: 20 };
+  const rope = Array.from({ length: 60 }, (_, i) => [100 + 5 * i, 100]);
+  assert.ok(!free(places[0], [card], []));
+  const clear = places.find((place) => free(place, [card, plate], rope));
+  assert.ok(clear);
+  assert.ok(clear.x + 60 <= 100 || clear.y >= 140); // left of the tip, or below the anchor
+  assert.ok(places.every((place) => !free(place, [{ x: 0, y: 0, width: 400, height: 300 }], [])));
 });
 
 test("lines of a graph leave gaps where there is nothing", () => {

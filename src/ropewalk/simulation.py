@@ -33,6 +33,7 @@ from ropewalk.methods.recording import (
     work_names,
 )
 from ropewalk.methods.registry import METHODS
+from ropewalk.methods.scratch import make_sums
 from ropewalk.motions.table import HAND
 from ropewalk.scene import Scene
 from ropewalk.start import started
@@ -40,7 +41,8 @@ from ropewalk.start import started
 # The energy error that tells a broken simulation, over all energy that can honestly be turned over [1].
 MADE_UP = 3.0
 _VIEW = "ropewalk.live.view"  # a layer above this one, so it is looked up when it is needed
-BLOCK_BYTES = 8_000_000  # positions and velocities of one block of frames
+BLOCK_BYTES = 16_000_000  # positions and velocities of one block of frames
+LONGEST_BLOCK = 2048  # frames
 
 
 class Broken(RuntimeError):  # noqa: N818 - it is what happened, not a mistake
@@ -189,7 +191,7 @@ class Simulation:
     def recording(self) -> Block:
         """Return the present state as one frame."""
         out = make_recording(self._state, 1, self._winches)
-        close_frame(self.system, self._state, np.zeros_like(self._state.x), 0, out)
+        close_frame(self.system, self._state, self.ledger, make_sums(), 0, out)
         return Block(np.array([self.time]), out)
 
     # -- moving on ----------------------------------------------------------------------
@@ -222,8 +224,10 @@ class Simulation:
         self.failure = ""
         return self._advance(steps, 1, make_recording(self._state, 0, False))[0]
 
-    def advance_frames(self, frames: int, *, keep_going: bool = False) -> Block:
-        """Advance by `frames` frames of the plan and return them.
+    def advance_frames(
+        self, frames: int, *, keep_going: bool = False, out: Recording | None = None
+    ) -> Block:
+        """Advance by `frames` frames of the plan and return them, in buffers of that length if given.
 
         When a frame is broken the block ends before it with status BROKEN, and the simulation stands
         at its last good frame; with `keep_going` it records on.
@@ -231,7 +235,7 @@ class Simulation:
         if self._dt != self.plan.dt:  # after a step of another length
             self._start, self._dt, self._step = self.time, self.plan.dt, 0
         before, self.failure = self.state if not keep_going else None, ""
-        out = make_recording(self._state, frames, self._winches)
+        out = out or make_recording(self._state, frames, self._winches)
         start, first = self._start, self._step
         status, good = self._advance(self.plan.steps_per_frame, frames, out, not keep_going)
         if before is not None and self.ledger:
@@ -283,8 +287,8 @@ class Simulation:
 
     @property
     def block_frames(self) -> int:
-        """Frames in one block: about 8 MB of positions and velocities."""
-        return max(1, min(4096, BLOCK_BYTES // (48 * self.layout.nodes)))
+        """Frames in one block: about 16 MB of positions and velocities, which get large pages."""
+        return max(1, min(LONGEST_BLOCK, BLOCK_BYTES // (48 * self.layout.nodes)))
 
     def _advance(self, steps: int, frames: int, out: Any, stop: bool = True) -> tuple[int, int]:
         clock = np.array([self._start, self._dt, self._step, steps], dtype=np.float64)

@@ -12,7 +12,8 @@ from ropewalk.build.links import has_links, reaches
 from ropewalk.core.arrays import State
 from ropewalk.methods import adaptive
 from ropewalk.methods.controller import END, SHORTEST_STEP
-from ropewalk.methods.implicit import MOST_HALVINGS, SMALLEST_PART, unsolved
+from ropewalk.methods.implicit import MOST_HALVINGS, SMALLEST_PART
+from ropewalk.methods.stage import MISFIT, NODE, RESIDUAL, ROUNDING, SCALE, TIGHT, TIME, Stage
 
 # Stable at any step by linear theory, but what a stiff rope's slack and taut segments feed into the fast
 # modes stays in them, and grows.
@@ -34,7 +35,7 @@ def standing(clock: Clock, scratch: Any) -> tuple[float, int]:
     if isinstance(scratch, adaptive.AdaptiveScratch):
         scratch.here[:] = scratch.walk.ahead
         return float(scratch.walk.control[END]), 0
-    end, _, _ = unsolved(scratch)
+    end = float(scratch.stage.report[TIME])
     parts = round((end - start) / (dt * SMALLEST_PART)) - 1
     steps, rest = divmod(parts, 2**MOST_HALVINGS)
     return (start, steps) if rest == 0 else (start + parts * SMALLEST_PART * dt, 0)
@@ -43,22 +44,15 @@ def standing(clock: Clock, scratch: Any) -> tuple[float, int]:
 def describe(plan: Plan, layout: Layout, state: State, clock: Clock, scratch: Any) -> str:
     """Say where a method found no solution, and what to try; `clock` is that before the steps."""
     if plan.tolerance is not None:
-        return _describe_shortest(layout, plan.tolerance, scratch)
+        return _describe_shortest(layout, state, plan.tolerance, scratch)
     start, dt, done = clock
-    time, node, residual = unsolved(scratch)
+    time = float(scratch.stage.report[TIME])
     step = done + max(1, math.ceil((time - start) / dt - done - 1e-9))
-    rope, index = layout.rope_of(node)
     text = (
         f"{plan.method} found no solution of step {step} at t = {time:.6g} s, not even in "
-        f"parts of {dt * SMALLEST_PART:.2g} s: at node {index} of rope {rope!r} a force of "
-        f"{residual:.3g} N stays unbalanced"
+        f"parts of {dt * SMALLEST_PART:.2g} s: {_what_is_left(layout, state, scratch.stage)}"
     )
-    stage = scratch.stage
-    off = np.abs(stage.saddle.misfit)
-    if has_links(state):
-        rope, segment = layout.rope_of(int(np.argmax(off)))
-        text += f", and segment {segment} of rope {rope!r} is {off.max():.3g} m off its length"
-    for reach in reaches(layout, state, stage.x):
+    for reach in reaches(layout, state, scratch.stage.x):
         if reach.distance > ALMOST_TAUT * reach.length:
             return f"{text}: {reach}. Keep the anchors nearer, or give the rope a finite stiffness."
     if plan.method in RINGING:
@@ -72,17 +66,31 @@ def describe(plan: Plan, layout: Layout, state: State, clock: Clock, scratch: An
     )
 
 
-def _describe_shortest(layout: Layout, tolerance: float, scratch: Any) -> str:
+def _what_is_left(layout: Layout, state: State, stage: Stage) -> str:
+    """Say where forces stay unbalanced or, where that is farther from solved, a length misfits."""
+    report, off = stage.report, np.abs(stage.saddle.misfit)
+    rope, index = layout.rope_of(int(report[NODE]))
+    force = f"at node {index} of rope {rope!r} a force of {report[RESIDUAL]:.3g} N stays unbalanced"
+    worst = int(np.argmax(off))
+    rope, segment = layout.rope_of(worst)
+    misfit = f"segment {segment} of rope {rope!r} is {off[worst]:.3g} m off"
+    if has_links(state):
+        return f"{force}, and {misfit} its length"
+    if report[MISFIT] * (TIGHT * report[SCALE] + report[ROUNDING]) > report[RESIDUAL]:
+        return f"{misfit} the length that its tension makes, and {force}"
+    return force
+
+
+def _describe_shortest(layout: Layout, state: State, tolerance: float, scratch: Any) -> str:
     """Say where the adaptive method found no step short enough, and what to try."""
     time, node, error = adaptive.failure(scratch)
     if not math.isfinite(error):
-        _, node, residual = unsolved(scratch)
-        why = f"a force of {residual:.3g} N stays unbalanced"
+        why = _what_is_left(layout, state, scratch.stage)
     else:
-        why = f"its estimated error is {error:.3g} m, more than {tolerance:g} m"
-    rope, index = layout.rope_of(node)
+        rope, index = layout.rope_of(node)
+        why = f"at node {index} of rope {rope!r} "
+        why += f"its estimated error is {error:.3g} m, more than {tolerance:g} m"
     return (
-        f"adaptive needs steps below {SHORTEST_STEP:g} s at t = {time:.6g} s: at node {index} of rope "
-        f"{rope!r} {why}. Try a larger tolerance; look for anchors that jump or move apart, and for "
-        "nodes thrown or pressed together."
+        f"adaptive needs steps below {SHORTEST_STEP:g} s at t = {time:.6g} s: {why}. Try a larger "
+        "tolerance; look for anchors that jump or move apart, and for nodes thrown or pressed together."
     )

@@ -78,8 +78,9 @@ def test_a_node_is_pinned_and_let_go_again(window: Window) -> None:
     window.settled()
     window.page.mouse.click(*window.screen(15))
     window.until(f"{VARIANT}.anchors.length === 2")
+    then = window.ask("r.time")
     window.press(" ")
-    window.until("r.time > 1")
+    window.until(f"r.time > {then} + 0.5")
     assert np.linalg.norm(window.node(15) - before) > 1e-3
 
 

@@ -125,6 +125,25 @@ def recorded(tmp_path: Path) -> Iterator[tuple[ViewServer, Result]]:
     server.stop()
 
 
+def _whole_run_in_graphs(window: Window, result: Result) -> None:
+    """Check that the graphs hold the run from its start to the place sought, also of a new node."""
+    window.tell(type="seek", time=2.0)
+    window.until("Math.abs(r.time - 2) < 0.02 && r.app.graphs.history.last === r.time")
+    window.page.locator("#graph-window").select_option("2")
+    window.page.evaluate("() => window.ropewalk.app.follow(20)")
+    heights = "r.app.graphs.history.between(0, 2, ['height 20', 'kinetic'])"
+    window.until(f"{heights}[1]?.length > 100 && {heights}[1].every(Number.isFinite)")
+    times, height, kinetic = (np.array(one) for one in window.ask(f"{heights}.map((c) => [...c])"))
+    assert times[0] < 0.02
+    assert np.diff(times).max() < 0.05
+    assert np.allclose(height, np.interp(times, result.time, result.positions[:, 20, 2]), atol=1e-4)
+    energy = result.read("energy")[:, 0]
+    assert np.allclose(kinetic, np.interp(times, result.time, energy), atol=1e-4 * energy.max())
+    window.page.locator("#graph-window").select_option("all")
+    ends = "(({min, max}) => [min, max])(r.app.graphs.panels.get('energies').plot.uplot.scales.x)"
+    window.until(f"{ends}[0] < 0.02 && {ends}[1] > 1.98")
+
+
 def test_a_run_is_replayed_sought_and_exported(
     recorded: tuple[ViewServer, Result], open_window: Open
 ) -> None:
@@ -148,6 +167,7 @@ def test_a_run_is_replayed_sought_and_exported(
     window.until("r.time > 1.01")
     window.click("#toggle-graphs")
     window.until("r.app.graphs.history.first < 0.1")  # what was before the place sought
+    _whole_run_in_graphs(window, result)
     window.press("r")
     window.until("r.time === 0")
     lines = _keep(window, "nodes-csv").read_text().splitlines()

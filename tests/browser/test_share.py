@@ -121,3 +121,19 @@ def test_says_how_true_it_is(window: Window) -> None:
     text = window.page.locator("#about").inner_text()
     assert "tension to within" in text
     assert re.search(r"positions are rounded to within \d{2} µm", text)
+
+
+def test_graphs_hold_all_up_to_the_place_sought(window: Window) -> None:
+    window.press("g", " ")
+    window.page.locator("#graph-window").select_option("2")
+    window.page.locator("#seek").fill("1.9")
+    window.until("Math.abs(r.time - 1.9) < 0.02")
+    window.page.locator("#graph-window").select_option("all")
+    columns = "r.app.graphs.history.between(0, 2, ['kinetic', 'tension_max'])"
+    window.until(f"{columns}[0].length > 100 && {columns}[0][0] < 0.02")
+    kinetic = np.array(window.ask(f"[...{columns}[1]]"))
+    assert np.isfinite(kinetic).all()
+    assert kinetic.max() > kinetic[0]  # it falls
+    window.page.locator("#seek").fill("0.5")
+    window.until("Math.abs(r.app.graphs.history.last - 0.5) < 0.02")
+    assert window.ask("r.app.graphs.history.first") < 0.02  # at once: it was known already

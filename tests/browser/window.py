@@ -106,6 +106,21 @@ class Window:
         """Return what the window shows, (height, width, 3)."""
         return np.asarray(Image.open(io.BytesIO(self.page.screenshot())).convert("RGB")).astype(int)
 
+    def painted(self) -> bool:
+        """Tell whether the canvas is painted: at its upper edge there is its paper."""
+        box = self.page.locator("#view").bounding_box()
+        ratio = self.page.evaluate("() => devicePixelRatio")
+        row, first, last = (
+            round(ratio * one)
+            for one in (
+                box["y"] + 3,
+                box["x"] + 0.3 * box["width"],
+                box["x"] + 0.7 * box["width"],
+            )
+        )
+        paper = 255.0 * np.array(self.ask("[...r.stage.theme.background]"))
+        return bool(np.abs(self.picture()[row, first:last] - paper).max(axis=1).min() < 12)
+
     def press(self, *keys: str) -> None:
         """Press keys, one after another."""
         for key in keys:
@@ -123,9 +138,10 @@ class Window:
         picture = self.picture()
         back = self.ask("r.stage.theme.background").copy()
         paper = np.array(back) * 255.0 if max(back) <= 1.0 else np.array(back)
+        ratio = self.page.evaluate("() => devicePixelRatio")
         found = 0
         for node in nodes:
-            x, y = (round(value) for value in self.screen(node))
+            x, y = (round(ratio * value) for value in self.screen(node))
             row = y + down
             around = picture[row - 3 : row + 4, x - 3 : x + 4].reshape(-1, 3)
             spread = around.max(axis=1) - around.min(axis=1)  # paper and grid are nearly grey

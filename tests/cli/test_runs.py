@@ -181,7 +181,7 @@ def test_folders_that_are_no_runs(ropewalk: Any, scene: Path, command: str) -> N
     assert ropewalk("run", scene, "-o", "a").exit_code == 0
     path = Path("a/provenance.json")
     path.write_text(json.dumps(json.loads(path.read_text()) | {"format": 99}))
-    refused(ropewalk(command, "a", *more), "a: has the format 99; this version of ropewalk reads 1")
+    refused(ropewalk(command, "a", *more), "a: has the format 99; this version of ropewalk reads 2")
     path.write_text("{")
     refused(ropewalk(command, "a", *more), "provenance.json: is damaged")
     assert not list(Path("a").glob("*.gif"))

@@ -57,16 +57,20 @@ def fill_disk(monkeypatch: pytest.MonkeyPatch, after: int) -> None:
     """Let the disk be full after so many written chunk files."""
     from ropewalk.record import store
 
-    real, seen = store.write, 0
+    seen = 0
 
-    def write(path: Path, data: bytes, **more: bool) -> None:
-        nonlocal seen
-        seen += 1
-        if seen > after:
-            raise OSError(28, "No space left on device", str(path))
-        real(path, data, **more)
+    def filling(real: Callable[..., None]) -> Callable[..., None]:
+        def write(path: Path, *data: object, **more: object) -> None:
+            nonlocal seen
+            seen += 1
+            if seen > after:
+                raise OSError(28, "No space left on device", str(path))
+            real(path, *data, **more)
 
-    monkeypatch.setattr(store, "write", write)
+        return write
+
+    monkeypatch.setattr(store, "write", filling(store.write))
+    monkeypatch.setattr(store, "write_pages", filling(store.write_pages))
 
 
 def edit(path: Path, key: str, value: object) -> None:
@@ -94,20 +98,20 @@ FAULTS: dict[str, tuple[Callable[[Path], object], str]] = {
     ),
     "no provenance": (lambda f: (f / "provenance.json").unlink(), "provenance.json: is missing"),
     "torn provenance": (
-        lambda f: (f / "provenance.json").write_text('{"format": 1, '),
+        lambda f: (f / "provenance.json").write_text('{"format": 2, '),
         "provenance.json: is damaged: it holds no JSON",
     ),
     "empty provenance": (
-        lambda f: (f / "provenance.json").write_text('{"format": 1}'),
+        lambda f: (f / "provenance.json").write_text('{"format": 2}'),
         "does not describe a run",
     ),
     "another version": (
         lambda f: edit(f / "provenance.json", "format", 99),
-        "has the format 99; this version of ropewalk reads 1",
+        "has the format 99; this version of ropewalk reads 2",
     ),
     "another store": (
-        lambda f: damage_root(f, lambda root: root["attributes"].update(ropewalk_format=2)),  # type: ignore[attr-defined]
-        "has the format 2",
+        lambda f: damage_root(f, lambda root: root["attributes"].update(ropewalk_format=3)),  # type: ignore[attr-defined]
+        "has the format 3",
     ),
     "no store": (lambda f: shutil.rmtree(f / "data.zarr"), "zarr.json: is missing"),
     "no root": (lambda f: (f / "data.zarr" / "zarr.json").unlink(), "zarr.json: is missing"),
@@ -139,14 +143,14 @@ def test_a_damaged_folder_says_what_is_wrong(folder: Path, name: str) -> None:
 
 @pytest.mark.parametrize("cut", [0, 10, 200])
 def test_a_cut_or_missing_chunk_is_named(folder: Path, cut: int) -> None:
-    chunk = folder / "data.zarr" / "positions" / "c" / "2" / "0" / "0"
+    chunk = folder / "data.zarr" / "positions" / "c.2.0.0"
     chunk.write_bytes(chunk.read_bytes()[:cut])
     result = Result.open(folder)
     assert np.isfinite(result.velocities).all()
-    with pytest.raises(RunError, match=r"positions/c/2/0/0: is damaged"):
+    with pytest.raises(RunError, match=r"positions/c\.2\.0\.0: is damaged"):
         _ = result.positions
     chunk.unlink()
-    with pytest.raises(RunError, match=r"positions/c/2/0/0: is missing"):
+    with pytest.raises(RunError, match=r"positions/c\.2\.0\.0: is missing"):
         _ = result.positions
 
 

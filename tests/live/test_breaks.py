@@ -148,3 +148,32 @@ def test_a_limiter_leaves_no_implicit_way_on() -> None:
     assert offered["step"]["enabled"]  # the twin
     do(session, "remedy", remedy="step")
     assert session.main.dt < before
+
+
+@pytest.mark.parametrize("name", ["r4", "r6", "r7", "r8", "r3", "r2"])
+@pytest.mark.parametrize(
+    ("name_of", "value"),
+    [("spring_constant", 1.07), ("spring_constant", 4.0), ("spring_constant", 100.0),
+     ("time_step", 1.5), ("method", "euler"), ("mass", 0.2)],
+)  # fmt: skip
+def test_whatever_breaks_it_the_sign_is_seen(name: str, name_of: str, value: object) -> None:
+    """Broken in several ways, after some time: the words never deny the zigzag that is in the picture."""
+    session = Session(preset(name), name)
+    session.advance(round(1.0 / session.main.dt))
+    if session.broken is None:
+        found = measure(session.main.simulation.model)
+        now = {
+            "spring_constant": found["largest_spring_constant"],
+            "time_step": found["bound"],
+            "mass": session.scene.ropes[0].total_mass,
+        }
+        wanted = now[name_of] * value if name_of in now else value
+        do(session, "set", name=name_of, value=wanted)
+    while session.broken is None and session.time < 30.0:
+        session.advance(50)
+    assert session.broken is not None
+    said = breaks.explain(session)
+    assert "no zigzag" not in said["text"]
+    assert "above the largest stable one" in said["text"] or "no stable step" in said["text"]
+    burst = value == 100.0 or name == "r6"  # a few steps from the first sign to the end
+    assert burst or "neighbouring segments zigzag" in said["sign"], said["sign"]

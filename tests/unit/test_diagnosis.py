@@ -84,6 +84,32 @@ def test_measures_on_patterns_made_by_hand() -> None:
     assert smooth.energy_growth == pytest.approx(1.69, rel=1e-6)
 
 
+def test_a_zigzag_is_seen_when_springs_have_turned_over() -> None:
+    model = build(scene())
+    pattern = (-1.0) ** np.arange(21)
+    pattern[[0, -1]] = 0.0
+    x = np.zeros((4, 21, 3))
+    x[:, :, 0] = np.arange(21)
+    x[2, :, 0] += 2.0 * pattern  # at once, and further than a segment is long
+    x[3, :, 0] -= 40.0 * pattern
+    found = diagnose(stability(model), model.layout, x, 0.1, 1)
+    assert found.zigzag < -0.9
+    assert found.flip < -0.9
+    # The twin, lengths alone: all of them grow.
+    lengths = np.diff(np.linalg.norm(np.diff(x, axis=1), axis=2), axis=0)[1]
+    assert (lengths >= 0.0).all()
+
+
+def test_rounding_is_no_zigzag() -> None:
+    model = build(scene(100.0))
+    noise = np.random.default_rng(1).normal(size=(50, 21, 3))
+    x = np.zeros((50, 21, 3))
+    x[:, :, 0] = np.arange(21)
+    quiet = diagnose(stability(model), model.layout, x + 1e-15 * noise, 0.1, 6)
+    assert math.isnan(quiet.zigzag)
+    assert "zigzag (" not in quiet.sign
+
+
 def test_infinite_and_missing_history_is_borne() -> None:
     model = build(scene())
     found = stability(model)
@@ -98,7 +124,8 @@ def test_infinite_and_missing_history_is_borne() -> None:
         assert math.isnan(short.flip)
         assert "time_step <=" in str(short)
     nothing = diagnose(found, model.layout, np.full((3, 21, 3), np.inf), 0.1, 6)
-    assert "no zigzag" in str(nothing)
+    assert "too fast to show how" in str(nothing)
+    assert "zigzag" not in str(nothing)
 
 
 def test_a_stable_step_is_not_blamed() -> None:
@@ -108,6 +135,7 @@ def test_a_stable_step_is_not_blamed() -> None:
     x = history(np.linspace(0, 1, 21) * 1e9, 1.2)
     text = str(diagnose(found, model.layout, x, 0.1, 6))
     assert "not the method" in text
+    assert "no zigzag" in text or "its energy grows" in text
     assert "time_step <=" not in text
 
 

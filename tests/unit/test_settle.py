@@ -9,9 +9,11 @@ import numpy as np
 import pytest
 
 import ropewalk as rw
+from ropewalk.analysis.check import check
+from ropewalk.analysis.stability import stability
 from ropewalk.build import build
 from ropewalk.record.resume import resume_run
-from ropewalk.scene import Air, Anchor, Ground, Rope, Scene, Springs, Straight
+from ropewalk.scene import Air, Anchor, Ground, Material, Rope, Scene, Springs, Straight
 from ropewalk.statics import static_shape
 from ropewalk.statics.newton import Found
 from ropewalk.statics.rest import Balance, _complaint
@@ -27,6 +29,13 @@ def scene(end: float | None = 0.4, held: tuple[int, ...] = (0, -1), **more: obje
     return Scene(ropes=(rope,), anchors=anchors, **more)
 
 
+def rod(**more: object) -> Scene:
+    """The same cord, stiff in bending."""
+    plain = scene(**more)
+    stiff = Material(EA=50.0, mass_per_length=0.2, EI=0.01)
+    return plain.replace(ropes=(plain.ropes[0].replace(made_of=stiff, length=0.5),))
+
+
 WIND = Air(node_drag=0.1, wind=(1.0, 0.0, 0.0))
 
 
@@ -39,6 +48,8 @@ WIND = Air(node_drag=0.1, wind=(1.0, 0.0, 0.0))
         (scene(held=(), air=WIND, ground=Ground(height=-1.0)), "the wind carries it away"),
         (scene(gravity=(0, 0, 0)), "slack between its anchors, and has there no shape of its own"),
         (scene(held=(0,), gravity=(0, 0, 0)), "the part beyond its last anchor has no shape"),
+        (rod(held=()), "no anchor holds it, and there is no ground: it falls"),
+        (rod(held=(), gravity=(0, 0, 0)), "nothing acts on it: it is at rest wherever it is"),
     ],
 )
 def test_what_is_missing_is_said(source: Scene, words: str) -> None:
@@ -54,6 +65,32 @@ def test_what_is_enough_is_not_refused() -> None:
     rw.equilibrium(scene(end=0.6, gravity=(0, 0, 0)))
     rw.equilibrium(scene(held=(0,), gravity=(0, 0, 0), air=WIND))
     rw.equilibrium(scene(release_time=1.0))  # held at time zero
+
+
+def test_a_rod_needs_no_weight_to_have_a_shape() -> None:
+    """Held anywhere and without gravity it is straight, as long as it is made: what is refused of a cord.
+    Between ends nearer than its length it has a shape, too, which is not straight.
+    """
+    found = rw.equilibrium(rod(end=None, held=(0,), gravity=(0, 0, 0))).positions[0]
+    np.testing.assert_allclose(found, np.outer(np.arange(11), (0.05, 0.0, 0.0)), atol=1e-12)
+    pressed = rw.equilibrium(rod(end=0.499, gravity=(0, 0, 0)))
+    assert pressed.tension[0].max() < 0.0
+
+
+def test_a_chain_that_does_not_close_is_said_by_check(monkeypatch: pytest.MonkeyPatch) -> None:
+    """`check`, `equilibrium` and `stability` name the rope and its anchors, never a traceback."""
+
+    def hang(*_: object) -> None:
+        raise ArithmeticError("the rest shape did not close: 1 m are left open")
+
+    assert check(scene(), measure=False)
+    monkeypatch.setattr("ropewalk.statics.hung.hang", hang)
+    for ask in (lambda one: check(one, measure=False), rw.equilibrium, stability):
+        with pytest.raises(rw.SceneError) as caught:
+            ask(scene())
+        said = "rope[0].length: 0.5 - the rest shape did not close: 1 m are left open (from anchor"
+        assert str(caught.value).startswith(said)
+        assert str(caught.value).endswith("'anchor0' to anchor 'anchor1')")
 
 
 def test_rigid_links_that_do_not_reach() -> None:

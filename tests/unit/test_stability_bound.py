@@ -350,3 +350,19 @@ def test_implicit_methods_have_no_bound(method: str) -> None:
     assert largest_stiffness_factor(method, found, 1e3) == math.inf
     assert 0.0 <= growth_per_step(method, found, 1e3) <= 1.0 + 1e-12
     assert growth_per_step("verlet", found, 1e3) > 2.0  # the twin
+
+
+@pytest.mark.parametrize("method", ["euler", "heun", "rk4"])
+@pytest.mark.filterwarnings("error")
+def test_springs_weak_beyond_all_numbers_are_none(method: str) -> None:
+    """No quotient with them overflows, and the bound is that without them."""
+    rng = np.random.default_rng(3)
+    usual = random_chain(rng, 9)
+    for weak in (1e-310, 5e-324):
+        steps = []
+        for value in (weak, 0.0):
+            stiffness = np.where(np.arange(8) % 3 == 0, value, usual.stiffness)
+            steps.append(largest_step(method, usual._replace(stiffness=stiffness)))
+        assert steps[0] == pytest.approx(steps[1], rel=1e-12)
+        all_weak = usual._replace(stiffness=np.full(8, weak), node_stiffness=np.zeros(9))
+        assert not math.isnan(largest_step(method, all_weak))

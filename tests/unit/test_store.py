@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import warnings
 from pathlib import Path
@@ -16,7 +17,7 @@ from ropewalk.record.checkpoint import Checkpoint
 from ropewalk.record.errors import RunError
 from ropewalk.record.result import Result
 from ropewalk.record.run import record_run
-from ropewalk.record.zarr_format import decode, encode
+from ropewalk.record.zarr_format import decode, encode, encode_stored
 
 
 @pytest.fixture
@@ -31,6 +32,46 @@ def test_a_chunk_comes_back_to_the_bit_and_is_the_same_every_time() -> None:
     data = encode(values)
     assert encode(values) == data
     np.testing.assert_array_equal(decode(data, "float64", values.shape), values)
+
+
+def test_a_chunk_that_is_not_compressed_is_read_like_any_other() -> None:
+    values = np.random.default_rng(2).normal(size=(16, 3, 500))
+    data = encode_stored(values)
+    assert len(data) == 16 + values.nbytes
+    np.testing.assert_array_equal(decode(data, "float64", values.shape), values)
+    with pytest.raises(ValueError, match="bytes"):
+        decode(data[:-1], "float64", values.shape)
+
+
+@pytest.mark.usefixtures("small_chunks")
+@pytest.mark.parametrize(("time_step", "packed"), [(0.002, False), (1e-4, True)])
+def test_frames_are_compressed_where_they_cost_much(
+    tmp_path: Path, time_step: float, packed: bool
+) -> None:
+    scene = runs.hanging(time_step=time_step)
+    record_run(scene, tmp_path / "run")
+    size = 16 + 8 * 16 * 3 * 11  # header, and frames x axes x nodes
+    chunks = [tmp_path / "run" / "data.zarr" / "positions" / f"c.{i}.0.0" for i in range(7)]
+    assert {path.stat().st_size < size for path in chunks} == {packed}
+    assert {path.stat().st_size > size for path in chunks} == {False}
+
+
+@pytest.mark.usefixtures("small_chunks")
+def test_a_file_system_without_direct_writing_gets_the_same_files(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    refused = []
+
+    def refuse(path: str, _: int) -> int:
+        refused.append(path)
+        raise OSError(errno.EINVAL, "Invalid argument", path)
+
+    record_run(runs.hanging(), tmp_path / "direct")
+    monkeypatch.setattr(files, "DIRECT", 1)
+    monkeypatch.setattr(files, "_open_direct", refuse)
+    record_run(runs.hanging(), tmp_path / "other")
+    assert refused
+    assert runs.data_bytes(tmp_path / "other") == runs.data_bytes(tmp_path / "direct")
 
 
 @pytest.mark.parametrize("cut", [0, 5, 16, 100, -1])

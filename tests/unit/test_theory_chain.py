@@ -77,6 +77,20 @@ def test_random_chains_close() -> None:
         )
 
 
+@pytest.mark.parametrize("k", [1e-3, 1e-6, 1e-12])
+def test_a_chain_so_weak_that_its_own_length_does_not_count(k: float) -> None:
+    """Springs of no length are linear: level places are even, and the middle hangs n^2 w / (8 k) below.
+
+    A length of 0.05 m beside a sag of 10^4 m and more changes that by some 1e-5. The twin: k 1 % larger.
+    """
+    n, w = 20, 0.01 * G
+    found, other = (lumped_chain(np.full(n - 1, w), one, 0.05, 0.8) for one in (k, 1.01 * k))
+    sag = n * n * w / (8.0 * k)
+    assert -found.positions[10, 1] == pytest.approx(sag, rel=1e-6 + n * 0.05 / sag)
+    assert found.positions[-1] == pytest.approx([0.8, 0.0], abs=1e-11 * sag)
+    assert abs(-other.positions[10, 1] - sag) > 5e-3 * sag
+
+
 def test_random_rigid_chains_close() -> None:
     rng = np.random.default_rng(12)
     for _ in range(200):

@@ -1,9 +1,9 @@
-"""Implicit methods: convergence of Newton's method and of the steps, stiff ropes, hostile states."""
+"""Implicit methods: convergence of Newton's method and of the steps, stiff ropes, failures."""
 
 from __future__ import annotations
 
 import math
-from itertools import pairwise
+import re
 from typing import Any
 
 import numpy as np
@@ -13,9 +13,29 @@ from ropewalk.analysis.diagnosis import explain
 from ropewalk.analysis.stability import stability
 from ropewalk.core.status import BROKEN, OK, UNSOLVED
 from ropewalk.methods.characteristic import growth
-from ropewalk.methods.stage import HISTORY, ITERATIONS, SOLVES, SPLITS
-from ropewalk.scene import Anchor, Material, Points, Rope, RunSettings, Scene, Straight, presets
+from ropewalk.methods.stage import (
+    HISTORY,
+    ITERATIONS,
+    MISFIT,
+    NODE,
+    RESIDUAL,
+    ROUNDING,
+    SCALE,
+    SOLVES,
+)
+from ropewalk.scene import (
+    Anchor,
+    Material,
+    Rope,
+    RunSettings,
+    Scene,
+    Slack,
+    Straight,
+    presets,
+)
 from ropewalk.simulation import Broken, Simulation
+from ropewalk.theory import lumped_chain
+from ropewalk.unsolved import describe
 from verification.setups import DOWN, IMPLICIT, chain, hold, off, run, scene, springs
 
 FRAME = 1.0 / 60.0
@@ -54,116 +74,35 @@ def test_the_dropped_rope_at_one_step_per_frame() -> None:
     assert rms(places("sdirk2", FRAME, 1e4), exact) > 5.0 * error
 
 
-def test_newton_converges_quadratically() -> None:
-    """Near the solution the residual is squared: |F'| <= C |F|^2 / scale, so its logarithm doubles.
+def newton_orders(drag: float = 0.0) -> list[float]:
+    """Orders of convergence of Newton's method, log(m2 / m1) / log(m1 / m0) of its merits, in ten steps.
 
-    The merit is a square of the residual. From below 1e-6 of the first merit the next one falls to
-    below 1e-11 of it; a linear method gains the same factor as before (the twin, by its definition).
+    `drag` [N s/m] is put into the tangent alone: without air no law asks for it.
     """
     simulation = Simulation(dropped("implicit-euler", 0.1, 1e6, 20))
-    report = simulation._scratch.stage.report
-    seen = 0
+    simulation.system.air.node_drag[...] = drag
+    report, orders = simulation._scratch.stage.report, []
     for _ in range(10):
         simulation.step(0.1)
-        last = int(report[ITERATIONS])
-        merits = report[HISTORY : HISTORY + last + 1]
-        falls = [math.log(merit / merits[0]) for merit in merits[1:]]
-        orders = [b / a for a, b in pairwise(falls) if -30.0 < a < -11.5]
-        seen += len(orders)
-        assert all(order > 1.5 for order in orders), merits
-    assert seen >= 3
+        merits = report[HISTORY : HISTORY + int(report[ITERATIONS]) + 1]
+        falls = np.log(merits[1:] / merits[:-1])
+        kept = (falls[:-1] < -6.0) & (merits[2:] > 1e-21 * merits[0])  # near, and above rounding
+        orders += list((falls[1:] / falls[:-1])[kept])
+    return orders
 
 
-def hostile(kind: str, EA: float, step: float, method: str, seed: int, **more: Any) -> Scene:
-    """Twelve segments in a bad state, thrown about at some 3 m/s."""
-    rng = np.random.default_rng(seed)
-    n, size = 12, 1.0 / 12.0
-    points = np.zeros((n + 1, 3))
-    if kind == "random":
-        points[:] = size * rng.normal(size=points.shape)
-    elif kind == "folded":
-        points[:, 0] = size * np.abs(np.arange(n + 1) % 4 - 2)
-    elif kind == "coincident":
-        points[1:, 0] = size * np.arange(n) + 1e-9
-    elif kind == "stretched":
-        points[:, 0] = 3.0 * size * np.arange(n + 1)
-    else:  # slack: half its length
-        points[:, 2] = -0.5 * size * np.arange(n + 1)
-    kicks = [
-        {"node": i, "velocity": tuple(map(float, 3.0 * rng.normal(size=3)))}
-        for i in range(1, n + 1)
-    ]
-    rope = Rope(
-        segments=n,
-        length=1.0,
-        made_of=Material(EA=EA, mass_per_length=0.1, **more),
-        shape=Points(points=[tuple(map(float, point)) for point in points]),
-        kicks=kicks,
-    )
-    settings = RunSettings(
-        duration=100 * step, frame_rate=1.0 / step, time_step=step, method=method, steps="exact"
-    )
-    return Scene(ropes=rope, anchors=[Anchor(node=0)], run=settings)
-
-
-MOST = 1.2  # [1] largest energy of a hostile run over its own at the start and in the fall
-UNEVEN = ("random", "coincident", "stretched", "slack")  # no shape for rigid links
-KINDS = ("random", "folded", "coincident", "stretched", "slack")
-
-
-def largest_energy(what: Scene, steps: int) -> float:
-    """Largest kinetic and elastic energy of a run, over that of its start with the fall of 1 m [1]."""
-    simulation = Simulation(what)
-    first = simulation.recording().recording.energy[0]
-    start = float(first[0] + first[2:].sum()) + 2.0 * 0.1 * 9.81
-    block = simulation.advance_frames(steps)
-    if block.status != OK:
-        raise Broken(simulation.failure)
-    energy = block.recording.energy
-    return float((energy[:, 0] + energy[:, 2:].sum(axis=1)).max()) / start
-
-
-@pytest.mark.parametrize("tension_only", [False, True])
-@pytest.mark.parametrize("kind", KINDS)
-def test_hostile_states_keep_a_bounded_energy(kind: str, tension_only: bool) -> None:
-    """No step is without solution, nothing explodes: kinetic and elastic energy stay below the start's and
-    the fall's, for EA from 1 to 1e12 N and steps from 1e-5 to 0.1 s; 5 % is what a step may make up unnoticed
-    (`methods.gain`), twice as much was never seen.
-
-    The twin: the same states make semi-implicit Euler break.
+def test_newton_converges_quadratically() -> None:
+    """The merit is a square of the residual F, and |F'| <= C |F|^2: near the solution its logarithm falls
+    twice as far in each iteration as in the one before. The twin: with a tangent that is wrong in a few
+    percent of its diagonal it falls by the same each time, order 1.
     """
-    for EA in (1.0, 1e4, 1e12):
-        for step in (1e-5, 1e-3, 1e-1):
-            found = largest_energy(
-                hostile(kind, EA, step, "sdirk2", 1, tension_only=tension_only), 30
-            )
-            assert found < MOST, (EA, step)
-    with pytest.raises(Broken):
-        largest_energy(hostile(kind, 1e4, 1e-1, "semi-implicit-euler", 1), 30)
-
-
-def test_a_step_that_makes_up_energy_is_taken_in_parts() -> None:
-    """Segments pressed to a point, in steps of some 8 / omega: sdirk2 alone makes four times the energy."""
-    for EA, step in ((1e3, 1e-2), (1e6, 1e-4), (1e9, 1e-5)):
-        what = hostile("coincident", EA, step, "sdirk2", 2)
-        simulation = Simulation(what)
-        assert simulation.advance_steps(40) == OK
-        assert simulation._scratch.stage.report[SPLITS] > 0
-        assert largest_energy(what, 40) < MOST
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("method", ["implicit-euler", "sdirk2", "bdf2", "esdirk3"])
-@pytest.mark.parametrize("kind", KINDS)
-def test_hostile_states_for_long(kind: str, method: str) -> None:
-    """The same for 10^4 steps, more stiffnesses, links that do not stretch, and a little EI."""
-    for EA in (1.0, 1e3, 1e6, 1e9, 1e12, math.inf):
-        for step in (1e-5, 1e-4, 1e-3, 1e-2, 1e-1):
-            for EI in (0.0, 1e-3):
-                if math.isinf(EA) and (kind in UNEVEN or method == "sdirk2"):
-                    continue
-                found = largest_energy(hostile(kind, EA, step, method, 2, EI=EI), 10_000)
-                assert found < MOST, (EA, step, EI)
+    orders = newton_orders()
+    assert len(orders) >= 5
+    assert 1.75 < min(orders) <= max(orders) < 2.6
+    assert np.mean(orders) == pytest.approx(2.0, abs=0.2)
+    wrong = newton_orders(0.05)
+    assert len(wrong) >= 5
+    assert np.mean(wrong) == pytest.approx(1.0, abs=0.1)
 
 
 def test_the_midpoint_rule_keeps_the_energy_of_a_linear_chain() -> None:
@@ -217,6 +156,53 @@ def test_an_unsolvable_step_is_said_with_time_and_node() -> None:
     assert simulation._scratch.stage.report[SOLVES] > 0
     assert kept.advance_frames(5).frames == 0
     assert "Try a shorter time_step" in kept.failure
+
+
+def test_a_run_that_fails_midway_keeps_what_it_has() -> None:
+    """An anchor leaves at 1e15 m/s in the sixth step, pulling at EA 1e12 N: five frames are kept, those of a
+    run without it; the sentence names step, time, place, what is left and what to try. The twin: at 1 m/s
+    the run goes on.
+    """
+    points = np.array([(i, 0.0, 0.0) for i in range(6)])
+
+    def film(speed: float) -> tuple[Simulation, Any]:
+        motion = {"kind": "velocity", "velocity": (speed, 0.0, 0.0), "start": 0.055}
+        rope = chain(points, springs(1e12, 0.1, 1.0))
+        anchors = [Anchor(node=0, motion=motion)]
+        made = scene(rope, anchors, dt=0.01, steps=20, method="sdirk2", gravity=DOWN)
+        simulation = Simulation(made)
+        return simulation, simulation.advance_frames(20)
+
+    broken, block = film(1e15)
+    whole, other = film(1.0)
+    assert (block.status, other.status) == (UNSOLVED, OK)
+    assert (block.frames, other.frames) == (5, 20)
+    assert broken.time == pytest.approx(0.05)
+    for kept, expected in zip(block.recording, other.recording, strict=True):
+        np.testing.assert_array_equal(kept, expected[:5])
+    np.testing.assert_array_equal(broken.positions.T, block.recording.x[-1])
+    said = (
+        r"sdirk2 found no solution of step 6 at t = 0\.05\d* s, not even in parts of 2\.4e-06 s: at node "
+        r"\d of rope 'rope' a force of \S+ N stays unbalanced.*\. Try a shorter time_step; look for anchors "
+        r"that jump or move apart"
+    )
+    assert re.match(said, broken.failure)
+    assert whole.failure == ""
+
+
+def test_what_is_farthest_from_solved_is_named_first() -> None:
+    """A segment whose tension and length disagree, where the forces balance; the twin: where they do not."""
+    made = dropped("bdf2", FRAME, segments=6)
+    for residual, first in ((1e-9, "segment 3 of rope 'rope' is 0.002 m off"), (1e3, "at node 2")):
+        simulation = Simulation(made)
+        simulation.arrays.v[1, 3] = 1e200
+        assert simulation.advance_steps(1) == UNSOLVED
+        stage = simulation._scratch.stage
+        stage.saddle.misfit[:] = 0.0
+        stage.saddle.misfit[3] = 2e-3
+        stage.report[[RESIDUAL, NODE, SCALE, MISFIT, ROUNDING]] = residual, 2, 1.0, 1e6, 0.0
+        clock = simulation.plan, simulation.layout, simulation.arrays, simulation.clock
+        assert f" s: {first}" in describe(*clock, simulation._scratch)
 
 
 @pytest.mark.parametrize("method", ["implicit-midpoint", "generalized-alpha", "bdf2"])
@@ -302,3 +288,25 @@ def test_what_stiffness_does_to_the_tensions() -> None:
     assert error("bdf2") < 0.03
     assert error("esdirk3") < 0.03
     assert error("sdirk2") > 0.5
+
+
+@pytest.mark.parametrize("EA", [1e6, 1e12])
+def test_recorded_tensions_keep_their_digits(EA: float) -> None:
+    """A rope at rest between two anchors for 1 s: the lumped chain's tensions (closed forms 2.2) to 1e-9
+    after every step. The twin: k (r - L) of the recorded places is off by some eps EA / T, 3e-4 at EA 1e12 N.
+    """
+    n, length = 20, 2.0
+    rope = Rope(
+        segments=n,
+        length=length,
+        made_of=Material(EA=EA, mass_per_length=0.5),
+        shape=Slack(start=(0, 0, 0), end=(1.5, 0, 0)),
+    )
+    settings = RunSettings(duration=1.0, time_step=FRAME, method="bdf2", start="at-rest")
+    film = run(Scene(ropes=rope, anchors=hold(0, -1), run=settings))
+    k, size = EA * n / length, length / n
+    exact = lumped_chain(np.full(n - 1, 0.5 * size * 9.81), k, size, 1.5).tension
+    assert off(film.block.recording.tension[1:] / exact, 1.0) < 1e-9
+    if EA == 1e12:
+        r = np.linalg.norm(np.diff(film.x[-1], axis=0), axis=1)
+        assert off(k * (r - size) / exact, 1.0) > 1e-5

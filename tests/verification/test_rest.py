@@ -7,8 +7,11 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
-from ropewalk.scene import Air, Material, Rope, Slack, Straight
+from ropewalk.scene import Air, Material, Rope, Scene, Slack, Straight
+from ropewalk.statics import static_shape
+from ropewalk.theory import catenary
 from verification.setups import DOWN, SYMPLECTIC, chain, g, hold, off, run, scene, springs
 
 
@@ -199,21 +202,30 @@ def test_the_chain_converges_to_the_elastic_catenary() -> None:
     assert abs(math.log2(heavier[0] / heavier[1])) < 1.0
 
 
-def test_the_inextensible_catenary_is_the_limit_of_stiff_chains() -> None:
-    """Closed forms 2.3: sqrt(L^2 - Y^2) = 2 a sinh(X / 2a), depth 0.2654375091 m for L 1, X 0.8.
-
-    The solver of 2.2, which the simulator meets to 1e-10, with k -> inf and N -> inf: N^-2.
+def test_the_inextensible_catenary_is_the_limit_of_chains_of_rigid_links() -> None:
+    """Closed forms 2.3: sqrt(L^2 - Y^2) = 2 a sinh(X / 2a), depth a (cosh(X / 2a) - 1) = 0.2654375091 m for
+    L 1, X 0.8. The library's closed form has that number and a's own equation, and a scene of rigid links at
+    rest reaches both: N^-2. The twin: EA = 50 N.
     """
+    a = brentq(lambda a: 2.0 * a * math.sinh(0.4 / a) - 1.0, 0.1, 10.0, xtol=1e-15)
+    cable = catenary(1.0, 0.8, weight=0.2 * g)
+    assert cable.horizontal == pytest.approx(0.2 * g * a, rel=1e-12)
+    assert cable.sag == pytest.approx(a * (math.cosh(0.4 / a) - 1.0), rel=1e-12)
+    assert cable.sag == pytest.approx(0.2654375091, abs=1e-10)
 
-    def depth(n: int) -> float:
-        nodes, _, _ = equilibrium(n, 0.2 / n, 1e9, 1.0 / n, 0.8)
-        return float(-nodes[:, 1].min())
+    def resting(n: int, EA: float = math.inf) -> tuple[float, float]:
+        """Depth [m] and horizontal force [N] of the equilibrium of a scene."""
+        shape = Slack(start=(0, 0, 0), end=(0.8, 0, 0))
+        rope = Rope(
+            segments=n, length=1.0, made_of=Material(EA=EA, mass_per_length=0.2), shape=shape
+        )
+        found = static_shape(Scene(ropes=rope, anchors=hold(0, n), run={"method": "bdf2"}))
+        return -float(found.positions[:, 2].min()), found.spans[0].horizontal
 
-    errors = [abs(depth(n) - 0.2654375091) for n in (10, 20, 40)]
+    errors = np.abs([np.subtract(resting(n), (cable.sag, cable.horizontal)) for n in (10, 20, 40)])
     for coarse, fine in pairwise(errors):
-        assert math.log2(coarse / fine) == pytest.approx(2.0, abs=0.02)
-    soft = equilibrium(40, 0.2 / 40, 2000.0, 1.0 / 40, 0.8)[0]  # the twin: EA = 50 N
-    assert abs(-soft[:, 1].min() - 0.2654375091) > 5e-3
+        np.testing.assert_allclose(np.log2(coarse / fine), 2.0, atol=0.02)
+    assert abs(resting(40, 50.0)[0] - cable.sag) > 5e-3
 
 
 @pytest.mark.parametrize("node", [-1, 5])

@@ -2,6 +2,7 @@
 
 import { ROPES } from "../view/colours.js";
 import { h } from "../panels/dom.js";
+import { PLAYING } from "../source/frame.js";
 import { History } from "./history.js";
 import { PhasePlane } from "./phase.js";
 import { Plot } from "./plot.js";
@@ -12,7 +13,7 @@ import { samplesOf } from "./samples.js";
 /** @typedef {"energies" | "tension" | "motion" | "phase" | "difference"} Kind */
 /** @typedef {{kind: Kind, box: HTMLElement, plot: Plot | PhasePlane | null}} Panel */
 
-const WINDOWS = [2, 5, 10, 30, 60]; // s
+const WINDOWS = [2, 5, 10, 30, 60, Infinity]; // s
 const REFRESH = 66; // ms between two drawings of a graph
 const TITLES = {
   energies: "Energies",
@@ -36,9 +37,12 @@ export class Graphs {
     this.history = new History();
     this.window = 10;
     this.back = 0; // s scrolled back
+    /** Asks a replay for what is not known of the time before. */
+    this.wanted = () => {};
     this.quantity = "height";
     /** @type {Map<Kind, Panel>} */ this.panels = new Map();
     this.lastDraw = 0;
+    this.soon = false; // whether all are drawn at the next animation frame
     this.turn = 0;
     this.plots = h("div", { className: "plots" });
     this.chips = h("div", { className: "chips" });
@@ -59,10 +63,14 @@ export class Graphs {
       {
         id: "graph-window",
         "aria-label": "Seconds shown",
-        onchange: () => this.setWindow(Number(this.windowChoice.value)),
+        onchange: () => this.setWindow(Number(this.windowChoice.value.replace("all", "Infinity"))),
       },
       ...WINDOWS.map((s) =>
-        h("option", { value: String(s), selected: s === this.window }, `${s} s`),
+        h(
+          "option",
+          { value: Number.isFinite(s) ? String(s) : "all", selected: s === this.window },
+          Number.isFinite(s) ? `${s} s` : "all",
+        ),
       ),
     );
     this.quantityChoice = h(
@@ -109,6 +117,10 @@ export class Graphs {
     if (!layout) return;
     this.history.add(frame.time, samplesOf(layout, frame, this.stage.marks.followed));
     if (!this.open) return;
+    if (!(frame.flags & PLAYING)) {
+      this.drawSoon(); // there may be no further frame
+      return;
+    }
     const now = performance.now();
     if (now - this.lastDraw < REFRESH / Math.max(1, this.panels.size)) return;
     this.lastDraw = now;
@@ -145,6 +157,13 @@ export class Graphs {
     for (const panel of this.panels.values()) panel.plot = this.make(panel);
     requestAnimationFrame(() => this.resize());
     this.bounds();
+    this.wanted();
+  }
+
+  /** How much time is seen [s]. */
+  get span() {
+    if (Number.isFinite(this.window)) return this.window;
+    return Math.max(WINDOWS[0], this.history.last - this.history.first) || WINDOWS[0];
   }
 
   /** @param {Kind} kind */
@@ -220,8 +239,8 @@ export class Graphs {
   /** @param {Panel} panel */
   draw({ kind, plot }) {
     if (!Number.isFinite(this.history.last)) return;
-    const from = Math.max(this.history.last - this.back - this.window, this.history.first);
-    const to = from + this.window;
+    const from = Math.max(this.history.last - this.back - this.span, this.history.first);
+    const to = from + this.span;
     if (plot instanceof Plot) {
       const names = plot.series.map(({ name }) => name);
       plot.show(this.history.between(from, to, names), from, to);
@@ -232,6 +251,17 @@ export class Graphs {
     }
   }
 
+  /** Draw all at the next animation frame, once. */
+  drawSoon() {
+    if (this.soon) return;
+    this.soon = true;
+    requestAnimationFrame(() => {
+      this.soon = false;
+      this.bounds();
+      this.drawAll();
+    });
+  }
+
   drawAll() {
     for (const panel of this.panels.values()) this.draw(panel);
   }
@@ -239,7 +269,7 @@ export class Graphs {
   /** How far one can scroll back, only while paused. */
   bounds() {
     const playing = this.stage.session.status?.playing ?? true;
-    const most = Math.max(0, this.history.last - this.history.first - this.window) || 0;
+    const most = Math.max(0, this.history.last - this.history.first - this.span) || 0;
     if (playing) this.back = 0;
     this.scroll.disabled = playing || most === 0;
     this.scroll.title = playing ? "Pause to scroll back" : "Scroll back in time";
@@ -252,7 +282,7 @@ export class Graphs {
   wheel(event) {
     if (this.scroll.disabled) return;
     event.preventDefault();
-    const by = ((event.deltaX || event.deltaY) / 400) * this.window;
+    const by = ((event.deltaX || event.deltaY) / 400) * this.span;
     this.back = Math.min(Number(this.scroll.max), Math.max(0, this.back - by));
     this.bounds();
   }
@@ -260,6 +290,8 @@ export class Graphs {
   /** @param {number} seconds */
   setWindow(seconds) {
     this.window = seconds;
+    this.back = 0;
+    this.wanted();
     this.bounds();
     this.drawAll();
   }

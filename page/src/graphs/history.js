@@ -24,7 +24,7 @@ export class History {
   add(time, values) {
     if (this.count > 0 && time <= this.last) {
       if (time === this.last) return; // a paused run
-      this.clear();
+      this.count = this.search(time); // gone back: what was before then still holds
     }
     if (this.start + this.count === 2 * KEPT) {
       for (const column of [this.time, ...this.columns.values()])

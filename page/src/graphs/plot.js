@@ -16,6 +16,8 @@ export class Plot {
   constructor(host, unit, series) {
     this.host = host;
     this.series = series;
+    /** @type {number | null} */ this.low = null;
+    /** @type {number | null} */ this.high = null;
     const ink = () => colour("--faint");
     const line = { stroke: () => colour("--line"), width: 1 };
     const font = "11px system-ui, sans-serif";
@@ -28,7 +30,7 @@ export class Plot {
         legend: { live: true },
         scales: {
           x: { time: false, auto: false, range: (_, low, high) => [low, high] },
-          y: { range: (_, low, high) => roomy(low, high) },
+          y: { range: () => roomy(this.low, this.high) },
         },
         axes: [
           {
@@ -45,6 +47,7 @@ export class Plot {
             ticks: { ...line, size: 4 },
             font,
             size: 52,
+            space: 20, // between two marks [CSS pixels]: a low graph has more than one
             values: (_, ticks) => ticks.map((v) => quantity(v, unit)),
           },
         ],
@@ -79,6 +82,7 @@ export class Plot {
 
   /** @param {Float64Array[]} columns @param {number} from @param {number} to [s] */
   show(columns, from, to) {
+    [this.low, this.high] = extremes(columns);
     this.uplot.batch(() => {
       this.uplot.setData(/** @type {any} */ (columns), false);
       this.uplot.setScale("x", { min: from, max: to });
@@ -88,6 +92,20 @@ export class Plot {
   destroy() {
     this.uplot.destroy();
   }
+}
+
+/** The least and the largest of all numbers but times; what is not there (NaN) does not count.
+ * @param {Float64Array[]} columns times first @returns {[number | null, number | null]} */
+export function extremes([, ...columns]) {
+  let [low, high] = [Infinity, -Infinity];
+  for (const column of columns) {
+    for (const value of column) {
+      if (!Number.isFinite(value)) continue;
+      if (value < low) low = value;
+      if (value > high) high = value;
+    }
+  }
+  return low <= high ? [low, high] : [null, null];
 }
 
 /** A range with room around the values, not empty where they are all the same.

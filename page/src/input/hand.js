@@ -1,4 +1,4 @@
-// The hand: what a drag of an anchor or a rope sends, at most once per animation frame.
+// The hand: what a drag of an anchor or a rope sends, at once, but not more often than is of use.
 
 import { figures } from "../view/range.js";
 import { length, minus, plus, times } from "../view/vector.js";
@@ -7,6 +7,7 @@ import { length, minus, plus, times } from "../view/vector.js";
 /** @typedef {import("./pick.js").Hit} Hit */
 /** @typedef {import("../view/vector.js").Vector} Vector */
 
+const APART = 8; // ms between two targets at least
 const KICK = 0.05; // [m/s] of velocity per pixel of arrow
 
 export class Hand {
@@ -17,7 +18,8 @@ export class Hand {
     this.way = way;
     /** @type {Vector} where the pointer has it, in the picture */
     this.place = hit.place;
-    this.pending = false;
+    this.sent = -Infinity; // when [ms]
+    this.pending = 0;
   }
 
   /** @param {number} px @param {number} py */
@@ -30,16 +32,16 @@ export class Hand {
       stage.marks.dirty = true;
       return;
     }
-    if (this.pending) return;
-    this.pending = true;
-    requestAnimationFrame(() => {
-      this.pending = false;
-      this.sendTarget();
-    });
+    const wait = this.sent + APART - performance.now();
+    if (wait <= 0) this.sendTarget();
+    else this.pending ||= window.setTimeout(() => this.sendTarget(), wait);
   }
 
   sendTarget() {
+    clearTimeout(this.pending);
+    this.pending = 0;
     if (this.over) return;
+    this.sent = performance.now();
     const target = minus(this.place, this.stage.shifts[this.hit.variant]);
     const { session } = this.stage;
     if (this.hit.kind === "anchor") session.send({ type: "drag", anchor: this.hit.anchor, target });

@@ -32,6 +32,9 @@ export class Pointer {
     this.hovering = false;
     element.addEventListener("pointerdown", (event) => this.press(event));
     element.addEventListener("pointermove", (event) => this.move(event));
+    element.addEventListener("pointerrawupdate", (event) =>
+      this.drag(/** @type {PointerEvent} */ (event)),
+    );
     element.addEventListener("pointerup", (event) => this.lift(event));
     element.addEventListener("pointercancel", (event) => this.lift(event));
     element.addEventListener("pointerleave", () => this.hover(null));
@@ -103,6 +106,14 @@ export class Pointer {
       this.stage.marks.dirty = true;
     } else if (start.button !== 0 || start.shift) this.stage.camera.pan(dx, dy);
     else this.stage.camera.orbit(dx, dy);
+  }
+
+  /** The same before the next animation frame, where the browser tells: the hand need not wait for it.
+   * @param {PointerEvent} event */
+  drag(event) {
+    if (!this.hand || !this.moved || this.menuOpened || this.down.size !== 1) return;
+    const { x, y } = this.at(event);
+    this.hand.moveTo(x, y);
   }
 
   /** @param {PointerEvent} event */

@@ -11,6 +11,7 @@ import { fieldText, readNumber } from "./scale.js";
 /** @typedef {import("../source/protocol.js").Parameter} Parameter */
 /** @typedef {{name: string, value: any}} Change */
 
+const IDEAS = ["bdf2", "rk4"]; // methods worth a first comparison
 const MOST = 3; // copies besides the scene itself
 
 export class Compare {
@@ -103,10 +104,9 @@ export class Compare {
     const method = parameters.find((p) => p.name === "method");
     const steps = stability[0]?.steps ?? {};
     const others = (method?.choices ?? []).map(({ value }) => value);
-    const stable = others.filter(
-      (value) => value !== method?.value && (steps[value] ?? Infinity) > (status?.dt ?? 0),
-    );
-    if (stable.length) return [{ name: "method", value: stable[stable.length - 1] }];
+    const bears = (/** @type {string} */ value) => (steps[value] ?? Infinity) > (status?.dt ?? 0);
+    const other = IDEAS.find((value) => value !== method?.value && others.includes(value));
+    if (other && bears(other)) return [{ name: "method", value: other }];
     return status ? [{ name: "time_step", value: status.dt / 2 }] : [];
   }
 

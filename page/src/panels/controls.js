@@ -5,6 +5,7 @@ import { button, h, icon } from "./dom.js";
 
 /** @typedef {import("../session.js").Session} Session */
 
+const CLOCK = 100; // ms between two changes of the clock while time goes on: faster ones cannot be read
 const SPEEDS = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 4];
 
 /** @param {number} speed */
@@ -52,6 +53,7 @@ export class Controls {
       id: "toggle-graphs",
     });
     this.seeking = 0;
+    this.shown = -Infinity; // when the clock was last changed [ms]
     host.append(
       h("div", { className: "group" }, this.reset, this.play, this.step),
       this.clock,
@@ -83,6 +85,7 @@ export class Controls {
     label.hidden = !session.can("speed");
     this.seek.hidden = !session.can("seek") || !status?.duration;
     if (!status) return;
+    if (!status.playing && session.frame) this.showTime(session.frame.time);
     this.play.disabled = status.broken;
     this.step.disabled = status.broken || status.playing;
     const name = status.playing ? "pause" : "play";
@@ -103,8 +106,12 @@ export class Controls {
 
   /** @param {number} time */
   showTime(time) {
-    const text = `${time.toFixed(2)} s`;
-    if (this.clock.textContent !== text) this.clock.textContent = text;
+    const now = performance.now();
+    if (now - this.shown >= CLOCK || !this.session.status?.playing) {
+      this.shown = now;
+      const text = `${time.toFixed(2)} s`;
+      if (this.clock.textContent !== text) this.clock.textContent = text;
+    }
     if (!this.seek.hidden && document.activeElement !== this.seek) this.seek.value = String(time);
   }
 

@@ -1,21 +1,37 @@
-// Labels in the scene: forces in newtons, beside their arrows.
+// Labels in the scene: forces in newtons beside their arrows, clear of cards, anchors and ropes.
 
+import { nodesOf } from "../view/copies.js";
+import { free, placesFor } from "../view/places.js";
 import { h } from "./dom.js";
 
 /** @typedef {import("../stage.js").Stage} Stage */
 /** @typedef {import("../marks.js").Label} Label */
-/** @typedef {{x: number, y: number, width: number}} Place [CSS pixels] */
+/** @typedef {import("../view/places.js").Box} Box */
 
 const LETTER = 7.4; // of the labels' font, wide [CSS pixels]
 const HEIGHT = 20;
-const APART = 5; // from the tip
+const PLATE = 10; // half of an anchor's
+const BEADS = 90; // nodes that are looked at, at most
+const CARDS = ".toolbar, .legend, .difference, .tour, .broken, .slow-note, .banner";
+const WORDS = 100; // ms between two changes of the numbers while time goes on: faster ones cannot be read
+const LOOK = 1000; // ms between two looks at the cards, which may move without another size
 
 export class Labels {
   /** @param {Stage} stage @param {HTMLElement} host */
   constructor(stage, host) {
     this.stage = stage;
+    this.host = host;
     this.box = h("div", { className: "labels", "aria-hidden": "true" });
     /** @type {HTMLElement[]} */ this.pool = [];
+    /** @type {number[]} which place each label took */ this.taken = [];
+    /** @type {Box[]} */ this.cards = [];
+    /** @type {Set<Element>} */ this.watched = new Set();
+    this.looked = this.worded = -Infinity;
+    this.watch = new ResizeObserver(() => {
+      this.looked = -Infinity;
+      stage.marks.dirty = true;
+    });
+    this.watch.observe(host);
     host.append(this.box);
     stage.afterDraw.push(() => this.refresh());
   }
@@ -27,52 +43,77 @@ export class Labels {
       this.pool.push(label);
       this.box.append(label);
     }
-    /** @type {Place[]} */ const taken = [];
+    const plates = labels.map((label) => this.plate(label));
+    const blocked = labels.length ? [...this.cardsNow(), ...plates] : [];
+    const beads = labels.length ? this.beads() : [];
+    const now = performance.now();
+    const anew = now - this.worded >= WORDS || !this.stage.session.status?.playing;
+    if (anew) this.worded = now;
     this.pool.forEach((element, i) => {
       const label = labels[i];
-      const place = label ? this.place(label) : null;
-      const crowded = taken.some((other) => place && overlap(place, other));
-      if (element.hidden === (place !== null && !crowded)) element.hidden = !element.hidden;
-      if (!place || crowded) return;
-      taken.push(place);
-      if (element.textContent !== label.text) element.textContent = label.text;
+      const stale = anew || element.hidden || element.className !== label?.kind;
+      const text = stale ? label?.text : element.textContent; // what stands there needs the room
+      const place = label ? this.place({ ...label, text: text ?? "" }, i, blocked, beads) : null;
+      if (element.hidden === (place !== null)) element.hidden = !element.hidden;
+      if (!place) return;
+      blocked.push(place);
+      if (element.textContent !== text) element.textContent = text ?? "";
       if (element.className !== label.kind) element.className = label.kind;
       element.style.transform = `translate(${Math.round(place.x)}px, ${Math.round(place.y)}px)`;
     });
   }
 
-  /** Beyond the arrow's tip, in its direction, and inside the scene. @param {Label} label
-   * @returns {Place | null} */
-  place({ from, at, text }) {
+  /** Where a label goes: where it was, else beyond its arrow's tip, else near by. A place on the rope will do,
+   * none on anything else. @param {Label} label @param {number} i @param {Box[]} blocked
+   * @param {number[][]} beads @returns {Box | null} */
+  place({ from, at, text }, i, blocked, beads) {
     const { camera } = this.stage;
     const [x, y, depth] = camera.project(...at);
     if (!(depth > 0)) return null;
     const [fx, fy] = camera.project(...from);
-    return placeLabel([x, y], [x - fx, y - fy], LETTER * text.length + 14, [
-      camera.width,
-      camera.height,
-    ]);
+    const size = [LETTER * text.length + 14, HEIGHT];
+    const room = [camera.width, camera.height];
+    const places = placesFor([x, y], [x - fx, y - fy], size, room);
+    const before = this.taken[i] ?? 0;
+    const order = [before, ...places.keys()];
+    const clear = order.find((k) => free(places[k], blocked, beads));
+    const found = clear ?? order.find((k) => free(places[k], blocked, []));
+    if (found === undefined) return null;
+    this.taken[i] = clear === undefined ? 0 : found;
+    return places[found];
   }
-}
 
-/** The upper left corner of a label at an arrow's tip. @param {number[]} tip @param {number[]} way
- * @param {number} width @param {number[]} room @returns {Place} */
-export function placeLabel([x, y], [dx, dy], width, room) {
-  const size = Math.hypot(dx, dy);
-  const [ux, uy] = size > 1 ? [dx / size, dy / size] : [1, 0];
-  const reach =
-    APART + Math.min(width / 2 / Math.abs(ux || 1e-9), HEIGHT / 2 / Math.abs(uy || 1e-9));
-  const inside = (/** @type {number} */ value, /** @type {number} */ most) =>
-    Math.max(2, Math.min(value, most - 2));
-  const wanted = x + ux * reach - width / 2;
-  const across = inside(wanted, room[0] - width);
-  const pushed = Math.abs(across - wanted) > 4; // then above the arrow, which it would cover
-  const down = y + uy * reach - HEIGHT / 2 - (pushed ? HEIGHT : 0);
-  return { x: across, y: inside(down, room[1] - HEIGHT), width };
-}
+  /** What an arrow starts from. @param {Label} label @returns {Box} */
+  plate({ from }) {
+    const [x, y] = this.stage.camera.project(...from);
+    return { x: x - PLATE, y: y - PLATE, width: 2 * PLATE, height: 2 * PLATE };
+  }
 
-/** @param {Place} one @param {Place} other */
-function overlap(one, other) {
-  const apart = one.x < other.x ? other.x - one.x - one.width : one.x - other.x - other.width;
-  return apart < 0 && Math.abs(one.y - other.y) < HEIGHT;
+  /** Where some of the nodes are on the screen. */
+  beads() {
+    const { camera, nodes, session } = this.stage;
+    const count = session.layout ? nodesOf(session.layout) : 0;
+    const every = Math.max(1, Math.ceil(count / BEADS));
+    const found = [];
+    for (let i = 0; i < count; i += every) {
+      const [x, y, z] = nodes.shown.subarray(4 * i, 4 * i + 3);
+      found.push(camera.project(x, y, z));
+    }
+    return found;
+  }
+
+  /** The cards over the scene, looked up now and then. @returns {Box[]} */
+  cardsNow() {
+    const now = performance.now();
+    if (now - this.looked < LOOK) return this.cards;
+    this.looked = now;
+    const { left, top } = this.host.getBoundingClientRect();
+    this.cards = [...this.host.querySelectorAll(CARDS)].map((card) => {
+      if (!this.watched.has(card)) this.watch.observe(card); // also when it opens or closes
+      this.watched.add(card);
+      const { x, y, width, height } = card.getBoundingClientRect();
+      return { x: x - left, y: y - top, width, height };
+    });
+    return this.cards;
+  }
 }

@@ -8,6 +8,8 @@ import { h } from "./dom.js";
 /** @typedef {import("../stage.js").Stage} Stage */
 /** @typedef {import("../source/gather.js").Colouring} Colouring */
 
+const NOTHING = 2e-9; // of a range's width: see `Range.follow`
+
 /** The unit for the numbers of a colouring, and what they are multiplied with.
  * @param {Colouring} colouring @param {number} most @returns {[string, number]} */
 function unitFor(colouring, most) {
@@ -114,9 +116,19 @@ export class Legend {
     const { low, high } = range;
     const [unit, scale] = unitFor(colouring, Math.max(Math.abs(low), Math.abs(high)));
     const text = (/** @type {number} */ value) => figures(Number((value * scale).toPrecision(2)));
+    const some = high - low > NOTHING;
+    this.low.hidden = this.middle.hidden = !some; // one number where all are the same
+    if (!some) {
+      write(this.high, `${text(low)} ${unit}`);
+      return this.showGrid();
+    }
     write(this.low, text(low));
     write(this.middle, text((low + high) / 2));
     write(this.high, `${text(high)} ${unit}`);
+    this.showGrid();
+  }
+
+  showGrid() {
     write(this.grid, `Grid ${quantity(this.stage.spacing, "m")}`);
   }
 }

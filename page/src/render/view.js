@@ -47,6 +47,7 @@
  * @property {(theme: Theme) => void} setTheme
  * @property {(width: number, height: number, ratio: number) => void} resize CSS pixels
  * @property {(view: View) => void} draw
+ * @property {() => void} clear show the background only
  * @property {() => void} dispose
  */
 

@@ -46,9 +46,12 @@ export class Camera {
     this.update();
   }
 
-  /** Take over a pose or part of one. @param {Partial<Pose>} pose */
+  /** Take over a pose or part of one; what is not finite is no pose. @param {Partial<Pose>} pose */
   set(pose) {
-    this.pose = { ...this.pose, ...pose };
+    const wanted = { ...this.pose, ...pose };
+    const { target, distance, azimuth, elevation } = wanted;
+    if (![...target, distance, azimuth, elevation].every(Number.isFinite)) return;
+    this.pose = wanted;
     this.pose.elevation = Math.min(HALF_TURN, Math.max(-HALF_TURN, this.pose.elevation));
     this.pose.distance = Math.min(1e7, Math.max(1e-4, this.pose.distance));
     this.update();

@@ -10,6 +10,36 @@ import { round } from "./range.js";
 /** @typedef {import("../source/protocol.js").Layout} Layout */
 /** @typedef {import("../render/view.js").Ground} Ground */
 
+/** @typedef {Layout["view"]} Surroundings */
+
+const FAR = 1e4; // radii of a scene beyond which nothing of a rope is shown: it broke
+
+/** Put nodes that are nowhere (NaN), or absurdly far away, where the one before them is (or the next one), so
+ * that nothing is drawn to them. @param {Float32Array} nodes x, y, z, value, written in place
+ * @param {number} count @param {Surroundings} view */
+export function tame(nodes, count, { center, radius }) {
+  const [cx, cy, cz] = center;
+  const reach = FAR * radius;
+  const wild = (/** @type {number} */ q) =>
+    !(
+      Math.abs(nodes[q] - cx) < reach &&
+      Math.abs(nodes[q + 1] - cy) < reach &&
+      Math.abs(nodes[q + 2] - cz) < reach
+    );
+  /** @type {ArrayLike<number> | null} */ let before = null;
+  for (let i = 0, q = 0; i < count; i++, q += 4) {
+    if (!wild(q)) continue;
+    if (i > 0) before = nodes.subarray(q - 4, q - 1);
+    else {
+      let next = 0;
+      while (next < count && wild(4 * next)) next++;
+      before = next < count ? nodes.slice(4 * next, 4 * next + 3) : center;
+    }
+    nodes.set(before, q);
+    if (!Number.isFinite(nodes[q + 3])) nodes[q + 3] = 0;
+  }
+}
+
 /** The box of all nodes. @param {Float32Array} nodes x, y, z, value @param {number} count @returns {Box} */
 export function boxOf(nodes, count) {
   /** @type {Box} */

@@ -3,9 +3,11 @@
 The input is a history of single steps that ends in the break and begins before it shows (`retrace`
 takes it from a simulation). Three measures are made of it. Zigzag: in an explicit method's
 instability neighbouring segments stretch and shrink in turn, so the changes of length of neighbours
-have the correlation -1. Flip: the pattern changes sign from step to step (a root of the step below
--1), so successive changes have the correlation -1 too. Growth: the factor by which the energy of
-the zigzag rises per step, the square of the mode's growth.
+have the correlation -1 (+1 in a smooth motion, -1/2 where nodes move at random). A break so fast that
+springs turn over in a step shows it in the changes of segments as vectors, not in those of lengths.
+Flip: the pattern changes sign from step to step (a root of the step below -1), so successive changes
+have the correlation -1 too. Growth: the factor by which the energy of the zigzag rises per step, the
+square of the mode's growth.
 """
 
 from __future__ import annotations
@@ -25,7 +27,8 @@ from ropewalk.unsolved import CALMER
 
 Floats = NDArray[np.float64]
 
-_CLEAR = -0.5  # a correlation below this is a zigzag
+_CLEAR = -0.55  # a correlation below this is a zigzag; nodes that move at random have -0.5
+_SEEN = 1e-10  # changes of this part of a segment's length are more than rounding
 _RISING = 1.02  # growth of amplitude per step that counts as the break's own
 _RISING_STEPS = 12
 _HISTORY = 400  # steps before the last good frame that show how the break began
@@ -41,8 +44,8 @@ class Diagnosis:
     step: int  # of the last good frame, counted from the run's start
     rope: str
     node: int  # in its rope: where the break is worst first
-    zigzag: float  # correlation of neighbouring segments' changes of length, -1 to 1; nan: none
-    flip: float  # correlation of a step's changes of length with the next step's; nan: none
+    zigzag: float  # correlation of neighbouring segments' changes, -1 to 1; nan: none
+    flip: float  # correlation of a step's changes with the next step's; nan: none
     energy_growth: float  # of the zigzag, factor per step [1]; nan where it cannot be told
     predicted: bool  # whether the bound was violated
     bound: float  # largest stable step of the method [s]
@@ -52,7 +55,7 @@ class Diagnosis:
     @property
     def sign(self) -> str:
         """What the break looks like, in words."""
-        return _sign(self.zigzag, self.flip, self.energy_growth)
+        return _sign(self.zigzag, self.flip, self.energy_growth, self.predicted)
 
     def as_dict(self) -> dict[str, object]:
         """Plain values for JSON; None stands for what is not finite."""
@@ -83,17 +86,25 @@ def diagnose(
     good = int(np.argmin(finite)) if not finite.all() else len(positions)
     positions = positions[:good]
     with np.errstate(over="ignore", invalid="ignore"):
-        lengths = np.linalg.norm(np.diff(positions, axis=1), axis=2)
+        segments = np.diff(positions, axis=1)
+        lengths = np.linalg.norm(segments, axis=2)
     sound = np.isfinite(lengths).all(axis=1)
     good = int(np.argmin(sound)) if not sound.all() else len(lengths)
     lengths = lengths[:good]
-    changes = np.where(_alive(layout), np.diff(lengths, axis=0), 0.0)
-    clearest, zigzag = _zigzag(changes, _alive(layout))
+    alive = _alive(layout)
+    changes = np.where(alive, np.diff(lengths, axis=0), 0.0)
+    growth = _growth(changes, lengths, alive)
+    least = _SEEN * float(np.median(lengths[0][alive])) if good else 0.0
+    clearest, zigzag = _zigzag(changes, alive, least)
+    if not zigzag < _CLEAR:
+        turned = np.where(alive[:, None], np.diff(segments[:good], axis=0), 0.0)
+        step, value = _zigzag(turned, alive, least)
+        if value < _CLEAR:
+            changes, clearest, zigzag = turned, step, value
     flip = _flip(changes, clearest)
-    growth = _growth(changes, lengths, _alive(layout))
     worst = _worst_node(changes, clearest, layout)
     if not zigzag < _CLEAR:
-        worst = _longest(lengths, _alive(layout))
+        worst = _longest(lengths, alive)
     rope, node = layout.rope_of(worst)
     advice = theory.remedies
     if theory.stable and theory.rings:
@@ -190,13 +201,18 @@ def _correlation(a: Floats, b: Floats) -> float:
     return float((a * b).sum()) / norm if norm > 0.0 else math.nan
 
 
-def _zigzag(changes: Floats, alive: NDArray[np.bool_]) -> tuple[int, float]:
+def _zigzag(changes: Floats, alive: NDArray[np.bool_], least: float) -> tuple[int, float]:
     """The step in which the changes of neighbouring segments are most opposed, and by how much.
 
-    Not the last step: that one may already be the tangle that follows.
+    Not the last step: that one may already be the tangle that follows. Changes below `least` [m] do
+    not count.
     """
     pairs = np.flatnonzero(alive[:-1] & alive[1:])
-    found = [(_correlation(row[pairs], row[pairs + 1]), i) for i, row in enumerate(changes)]
+    found = [
+        (_correlation(row[pairs], row[pairs + 1]), i)
+        for i, row in enumerate(changes)
+        if float(np.abs(row).max(initial=0.0)) > least
+    ]
     found = [(value, i) for value, i in found if not math.isnan(value)]
     if not pairs.size or not found:
         return max(len(changes) - 1, 0), math.nan
@@ -239,10 +255,11 @@ def _worst_node(changes: Floats, step: int, layout: Layout) -> int:
     if not len(changes):
         return layout.ropes[0].start
     last = changes[step] / max(float(np.abs(changes[step]).max(initial=0.0)), 1e-300)
-    pull = np.zeros(last.size + 1)
+    last = last.reshape(len(last), -1)
+    pull = np.zeros((len(last) + 1, last.shape[1]))
     pull[:-1] += last
     pull[1:] -= last
-    return int(np.argmax(np.abs(pull)))
+    return int(np.argmax((pull * pull).sum(axis=1)))
 
 
 def _longest(lengths: Floats, alive: NDArray[np.bool_]) -> int:
@@ -250,15 +267,18 @@ def _longest(lengths: Floats, alive: NDArray[np.bool_]) -> int:
     return int(np.argmax(np.where(alive, lengths[-1], -1.0))) + 1 if len(lengths) else 0
 
 
-def _sign(zigzag: float, flip: float, growth: float) -> str:
+def _sign(zigzag: float, flip: float, growth: float, predicted: bool) -> str:
+    """The sign in words; that there is no zigzag is said only where none was to come."""
     signs = []
     if zigzag < _CLEAR:
         signs.append(f"neighbouring segments zigzag (correlation {zigzag:.2f})")
     if flip < _CLEAR:
-        signs.append("the pattern flips at every step")
+        pattern = "the pattern flips" if signs else "segments stretch and shrink in turn"
+        signs.append(f"{pattern} at every step")
     if growth > 1.0:
         signs.append(f"its energy grows {growth:.3g}-fold per step")
-    return " and ".join(signs) or "no zigzag"
+    none = "it burst too fast to show how" if predicted else "no zigzag"
+    return " and ".join(signs) or none
 
 
 def _text(
@@ -270,7 +290,7 @@ def _text(
     flip: float,
     growth: float,
 ) -> str:
-    sign = _sign(zigzag, flip, growth)
+    sign = _sign(zigzag, flip, growth, not theory.stable)
     head = f"Broke after t = {time:.6g} s at node {node} of rope {rope!r}: {sign}."
     if not theory.stable:
         if theory.bound > 0.0:

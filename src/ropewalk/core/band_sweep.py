@@ -10,6 +10,8 @@ A held node has A^-1 = 0. All else is the Schur complement of the columns of T'_
 from __future__ import annotations
 
 from ropewalk.core.blocks import (
+    ZERO3,
+    ZERO9,
     apply,
     apply_left,
     dot3,
@@ -23,9 +25,6 @@ from ropewalk.core.blocks import (
     subtract,
 )
 from ropewalk.core.jit import kernel, small
-
-ZERO3 = (0.0, 0.0, 0.0)
-ZERO9 = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
 @small

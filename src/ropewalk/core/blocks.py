@@ -7,6 +7,9 @@ from __future__ import annotations
 
 from ropewalk.core.jit import small
 
+ZERO3 = (0.0, 0.0, 0.0)
+ZERO9 = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+
 
 @small
 def load9(blocks, i):
@@ -16,6 +19,13 @@ def load9(blocks, i):
         blocks[i, 3], blocks[i, 4], blocks[i, 5],
         blocks[i, 6], blocks[i, 7], blocks[i, 8],
     )  # fmt: skip
+
+
+@small
+def store9(blocks, i, m):
+    """Write block `i` of an array (n, 9)."""
+    for k in range(9):
+        blocks[i, k] = m[k]
 
 
 @small
@@ -70,6 +80,32 @@ def multiply(a, b):
         a[6] * b[1] + a[7] * b[4] + a[8] * b[7],
         a[6] * b[2] + a[7] * b[5] + a[8] * b[8],
     )
+
+
+@small
+def scale9(c, a):
+    """Return the block c a."""
+    return (
+        c * a[0], c * a[1], c * a[2],
+        c * a[3], c * a[4], c * a[5],
+        c * a[6], c * a[7], c * a[8],
+    )  # fmt: skip
+
+
+@small
+def transpose(a):
+    """Return the block with rows and columns exchanged."""
+    return a[0], a[3], a[6], a[1], a[4], a[7], a[2], a[5], a[8]
+
+
+@small
+def add(a, b):
+    """Return the block a + b."""
+    return (
+        a[0] + b[0], a[1] + b[1], a[2] + b[2],
+        a[3] + b[3], a[4] + b[4], a[5] + b[5],
+        a[6] + b[6], a[7] + b[7], a[8] + b[8],
+    )  # fmt: skip
 
 
 @small

@@ -8,13 +8,27 @@ after the node the derivatives
 Elastic: F = B |kb|^2 / 2. Friction D s' ds/dt with s = |kb|: its rate adds to F' and F'', and how its rate
 changes with the places makes the matrix unsymmetric. At a straight node, where the plane of bending jumps,
 only the derivatives of friction with the velocities are given. Natural curvature adds those of -B kb . k0.
+
+`definite` gives -F' D_a D_a in place of F' T_a(b), so that the part with F' < 0 becomes that of
+-F' |a - b|^2 / 2 without its second derivatives, which has no negative eigenvalue, however folded the rope.
 """
 
 from __future__ import annotations
 
 import math
 
-from ropewalk.core.jit import kernel, part
+from ropewalk.core.blocks import (
+    ZERO9,
+    add,
+    dot3,
+    less_product,
+    scale3,
+    scale9,
+    store9,
+    subtract,
+    transpose,
+)
+from ropewalk.core.jit import kernel, part, small
 from ropewalk.laws.bending import FOLD, STRAIGHT, across, bend, slope_of, tangent, value_of
 
 
@@ -34,13 +48,29 @@ def turn_of(ux, uy, uz, tx, ty, tz, over, own, wx, wy, wz):
     )
 
 
-@part
-def twice(u, t, over, own, same, k, m):
-    """Return entry (k, m) of T_t(u); `u` and `t` are triples."""
-    tu = t[0] * u[0] + t[1] * u[1] + t[2] * u[2]
-    near = own * over * over
-    far = (3.0 if own == 1.0 else 2.0 * own * own) * over * over * tu
-    return far * t[k] * t[m] - near * (u[k] * t[m] + t[k] * u[m] + tu * same)
+@small
+def turns(c, u, t, over, own):
+    """Return c T_t(u), which is symmetric."""
+    near = c * own * over * over
+    tu = dot3(t, u)
+    far = 0.5 * c * (3.0 if own == 1.0 else 2.0 * own * own) * over * over * tu
+    g0, g1, g2 = far * t[0] - near * u[0], far * t[1] - near * u[1], far * t[2] - near * u[2]
+    d = near * tu
+    m1, m2, m5 = g0 * t[1] + t[0] * g1, g0 * t[2] + t[0] * g2, g1 * t[2] + t[1] * g2
+    return (
+        2.0 * g0 * t[0] - d, m1, m2,
+        m1, 2.0 * g1 * t[1] - d, m5,
+        m2, m5, 2.0 * g2 * t[2] - d,
+    )  # fmt: skip
+
+
+@small
+def plainly(c, t, over, own):
+    """Return -c D_t D_t."""
+    d = -c * over * over
+    return less_product(
+        (d, 0.0, 0.0, 0.0, d, 0.0, 0.0, 0.0, d), scale3(d * own * (2.0 - own), t), t
+    )
 
 
 @part
@@ -49,40 +79,32 @@ def curve_of(chi):
     return 2.0 / (chi * chi * chi) if chi > FOLD else 0.0
 
 
-@part
-def add_node(band, i, c1, c2, a, over_a, own_a, b, over_b, own_b, p, q, y, z):
-    """Add the derivatives of one node's bend: c1 F', c2 F'', p y^T and so on."""
-    c = a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-    both = c1 * over_a * over_b
-    for k in range(3):
-        for m in range(3):
-            at = 3 * k + m
-            same = 1.0 if k == m else 0.0
-            before = c2 * p[k] * p[m] + c1 * twice(b, a, over_a, own_a, same, k, m) + p[k] * y[m]
-            after = c2 * q[k] * q[m] + c1 * twice(a, b, over_b, own_b, same, k, m) + q[k] * z[m]
-            plain = same - own_a * a[k] * a[m] - own_b * b[k] * b[m]
-            mixed = own_a * own_b * c
-            up = c2 * p[k] * q[m] + both * (plain + mixed * a[k] * b[m]) + p[k] * z[m]
-            low = c2 * q[k] * p[m] + both * (plain + mixed * b[k] * a[m]) + q[k] * y[m]
-            add_entry(band, i, at, before, up, low, after)
+@small
+def mixes(c, a, own_a, b, own_b):
+    """Return c (I - a a^T) (I - b b^T), each with the share of its own part that is to be taken out."""
+    f, g = c * own_a, c * own_b
+    h = f * own_b * dot3(a, b)
+    w = (f * a[0] - h * b[0], f * a[1] - h * b[1], f * a[2] - h * b[2])
+    return less_product(
+        less_product((c, 0.0, 0.0, 0.0, c, 0.0, 0.0, 0.0, c), a, w), scale3(g, b), b
+    )
+
+
+@small
+def smooth_blocks(c1, c2, a, over_a, own_a, b, over_b, own_b, p, q, definite):
+    """Return the derivatives of one node's bend before, up (row a, column b) and after, of F(chi)."""
+    if definite:
+        before, after = plainly(c1, a, over_a, own_a), plainly(c1, b, over_b, own_b)
+    else:
+        before, after = turns(c1, b, a, over_a, own_a), turns(c1, a, b, over_b, own_b)
+    before = less_product(before, scale3(-c2, p), p)
+    after = less_product(after, scale3(-c2, q), q)
+    up = less_product(mixes(c1 * over_a * over_b, a, own_a, b, own_b), scale3(-c2, p), q)
+    return before, up, after
 
 
 @part
-def add_entry(band, i, at, before, up, low, after):
-    """Add one entry of the derivatives on both segments of node `i` to the rows of its three nodes."""
-    band.diagonal[i - 1, at] += before
-    band.upper1[i - 1, at] += up - before
-    band.upper2[i - 1, at] -= up
-    band.lower1[i - 1, at] += low - before
-    band.diagonal[i, at] += before - up - low + after
-    band.upper1[i, at] += up - after
-    band.lower2[i - 1, at] -= low
-    band.lower1[i, at] += low - after
-    band.diagonal[i + 1, at] += after
-
-
-@part
-def add_natural(band, i, ct, cct, a, over_a, own_a, b, over_b, own_b, p, q, n):
+def natural_blocks(before, up, after, ct, cct, a, over_a, own_a, b, over_b, own_b, p, q, n):
     """Add what natural curvature n has besides its parts of F' and F''; ct = dU/dtau, cct = dct/dchi.
 
     U holds ct tau with tau = n . (a x b).
@@ -91,41 +113,45 @@ def add_natural(band, i, ct, cct, a, over_a, own_a, b, over_b, own_b, p, q, n):
     h = (n[1] * a[2] - n[2] * a[1], n[2] * a[0] - n[0] * a[2], n[0] * a[1] - n[1] * a[0])
     r = across(g[0], g[1], g[2], a[0], a[1], a[2], over_a, own_a)
     s = across(h[0], h[1], h[2], b[0], b[1], b[2], over_b, own_b)
-    tau = a[0] * g[0] + a[1] * g[1] + a[2] * g[2]
-    turn = (0.0, -n[2], n[1], n[2], 0.0, -n[0], -n[1], n[0], 0.0)
-    both = ct * over_a * over_b
-    for k in range(3):
-        for m in range(3):
-            at, back = 3 * k + m, 3 * m + k
-            same = 1.0 if k == m else 0.0
-            before = cct * (p[k] * r[m] + r[k] * p[m])
-            before += ct * twice(g, a, over_a, own_a, same, k, m)
-            after = cct * (q[k] * s[m] + s[k] * q[m])
-            after += ct * twice(h, b, over_b, own_b, same, k, m)
-            up = cct * (p[k] * s[m] + r[k] * q[m]) - both * (
-                turn[at]
-                + own_a * a[k] * h[m]
-                + own_b * g[k] * b[m]
-                - own_a * own_b * tau * a[k] * b[m]
-            )
-            low = cct * (p[m] * s[k] + r[m] * q[k]) - both * (
-                turn[back]
-                + own_a * a[m] * h[k]
-                + own_b * g[m] * b[k]
-                - own_a * own_b * tau * a[m] * b[k]
-            )
-            add_entry(band, i, at, before, up, low, after)
+    c = -ct * over_a * over_b
+    turn = (0.0, -c * n[2], c * n[1], c * n[2], 0.0, -c * n[0], -c * n[1], c * n[0], 0.0)
+    mixed = own_a * own_b * dot3(a, g)
+    w = (own_a * h[0] - mixed * b[0], own_a * h[1] - mixed * b[1], own_a * h[2] - mixed * b[2])
+    turn = less_product(less_product(turn, scale3(-c, a), w), scale3(-c * own_b, g), b)
+    less_p, less_q = scale3(-cct, p), scale3(-cct, q)
+    before = less_product(less_product(before, less_p, r), r, less_p)
+    after = less_product(less_product(after, less_q, s), s, less_q)
+    up = add(less_product(less_product(up, less_p, s), r, less_q), turn)
+    before = add(before, turns(ct, g, a, over_a, own_a))
+    after = add(after, turns(ct, h, b, over_b, own_b))
+    return before, up, after
+
+
+@small
+def put_on(blocks, i, m):
+    """Add a block to block `i` of an array (n, 9)."""
+    for k in range(9):
+        blocks[i, k] += m[k]
 
 
 @kernel
-def bending_tangent(x, v, rest_length, stiffness, damping, natural, weight_x, weight_v, band):
-    """Add -(weight_x dF/dx + weight_v dF/dv) of all bends and their friction to the band."""
+def bending_tangent(
+    x, v, rest_length, stiffness, damping, natural, weight_x, weight_v, definite, band
+):
+    """Overwrite the band with -(weight_x dF/dx + weight_v dF/dv) of all bends and their friction.
+
+    `here`, `beyond`, `right` and `below` are what the nodes so far have in the present two nodes' blocks:
+    every block is written once, and none needs to be cleared before.
+    """
     x0, x1, x2 = x[0], x[1], x[2]
+    last = stiffness.shape[0] - 1
     ax, ay, az, over_a, own_a = tangent(x0[1] - x0[0], x1[1] - x1[0], x2[1] - x2[0], rest_length[0])
-    for i in range(1, stiffness.shape[0] - 1):
+    here, beyond, right, below = ZERO9, ZERO9, ZERO9, ZERO9
+    for i in range(1, last):
         bx, by, bz, over_b, own_b = tangent(
             x0[i + 1] - x0[i], x1[i + 1] - x1[i], x2[i + 1] - x2[i], rest_length[i]
         )
+        before, up, low, after = ZERO9, ZERO9, ZERO9, ZERO9
         if stiffness[i] > 0.0:
             a, b = (ax, ay, az), (bx, by, bz)
             p = across(bx, by, bz, ax, ay, az, over_a, own_a)
@@ -133,30 +159,47 @@ def bending_tangent(x, v, rest_length, stiffness, damping, natural, weight_x, we
             chi, square = bend(ax, ay, az, own_a, bx, by, bz, own_b)
             B = weight_x * stiffness[i]
             slope, curve = slope_of(chi), curve_of(chi)
-            kx, ky, kz = natural[0, i], natural[1, i], natural[2, i]
-            tau = kx * (ay * bz - az * by) + ky * (az * bx - ax * bz) + kz * (ax * by - ay * bx)
+            n = (natural[0, i], natural[1, i], natural[2, i])
+            tau = dot3(n, (ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx))
             c1, c2 = B * slope * (4.0 - 2.0 * tau), B * curve * (4.0 - 2.0 * tau)
-            if kx != 0.0 or ky != 0.0 or kz != 0.0:
-                ct, cct = -2.0 * B * value_of(chi), -2.0 * B * slope
-                add_natural(
-                    band, i, ct, cct, a, over_a, own_a, b, over_b, own_b, p, q, (kx, ky, kz)
-                )
-            y, z = (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)
-            if damping[i] > 0.0:
+            f1, f2, first, second, change = 0.0, 0.0, 0.0, 0.0, 0.0
+            rubs = damping[i] > 0.0
+            if rubs:
                 u = (v[0, i] - v[0, i - 1], v[1, i] - v[1, i - 1], v[2, i] - v[2, i - 1])
                 w = (v[0, i + 1] - v[0, i], v[1, i + 1] - v[1, i], v[2, i + 1] - v[2, i])
                 da = across(u[0], u[1], u[2], ax, ay, az, over_a, own_a)
                 db = across(w[0], w[1], w[2], bx, by, bz, over_b, own_b)
-                change = da[0] * bx + da[1] * by + da[2] * bz + ax * db[0] + ay * db[1] + az * db[2]
+                change = dot3(da, b) + dot3(a, db)
                 f1, f2, first, second = drag_parts(
                     damping[i], weight_x, weight_v, chi, square, change
                 )
-                c1, c2 = c1 + f1, c2 + f2
-                scale = weight_x * damping[i] * first
+            before, up, after = smooth_blocks(
+                c1 + f1, c2 + f2, a, over_a, own_a, b, over_b, own_b, p, q, definite
+            )
+            if n[0] != 0.0 or n[1] != 0.0 or n[2] != 0.0:
+                ct, cct = -2.0 * B * value_of(chi), -2.0 * B * slope
+                before, up, after = natural_blocks(
+                    before, up, after, ct, cct, a, over_a, own_a, b, over_b, own_b, p, q, n
+                )
+            low = transpose(up)
+            if rubs:
+                scale = -weight_x * damping[i] * first
                 y = drag_rate(a, over_a, own_a, b, p, u, db, scale, first, second, change)
                 z = drag_rate(b, over_b, own_b, a, q, w, da, scale, first, second, change)
-            add_node(band, i, c1, c2, a, over_a, own_a, b, over_b, own_b, p, q, y, z)
+                before, after = less_product(before, p, y), less_product(after, q, z)
+                up, low = less_product(up, p, z), less_product(low, q, y)
+        store9(band.diagonal, i - 1, add(here, before))
+        store9(band.upper1, i - 1, subtract(add(right, up), before))
+        store9(band.lower1, i - 1, subtract(add(below, low), before))
+        store9(band.upper2, i - 1, scale9(-1.0, up))
+        store9(band.lower2, i - 1, scale9(-1.0, low))
+        here = subtract(add(beyond, add(before, after)), add(up, low))
+        beyond, right, below = after, subtract(up, after), subtract(low, after)
         ax, ay, az, over_a, own_a = bx, by, bz, over_b, own_b
+    store9(band.diagonal, last - 1, here)
+    store9(band.upper1, last - 1, right)
+    store9(band.lower1, last - 1, below)
+    store9(band.diagonal, last, beyond)
 
 
 @part
@@ -187,7 +230,7 @@ def drag_rate(t, over, own, o, p, u, turned, scale, first, second, change):
 
 
 @kernel
-def clamp_tangent(x, v, rest_length, state, bending, weight_x, weight_v, band):
+def clamp_tangent(x, v, rest_length, state, bending, weight_x, weight_v, definite, band):
     """Add the derivatives of all half cells at clamps."""
     for row in range(state.held.shape[0]):
         if bending.clamped[row] == 0 or state.held[row] == 0:
@@ -195,14 +238,16 @@ def clamp_tangent(x, v, rest_length, state, bending, weight_x, weight_v, band):
         for side in range(2):
             if bending.clamp_stiffness[row, side] > 0.0:
                 j = state.anchor_node[row] - 1 + side
+                at = j, side, row
                 half_cell_tangent(
-                    x, v, rest_length, j, side, row, state, bending, weight_x, weight_v, band
+                    x, v, rest_length, at, state, bending, weight_x, weight_v, definite, band
                 )
 
 
 @part
-def half_cell_tangent(x, v, rest_length, j, side, row, state, bending, weight_x, weight_v, band):
-    """Add the derivatives of one half cell on segment `j`, the direction as a segment that stays."""
+def half_cell_tangent(x, v, rest_length, at, state, bending, weight_x, weight_v, definite, band):
+    """Add the derivatives of one half cell, the direction as a segment that stays; `at` says where."""
+    j, side, row = at
     direction, spin = state.clamp_direction, state.clamp_spin
     d = (direction[row, 0], direction[row, 1], direction[row, 2])
     sx, sy, sz = spin[row, 0], spin[row, 1], spin[row, 2]
@@ -230,14 +275,13 @@ def half_cell_tangent(x, v, rest_length, j, side, row, state, bending, weight_x,
     ct, cct = -2.0 * B * value_of(chi), -2.0 * B * slope
     f1, f2, first, second = drag_parts(D, weight_x, weight_v, chi, square, change)
     c1, c2 = c1 + f1, c2 + f2
-    y = drag_rate(t, over, own, d, p, u, turned, weight_x * D * first, first, second, change)
-    for k in range(3):
-        for m in range(3):
-            same = 1.0 if k == m else 0.0
-            value = c2 * p[k] * p[m] + c1 * twice(d, t, over, own, same, k, m) + p[k] * y[m]
-            value += cct * (p[k] * r[m] + r[k] * p[m]) + ct * twice(h, t, over, own, same, k, m)
-            at = 3 * k + m
-            band.diagonal[j, at] += value
-            band.diagonal[j + 1, at] += value
-            band.upper1[j, at] -= value
-            band.lower1[j, at] -= value
+    y = drag_rate(t, over, own, d, p, u, turned, -weight_x * D * first, first, second, change)
+    block = plainly(c1, t, over, own) if definite else turns(c1, d, t, over, own)
+    block = less_product(block, scale3(-c2, p), p)
+    block = less_product(add(block, turns(ct, h, t, over, own)), p, y)
+    block = less_product(less_product(block, scale3(-cct, p), r), r, scale3(-cct, p))
+    put_on(band.diagonal, j, block)
+    put_on(band.diagonal, j + 1, block)
+    block = scale9(-1.0, block)
+    put_on(band.upper1, j, block)
+    put_on(band.lower1, j, block)

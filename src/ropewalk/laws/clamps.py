@@ -196,14 +196,12 @@ def book_turns(bending, moment, held, t, dt, ledger, work):
 
 
 @kernel
-def bent_energy(system, state):
-    """Return the energy of all bends and half cells [J]."""
-    total = bending_energy(
-        state.x, state.rest_length, state.bending_stiffness, system.bending.natural
-    )
+def bent_energy(system, state, x):
+    """Return the energy of all bends and half cells at places `x` (3, n) [J], clamps as they are now."""
+    total = bending_energy(x, state.rest_length, state.bending_stiffness, system.bending.natural)
     if state.moment.shape[0] > 0:
         total += clamp_energy(
-            state.x,
+            x,
             state.rest_length,
             state.held,
             state.anchor_node,
@@ -223,10 +221,10 @@ def start_clamps(system, state):
 def let_bend(system, state, row):
     """Turn the half cells of a clamp that is let go into a bend; what they stored more is its work."""
     i = state.anchor_node[row]
-    before = bent_energy(system, state)
+    before = bent_energy(system, state, state.x)
     state.held[row] = 0
     state.bending_stiffness[i] = system.bending.stiffness[i]
     state.bending_damping[i] = system.bending.damping[i]
     for k in range(6):
         state.moment[row, k] = 0.0
-    state.work.clamps[row] += bent_energy(system, state) - before
+    state.work.clamps[row] += bent_energy(system, state, state.x) - before

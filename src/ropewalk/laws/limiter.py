@@ -49,7 +49,7 @@ def limit_stretch(system, state, work, dt, ledger):
 
 @kernel
 def _potential(system, state):
-    bending = bent_energy(system, state) if system.flags[BENDING] == 1 else 0.0
+    bending = bent_energy(system, state, state.x) if system.flags[BENDING] == 1 else 0.0
     return (
         gravity_energy(state.x, state.mass, system.gravity)
         + elastic_energy(state.x, state.rest_length, state.stiffness, system.slack_floor)

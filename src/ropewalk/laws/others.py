@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from ropewalk.core.band import clear_band
 from ropewalk.core.jit import kernel
 from ropewalk.laws.table import evaluate, force_on_node
-from ropewalk.laws.tangent import add_tangents, mark
+from ropewalk.laws.tangent import add_tangents, begin_tangent, mark
 
 
 @kernel
@@ -24,6 +23,6 @@ def other_forces(system, state, x, v, forces, total):
 @kernel
 def other_stiffness(system, state, x, v, band):
     """Write -dF/dx of all laws but the springs' [N/m]."""
-    clear_band(band)
     mark(system, state, x, band)
+    begin_tangent(system, state, x, v, 1.0, 0.0, False, band)
     add_tangents(system, state, x, v, 1.0, 0.0, band)

@@ -4,8 +4,7 @@
 
 Exact, and so not symmetric where a law is not: axial friction and drag along a line depend on the
 direction of a segment. Held nodes are treated as all others; who solves with the matrix leaves their rows
-out. A new law adds its tangent in `add_tangents`; one that joins next-but-one nodes, as bending does, adds
-to `lower2` and `upper2` of the band as well.
+out. A new law adds its tangent in `add_tangents`.
 """
 
 from __future__ import annotations
@@ -33,11 +32,21 @@ def mark(system, state, x, band):
 
 
 @part
-def add_tangents(system, state, x, v, weight_x, weight_v, band):
-    """Add the tangents of all laws but the springs', for what is marked in the band."""
-    friction_tangent(system, state, x, v, weight_x, weight_v, band.rubs, band)
+def begin_tangent(system, state, x, v, weight_x, weight_v, definite, band):
+    """Overwrite the band with the tangent of bending, the law that reaches farthest; or with zeros.
+
+    With `definite` it is changed so that it has no negative eigenvalue.
+    """
     if system.flags[BENDING] == 1:
-        add_bending_tangent(system, state, x, v, weight_x, weight_v, band)
+        write_bending_tangent(system, state, x, v, weight_x, weight_v, definite, band)
+    else:
+        clear_band(band)
+
+
+@part
+def add_tangents(system, state, x, v, weight_x, weight_v, band):
+    """Add the tangents of all laws but bending and the springs', for what is marked in the band."""
+    friction_tangent(system, state, x, v, weight_x, weight_v, band.rubs, band)
     air = system.air
     if air.linear == 1 or air.quadratic == 1:
         linear_drag_tangent(air.node_drag, weight_v, band)
@@ -49,25 +58,26 @@ def add_tangents(system, state, x, v, weight_x, weight_v, band):
 
 
 @part
-def add_bending_tangent(system, state, x, v, weight_x, weight_v, band):
-    """Add the tangents of bending, its friction and the clamps; the band has second off-diagonals."""
+def write_bending_tangent(system, state, x, v, weight_x, weight_v, definite, band):
+    """Write the tangents of bending, its friction and the clamps; the band has second off-diagonals."""
     lengths, bending = state.rest_length, system.bending
     stiffness, damping = state.bending_stiffness, state.bending_damping
     natural = bending.natural
-    bending_tangent(x, v, lengths, stiffness, damping, natural, weight_x, weight_v, band)
+    bending_tangent(x, v, lengths, stiffness, damping, natural, weight_x, weight_v, definite, band)
     if state.moment.shape[0] > 0:
-        clamp_tangent(x, v, lengths, state, bending, weight_x, weight_v, band)
+        clamp_tangent(x, v, lengths, state, bending, weight_x, weight_v, definite, band)
 
 
 @kernel
 def assemble_tangent(system, state, x, v, weight_x, weight_v, band, clamp=False):
-    """Add -(weight_x dF/dx + weight_v dF/dv) of all acting laws at `x` and `v`, (3, n) [m, m/s].
+    """Write -(weight_x dF/dx + weight_v dF/dv) of all acting laws at `x` and `v`, (3, n) [m, m/s].
 
     With `clamp` the geometric stiffness T/r (I - t t^T) of compressed segments is left out, so that the
     springs' part has no negative eigenvalue.
     """
     floor = system.slack_floor
     mark(system, state, x, band)
+    begin_tangent(system, state, x, v, weight_x, weight_v, False, band)
     elastic_tangent(x, state.rest_length, state.stiffness, floor, weight_x, clamp, band)
     add_tangents(system, state, x, v, weight_x, weight_v, band)
 
@@ -80,7 +90,6 @@ def stiffness_and_friction(
     found = []
     for weights in ((1.0, 0.0), (0.0, 1.0)):
         band = make_band(x.shape[1], second=system.flags[BENDING] == 1)
-        clear_band(band)
         assemble_tangent(system, state, x, v, *weights, band)
         found.append(band)
     return found[0], found[1]

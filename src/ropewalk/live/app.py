@@ -66,6 +66,23 @@ class Live:
         self.stage.submit(command, box.number, lambda message: self.hub.tell_one(box, message))
         self.wake()
 
+    def join(self, box: Mailbox) -> None:
+        """Have a new page told everything; at once where a program may not come back for long."""
+
+        def tell(message: dict[str, Any]) -> None:
+            self.hub.tell_one(box, message)
+
+        def join(stage: Any) -> None:
+            stage.join(tell)
+            self.hub.admit(box)
+
+        latest = getattr(self.stage, "latest", None)
+        if latest is None:
+            self.do(join)
+        else:
+            join(self.stage)
+            box.put_frame(*latest)
+
     def do(self, what: Callable[[Any], None]) -> None:
         """Have something done on the stage."""
         self.stage.submit(what, 0, lambda message: None)
@@ -108,7 +125,7 @@ def make_app(live: Live) -> Starlette:
         if path is None or path.suffix not in _TYPES:
             text = "no such file" if found else "the page is missing from this installation"
             return PlainTextResponse(f"{text}\n", 404)
-        data = await run_in_threadpool(path.read_bytes)
+        data = path.read_bytes()  # a millisecond: a thread's start would take longer
         return Response(data, headers={"content-type": _TYPES[path.suffix]})
 
     async def picture(request: Request) -> Response:

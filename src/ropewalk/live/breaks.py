@@ -11,7 +11,7 @@ from ropewalk.analysis.stability import stability
 from ropewalk.core.arrays import Floats
 from ropewalk.live.remedies import as_messages
 from ropewalk.live.session import Session
-from ropewalk.live.track import Track
+from ropewalk.live.track import Saved, Track
 from ropewalk.simulation import Simulation
 
 _HISTORY = 400  # steps to look at
@@ -63,17 +63,29 @@ def _from_history(session: Session, track: Track) -> Floats | None:
     """
     assert session.broken is not None
     simulation: Simulation = track.simulation
-    for moment in session.history.newest_first():
-        mine = [one for one in moment.tracks if one.simulation is simulation]
-        if not mine or track.count - mine[0].steps < _HISTORY // 4:
-            continue
-        steps = track.count - mine[0].steps + session.broken.chunk + 1
-        if steps * simulation.layout.nodes > _MOST_WORK or mine[0].snapshot.dt != track.dt:
-            return None
-        simulation.restore(mine[0].snapshot)
-        positions = retrace(simulation, steps, keep=_HISTORY)
-        last = positions[-1]
-        span = float(np.ptp(positions[0], axis=0).max()) + 1.0
-        wild = not np.isfinite(last).all() or float(np.abs(last).max()) > 1e3 * span
-        return positions if wild or len(positions) < steps else None
-    return None
+    start = _start(session, track)
+    if start is None or start.snapshot.dt != track.dt:
+        return None
+    steps = track.count - start.steps + session.broken.chunk + 2  # one more than it breaks in
+    if steps * simulation.layout.nodes > _MOST_WORK:
+        return None
+    simulation.restore(start.snapshot)
+    positions = retrace(simulation, steps, keep=_HISTORY)
+    last = positions[-1]
+    span = float(np.ptp(positions[0], axis=0).max()) + 1.0
+    wild = not np.isfinite(last).all() or float(np.abs(last).max()) > 1e3 * span
+    return positions if wild or len(positions) < steps else None
+
+
+def _start(session: Session, track: Track) -> Saved | None:
+    """The newest moment of the simulation that broke which lies well before the break, else its oldest."""
+    known = [
+        one
+        for moment in session.history.newest_first()
+        for one in moment.tracks
+        if one.simulation is track.simulation
+    ]
+    if track.begun.simulation is track.simulation:
+        known.append(track.begun)
+    early = [one for one in known if track.count - one.steps >= _HISTORY // 4]
+    return early[0] if early else (known[-1] if known else None)

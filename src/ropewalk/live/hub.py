@@ -29,6 +29,7 @@ class Mailbox:
         self._sent: list[int] = []  # frames on the way
         self._ready = asyncio.Event()
         self.overflown = False
+        self.admitted = False  # not before it is told everything: news make no sense to it
 
     def put_text(self, kind: str, text: str) -> None:
         """Take a message."""
@@ -100,6 +101,13 @@ class Hub:
         """Forget a page."""
         self.boxes.pop(box.number, None)
 
+    def admit(self, box: Mailbox) -> None:
+        """Let a page have what all pages get from now on (from any thread)."""
+        self._call(self._admit, box)
+
+    def _admit(self, box: Mailbox) -> None:
+        box.admitted = True
+
     def show(self, number: int, frame: bytes) -> None:
         """Show a frame to all pages (from any thread)."""
         self._call(self._show, number, frame)
@@ -121,12 +129,15 @@ class Hub:
                 return
 
     def _show(self, number: int, frame: bytes) -> None:
-        for box in self.boxes.values():
+        for box in self._admitted():
             box.put_frame(number, frame)
 
     def _tell(self, kind: str, text: str) -> None:
-        for box in self.boxes.values():
+        for box in self._admitted():
             box.put_text(kind, text)
+
+    def _admitted(self) -> list[Mailbox]:
+        return [box for box in self.boxes.values() if box.admitted]
 
 
 def as_text(message: dict[str, Any]) -> str:

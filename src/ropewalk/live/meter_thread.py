@@ -13,7 +13,10 @@ _REST = 1.0  # times the time that a measurement took, before the next
 
 
 class MeterThread:
-    """Answers the newest question about stability; older ones are forgotten."""
+    """Answers the newest question about stability; older ones are forgotten.
+
+    It begins when there is somebody to tell, behind the first picture.
+    """
 
     def __init__(self) -> None:
         self._wake = threading.Condition()
@@ -28,6 +31,9 @@ class MeterThread:
         with self._wake:
             self._question = models
             self._wake.notify()
+
+    def begin(self) -> None:
+        """Begin to answer, unless it was done before."""
         if self._thread is None:
             self._thread = threading.Thread(target=self._run, name="ropewalk-meter", daemon=True)
             self._thread.start()

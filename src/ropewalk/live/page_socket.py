@@ -52,7 +52,7 @@ async def serve_socket(socket: WebSocket, live: Live) -> None:
     box = live.hub.enter()
     try:
         await socket.send_text(live.hello(box.number))
-        live.do(lambda stage: stage.join(lambda message: live.hub.tell_one(box, message)))
+        live.join(box)
         sender = asyncio.create_task(_send(socket, box))
         try:
             await _receive(socket, box, live)

@@ -20,6 +20,8 @@ class ProgramStage(Stage):
     def __init__(self, simulation: Simulation) -> None:
         super().__init__(Session.of(simulation))
         self._time = simulation.time
+        self.latest = (0, b"")  # number and bytes of the newest frame
+        self.show()
 
     @property
     def can(self) -> list[str]:
@@ -41,5 +43,13 @@ class ProgramStage(Stage):
         if found is not None:
             self.audience.tell(found)
         self.tell_status_now_and_then()
+        self.show()
+
+    def show(self) -> None:
+        """Make a frame, show it, and keep it for pages that come after the program's last one."""
+        self._dirty = False
+        self.frame_number += 1
+        self.latest = (self.frame_number, self.frame())
+        self.audience.show(*self.latest)
         if self.audience.size > 0:
-            self.show()
+            self.meter.begin()

@@ -314,6 +314,7 @@ class Stage:
         self._dirty = False
         self.frame_number += 1
         self.audience.show(self.frame_number, self.frame())
+        self.meter.begin()
 
     def frame(self) -> bytes:
         """Return the present frame."""

@@ -67,6 +67,7 @@ class Track:
         self.count = 0  # steps done
         self.edited = 0.0  # energy put in by changes [J]
         self.first_energy = self.energy
+        self.begun = self.save()  # when the present simulation began
 
     @property
     def energy(self) -> float:
@@ -118,6 +119,7 @@ class Track:
             name: target for name, target in self.hands.targets.items() if name in made.anchors
         }
         self.edited += self.energy - before
+        self.begun = self.save()
 
     def set(self, name: str, value: Any, rope: str | None = None) -> None:
         """Change a parameter. Raises SceneError with the allowed range."""

@@ -264,7 +264,7 @@ def advance(system, state, scratch, extras, clock, frames, ledger, out, stop_at_
         status = show(system, state, scratch, extras, time, ledger, tableau)
         if status == OK:
             put_row(scratch.here, walk.shown)
-            status = close_frame(system, state, scratch.solver.middle, frame, out)
+            status = close_frame(system, state, ledger, scratch.solver.sums, frame, out)
         if status != OK and (stop_at_break or status == UNSOLVED):
             return status, frame
     return OK, frames

@@ -48,6 +48,7 @@ _FORMALLY_ZERO = 5e-6
 _DIRECTIONS = 48
 _DIRECTIONS_LONG = 16  # above this many nodes the polygon's corners would take too long
 _LONG = 50_000
+_NOTHING = 1e-280  # a spring or friction this small is none: a quotient with it overflows
 
 
 class Chain(NamedTuple):
@@ -117,7 +118,7 @@ def _largest(matrix: Matrix) -> float:
 
 def _proportional(K: Matrix, C: Matrix) -> tuple[float, float] | None:
     """Return (alpha, beta) of C = alpha I + beta K, or None where friction is not of that form."""
-    joined = K.beside != 0.0
+    joined = np.abs(K.beside) > _NOTHING
     if np.any(C.beside[~joined] != 0.0):
         return None
     ratios = C.beside[joined] / K.beside[joined]
@@ -139,7 +140,7 @@ def _directions(K: Matrix, C: Matrix, count: int, slope: float) -> Floats:
     """
     even = 2.0 * np.pi * np.arange(count) / count
     fan = np.arctan(2.0 ** -np.arange(1.0, 13.0))
-    joined = K.beside != 0.0
+    joined = np.abs(K.beside) > _NOTHING
     ratios = np.unique(np.abs(C.beside[joined] / K.beside[joined]))
     if ratios.size > 8:
         ratios = np.quantile(ratios, np.linspace(0.0, 1.0, 8))
@@ -151,8 +152,7 @@ def _directions(K: Matrix, C: Matrix, count: int, slope: float) -> Floats:
 
 def _polygon(K: Matrix, C: Matrix, directions: int) -> tuple[Floats, Floats]:
     """Return the corners of a polygon around the joint numerical range of K and C."""
-    k_size = _largest(K) or 1.0
-    c_size = _largest(C) or 1.0
+    k_size, c_size = (size if size > _NOTHING else 1.0 for size in (_largest(K), _largest(C)))
     angle = _directions(K, C, directions, k_size / c_size)
     cosine, sine = np.cos(angle), np.sin(angle)
     reach = np.array(

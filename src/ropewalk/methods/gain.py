@@ -4,28 +4,36 @@ Springs pressed to a point, which fly apart within a step, are not monotone: no 
 method bounds their energy, and L-stable ones were seen to multiply it by eight. What a step makes up is
 known exactly,
     sum U(x1) - U(x0) - h f . (u0 + u1) / 2
-over the segments, U their elastic energy, f the mean force that the step used and u the ends' relative
-velocity; see `laws.ledger`. A step that makes up a good part of all energy there is has no worth.
+over the segments, U the energy of stretch and bending, f the mean force that the step used and u the ends'
+relative velocity; see `laws.ledger`. Clamps that turn stand where the step ends in both U, so that their
+work does not count as made up. A step that makes up a good part of all energy there is has no worth.
 """
 
 from __future__ import annotations
 
 import math
 
+from ropewalk.core.arrays import BENDING
 from ropewalk.core.jit import kernel, part
+from ropewalk.laws.clamps import bent_energy
 from ropewalk.laws.ledger import kinetic_energy
 from ropewalk.laws.stretch import elastic_energy
 
-MOST = 0.05  # [1] of kinetic and elastic energy, and of weight times length
+MOST = 0.05  # [1] of kinetic and stored energy, and of weight times length
 
 
 @part
-def makes_up_energy(system, state, stage, force, dt):
-    """Tell whether a step from `state` to `stage` under the mean elastic `force` (3, n + 1) does."""
+def makes_up_energy(system, state, stage, mean, dt):
+    """Tell whether a step from `state` to `stage` under the `mean` forces does."""
     lengths, k, floor = state.rest_length, state.stiffness, system.slack_floor
     before = elastic_energy(state.x, lengths, k, floor)
     after = elastic_energy(stage.x, lengths, k, floor)
-    gain = after - before - taken(force, state.v, stage.v, dt)
+    work = taken(mean.elastic, state.v, stage.v, dt)
+    if system.flags[BENDING] == 1:
+        before += bent_energy(system, state, state.x)
+        after += bent_energy(system, state, stage.x)
+        work += taken(mean.bending, state.v, stage.v, dt)
+    gain = after - before - work
     if gain <= MOST * before:
         return False
     least = min(
@@ -36,7 +44,7 @@ def makes_up_energy(system, state, stage, force, dt):
 
 @kernel
 def taken(force, v0, v1, dt):
-    """Return the work that the segments take up in a step [J], minus what they do on the nodes."""
+    """Return the work that segment forces (3, n + 1) take up in a step [J], minus that on the nodes."""
     total = 0.0
     for k in range(3):
         f, a, b = force[k], v0[k], v1[k]

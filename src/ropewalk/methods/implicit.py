@@ -22,13 +22,21 @@ from ropewalk.laws.ledger import account
 from ropewalk.laws.table import accelerate
 from ropewalk.methods import tableaus
 from ropewalk.methods.gain import makes_up_energy
-from ropewalk.methods.loop import make_advance
-from ropewalk.methods.scratch import add, add_forces, axpy, clear, clear_forces, put
-from ropewalk.methods.stage import NODE, RESIDUAL, SPLITS, TIME, Stage, make_stage, solve_stage
+from ropewalk.methods.loop import make_advance, prepare_links
+from ropewalk.methods.scratch import (
+    add,
+    add_forces,
+    axpy,
+    clear,
+    clear_forces,
+    clear_row,
+    make_sums,
+    put,
+)
+from ropewalk.methods.stage import SPLITS, TIME, Stage, make_stage, solve_stage
 from ropewalk.methods.tableaus import BDF2, DIRK, GENERALIZED_ALPHA, SDIRK2, Tableau
 
 MOST_HALVINGS = 12
-WATCHED = 6  # halvings up to which a step may be refused for the energy that it makes up
 SMALLEST_PART = 0.5**MOST_HALVINGS  # [1] of a step
 
 
@@ -44,6 +52,7 @@ class ImplicitScratch(NamedTuple):
     speed: Floats  # (3,)
     reaction: Floats  # (a, 3) sum over the parts of a step [N s]
     limiter: Floats  # (7, n)
+    sums: Floats
     rescue: Tableau  # of the method that takes the parts of a step without solution
 
 
@@ -62,14 +71,9 @@ def make_implicit_scratch(state: State, tableau: Tableau) -> ImplicitScratch:
         speed=np.zeros(3),
         reaction=np.zeros_like(state.reaction),
         limiter=np.zeros((7, state.x.shape[1])),
+        sums=make_sums(),
         rescue=tableaus.IMPLICIT_EULER,
     )
-
-
-def unsolved(scratch: ImplicitScratch) -> tuple[float, int, float]:
-    """Return time [s], node and unbalanced force [N] of the last stage that found no solution."""
-    report = scratch.stage.report
-    return float(report[TIME]), int(report[NODE]), float(report[RESIDUAL])
 
 
 @part
@@ -90,13 +94,6 @@ def put_row(source, result):
     """Copy one array (m,) into another."""
     for j in range(result.shape[0]):
         result[j] = source[j]
-
-
-@kernel
-def empty_row(row):
-    """Set an array (m,) to zero."""
-    for j in range(row.shape[0]):
-        row[j] = 0.0
 
 
 @kernel
@@ -226,7 +223,7 @@ def take_step(system, state, scratch, t, after, dt, ledger, watch, kind, A, b, c
             axpy(stage.x_known, c1, stage.v, stage.x)
             place_stage(system, state, time, ahead, stage.x, stage.v, scratch.point, scratch.speed)
             if attempt == 1:
-                empty_row(stage.tension)
+                clear_row(stage.tension)
             status = solve_stage(system, state, stage, c1, c2)
             if status == OK:
                 break
@@ -246,7 +243,7 @@ def take_step(system, state, scratch, t, after, dt, ledger, watch, kind, A, b, c
             ends_here = True
         else:
             ends_here = end_dirk(state, scratch, A, b, dt)
-        if watch and ends_here and makes_up_energy(system, state, stage, mean.elastic, dt):
+        if watch and ends_here and makes_up_energy(system, state, stage, mean, dt):
             return UNSOLVED
         if kind == BDF2:
             put_forces(system, mean, state.forces)
@@ -324,6 +321,9 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
     kind, A, b, c = tableau.kind, tableau.A, tableau.b, tableau.c
     if not follows(dt, state.held, state.winch_exit, state.past) and kind == BDF2:
         kind = DIRK
+        if A[0, 0] == 0.0:  # it begins with the forces at the start; those kept are means
+            prepare_links(system, state, scratch.stage.saddle)
+            state.past[0] = dt
     level, place = 0, 0
     status = OK
     while True:
@@ -338,7 +338,7 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
             end,
             h,
             ledger,
-            level < WATCHED,
+            level < MOST_HALVINGS,
             kind,
             A,
             b,

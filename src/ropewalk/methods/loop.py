@@ -48,10 +48,10 @@ def _prepare_other(system, state, scratch):
 
 
 @kernel
-def close_frame(system, state, room, frame, out):
-    """Record the frame where `out` has it; return the state's status. `room` is work space (3, n)."""
+def close_frame(system, state, ledger, sums, frame, out):
+    """Record the frame where `out` has it; return the state's status. `sums` is working space."""
     if out.x.shape[0] > frame:
-        record_frame(system, state, room, frame, out)
+        record_frame(system, state, ledger, sums, frame, out)
     return check_state(state, system.break_stretch)
 
 
@@ -107,7 +107,7 @@ def make_advance(
                                 begin_anew(system, state, scratch)
                     first = last
             done += steps
-            status = close_frame(system, state, scratch.middle, frame, out)
+            status = close_frame(system, state, ledger, scratch.sums, frame, out)
             if status != OK and stop_at_break:
                 return status, frame
         return OK, frames

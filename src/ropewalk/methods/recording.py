@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
 
 from ropewalk.core.arrays import BENDING, Floats, State
-from ropewalk.core.jit import kernel
+from ropewalk.core.jit import kernel, part
+from ropewalk.core.ranges import rows
 from ropewalk.core.status import BROKEN, OK
 from ropewalk.laws.clamps import bent_energy
-from ropewalk.methods.scratch import put
+from ropewalk.methods.scratch import LANES, clear_row, put
 
 ENERGIES = ("kinetic", "gravity", "elastic")
 LAWS = ("elastic", "friction", "weight", "air", "ground", "applied", "limiter", "winch")
@@ -37,17 +39,26 @@ class Recording(NamedTuple):
     moment: Floats  # (f, a, 3) of the clamps on the rope [N m]; (f, 0, 3) without a clamp
 
 
-def make_recording(state: State, frames: int, with_lengths: bool) -> Recording:
+LARGE = Recording._fields[:3]  # by node or segment in every frame
+
+
+def make_recording(
+    state: State,
+    frames: int,
+    with_lengths: bool,
+    empty: Callable[[tuple[int, ...]], Floats] = np.empty,
+) -> Recording:
     """Return buffers for `frames` frames of a rope system like `state`.
 
-    The large ones are not cleared: memory that was used before then needs no touch but the recording's.
+    `empty` gives the LARGE ones; they need not be cleared: memory that was used before then needs no
+    touch but the recording's.
     """
     n, s, a = state.x.shape[1], state.rest_length.shape[0], state.held.shape[0]
     energies, laws = len(energy_names(bends(state))), len(work_names(bends(state)))
     shapes = ((3, n), (3, n), (s,), (s if with_lengths else 0,), (energies,), (laws + a,), (2,))
     shapes += ((a, 3), (3,), (3,), (state.moment.shape[0], 3))  # type: ignore[assignment]
-    large = [np.empty((frames, *shape)) for shape in shapes[:3]]
-    return Recording(*large, *(np.zeros((frames, *shape)) for shape in shapes[3:]))
+    large = [empty((frames, *shape)) for shape in shapes[: len(LARGE)]]
+    return Recording(*large, *(np.zeros((frames, *shape)) for shape in shapes[len(LARGE) :]))
 
 
 def bends(state: State) -> bool:
@@ -65,118 +76,143 @@ def work_names(bending: bool) -> tuple[str, ...]:
     return LAWS + BENT_LAWS if bending else LAWS
 
 
+SOLVED = 1e-13  # [1] length error of a segment that is as long as its tension makes it ...
+ROUNDING = 2e-15  # [1] ... and this share of its place
 LARGEST = 1e154  # [m] the square of a longer one is infinite
 
 
 @kernel
-def add_up(values):
-    """Sum an array in four lanes: faster than one chain of additions, and the same at every call."""
-    a, b, c, d = 0.0, 0.0, 0.0, 0.0
-    whole = values.shape[0] // 4 * 4
-    for i in range(0, whole, 4):
-        a += values[i]
-        b += values[i + 1]
-        c += values[i + 2]
-        d += values[i + 3]
-    for i in range(whole, values.shape[0]):
-        a += values[i]
-    return (a + b) + (c + d)
+def add_up(values, sums):
+    """Sum an array in LANES lanes: the loop vectorises, and the order is the same at every call."""
+    clear_row(sums)
+    for lo in range(0, values.shape[0], LANES):
+        _add_lanes(values, lo, min(lo + LANES, values.shape[0]), sums)
+    return fold(sums, 0)
+
+
+@part
+def _add_lanes(values, lo, hi, sums):
+    values = values[lo:hi]
+    for i in range(values.shape[0]):
+        sums[i] += values[i]
 
 
 @kernel
-def add_up_products(left, right):
-    """Sum the products of two arrays, in four lanes, too."""
-    a, b, c, d = 0.0, 0.0, 0.0, 0.0
-    whole = left.shape[0] // 4 * 4
-    for i in range(0, whole, 4):
-        a += left[i] * right[i]
-        b += left[i + 1] * right[i + 1]
-        c += left[i + 2] * right[i + 2]
-        d += left[i + 3] * right[i + 3]
-    for i in range(whole, left.shape[0]):
-        a += left[i] * right[i]
-    return (a + b) + (c + d)
+def fold(sums, which):
+    """Return the total of the lanes of sum `which`, adding halves to halves."""
+    lanes = sums[which * LANES : (which + 1) * LANES]
+    half = LANES // 2
+    while half > 0:
+        _add_lanes(lanes, half, 2 * half, lanes)
+        half //= 2
+    return lanes[0]
 
 
 @kernel
-def record_motion(x, v, mass, gravity, room, energy, momentum, angular):
-    """Write kinetic and gravity energy, momentum, and angular momentum about the origin.
+def record_motion(x, v, mass, gravity, sums, energy, momentum, angular):
+    """Write kinetic and gravity energy, momentum, and angular momentum about the origin."""
+    clear_row(sums)
+    for lo in range(0, mass.shape[0], LANES):
+        _add_motion(x, v, mass, gravity, lo, min(lo + LANES, mass.shape[0]), sums)
+    energy[0] = 0.5 * fold(sums, 0)
+    energy[1] = -fold(sums, 1)
+    for k in range(3):
+        momentum[k] = fold(sums, 2 + k)
+        angular[k] = fold(sums, 5 + k)
 
-    `room` is a working array (3, n): it takes each node's momentum.
-    """
-    x0, x1, x2 = x[0], x[1], x[2]
-    v0, v1, v2 = v[0], v[1], v[2]
-    p0, p1, p2 = room[0], room[1], room[2]
+
+@part
+def _add_motion(x, v, mass, gravity, lo, hi, sums):
+    x0, x1, x2 = rows(x, lo, hi)
+    v0, v1, v2 = rows(v, lo, hi)
+    mass = mass[lo:hi]
+    gx, gy, gz = gravity[0], gravity[1], gravity[2]
     for i in range(mass.shape[0]):
-        p0[i] = mass[i] * v0[i]
-        p1[i] = mass[i] * v1[i]
-        p2[i] = mass[i] * v2[i]
-    momentum[0], momentum[1], momentum[2] = add_up(p0), add_up(p1), add_up(p2)
-    double = add_up_products(p0, v0) + add_up_products(p1, v1) + add_up_products(p2, v2)
-    energy[0] = 0.5 * double
-    angular[0] = add_up_products(x1, p2) - add_up_products(x2, p1)
-    angular[1] = add_up_products(x2, p0) - add_up_products(x0, p2)
-    angular[2] = add_up_products(x0, p1) - add_up_products(x1, p0)
-    energy[1] = -(
-        gravity[0] * add_up_products(mass, x0)
-        + gravity[1] * add_up_products(mass, x1)
-        + gravity[2] * add_up_products(mass, x2)
-    )
+        m, a, b, c, p, q, r = mass[i], x0[i], x1[i], x2[i], v0[i], v1[i], v2[i]
+        sums[i] += m * (p * p + q * q + r * r)
+        sums[LANES + i] += m * (gx * a + gy * b + gz * c)
+        sums[2 * LANES + i] += m * p
+        sums[3 * LANES + i] += m * q
+        sums[4 * LANES + i] += m * r
+        sums[5 * LANES + i] += m * (b * r - c * q)
+        sums[6 * LANES + i] += m * (c * p - a * r)
+        sums[7 * LANES + i] += m * (a * q - b * p)
 
 
 @kernel
-def record_tension(x, rest_length, stiffness, floor, solved, stored, tension):
-    """Write every segment's elastic tension [N] and energy [J], both (s,); see `laws.stretch`.
+def record_tension(x, rest_length, stiffness, floor, solved, sums, tension):
+    """Write every segment's elastic tension [N], (s,); return their energy [J]. See `laws.stretch`.
 
-    A rigid link has the tension that was solved for, and stores nothing.
+    A rigid link has the tension that was solved for, and stores nothing. An elastic segment has it where its
+    length agrees to rounding: k (r - L) loses the more digits, the larger k.
     """
-    x0, x1, x2 = x[0], x[1], x[2]
+    clear_row(sums)
+    s = rest_length.shape[0]
+    for lo in range(0, s, LANES):
+        hi = min(lo + LANES, s)
+        _add_tension(x, rest_length, stiffness, floor, solved, lo, hi, sums, tension)
+    return fold(sums, 0)
+
+
+@part
+def _add_tension(x, rest_length, stiffness, floor, solved, lo, hi, sums, tension):
+    x0, x1, x2 = rows(x, lo, hi + 1)
+    rest_length, stiffness, floor = rest_length[lo:hi], stiffness[lo:hi], floor[lo:hi]
+    solved, tension = solved[lo:hi], tension[lo:hi]
     for j in range(rest_length.shape[0]):
         dx, dy, dz = x0[j + 1] - x0[j], x1[j + 1] - x1[j], x2[j + 1] - x2[j]
         e = math.sqrt(dx * dx + dy * dy + dz * dz) - rest_length[j]
         gives = stiffness[j] < np.inf
         pull = stiffness[j] * e if gives else solved[j]
+        size = max(abs(x0[j]), abs(x1[j]), abs(x2[j]))
+        if abs(solved[j] - pull) <= stiffness[j] * (SOLVED * rest_length[j] + ROUNDING * size):
+            pull = solved[j]
         tension[j] = max(pull, floor[j])
-        stored[j] = 0.5 * pull * e if gives and pull >= floor[j] else 0.0
+        sums[j] += 0.5 * pull * e if gives and pull >= floor[j] else 0.0
 
 
 @kernel
-def record_frame(system, state, room, frame, out):
-    """Write the state and all that follows from it as frame `frame`."""
+def record_frame(system, state, ledger, sums, frame, out):
+    """Write the state and all that follows from it as frame `frame`; works only with `ledger`."""
     put(state.x, out.x[frame])
     put(state.v, out.v[frame])
-    floor, stored = system.slack_floor, room[0, : state.rest_length.shape[0]]
     tension, energy = out.tension[frame], out.energy[frame]
-    lengths, stiffness = state.rest_length, state.stiffness
-    record_tension(state.x, lengths, stiffness, floor, state.tension, stored, tension)
-    energy[2] = add_up(stored)
+    lengths, stiffness, floor = state.rest_length, state.stiffness, system.slack_floor
+    energy[2] = record_tension(state.x, lengths, stiffness, floor, state.tension, sums, tension)
     for j in range(out.rest_length.shape[1]):
         out.rest_length[frame, j] = state.rest_length[j]
-    work = state.work
-    first = out.work.shape[1] - state.held.shape[0]  # of the anchors' columns
     if system.flags[BENDING] == 1:
-        out.energy[frame, 3] = bent_energy(system, state)
-        out.work[frame, 8] = add_up(work.bending)
-        out.work[frame, 9] = add_up(work.clamps)
+        energy[3] = bent_energy(system, state, state.x)
     for row in range(out.moment.shape[1]):
         for k in range(3):
             out.moment[frame, row, k] = state.moment[row, k] + state.moment[row, k + 3]
-    out.work[frame, 0] = add_up(work.elastic)
-    out.work[frame, 1] = add_up(work.friction)
-    out.work[frame, 2] = add_up(work.weight)
-    out.work[frame, 3] = add_up(work.air)
-    out.work[frame, 4] = add_up(work.ground)
-    out.work[frame, 5] = add_up(work.applied)
-    out.work[frame, 6] = work.limiter[0] + work.limiter[1]
-    out.work[frame, 7] = work.winch[0] + work.winch[1]
-    out.jump[frame, 0] = work.limiter[0]
-    out.jump[frame, 1] = work.winch[0]
     for row in range(state.held.shape[0]):
-        out.work[frame, first + row] = work.anchors[row]
         for k in range(3):
             out.reaction[frame, row, k] = state.reaction[row, k]
     p, spin = out.momentum[frame], out.angular_momentum[frame]
-    record_motion(state.x, state.v, state.mass, system.gravity, room, energy, p, spin)
+    record_motion(state.x, state.v, state.mass, system.gravity, sums, energy, p, spin)
+    if ledger:
+        record_works(system, state.work, sums, out.work[frame], out.jump[frame])
+
+
+@kernel
+def record_works(system, work, sums, total, jump):
+    """Write the work done since the start [J], by law and then by anchor, and what came as a jump."""
+    total[0] = add_up(work.elastic, sums)
+    total[1] = add_up(work.friction, sums)
+    total[2] = add_up(work.weight, sums)
+    total[3] = add_up(work.air, sums)
+    total[4] = add_up(work.ground, sums)
+    total[5] = add_up(work.applied, sums)
+    total[6] = work.limiter[0] + work.limiter[1]
+    total[7] = work.winch[0] + work.winch[1]
+    if system.flags[BENDING] == 1:
+        total[8] = add_up(work.bending, sums)
+        total[9] = add_up(work.clamps, sums)
+    anchors = work.anchors.shape[0]
+    for row in range(anchors):
+        total[total.shape[0] - anchors + row] = work.anchors[row]
+    jump[0], jump[1] = work.limiter[0], work.winch[0]
 
 
 @kernel

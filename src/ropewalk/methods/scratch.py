@@ -10,6 +10,9 @@ from ropewalk.core.arrays import APPLIED, BENDING, Floats, Forces, State
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.ranges import ALL, rows
 
+LANES = 64  # of a sum: so many nodes or segments are added side by side
+SUMS = 8  # that are made at once
+
 
 class Scratch(NamedTuple):
     """Arrays (3, n) for stages and increments, and mean forces over the stages."""
@@ -23,15 +26,20 @@ class Scratch(NamedTuple):
     speed: Floats  # (3,)
     mean: Forces
     limiter: Floats  # (7, n) rows of the limiter's equations
+    sums: Floats  # see `make_sums`
 
 
 def make_scratch(state: State) -> Scratch:
     """Return working arrays that fit `state`."""
     middle, x, v, dx, dv = (np.zeros_like(state.x) for _ in range(5))
     mean = Forces(*(np.zeros_like(channel) for channel in state.forces))
-    return Scratch(
-        middle, x, v, dx, dv, np.zeros(3), np.zeros(3), mean, np.zeros((7, state.x.shape[1]))
-    )
+    limiter = np.zeros((7, state.x.shape[1]))
+    return Scratch(middle, x, v, dx, dv, np.zeros(3), np.zeros(3), mean, limiter, make_sums())
+
+
+def make_sums() -> Floats:
+    """Return what recording a frame needs for its sums, (SUMS * LANES,)."""
+    return np.zeros(SUMS * LANES)
 
 
 @kernel
@@ -50,6 +58,13 @@ def clear(values):
         row = values[k]
         for i in range(row.shape[0]):
             row[i] = 0.0
+
+
+@kernel
+def clear_row(row):
+    """Set an array (m,) to zero."""
+    for i in range(row.shape[0]):
+        row[i] = 0.0
 
 
 @kernel

@@ -10,7 +10,8 @@ for positions X, velocities V and the segments' tensions T, by Newton's method o
 (m_j the lighter node's mass of a segment), which no spring constant enters. Two safeguards make it converge
 from tangled states: a compressed segment's geometric stiffness is held above -0.24 m_j / (c1 c2) far from
 the solution, which keeps the matrix definite; and what begins and ends abruptly is decided in the first
-iterations only.
+iterations only. Where no part of a step brings the merit down, in a local minimum of it, a whole one is taken
+with the bends' matrix held definite, too.
 
 Sources: Nocedal & Wright, Numerical Optimization, ch. 11 (line search for equations) and 16 (saddle points);
 Hairer & Wanner, Solving Ordinary Differential Equations II, IV.8 (implementation).
@@ -23,7 +24,6 @@ from typing import NamedTuple
 import numpy as np
 
 from ropewalk.core.arrays import AXIAL, BENDING, Floats, Forces, State
-from ropewalk.core.band import clear_band
 from ropewalk.core.band_sweep import band_sweep
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.saddle import Saddle, make_saddle
@@ -31,7 +31,7 @@ from ropewalk.core.status import OK, UNSOLVED
 from ropewalk.core.sweep import sweep
 from ropewalk.laws.stage_forces import evaluate_stage, mark_stage
 from ropewalk.laws.table import accelerate
-from ropewalk.laws.tangent import add_tangents
+from ropewalk.laws.tangent import add_tangents, begin_tangent
 
 MOST_ITERATIONS = 60
 DECIDING = 8  # iterations that may still change what rubs and what touches
@@ -41,7 +41,9 @@ DESCENT = 1e-4  # Armijo's constant
 SHORTEST = 1e-5  # [1] smallest part of a Newton step
 COMPRESSION = -0.24  # [1] least geometric stiffness far from the solution, over m / (c1 c2)
 NEAR = 1e-2  # [1] a step that brings the merit down to this part is near the solution
+LATE = 30  # iterations after which the solution counts as near
 WARY = 3  # iterations that hold compression back after an exact one that failed
+MOST_LEAPS = 12  # steps that are taken whatever the merit, out of its local minima
 EPSILON = 2.220446049250313e-16
 
 # Places in `Stage.report`; from HISTORY on the merit before each iteration [J].
@@ -154,14 +156,23 @@ def largest_misfit(x, tension, rest_length, friction, saddle, report):
 
 
 @kernel
-def bending_rounding(x, rest_length, stiffness):
-    """Return what rounding of the places does to the forces of bending [N]: about eps EI |x| / l^3."""
+def bending_rounding(x, rest_length, stiffness, clamp_stiffness, node):
+    """Return what rounding of the places does to the forces of bending [N]: about eps EI |x| / l^3.
+
+    `stiffness` (n,) is that of the bends, `clamp_stiffness` (a, 2) that of the half cells at `node` (a,).
+    """
     largest, size = 0.0, 0.0
-    for i in range(1, stiffness.shape[0] - 1):
+    for i in range(x.shape[1]):
         size = max(size, abs(x[0, i]), abs(x[1, i]), abs(x[2, i]))
+    for i in range(1, stiffness.shape[0] - 1):
         if stiffness[i] > 0.0:
             length = min(rest_length[i - 1], rest_length[i])
             largest = max(largest, stiffness[i] / (length * length))
+    for row in range(clamp_stiffness.shape[0]):
+        for side in range(2):
+            if clamp_stiffness[row, side] > 0.0:
+                length = rest_length[node[row] - 1 + side]
+                largest = max(largest, clamp_stiffness[row, side] / (length * length))
     return 16.0 * EPSILON * largest * size
 
 
@@ -246,8 +257,11 @@ def is_simple(system, state):
 
 
 @part
-def newton_step(system, state, stage, c1, c2, exact):
-    """Assemble the equations and solve them; return 1 where compression was held back, else 0."""
+def newton_step(system, state, stage, c1, c2, exact, leap):
+    """Assemble the equations and solve them; return 1 where compression was held back, else 0.
+
+    With `leap` the tangent of bending has no negative eigenvalue.
+    """
     saddle, segments, inertia = stage.saddle, stage.segments, 1.0 / (c1 * c2)
     rubs = saddle.band.rubs
     held_back = stiffen(stage.tension, segments.over, segments.weight, exact, saddle.across)
@@ -261,7 +275,7 @@ def newton_step(system, state, stage, c1, c2, exact):
         rub_along(
             state.damping_vector, rubs, 0.0, state.mass, state.mass, saddle.free, inertia, saddle
         )
-        clear_band(saddle.band)
+        begin_tangent(system, state, stage.x, stage.v, 1.0, 1.0 / c1, leap, saddle.band)
         add_tangents(system, state, stage.x, stage.v, 1.0, 1.0 / c1, saddle.band)
         band_sweep(saddle)
     stage.report[SOLVES] += 1.0
@@ -280,7 +294,7 @@ def solve_stage(system, state, stage, c1, c2):
     mass, free = state.mass, saddle.free
     begin(mass, state.inverse_mass, state.stiffness, segments, saddle, 1.0 / (c1 * c2))
     merit, size, exact, wary, held_back, failed = np.inf, 0.0, False, 0, 0, False
-    iteration = 0
+    iteration, leaps, leap = 0, 0, False
     while True:
         evaluate_stage(system, state, x, v, tension, segments, saddle, stage.forces)
         accelerate(system, state, stage.forces, stage.a)
@@ -300,30 +314,36 @@ def solve_stage(system, state, stage, c1, c2):
         largest_force(v, known, mass, free, system.gravity, c2, saddle.force, report)
         largest_misfit(x, tension, state.rest_length, stage.forces.friction, saddle, report)
         if system.flags[BENDING] == 1:
-            report[ROUNDING] = bending_rounding(x, state.rest_length, state.bending_stiffness)
+            clamps, node = system.bending.clamp_stiffness, state.anchor_node
+            stiffness = state.bending_stiffness
+            report[ROUNDING] = bending_rounding(x, state.rest_length, stiffness, clamps, node)
         report[ITERATIONS], report[HISTORY + iteration] = iteration, trial
         if is_solved(report, TIGHT) or (failed and not exact and is_solved(report, LOOSE)):
             break
-        if iteration == MOST_ITERATIONS or (failed and not exact):
+        stuck = failed and not exact
+        leaps, leap = leaps + (1 if stuck else 0), stuck or (leap and wary > 1)
+        if iteration == MOST_ITERATIONS or leaps > MOST_LEAPS:
             return UNSOLVED
         wary = WARY if failed else wary - 1
-        near = exact or (held_back == 1 and trial < NEAR * merit)
+        near = exact or (held_back == 1 and (trial < NEAR * merit or iteration > LATE))
         exact = near and wary <= 0
-        held_back = newton_step(system, state, stage, c1, c2, exact)
+        held_back = newton_step(system, state, stage, c1, c2, exact, leap)
         if not is_finite(saddle.moved, saddle.pulled):
             return UNSOLVED
         move(1.0, c1, x, v, tension, saddle)
-        merit, size, failed, iteration = trial, 1.0, False, iteration + 1
-    finish(stage.x_known, known, stage.a, free, c1, c2, x, v)
+        merit, size, failed, iteration = np.inf if leap else trial, 1.0, False, iteration + 1
+    finish(known, stage.a, free, c2, v)
     return OK
 
 
 @kernel
-def finish(x_known, v_known, a, free, c1, c2, x, v):
-    """Let momentum have the last word: V and X follow from the forces, so that works add up exactly."""
+def finish(v_known, a, free, c2, v):
+    """Let momentum have the last word: V follows from the forces, so that works add up exactly.
+
+    X stays, where lengths and bends are those that were solved for.
+    """
     for k in range(3):
-        x0, v0, ak, xk, vk = x_known[k], v_known[k], a[k], x[k], v[k]
+        v0, ak, vk = v_known[k], a[k], v[k]
         for i in range(free.shape[0]):
             if free[i] != 0.0:
                 vk[i] = v0[i] + c2 * ak[i]
-                xk[i] = x0[i] + c1 * vk[i]

@@ -1,18 +1,23 @@
-"""Checkpoints: all that a simulation needs to go on to the same bits, in one file."""
+"""Checkpoints: all that a simulation needs to go on to the same bits, in one file.
+
+The arrays lie there in one row, for a zip file of fifty arrays takes ten times as long to write.
+"""
 
 from __future__ import annotations
 
 import io
+import json
 import os
 import zipfile
 from contextlib import suppress
 from dataclasses import dataclass
+from math import prod
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from ropewalk.core.arrays import flatten
+from ropewalk.core.arrays import Floats, flatten
 from ropewalk.record.errors import RunError
 from ropewalk.record.files import PARTIAL, reading
 from ropewalk.simulation import Snapshot
@@ -41,7 +46,7 @@ def save(folder: Path, checkpoint: Checkpoint) -> None:
         "seconds": checkpoint.seconds,
         "diagnosis": checkpoint.diagnosis,
     }
-    arrays: dict[str, Any] = dict(flatten(checkpoint.snapshot))
+    arrays = _in_a_row(flatten(checkpoint.snapshot))
     arrays |= {f"run.{name}": value for name, value in about.items()}
     try:
         with open(partial, "wb") as file:
@@ -67,7 +72,7 @@ def load(folder: Path, like: Snapshot) -> Checkpoint:
         with np.load(io.BytesIO(data), allow_pickle=False) as archive:
             found = {name: archive[name] for name in archive.files}
         return Checkpoint(
-            _fill(like, found, ""),
+            _fill(like, _apart(found), ""),
             int(found["run.frames"]),
             str(found["run.source_hash"]),
             float(found["run.seconds"]),
@@ -78,6 +83,24 @@ def load(folder: Path, like: Snapshot) -> Checkpoint:
         raise RunError(path, rule) from None
     except (ValueError, OSError, EOFError, zipfile.BadZipFile) as error:
         raise RunError(path, f"is damaged: {error}") from None
+
+
+def _in_a_row(arrays: dict[str, Floats]) -> dict[str, Any]:
+    """Return the bytes of many arrays as one array, and name, kind and shape of each as text."""
+    parts = {name: np.asarray(value) for name, value in arrays.items()}
+    index = [(name, part.dtype.str, part.shape) for name, part in parts.items()]
+    data = np.frombuffer(b"".join(part.tobytes() for part in parts.values()), np.uint8)
+    return {"data": data, "index": json.dumps(index)}
+
+
+def _apart(found: dict[str, Any]) -> dict[str, Any]:
+    """Undo `_in_a_row`. Raises KeyError and ValueError."""
+    arrays, start = {}, 0
+    for name, kind, shape in json.loads(str(found["index"])):
+        part = np.frombuffer(found["data"], kind, prod(shape), start)
+        arrays[name] = part.reshape(shape)
+        start += part.nbytes
+    return arrays
 
 
 def _fill(like: Any, found: dict[str, Any], prefix: str) -> Any:

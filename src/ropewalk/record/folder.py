@@ -20,6 +20,7 @@ from typing import Any
 
 from ropewalk.build import Layout, Plan
 from ropewalk.build.layout import make_layout
+from ropewalk.methods.registry import METHODS
 from ropewalk.record.errors import RunError
 from ropewalk.record.events import NAME as EVENTS
 from ropewalk.record.events import log, read_events
@@ -34,6 +35,7 @@ from ropewalk.scene import Scene, SceneError, dumps, load
 
 SCENE, PROVENANCE, DATA = "scene.toml", "provenance.json", "data.zarr"
 STATUS = "status.json"
+PACKING_STEPS = 70  # explicit steps that take ten times as long as compressing the frame
 PARTS = (SCENE, PROVENANCE, DATA, "checkpoint.npz", EVENTS, STATUS, LOCK)
 
 
@@ -103,9 +105,14 @@ def begin(folder: Path, scene: Scene, layout: Layout, facts: Facts, chunk: int) 
     write(folder / SCENE, dumps(scene).encode(), sync=True)
     provenance = {"format": FORMAT, **facts.provenance}
     write_json(folder / PROVENANCE, provenance, sync=True)
-    writer = Writer(folder / DATA, scene, layout, chunk)
+    writer = Writer(folder / DATA, scene, layout, chunk, is_packed(facts.plan))
     writer.create(provenance)
     return writer
+
+
+def is_packed(plan: Plan) -> bool:
+    """Tell whether a frame costs so much to simulate that compressing it is a small part of that."""
+    return plan.steps_per_frame * METHODS[plan.method].cost >= PACKING_STEPS
 
 
 def write_status(folder: Path, facts: Facts, frames: int, time: float) -> None:

@@ -13,7 +13,7 @@ from ropewalk.core.arrays import Floats
 from ropewalk.record.errors import RunError
 from ropewalk.record.files import read_json, reading
 from ropewalk.record.quantities import BY_NAME, recorded
-from ropewalk.record.store import FORMAT, ROOT, quantity_spec, time_spec
+from ropewalk.record.store import FORMAT, LEADING, ROOT, array_specs
 from ropewalk.record.zarr_format import ArraySpec, decode
 from ropewalk.scene import Scene
 
@@ -28,14 +28,13 @@ class Stored:
         try:
             arrays = self.root["consolidated_metadata"]["metadata"]
             self._frames = int(arrays["time"]["shape"][0])
-            self._chunk = int(arrays["time"]["chunk_grid"]["configuration"]["chunk_shape"][0])
+            self._chunk = int(arrays[LEADING]["chunk_grid"]["configuration"]["chunk_shape"][0])
         except (KeyError, TypeError, IndexError, ValueError):
             raise RunError(folder / ROOT, "is damaged: it does not describe a run") from None
         if self._frames < 1 or self._chunk < 1:
             raise RunError(folder / ROOT, "is damaged: it has no frames")
         quantities = recorded(layout, bool(scene.winches))
-        specs = [time_spec(self._chunk)]
-        specs += [quantity_spec(quantity, layout, self._chunk) for quantity in quantities]
+        specs = array_specs(quantities, layout, self._chunk)
         self._specs = {spec.name: spec for spec in specs}
         for spec in specs:
             expected = spec.metadata(self._frames)
@@ -78,9 +77,10 @@ class Stored:
         spec = self._specs[name]
         shape = self._stored_shape(spec)[1:]
         out: Floats = np.empty((max(0, stop - start), *shape))
-        for number in range(start // self._chunk, -(-stop // self._chunk)):
-            first = number * self._chunk
-            low, high = max(start, first), min(stop, first + self._chunk)
+        rows = spec.chunk[0]
+        for number in range(start // rows, -(-stop // rows)):
+            first = number * rows
+            low, high = max(start, first), min(stop, first + rows)
             if low < high:
                 out[low - start : high - start] = self._load(spec, number)[
                     low - first : high - first

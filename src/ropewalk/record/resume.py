@@ -13,7 +13,7 @@ from ropewalk.record.errors import RunError
 from ropewalk.record.events import log
 from ropewalk.record.facts import AT_REST, BROKE, FINISHED
 from ropewalk.record.files import writing
-from ropewalk.record.folder import DATA, read_facts, read_scene
+from ropewalk.record.folder import DATA, is_packed, read_facts, read_scene
 from ropewalk.record.lock import is_locked
 from ropewalk.record.reader import Stored
 from ropewalk.record.result import Result
@@ -82,8 +82,7 @@ def _take_up(folder: Path, simulation: Simulation, frames: int) -> Writer:
     if stored.frames < frames:
         rule = f"is damaged: it has {stored.frames} frames, and its checkpoint stands at {frames}"
         raise RunError(folder / DATA, rule)
-    writer = Writer(folder / DATA, simulation.scene, simulation.layout, stored.chunk)
-    start = frames - frames % stored.chunk
-    names = ["time", *(quantity.name for quantity in writer.quantities)]
-    writer.go_on(stored.root, [stored.read_raw(name, start, frames) for name in names], frames)
+    scene, layout, packed = simulation.scene, simulation.layout, is_packed(simulation.plan)
+    writer = Writer(folder / DATA, scene, layout, stored.chunk, packed)
+    writer.go_on(stored, frames)
     return writer

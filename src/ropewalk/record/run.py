@@ -9,9 +9,9 @@ from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass, field
 from functools import partial
+from itertools import cycle
 from pathlib import Path
 from types import FrameType
-from typing import Any
 
 from ropewalk.block import Block
 from ropewalk.build import Model
@@ -22,7 +22,7 @@ from ropewalk.record import checkpoint
 from ropewalk.record.background import Background
 from ropewalk.record.checkpoint import Checkpoint
 from ropewalk.record.errors import RunError
-from ropewalk.record.events import log
+from ropewalk.record.events import Event, log
 from ropewalk.record.facts import BROKE, FINISHED, INTERRUPTED, RUNNING, Facts, provenance
 from ropewalk.record.files import writing
 from ropewalk.record.folder import (
@@ -35,6 +35,7 @@ from ropewalk.record.folder import (
 )
 from ropewalk.record.lock import locked
 from ropewalk.record.result import Result
+from ropewalk.record.room import Room
 from ropewalk.record.simulate import Explain, Progress, Runner, no_explanation
 from ropewalk.record.store import Writer
 from ropewalk.scene import Scene
@@ -68,10 +69,14 @@ class Recorder:
         A block is written while the next one is simulated: one in flight, and no more.
         """
         plan, chunk, taken = self.facts.plan, self.writer.chunk, self.writer.frames
+        state, winches = self.simulation.arrays, bool(self.simulation.scene.winches)
+        rooms = cycle([Room(state, chunk, winches) for _ in range(2)])
         with stop_requests() as stop, Background() as beside:
             while taken <= plan.frames:
-                count = min(chunk - taken % chunk, plan.frames + 1 - taken)
-                block = self.runner.advance(count)
+                begun, room = taken % chunk, next(rooms)
+                count = min(chunk - begun, plan.frames + 1 - taken)
+                out = room.part(begun, begun + count)
+                block = self.runner.advance(count, out)
                 beside.wait()
                 taken += block.frames
                 if progress is not None:
@@ -79,7 +84,8 @@ class Recorder:
                 last = block.status != OK or (bool(stop) and taken <= plan.frames)
                 due = self._is_due() and not last
                 made = self._checkpoint(taken) if due else None
-                beside.start(partial(self._write, block, self.runner.take_events(), made))
+                own = room if block.recording is out else None
+                beside.start(partial(self._write, block, own, self.runner.take_events(), made))
                 if last:
                     return BROKE if block.status != OK else INTERRUPTED
         return BROKE if self.runner.diagnosis else FINISHED
@@ -90,10 +96,12 @@ class Recorder:
         wait = max(self.commit_seconds, self.commit_cost / COMMIT_SHARE)
         return time.perf_counter() - self.last_commit >= wait
 
-    def _write(self, block: Block, events: list[dict[str, Any]], made: Checkpoint | None) -> None:
+    def _write(
+        self, block: Block, room: Room | None, events: list[Event], made: Checkpoint | None
+    ) -> None:
         """Write a block and what happened in it; commit it where there is a checkpoint."""
         with writing(self.folder, KEPT):
-            self.writer.add(block)
+            self.writer.add(block, room)
             for event in events:
                 log(self.folder, **event)
             if made is not None:

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from ropewalk.block import Block, join
 from ropewalk.build import Model
 from ropewalk.core.status import OK, UNSOLVED
+from ropewalk.methods.recording import Recording
 from ropewalk.record.events import Event
 from ropewalk.record.facts import BROKE, FINISHED, Facts, provenance
 from ropewalk.record.quantities import recorded
@@ -46,16 +47,19 @@ class Runner:
         self._events: list[Event] = []
         self.diagnosis = diagnosis  # set by a break; given when the run broke before it was resumed
 
-    def advance(self, frames: int) -> Block:
-        """Advance by so many frames, or up to the break, where the status is then BROKEN."""
-        block = self._advance(frames)
+    def advance(self, frames: int, out: Recording | None = None) -> Block:
+        """Advance by so many frames, or up to the break, where the status is then BROKEN.
+
+        `out`: buffers for so many frames, which the block holds unless the run breaks in it.
+        """
+        block = self._advance(frames, out)
         self._events += self._watch.look()
         return block
 
-    def _advance(self, frames: int) -> Block:
+    def _advance(self, frames: int, out: Recording | None) -> Block:
         if self.diagnosis and self._keep_going:
-            return self.simulation.advance_frames(frames, keep_going=True)
-        block = self.simulation.advance_frames(frames)
+            return self.simulation.advance_frames(frames, keep_going=True, out=out)
+        block = self.simulation.advance_frames(frames, out=out)
         if block.status == OK:
             return block
         self._events += self._watch.look()

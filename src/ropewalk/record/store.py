@@ -8,43 +8,60 @@ consistent lengths.
 
 from __future__ import annotations
 
+from math import prod
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ropewalk.block import Block
 from ropewalk.build import Layout
 from ropewalk.core.arrays import Floats
+from ropewalk.methods.recording import LARGE
 from ropewalk.record.dataset import TIME, attributes, coordinates
-from ropewalk.record.files import sync_all, write, write_json
+from ropewalk.record.files import sync_all, write, write_json, write_pages
 from ropewalk.record.quantities import Quantity, raw, recorded, sizes
-from ropewalk.record.zarr_format import ArraySpec, encode, encode_texts, group_metadata
+from ropewalk.record.room import Room
+from ropewalk.record.zarr_format import (
+    HEADER,
+    ArraySpec,
+    encode,
+    encode_stored,
+    encode_texts,
+    group_metadata,
+)
 from ropewalk.scene import Scene
 
-FORMAT = 1  # of the run folder
+if TYPE_CHECKING:
+    from ropewalk.record.reader import Stored
+
+FORMAT = 2  # of the run folder
 ROOT = "zarr.json"
+LEADING = "positions"  # the array whose chunks are the frames that are written at a time
+LONGEST_FILE = 4096  # [frames] of small arrays in one file
+FILE_BYTES = 1_000_000  # of them, before compression
 
 
-def time_spec(chunk: int) -> ArraySpec:
-    """Return the description of the time coordinate."""
-    return ArraySpec("time", ("time",), (0,), (chunk,), "float64", dict(TIME))
+def array_specs(quantities: tuple[Quantity, ...], layout: Layout, chunk: int) -> list[ArraySpec]:
+    """Return the descriptions of the time coordinate and of the quantities, in order.
 
-
-def quantity_spec(quantity: Quantity, layout: Layout, chunk: int) -> ArraySpec:
-    """Return the description of a quantity's array."""
+    A file of a LARGE quantity holds one chunk of frames, that of a small one several.
+    """
+    specs = [ArraySpec("time", ("time",), (0,), (_frames(chunk, 8),), "float64", dict(TIME))]
     lengths = sizes(layout)
-    rest = tuple(lengths[dim] for dim in quantity.dims[1:])
-    about = {"units": quantity.unit, "long_name": quantity.long_name}
-    return ArraySpec(
-        quantity.name,
-        quantity.dims,
-        (0, *rest),
-        (chunk, *rest),
-        "float64",
-        about,
-        quantity.swapped,
-    )
+    for quantity in quantities:
+        rest = tuple(lengths[dim] for dim in quantity.dims[1:])
+        frames = chunk if quantity.field in LARGE else _frames(chunk, 8 * prod(rest))
+        about = {"units": quantity.unit, "long_name": quantity.long_name}
+        shape, form = (0, *rest), (frames, *rest)
+        name, dims, swapped = quantity.name, quantity.dims, quantity.swapped
+        specs.append(ArraySpec(name, dims, shape, form, "float64", about, swapped))
+    return specs
+
+
+def _frames(chunk: int, size: int) -> int:
+    """Return the frames in one file of an array with `size` bytes a frame: whole chunks of them."""
+    return chunk * max(1, min(LONGEST_FILE, FILE_BYTES // size) // chunk)
 
 
 class Writer:
@@ -53,22 +70,20 @@ class Writer:
     `frames` counts what was handed in, `committed` what a reader sees.
     """
 
-    def __init__(self, folder: Path, scene: Scene, layout: Layout, chunk: int) -> None:
-        self.folder, self.chunk = folder, chunk
+    def __init__(
+        self, folder: Path, scene: Scene, layout: Layout, chunk: int, packed: bool = True
+    ) -> None:
+        """Unless `packed`, full chunks of LARGE quantities are not compressed."""
+        self.folder, self.chunk, self.packed = folder, chunk, packed
         self._scene, self._layout = scene, layout
         self.quantities = recorded(layout, bool(scene.winches))
-        self._specs = [time_spec(chunk)]
-        self._specs += [quantity_spec(q, layout, chunk) for q in self.quantities]
+        self._specs = array_specs(self.quantities, layout, chunk)
+        self._fields = ["", *(quantity.field for quantity in self.quantities)]
         self._fixed: dict[str, dict[str, Any]] = {}
         self._attributes: dict[str, Any] = {}
         self._pending: list[list[Floats]] = [[] for _ in self._specs]
         self._unsynced: list[Path] = []
         self.frames = self.committed = 0
-
-    @property
-    def open_frames(self) -> int:
-        """Frames that the present chunk still takes."""
-        return self.chunk - self.frames % self.chunk
 
     def create(self, provenance: dict[str, Any]) -> None:
         """Write everything but the frames. Raises OSError."""
@@ -77,69 +92,92 @@ class Writer:
             kind = "string" if values.dtype == object else str(values.dtype)
             length = len(values)
             spec = ArraySpec(name, (dim,), (length,), (length,), kind, dict(about))
-            (self.folder / name / "c").mkdir(parents=True)
+            (self.folder / name).mkdir()
             texts = kind == "string"
             data = encode_texts([str(v) for v in values]) if texts else encode(values)
             write(self.folder / spec.key(0), data)
-            write_json(self.folder / name / ROOT, spec.metadata())
+            write_json(self.folder / name / ROOT, spec.metadata(), indent=None)
             self._fixed[name] = spec.metadata()
         for spec in self._specs:
-            (self.folder / spec.name / "c").mkdir(parents=True)
+            (self.folder / spec.name).mkdir()
         self._attributes = attributes(self._scene, provenance)
         self._attributes["ropewalk_format"] = FORMAT
         more = [name for name, spec in self._fixed.items() if spec["dimension_names"] != [name]]
         self._attributes["coordinates"] = " ".join(more)  # where xarray looks for their names
 
-    def go_on(self, root: dict[str, Any], pending: list[Floats], frames: int) -> None:
-        """Take up a store where it has `frames` frames, of which `pending` fill no whole chunk."""
+    def go_on(self, stored: Stored, frames: int) -> None:
+        """Take up a store where it has `frames` frames. Raises RunError."""
         own = {spec.name for spec in self._specs}
-        arrays = root["consolidated_metadata"]["metadata"]
+        arrays = stored.root["consolidated_metadata"]["metadata"]
         self._fixed = {name: value for name, value in arrays.items() if name not in own}
-        self._attributes = root["attributes"]
-        self._pending = [[array] if len(array) else [] for array in pending]
+        self._attributes = stored.root["attributes"]
+        for spec, parts in zip(self._specs, self._pending, strict=True):
+            begun = frames % spec.chunk[0]
+            parts[:] = [stored.read_raw(spec.name, frames - begun, frames)] if begun else []
         self.frames = self.committed = frames
 
-    def add(self, block: Block) -> None:
-        """Take a block of frames; write every chunk that becomes full. Raises OSError."""
-        self.add_raw([block.time, *(raw(block, quantity) for quantity in self.quantities)])
+    def add(self, block: Block, room: Room | None = None) -> None:
+        """Take a block of frames; write every chunk that becomes full. Raises OSError.
 
-    def add_raw(self, arrays: list[Floats]) -> None:
+        With the `room` whose last frames are the block's own memory, if it is used again.
+        """
+        arrays = [block.time, *(raw(block, quantity) for quantity in self.quantities)]
+        self.add_raw(arrays, room)
+
+    def add_raw(self, arrays: list[Floats], room: Room | None = None) -> None:
         """Take frames as they are recorded: time, then the quantities in order. Raises OSError."""
-        count = len(arrays[0])
-        start = 0
-        while start < count:
-            stop = min(count, start + self.open_frames)
-            for parts, array in zip(self._pending, arrays, strict=True):
-                parts.append(array[start:stop])
-            self.frames += stop - start
-            start = stop
-            if self.frames % self.chunk == 0:
-                self._write_chunk(self.frames // self.chunk - 1)
-                self._pending = [[] for _ in self._specs]
+        for place, array in enumerate(arrays):
+            self._take(place, array, room)
+        self.frames += len(arrays[0])
+
+    def _take(self, place: int, array: Floats, room: Room | None) -> None:
+        rows, parts = self._specs[place].chunk[0], self._pending[place]
+        done = 0
+        while done < len(array):
+            begun = (self.frames + done) % rows
+            part = array[done : done + rows - begun]
+            done += len(part)
+            if begun + len(part) == rows:
+                self._write_full(place, (self.frames + done) // rows - 1, part, room)
+                parts.clear()
+            else:
+                parts.append(part if room is None else part.copy())
+
+    def _write_full(self, place: int, number: int, part: Floats, room: Room | None) -> None:
+        """Write a chunk of which `part` is the end."""
+        spec, field, before = self._specs[place], self._fields[place], self._pending[place]
+        path = self.folder / spec.key(number)
+        self._unsynced.append(path)
+        if self.packed or field not in LARGE:
+            write(path, encode(np.concatenate([*before, part]) if before else part))
+        elif room is None:
+            write(path, encode_stored(np.concatenate([*before, part])))
+        else:
+            whole = getattr(room.recording, field)
+            if before:
+                whole[: len(whole) - len(part)] = np.concatenate(before)
+            write_pages(path, room.pages[field], HEADER + whole.nbytes)
 
     def commit(self) -> None:
         """Show readers all frames so far, on the disk for good. Raises OSError."""
-        if self.frames % self.chunk:
-            self._write_chunk(self.frames // self.chunk)
+        for spec, parts in zip(self._specs, self._pending, strict=True):
+            if parts:
+                self._write_part(spec, parts)
         sync_all(self._unsynced)
         arrays = dict(self._fixed)
         for spec in self._specs:
             arrays[spec.name] = spec.metadata(self.frames)
-            write_json(self.folder / spec.name / ROOT, arrays[spec.name])
-        write_json(self.folder / ROOT, group_metadata(self._attributes, arrays), sync=True)
+            write_json(self.folder / spec.name / ROOT, arrays[spec.name], indent=None)
+        whole = group_metadata(self._attributes, arrays)
+        write_json(self.folder / ROOT, whole, indent=None, sync=True)
         sync_all([self.folder])
         self._unsynced.clear()
         self.committed = self.frames
 
-    def _write_chunk(self, number: int) -> None:
-        """Write one chunk of every array, filled up with NaN."""
-        for spec, parts in zip(self._specs, self._pending, strict=True):
-            array = parts[0] if len(parts) == 1 else np.concatenate(parts)
-            if len(array) < self.chunk:
-                full = np.full((self.chunk, *array.shape[1:]), np.nan)
-                full[: len(array)] = array
-                array = full
-            path = self.folder / spec.key(number)
-            path.parent.mkdir(parents=True, exist_ok=True)
-            write(path, encode(array))
-            self._unsynced.append(path)
+    def _write_part(self, spec: ArraySpec, parts: list[Floats]) -> None:
+        """Write the frames that fill no whole chunk yet; zeros follow, which no reader sees."""
+        full = np.zeros((spec.chunk[0], *parts[0].shape[1:]))
+        np.concatenate(parts, out=full[: sum(map(len, parts))])
+        path = self.folder / spec.key(self.frames // spec.chunk[0])
+        write(path, encode(full))
+        self._unsynced.append(path)

@@ -21,7 +21,7 @@ import numpy as np
 from ropewalk.build import Model
 from ropewalk.core import arrays
 from ropewalk.core.arrays import BENDING, Floats, Ints
-from ropewalk.core.band import Band, clear_band, make_band, triplets
+from ropewalk.core.band import Band, make_band, triplets
 from ropewalk.laws.others import other_stiffness
 from ropewalk.laws.tangent import assemble_tangent
 
@@ -122,7 +122,6 @@ def _bands(model: Model, x: Floats, still: Floats) -> tuple[Any, Any]:
     state.stiffness[np.isinf(state.stiffness)] = 1.0  # it is multiplied by zero
     far = bool(system.flags[BENDING])
     band = make_band(n, far)
-    clear_band(band)
     assemble_tangent(system, state, x, still, 0.0, 1.0, band)
     friction = _sparse(band, n)
     other_stiffness(system, state, x, still, band)

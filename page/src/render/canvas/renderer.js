@@ -56,13 +56,19 @@ export class CanvasRenderer {
     this.ratio = ratio;
   }
 
+  clear() {
+    const { context, canvas, theme } = this;
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    context.fillStyle = theme ? css(theme.background) : "#888888";
+    context.fillRect(0, 0, canvas.width, canvas.height);
+  }
+
   /** @param {View} view */
   draw(view) {
     const { context, theme } = this;
     if (!theme) return;
+    this.clear();
     context.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
-    context.fillStyle = css(theme.background);
-    context.fillRect(0, 0, view.camera.width, view.camera.height);
     context.lineJoin = "round";
     context.lineCap = "round";
     if (view.ground) {

@@ -104,6 +104,10 @@ export class WebglRenderer {
     this.three.render(this.scene, this.camera);
   }
 
+  clear() {
+    this.three.clear();
+  }
+
   dispose() {
     this.ribbons.dispose();
     this.three.dispose();

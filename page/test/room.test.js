@@ -1,0 +1,40 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { Camera } from "../src/view/camera.js";
+import { boxOf, tame } from "../src/view/room.js";
+
+const VIEW = { center: [0, 0, 0], radius: 2 };
+const finite = (values) => [...values].every(Number.isFinite);
+
+test("nodes that are nowhere go to their neighbours, and the box is that of the others", () => {
+  const places = [NaN, 0, 0, 1, 1, 2, 3, 5, 2, 3, 4, 6, Infinity, 0, 0, NaN, 1e30, 2, 3, 7];
+  const nodes = new Float32Array(places);
+  tame(nodes, 5, VIEW);
+  assert.deepEqual([...nodes], [1, 2, 3, 1, 1, 2, 3, 5, 2, 3, 4, 6, 2, 3, 4, 0, 2, 3, 4, 7]);
+  assert.deepEqual(boxOf(nodes, 5), { low: [1, 2, 3], high: [2, 3, 4] });
+});
+
+test("without any good node all go to the middle", () => {
+  const nodes = new Float32Array([NaN, NaN, NaN, NaN, -1e20, 0, 0, 1]);
+  tame(nodes, 2, VIEW);
+  assert.deepEqual([...nodes], [0, 0, 0, 0, 0, 0, 0, 1]);
+});
+
+test("good nodes are left as they are", () => {
+  const nodes = new Float32Array([1, 2, 3, 4, -5, 6, -7, 8]);
+  tame(nodes, 2, VIEW);
+  assert.deepEqual([...nodes], [1, 2, 3, 4, -5, 6, -7, 8]);
+});
+
+test("a camera takes no pose that is not finite, and goes on from the one it has", () => {
+  const camera = new Camera();
+  camera.resize(800, 600);
+  camera.set({ target: [1, 2, 3], distance: 4 });
+  camera.set({ target: [NaN, 0, 0] });
+  camera.set({ distance: Infinity });
+  camera.set(camera.fitted({ low: [Infinity, 0, 0], high: [-Infinity, 1, 1] }));
+  assert.deepEqual(camera.pose.target, [1, 2, 3]);
+  assert.equal(camera.pose.distance, 4);
+  assert.ok(finite(camera.view) && finite(camera.projection));
+});

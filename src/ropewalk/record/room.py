@@ -1,0 +1,36 @@
+"""Memory for the frames of one chunk, used again and again while a run is written."""
+
+from __future__ import annotations
+
+import mmap
+from math import prod
+
+import numpy as np
+
+from ropewalk.core.arrays import Floats, State
+from ropewalk.methods.recording import LARGE, Recording, make_recording
+from ropewalk.record.zarr_format import HEADER, stored_header
+
+
+class Room:
+    """Buffers for a chunk whose large arrays lie in memory as their files will, header and all.
+
+    `pages` has that memory by field: whole pages of it, so that the system can take them as they are.
+    """
+
+    def __init__(self, state: State, frames: int, with_lengths: bool) -> None:
+        found: list[mmap.mmap] = []
+
+        def empty(shape: tuple[int, ...]) -> Floats:
+            size = 8 * prod(shape)
+            pages = mmap.mmap(-1, -(-(HEADER + size) // mmap.PAGESIZE) * mmap.PAGESIZE)
+            pages[:HEADER] = stored_header(size)
+            found.append(pages)
+            return np.frombuffer(pages, count=prod(shape), offset=HEADER).reshape(shape)
+
+        self.recording = make_recording(state, frames, with_lengths, empty)
+        self.pages = dict(zip(LARGE, found, strict=True))
+
+    def part(self, start: int, stop: int) -> Recording:
+        """Return the buffers of the frames from `start` to `stop`."""
+        return Recording(*(array[start:stop] for array in self.recording))
