@@ -1,4 +1,4 @@
-"""Implicit methods from hostile states: random, folded, coincident, stretched, slack; ropes and stiff rods."""
+"""Implicit methods from hostile states: random, folded, coincident, stretched, slack; also stiff rods."""
 
 from __future__ import annotations
 
