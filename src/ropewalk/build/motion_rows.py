@@ -40,6 +40,7 @@ def anchor_tables(scene: Scene, origins: Floats, nodes: Ints) -> Anchors:
     release = [math.inf if a.release_time is None else a.release_time for a in scene.anchors]
     return Anchors(
         release=np.array(release, dtype=np.float64),
+        first_release=min(release, default=math.inf),
         above_ground=np.array([a.above_ground for a in scene.anchors], dtype=np.int64),
         kind=np.array([CODES[a.motion.kind] for a in scene.anchors], dtype=np.int64),
         params=params,

@@ -58,6 +58,7 @@ class Anchors(NamedTuple):
     """Anchors and their motions, one row each."""
 
     release: Floats  # (a,) [s], inf: never
+    first_release: float  # [s] the least of them
     above_ground: Ints  # (a,)
     kind: Ints  # (a,) code of the motion
     params: Floats  # (a, 16) parameters of the motion

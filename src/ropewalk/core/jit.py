@@ -212,5 +212,8 @@ def part(function: Callable[..., Any]) -> Any:
 
 
 def small(function: Callable[..., Any]) -> Any:
-    """Compile `function` so that LLVM puts it into its callers: for arithmetic on a few numbers."""
+    """Compile `function` so that LLVM puts it into its callers.
+
+    For arithmetic on a few numbers, and for loops over a rope so short that handing over the arrays shows.
+    """
     return _njit(forceinline=True)(function)

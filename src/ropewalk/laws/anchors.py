@@ -85,10 +85,10 @@ def move_anchors(system, state, forces, t, dt, middle, ledger, point, speed, lo=
     """Move the held nodes to the end of the step at time `t`; book reaction and work."""
     order = system.anchors.order
     for index in range(first_index(order, state, lo), last_index(order, state, hi)):
-        row = order[index]
+        row = max(order[index], 0)  # never negative: saves numba's checks of every index
         if state.held[row] == 0:
             continue
-        i = state.anchor_node[row]
+        i = max(state.anchor_node[row], 0)
         anchor_target(system, state, row, t, dt, point, speed)
         done = 0.0
         for k in range(3):
@@ -116,6 +116,8 @@ def release_anchors(system, state, t, dt, lo=0, hi=ALL):
     Return whether a clamp was among them: the forces at hand are then no longer those of the state.
     """
     unclamped = False
+    if t < system.anchors.first_release - 1e-6 * dt:
+        return unclamped
     order = system.anchors.order
     for index in range(first_index(order, state, lo), last_index(order, state, hi)):
         row = order[index]

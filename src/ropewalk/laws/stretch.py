@@ -13,7 +13,7 @@ import math
 
 import numpy as np
 
-from ropewalk.core.jit import kernel, part
+from ropewalk.core.jit import kernel, part, small
 from ropewalk.core.ranges import ALL, rows
 
 
@@ -68,7 +68,7 @@ def axial_friction(x, v, coefficient, friction, lo=0, hi=ALL):
         c2[j + 1] += along * dz
 
 
-@kernel
+@small
 def spring_forces(x, v, rest_length, stiffness, floor, vector, axial, total, lo, hi):
     """Write the sum of elastic force and friction of every segment [N], (3, n + 1).
 

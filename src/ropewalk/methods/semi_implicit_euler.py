@@ -8,7 +8,7 @@ Source: Hairer, Lubich & Wanner, Geometric Numerical Integration, I.1.2.
 from __future__ import annotations
 
 from ropewalk.core.arrays import Forces
-from ropewalk.core.jit import kernel, part
+from ropewalk.core.jit import part, small
 from ropewalk.core.ranges import rows
 from ropewalk.laws.anchors import move_anchors
 from ropewalk.laws.ledger import account
@@ -23,7 +23,7 @@ from ropewalk.methods.loop import make_advance
 from ropewalk.methods.scratch import axpy, push
 
 
-@kernel
+@small
 def swing(x, v, elastic, friction, inverse_mass, gravity, dt, middle, lo, hi):
     """Move nodes under springs, friction and weight: `accelerate`, `axpy` and `push` in one sweep.
 
