@@ -1,7 +1,7 @@
 // What the page knows of the simulation: the last message of each kind, and commands with their answers.
 
 import { Emitter } from "./emitter.js";
-import { layoutOf, numberOf, readFrame } from "./source/frame.js";
+import { forget, layoutOf, numberOf, readFrame } from "./source/frame.js";
 
 /** @typedef {import("./source/protocol.js").Source} Source */
 /** @typedef {import("./source/protocol.js").Hello} Hello */
@@ -39,6 +39,7 @@ export class Session extends Emitter {
     this.connection = "connecting";
     this.lastId = 0;
     this.pendingFrame = -1;
+    this.resting = false;
     /** @type {Map<number, {resolve: (done: Done) => void, reject: (fault: Fault) => void}>} */
     this.waiting = new Map();
   }
@@ -150,14 +151,18 @@ export class Session extends Emitter {
       this.acknowledge();
       return;
     }
+    const before = this.frame;
     this.frame = readFrame(buffer, this.layout);
     this.frames++;
     this.emit("frame", this.frame);
+    if (before) forget(before);
   }
 
-  /** The newest frame is used: the server may send on. Called once per animation frame. */
+  /** The newest frame is used: the server may send on. Called once per animation frame; says so in every
+   * second one, since a message takes the page as long as half of its drawing. */
   acknowledge() {
-    if (this.pendingFrame < 0) return;
+    this.resting = !this.resting;
+    if (this.pendingFrame < 0 || this.resting) return;
     this.source.used(this.pendingFrame);
     this.pendingFrame = -1;
   }

@@ -8,6 +8,7 @@ import { h } from "./dom.js";
 /** @typedef {import("../stage.js").Stage} Stage */
 /** @typedef {import("../source/gather.js").Colouring} Colouring */
 
+const NUMBERS = 100; // ms between two changes of the numbers: faster ones cannot be read
 const NOTHING = 2e-9; // of a range's width: see `Range.follow`
 
 /** The unit for the numbers of a colouring, and what they are multiplied with.
@@ -23,6 +24,7 @@ export class Legend {
   /** @param {Stage} stage @param {HTMLElement} host */
   constructor(stage, host) {
     this.stage = stage;
+    this.written = -Infinity;
     this.select = h(
       "select",
       { id: "colouring", "aria-label": "Colour of the ropes", onchange: () => this.choose() },
@@ -63,7 +65,11 @@ export class Legend {
       ),
     );
     stage.session.on("layout", () => this.names());
-    stage.afterDraw.push(() => this.refresh());
+    stage.session.on("status", () => this.refresh());
+    stage.afterDraw.push(() => {
+      const playing = stage.session.status?.playing;
+      if (!playing || performance.now() - this.written >= NUMBERS) this.refresh();
+    });
   }
 
   /** @param {string} text @param {string} id @param {boolean} on @param {(on: boolean) => void} change */
@@ -87,6 +93,7 @@ export class Legend {
 
   /** The names of ropes or copies in their colours. */
   names() {
+    this.written = -Infinity;
     const { layout } = this.stage.session;
     const plain = this.stage.colouring === "plain";
     this.bar.hidden = this.numbers.hidden = plain;
@@ -112,6 +119,7 @@ export class Legend {
   }
 
   refresh() {
+    this.written = performance.now();
     const { range, colouring } = this.stage;
     const { low, high } = range;
     const [unit, scale] = unitFor(colouring, Math.max(Math.abs(low), Math.abs(high)));

@@ -41,6 +41,13 @@ export function readFrame(buffer, layout) {
   };
 }
 
+/** Give back the memory of a frame that nobody looks at any more: the browser would collect it only with
+ * long pauses, once there are megabytes of it. @param {Frame} frame */
+export function forget(frame) {
+  const buffer = /** @type {any} */ (frame.parts[0]?.scalars.buffer);
+  buffer?.transfer?.(0);
+}
+
 /** @param {ArrayBuffer} buffer @param {Layout} layout @param {Variant} variant @param {number} i
  * @returns {Part} */
 function readPart(buffer, layout, variant, i) {

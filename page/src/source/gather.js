@@ -33,10 +33,11 @@ export function gather(frame, layout, colouring, shifts, out) {
       for (const rope of variant.ropes) {
         const per = colouring === "strain" ? 1 / rope.EA : 1;
         const last = rope.first + rope.nodes - 1;
+        let before = part.tension[rope.first];
         for (let i = rope.first; i <= last; i++) {
-          const before = part.tension[Math.max(rope.first, i - 1)];
-          const after = part.tension[Math.min(last - 1, i)];
+          const after = i < last ? part.tension[i] : before;
           const value = (low + step * 0.5 * (before + after)) * per;
+          before = after;
           out[at + 4 * i + 3] = value;
           if (value < lowest) lowest = value;
           if (value > highest) highest = value;
