@@ -73,7 +73,8 @@ def test_a_lost_server_is_said_and_found_again(serve: Serve, open_window: Open) 
     assert "Trying again" in window.page.locator("#banner").inner_text()
     time = window.ask("r.time")
     stage = Stage(Session(slack_rope(20)), playing=True)
-    back = ViewServer(stage, port=server.port, token=server.token)
+    back = ViewServer(port=server.port, token=server.token)
+    back.show(stage)
     assert back.port == server.port
     back.start()
     try:
@@ -82,6 +83,21 @@ def test_a_lost_server_is_said_and_found_again(serve: Serve, open_window: Open) 
         assert not window.page.locator("#banner").is_visible()
     finally:
         back.stop()
+
+
+def test_the_page_waits_for_the_simulation(open_window: Open, tmp_path: Path) -> None:
+    early = ViewServer(port=0)
+    early.start()
+    try:
+        window = open_window(early.address)
+        window.until("r.state === 'waiting' && !document.getElementById('banner').hidden")
+        assert "Setting up" in window.page.locator("#banner").inner_text()
+        window.page.screenshot(path=tmp_path / "waiting.png")
+        early.show(Stage(Session(slack_rope(20)), playing=True))
+        window.until("r.state === 'playing' && r.drawn > 0")
+        assert not window.page.locator("#banner").is_visible()
+    finally:
+        early.stop()
 
 
 def test_a_reload_finds_the_session(server: ViewServer, open_window: Open) -> None:

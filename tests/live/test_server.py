@@ -317,19 +317,12 @@ def test_a_busy_port_is_said_and_another_taken(tmp_path: Path) -> None:
         busy.bind(("127.0.0.1", 0))
         busy.listen()
         port = busy.getsockname()[1]
-        server = ViewServer(_Silent(), port=port)
+        server = ViewServer(port=port)
         try:
             assert not server.port_was_free
             assert server.port != port
         finally:
             server.socket.close()
-
-
-class _Silent:
-    """A stage that nobody looks at."""
-
-    playing = False
-    scene = None
 
 
 @pytest.mark.parametrize(

@@ -28,10 +28,14 @@ export class Notices {
   /** @param {string} state @param {string} text */
   connection(state, text) {
     this.banner.hidden = state === "open";
+    this.banner.classList.toggle("calm", state === "waiting");
     document.documentElement.dataset.connection = state;
     if (state === "open") return;
     if (state === "damaged") this.banner.replaceChildren(text);
-    else this.banner.replaceChildren(h("span", { className: "spinner" }), `${text} Trying again …`);
+    else {
+      const more = state === "waiting" ? "" : " Trying again …";
+      this.banner.replaceChildren(h("span", { className: "spinner" }), `${text}${more}`);
+    }
   }
 
   /** @param {string} text @param {"note" | "fault"} [kind] */

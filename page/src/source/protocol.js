@@ -50,7 +50,7 @@
 /** @typedef {Object} SourceEvents
  * @property {(message: any) => void} message a JSON message of the server
  * @property {(frame: ArrayBuffer) => void} frame
- * @property {(state: "open" | "lost" | "full" | "ended" | "damaged", text: string) => void} state of the connection
+ * @property {(state: "open" | "waiting" | "lost" | "full" | "ended" | "damaged", text: string) => void} state of the connection
  */
 
 export {};

@@ -4,6 +4,7 @@
 /** @typedef {import("./protocol.js").SourceEvents} SourceEvents */
 
 const WAITS = [500, 1000, 2000]; // ms, the last one again and again
+const PATIENCE = 1000; // ms for a server that is there to answer
 const FULL = 4503;
 
 /** @implements {Source} */
@@ -31,6 +32,10 @@ export class SocketSource {
     const socket = new WebSocket(address, "ropewalk.1");
     socket.binaryType = "arraybuffer";
     this.socket = socket;
+    setTimeout(() => {
+      if (socket.readyState === WebSocket.CONNECTING)
+        events.state("waiting", "Setting up the simulation; its first run takes a minute or two …");
+    }, PATIENCE);
     socket.onopen = () => events.state("open", "");
     socket.onmessage = ({ data }) => {
       if (typeof data !== "string") {

@@ -10,8 +10,9 @@ from numpy.typing import NDArray
 
 from ropewalk.analysis.bending import bending_warnings
 from ropewalk.analysis.cost import seconds_per_step
+from ropewalk.analysis.json_values import plain
 from ropewalk.analysis.plan_notes import plan_notes
-from ropewalk.analysis.stability import Stability, milliseconds, plain, rounded_down, stability
+from ropewalk.analysis.stability import Stability, milliseconds, rounded_down, stability
 from ropewalk.analysis.units import unit_slips
 from ropewalk.build import Model, build
 from ropewalk.scene import Scene

@@ -19,7 +19,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ropewalk.analysis.stability import Stability, milliseconds, plain, stability
+from ropewalk.analysis.json_values import plain
+from ropewalk.analysis.stability import Stability, milliseconds, stability
 from ropewalk.build import Layout
 from ropewalk.core.status import OK
 from ropewalk.simulation import Broken, Simulation

@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from ropewalk.analysis.json_values import plain
 from ropewalk.build import Model, build
 from ropewalk.build.chains import chains, speed_scale
 from ropewalk.build.links import has_links
@@ -148,17 +149,6 @@ class Stability:
 
     def __repr__(self) -> str:
         return f"Stability: {self.verdict}."
-
-
-def plain(value: object) -> object:
-    """Return a value that JSON can carry: numbers that are not finite become None."""
-    if isinstance(value, dict):
-        return {key: plain(item) for key, item in value.items()}
-    if isinstance(value, (list, tuple)):
-        return [plain(item) for item in value]
-    if isinstance(value, (np.floating, np.integer, np.bool_)):
-        value = value.item()
-    return None if isinstance(value, float) and not math.isfinite(value) else value
 
 
 def rounded_down(value: float) -> str:

@@ -1,9 +1,8 @@
-"""The web application: the page, its files, the presets' pictures, exports, the socket."""
+"""The web application: the presets' pictures, exports, frames of a replay, the socket."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
@@ -17,29 +16,13 @@ from starlette.websockets import WebSocket
 from ropewalk import __version__
 from ropewalk.live.commands import Command
 from ropewalk.live.exports import Exports, NothingToExport
+from ropewalk.live.guard import LONGEST_SCENE
 from ropewalk.live.hands import MOST_GRABS
 from ropewalk.live.hub import UNACKNOWLEDGED, Hub, Mailbox, as_text
-from ropewalk.live.page_socket import LONGEST_SCENE, PER_SECOND, PROTOCOL, serve_socket
+from ropewalk.live.page_socket import PER_SECOND, PROTOCOL, serve_socket
 from ropewalk.live.preset_pictures import svg
 
 MOST_CLIENTS = 8
-_TYPES = {
-    ".html": "text/html; charset=utf-8",
-    ".js": "text/javascript; charset=utf-8",
-    ".css": "text/css; charset=utf-8",
-    ".svg": "image/svg+xml",
-    ".png": "image/png",
-    ".ico": "image/x-icon",
-    ".txt": "text/plain; charset=utf-8",
-    ".json": "application/json",
-    ".map": "application/json",
-    ".webmanifest": "application/manifest+json",
-}
-
-
-def page_folder() -> Path:
-    """Return the folder of the page's files."""
-    return Path(str(files("ropewalk.live"))) / "page"
 
 
 class Live:
@@ -54,12 +37,11 @@ class Live:
         wake: Callable[[], None] = lambda: None,
         folder: Path | None = None,
         title: str = "",
-        page: Path | None = None,
         most_clients: int = MOST_CLIENTS,
     ) -> None:
         self.stage, self.hub, self.exports = stage, hub, exports
         self.wake, self.run_folder, self.title = wake, folder, title
-        self.page, self.most_clients = page or page_folder(), most_clients
+        self.most_clients = most_clients
 
     def submit(self, command: Command, box: Mailbox) -> None:
         """Hand a page's command to the stage."""
@@ -115,18 +97,7 @@ class Live:
 
 
 def make_app(live: Live) -> Starlette:
-    """Return the application. Everything it reads from disk is named here or by the page's folder."""
-    there = live.page.iterdir() if live.page.is_dir() else ()
-    found = {path.name: path for path in there if path.is_file()}
-
-    async def page_file(request: Request) -> Response:
-        name = request.path_params.get("name") or "index.html"
-        path = found.get(name)
-        if path is None or path.suffix not in _TYPES:
-            text = "no such file" if found else "the page is missing from this installation"
-            return PlainTextResponse(f"{text}\n", 404)
-        data = path.read_bytes()  # a millisecond: a thread's start would take longer
-        return Response(data, headers={"content-type": _TYPES[path.suffix]})
+    """Return the application behind the page's own files, which the `Door` serves."""
 
     async def picture(request: Request) -> Response:
         made = await run_in_threadpool(svg, request.path_params["name"], live.stage)
@@ -163,11 +134,9 @@ def make_app(live: Live) -> Starlette:
 
     return Starlette(
         routes=[
-            Route("/", page_file),
             Route("/presets/{name}.svg", picture),
             Route("/export/{name}", export),
             Route("/replay/frames.bin", frames),
             WebSocketRoute("/socket", socket),
-            Route("/{name}", page_file),
         ]
     )

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from ropewalk.analysis.stability import plain
+from ropewalk.analysis.json_values import plain
 from ropewalk.build import Layout, Span
 from ropewalk.core.arrays import Floats
 from ropewalk.live.frame import HEADER, SCALARS, Shape

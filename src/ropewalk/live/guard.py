@@ -25,6 +25,7 @@ HEADERS = (
     (b"cross-origin-resource-policy", b"same-origin"),
     (b"cache-control", b"no-store"),
 )
+LONGEST_SCENE = 256_000  # bytes of a message, the socket's own limit
 _LOCAL = ("127.0.0.1", "localhost", "::1")
 
 

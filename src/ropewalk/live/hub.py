@@ -10,7 +10,7 @@ import asyncio
 import json
 from typing import Any
 
-from ropewalk.analysis.stability import plain
+from ropewalk.analysis.json_values import plain
 
 UNACKNOWLEDGED = 3
 MOST_MESSAGES = 500  # that wait for one page; one that is further behind is given up

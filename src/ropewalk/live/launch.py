@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
@@ -34,17 +35,28 @@ def prepare(
     host: str = "127.0.0.1",
     port: int | None = None,
     page: Path | None = None,
+    listening: Callable[[Any], None] | None = None,
 ) -> Any:
-    """Return a server, ready to start, that plays a scene live and keeps it in `folder` (None: not).
+    """Return a server that plays a scene live and keeps it in `folder` (None: not).
 
-    Raises SceneError, RunError for the folder, OSError for the port.
+    Ready to start, or started already: `listening` gets it as soon as it serves the page, which waits for
+    the simulation. Raises SceneError, RunError for the folder, OSError for the port.
     """
-    from ropewalk.live.session import Session
-
     check_installed()
-    return serve_session(
-        Session(scene, preset), folder=folder, playing=playing, host=host, port=port, page=page
-    )
+    from ropewalk.live.serve import ViewServer
+
+    server = ViewServer(host=host, port=port, page=page)
+    try:
+        if listening is not None:
+            server.start()
+            listening(server)
+        from ropewalk.live.session import Session
+
+        _show(server, Session(scene, preset), folder, False, playing)
+    except BaseException as error:
+        server.stop(f"The simulation could not be set up: {error}")
+        raise
+    return server
 
 
 def serve_session(
@@ -58,27 +70,25 @@ def serve_session(
     page: Path | None = None,
 ) -> Any:
     """Return a server, ready to start, for a session that is there already. Raises as `prepare`."""
+    from ropewalk.live.serve import ViewServer
+
+    server = ViewServer(host=host, port=port, page=page)
+    try:
+        _show(server, session, folder, go_on, playing)
+    except BaseException:
+        server.stop()
+        raise
+    return server
+
+
+def _show(server: Any, session: Any, folder: Path | None, go_on: bool, playing: bool) -> None:
+    """Put a session on a server's stage."""
     from ropewalk.live.keep import Keeper
-    from ropewalk.live.serve import PORT, ViewServer
     from ropewalk.live.stage import Stage
 
     session.main.simulation.advance_frames(0)  # compiles before anybody waits for a frame
     stage = Stage(session, playing=playing)
     keeper = Keeper(session, folder, go_on=go_on) if folder is not None else None
-    try:
-        server = ViewServer(
-            stage,
-            host=host,
-            port=PORT if port is None else port,
-            title=session.scene.name,
-            keeper=keeper,
-            page=page,
-        )
-    except OSError:
-        if keeper is not None:
-            keeper.close()
-        stage.close()
-        raise
     if keeper is not None:
         stage.on_save = lambda: str(keeper.flush())
-    return server
+    server.show(stage, title=session.scene.name, keeper=keeper)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from ropewalk.analysis.stability import plain
+from ropewalk.analysis.json_values import plain
 from ropewalk.live.parameters import PARAMETERS
 from ropewalk.scene import SceneError
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from ropewalk.analysis.json_values import plain
 from ropewalk.analysis.stability import (
     Stability,
     milliseconds,
-    plain,
     rounded_down,
     stability,
 )

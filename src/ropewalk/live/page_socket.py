@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from ropewalk.live.commands import Ack, SceneCommand, parse
+from ropewalk.live.door import SUBPROTOCOL
 from ropewalk.live.hub import Mailbox
 from ropewalk.live.messages import error_message
 from ropewalk.live.parameters import refusal
@@ -18,9 +19,8 @@ from ropewalk.scene import SceneError
 if TYPE_CHECKING:
     from ropewalk.live.app import Live
 
-PROTOCOL, SUBPROTOCOL = 1, "ropewalk.1"
+PROTOCOL = 1
 LONGEST_MESSAGE = 64_000  # characters, of all but a scene
-LONGEST_SCENE = 256_000  # bytes, the socket's own limit
 PER_SECOND, BURST = 240.0, 480.0
 MOST_MALFORMED = 20
 MALFORMED, FAST, FULL = 4400, 4429, 4503

@@ -294,14 +294,10 @@ def serve_run(
     page: Path | None = None,
 ) -> Any:
     """Return a server, ready to start, that replays a run. Raises RunError, OSError."""
-    from ropewalk.live.serve import PORT, ViewServer
+    from ropewalk.live.serve import ViewServer
 
     stage = ReplayStage(run, playing=playing)
-    return ViewServer(
-        stage,
-        host=host,
-        port=PORT if port is None else port,
-        title=stage.scene.name,
-        folder=run if isinstance(run, Path) else None,
-        page=page,
-    )
+    server = ViewServer(host=host, port=port, page=page)
+    folder = run if isinstance(run, Path) else None
+    server.show(stage, title=stage.scene.name, folder=folder)
+    return server

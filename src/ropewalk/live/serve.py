@@ -10,17 +10,16 @@ from collections.abc import Callable
 from concurrent.futures import Future
 from contextlib import suppress
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from ropewalk.live.app import Live, make_app
-from ropewalk.live.exports import Exports
-from ropewalk.live.frozen import scene_now
-from ropewalk.live.guard import Guard, new_token
+from ropewalk.live.door import Door
+from ropewalk.live.guard import LONGEST_SCENE, Guard, new_token
 from ropewalk.live.hub import Hub
-from ropewalk.live.keep import Keeper
-from ropewalk.live.page_socket import LONGEST_SCENE
 from ropewalk.live.player import Player
-from ropewalk.scene import Scene
+
+if TYPE_CHECKING:
+    from ropewalk.live.keep import Keeper
+    from ropewalk.scene import Scene
 
 PORT = 8712
 TRIES = 20
@@ -54,34 +53,49 @@ def listen(host: str, port: int) -> tuple[socket.socket, bool]:
 
 
 class ViewServer:
-    """A stage behind a web server, in threads of its own."""
+    """A stage behind a web server, in threads of its own; the page's files are there before the stage is."""
 
     def __init__(
         self,
-        stage: Any,
         *,
         host: str = "127.0.0.1",
-        port: int = PORT,
+        port: int | None = None,
+        page: Path | None = None,
+        token: str | None = None,
+    ) -> None:
+        """Take a port, by default PORT or one of the next. Raises OSError when there is none."""
+        self.stage: Any = None
+        self.keeper: Keeper | None = None
+        self.player: Player | None = None
+        self.hub, self.door = Hub(), Door(page)
+        self.socket, self.port_was_free = listen(host, PORT if port is None else port)
+        self.host, self.port = host, int(self.socket.getsockname()[1])
+        self.token = token or new_token()
+        self._server: Any = None
+        self._thread: threading.Thread | None = None
+
+    def show(
+        self,
+        stage: Any,
+        *,
         title: str = "",
         keeper: Keeper | None = None,
         folder: Path | None = None,
-        page: Path | None = None,
         play: bool = True,
-        token: str | None = None,
     ) -> None:
-        """Take a port. Raises OSError when there is none."""
+        """Let the pages see a stage, and keep it going unless its program does that."""
+        from ropewalk.live.app import Live, make_app
+        from ropewalk.live.exports import Exports
+
         self.stage, self.keeper = stage, keeper
-        self.hub = Hub()
-        self.socket, self.port_was_free = listen(host, port)
-        self.host, self.port = host, int(self.socket.getsockname()[1])
-        self.token = token or new_token()
         self.player = Player(stage) if play else None
         exports = Exports(self._scene_now(), self._run_folder(folder), title)
         wake = self.player.wake if self.player is not None else _nothing
         where = keeper.folder if keeper is not None else folder
-        self.live = Live(stage, self.hub, exports, wake=wake, folder=where, title=title, page=page)
-        self._server: Any = None
-        self._thread: threading.Thread | None = None
+        self.live = Live(stage, self.hub, exports, wake=wake, folder=where, title=title)
+        self.door.open(make_app(self.live))
+        if self._thread is not None:
+            self._begin()
 
     @property
     def address(self) -> str:
@@ -99,6 +113,8 @@ class ViewServer:
             found: Future[Scene] = Future()
 
             def answer(stage: Any) -> None:
+                from ropewalk.live.frozen import scene_now
+
                 try:
                     found.set_result(scene_now(stage.session))
                 except BaseException as error:
@@ -115,10 +131,12 @@ class ViewServer:
         return None if folder is None else (lambda: folder)
 
     def start(self) -> None:
-        """Begin to serve and to play."""
+        """Begin to serve, and to play once there is a stage; the second call does nothing."""
+        if self._thread is not None:
+            return
         import uvicorn
 
-        app = Guard(make_app(self.live), self.token, self.host, self.port)
+        app = Guard(self.door, self.token, self.host, self.port)
         config = uvicorn.Config(
             app,
             log_config=None,
@@ -140,6 +158,10 @@ class ViewServer:
         )
         self._thread.start()
         ready.wait(10.0)
+        if self.stage is not None:
+            self._begin()
+
+    def _begin(self) -> None:
         self.stage.audience = self.hub
         if self.player is not None:
             self.player.start()
@@ -173,7 +195,9 @@ class ViewServer:
             self.keeper.close()
         where = str(self.keeper.folder) if self.keeper is not None else None
         self.hub.tell({"type": "bye", "text": text, "folder": where})
-        self.stage.close()
+        self.door.close(text)
+        if self.stage is not None:
+            self.stage.close()
         if self._server is not None:
             self._server.should_exit = True
         if self._thread is not None:

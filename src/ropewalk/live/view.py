@@ -104,15 +104,10 @@ def view_simulation(
     """Show a simulation that the caller steps; see `Simulation.view`."""
     check_installed()
     from ropewalk.live.program import ProgramStage
-    from ropewalk.live.serve import PORT, ViewServer
+    from ropewalk.live.serve import ViewServer
 
-    server = ViewServer(
-        ProgramStage(simulation),
-        port=PORT if port is None else port,
-        title=simulation.scene.name,
-        page=page,
-        play=False,
-    )
+    server = ViewServer(port=port, page=page)
+    server.show(ProgramStage(simulation), title=simulation.scene.name, play=False)
     return View(server, open_browser=open_browser)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import signal
 import webbrowser
+from collections.abc import Callable
 from contextlib import ExitStack, suppress
 from pathlib import Path
 from types import FrameType
@@ -20,6 +21,8 @@ from ropewalk.cli.startup import without_scipy
 
 if TYPE_CHECKING:
     from ropewalk.scene import Scene
+
+Announce = Callable[[Any], None]  # of a server that listens
 
 DEFAULT = "r4"
 RUNS = Path("runs")
@@ -74,34 +77,47 @@ def view(
             if overrides or any(settings.values()):
                 raise Refusal(f"{source}: is a run; values of a run cannot be changed by flags")
             if not go_on:
-                return _serve(_replay(Path(source), not paused, options), no_browser, port)
+                run, playing = Path(source), not paused
+                return _serve(lambda _: _replay(run, playing, options), no_browser, port)
         elif go_on:
             raise Refusal(f"{source or DEFAULT}: --continue needs the folder of a live session")
         options["playing"] = not paused
         if go_on:
-            return _serve(_continued(Path(str(source)), no_save, options), no_browser, port)
+            folder = Path(str(source))
+            return _serve(lambda _: _continued(folder, no_save, options), no_browser, port)
         name = short_name(source or DEFAULT)
         if not no_save:
             options["folder"] = stack.enter_context(claimed(output, RUNS, f"{name}-live"))
         scene = load_scene(source or DEFAULT, overrides, **settings)
-        return _serve(_live(scene, source or DEFAULT, bool(overrides), options), no_browser, port)
+        start = _preset_of(scene, source or DEFAULT, bool(overrides))
+        return _serve(lambda early: _live(scene, start, early, options), no_browser, port)
 
 
 def _is_run(path: Path) -> bool:
-    from ropewalk.record.folder import is_run
-
     with suppress(OSError):
-        return path.is_dir() and is_run(path)
+        if path.is_dir():
+            from ropewalk.record.folder import is_run  # with numba: not for nothing
+
+            return is_run(path)
     return False
 
 
-def _live(scene: Scene, source: str, changed: bool, options: dict[str, Any]) -> Any:
-    from ropewalk.live.launch import prepare
+def _preset_of(scene: Scene, source: str, changed: bool) -> str | None:
+    """Return the name of the preset that the scene is, unchanged."""
     from ropewalk.scene.presets import names, preset
 
     named = source in names() and not changed and scene == preset(source)
-    tell_compiling(scene.run.method)
-    return prepare(scene, source if named else None, **options)
+    return source if named else None
+
+
+def _live(scene: Scene, start: str | None, early: Announce, options: dict[str, Any]) -> Any:
+    from ropewalk.live.launch import prepare
+
+    def listening(server: Any) -> None:
+        early(server)
+        tell_compiling(scene.run.method)
+
+    return prepare(scene, start, listening=listening, **options)
 
 
 def _continued(folder: Path, no_save: bool, options: dict[str, Any]) -> Any:
@@ -121,8 +137,44 @@ def _replay(folder: Path, playing: bool, options: dict[str, Any]) -> Any:
     return serve_run(folder, playing=playing, **options)
 
 
-def _serve(server: Any, no_browser: bool, port: int | None) -> int:
-    """Serve until Ctrl-C or SIGTERM; say where, and what was kept."""
+def _serve(make: Callable[[Announce], Any], no_browser: bool, port: int | None) -> int:
+    """Serve what `make` makes until Ctrl-C or SIGTERM; say where, and what was kept.
+
+    `make` may announce its server while the simulation is still being set up.
+    """
+    server: Any = None
+    announced = False
+
+    def announce(made: Any) -> None:
+        nonlocal announced
+        announced = True
+        _announce(made, no_browser, port)
+
+    before = signal.signal(signal.SIGTERM, _as_interrupt)
+    try:
+        server = make(announce)
+        server.start()
+        if not announced:
+            announce(server)
+        while server.wait(0.5):
+            pass
+    except KeyboardInterrupt:
+        if server is None:
+            raise
+        tell("ending")
+    finally:
+        signal.signal(signal.SIGTERM, before)
+        if server is not None:
+            server.stop("The program was ended.")
+    if server.keeper is not None:
+        if server.keeper.failure:
+            warn(server.keeper.failure)
+        say(f"run folder: {server.keeper.folder}")
+    return 0 if server.error is None else 1
+
+
+def _announce(server: Any, no_browser: bool, port: int | None) -> None:
+    """Say where the page is, and open it."""
     if not server.port_was_free and port != 0:
         tell(f"port {port or 'in use'} is busy: taking {server.port}")
     if server.host not in _LOCAL:
@@ -130,25 +182,10 @@ def _serve(server: Any, no_browser: bool, port: int | None) -> int:
             f"listening on {server.host}: whoever can reach this computer and knows the address "
             "can watch and drive the simulation"
         )
-    before = signal.signal(signal.SIGTERM, _as_interrupt)
-    try:
-        server.start()
-        say(server.address)
-        tell("Ctrl-C ends")
-        if not no_browser:
-            webbrowser.open(server.address)
-        while server.wait(0.5):
-            pass
-    except KeyboardInterrupt:
-        tell("ending")
-    finally:
-        signal.signal(signal.SIGTERM, before)
-        server.stop("The program was ended.")
-    if server.keeper is not None:
-        if server.keeper.failure:
-            warn(server.keeper.failure)
-        say(f"run folder: {server.keeper.folder}")
-    return 0 if server.error is None else 1
+    say(server.address)
+    tell("Ctrl-C ends")
+    if not no_browser:
+        webbrowser.open(server.address)
 
 
 def _as_interrupt(number: int, frame: FrameType | None) -> None:
