@@ -87,6 +87,10 @@ def view(
             return _serve(lambda _: _continued(folder, no_save, options), no_browser, port)
         name = short_name(source or DEFAULT)
         if not no_save:
+            if output is not None and output.exists():
+                from ropewalk.record.folder import check_free
+
+                check_free(output, overwrite=False)
             options["folder"] = stack.enter_context(claimed(output, RUNS, f"{name}-live"))
         scene = load_scene(source or DEFAULT, overrides, **settings)
         start = _preset_of(scene, source or DEFAULT, bool(overrides))
