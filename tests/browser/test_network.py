@@ -60,6 +60,15 @@ def test_a_slow_page_gets_fewer_frames_and_no_queue(server: ViewServer, open_win
     assert server.stage.session.time - now < 1.0  # and what it shows is of now, not 3 s old
 
 
+def test_a_frame_of_the_past_keeps_no_memory(serve: Serve, open_window: Open) -> None:
+    window = open_window(serve(Session(slack_rope()), playing=True).address).ready()
+    window.ask("(window.kept = r.session.frame.parts[0].positions.buffer) && 0")
+    frames = window.ask("r.frames")
+    window.until(f"r.frames > {frames} + 2")
+    assert window.page.evaluate("() => window.kept.byteLength") == 0
+    assert window.ask("r.session.frame.parts[0].positions.length") > 0
+
+
 def test_a_lost_server_is_said_and_found_again(serve: Serve, open_window: Open) -> None:
     server = serve(Session(slack_rope()), playing=True)
     window = open_window(server.address).ready()
