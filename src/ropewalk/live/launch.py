@@ -54,7 +54,8 @@ def prepare(
 
         _show(server, Session(scene, preset), folder, False, playing)
     except BaseException as error:
-        server.stop(f"The simulation could not be set up: {error}")
+        why = str(error) or "it was interrupted"
+        server.stop(f"The simulation could not be set up: {why}.")
         raise
     return server
 

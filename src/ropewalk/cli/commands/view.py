@@ -7,6 +7,7 @@ import webbrowser
 from collections.abc import Callable
 from contextlib import ExitStack, suppress
 from pathlib import Path
+from threading import Thread
 from types import FrameType
 from typing import TYPE_CHECKING, Any
 
@@ -188,8 +189,8 @@ def _announce(server: Any, no_browser: bool, port: int | None) -> None:
         )
     say(server.address)
     tell("Ctrl-C ends")
-    if not no_browser:
-        webbrowser.open(server.address)
+    if not no_browser:  # in a thread: one in the terminal comes back when it is closed
+        Thread(target=webbrowser.open, args=[server.address], daemon=True).start()
 
 
 def _as_interrupt(number: int, frame: FrameType | None) -> None:
