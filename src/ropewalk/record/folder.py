@@ -35,7 +35,7 @@ from ropewalk.scene import Scene, SceneError, dumps, load
 
 SCENE, PROVENANCE, DATA = "scene.toml", "provenance.json", "data.zarr"
 STATUS = "status.json"
-PACKING_STEPS = 70  # explicit steps that take ten times as long as compressing the frame
+PACKING_STEPS = 130  # explicit steps that take ten times as long as compressing the frame
 PARTS = (SCENE, PROVENANCE, DATA, "checkpoint.npz", EVENTS, STATUS, LOCK)
 
 

@@ -121,8 +121,9 @@ def decode(data: bytes, kind: str, shape: tuple[int, ...]) -> NDArray[Any]:
 
 def encode_texts(values: list[str]) -> bytes:
     """Return texts as the codec vlen-utf8 has them."""
-    parts = [struct.pack("<I", len(values))]
-    for value in values:
-        text = value.encode()
-        parts += [struct.pack("<I", len(text)), text]
-    return b"".join(parts)
+    packed = {value: _length_and_bytes(value.encode()) for value in set(values)}
+    return struct.pack("<I", len(values)) + b"".join([packed[value] for value in values])
+
+
+def _length_and_bytes(text: bytes) -> bytes:
+    return struct.pack("<I", len(text)) + text
