@@ -73,12 +73,13 @@ def one_rope() -> list[Row]:
 
 
 def against_numpy() -> list[Row]:
-    """100 segments against whole-array numpy."""
+    """100 segments, and a bare loop of the same arithmetic, against whole-array numpy."""
     n, steps = 100, 900
-    numpy_version = numpy_loop(n + 1, DT)
+    numpy_version, bare = numpy_loop(n + 1, DT), bare_loop(n + 1, DT)
     timing = take_turns(
         {
             "numpy": lambda: numpy_version(steps),
+            "bare": lambda: bare(steps),
             "plain": stepper(report_rope(n), steps, ledger=False),
             "ledger": stepper(report_rope(n), steps, ledger=True),
         }
@@ -86,6 +87,7 @@ def against_numpy() -> list[Row]:
     return [
         Row("numpy / ropewalk, 100 segments", timing.ratio("numpy", "plain"), "1", ">= 80"),
         Row("numpy / ropewalk with the ledger", timing.ratio("numpy", "ledger"), "1", ""),
+        Row("numpy / bare loop, 100 segments", timing.ratio("numpy", "bare"), "1", ""),
     ]
 
 
