@@ -7,7 +7,7 @@ import { Range } from "./view/range.js";
 import { nodesOf, shapeOf, shiftsOf, starts } from "./view/copies.js";
 import { boxOf, firstLook, groundOf, tame } from "./view/room.js";
 import { readTheme } from "./view/theme.js";
-import { dot } from "./view/vector.js";
+import { dot, vector } from "./view/vector.js";
 import { textureSize } from "./render/webgl/texture_size.js";
 import { PLAYING } from "./source/frame.js";
 import { gather } from "./source/gather.js";
@@ -21,6 +21,7 @@ import { Marks } from "./marks.js";
 /** @typedef {import("./render/view.js").Theme} Theme */
 /** @typedef {import("./view/camera.js").Pose} Pose */
 
+const TOOLS = 60; // height of the tool bars where they lie in a row, above a card [CSS pixels]
 const LEAP = 1; // s between two frames of which the one does not go on from the other
 
 export class Stage {
@@ -52,6 +53,8 @@ export class Stage {
     this.lastTime = -Infinity;
     this.lastPush = 0;
     this.cameraVersion = -1;
+    /** The card that is in the way, if there is one. @type {() => DOMRect | null} */
+    this.card = () => null;
     /** @type {(() => void)[]} */ this.afterDraw = [];
     session.on("layout", (layout) => this.takeLayout(layout));
     session.on("frame", (frame) => this.takeFrame(frame));
@@ -155,25 +158,63 @@ export class Stage {
     this.lookPending = false;
     const count = nodesOf(layout);
     const box = boxOf(this.nodes.to, count);
-    this.camera.set(firstLook(this.camera, layout, box));
+    this.camera.set(this.firstPose(layout));
     const lowest = Math.min(...[box.low, box.high].map((corner) => dot(corner, this.camera.up)));
     const bottom = dot(layout.view.center, this.camera.up) - layout.view.radius;
     this.floor = Math.min(lowest, bottom);
     this.flight = null;
   }
 
-  /** Show all ropes, from here or from other angles.
-   * @param {{azimuth?: number, elevation?: number}} [from] */
-  fit(from = {}) {
-    const { layout } = this.session;
-    if (!layout) return;
-    const box = boxOf(this.nodes.shown, nodesOf(layout));
+  /** The pose for the first look; if a card would cover a rope there, one beside the card.
+   * @param {Layout} layout @returns {Pose} */
+  firstPose(layout) {
+    const pose = firstLook(this.camera, layout, boxOf(this.nodes.to, nodesOf(layout)));
+    return this.covered(pose) ? this.wholePose(layout, pose) : pose;
+  }
+
+  /** The pose that shows all ropes, beside the card. @param {Layout} layout
+   * @param {{azimuth?: number, elevation?: number}} from @returns {Pose} */
+  wholePose(layout, from) {
+    const box = boxOf(this.nodes.to, nodesOf(layout));
     const margin = 0.06 * layout.view.radius;
     for (let k = 0; k < 3; k++) {
       box.low[k] -= margin;
       box.high[k] += margin;
     }
-    this.fly(this.camera.fitted(box, from));
+    return this.camera.fitted(box, from, this.strips());
+  }
+
+  /** Show all ropes, from here or from other angles.
+   * @param {{azimuth?: number, elevation?: number}} [from] */
+  fit(from = {}) {
+    const { layout } = this.session;
+    if (layout && !this.nodes.empty) this.fly(this.wholePose(layout, from));
+  }
+
+  /** Show all ropes if the card covers one. */
+  uncover() {
+    if (!this.lookPending && this.covered(this.camera.pose)) this.fit();
+  }
+
+  /** Whether the card would cover a rope. @param {Pose} pose */
+  covered(pose) {
+    const { layout } = this.session;
+    const card = this.card();
+    if (!layout || !card) return false;
+    const camera = this.camera.at(pose);
+    for (let i = 0; i < nodesOf(layout); i++) {
+      const [x, y] = camera.project(...vector(this.nodes.to.subarray(4 * i, 4 * i + 3)));
+      if (x > card.left && x < card.right && y > card.top && y < card.bottom) return true;
+    }
+    return false;
+  }
+
+  /** What the card takes of the scene's height, at the top or at the bottom [CSS pixels]. */
+  strips() {
+    const card = this.card();
+    if (!card) return { top: 0, bottom: 0 };
+    const below = this.camera.height - card.top;
+    return card.bottom < below ? { top: card.bottom, bottom: 0 } : { top: TOOLS, bottom: below };
   }
 
   /** @param {Pose} pose */

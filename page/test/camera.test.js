@@ -103,6 +103,23 @@ test("a fitted box is seen whole and fills most of the picture", () => {
   assert.ok(Math.max(widest, highest) > 0.6);
 });
 
+test("a fitted box keeps clear of strips at the top and the bottom", () => {
+  const made = camera();
+  const box = { low: [-1, 0, -4], high: [1, 1, 4] };
+  for (const strips of [
+    { top: 150, bottom: 0 },
+    { top: 0, bottom: 200 },
+    { top: 60, bottom: 150 },
+  ]) {
+    made.set(made.fitted(box, { elevation: 0.1 }, strips));
+    for (let corner = 0; corner < 8; corner++) {
+      const point = [0, 1, 2].map((i) => ((corner >> i) & 1 ? box.high[i] : box.low[i]));
+      const [, y] = made.project(...point);
+      assert.ok(y > strips.top && y < 600 - strips.bottom, `${point} is at ${y}`);
+    }
+  }
+});
+
 test("views along an axis have that axis towards the viewer", () => {
   for (const up of [
     [0, 0, 1],

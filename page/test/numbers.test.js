@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { Range, figures, quantity, round } from "../src/view/range.js";
-import { placeOf, readNumber, valueAt } from "../src/panels/scale.js";
+import { fieldText, placeOf, readNumber, valueAt } from "../src/panels/scale.js";
 import { History } from "../src/graphs/history.js";
 import { distance } from "../src/input/pick.js";
 import { speedText } from "../src/panels/controls.js";
@@ -50,6 +50,16 @@ test("numbers as people type them", () => {
   assert.equal(readNumber("−2e3"), -2000);
   assert.ok(Number.isNaN(readNumber("")));
   assert.ok(Number.isNaN(readNumber("two")));
+});
+
+test("numbers that fit into their field", () => {
+  assert.equal(fieldText(10000), "10000");
+  assert.equal(fieldText(1 / 540), "0.00185185");
+  assert.equal(fieldText(0.000123456), "0.000123456");
+  assert.equal(fieldText(0.0000123456), "1.23456e-5");
+  assert.equal(fieldText(123456789e6), "1.23457e+14");
+  assert.equal(fieldText(-9.80665, 9), "-9.80665");
+  assert.equal(fieldText(-1.2345678e-17, 9), "-1.235e-17");
 });
 
 test("the range of colours grows at once and shrinks slowly", () => {

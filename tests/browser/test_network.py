@@ -21,6 +21,7 @@ pytestmark = pytest.mark.browser
 Open = Callable[..., Window]
 Serve = Callable[..., ViewServer]
 ANCHOR = "r.nodeAt(40)"
+NEEDS_A_SIMULATION = ["#open-scenes", "#open-compare", "#meter", "#panel", ".legend", "#clock"]
 
 
 @pytest.fixture
@@ -102,9 +103,13 @@ def test_the_page_waits_for_the_simulation(open_window: Open, tmp_path: Path) ->
         window.until("r.state === 'waiting' && !document.getElementById('banner').hidden")
         assert "Setting up" in window.page.locator("#banner").inner_text()
         window.page.screenshot(path=tmp_path / "waiting.png")
+        there = window.page.locator(", ".join(NEEDS_A_SIMULATION))
+        assert there.count() == len(NEEDS_A_SIMULATION)
+        assert not any(one.is_visible() for one in there.all())
         early.show(Stage(Session(slack_rope(20)), playing=True))
         window.until("r.state === 'playing' && r.drawn > 0")
         assert not window.page.locator("#banner").is_visible()
+        assert all(one.is_visible() for one in there.all())
     finally:
         early.stop()
 

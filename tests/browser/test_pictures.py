@@ -131,6 +131,51 @@ def test_nothing_covers_anything(open_window: Open, serve: Serve, shape: str) ->
             window.press("Escape")
 
 
+COPIES = [
+    {"label": "Mass 8 kg", "changes": {"mass": 8}},
+    {"label": "rk4", "changes": {"method": "rk4"}},
+]
+
+
+@pytest.mark.parametrize("shape", SHAPES)
+def test_the_card_of_copies_covers_no_rope(open_window: Open, serve: Serve, shape: str) -> None:
+    window = open_window(serve(Session(slack_rope())).address, **SHAPES[shape]).ready()
+    window.settled()
+    window.page.evaluate(  # the rope to where the card will come
+        """() => {
+            const { camera } = ropewalk.stage;
+            camera.pan(0.2 * camera.width, (camera.height > 400 ? -0.25 : 0.25) * camera.height);
+        }"""
+    )
+    before = window.screen(20)
+    window.tell(type="compare", variants=COPIES)
+    window.until("r.session.layout.variants.length === 3")
+    _clear_of_the_card(window, 1)
+    assert np.hypot(*np.subtract(window.screen(20), before)) > 30.0  # it had to make room
+    window.page.locator("#compare-way").select_option("apart")
+    _clear_of_the_card(window, 3)
+    window.click("#toggle-graphs")
+    _clear_of_the_card(window, 3)
+    window.click("#view-fit")
+    _clear_of_the_card(window, 3)
+
+
+def _clear_of_the_card(window: Window, ropes: int) -> None:
+    """Check that all ropes are in the scene and none is under the card of copies."""
+    window.until("r.stage.starts.length === 3 && !r.stage.lookPending && !r.app.compare.fresh")
+    window.settled()
+    card = [one for one in _cards(window) if "difference" in one[0]]
+    scene = window.page.locator("#scene").bounding_box()
+    assert len(card) == (scene["height"] > 130)  # in less there is no room for it
+    for rope in range(ropes):
+        places = window.ask(f"[...Array(41).keys()].map((i) => r.screenOf(i, {rope}))")
+        boxes = [[one["x"], one["y"], 0.0, 0.0] for one in places]
+        assert not any(_under_a_card(box, card) for box in boxes), f"{boxes} under {card}"
+        for x, y, *_ in boxes:
+            assert scene["x"] < x < scene["x"] + scene["width"]
+            assert scene["y"] < y < scene["y"] + scene["height"]
+
+
 def test_labels_keep_clear_of_what_lies_over_the_scene(open_window: Open, serve: Serve) -> None:
     window = open_window(serve().address, **PHONE, **LIGHT).ready()
     boxes = _cards(window)

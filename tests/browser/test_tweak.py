@@ -31,6 +31,10 @@ def _told(name: str) -> str:
     return f"r.session.parameters.find((p) => p.name === '{name}')"
 
 
+def _field(name: str) -> str:
+    return f"document.querySelector('{_row(name)} input[type=text]')"
+
+
 def _value(server: ViewServer, name: str) -> Any:
     found = named(name).get(server.stage.session.scene, 0)
     return list(found) if isinstance(found, tuple) else found
@@ -106,6 +110,53 @@ def test_what_is_out_of_range_is_refused_with_the_range(open_window: Open, serve
     fault.wait_for(state="hidden")
     assert _value(server, "segments") == 50
     window.until("r.session.layout.variants[0].nodes === 51")
+
+
+@pytest.mark.parametrize("size", [SIZE, {"width": 390, "height": 844}], ids=["wide", "phone"])
+def test_every_number_fits_into_its_field(open_window: Open, serve: Serve, size: Any) -> None:
+    server = serve(Session(slack_rope()))
+    window = open_window(server.address, viewport=size).ready()
+    if window.page.locator("#panel").is_hidden():
+        window.click("#toggle-panel")
+    step = window.page.locator(f"{_row('time_step')} input[type=text]")
+    for value, shown in (
+        (1.0 / 5400.0, "0.000185185"),
+        (1.234567e-5, "1.23457e-5"),
+        (0.000123456, "0.000123456"),
+    ):
+        window.tell(type="set", name="time_step", value=value)
+        window.until(f"{_told('time_step')}.value === {value!r}")
+        window.until(f"document.activeElement.blur() || {_field('time_step')}.value === '{shown}'")
+        title = step.get_attribute("title")
+        assert title is None if float(shown) == value else float(title or "") == value
+    window.tell(type="set", name="gravity", value=[-1.2345678, 1.2345678e-17, -123.45678])
+    window.until(f"{_field('gravity')}.value === '-1.23457'")
+    fields = (
+        "[...document.querySelectorAll('.panel input[type=text]')].filter((e) => e.offsetWidth)"
+    )
+    assert window.ask(f"{fields}.length") > 10
+    assert (
+        window.ask(f"{fields}.filter((e) => e.scrollWidth > e.clientWidth).map((e) => e.value)")
+        == []
+    )
+    # The twin: a longer number does not fit.
+    assert window.ask(
+        f"((e) => (e.value = '0.00012345678') && e.scrollWidth > e.clientWidth)({_field('time_step')})"
+    )
+
+
+def test_a_rounded_number_is_kept_as_it_is(open_window: Open, serve: Serve) -> None:
+    server = serve(Session(slack_rope()))
+    window = open_window(server.address, viewport=SIZE).ready()
+    window.tell(type="set", name="mass", value=8.0 / 3.0)
+    window.until(f"{_field('mass')}.value === '2.66667'")
+    window.page.locator(f"{_row('mass')} input[type=text]").press("Enter")
+    window.tell(type="set", name="gravity", value=[0.0, -1.0 / 3.0, -9.0])
+    window.until(f"{_field('gravity')}.value === '0'")
+    _change(window, "gravity", "vector")
+    window.until(f"{_told('gravity')}.value[0] === 1.5")
+    assert _value(server, "mass") == 8.0 / 3.0
+    assert _value(server, "gravity") == [1.5, -1.0 / 3.0, -9.0]
 
 
 def test_one_rope_of_several_is_changed(open_window: Open, serve: Serve) -> None:

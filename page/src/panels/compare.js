@@ -3,7 +3,7 @@
 import { css } from "../view/colours.js";
 import { colourOf } from "../view/copies.js";
 import { scalar } from "../source/frame.js";
-import { quantity } from "../view/range.js";
+import { quantity, unitText } from "../view/range.js";
 import { dialog, h } from "./dom.js";
 import { fieldText, readNumber } from "./scale.js";
 
@@ -85,8 +85,10 @@ export class Compare {
       this.lines,
     );
     scene.append(this.card);
+    stage.card = () => this.place();
     this.lastShown = 0;
     this.wasMany = false;
+    this.fresh = false; // the card has come and may lie over a rope
     stage.session.on("layout", () => this.layout());
     stage.session.on("frame", () => this.show());
   }
@@ -181,7 +183,7 @@ export class Compare {
       value: typeof change.value === "number" ? fieldText(change.value) : "",
       oninput: () => (change.value = readNumber(field.value)),
     });
-    return h("label", {}, field, parameter.unit === "1" ? "" : parameter.unit);
+    return h("label", {}, field, unitText(parameter.unit));
   }
 
   /** @param {Change} change */
@@ -218,6 +220,7 @@ export class Compare {
     const many = layout.variants.length > 1;
     this.card.hidden = !many;
     if (many !== this.wasMany) this.colours(many);
+    if (many && !this.wasMany) this.fresh = true;
     this.wasMany = many;
     this.lines.replaceChildren(
       ...layout.variants.map((variant, v) => {
@@ -228,10 +231,19 @@ export class Compare {
     );
   }
 
+  /** Where the card lies in the scene, if it is there. @returns {DOMRect | null} */
+  place() {
+    if (!this.card.getClientRects().length) return null;
+    const { x, y, width, height } = this.card.getBoundingClientRect();
+    const scene = this.stage.renderer.canvas.getBoundingClientRect();
+    return new DOMRect(x - scene.x, y - scene.y, width, height);
+  }
+
   show() {
     const { layout, frame } = this.stage.session;
     const now = performance.now();
-    if (!layout || !frame || this.card.hidden || now - this.lastShown < 200) return;
+    if (!layout || !frame || this.card.hidden) return;
+    if (now - this.lastShown < 200 && !this.fresh) return;
     this.lastShown = now;
     frame.parts.forEach((part, v) => {
       const output = this.lines.children[v]?.querySelector("output");
@@ -240,5 +252,7 @@ export class Compare {
       const most = quantity(scalar(layout, part, "difference_max"), "m");
       output.textContent = `differs by ${rms} rms, ${most} at most`;
     });
+    if (this.fresh) this.stage.uncover();
+    this.fresh = false;
   }
 }

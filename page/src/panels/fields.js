@@ -9,6 +9,7 @@ import { fieldText, placeOf, readNumber, valueAt } from "./scale.js";
 /** @typedef {import("../source/protocol.js").Parameter} Parameter */
 
 const NOTCHES = 1000;
+const THIRD = 9; // letters that fit into one of three fields
 
 // lil-gui's types leave out the constructor that its own controllers use.
 const Base = /** @type {any} */ (Controller);
@@ -56,8 +57,10 @@ export class QuantityController extends Base {
   }
 
   commit() {
-    const value = readNumber(this.field.value);
-    if (Number.isFinite(value) && value !== this.getValue()) this.setValue(value);
+    const now = this.getValue();
+    const shown = now !== null && this.field.value === fieldText(now); // rounded, so not taken for a wish
+    const value = shown ? now : readNumber(this.field.value);
+    if (Number.isFinite(value) && value !== now) this.setValue(value);
     else this.updateDisplay();
   }
 
@@ -65,10 +68,14 @@ export class QuantityController extends Base {
     const value = this.getValue();
     if (!this.sliding)
       this.slider.value = String(value === null ? 0 : NOTCHES * placeOf(this.scale, value));
+    const text = value === null ? "" : fieldText(value);
     if (document.activeElement !== this.field || this.sliding) {
-      this.field.value = value === null ? "" : fieldText(value);
+      this.field.value = text;
       this.field.placeholder = value === null ? "differ" : "";
     }
+    const whole = value === null ? "" : String(value);
+    this.field.toggleAttribute("title", text !== whole); // without one it has that of its row
+    if (text !== whole) this.field.title = whole;
     return this;
   }
 
@@ -91,7 +98,6 @@ export class VectorController extends Base {
         spellcheck: false,
         autocomplete: "off",
         "aria-label": `${parameter.label} ${axis} [${parameter.unit}]`,
-        title: axis,
         onchange: () => this.commit(),
       }),
     );
@@ -100,8 +106,10 @@ export class VectorController extends Base {
   }
 
   commit() {
-    const values = this.fields.map((/** @type {HTMLInputElement} */ field) =>
-      readNumber(field.value),
+    const now = this.getValue() ?? [];
+    const values = this.fields.map(
+      (/** @type {HTMLInputElement} */ { value }, /** @type {number} */ i) =>
+        value === this.text(now[i]) ? now[i] : readNumber(value),
     );
     if (values.every(Number.isFinite)) this.setValue(values);
     else this.updateDisplay();
@@ -111,9 +119,15 @@ export class VectorController extends Base {
     const value = this.getValue() ?? ["", "", ""];
     this.fields.forEach((/** @type {HTMLInputElement} */ field, /** @type {number} */ i) => {
       if (document.activeElement === field) return;
-      field.value = typeof value[i] === "number" ? fieldText(value[i]) : "";
+      field.value = this.text(value[i]);
+      field.title = `${"xyz"[i]}: ${value[i]}`;
     });
     return this;
+  }
+
+  /** @param {any} value */
+  text(value) {
+    return typeof value === "number" ? fieldText(value, THIRD) : "";
   }
 
   /** @param {boolean} on */

@@ -27,7 +27,10 @@ export function readNumber(text) {
   return clean === "" ? NaN : Number(clean);
 }
 
-/** A number as it stands in a field: all its figures, no noise. @param {number} value */
-export function fieldText(value) {
-  return String(Number(value.toPrecision(6)));
+/** A number as it stands in a field: six figures, no noise, and with a power of ten where that is needed to fit.
+ * @param {number} value @param {number} [most] letters */
+export function fieldText(value, most = 11) {
+  const plain = String(Number(value.toPrecision(6)));
+  if (plain.length <= most) return plain;
+  return Number(value.toPrecision(most - 5)).toExponential();
 }

@@ -1,7 +1,5 @@
 // Buttons for the camera: show everything, and look along the axes.
 
-import { firstLook, boxOf } from "../view/room.js";
-import { nodesOf } from "../view/copies.js";
 import { button, h } from "./dom.js";
 
 /** @typedef {import("../stage.js").Stage} Stage */
@@ -59,7 +57,6 @@ export class Views {
   home() {
     const { layout } = this.stage.session;
     if (!layout) return;
-    const box = boxOf(this.stage.nodes.shown, nodesOf(layout));
-    this.stage.fly(firstLook(this.stage.camera, layout, box));
+    this.stage.fly(this.stage.firstPose(layout));
   }
 }

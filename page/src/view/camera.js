@@ -144,16 +144,24 @@ export class Camera {
     this.set({ target: plus(this.pose.target, minus(before, after)) });
   }
 
-  /** The pose that shows a whole box from the present direction, or from another one.
-   * @param {Box} box @param {{azimuth?: number, elevation?: number}} [from] @returns {Pose} */
-  fitted(box, from = {}) {
+  /** The same camera elsewhere. @param {Partial<Pose>} pose */
+  at(pose) {
     const probe = new Camera();
     probe.setUp(this.up);
     probe.resize(this.width, this.height);
+    probe.set({ ...this.pose, ...pose });
+    return probe;
+  }
+
+  /** The pose that shows a whole box from the present direction, or from another one.
+   * @param {Box} box @param {{azimuth?: number, elevation?: number}} [from]
+   * @param {{top: number, bottom: number}} [strips] to be kept free [pixels] @returns {Pose} */
+  fitted(box, from = {}, { top, bottom } = { top: 0, bottom: 0 }) {
     const target = times(plus(box.low, box.high), 0.5);
-    probe.set({ ...this.pose, ...from, target, distance: 1 });
+    const probe = this.at({ ...from, target, distance: 1 });
     const half = Math.tan(FIELD / 2); // less a margin; at the sides there are tool bars
-    const halfHeight = half * 0.86;
+    const free = Math.max(0.3, 1 - (top + bottom) / this.height);
+    const halfHeight = half * 0.86 * free;
     const halfWidth = (half * Math.max(0.7 * this.width, this.width - 2 * SIDE)) / this.height;
     let distance = 1e-3;
     for (let corner = 0; corner < 8; corner++) {
@@ -166,7 +174,8 @@ export class Camera {
         near + Math.abs(dot(offset, probe.top)) / halfHeight,
       );
     }
-    return { ...probe.pose, target, distance };
+    const shift = ((top - bottom) / 2) * (distance / this.focal);
+    return { ...probe.pose, target: plus(target, probe.top, shift), distance };
   }
 
   /** The angles from which an axis of the scene (0, 1, 2 for x, y, z) points at the viewer.
