@@ -46,7 +46,7 @@ _HOMES = {
     "run": "api",
     "resume": "api",
     "RunError": "record.errors",
-    "check": "analysis.check",
+    "check": "api",
     "catenary": "theory",
     "elastic_catenary": "theory",
     "parabola": "theory",

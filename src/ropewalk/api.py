@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
-from ropewalk.build import build
+from ropewalk.build import Model, build
 from ropewalk.record.facts import INTERRUPTED
 from ropewalk.record.result import Result
 from ropewalk.record.simulate import Progress, simulate_in_memory
@@ -14,6 +14,7 @@ from ropewalk.scene.presets import names, preset
 from ropewalk.simulation import Broken, Simulation
 
 if TYPE_CHECKING:
+    from ropewalk.analysis.check import Check
     from ropewalk.vibration import Modes
 
 SceneLike = Scene | str | Path
@@ -106,6 +107,24 @@ def modes(
     from ropewalk import vibration
 
     return vibration.modes(build(as_scene(scene)), about, count)
+
+
+def check(source: SceneLike | Model, *, measure: bool = True) -> Check:
+    """Say whether a scene will run, and what to expect of it; nothing is run.
+
+    Args:
+        source: scene, preset's name, scene file, or built model.
+        measure: time a few steps for the estimate of the run time; else take it from a table.
+
+    Returns:
+        The largest stable steps [s], waves [m/s], sag [m] and tension [N] at rest, cost and warnings;
+        printed, one fact a line.
+
+    Raises SceneError when the scene cannot be planned.
+    """
+    from ropewalk.analysis.check import check as check_model
+
+    return check_model(source if isinstance(source, Model) else as_scene(source), measure=measure)
 
 
 def run(

@@ -154,6 +154,9 @@ class Check:
         text += [f"warning: {warning}" for warning in self.warnings]
         return text
 
+    def __str__(self) -> str:
+        return "\n".join(self.lines())
+
     def __repr__(self) -> str:
         count = len(self.warnings)
         return f"Check of {self.name!r}: {self.stability.verdict}; {count} warnings."

@@ -85,12 +85,13 @@ class RopewalkGroup(click.Group):
         if not standalone_mode:
             return super().main(args, name, complete_var, standalone_mode=False, **extra)
         try:
-            with warnings.catch_warnings():
+            with warnings.catch_warnings(), errors.interrupts() as interrupts:
                 warnings.simplefilter("ignore", RuntimeWarning)  # numpy's, of broken runs
                 status = super().main(args, name, complete_var, standalone_mode=False, **extra)
             sys.stdout.flush()
         except Exception as error:  # the one place where errors become messages
-            status = errors.report(error, extra["obj"])
+            lost = interrupts and errors.explain(error)[0] == errors.BUG
+            status = errors.report(click.Abort() if lost else error, extra["obj"])
         sys.exit(status if isinstance(status, int) else 0)
 
 

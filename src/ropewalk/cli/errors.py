@@ -4,12 +4,17 @@ from __future__ import annotations
 
 import difflib
 import os
+import signal
 import sys
 import tempfile
 import traceback
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
+from threading import current_thread, main_thread
+from types import FrameType
+from typing import Any
 
 import click
 
@@ -17,10 +22,40 @@ BUG, BAD_INPUT, BROKE, INTERRUPTED = 1, 2, 3, 130
 
 # What the package says to those who call it from Python, as flags.
 _IN_FLAGS = {
+    "or allow to overwrite (overwrite=True)": "or give --overwrite",
     "or allow to overwrite": "or give --overwrite",
     "or overwrite": "or give --overwrite",
     "or force it": "or give --force",
 }
+
+
+@contextmanager
+def interrupts() -> Iterator[list[int]]:
+    """Collect the signals of Ctrl-C, which interrupt as ever.
+
+    One that falls into a callback of compiled code is lost there, and what comes after it fails.
+    """
+    noted: list[int] = []
+
+    def note(number: int, _: FrameType | None) -> None:
+        noted.append(number)
+        raise KeyboardInterrupt
+
+    def unraisable(lost: Any) -> None:
+        if not isinstance(lost.exc_value, KeyboardInterrupt):
+            sys.__unraisablehook__(lost)
+
+    before, hook = signal.getsignal(signal.SIGINT), sys.unraisablehook
+    if before is not signal.default_int_handler or current_thread() is not main_thread():
+        yield noted
+        return
+    signal.signal(signal.SIGINT, note)
+    sys.unraisablehook = unraisable
+    try:
+        yield noted
+    finally:
+        signal.signal(signal.SIGINT, before)
+        sys.unraisablehook = hook
 
 
 @dataclass

@@ -38,6 +38,28 @@ def tell_compiling(method: str) -> None:
         )
 
 
+@contextmanager
+def telling_of_compiling() -> Iterator[None]:
+    """Say so, once, when machine code has to be made."""
+    from numba.core import event
+
+    class Teller(event.Listener):
+        told = False
+
+        def on_start(self, _: object) -> None:
+            if not self.told:
+                self.told = True
+                tell(
+                    "compiling: the first time on this machine takes a minute or so, later ones none"
+                )
+
+        def on_end(self, _: object) -> None:
+            pass
+
+    with event.install_listener("numba:compile", Teller()):
+        yield
+
+
 def energy_error(block: Block) -> float:
     """Return, for the last frame, total energy less the work of all laws without a potential [J].
 

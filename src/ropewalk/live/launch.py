@@ -22,8 +22,8 @@ def check_installed() -> None:
     """Raise RunError when a package is missing."""
     absent = missing()
     if absent:
-        words = " and ".join(absent)
-        raise RunError(words, "is missing; the live view needs it: pip install 'ropewalk[view]'")
+        words, those = " and ".join(absent), " ".join(absent)
+        raise RunError(words, f"missing; the live view needs this: pip install {those}")
 
 
 def prepare(

@@ -127,7 +127,7 @@ def _parquet_writer(out: Path) -> Any:
         import pyarrow
         import pyarrow.parquet
     except ImportError:
-        rule = "Parquet needs pyarrow: pip install 'ropewalk[parquet]'"
+        rule = "Parquet needs two packages more: pip install pandas pyarrow"
         raise RunError(out, rule) from None
 
     def write(table: Table, path: Path) -> None:

@@ -59,7 +59,10 @@ def check_free(folder: Path, overwrite: bool) -> None:
     if not is_run(folder):
         raise RunError(folder, "exists and is no run folder; a run never replaces other files")
     if not overwrite:
-        raise RunError(folder, "holds a run already; choose another folder, or allow to overwrite")
+        raise RunError(
+            folder,
+            "holds a run already; choose another folder, or allow to overwrite (overwrite=True)",
+        )
     if is_locked(folder):
         raise RunError(folder, "is being written by another process")
 

@@ -8,6 +8,7 @@ import click
 
 from ropewalk.cli.console import print_json, print_table, say, warn
 from ropewalk.cli.errors import BROKE
+from ropewalk.cli.progress import telling_of_compiling
 from ropewalk.cli.sources import json_option, load_scene, named, run_options
 
 if TYPE_CHECKING:
@@ -36,7 +37,7 @@ def check(
     from ropewalk.analysis.check import check as check_scene
 
     loaded = load_scene(scene, overrides, duration=duration, time_step=time_step, method=method)
-    with named(scene):
+    with named(scene), telling_of_compiling():
         found = check_scene(loaded)
     if as_json:
         print_json({"scene": scene} | found.as_dict())

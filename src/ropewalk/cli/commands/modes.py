@@ -10,6 +10,7 @@ import click
 from ropewalk.cli.console import print_json, print_table, say
 from ropewalk.cli.errors import Refusal
 from ropewalk.cli.files import refuse_existing
+from ropewalk.cli.progress import telling_of_compiling
 from ropewalk.cli.sources import json_option, load_scene, set_option
 
 if TYPE_CHECKING:
@@ -67,7 +68,8 @@ def modes(
         refuse_existing(output, overwrite=overwrite)
     from ropewalk.api import modes as find_modes
 
-    found = find_modes(loaded, about, count)  # type: ignore[arg-type]
+    with telling_of_compiling():
+        found = find_modes(loaded, about, count)  # type: ignore[arg-type]
     if output is not None:
         from ropewalk import plots
 

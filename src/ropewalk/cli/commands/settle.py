@@ -9,6 +9,7 @@ import click
 
 from ropewalk.cli.commands.run import refuse_run
 from ropewalk.cli.console import print_json, print_table, say, warn
+from ropewalk.cli.progress import telling_of_compiling
 from ropewalk.cli.sources import json_option, load_scene, set_option
 from ropewalk.cli.startup import without_scipy
 from ropewalk.cli.summary import print_results
@@ -47,9 +48,10 @@ def settle(
         from ropewalk.record.rest import rest_result
         from ropewalk.statics import rest_spans
 
-        model = build(loaded)
-        result = rest_result(model)
-        spans = rest_spans(model, result.positions[0], result.tension[0])
+        with telling_of_compiling():
+            model = build(loaded)
+            result = rest_result(model)
+            spans = rest_spans(model, result.positions[0], result.tension[0])
         if output is not None:
             result = result.save(output, overwrite=overwrite)
     if loaded.limiter is not None:
