@@ -47,10 +47,11 @@
  * @property {(frame: number) => void} used the page has used this frame
  * @property {string} base address of the server's files, "./", or "" where there are none
  */
+/** @typedef {"open" | "waiting" | "lost" | "full" | "ended" | "damaged"} Connection */
 /** @typedef {Object} SourceEvents
  * @property {(message: any) => void} message a JSON message of the server
  * @property {(frame: ArrayBuffer) => void} frame
- * @property {(state: "open" | "waiting" | "lost" | "full" | "ended" | "damaged", text: string) => void} state of the connection
+ * @property {(state: Connection, text: string) => void} state of the connection
  */
 
 export {};
