@@ -71,6 +71,8 @@ def page() -> list[Row]:
     }
     for way in ("draw calls skipped", "software drawing", "Canvas 2D"):
         with chromium(NO_GPU if way == "Canvas 2D" else WEBGL) as browser:
+            with shown(browser, ropes(1, 20), way):
+                pass  # warm: a browser's first page with WebGL waits a second for its own drawing process
             for nodes in (100, 1000):
                 with shown(browser, ropes(10, nodes), way) as (window, _, start):
                     frames, script = _frames(window)
