@@ -23,7 +23,7 @@ def check_installed() -> None:
     absent = missing()
     if absent:
         words, those = " and ".join(absent), " ".join(absent)
-        raise RunError(words, f"missing; the live view needs this: pip install {those}")
+        raise RunError(words, f"needed for the live view, and not installed: pip install {those}")
 
 
 def prepare(
