@@ -42,14 +42,14 @@ def test_a_grab_shows_its_force_in_newtons(window: Window, server: ViewServer) -
     window.until(f"{GRABS}[0] === 20")
     window.page.mouse.up()
     window.page.keyboard.up("Shift")
-    window.until("r.time > 1")
+    window.until(f"r.time > 1 && Math.hypot(...{GRABS}.slice(4, 7)) > 0.1")
     window.press(" ")
     window.until("r.state === 'paused'")
     window.settled()
     assert window.ask(f"{GRABS}[0]") == 20  # it stays
     force = np.linalg.norm(window.ask(f"[...{GRABS}.slice(4, 7)]"))
     grab = server.stage.session.main.hands.grabs[0]
-    assert (grab.node, force > 0.1) == (20, True)
+    assert (grab.node, force > 1e-3) == (20, True)  # it swings: small for moments
     shown = window.page.locator(".labels .grab:visible").inner_text()
     number, unit = shown.split()
     assert float(number) * {"N": 1.0, "kN": 1e3, "mN": 1e-3}[unit] == pytest.approx(force, rel=0.01)
