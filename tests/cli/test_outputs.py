@@ -134,6 +134,7 @@ def test_export_takes_what_is_asked_for(ropewalk: Any, run: Path) -> None:
         (("--to", "csv", "--every", "0"), "--every 0: must be at least 1"),
         (("--to", "csv", "-o", "scene.toml/x"), "scene.toml"),
         (("--to", "csv", "-o", "x.csv"), "x.csv: holds one table"),
+        (("--to", "npz", "-o", "a"), "a: is a folder; npz makes one file: name it, as a/run.npz"),
         (
             ("--to", "npz", "-o", "there.npz"),
             "there.npz: exists; choose another name, or give --over",
@@ -147,6 +148,30 @@ def test_exports_that_cannot_be_made(
     before = tree(Path.cwd())
     refused(ropewalk("export", run, *arguments), said)
     assert tree(Path.cwd()) == before
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("run", "scene.toml", "-o", "b/c/run"),
+        ("settle", "scene.toml", "-o", "b/c/rest"),
+        ("modes", "scene.toml", "-o", "b/c/modes.svg"),
+        ("new", "r4", "-o", "b/c/scene.toml"),
+        ("schema", "-o", "b/c/schema.json"),
+        ("plot", "a", "shape", "-o", "b/c/shape.svg"),
+        ("movie", "a", "--fps", "4", "-o", "b/c/movie.gif"),
+        ("share", "a", "-o", "b/c/page.html"),
+        ("export", "a", "--to", "csv", "-o", "b/c/tables"),
+        ("export", "a", "--to", "npz", "-o", "b/c/run.npz"),
+        ("export", "a", "--to", "vtk", "-o", "b/c/vtk"),
+        ("compare", "a", "a", "-o", "b/c/compare.svg"),
+    ],
+    ids=" ".join,
+)
+def test_missing_folders_are_made(ropewalk: Any, run: Path, arguments: tuple[str, ...]) -> None:
+    done = ropewalk(*arguments)
+    assert done.exit_code == 0, done.output
+    assert Path(arguments[-1]).exists()
 
 
 def test_compare_run_folders_and_scenes(ropewalk: Any, run: Path, scene: Path) -> None:

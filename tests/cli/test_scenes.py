@@ -111,6 +111,22 @@ def test_new_with_a_name_of_ones_own(ropewalk: Any, tmp_path: Path) -> None:
     assert "# R2:" in (tmp_path / "deep/er/bell.toml").read_text()
 
 
+@pytest.mark.parametrize(
+    ("name", "meant"),
+    [("R4", "r4"), ("r44", "r4"), ("falling-chian", "falling-chain"), ("r4", ""), ("nosuch", "")],
+)
+def test_new_says_which_preset_may_be_meant(
+    ropewalk: Any, tmp_path: Path, name: str, meant: str
+) -> None:
+    """The scene is written all the same: any name may be one's own."""
+    done = ropewalk("new", name)
+    assert done.exit_code == 0
+    assert (tmp_path / f"{name}.toml").is_file()
+    note = f'note: "{name}" is no preset; did you mean the preset "{meant}"?\n'
+    assert done.stderr == (note if meant else "")
+    assert ropewalk("new", name, "--from", "r2", "-o", "b.toml").stderr == ""
+
+
 def test_new_never_overwrites(ropewalk: Any, tmp_path: Path) -> None:
     path = tmp_path / "r4.toml"
     path.write_text("mine")

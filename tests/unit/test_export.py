@@ -66,6 +66,17 @@ def test_a_wide_table_of_some_nodes_and_times(result: Result, tmp_path: Path) ->
     np.testing.assert_array_equal(table["z free[5] [m]"], result.node(-1, "free")["height"][frames])
 
 
+def test_a_zero_has_no_minus_in_text(result: Result, tmp_path: Path) -> None:
+    """Forces across the plane of a rope are -0.0; all other numbers keep every bit."""
+    (path,) = export(result, "csv", tmp_path, quantities=["reactions"])
+    rows = np.array([line.split(",")[2:] for line in path.read_text().splitlines()[1:]])
+    reactions = result.reactions.reshape(-1, 3)
+    assert np.signbit(reactions[reactions == 0.0]).any()
+    assert "-0.0" not in rows
+    numbers = rows.astype(float)
+    assert numbers[reactions != 0.0].tobytes() == reactions[reactions != 0.0].tobytes()
+
+
 @pytest.mark.parametrize("layout", ["long", "wide"])
 def test_parquet_equals_csv(result: Result, tmp_path: Path, layout: str) -> None:
     tables = export(result, "csv", tmp_path, layout=layout, every=7)

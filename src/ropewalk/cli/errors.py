@@ -74,8 +74,13 @@ class Refusal(click.ClickException):
 def nearest_name(name: str, known: Iterable[str]) -> str:
     """Return what to say of a name that is not known."""
     names = list(known)
-    close = difflib.get_close_matches(name.lower(), names, n=1, cutoff=0.5)
-    return f'did you mean "{close[0]}"?' if close else "known: " + ", ".join(names)
+    close = close_name(name, names)
+    return f'did you mean "{close}"?' if close else "known: " + ", ".join(names)
+
+
+def close_name(name: str, known: Iterable[str], cutoff: float = 0.5) -> str:
+    """Return the known name that is most like `name`, or "" when none is; `cutoff` is from 0 to 1."""
+    return next(iter(difflib.get_close_matches(name.lower(), known, n=1, cutoff=cutoff)), "")
 
 
 def report(error: Exception, settings: Settings) -> int:

@@ -29,11 +29,8 @@ def tell_compiling(method: str) -> None:
     from ropewalk.methods.registry import METHODS
 
     if method in METHODS and not is_compiled(method):
-        kind, time = (
-            ("an implicit", "two minutes") if METHODS[method].implicit else ("a", "a minute")
-        )
         tell(
-            f"compiling {method}: the first run of {kind} method on this machine takes up to {time}, "
+            f"compiling {method}: the first run of a method on this machine takes a minute or two, "
             "later ones begin at once"
         )
 
@@ -50,7 +47,7 @@ def telling_of_compiling() -> Iterator[None]:
             if not self.told:
                 self.told = True
                 tell(
-                    "compiling: the first time on this machine takes a minute or so, later ones none"
+                    "compiling: the first time on this machine takes a minute or two, later ones none"
                 )
 
         def on_end(self, _: object) -> None:

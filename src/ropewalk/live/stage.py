@@ -173,7 +173,7 @@ class Stage:
         if isinstance(command, Set) and command.name == "method":
             name = command.value
             if isinstance(name, str) and name in METHODS and not is_compiled(METHODS[name].advance):
-                text = f"compiling {name}: the first time on this machine takes up to a minute"
+                text = f"compiling {name}: the first time on this machine takes a minute or two"
                 self.audience.tell({"type": "note", "text": text})
 
     @property

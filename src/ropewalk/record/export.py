@@ -8,6 +8,8 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
+from numpy.typing import NDArray
+
 from ropewalk.record.errors import InputError, RunError
 from ropewalk.record.files import PARTIAL, writing
 from ropewalk.record.npz import write_npz
@@ -62,6 +64,8 @@ def export(
     chosen = select(result, quantities, nodes, times, every, rope)
     out = Path(out)
     if to == "npz":
+        if out.is_dir():
+            raise RunError(out, f"is a folder; npz makes one file: name it, as {out / 'run.npz'}")
         out = out if out.suffix == ".npz" else out.with_name(out.name + ".npz")
         with new_file(out, overwrite) as partial:
             write_npz(result, chosen, partial)
@@ -119,7 +123,13 @@ def _write_csv(table: Table, path: Path) -> None:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(table.headers)
         for columns in table.pieces():
-            writer.writerows(zip(*(column.tolist() for column in columns), strict=True))
+            writer.writerows(zip(*map(_plain, columns), strict=True))
+
+
+def _plain(column: NDArray[Any]) -> list[Any]:
+    """A column's values for text, in which nobody wants a minus before a zero."""
+    found: list[Any] = (column + 0.0 if column.dtype.kind == "f" else column).tolist()
+    return found
 
 
 def _parquet_writer(out: Path) -> Any:

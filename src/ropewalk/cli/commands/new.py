@@ -8,9 +8,12 @@ from pathlib import Path
 
 import click
 
-from ropewalk.cli.console import say
+from ropewalk.cli.console import say, tell
+from ropewalk.cli.errors import close_name
 from ropewalk.cli.files import write_new
 from ropewalk.cli.sources import short_name
+
+_LIKE = 0.7  # how like a preset's name a name is that may be meant for it; 1: the same
 
 
 @click.command()
@@ -29,6 +32,8 @@ def new(name: str, output: Path | None, origin: str | None, overwrite: bool) -> 
     text, begun_with = _text(name, origin)
     path = output or Path(f"{short_name(name)}.toml")
     write_new(path, text, overwrite=overwrite)
+    if origin is None:
+        _tell_of_preset(name)
     say(f"{path}: a scene begun with {begun_with}")
     say(f"next:  ropewalk check {path}")
     say(f"then:  ropewalk run {path}")
@@ -51,6 +56,15 @@ def _text(name: str, origin: str | None) -> tuple[str, str]:
     text = re.sub(r'^name = ".*"', lambda _: f'name = "{quoted}"', text, count=1, flags=re.M)
     loads(text, "the new scene")
     return text, begun_with
+
+
+def _tell_of_preset(name: str) -> None:
+    """Say which preset may be meant by a name that is nearly one's."""
+    from ropewalk.scene import presets
+
+    meant = close_name(name, presets.names(), _LIKE)
+    if meant and meant != name:
+        tell(f'note: "{name}" is no preset; did you mean the preset "{meant}"?')
 
 
 def starter() -> str:
