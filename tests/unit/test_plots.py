@@ -10,9 +10,10 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
-from ropewalk import plots
+from ropewalk import equilibrium, plots
 from ropewalk.plots.energies import energy_curves
 from ropewalk.plots.tensions import colour_scale, thinned
+from ropewalk.plots.view import good_frames
 from ropewalk.record.simulate import simulate_in_memory
 from ropewalk.scene import Scene, apply_overrides
 from ropewalk.scene.presets import preset
@@ -93,6 +94,18 @@ def test_broken_runs_keep_the_axes_at_the_good_part_and_say_so(name, broken):
         for item in axes.lines:
             data = np.asarray(item.get_ydata(), dtype=float)
             assert np.abs(data[np.isfinite(data)]).max(initial=0.0) < 1e10
+
+
+def test_the_figure_of_forces_says_when_they_act(three_anchors, broken):
+    """A run's last frame is no rest, and is not called so."""
+    rest = equilibrium(three_anchors.scene)
+    for result, when in (
+        (rest, "at rest"),
+        (three_anchors, "forces at t = 2 s"),
+        (broken, f"forces at t = {broken.time[good_frames(broken) - 1]:.4g} s"),
+    ):
+        title = plots.forces(result)._suptitle.get_text().rstrip()
+        assert title == f"{result.scene.name}: {when}"
 
 
 def test_sound_runs_carry_no_such_note(three_anchors):

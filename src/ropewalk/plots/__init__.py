@@ -18,12 +18,12 @@ from ropewalk.plots.comparison import compare
 from ropewalk.plots.energies import energy
 from ropewalk.plots.files import FORMATS, save
 from ropewalk.plots.films import film
+from ropewalk.plots.forces import forces
 from ropewalk.plots.heights import height
 from ropewalk.plots.mode_shapes import mode_shapes
 from ropewalk.plots.movies import MovieError, movie
 from ropewalk.plots.phases import phase
 from ropewalk.plots.reaction_forces import reactions
-from ropewalk.plots.rest_shapes import rest
 from ropewalk.plots.shapes import shape
 from ropewalk.plots.tensions import tension
 
@@ -43,7 +43,7 @@ PLOTS: dict[str, Plot] = {
     "energy": Plot(energy, "energies, works and the energy error against time"),
     "phase": Plot(phase, "velocity against position of one node"),
     "reactions": Plot(reactions, "force of each anchor on its rope against time"),
-    "rest": Plot(rest, "an equilibrium (of a run its last frame): tension and anchors' forces"),
+    "forces": Plot(forces, "the last frame, or the equilibrium: tension and anchors' forces"),
 }
 FIGURES = tuple(PLOTS)
 
@@ -56,12 +56,12 @@ __all__ = [
     "compare",
     "energy",
     "film",
+    "forces",
     "height",
     "mode_shapes",
     "movie",
     "phase",
     "reactions",
-    "rest",
     "save",
     "shape",
     "tension",

@@ -50,7 +50,7 @@ def better_than_euler() -> Outcome:
     return Outcome(
         measured=f"Small zigzags begin to grow at steps of {found[0]:.4f} ms with semi-implicit "
         f"and {found[1]:.5f} ms with plain Euler, a factor of {ratio:.0f}. At 2 ms plain Euler "
-        f"breaks after {broken_at:.2f} s. At 0.1 ms it is off by "
+        f"has stretched a spring tenfold after {broken_at:.2f} s. At 0.1 ms it is off by "
         f"{100 * errors['euler']:.0f} % of the swing after 50 ms, semi-implicit Euler by "
         f"{100 * errors['semi-implicit-euler']:.1f} %.",
         theory=f"The bounds are {theory[0]:.4f} ms, from k dt² + 2 c dt < m (long chain), and "
@@ -108,7 +108,10 @@ def _exact(run: Run) -> Floats:
 
 
 def break_time(run: Run) -> float:
-    """Time at which a run is seen to break, one frame after its last good one [s]; inf if not."""
+    """Time at which a run's first spring is ten times its length [s]; inf if none is.
+
+    In one frame after its last good one.
+    """
     return float(run.time[-1] + run.dt) if run.broke else math.inf
 
 
@@ -176,9 +179,9 @@ def breaks_at_once(scene: Scene | None = None) -> Outcome:
     ax.text(7.5, 20.0, "ten times its length: broken", color=draw.RED)
     draw.label(ax, "step of 1/60 s", "largest strain (1)")
     return Outcome(
-        measured=f"The rope stands {stood} steps ({1e3 * stood * dt:.0f} ms); after one more a "
-        f"spring is {stretch[min(stood + 1, len(stretch) - 1)]:.3g} times its length. In the break "
-        f"the stretch grows {growth:.0f}-fold a step.",
+        measured=f"For {stood} steps ({1e3 * stood * dt:.0f} ms) no spring is ten times its length; "
+        f"after one more the longest is {stretch[min(stood + 1, len(stretch) - 1)]:.3g} times its "
+        f"length. In the break the stretch grows {growth:.0f}-fold a step.",
         theory=f"k dt²/m + 2 c dt/m is {K * dt * dt / M + 2 * C * dt / M:.1f}, far above 1: the "
         f"shortest wave grows {predicted.growth_per_step:.0f}-fold a step. From the first fall of "
         f"g dt² it reaches ten times a spring's length after {expected:.1f} steps.",

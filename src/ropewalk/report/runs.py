@@ -65,9 +65,13 @@ def changed(scene: Scene | str, *overrides: str) -> Scene:
     return apply_overrides(preset(scene) if isinstance(scene, str) else scene, overrides)
 
 
-def record(scene: Scene, *, keep_going: bool = False) -> Run:
-    """Run a scene to its end, or to its last good frame when it breaks."""
-    sim = Simulation(scene, ledger=False)
+def record(scene: Scene, *, keep_going: bool = False, ledger: bool = False) -> Run:
+    """Run a scene to its end, or to its last good frame when it breaks.
+
+    A run breaks when a spring is ten times its length; with `ledger` also when its energy is made up, as
+    every run does that people start.
+    """
+    sim = Simulation(scene, ledger=ledger)
     block = join([sim.recording(), *sim.frames(keep_going=keep_going)])
     out = block.recording
     return Run(

@@ -62,7 +62,7 @@ def plot(
     """Draw figures of the run in DIR.
 
     \b
-    KIND is one or more of (default: all of them; of an equilibrium: rest):
+    KIND is one or more of (default: all of them; of an equilibrium: forces):
       shape      the ropes at some times (--time)
       film       the rope over time as a strip of pictures (--time)
       height     height of nodes against time (--node)
@@ -70,13 +70,13 @@ def plot(
       energy     energies, works and the energy error
       phase      velocity against position of a node (--node)
       reactions  force of each anchor on its rope
-      rest       the last frame coloured by tension, with the anchors' forces
+      forces     the last frame coloured by tension, with the anchors' forces
     """
     result = open_run(folder)
     from ropewalk import plots
 
     at_rest = result.status == "at rest"
-    chosen = _chosen(kinds or (("rest",) if at_rest else ()), list(plots.PLOTS))
+    chosen = _chosen(kinds or (("forces",) if at_rest else ()), list(plots.PLOTS))
     endings = _endings(formats, plots.FORMATS)
     targets = _targets(folder, output, chosen, endings, plots.FORMATS)
     _refuse_unused(chosen, plots.PLOTS, times=times, nodes=nodes)

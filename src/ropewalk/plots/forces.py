@@ -1,4 +1,4 @@
-"""A shape of rest: the ropes coloured by tension, the anchors' forces, tension along the ropes."""
+"""The forces in one frame: the ropes coloured by tension, the anchors' forces, tension along the ropes."""
 
 from __future__ import annotations
 
@@ -41,10 +41,10 @@ _ARROW = 0.16  # length of the largest force's arrow over the drawing's larger s
 
 
 @styled
-def rest(result: Result, *, plane: str | None = None) -> Figure:
-    """Draw an equilibrium: shape and anchors' forces, and the tension along the ropes.
+def forces(result: Result, *, plane: str | None = None) -> Figure:
+    """Draw the last frame: shape and anchors' forces, and the tension along the ropes.
 
-    Of a run the last frame is drawn, of a broken one the last good one. `plane` names the two axes to
+    Of an equilibrium it is the only one, of a broken run the last good one. `plane` names the two axes to
     look at, as "xz".
 
     Raises ValueError for a plane that is none.
@@ -63,11 +63,11 @@ def rest(result: Result, *, plane: str | None = None) -> Figure:
     )
     bar.set_label("elastic tension [N]")
     _draw_profile(below, result, frame)
-    at_rest = result.status == "at rest"
-    about = describe(result)
-    if at_rest:
+    when, about = f"forces at t = {result.time[frame]:.4g} s", describe(result)
+    if result.status == "at rest":
+        when = "at rest"
         about = f"equilibrium; at most {result.residual:.1e} N left on a node"
-    set_title(figure, f"{result.scene.name}: {'at rest' if at_rest else 'last frame'}", about)
+    set_title(figure, f"{result.scene.name}: {when}", about)
     clipped = "the last good frame is drawn"
     notes = broken_note(result, good, clipped=clipped) + magnification_note(box)
     if len(result.layout.anchor_names):
@@ -141,7 +141,7 @@ def _draw_forces(axes: Axes, result: Result, seen: Stage, frame: int) -> None:
 def _make_room(axes: Axes, tips: np.ndarray) -> None:
     """Widen the axes so that the arrows and what is written at them lie inside."""
     (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
-    text, line = 0.12 * (right - left), 0.08 * (high - low)
+    text, line = 0.15 * (right - left), 0.08 * (high - low)
     axes.set_xlim(min(left, tips[:, 0].min() - text), max(right, tips[:, 0].max() + text))
     axes.set_ylim(min(low, tips[:, 1].min() - line), max(high, tips[:, 1].max() + line))
 
