@@ -18,7 +18,6 @@ from ropewalk.analysis.stability import stability
 from ropewalk.build import Model
 from ropewalk.methods.registry import METHODS
 
-FAMILIES = ("ropewalk", "numpy", "scipy")
 HALVINGS = 11
 MOST_STEPS = 3e6
 LARGEST_STEP = 1.0 / 15.0  # [s]

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 import numba
 import numpy as np
@@ -114,10 +114,6 @@ class Equations:
     def places(self, y: Floats) -> Floats:
         """Return the positions [m], (n, 3), of a state."""
         return y.reshape(-1, 6)[:, :3]
-
-    def at_rest_until(self, duration: float) -> Equations:
-        """Return the equations without the moves that begin after `duration` [s]."""
-        return replace(self, moves=tuple(move for move in self.moves if move[1] < duration))
 
 
 def equations(model: Model) -> Equations:

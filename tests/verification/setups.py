@@ -127,11 +127,6 @@ def run(what: Scene | Simulation, *, ok: bool = True, keep_going: bool = False) 
     return Film(join(blocks), simulation)
 
 
-def final(what: Scene) -> np.ndarray:
-    """Positions after the whole run (n, 3) [m]."""
-    return run(what).x[-1]
-
-
 def off(measured: Any, expected: Any) -> float:
     """Largest difference between two arrays; inf when something is not finite."""
     difference = np.abs(np.asarray(measured, float) - np.asarray(expected, float)).max()

@@ -5,9 +5,6 @@
 
 export const MAGIC = 0x46505752;
 export const PLAYING = 1;
-export const BROKEN = 2;
-export const SLOW = 4;
-export const GRABBED = 8;
 export const AT_END = 16;
 
 /** @typedef {{scalars: Float32Array, positions: Float32Array, tension: Uint16Array, speed: Uint16Array,
@@ -62,9 +59,6 @@ function readPart(buffer, layout, variant, i) {
     grabs: new Float32Array(buffer, offsets.grabs, 8 * Math.floor((end - offsets.grabs) / 32)),
   };
 }
-
-/** The index of a scalar in the layout's list, or -1. @param {Layout} layout @param {string} name */
-export const scalarAt = (layout, name) => layout.scalars.indexOf(name);
 
 /** One scalar of a variant, NaN if there is none. @param {Layout} layout @param {Part} part
  * @param {string} name */

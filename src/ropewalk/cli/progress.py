@@ -86,7 +86,6 @@ class RunProgress:
         self._first: float | None = None
         self._begun = time.perf_counter()
         self._from: float | None = None  # simulated time where this part of the run began [s]
-        self._interval = 0.0
 
     def __enter__(self) -> RunProgress:
         if self._quiet:

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import Any, get_args
 
 from ropewalk.live.segments import most_segments, resegment, with_rope
-from ropewalk.scene import Air, Fault, Ground, Rope, Scene, SceneError, Springs
+from ropewalk.scene import Air, Fault, Ground, Scene, SceneError, Springs
 from ropewalk.scene.base import HUGE, TINY
 from ropewalk.scene.run_settings import Method
 
@@ -261,11 +261,6 @@ def _from_zero(high: float, **more: Any) -> dict[str, Any]:
 
 def _anything(low: float, high: float) -> dict[str, Any]:
     return {"minimum": -HUGE, "maximum": HUGE, "low": low, "high": high}
-
-
-def segment_count(rope: Rope) -> int:
-    """Return the number of segments."""
-    return rope.segments
 
 
 _TABLE = (

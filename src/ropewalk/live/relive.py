@@ -13,11 +13,6 @@ from ropewalk.record.folder import read_scene
 from ropewalk.scene import SceneError
 
 
-def is_session(folder: Path) -> bool:
-    """Tell whether a run folder holds a live session."""
-    return any(event.get("event") == "session" for event in read_events(folder))
-
-
 def relive(folder: Path) -> Session:
     """Return the session of a run folder, played again to its end, to the same bits.
 

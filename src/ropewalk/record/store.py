@@ -65,10 +65,7 @@ def _frames(chunk: int, size: int) -> int:
 
 
 class Writer:
-    """Writes the blocks of a run into a store.
-
-    `frames` counts what was handed in, `committed` what a reader sees.
-    """
+    """Writes the blocks of a run into a store; `frames` counts what was handed in."""
 
     def __init__(
         self, folder: Path, scene: Scene, layout: Layout, chunk: int, packed: bool = True
@@ -83,7 +80,7 @@ class Writer:
         self._attributes: dict[str, Any] = {}
         self._pending: list[list[Floats]] = [[] for _ in self._specs]
         self._unsynced: list[Path] = []
-        self.frames = self.committed = 0
+        self.frames = 0
 
     def create(self, provenance: dict[str, Any]) -> None:
         """Write everything but the frames. Raises OSError."""
@@ -114,7 +111,7 @@ class Writer:
         for spec, parts in zip(self._specs, self._pending, strict=True):
             begun = frames % spec.chunk[0]
             parts[:] = [stored.read_raw(spec.name, frames - begun, frames)] if begun else []
-        self.frames = self.committed = frames
+        self.frames = frames
 
     def add(self, block: Block, room: Room | None = None) -> None:
         """Take a block of frames; write every chunk that becomes full. Raises OSError.
@@ -172,7 +169,6 @@ class Writer:
         write_json(self.folder / ROOT, whole, indent=None, sync=True)
         sync_all([self.folder])
         self._unsynced.clear()
-        self.committed = self.frames
 
     def _write_part(self, spec: ArraySpec, parts: list[Floats]) -> None:
         """Write the frames that fill no whole chunk yet; zeros follow, which no reader sees."""

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ropewalk.record.quantities import AXES, BY_NAME, labels, law_names
+from ropewalk.record.quantities import AXES, BY_NAME, law_names
 from ropewalk.record.result import Result
 from ropewalk.record.selection import Indices, Selection, take
 
@@ -161,5 +161,3 @@ def _run_table(result: Result, chosen: Selection) -> Table | None:
 
 
 _OF_THE_RUN = ("energy", "work", "momentum", "angular_momentum")
-
-__all__ = ["Table", "labels", "series", "tables"]

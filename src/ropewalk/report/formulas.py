@@ -22,11 +22,6 @@ def scheme_factor(m: float, c: float, dt: float) -> float:
     return math.sqrt(1.0 - c * dt / m)
 
 
-def euler_factor(k: float, m: float, c: float, dt: float) -> float:
-    """Amplitude after one step of explicit Euler, sqrt(1 - b + a) [1]."""
-    return math.sqrt(1.0 - c * dt / m + k * dt * dt / m)
-
-
 def mode(j: int, free: int) -> float:
     """4 sin^2(j pi / (2 (n + 1))): mode j of n free masses between two pins [1]."""
     return float(chain_factors(free)[j - 1])
