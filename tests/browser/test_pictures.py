@@ -20,6 +20,7 @@ from browser.window import Window
 from live.drive import slack_rope
 from ropewalk.live.serve import ViewServer
 from ropewalk.live.session import Session
+from ropewalk.scene import Ground, Straight
 
 pytestmark = pytest.mark.browser
 Open = Callable[..., Window]
@@ -174,6 +175,31 @@ def _clear_of_the_card(window: Window, ropes: int) -> None:
         for x, y, *_ in boxes:
             assert scene["x"] < x < scene["x"] + scene["width"]
             assert scene["y"] < y < scene["y"] + scene["height"]
+
+
+@pytest.mark.parametrize("shape", ["phone", "phone-lying"])
+def test_nothing_lies_over_a_rope_on_the_ground(
+    open_window: Open, serve: Serve, shape: str
+) -> None:
+    """With the panel open a phone's scene is low, and a rope that fell lies low in it."""
+    held = slack_rope(ground=Ground(height=-2.0))
+    straight = held.ropes[0].replace(shape=Straight(start=(0.0, 0.0, 0.0)))
+    session = Session(held.replace(anchors=(), ropes=(straight,)))
+    session.advance(7500)
+    window = open_window(serve(session).address, **SHAPES[shape]).ready()
+    assert window.node(20)[2] < -1.9
+    window.click("#toggle-panel")
+    for copies in ([], COPIES):
+        window.tell(type="compare", variants=copies)
+        rows = "document.querySelectorAll('.meter-row').length"  # each is there when it is measured
+        window.until(f"{rows} === {1 + len(copies)} && r.stage.starts.length === {rows}")
+        for view in ("home", "fit", "y"):
+            window.click(f"#view-{view}")
+            window.settled()
+            places = window.ask("[...Array(41).keys()].map((i) => r.screenOf(i))")
+            boxes = [[one["x"], one["y"], 0.0, 0.0] for one in places]
+            assert [box for box in boxes if _under_a_card(box, _cards(window))] == []
+            _tidy(window)
 
 
 def test_labels_keep_clear_of_what_lies_over_the_scene(open_window: Open, serve: Serve) -> None:

@@ -277,7 +277,8 @@ def _sign(zigzag: float, flip: float, growth: float, predicted: bool) -> str:
         pattern = "the pattern flips" if signs else "segments stretch and shrink in turn"
         signs.append(f"{pattern} at every step")
     if growth > 1.0:
-        signs.append(f"its energy grows {growth:.3g}-fold per step")
+        whose = "its" if signs else "the rope's"
+        signs.append(f"{whose} energy grows {growth:.3g}-fold per step")
     none = "it burst too fast to show how" if predicted else "no zigzag"
     return " and ".join(signs) or none
 
