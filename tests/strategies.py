@@ -335,7 +335,7 @@ def scenes(
                 max_stretch=numbers(1.0, 1.5),
                 passes=st.integers(1, 4),
             )
-            if explicit and not rigid
+            if (explicit or settings.method in LINKED) and not rigid
             else st.none()
         ),
         winches=[

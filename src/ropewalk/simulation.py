@@ -88,9 +88,9 @@ class Simulation:
         self._state: State = arrays.copy(self.model.state)
         self.ledger = ledger
         self._method = METHODS[self.plan.method]
-        self._tableau = self._method.coefficients(
-            self.scene.run.spectral_radius, has_links(self._state)
-        )
+        limited = self.scene.limiter is not None
+        rigid = limited or has_links(self._state)
+        self._tableau = self._method.coefficients(self.scene.run.spectral_radius, rigid)
         self._walk = adaptive.no_walk()
         if self.plan.tolerance is None or self.plan.longest is None:
             self._scratch = self._method.make_scratch(self._state)
@@ -100,7 +100,7 @@ class Simulation:
             self._walk = self._scratch.walk
         self.failure = ""  # set where an implicit method finds no solution of a step
         self._winches = len(self.scene.winches) > 0
-        self._extras = 1 if self._winches or self.scene.limiter else None
+        self._extras = 1 if self._winches or (limited and not self._method.implicit) else None
         self._start, self._dt, self._step = 0.0, self.plan.dt, 0
         self._prepare()
         self._set_first_reactions()
@@ -117,7 +117,7 @@ class Simulation:
     def _prepare(self) -> None:
         """Evaluate the forces at the state itself, tensions of rigid links included."""
         if self._method.implicit:
-            prepare_links(self.system, self._state, self._scratch.stage.saddle)
+            prepare_links(self.system, self._state, self.time, self._scratch.stage.saddle)
         else:
             prepare(self.system, self._state)
 
@@ -295,9 +295,7 @@ class Simulation:
         common = (self.system, self._state, self._scratch, self._extras, clock, frames)
         status, good = self._method.advance(*common, self.ledger, out, stop, self._tableau)
         if status == UNSOLVED:
-            self.failure = unsolved.describe(
-                self.plan, self.layout, self._state, self.clock, self._scratch
-            )
+            self.failure = unsolved.describe(self.model, self._state, self.clock, self._scratch)
             self._start, self._step = unsolved.standing(self.clock, self._scratch)
         else:
             self._step += steps * (frames if status == OK else good + 1)

@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from ropewalk.build import Model
+from ropewalk.build.bounds import with_bounds
 from ropewalk.build.links import with_links
 from ropewalk.core import arrays
 from ropewalk.core.arrays import Floats
@@ -19,7 +20,8 @@ from ropewalk.statics import checked_shape
 def started(model: Model) -> Model:
     """Return the model as its run starts; itself when that is as the scene draws it.
 
-    Rigid links start at their lengths (`build.links`), whatever chords the shape has.
+    Rigid links start at their lengths (`build.links`), whatever chords the shape has, and segments within the
+    bounds of a limiter that is solved for (`build.bounds`).
 
     With `start = "at-rest"` its places are those of the equilibrium, and its velocities zero but for kicks,
     anchors that move at once, and the mode that `ring` names.
@@ -30,12 +32,12 @@ def started(model: Model) -> Model:
     """
     run = model.scene.run
     if run.start != "at-rest":
-        return with_links(model)
+        return with_bounds(with_links(model))
     state = arrays.copy(model.state)
     state.x[...] = checked_shape(model).positions.T
     if run.ring is not None:
         state.v[...] += run.ring.speed * _velocity(model, run.ring)
-    return with_links(replace(model, state=state))
+    return with_bounds(with_links(replace(model, state=state)))
 
 
 def _velocity(model: Model, ring: Ring) -> Floats:

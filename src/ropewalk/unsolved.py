@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from ropewalk.build import Layout, Plan
+from ropewalk.build import Layout, Model
 from ropewalk.build.links import has_links, reaches
 from ropewalk.core.arrays import State
 from ropewalk.methods import adaptive
@@ -41,10 +41,12 @@ def standing(clock: Clock, scratch: Any) -> tuple[float, int]:
     return (start, steps) if rest == 0 else (start + parts * SMALLEST_PART * dt, 0)
 
 
-def describe(plan: Plan, layout: Layout, state: State, clock: Clock, scratch: Any) -> str:
+def describe(model: Model, state: State, clock: Clock, scratch: Any) -> str:
     """Say where a method found no solution, and what to try; `clock` is that before the steps."""
+    plan, layout, limiter = model.plan, model.layout, model.scene.limiter
+    longest = limiter.max_stretch if limiter else math.inf
     if plan.tolerance is not None:
-        return _describe_shortest(layout, state, plan.tolerance, scratch)
+        return _describe_shortest(layout, state, plan.tolerance, longest, scratch)
     start, dt, done = clock
     time = float(scratch.stage.report[TIME])
     step = done + max(1, math.ceil((time - start) / dt - done - 1e-9))
@@ -52,9 +54,8 @@ def describe(plan: Plan, layout: Layout, state: State, clock: Clock, scratch: An
         f"{plan.method} found no solution of step {step} at t = {time:.6g} s, not even in "
         f"parts of {dt * SMALLEST_PART:.2g} s: {_what_is_left(layout, state, scratch.stage)}"
     )
-    for reach in reaches(layout, state, scratch.stage.x):
-        if reach.distance > ALMOST_TAUT * reach.length:
-            return f"{text}: {reach}. Keep the anchors nearer, or give the rope a finite stiffness."
+    if too_far := _too_far(layout, state, longest, scratch):
+        return f"{text}: {too_far}"
     if plan.method in RINGING:
         return (
             f"{text}. {plan.method} keeps stiff segments ringing: take {CALMER}, or a shorter "
@@ -64,6 +65,15 @@ def describe(plan: Plan, layout: Layout, state: State, clock: Clock, scratch: An
         f"{text}. Try a shorter time_step; look for anchors that jump or move apart, and for nodes "
         "thrown or pressed together at the start."
     )
+
+
+def _too_far(layout: Layout, state: State, longest: float, scratch: Any) -> str:
+    """Say which anchors are too far apart for the rope between them, and what to do; "" for none."""
+    for reach in reaches(layout, state, scratch.stage.x, longest):
+        if reach.distance > ALMOST_TAUT * reach.length:
+            way = "a larger max_stretch" if reach.stretches else "a finite stiffness"
+            return f"{reach}. Keep the anchors nearer, or give the rope {way}."
+    return ""
 
 
 def _what_is_left(layout: Layout, state: State, stage: Stage) -> str:
@@ -81,7 +91,9 @@ def _what_is_left(layout: Layout, state: State, stage: Stage) -> str:
     return force
 
 
-def _describe_shortest(layout: Layout, state: State, tolerance: float, scratch: Any) -> str:
+def _describe_shortest(
+    layout: Layout, state: State, tolerance: float, longest: float, scratch: Any
+) -> str:
     """Say where the adaptive method found no step short enough, and what to try."""
     time, node, error = adaptive.failure(scratch)
     if not math.isfinite(error):
@@ -90,6 +102,8 @@ def _describe_shortest(layout: Layout, state: State, tolerance: float, scratch: 
         rope, index = layout.rope_of(node)
         why = f"at node {index} of rope {rope!r} "
         why += f"its estimated error is {error:.3g} m, more than {tolerance:g} m"
+    if too_far := _too_far(layout, state, longest, scratch):
+        return f"adaptive needs steps below {SHORTEST_STEP:g} s at t = {time:.6g} s: {too_far}"
     return (
         f"adaptive needs steps below {SHORTEST_STEP:g} s at t = {time:.6g} s: {why}. Try a larger "
         "tolerance; look for anchors that jump or move apart, and for nodes thrown or pressed together."

@@ -8,7 +8,7 @@ import pytest
 from live.drive import do, r4, refused
 from ropewalk.live import breaks
 from ropewalk.live.meter import measure
-from ropewalk.live.remedies import as_messages, suggested_step
+from ropewalk.live.remedies import suggested_step
 from ropewalk.live.session import Break, Session
 from ropewalk.scene.presets import preset
 
@@ -132,22 +132,17 @@ def test_the_variant_that_breaks_is_named() -> None:
     assert session.advance(1000) == 0
 
 
-def test_a_limiter_leaves_no_implicit_way_on() -> None:
-    """The method is refused with the reason, and all goes on; the remedy is shown, but not to be taken."""
+def test_what_a_method_refuses_leaves_all_as_it_was() -> None:
+    """sdirk2 cannot work with a limiter: refused with the reason, and all goes on. The twin: bdf2 can."""
     session = Session(preset("h1"))
     before = session.main.dt
-    assert "stretch limiter" in refused(session, "set", name="method", value="bdf2")
+    assert "stretch limiter" in refused(session, "set", name="method", value="sdirk2")
     assert (session.scene.run.method, session.main.dt) == ("heun", before)
     assert session.advance(20) == 0
     session.broken = Break(0, 1)
-    offered = {one["id"]: one for one in as_messages(session)}
-    assert not offered["implicit"]["enabled"]
-    assert "stretch limiter" in offered["implicit"]["why"]
-    assert "stretch limiter" in refused(session, "remedy", remedy="implicit")
-    assert session.broken is not None
-    assert offered["step"]["enabled"]  # the twin
-    do(session, "remedy", remedy="step")
-    assert session.main.dt < before
+    do(session, "remedy", remedy="implicit")
+    assert session.scene.run.method == "bdf2"
+    assert session.advance(20) == 0
 
 
 @pytest.mark.parametrize("name", ["r4", "r6", "r7", "r8", "r3", "r2"])

@@ -21,6 +21,7 @@ from ropewalk.scene import (
     Rope,
     RunSettings,
     Scene,
+    SceneError,
     Springs,
     Straight,
     Winch,
@@ -255,9 +256,10 @@ def test_no_limit_is_said_so() -> None:
     assert found.as_dict()["margin"] is None
 
 
-def test_no_implicit_method_is_recommended_to_a_limiter() -> None:
-    """It would be refused. Twin: the same rope without the limiter."""
+def test_the_implicit_method_that_is_recommended_to_a_limiter_can_work_with_it() -> None:
     scene = preset("h2")
     scene = scene.replace(run=scene.run.replace(time_step=0.5, method="semi-implicit-euler"))
-    assert "bdf2" not in " ".join(stability(scene).remedies)
-    assert "bdf2" in " ".join(stability(scene.replace(limiter=None)).remedies)
+    assert "bdf2" in " ".join(stability(scene).remedies)
+    build(scene.replace(run=scene.run.replace(method="bdf2")))
+    with pytest.raises(SceneError, match="stretch limiter"):  # the twin
+        build(scene.replace(run=scene.run.replace(method="sdirk2")))

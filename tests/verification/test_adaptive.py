@@ -324,6 +324,3 @@ def test_what_is_refused() -> None:
     for value in (0.0, 1e-10, math.nan):
         with pytest.raises(SceneError, match="tolerance"):
             RunSettings(tolerance=value)
-    limited = falling().replace(limiter={"max_stretch": 1.1})
-    with pytest.raises(SceneError, match=r"run.method: .*stretch limiter"):
-        build(limited)

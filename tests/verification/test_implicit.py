@@ -201,7 +201,7 @@ def test_what_is_farthest_from_solved_is_named_first() -> None:
         stage.saddle.misfit[:] = 0.0
         stage.saddle.misfit[3] = 2e-3
         stage.report[[RESIDUAL, NODE, SCALE, MISFIT, ROUNDING]] = residual, 2, 1.0, 1e6, 0.0
-        clock = simulation.plan, simulation.layout, simulation.arrays, simulation.clock
+        clock = simulation.model, simulation.arrays, simulation.clock
         assert f" s: {first}" in describe(*clock, simulation._scratch)
 
 

@@ -154,11 +154,12 @@ def thrown(method: str, step: float, frames: int = 100, every: int = 20, **more:
 
 @pytest.mark.parametrize("method", ABLE)
 def test_lengths_hold_for_thousands_of_steps(method: str) -> None:
-    """4000 steps of a thrown chain: lengths to 1e-9 of theirs at every frame (twin: EA 1e4 N), no
-    elastic energy, the books of kinetic energy closed to rounding, and never more energy than at the start.
+    """4000 steps of a thrown chain, or those that adaptive takes for as long: lengths to 1e-9 of theirs at
+    every frame (twin: EA 1e4 N), no elastic energy, the books of kinetic energy closed to rounding, and
+    never more energy than at the start.
     """
     film = run(thrown(method, 1e-3, frames=200))
-    assert film.simulation.clock[2] == 4000
+    assert film.simulation.time == pytest.approx(4.0)
     assert lengths_error(film.x, 0.125) < 1e-9
     energy = film.block.recording.energy
     assert off(energy[:, 2], 0.0) == 0.0

@@ -29,27 +29,22 @@ export class BrokenCard {
   show(broken) {
     this.card.hidden = broken === null;
     if (!broken) return;
-    const there = broken.remedies.filter((remedy) => remedy.enabled || remedy.id !== "implicit");
-    const buttons = there.map((remedy, i) =>
+    const buttons = broken.remedies.map((remedy, i) =>
       h(
         "button",
         {
           type: "button",
           className: i === 0 ? "main" : "second",
-          disabled: !remedy.enabled,
-          title: remedy.why,
           data: { remedy: remedy.id },
           onclick: () => this.session.tell({ type: "remedy", remedy: remedy.id }),
         },
         remedy.label || SIGNS[remedy.id],
       ),
     );
-    const reasons = there.filter((remedy) => !remedy.enabled && remedy.why);
     this.card.replaceChildren(
       h("h2", {}, "The simulation broke"),
       h("p", {}, broken.text),
       h("div", { className: "row" }, ...buttons),
-      ...reasons.map((remedy) => h("p", { className: "faint" }, `${remedy.label}: ${remedy.why}`)),
     );
   }
 }

@@ -33,7 +33,7 @@
  *   largest_spring_constant: number | null, largest_axial_stiffness: number | null,
  *   spring_factor: number | null, case: string, rope: string, node: number, method: string, verdict: string,
  *   remedies: string[], steps: Record<string, number>}} Stability */
-/** @typedef {{id: string, label: string, enabled: boolean, why: string, value?: any}} Remedy */
+/** @typedef {{id: string, label: string, value?: any}} Remedy */
 /** @typedef {{type: "broken", variant: number, time: number, step: number, rope: string, node: number,
  *   index: number, text: string, sign: string, remedies: Remedy[]}} Broken */
 /** @typedef {{type: "error", id?: number, command?: string, text: string,

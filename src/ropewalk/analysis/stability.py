@@ -14,6 +14,7 @@ from ropewalk.analysis.json_values import plain
 from ropewalk.build import Model, build
 from ropewalk.build.chains import chains, speed_scale
 from ropewalk.build.links import has_links
+from ropewalk.build.plan import bounds_stretch
 from ropewalk.methods.bound import (
     Chain,
     growth_per_step,
@@ -193,8 +194,8 @@ def stability(source: Scene | Model, statics: Statics | None = None) -> Stabilit
     rope, node = model.layout.rope_of(int(np.argmax(np.abs(shape))))
     constant, material = _uniform(model.scene)
     largest = {known: min(found[known] for found in steps.values()) for known in METHODS}
-    if model.scene.limiter is not None:  # implicit methods refuse it
-        largest |= {known: 0.0 for known in METHODS if METHODS[known].implicit}
+    if model.scene.limiter is not None:
+        largest |= {name: 0.0 for name in METHODS if not bounds_stretch(name)}
     return Stability(
         method=method,
         step=dt,

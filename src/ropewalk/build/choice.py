@@ -55,8 +55,6 @@ def candidates(scene: Scene, system: System, state: State, most: float) -> list[
     found = []
     for name in ERROR:
         method = METHODS[name]
-        if method.implicit and scene.limiter is not None:  # it has no tangent
-            continue
         if not method.holds_links and np.isinf(state.stiffness).any():
             continue
         bound = run.auto_fraction * min(largest_step(name, chain) for chain in cases)
@@ -98,9 +96,6 @@ def reason(scene: Scene, found: list[Candidate], dt: float) -> str:
     if best.step == given:
         said += f", the scene's time_step being {_ms(best.step)}"
     share = f"{scene.run.auto_fraction:g} of the bound"
-    if scene.limiter is not None:
-        allowed = _allowed(best, share)
-        return f"{said}: a stretch limiter needs an explicit method, and stability allows {allowed}"
     other = next((one for one in found if METHODS[one.method].implicit != implicit), None)
     if other is None and any(rope.rigid for rope in scene.ropes):
         return f"{said}: rigid links need a method that holds their lengths"

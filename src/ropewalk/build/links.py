@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator
+import math
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -32,13 +33,15 @@ class Reach(NamedTuple):
     rope: str
     anchors: tuple[str, str]
     distance: float  # [m]
-    length: float  # unstretched [m]
+    length: float  # at most [m]
+    stretches: bool = False  # as far as a limiter allows
 
     def __str__(self) -> str:
         first, last = self.anchors
+        at_most = " at the limiter's max_stretch" if self.stretches else ", which does not stretch"
         return (
             f"anchors {first!r} and {last!r} are {self.distance:.6g} m apart, with {self.length:.6g} m "
-            f"of rope {self.rope!r} between them, which does not stretch"
+            f"of rope {self.rope!r} between them{at_most}"
         )
 
 
@@ -47,16 +50,21 @@ def has_links(state: State) -> bool:
     return bool(np.isinf(state.stiffness).any())
 
 
-def reaches(layout: Layout, state: State, x: Floats) -> Iterator[Reach]:
-    """Yield every stretch of rigid links between two held nodes, at places `x` (3, n) [m]."""
+def reaches(layout: Layout, state: State, x: Floats, longest: float = math.inf) -> Iterator[Reach]:
+    """Yield every part of a rope between two held nodes that cannot reach as far as it likes.
+
+    At places `x` (3, n) [m]; of rigid links, or of any segments that stretch to `longest` [1] at most.
+    """
     rows = {int(node): row for row, node in enumerate(state.anchor_node) if state.held[row]}
     for span in layout.ropes:
         nodes = sorted(node for node in rows if span.start <= node <= span.end)
         for a, b in itertools.pairwise(nodes):
-            if np.isinf(state.stiffness[a]):
+            most = 1.0 if np.isinf(state.stiffness[a]) else longest
+            if most < math.inf:
                 names = layout.anchor_names[rows[a]], layout.anchor_names[rows[b]]
                 distance = float(np.linalg.norm(x[:, b] - x[:, a]))
-                yield Reach(span.name, names, distance, float(state.rest_length[a:b].sum()))
+                length = most * float(state.rest_length[a:b].sum())
+                yield Reach(span.name, names, distance, length, most != 1.0)
 
 
 def with_links(model: Model) -> Model:
@@ -72,7 +80,7 @@ def with_links(model: Model) -> Model:
     model = replace(model, state=arrays.copy(model.state))
     _refuse_spans(model)
     _refuse_shapes(model)
-    _fit_lengths(model)
+    _fit_links(model)
     _fit_velocities(model)
     return model
 
@@ -150,22 +158,39 @@ def _shift(inverse_mass: Floats, t: Floats, impulse: Floats) -> Floats:
     return moved * inverse_mass
 
 
-def _fit_lengths(model: Model) -> None:
-    """Newton's method for the lengths: Ryckaert, Ciccotti & Berendsen 1977, J. Comput. Phys. 23:327."""
-    state, one_way = model.state, model.system.slack_floor == 0.0
+def fit_lengths(
+    state: State, gaps: Callable[[], tuple[Floats, Floats, NDArray[np.bool_]]]
+) -> int | None:
+    """Move the nodes until no segment has a gap; return the worst one, None when all fit.
+
+    `gaps` returns unit vectors (3, s), what each segment is too long [m] and which lengths count, (s,).
+    Newton's method: Ryckaert, Ciccotti & Berendsen 1977, J. Comput. Phys. 23:327.
+    """
     exact = _EXACT * state.rest_length + 8.0 * _EPSILON * np.abs(state.x).max(initial=0.0)
     for _ in range(_ITERATIONS):
-        t, gap = _gaps(state, one_way)
+        t, gap, counts = gaps()
         if (np.abs(gap) <= exact).all():
-            return
-        diagonal, upper = _equations(state.inverse_mass, t, gap != 0.0)
+            return None
+        diagonal, upper = _equations(state.inverse_mass, t, counts)
         solve_links(diagonal, upper, gap)
         with np.errstate(invalid="ignore", over="ignore"):
             step = _shift(state.inverse_mass, t, gap)
         if not np.isfinite(step).all():
             break
         state.x[...] += step
-    worst = int(np.nanargmax(np.abs(_gaps(state, one_way)[1])))
+    return int(np.nanargmax(np.abs(gaps()[1])))
+
+
+def _fit_links(model: Model) -> None:
+    one_way = model.system.slack_floor == 0.0
+
+    def gaps() -> tuple[Floats, Floats, NDArray[np.bool_]]:
+        t, gap = _gaps(model.state, one_way)
+        return t, gap, gap != 0.0
+
+    worst = fit_lengths(model.state, gaps)
+    if worst is None:
+        return
     rope, _ = model.layout.rope_of(worst)
     rule = (
         "cannot be bent so that every link has its length; draw it less straight, "

@@ -72,7 +72,7 @@ def predicted_step(system: System, state: State, method: str) -> float:
 def make_plan(scene: Scene, system: System, state: State) -> Plan:
     """Return the plan of a scene's run.
 
-    Raises SceneError when "auto" finds no stable step, an implicit method meets a stretch limiter, or
+    Raises SceneError when "auto" finds no stable step, a method cannot work with a stretch limiter, or
     the plan has more than 2^53 steps.
     """
     run = scene.run
@@ -106,15 +106,23 @@ def make_plan(scene: Scene, system: System, state: State) -> Plan:
     return Plan(method, dt, count, frames, why=why)
 
 
+def bounds_stretch(method: str) -> bool:
+    """Tell whether a method can work with a stretch limiter: at its bound a segment is a rigid link."""
+    return METHODS[method].holds_links or not METHODS[method].implicit
+
+
 def _refuse_limiter(scene: Scene) -> None:
-    """Refuse a limiter where forces are solved for: it is an impulse, and has no tangent."""
-    method = scene.run.method
-    if scene.limiter is not None and method != "auto" and METHODS[method].implicit:
+    """Refuse a limiter to methods that cannot work with it."""
+    name = scene.run.method
+    if scene.limiter is None or name == "auto":
+        return
+    if not bounds_stretch(name):
+        able = ", ".join(one for one in METHODS if METHODS[one].implicit and bounds_stretch(one))
         rule = (
-            "cannot work with a stretch limiter, an impulse without a tangent; take an explicit method "
-            "or auto, or a stiff material in the limiter's place"
+            "cannot work with a stretch limiter: a segment at its bound is rigid; implicit methods that can: "
+            f"{able}; so can all explicit ones"
         )
-        raise SceneError([Fault("run.method", method, rule)])
+        raise SceneError([Fault("run.method", name, rule)])
 
 
 def _adaptive_plan(scene: Scene) -> Plan:

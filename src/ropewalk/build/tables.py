@@ -78,7 +78,8 @@ def _ropes(scene: Scene, layout: Layout) -> State:
         if rope.made_of.friction == "vector" or not rope.rigid:  # no length changes, nothing rubs
             form[segments] = rope.segment_friction
     inverse = np.divide(1.0, mass, out=np.zeros(n), where=mass > 0.0)
-    segment, node = (3, n + 1), (3, n)
+    segment, node, none = (3, n + 1), (3, n), (3, 0)
+    channels = segment, segment, node, node, node, none, segment if scene.limiter else none
     exits = [_exit(layout.span(winch.rope), winch.end) for winch in scene.winches]
     return State(
         x=x,
@@ -107,7 +108,7 @@ def _ropes(scene: Scene, layout: Layout) -> State:
         clamp_direction=np.zeros((0, 3)),
         clamp_spin=np.zeros((0, 3)),
         moment=np.zeros((0, 6)),
-        forces=Forces(*(np.zeros(shape) for shape in (segment, segment, node, node, node, (3, 0)))),
+        forces=Forces(*(np.zeros(shape) for shape in channels)),
         work=Work(*(np.zeros(size) for size in (s, s, n, n, n, n, a, 2, 2, 0, 0))),
     )
 

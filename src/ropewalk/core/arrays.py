@@ -127,6 +127,7 @@ class Forces(NamedTuple):
     ground: Floats  # (3, n)
     applied: Floats  # (3, n)
     bending: Floats  # (3, n + 1) elastic part only; (3, 0) where no rope has bending stiffness
+    limiter: Floats  # (3, n + 1) at a bound, of implicit methods; (3, 0) without a limiter
 
 
 class Work(NamedTuple):

@@ -158,15 +158,12 @@ def bending_tangent(
             q = across(ax, ay, az, bx, by, bz, over_b, own_b)
             chi, square = bend(ax, ay, az, own_a, bx, by, bz, own_b)
             B = weight_x * stiffness[i]
-            slope, curve = slope_of(chi), curve_of(chi)
             n = (natural[0, i], natural[1, i], natural[2, i])
-            tau = dot3(n, (ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx))
-            c1, c2 = B * slope * (4.0 - 2.0 * tau), B * curve * (4.0 - 2.0 * tau)
+            slope, c1, c2 = slopes(B, chi, a, b, n)
             f1, f2, first, second, change = 0.0, 0.0, 0.0, 0.0, 0.0
             rubs = damping[i] > 0.0
             if rubs:
-                u = (v[0, i] - v[0, i - 1], v[1, i] - v[1, i - 1], v[2, i] - v[2, i - 1])
-                w = (v[0, i + 1] - v[0, i], v[1, i + 1] - v[1, i], v[2, i + 1] - v[2, i])
+                u, w = difference(v, i - 1), difference(v, i)
                 da = across(u[0], u[1], u[2], ax, ay, az, over_a, own_a)
                 db = across(w[0], w[1], w[2], bx, by, bz, over_b, own_b)
                 change = dot3(da, b) + dot3(a, db)
@@ -200,6 +197,21 @@ def bending_tangent(
     store9(band.upper1, last - 1, right)
     store9(band.lower1, last - 1, below)
     store9(band.diagonal, last, beyond)
+
+
+@part
+def slopes(B, chi, a, b, n):
+    """Return F' and what first and second derivatives of a node's energy are of its own chi."""
+    slope, curve = slope_of(chi), curve_of(chi)
+    cross = (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+    tau = dot3(n, cross)
+    return slope, B * slope * (4.0 - 2.0 * tau), B * curve * (4.0 - 2.0 * tau)
+
+
+@small
+def difference(v, j):
+    """Return the rate of segment j's vector [m/s]."""
+    return v[0, j + 1] - v[0, j], v[1, j + 1] - v[1, j], v[2, j + 1] - v[2, j]
 
 
 @part

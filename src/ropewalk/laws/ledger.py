@@ -27,6 +27,8 @@ def account(system, state, forces, middle, dt, lo=0, hi=ALL):
     add_weight_power(state.mass, system.gravity, middle, dt, work.weight, lo, hi)
     if system.flags[BENDING] == 1:
         add_segment_power(forces.bending, middle, dt, work.bending, begin, end)
+    if system.limiter.active == 1:
+        work.limiter[0] -= segment_power(forces.limiter, middle, dt)
     if system.flags[APPLIED] == 1:
         add_power(forces.applied, middle, dt, work.applied, lo, hi)
     if system.air.linear == 1 or system.air.quadratic == 1:
@@ -47,6 +49,17 @@ def add_segment_power(force, middle, dt, work, lo=0, hi=ALL):
             + f1[j + 1] * (u1[j + 1] - u1[j])
             + f2[j + 1] * (u2[j + 1] - u2[j])
         )
+
+
+@kernel
+def segment_power(force, middle, dt):
+    """Return the work that forces between neighbours take up, (3, n + 1) [J]."""
+    total = 0.0
+    for k in range(3):
+        f, u = force[k], middle[k]
+        for j in range(u.shape[0] - 1):
+            total += f[j + 1] * (u[j + 1] - u[j])
+    return dt * total
 
 
 @kernel

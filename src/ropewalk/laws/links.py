@@ -5,7 +5,7 @@ A constant length r demands of the ends' accelerations a and their relative velo
 which makes the tensions T of neighbouring links the solution of, with w = 1 / m, i = j - 1 and k = j + 1,
     (w_j + w_k) T_j - w_j (t_j . t_i) T_i - w_k (t_j . t_k) T_k = t . (a'_k - a'_j) + |u_across|^2 / r,
 a' the accelerations from all other forces. A tension-only link that is slack, or that would have to
-push, carries nothing. The acceleration of an anchor's motion is not known and left out.
+push, carries nothing.
 
 What a step needs to begin with, and a recording for its first frame; in a step links are part of the
 stage's own equations (`methods.stage`).
@@ -19,22 +19,26 @@ import math
 import numpy as np
 
 from ropewalk.core.jit import kernel, part
-from ropewalk.laws.table import accelerate
+from ropewalk.laws.anchors import anchor_target
+from ropewalk.laws.table import accelerate, force_on_node
 
 SLACK = 1e-9  # [1] a tension-only link shorter by this part is slack
+INSTANT = 1e-6  # [s] over which an anchor's acceleration is taken
 ATTEMPTS = 8  # solves at most; each but the last lets go of what would push
 
 
 @part
-def hold_links(system, state, saddle):
-    """Write tensions and forces of all rigid links, and the accelerations with them.
+def hold_links(system, state, t, saddle):
+    """Write tensions and forces of all rigid links at time `t` [s], and the accelerations with them.
 
-    All other forces are in `state.forces` already; `saddle` lends its arrays.
+    All other forces are in `state.forces` already; `saddle` lends its arrays. Returns the number of links.
     """
-    if mark_links(state.x, state.rest_length, state.stiffness, system.slack_floor, saddle) == 0:
-        return
+    links = mark_links(state.x, state.rest_length, state.stiffness, system.slack_floor, saddle)
+    if links == 0:
+        return links
     clear_links(state.stiffness, state.tension, state.forces.elastic)
     accelerate(system, state, state.forces, state.acceleration)
+    sway_anchors(system, state, t, saddle.factor[0], saddle.factor[1])
     for _ in range(ATTEMPTS):
         gather_links(state.v, state.acceleration, state.inverse_mass, saddle)
         solve_links(saddle.across, saddle.along, saddle.misfit)
@@ -42,6 +46,44 @@ def hold_links(system, state, saddle):
             break
     pull_links(saddle.misfit, saddle.carries, saddle.direction, state.tension, state.forces.elastic)
     accelerate(system, state, state.forces, state.acceleration)
+    return links
+
+
+@part
+def sway_anchors(system, state, t, point, speed):
+    """Write the accelerations of the held nodes at time `t` [s], from their anchors' motions.
+
+    Of the differences on both sides the smaller: a motion may begin or end at `t`.
+    """
+    for row in range(state.held.shape[0]):
+        if state.held[row] == 0:
+            continue
+        i = state.anchor_node[row]
+        anchor_target(system, state, row, t, 0.0, point, speed)
+        now0, now1, now2 = speed[0], speed[1], speed[2]
+        least = np.inf
+        for side in (-INSTANT, INSTANT):
+            anchor_target(system, state, row, t + side, 0.0, point, speed)
+            a0, a1, a2 = speed[0] - now0, speed[1] - now1, speed[2] - now2
+            size = abs(a0) + abs(a1) + abs(a2)
+            if size < least:
+                least = size
+                for k in range(3):
+                    state.acceleration[k, i] = (speed[k] - (now0, now1, now2)[k]) / side
+
+
+@part
+def note_reactions(system, state, t, saddle):
+    """Write the anchors' forces at time `t` [s], no mean of a step."""
+    sway_anchors(system, state, t, saddle.factor[0], saddle.factor[1])
+    for row in range(state.held.shape[0]):
+        if state.held[row] == 0:
+            continue
+        i = state.anchor_node[row]
+        for k in range(3):
+            force = force_on_node(system, state, state.forces, i, k)
+            state.reaction[row, k] = state.mass[i] * state.acceleration[k, i] - force
+            state.acceleration[k, i] = 0.0
 
 
 @kernel

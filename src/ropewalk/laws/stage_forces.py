@@ -12,6 +12,7 @@ import math
 
 from ropewalk.core.arrays import TENSION_ONLY
 from ropewalk.core.jit import kernel, part
+from ropewalk.laws.bounds import bound_segments, split_tension
 from ropewalk.laws.ground import mark_touching, marked_ground_forces
 from ropewalk.laws.stretch import drop_marked_friction
 from ropewalk.laws.table import evaluate_smooth, rub_segments
@@ -60,6 +61,10 @@ def evaluate_stage(system, state, x, v, tension, work, saddle, forces):
     pull(x, tension, state.rest_length, work.alive, saddle.direction, stretch, over, forces.elastic)
     floor, carries, e, g = system.slack_floor, saddle.carries, saddle.compliance, saddle.misfit
     decide(stretch, tension, over, work.soft, work.weight, floor, carries, e, g)
+    if system.limiter.active == 1:
+        weights, lengths = state.inverse_mass, state.rest_length
+        bound_segments(system.limiter, tension, weights, lengths, floor, work, saddle)
+        split_tension(tension, floor, work, saddle, forces.elastic, forces.limiter)
     rub_segments(system, state, x, v, forces)
     if system.flags[TENSION_ONLY] == 1:
         drop_marked_friction(saddle.band.rubs, forces.friction)

@@ -91,6 +91,8 @@ def accelerate(system, state, forces, a, lo=0, hi=ALL):
     weigh_segments(forces.elastic, forces.friction, state.inverse_mass, system.gravity, a, lo, hi)
     if system.flags[BENDING] == 1:
         add_segments_over_mass(forces.bending, state.inverse_mass, a)
+    if system.limiter.active == 1:
+        add_segments_over_mass(forces.limiter, state.inverse_mass, a)
     if system.flags[APPLIED] == 1:
         add_over_mass(forces.applied, state.inverse_mass, a, lo, hi)
     if system.air.linear == 1 or system.air.quadratic == 1:
@@ -187,6 +189,8 @@ def force_on_node(system, state, forces, i, k):
     )
     if system.flags[BENDING] == 1:
         force += forces.bending[k, i + 1] - forces.bending[k, i]
+    if system.limiter.active == 1:
+        force += forces.limiter[k, i + 1] - forces.limiter[k, i]
     if system.air.linear == 1 or system.air.quadratic == 1:
         force += forces.air[k, i]
     if system.ground.active == 1:

@@ -32,7 +32,7 @@ from ropewalk.live.commands import (
 )
 from ropewalk.live.hands import MOST_GRABS, Target
 from ropewalk.live.parameters import named, refusal
-from ropewalk.live.remedies import NO_TANGENT, calm_moment, implicit_method, suggested_step
+from ropewalk.live.remedies import calm_moment, implicit_method, suggested_step
 from ropewalk.live.session import Session
 from ropewalk.live.sources import scene_of
 from ropewalk.live.track import Track
@@ -223,9 +223,7 @@ def remedy(session: Session, command: Remedy, client: int) -> str:
     if command.remedy == "step":
         value = suggested_step(track.simulation)
     elif command.remedy == "implicit":
-        if track.scene.limiter is not None:
-            raise refusal("remedy", command.remedy, NO_TANGENT)
-        value = implicit_method(session.tracks[session.broken.variant].simulation)
+        value = implicit_method(track.simulation)
     wanted = session.main.scene
     session.go_back(calm_moment(session, layout=session.main.simulation.layout))
     session.broken = None

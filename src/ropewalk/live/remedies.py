@@ -14,7 +14,6 @@ from ropewalk.simulation import Simulation
 if TYPE_CHECKING:
     from ropewalk.live.session import Session
 
-NO_TANGENT = "implicit methods cannot work with a stretch limiter"
 _BEFORE = 1.0  # [s] before a break that no bound predicted
 _MARGIN = 0.9  # of the largest stable step
 
@@ -78,19 +77,7 @@ def as_messages(session: Session) -> list[dict[str, Any]]:
     track = session.tracks[session.broken.variant]
     step, method = suggested_step(track.simulation), implicit_method(track.simulation)
     return [
-        {"id": "back", "label": "Back to before", "value": None, "enabled": True, "why": ""},
-        {
-            "id": "step",
-            "label": f"Use a step of {1e3 * step:g} ms",
-            "value": step,
-            "enabled": True,
-            "why": "",
-        },
-        {
-            "id": "implicit",
-            "label": f"Use {method}",
-            "value": method,
-            "enabled": not track.scene.limiter,
-            "why": NO_TANGENT if track.scene.limiter else "",
-        },
+        {"id": "back", "label": "Back to before", "value": None},
+        {"id": "step", "label": f"Use a step of {1e3 * step:g} ms", "value": step},
+        {"id": "implicit", "label": f"Use {method}", "value": method},
     ]

@@ -21,6 +21,7 @@ from ropewalk.core.jit import kernel, part
 from ropewalk.core.status import OK, UNSOLVED
 from ropewalk.laws.anchors import anchor_target, release_anchors
 from ropewalk.laws.clamps import turn_clamps
+from ropewalk.laws.links import hold_links, note_reactions
 from ropewalk.laws.winch import run_winches
 from ropewalk.methods.controller import (
     ACCEPTED,
@@ -185,7 +186,7 @@ def stride(system, scratch, extras, ledger, tableau):
     )
     t = control[END]
     if open_step(system, state, t, solver, ledger) or control[WISH] == 0.0:
-        prepare_links(system, state, solver.stage.saddle)
+        prepare_links(system, state, t, solver.stage.saddle)
     put_row(scratch.walk.ahead, scratch.walk.begin)
     mark_sides(system, state, solver.stage.saddle.band)
     longest = longest_step(system.winches, scratch.limits[1])
@@ -216,7 +217,7 @@ def stride(system, scratch, extras, ledger, tableau):
     if extras is not None:
         run_winches(system, state, t, dt, ledger)
     if extras is not None or changes > 0:
-        prepare_links(system, state, solver.stage.saddle)
+        prepare_links(system, state, end, solver.stage.saddle)
     control[BEGIN], control[END] = t, end
     count_step(control, dt, control[ERROR] / scratch.limits[0], cut, retried)
     return OK
@@ -224,7 +225,21 @@ def stride(system, scratch, extras, ledger, tableau):
 
 @kernel
 def show(system, state, scratch, extras, time, ledger, tableau):
-    """Bring the state that is shown to `time` [s], inside the last step; return OK or UNSOLVED."""
+    """Bring the state that is shown to `time` [s], inside the last step; return OK or UNSOLVED.
+
+    Rigid links get the tensions, and anchors the reactions, of that very instant: what a short step says of
+    them is the error of its beginning over its length.
+    """
+    status = go_to(system, state, scratch, extras, time, ledger, tableau)
+    saddle = scratch.stage.saddle
+    if status == OK and hold_links(system, state, time, saddle) > 0:
+        note_reactions(system, state, time, saddle)
+    return status
+
+
+@part
+def go_to(system, state, scratch, extras, time, ledger, tableau):
+    """Bring the state that is shown to `time` [s]; return OK or UNSOLVED."""
     walk = scratch.walk
     begin, end = walk.control[BEGIN], walk.control[END]
     if time >= end - SNAP * (end - begin):
@@ -240,7 +255,7 @@ def show(system, state, scratch, extras, time, ledger, tableau):
         walk.control[ERROR] = np.inf
     if extras is not None:
         run_winches(system, state, begin, dt, ledger)
-        prepare_links(system, state, scratch.stage.saddle)
+        prepare_links(system, state, time, scratch.stage.saddle)
     return status
 
 

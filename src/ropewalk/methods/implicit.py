@@ -58,8 +58,8 @@ class ImplicitScratch(NamedTuple):
 
 def make_implicit_scratch(state: State, tableau: Tableau) -> ImplicitScratch:
     """Return working arrays that fit `state` and the method."""
-    links = bool(np.isinf(state.stiffness).any())
-    stages = tableau.stages if not links else tableaus.ESDIRK3.stages
+    rigid = bool(np.isinf(state.stiffness).any()) or state.forces.limiter.size > 0
+    stages = tableau.stages if not rigid else tableaus.ESDIRK3.stages
     shape = (max(stages, SDIRK2.stages), *state.x.shape)
     return ImplicitScratch(
         stage=make_stage(state),
@@ -83,6 +83,8 @@ def put_forces(system, source, result):
     put(source.friction, result.friction)
     if system.flags[BENDING] == 1:
         put(source.bending, result.bending)
+    if system.limiter.active == 1:
+        put(source.limiter, result.limiter)
     if system.air.linear == 1 or system.air.quadratic == 1:
         put(source.air, result.air)
     if system.ground.active == 1:
@@ -189,6 +191,28 @@ def end_dirk(state, scratch, A, b, dt):
     return same
 
 
+@part
+def end_stages(system, state, scratch, dt, watch, kind, A, b):
+    """Write the end of a DIRK or BDF2 step, its forces and accelerations; return whether it may stand.
+
+    With `watch` a step that makes up energy may not.
+    """
+    stage, mean, ends_here = scratch.stage, scratch.mean, True
+    if kind == BDF2:
+        add_forces(system, state.forces, 1.0 / 3.0, mean)
+        add_forces(system, stage.forces, 2.0 / 3.0, mean)
+    else:
+        ends_here = end_dirk(state, scratch, A, b, dt)
+    if watch and ends_here and makes_up_energy(system, state, stage, mean, dt):
+        return False
+    if kind == BDF2:
+        put_forces(system, mean, state.forces)
+    else:
+        put_forces(system, stage.forces, state.forces)
+    put(stage.a, state.acceleration)
+    return True
+
+
 @kernel
 def take_step(system, state, scratch, t, after, dt, ledger, watch, kind, A, b, c, numbers):
     """Take one step from time `t` [s]; return OK, or UNSOLVED with the state as it was.
@@ -236,20 +260,8 @@ def take_step(system, state, scratch, t, after, dt, ledger, watch, kind, A, b, c
             add_forces(system, stage.forces, b[s], mean)
     if kind == GENERALIZED_ALPHA:
         end_alpha(system, state, scratch, numbers, dt)
-    else:
-        if kind == BDF2:
-            add_forces(system, state.forces, 1.0 / 3.0, mean)
-            add_forces(system, stage.forces, 2.0 / 3.0, mean)
-            ends_here = True
-        else:
-            ends_here = end_dirk(state, scratch, A, b, dt)
-        if watch and ends_here and makes_up_energy(system, state, stage, mean, dt):
-            return UNSOLVED
-        if kind == BDF2:
-            put_forces(system, mean, state.forces)
-        else:
-            put_forces(system, stage.forces, state.forces)
-        put(stage.a, state.acceleration)
+    elif not end_stages(system, state, scratch, dt, watch, kind, A, b):
+        return UNSOLVED
     middle = scratch.middle
     half_way(state.x, state.v, stage.x, stage.v, state.inverse_mass, middle, state.drift)
     move_anchors(system, state, mean, after, dt, middle, ledger, scratch.point, scratch.speed)
@@ -322,7 +334,7 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
     if not follows(dt, state.held, state.winch_exit, state.past) and kind == BDF2:
         kind = DIRK
         if A[0, 0] == 0.0:  # it begins with the forces at the start; those kept are means
-            prepare_links(system, state, scratch.stage.saddle)
+            prepare_links(system, state, t, scratch.stage.saddle)
             state.past[0] = dt
     level, place = 0, 0
     status = OK

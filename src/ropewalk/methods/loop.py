@@ -13,6 +13,7 @@ from ropewalk.laws.stretch import segment_tension
 from ropewalk.laws.table import accelerate, evaluate, reaches_neighbours_only
 from ropewalk.laws.winch import run_winches
 from ropewalk.methods.recording import check_state, record_frame
+from ropewalk.methods.scratch import clear
 
 TILE = 1024  # nodes; about 250 kB of all their arrays
 DEPTH = 32  # steps
@@ -22,6 +23,8 @@ DEPTH = 32  # steps
 def prepare(system, state):
     """Evaluate all forces and accelerations at the state itself; what a method kept is void."""
     evaluate(system, state, state.x, state.v, state.forces)
+    if system.limiter.active == 1:
+        clear(state.forces.limiter)
     accelerate(system, state, state.forces, state.acceleration)
     floor = system.slack_floor
     segment_tension(state.x, state.rest_length, state.stiffness, floor, state.tension)
@@ -29,22 +32,35 @@ def prepare(system, state):
 
 
 @kernel
-def prepare_links(system, state, saddle):
-    """As `prepare`, and hold the lengths of rigid links; `saddle` lends its arrays."""
+def prepare_links(system, state, t, saddle):
+    """As `prepare`, and hold the lengths of rigid links at time `t` [s]; `saddle` lends its arrays."""
     prepare(system, state)
-    hold_links(system, state, saddle)
+    hold_links(system, state, t, saddle)
 
 
 @part
-def _prepare_solver(system, state, scratch):
+def _prepare_solver(system, state, t, scratch):
     """Prepare for a method that solves."""
-    prepare_links(system, state, scratch.stage.saddle)
+    prepare_links(system, state, t, scratch.stage.saddle)
 
 
 @part
-def _prepare_other(system, state, scratch):
+def _prepare_other(system, state, t, scratch):
     """Prepare for a method without equations."""
     prepare(system, state)
+
+
+@part
+def _wind(system, state, scratch, t, dt, ledger):
+    """Let winches act on the end of a step; a method that solves has the limiter in its equations."""
+    run_winches(system, state, t, dt, ledger)
+
+
+@part
+def _wind_and_limit(system, state, scratch, t, dt, ledger):
+    """Let winches and limiter act on the end of a step."""
+    run_winches(system, state, t, dt, ledger)
+    limit_stretch(system, state, scratch.limiter, dt, ledger)
 
 
 @kernel
@@ -69,6 +85,7 @@ def make_advance(
     same step, and reached by none of the later ones.
     """
     begin_anew = _prepare_solver if solves else _prepare_other
+    act_after = _wind if solves else _wind_and_limit
 
     def advance(system, state, scratch, extras, clock, frames, ledger, out, stop_at_break, tableau):
         """Advance `frames` frames; return the status and the number of good frames.
@@ -91,7 +108,7 @@ def make_advance(
                         hi = last - (s - start) if last < n else n
                         t, after = clock[0] + s * dt, clock[0] + (s + 1) * dt
                         if release_anchors(system, state, t, dt, lo, hi) and carries:
-                            begin_anew(system, state, scratch)
+                            begin_anew(system, state, t, scratch)
                         if tiles:
                             step(system, state, scratch, t, after, dt, ledger, tableau, lo, hi)
                         elif solves:
@@ -101,10 +118,9 @@ def make_advance(
                         else:
                             step(system, state, scratch, t, after, dt, ledger, tableau)
                         if extras is not None:
-                            run_winches(system, state, t, dt, ledger)
-                            limit_stretch(system, state, scratch.limiter, dt, ledger)
+                            act_after(system, state, scratch, t, dt, ledger)
                             if carries:
-                                begin_anew(system, state, scratch)
+                                begin_anew(system, state, after, scratch)
                     first = last
             done += steps
             status = close_frame(system, state, ledger, scratch.sums, frame, out)

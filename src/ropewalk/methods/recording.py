@@ -172,6 +172,14 @@ def _add_tension(x, rest_length, stiffness, floor, solved, lo, hi, sums, tension
 
 
 @kernel
+def add_bounds(limiter, solved, tension):
+    """Put in the tension that was solved for where a segment is at a bound of its stretch."""
+    for j in range(tension.shape[0]):
+        if limiter[0, j + 1] != 0.0 or limiter[1, j + 1] != 0.0 or limiter[2, j + 1] != 0.0:
+            tension[j] = solved[j]
+
+
+@kernel
 def record_frame(system, state, ledger, sums, frame, out):
     """Write the state and all that follows from it as frame `frame`; works only with `ledger`."""
     put(state.x, out.x[frame])
@@ -179,6 +187,8 @@ def record_frame(system, state, ledger, sums, frame, out):
     tension, energy = out.tension[frame], out.energy[frame]
     lengths, stiffness, floor = state.rest_length, state.stiffness, system.slack_floor
     energy[2] = record_tension(state.x, lengths, stiffness, floor, state.tension, sums, tension)
+    if system.limiter.active == 1:
+        add_bounds(state.forces.limiter, state.tension, tension)
     for j in range(out.rest_length.shape[1]):
         out.rest_length[frame, j] = state.rest_length[j]
     if system.flags[BENDING] == 1:

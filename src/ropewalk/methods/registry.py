@@ -43,12 +43,12 @@ class Method(NamedTuple):
         """Cost of a step, in force evaluations with their update."""
         return self.evaluations * (STAGE_COST if self.implicit else 1.0)
 
-    def coefficients(self, spectral_radius: float, links: bool = False) -> Any:
+    def coefficients(self, spectral_radius: float, rigid: bool = False) -> Any:
         """Return what the kernel takes; `spectral_radius` [1] is that of generalized-alpha.
 
-        With `links` for a system with rigid links.
+        With `rigid` for a system with rigid links, or segments that a limiter can make rigid.
         """
-        if links and self.name == "bdf2":
+        if rigid and self.name == "bdf2":
             return tableaus.BDF_2_LINKS
         if self.name == "generalized-alpha":
             return tableaus.generalized_alpha(spectral_radius)
@@ -162,6 +162,7 @@ METHODS = {
             3,
             tableaus.ESDIRK3,
             "ESDIRK3 in steps as long as the tolerance allows, cut at events.",
+            links=True,
         )._replace(advance=adaptive.advance, fixed=False),
     )
 }

@@ -88,6 +88,8 @@ def add_forces(system, forces, weight, total):
     add(forces.friction, weight, total.friction)
     if system.flags[BENDING] == 1:
         add(forces.bending, weight, total.bending)
+    if system.limiter.active == 1:
+        add(forces.limiter, weight, total.limiter)
     if system.air.linear == 1 or system.air.quadratic == 1:
         add(forces.air, weight, total.air)
     if system.ground.active == 1:
@@ -103,6 +105,8 @@ def clear_forces(system, forces):
     clear(forces.friction)
     if system.flags[BENDING] == 1:
         clear(forces.bending)
+    if system.limiter.active == 1:
+        clear(forces.limiter)
     if system.air.linear == 1 or system.air.quadratic == 1:
         clear(forces.air)
     if system.ground.active == 1:

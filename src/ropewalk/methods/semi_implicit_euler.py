@@ -84,7 +84,8 @@ def step(system, state, scratch, t, after, dt, ledger, tableau, lo, hi):
                 axpy(v, 0.5 * dt, a, middle, lo, hi)
             push(x, v, a, dt, lo, hi)
     air, ground, applied = state.forces.air, state.forces.ground, state.forces.applied
-    forces = Forces(elastic, friction, air, ground, applied, state.forces.bending)
+    bending, limiter = state.forces.bending, state.forces.limiter
+    forces = Forces(elastic, friction, air, ground, applied, bending, limiter)
     point, speed = scratch.point, scratch.speed
     move_anchors(system, state, forces, after, dt, middle, ledger, point, speed, lo, hi)
     if ledger:

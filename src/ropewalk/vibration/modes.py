@@ -168,7 +168,7 @@ def _held_tension(model: Model) -> Floats:
     """Return the tensions (s,) [N] that keep rigid links at their lengths as they let go, at rest."""
     state = arrays.copy(model.state)
     state.v[...] = 0.0
-    prepare_links(model.system, state, make_saddle(state.x.shape[1]))
+    prepare_links(model.system, state, 0.0, make_saddle(state.x.shape[1]))
     return np.asarray(state.tension)
 
 

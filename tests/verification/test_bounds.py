@@ -1,0 +1,242 @@
+"""The stretch limiter where forces are solved for: bounds that hold in every stage, with true tensions."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+
+from ropewalk.block import Block, join
+from ropewalk.core.status import OK, UNSOLVED
+from ropewalk.methods.recording import LAWS
+from ropewalk.methods.registry import METHODS
+from ropewalk.methods.stage import HISTORY, ITERATIONS
+from ropewalk.scene import (
+    Anchor,
+    Hanging,
+    Limiter,
+    Material,
+    Rope,
+    RunSettings,
+    Scene,
+    SceneError,
+    Straight,
+    Velocity,
+)
+from ropewalk.simulation import Simulation
+
+ABLE = [name for name in METHODS if METHODS[name].implicit and METHODS[name].holds_links]
+FRAME = 1.0 / 60.0
+SOFT = Material(EA=20.0, mass_per_length=0.25, axial_damping=0.1)
+
+
+def swing(method: str, step: float | str = FRAME, duration: float = 1.0, **more: Any) -> Scene:
+    """A soft rope of 4 m that is dropped from the horizontal; at 1.02 of its length it goes no farther."""
+    keys: dict[str, Any] = {
+        "limiter": Limiter(min_stretch=0.9, max_stretch=1.02, passes=20),
+        "ropes": Rope(segments=40, length=4.0, made_of=SOFT, shape=Straight(end=(4, 0, 0))),
+        "anchors": Anchor(node=0),
+    }
+    settings = RunSettings(duration=duration, frame_rate=60.0, time_step=step, method=method)
+    return Scene(run=settings, **keys | more)
+
+
+def film(scene: Scene) -> Block:
+    simulation = Simulation(scene)
+    block = join([simulation.recording(), *simulation.frames()])
+    assert block.status == OK, simulation.failure
+    return block
+
+
+def stretches(block: Block, length: float = 0.1) -> np.ndarray:
+    """Length over unstretched length of all segments in all frames."""
+    return np.asarray(np.sqrt((np.diff(block.recording.x, axis=2) ** 2).sum(axis=1)) / length)
+
+
+def tip(scene: Scene) -> np.ndarray:
+    return film(scene).recording.x[-1, :, -1]
+
+
+@pytest.mark.parametrize("method", [name for name in ABLE if METHODS[name].fixed])
+def test_equal_bounds_are_rigid_links(method: str) -> None:
+    """With both bounds at 1 a soft rope moves as one of rigid links does, with the same tensions, to what the
+    solver leaves. The twin: with bounds of 0.99 and 1.01 it does not.
+    """
+    rigid = Rope(
+        segments=40,
+        length=4.0,
+        made_of=Material(EA=math.inf, mass_per_length=0.25),
+        shape=Straight(end=(4, 0, 0)),
+    )
+    bare = Rope(
+        segments=40,
+        length=4.0,
+        made_of=Material(EA=20.0, mass_per_length=0.25),
+        shape=Straight(end=(4, 0, 0)),
+    )
+    linked = film(swing(method, ropes=rigid, limiter=None)).recording
+    exact = Limiter(min_stretch=1.0, max_stretch=1.0)
+    bound = film(swing(method, ropes=bare, limiter=exact)).recording
+    # esdirk3 begins with the accelerations at the start: links have theirs, segments at a bound springs'
+    apart = 2e-2 if method == "esdirk3" else 1e-8
+    assert np.abs(bound.x - linked.x).max() < apart
+    if method != "esdirk3":
+        assert np.abs(bound.tension[1:] - linked.tension[1:]).max() < 1e-6 * linked.tension.max()
+    loose = Limiter(min_stretch=0.99, max_stretch=1.01)
+    assert (
+        np.abs(film(swing(method, ropes=bare, limiter=loose)).recording.x - linked.x).max() > apart
+    )
+
+
+@pytest.mark.parametrize("method", ABLE)
+def test_the_bounds_hold_and_the_ledger_closes(method: str) -> None:
+    """Bounds hold to the solver's tolerance in every frame, are met from below and from above, and what stops
+    there is booked: the limiter only takes energy. The twin: without it the rope stretches by more.
+    """
+    squeezed = Limiter(min_stretch=0.995, max_stretch=1.02)
+    block = film(swing(method, step=FRAME if METHODS[method].fixed else "auto", limiter=squeezed))
+    found = stretches(block)
+    assert found.max() == pytest.approx(1.02, abs=1e-10)
+    assert found.min() > 0.995 - 1e-10
+    if method in ("bdf2", "esdirk3"):  # implicit-euler damps too much to be pressed
+        assert found.min() == pytest.approx(0.995, abs=1e-10)
+    energy, work = block.recording.energy, block.recording.work
+    jumps = block.recording.jump.sum(axis=1)
+    forces = [column for column, name in enumerate(LAWS) if name not in ("limiter", "winch")]
+    done = work[:, forces].sum(axis=1) + work[:, len(LAWS) :].sum(axis=1) + jumps
+    assert np.abs(energy[:, 0] - energy[0, 0] - done).max() < 1e-11
+    taken = work[:, LAWS.index("limiter")]
+    assert taken[-1] < -0.02
+    assert np.abs(energy[:, 0] - energy[0, 0] - done + jumps).max() > 0.02  # not booked, it is seen
+    free = film(swing(method, step=FRAME if METHODS[method].fixed else "auto", limiter=None))
+    assert stretches(free).max() > 1.05
+
+
+def test_small_explicit_steps_come_to_the_same_motion() -> None:
+    """The explicit limiter acts after each step, an impulse that is inelastic: as its steps become shorter it
+    comes to what esdirk3 finds at once. The twin: other bounds are another motion.
+    """
+    exact = tip(swing("esdirk3", FRAME / 64))
+    errors = [
+        float(np.linalg.norm(tip(swing("semi-implicit-euler", FRAME / n)) - exact))
+        for n in (64, 512, 4096)
+    ]
+    assert errors[1] < 0.5 * errors[0]
+    assert errors[2] < 0.4 * errors[1]
+    assert errors[2] < 5e-3
+    assert np.linalg.norm(tip(swing("esdirk3", FRAME / 4)) - exact) < errors[2]
+    other = Limiter(min_stretch=0.9, max_stretch=1.03, passes=20)
+    assert np.linalg.norm(tip(swing("esdirk3", FRAME / 64, limiter=other)) - exact) > 2e-2
+
+
+def test_the_adaptive_method_comes_to_it_with_the_tolerance() -> None:
+    exact = tip(swing("esdirk3", FRAME / 256))
+    errors = []
+    for tolerance in (1e-4, 1e-6):
+        scene = swing("adaptive", "auto")
+        scene = scene.replace(run=scene.run.replace(tolerance=tolerance))
+        errors.append(float(np.linalg.norm(tip(scene) - exact)))
+    assert errors[0] < 2e-2
+    assert errors[1] < 1e-3
+
+
+def test_a_rope_rests_on_its_bounds_with_true_tensions() -> None:
+    """0.6 kg on springs that are too soft: what hangs below each segment is its tension, of which the spring
+    has EA (1.1 - 1) and the bound the rest; what weighs less is as long as its spring makes it.
+    """
+    soft = Material(EA=20.0, mass_per_length=0.1, axial_damping=1.0)
+    scene = Scene(
+        ropes=Rope(segments=6, length=6.0, made_of=soft, shape=Hanging()),
+        anchors=Anchor(node=0),
+        limiter=Limiter(min_stretch=0.9, max_stretch=1.1),
+        run=RunSettings(duration=60.0, time_step=0.1, frame_rate=10.0, method="implicit-euler"),
+    )
+    last = film(scene).recording
+    masses = 0.1 * np.array([1, 1, 1, 1, 1, 0.5])
+    below = 9.81 * np.cumsum(masses[::-1])[::-1]
+    assert last.tension[-1] == pytest.approx(below, rel=1e-8)
+    lengths = -np.diff(last.x[-1, 2])
+    assert lengths == pytest.approx(np.minimum(1.0 + below / 20.0, 1.1), rel=1e-9)
+    assert (below > 2.0).sum() == 4  # the twin: four rest on the bound, two on their springs
+    assert last.reaction[-1, 0, 2] == pytest.approx(0.6 * 9.81, rel=1e-8)
+
+
+def newton_orders(drag: float = 0.0) -> tuple[list[float], int]:
+    """Orders of convergence as `test_implicit` takes them, and how often a segment was at a bound.
+
+    `drag` [N s/m] is put into the tangent alone.
+    """
+    bare = Material(EA=20.0, mass_per_length=0.25)
+    rope = Rope(segments=40, length=4.0, made_of=bare, shape=Straight(end=(4, 0, 0)))
+    simulation = Simulation(swing("implicit-euler", 0.1, ropes=rope))
+    simulation.system.air.node_drag[...] = drag
+    report, orders, at_bound = simulation._scratch.stage.report, [], 0
+    for _ in range(20):
+        simulation.step(0.1)
+        at_bound += int(simulation.arrays.forces.limiter.any(axis=0).sum())
+        merits = report[HISTORY : HISTORY + int(report[ITERATIONS]) + 1]
+        falls = np.log(merits[1:] / merits[:-1])
+        kept = (falls[:-1] < -6.0) & (merits[2:] > 1e-21 * merits[0])
+        orders += list((falls[1:] / falls[:-1])[kept])
+    return orders, at_bound
+
+
+def test_newton_converges_quadratically_at_the_bounds() -> None:
+    """The tangent is exact: near the solution the merit's logarithm falls about twice as far each time. The
+    twin: with a tangent that is wrong by a few percent it falls by the same.
+    """
+    orders, at_bound = newton_orders()
+    assert at_bound > 100
+    assert len(orders) >= 5
+    assert np.mean(orders) > 1.6
+    wrong, _ = newton_orders(0.05)
+    assert len(wrong) >= 5
+    assert np.mean(wrong) == pytest.approx(1.0, abs=0.15)
+
+
+def test_a_start_beyond_the_bounds_is_brought_within() -> None:
+    """Places only, as little as the masses allow: nothing is thrown back. The twin: explicit methods start as
+    the scene draws it.
+    """
+    long = Rope(segments=40, length=4.0, made_of=SOFT, shape=Straight(end=(5, 0, 0)))
+    simulation = Simulation(swing("bdf2", ropes=long))
+    r = np.linalg.norm(np.diff(simulation.positions, axis=0), axis=1)
+    assert r == pytest.approx(np.full(40, 0.102), rel=1e-12)
+    assert not simulation.velocities.any()
+    simulation.step()
+    assert np.abs(simulation.velocities).max() < 1.0  # and no 1 m in a frame
+    explicit = Simulation(swing("semi-implicit-euler", "auto", ropes=long))
+    r = np.linalg.norm(np.diff(explicit.positions, axis=0), axis=1)
+    assert r == pytest.approx(np.full(40, 0.125))
+
+
+def test_what_is_refused() -> None:
+    for method in ("sdirk2", "implicit-midpoint", "generalized-alpha"):
+        with pytest.raises(SceneError) as caught:
+            Simulation(swing(method))
+        assert f'run.method: "{method}" - cannot work with a stretch limiter' in str(caught.value)
+        assert "implicit-euler, bdf2, esdirk3, adaptive" in str(caught.value)
+    held = [Anchor(name="a", node=0), Anchor(name="b", node=-1)]
+    span = Rope(segments=40, length=4.0, made_of=SOFT, shape=Straight(end=(4.2, 0, 0)))
+    with pytest.raises(
+        SceneError, match=r"anchors 'a' and 'b' are 4\.2 m apart, with 4\.08 m of rope"
+    ):
+        Simulation(swing("bdf2", ropes=span, anchors=held))
+    Simulation(swing("semi-implicit-euler", "auto", ropes=span, anchors=held))  # the twin
+
+
+@pytest.mark.parametrize("method", ABLE)
+def test_anchors_that_part_too_far_end_the_run_and_say_why(method: str) -> None:
+    part = [
+        Anchor(name="a", node=0),
+        Anchor(name="b", node=-1, motion=Velocity(velocity=(0.2, 0.0, 0.0))),
+    ]
+    simulation = Simulation(swing(method, FRAME if METHODS[method].fixed else "auto", anchors=part))
+    block = simulation.advance_frames(60)
+    assert block.status == UNSOLVED
+    assert 0.3 < simulation.time < 0.45
+    assert "at the limiter's max_stretch" in simulation.failure
+    assert "a larger max_stretch" in simulation.failure
+    assert np.isfinite(block.recording.x).all()
