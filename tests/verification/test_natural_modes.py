@@ -209,7 +209,7 @@ def test_linear_air_drag_damps_all_alike() -> None:
 
 
 def test_large_damped_models() -> None:
-    # Above 400 unknowns a subspace is iterated; the chain is exact.
+    # Above 400 unknowns they come from a Krylov space; the chain is exact.
     found = rw.modes(scene(201, gravity=(0, 0, 0), end=(11.0, 0, 0), c=0.02), count=8)
     mu = theory.chain_factors(200)[:4]
     pull, stretched = 1000.0 * (11.0 / 201 - 0.05), 11.0 / 201
@@ -220,6 +220,82 @@ def test_large_damped_models() -> None:
     exact, rate = (np.repeat(values, 2)[: len(sideways)] for values in (exact, rate))
     np.testing.assert_allclose(rates(found)[sideways], exact, rtol=1e-8)
     np.testing.assert_allclose(found.decay_rates[sideways], rate, rtol=1e-7)
+
+
+def test_strong_friction_makes_short_waves_creep_alike() -> None:
+    # Sideways every wave of a taut chain has two roots of m l^2 + c mu l + T mu/r. The slow ones are
+    # all near -T/(c r), the shortest wave's the nearest, each twice: they crowd within 1e-10.
+    n, c, m, k = 301, 2000.0, 0.01, 1000.0
+    found = rw.modes(scene(n, gravity=(0, 0, 0), end=(18.06, 0, 0), c=c, m=m, k=k), count=20)
+    stretched = 18.06 / n
+    mu = np.sort(theory.chain_factors(n - 1))[::-1][:10]
+    push = k * (stretched - 0.05) / stretched
+    slow = 2.0 * push * mu / (c * mu + np.sqrt((c * mu) ** 2 - 4.0 * m * push * mu))
+    np.testing.assert_allclose(found.decay_rates, np.repeat(slow, 2), rtol=1e-12)
+    assert (found.frequencies == 0.0).all()
+
+
+@pytest.mark.parametrize(
+    ("friction", "c", "drag"),
+    [
+        ("axial", 0.05, 0.0),
+        ("axial", 5.0, 0.0),
+        ("vector", 0.02, 0.0),
+        ("vector", 2.0, 0.0),
+        ("axial", 0.0, 1e-3),
+        ("axial", 0.05, 0.05),
+    ],
+)
+def test_large_damped_models_agree_with_dense_ones(
+    friction: str, c: float, drag: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # 297 unknowns both ways: sagging, damped ratios from 1e-6 to far above 1, all modes.
+    sagging = scene(
+        100, c=c, friction=friction, shape=Slack(end=(4.0, 0, 0)), air=Air(node_drag=drag)
+    )
+    dense = rw.modes(sagging, count=20)
+    monkeypatch.setattr("ropewalk.vibration.solve._DENSE_DAMPED", 0)
+    found = rw.modes(sagging, count=20)
+    np.testing.assert_allclose(found.eigenvalues, dense.eigenvalues, rtol=1e-9)
+    same = [a.name == b.name for a, b in zip(found.motions, dense.motions, strict=True)]
+    assert all(same)
+
+
+def test_equal_ropes_have_all_their_modes() -> None:
+    # Six taut ropes of 30 segments beside each other: every frequency twelve times, more often than
+    # the vectors that a Krylov space begins with.
+    stuff = rw.Springs(
+        spring_constant=1000.0, node_mass=0.01, segment_length=0.05, spring_friction=0.01
+    )
+    ropes = tuple(
+        Rope(
+            name=f"r{i}",
+            segments=30,
+            made_of=stuff,
+            shape=Straight(start=(0, 0, i), end=(1.8, 0, i)),
+        )
+        for i in range(6)
+    )
+    anchors = tuple(rw.Anchor(rope=rope.name, node=node) for rope in ropes for node in (0, -1))
+    found = rw.modes(rw.Scene(gravity=(0, 0, 0), ropes=ropes, anchors=anchors), count=24)
+    mu = theory.chain_factors(29)[:2]
+    push = 1000.0 * (0.06 - 0.05) / 0.06
+    rate = 0.01 * mu / (2 * 0.01)
+    exact = -rate + 1j * np.sqrt(push * mu / 0.01 - rate**2)
+    np.testing.assert_allclose(found.eigenvalues, np.repeat(exact, 12), rtol=1e-9)
+
+
+def test_finely_cut_rods_with_friction_have_modes() -> None:
+    # Pinned rod under tension, w_n^2 = (n pi/L)^2 (T + EI (n pi/L)^2)/mu: second order in the segment.
+    stuff = rw.Material(EA=1e5, mass_per_length=0.1, EI=1.0, axial_damping=10.0)
+    rope = Rope(segments=400, length=10.0, made_of=stuff, shape=Straight(end=(10.2, 0, 0)))
+    held = (rw.Anchor(node=0), rw.Anchor(node=-1))
+    found = rw.modes(rw.Scene(gravity=(0, 0, 0), ropes=(rope,), anchors=held), count=8)
+    n = np.repeat(np.arange(1, 5), 2)
+    wave, mass = n * np.pi / 10.2, 0.1 * 10.0 / 10.2
+    exact = wave * np.sqrt((2000.0 + 1.0 * wave**2) / mass)
+    np.testing.assert_allclose(rates(found), exact, rtol=1e-3)
+    assert (found.decay_rates >= 0.0).all()
 
 
 def test_unstable_shapes_grow() -> None:

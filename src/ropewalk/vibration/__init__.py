@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
+from ropewalk.vibration.flexibility import NoModes
 from ropewalk.vibration.modes import Modes, highest_frequency, modes
-from ropewalk.vibration.solve import NoModes
 
 __all__ = ["Modes", "NoModes", "highest_frequency", "modes"]

@@ -100,7 +100,7 @@ def modes(source: Scene | Model, about: About = "equilibrium", count: int = 10) 
 
     Raises SceneError for a scene that has no rest shape (about "equilibrium") or in whose shape nothing
     is taut (about "start"), ValueError for another word and for a count below 1, `NoModes` when a
-    large model's do not settle.
+    large model's are not found.
     """
     if about not in ("equilibrium", "start"):
         raise ValueError(f'about: {about!r} - must be "equilibrium" or "start"')

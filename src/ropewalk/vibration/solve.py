@@ -4,7 +4,8 @@ Without friction K u = w^2 M u, symmetric: small models by a dense eigenproblem 
 M^1/2 K^-1 M^1/2, whose largest eigenvalues are the slow modes, to rounding however stiff the rope is;
 large ones by iterating a subspace under the same K^-1, sparse, which finds equal frequencies as often as
 they are there (a Krylov method from one vector does not). With friction, or where K is not symmetric,
-(l^2 M + l C + K) u = 0 as the eigenproblem of the inverse of its companion matrix, in the same two ways.
+(l^2 M + l C + K) u = 0 as the eigenproblem of the inverse of its companion matrix: dense, or for large
+models from a block Krylov space (quadratic.py).
 Source: Bathe, Finite Element Procedures, sec. 11.6; Tisseur and Meerbergen, SIAM Review 43 (2001) 235.
 """
 
@@ -17,17 +18,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ropewalk.core.arrays import Floats
+from ropewalk.vibration.flexibility import NoModes, find_inverse, rate, start
 from ropewalk.vibration.linear import Linear
+from ropewalk.vibration.quadratic import Shifted, slowest
 
 Complex = NDArray[np.complex128]
 
 DENSE = 900  # unknowns up to which a dense eigenproblem is solved
 _DENSE_DAMPED = 400  # the same with friction, where the problem has twice as many
-_SINGULAR = (
-    1e14  # flexibility, in units of the model's own, beyond which something moves freely [1]
-)
-_STIFF = 1e6  # stiffness of a segment, over that of its tension, that counts for the rate [1]
-_SHIFT = 1e-6  # shift that is then taken, in units of the model's rate [1]
+_MOST = 8  # unknowns for each mode that is wanted, with friction: for fewer, all are found
 _ROUNDS = 300  # of a subspace's iteration at most
 _SETTLED = 1e-13  # relative change of an eigenvalue in one round that ends it [1]
 _NEUTRAL = 1e-13  # of the rate squared: a w^2 that is negative by less is rounding [1]
@@ -35,10 +34,6 @@ _GROWS = 1e-9  # of an eigenvalue's size: a positive real part below is rounding
 _ENOUGH = 1e-6  # change that is accepted after all rounds: of more nothing is known [1]
 _ALIKE = 1e-7  # relative difference of eigenvalues that are one [1]
 _DISTINCT = 1e-6  # shapes of one eigenvalue nearer to each other than this are one shape [1]
-
-
-class NoModes(ArithmeticError):  # noqa: N818 - it is what happened, not a mistake
-    """The modes of a model were not found."""
 
 
 def solve(linear: Linear, count: int) -> tuple[Complex, Floats | Complex]:
@@ -52,7 +47,7 @@ def solve(linear: Linear, count: int) -> tuple[Complex, Floats | Complex]:
         return np.zeros(0, complex), np.zeros((0, 0), complex)
     if linear.symmetric and not linear.has_friction:
         squares, shapes = undamped(linear, count)
-        rounding = _NEUTRAL * _rate(linear) ** 2
+        rounding = _NEUTRAL * rate(linear) ** 2
         squares = np.where((squares < 0.0) & (squares > -rounding), 0.0, squares)
         values = np.where(squares >= 0.0, 1j, 1.0) * np.sqrt(np.abs(squares))
         return values.astype(complex), shapes
@@ -84,56 +79,8 @@ def highest(linear: Linear) -> float:
     size = linear.mass.size
     if size <= DENSE:
         return float(np.sqrt(max(np.linalg.eigvalsh(K.toarray())[-1], 0.0)))
-    value = eigsh(K, k=1, which="LA", v0=_start(size), return_eigenvectors=False)
+    value = eigsh(K, k=1, which="LA", v0=start(size), return_eigenvectors=False)
     return float(np.sqrt(max(value[0], 0.0)))
-
-
-def _inverse(linear: Linear) -> tuple[Callable[[Any], Any], float]:
-    """Return the solution of (K + s C + s^2 M) u = f, and the shift s that was needed [1/s]."""
-    from scipy.sparse.csgraph import structural_rank
-    from scipy.sparse.linalg import splu
-
-    size = linear.mass.size
-    shift = 0.0
-    for _ in range(2):
-        matrix = linear.saddle(shift)
-        matrix.eliminate_zeros()
-        try:
-            if structural_rank(matrix) < matrix.shape[0]:  # SuperLU may crash on it
-                raise RuntimeError
-            factors = splu(matrix)
-            probe = factors.solve(np.append(_start(size), np.zeros(linear.soft.size)))[:size]
-            sound = bool(np.abs(probe).max() * linear.mass.max() * _rate(linear) ** 2 < _SINGULAR)
-        except RuntimeError:  # exactly singular
-            sound = False
-        if sound:
-            break
-        shift = _SHIFT * _rate(linear)
-    if not sound:
-        raise NoModes("the stiffness of this shape is singular: its modes cannot be found")
-
-    def inverse(force: Any) -> Any:
-        right = np.zeros((factors.shape[0], *force.shape[1:]))
-        right[:size] = force
-        return factors.solve(right)[:size]
-
-    return inverse, shift
-
-
-def _rate(linear: Linear) -> float:
-    """Return a middle frequency of the model, from its diagonals [1/s].
-
-    The slow modes of stiff ropes must not count as free: of stiff segments no more than `_STIFF` times
-    their tension counts, of rigid links nothing.
-    """
-    soft, other = linear.soft, np.abs(linear.other.diagonal())
-    hard = np.divide(1.0, soft, out=np.zeros_like(soft), where=soft > 0.0)
-    if other.any():
-        hard = np.minimum(hard, _STIFF * np.median(other[other > 0.0]))
-    diagonal = other + linear.lengths.multiply(linear.lengths).T @ hard
-    if not diagonal.any():
-        return 1.0
-    return float(np.sqrt(np.median((diagonal / linear.mass)[diagonal > 0.0])))
 
 
 def _need_settled(change: Any, values: Any) -> None:
@@ -146,11 +93,6 @@ def _need_settled(change: Any, values: Any) -> None:
         )
 
 
-def _start(size: int) -> Floats:
-    """A vector to begin with, the same at every call."""
-    return np.random.default_rng(1).normal(size=size)
-
-
 def _without(shift: float, values: Floats) -> Floats:
     """Return w^2 from the shifted flexibility; rounding of what moves freely is 0."""
     squares = 1.0 / values - shift**2
@@ -159,7 +101,7 @@ def _without(shift: float, values: Floats) -> Floats:
 
 def _dense(linear: Linear, modes: int) -> tuple[Floats, Floats]:
     """Return all modes: the slow half from the flexibility, the fast half from the stiffness."""
-    inverse, shift = _inverse(linear)
+    inverse, shift = find_inverse(linear)
     root = np.sqrt(linear.mass)
     flexible = root[:, None] * inverse(np.diag(root))
     values, vectors = np.linalg.eigh(0.5 * (flexible + flexible.T))
@@ -184,7 +126,7 @@ def _subspace(linear: Linear, count: int, *, rough: bool = False) -> tuple[Float
 
     Raises NoModes when they do not settle, unless `rough` ones will do.
     """
-    inverse, shift = _inverse(linear)
+    inverse, shift = find_inverse(linear)
     root = np.sqrt(linear.mass)
     block = np.random.default_rng(1).normal(size=(root.size, 2 * count + 8))
     before = np.zeros(count)
@@ -207,22 +149,32 @@ def _subspace(linear: Linear, count: int, *, rough: bool = False) -> tuple[Float
 
 def _damped(linear: Linear, count: int) -> tuple[Complex, Complex]:
     """Return the slowest eigenvalues of (l^2 M + l C + K) u = 0 and their shapes."""
-    inverse, shift = _inverse(linear)
-    if linear.mass.size <= _DENSE_DAMPED and shift > 0.0 and not linear.rigid:
-        found, vectors = _companion(linear)
+    size = linear.mass.size
+    grows = _GROWS
+    if size <= _DENSE_DAMPED or count > size // _MOST:
+        found, vectors = _whole(linear)
     else:
-        found, vectors = _inverted(linear, inverse, shift, count)
-    size = np.abs(found)
-    found = np.where(np.abs(found.imag) <= 1e-9 * size, found.real, found)
-    rounding = (np.abs(found.real) <= 1e-12 * size) | (
-        (found.real > 0.0) & (found.real <= _GROWS * size)
+        found, vectors, rounding = slowest(linear, count)
+        grows = max(_GROWS, rounding)
+    sizes = np.abs(found)
+    found = np.where(np.abs(found.imag) <= 1e-9 * sizes, found.real, found)
+    rounds = (np.abs(found.real) <= 1e-12 * sizes) | (
+        (found.real > 0.0) & (found.real <= grows * sizes)
     )
-    found = np.where(rounding, 1j * found.imag, found)
-    found = np.where(size <= 0.1 * shift, 0.0, found)  # moves freely
+    found = np.where(rounds, 1j * found.imag, found)
     upper = found.imag >= 0.0
-    found, vectors = found[upper], vectors[: linear.mass.size, upper]
+    found, vectors = found[upper], vectors[:size, upper]
     order = np.argsort(np.abs(found), kind="stable")[:count]
     return found[order], vectors[:, order].T
+
+
+def _whole(linear: Linear) -> tuple[Complex, Complex]:
+    """Return all eigenvalues and vectors, from a dense matrix."""
+    inverse, shift = find_inverse(linear)
+    if shift > 0.0 and not linear.rigid:
+        return _companion(linear)
+    found, vectors = _inverted(linear, inverse, shift)
+    return np.where(np.abs(found) <= 0.1 * shift, 0.0, found), vectors  # moves freely
 
 
 def _companion(linear: Linear) -> tuple[Complex, Complex]:
@@ -237,51 +189,13 @@ def _companion(linear: Linear) -> tuple[Complex, Complex]:
 
 
 def _inverted(
-    linear: Linear, inverse: Callable[[Any], Any], shift: float, count: int
+    linear: Linear, inverse: Callable[[Any], Any], shift: float
 ) -> tuple[Complex, Complex]:
-    """Return eigenvalues and vectors of the inverse of the companion matrix, the slowest ones."""
-    size, rate, mass = linear.mass.size, _rate(linear), linear.mass[:, None]
-    friction = linear.friction.copy()
-    friction.setdiag(friction.diagonal() + 2.0 * shift * linear.mass)
-
-    def apply(both: Any) -> Any:
-        """The inverse, for l - shift; velocities in units of the rate."""
-        u, v = both[:size], both[size:] * rate
-        return np.concatenate([-inverse(mass * v + friction @ u), u / rate])
-
-    if size <= _DENSE_DAMPED:
-        values, vectors = np.linalg.eig(apply(np.eye(2 * size)))
-    else:
-        values, vectors = _iterate(linear, apply, shift, count)
+    """Return eigenvalues and vectors of the inverse of the companion matrix."""
+    operator = Shifted(linear, shift, rate(linear), inverse)
+    values, vectors = np.linalg.eig(operator.apply(np.eye(2 * linear.mass.size)))
     kept = np.abs(values) > 1e-14 * np.abs(values).max()
     return shift + 1.0 / values[kept], vectors[:, kept]
-
-
-def _iterate(
-    linear: Linear, apply: Callable[[Any], Any], shift: float, count: int
-) -> tuple[Complex, Complex]:
-    """Iterate a subspace that begins with the undamped modes."""
-    size = linear.mass.size
-    _, shapes = _subspace(linear, count + 4, rough=True)
-    zero = np.zeros_like(shapes.T)
-    noise = np.random.default_rng(2).normal(size=(2 * size, 8))
-    top, bottom = np.concatenate([shapes.T, zero]), np.concatenate([zero, shapes.T])
-    block = np.concatenate([top, bottom, noise], axis=1)
-    before = np.zeros(2 * count)
-    for _ in range(_ROUNDS):
-        basis, _ = np.linalg.qr(block)
-        block = apply(basis)
-        values, turn = np.linalg.eig(basis.T @ block)
-        order = np.argsort(-np.abs(values), kind="stable")[: 2 * count]
-        values = values[order]
-        change, before = np.abs(np.abs(values) - before), np.abs(values)
-        if np.all(change <= _SETTLED * before):
-            break
-    else:
-        moves = np.abs(values) * shift < 0.9  # the others move freely: l = 0 but for rounding
-        moves[count:] = False  # the last pairs may be cut in two, and never settle
-        _need_settled(change[moves], values[moves])
-    return values, basis @ turn[:, order]
 
 
 def untangle(values: Complex, shapes: Any, mass: Floats, aside: Floats) -> Complex:
