@@ -1,5 +1,7 @@
 """Rigid links (stiffness inf) at one instant: the tensions that keep them from changing their length.
 
+A segment at a bound of its stretch (see `bounds`) is one as well, as long as it presses on the bound.
+
 A constant length r demands of the ends' accelerations a and their relative velocity u
     t . (a_(j+1) - a_j) = -|u_across|^2 / r,
 which makes the tensions T of neighbouring links the solution of, with w = 1 / m, i = j - 1 and k = j + 1,
@@ -20,10 +22,17 @@ import numpy as np
 
 from ropewalk.core.jit import kernel, part
 from ropewalk.laws.anchors import anchor_target
+from ropewalk.laws.stretch import segment_tension
 from ropewalk.laws.table import accelerate, force_on_node
 
 SLACK = 1e-9  # [1] a tension-only link shorter by this part is slack
 INSTANT = 1e-6  # [s] over which an anchor's acceleration is taken
+LINK, LONGEST, SHORTEST, BETWEEN = (
+    1.0,
+    2.0,
+    3.0,
+    4.0,
+)  # what is held to its length; BETWEEN equal bounds
 ATTEMPTS = 8  # solves at most; each but the last lets go of what would push
 
 
@@ -34,9 +43,15 @@ def hold_links(system, state, t, saddle):
     All other forces are in `state.forces` already; `saddle` lends its arrays. Returns the number of links.
     """
     links = mark_links(state.x, state.rest_length, state.stiffness, system.slack_floor, saddle)
+    if system.limiter.active == 1:
+        links += mark_bounds(state.rest_length, system.limiter, saddle)
     if links == 0:
         return links
     clear_links(state.stiffness, state.tension, state.forces.elastic)
+    if system.limiter.active == 1:
+        floor, forces = system.slack_floor, state.forces
+        segment_tension(state.x, state.rest_length, state.stiffness, floor, state.tension)
+        clear_bounds(forces.limiter)
     accelerate(system, state, state.forces, state.acceleration)
     sway_anchors(system, state, t, saddle.factor[0], saddle.factor[1])
     for _ in range(ATTEMPTS):
@@ -44,7 +59,11 @@ def hold_links(system, state, t, saddle):
         solve_links(saddle.across, saddle.along, saddle.misfit)
         if drop_pushing(saddle.misfit, system.slack_floor, saddle.carries) == 0:
             break
-    pull_links(saddle.misfit, saddle.carries, saddle.direction, state.tension, state.forces.elastic)
+    found, carries, direction = saddle.misfit, saddle.carries, saddle.direction
+    if system.limiter.active == 1:  # which refuses links
+        pull_bounds(found, carries, direction, state.tension, state.forces.limiter)
+    else:
+        pull_links(found, carries, direction, state.tension, state.forces.elastic)
     accelerate(system, state, state.forces, state.acceleration)
     return links
 
@@ -98,7 +117,27 @@ def mark_links(x, rest_length, stiffness, floor, saddle):
         rigid = stiffness[j] == np.inf
         count += 1 if rigid else 0
         slack = floor[j] == 0.0 and r < (1.0 - SLACK) * rest_length[j]
-        carries[j] = 1.0 if rigid and not slack else 0.0
+        carries[j] = LINK if rigid and not slack else 0.0
+    return count
+
+
+@kernel
+def mark_bounds(rest_length, limiter, saddle):
+    """Mark the segments that are at a bound; return how many. Those that leave it are beyond it at once."""
+    over, carries, count = saddle.compliance, saddle.carries, 0
+    for j in range(rest_length.shape[0]):
+        if over[j] == 0.0 or rest_length[j] == 0.0:
+            continue
+        stretch = 1.0 / (over[j] * rest_length[j])
+        long = stretch >= limiter.longest * (1.0 - SLACK)
+        short = stretch <= limiter.shortest * (1.0 + SLACK)
+        if long and short:
+            carries[j] = BETWEEN
+        elif long:
+            carries[j] = LONGEST
+        elif short:
+            carries[j] = SHORTEST
+        count += 1 if carries[j] != 0.0 else 0
     return count
 
 
@@ -150,13 +189,32 @@ def solve_links(diagonal, upper, right):
 
 @kernel
 def drop_pushing(tension, floor, carries):
-    """Let go of the tension-only links that would push; return how many."""
+    """Let go of tension-only links that would push, and of bounds that would pull; return how many."""
     dropped = 0
     for j in range(tension.shape[0]):
-        if carries[j] != 0.0 and floor[j] == 0.0 and tension[j] < 0.0:
+        one_way = carries[j] == LONGEST or (carries[j] == LINK and floor[j] == 0.0)
+        if (one_way and tension[j] < 0.0) or (carries[j] == SHORTEST and tension[j] > 0.0):
             carries[j] = 0.0
             dropped += 1
     return dropped
+
+
+@kernel
+def clear_bounds(limiter):
+    """Set the forces of all bounds to zero, (3, n + 1)."""
+    for k in range(3):
+        for j in range(limiter.shape[1]):
+            limiter[k, j] = 0.0
+
+
+@kernel
+def pull_bounds(found, carries, direction, tension, limiter):
+    """Put what the bounds hold into the limiter's channel (3, n + 1) [N], and add it to the tensions."""
+    for j in range(found.shape[0]):
+        extra = found[j] if carries[j] != 0.0 and found[j] - found[j] == 0.0 else 0.0
+        tension[j] += extra
+        for k in range(3):
+            limiter[k, j + 1] = extra * direction[k, j]
 
 
 @kernel
