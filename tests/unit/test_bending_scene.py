@@ -101,3 +101,11 @@ def test_sharp_bends_and_slips_of_units_are_warned_of() -> None:
     (said,) = unit_slips(build(Scene(ropes=rope(620.0, diameter=0.01))))
     assert "N mm^2 for N m^2?" in said
     assert "0.625 N m^2" in said
+
+
+def test_segments_far_shorter_than_the_rod_is_thick_are_warned_of() -> None:
+    """A round rod is 4 sqrt(EI / EA) thick: 0.566 m at 2000 N m^2; five segments are 0.5 m."""
+    (said,) = bending_warnings(build(Scene(ropes=rope(2000.0))))
+    assert "a round rod 0.566 m thick, in segments of 0.1 m" in said
+    assert "take 1 segment at most" in said
+    assert bending_warnings(build(Scene(ropes=rope(1500.0)))) == []

@@ -10,6 +10,9 @@ from ropewalk.build import Model
 from ropewalk.scene import Material, Rope
 
 _FLAT = 1e-6  # [1] what counts as in a plane
+_THICK = (
+    5.0  # [1] diameter of a rod over its segments' length up to which hostile starts were tried
+)
 _SHARP = 0.5  # [rad] a bend at one node from which on the angle no longer follows the curvature
 
 
@@ -18,7 +21,7 @@ def bending_warnings(model: Model) -> list[str]:
     found = []
     for rope in model.scene.ropes:
         if isinstance(rope.made_of, Material) and rope.made_of.EI > 0.0:
-            found += _out_of_plane(model, rope) + _too_coarse(model, rope)
+            found += _out_of_plane(model, rope) + _too_coarse(model, rope) + _too_fine(rope)
     return found
 
 
@@ -72,4 +75,18 @@ def _too_coarse(model: Model, rope: Rope) -> list[str]:
     return [
         f"rope {rope.name!r} starts bent by {math.degrees(angle.max()):.0f} degrees at node {node}: "
         "too much for one node of a rope with bending stiffness; take more segments or a smoother shape"
+    ]
+
+
+def _too_fine(rope: Rope) -> list[str]:
+    """Segments much shorter than the round section that EI and EA make: EI / EA = (d / 4)^2."""
+    assert isinstance(rope.made_of, Material)
+    diameter = 4.0 * math.sqrt(rope.made_of.EI / rope.made_of.EA)
+    if diameter <= _THICK * rope.segment_length:
+        return []
+    most = max(1, math.floor(rope.length_unstretched / diameter))
+    return [
+        f"rope {rope.name!r} has the EI and EA of a round rod {diameter:.3g} m thick, in segments of "
+        f"{rope.segment_length:.3g} m: finer than bending means anything, and steps may have no solution; "
+        f"take {most} segment{'s' if most > 1 else ''} at most, or a smaller EI"
     ]

@@ -45,6 +45,7 @@ class Ground(Model):
 class Limiter(Model):
     """Puts every segment back between two lengths after each step (Habrador's way).
 
+    Implicit methods solve for the bounds instead, which then hold exactly, whatever `passes` are.
     Equal limits restore the length exactly, as a rope of position constraints.
     """
 
