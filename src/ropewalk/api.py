@@ -70,7 +70,7 @@ def equilibrium(scene: SceneLike) -> Result:
     """Return the shape in which a scene is at rest, without running it.
 
     All laws take part but friction: weight, stretch, ground, wind, bending; anchors stand where they are
-    at time zero. The stretch limiter is no force, and takes no part.
+    at time zero. The stretch limiter takes no part.
 
     Args:
         scene: scene, preset's name, or scene file.

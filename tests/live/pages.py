@@ -60,7 +60,8 @@ class Page:
             self.frames.append(head)
             self.data = message
             if self.acknowledges:
-                self.send("ack", frame=head[2])
+                with suppress(ConnectionClosed):  # what came before the end is still to be read
+                    self.send("ack", frame=head[2])
         else:
             self.messages.append(json.loads(message))
 

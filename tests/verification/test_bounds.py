@@ -15,15 +15,19 @@ from ropewalk.methods.registry import METHODS
 from ropewalk.methods.stage import HISTORY, ITERATIONS
 from ropewalk.scene import (
     Anchor,
+    Ground,
     Hanging,
+    Kick,
     Limiter,
     Material,
+    Points,
     Rope,
     RunSettings,
     Scene,
     SceneError,
     Straight,
     Velocity,
+    Winch,
 )
 from ropewalk.simulation import Simulation
 
@@ -208,6 +212,85 @@ def test_a_start_beyond_the_bounds_is_brought_within() -> None:
     assert r == pytest.approx(np.full(40, 0.125))
 
 
+def folded(method: str, EA: float, limiter: Limiter, step: float, **more: Any) -> Scene:
+    """Twelve segments of 1/12 m folded onto each other, thrown about at some 3 m/s."""
+    rng = np.random.default_rng(3)
+    size = float(limiter.min_stretch + limiter.max_stretch) / 24.0
+    along, aside = size * math.cos(0.1), size * math.sin(0.1)
+    points = [(along * abs(i % 4 - 2), aside * i, 0.0) for i in range(13)]
+    kicks = [Kick(node=i, velocity=tuple(3.0 * rng.normal(size=3))) for i in range(1, 13)]
+    rope = Rope(
+        segments=12,
+        length=1.0,
+        made_of=Material(EA=EA, mass_per_length=0.1, **more),
+        shape=Points(points=points),
+        kicks=kicks,
+    )
+    settings = RunSettings(
+        duration=100 * step, frame_rate=1.0 / step, time_step=step, method=method
+    )
+    return Scene(run=settings, ropes=rope, anchors=Anchor(node=0), limiter=limiter)
+
+
+@pytest.mark.parametrize("method", [name for name in ABLE if METHODS[name].fixed])
+@pytest.mark.parametrize("tension_only", [False, True])
+def test_bounds_never_make_energy(method: str, tension_only: bool) -> None:
+    """From folded and thrown states, for EA from 1 to 1e12 N, also with bounds that leave out the natural
+    length: every step has a solution, the bounds hold, and kinetic and elastic energy stay below the
+    start's and a fall's.
+    """
+    bounds = [(0.98, 1.02), (0.9, 1.1), (0.5, 1.5), (1.0, 1.0), (1.05, 1.2), (0.7, 0.9)]
+    for EA in (1.0, 1e4, 1e12):
+        for low, high in bounds:
+            for step in (1e-4, 1e-3, 3e-2):
+                limiter = Limiter(min_stretch=low, max_stretch=high)
+                made = folded(method, EA, limiter, step, tension_only=tension_only)
+                simulation = Simulation(made)
+                first = simulation.recording().recording.energy[0]
+                there = first[0] + first[2] + 2.0 * 0.1 * 9.81
+                block = simulation.advance_frames(100)
+                assert block.status == OK, simulation.failure
+                energy = block.recording.energy
+                most = float((energy[:, 0] + energy[:, 2]).max())
+                assert most < 1.2 * there, (EA, low, high, step)
+                found = stretches(block, 1.0 / 12.0)
+                assert low - 1e-8 < found.min() <= found.max() < high + 1e-8
+
+
+def test_a_rope_that_falls_on_the_ground_gains_nothing() -> None:
+    """It was thrown up at kilometres per second by what its bounds gave."""
+    rope = Rope(
+        segments=20,
+        length=4.0,
+        made_of=SOFT.replace(tension_only=True),
+        shape=Hanging(start=(0, 0, 3.0)),
+    )
+    limiter = Limiter(min_stretch=0.9, max_stretch=1.02)
+    for method in ("esdirk3", "bdf2"):
+        made = swing(method, 1.0 / 960.0, ropes=rope, limiter=limiter, anchors=())
+        made = made.replace(ground=Ground(height=0.0, repulsion=1000.0))
+        simulation = Simulation(made)
+        block = join([simulation.recording(), *simulation.frames()])
+        assert block.status == OK
+        deep = np.minimum(block.recording.x[0, 2], 0.0)
+        given = 0.5 * 1000.0 * float((deep**2).sum()) + 9.81 * 3.0
+        assert block.recording.energy[:, 0].max() < given
+
+
+def test_the_first_reaction_carries_the_whole_rope() -> None:
+    """A chain that hangs on its bounds from the first frame on; with equal bounds it is known there."""
+    rope = Rope(
+        segments=6,
+        length=6.0,
+        made_of=Material(EA=20.0, mass_per_length=0.1),
+        shape=Straight(end=(0.0, 0.0, -6.0)),
+    )
+    made = swing("esdirk3", ropes=rope, limiter=Limiter(min_stretch=1.0, max_stretch=1.0))
+    first = Simulation(made).recording().recording
+    assert first.reaction[0, 0] == pytest.approx([0.0, 0.0, 0.6 * 9.81])
+    assert first.tension[0, 0] == pytest.approx(0.55 * 9.81)
+
+
 def test_what_is_refused() -> None:
     for method in ("sdirk2", "implicit-midpoint", "generalized-alpha"):
         with pytest.raises(SceneError) as caught:
@@ -221,6 +304,18 @@ def test_what_is_refused() -> None:
     ):
         Simulation(swing("bdf2", ropes=span, anchors=held))
     Simulation(swing("semi-implicit-euler", "auto", ropes=span, anchors=held))  # the twin
+    wound = swing("adaptive", "auto", winches=Winch(end="start", speed=0.1))
+    with pytest.raises(SceneError, match="a stretch limiter and a winch together"):
+        Simulation(wound)
+    Simulation(wound.replace(limiter=None))
+    soft = Rope(segments=4, length=4.0, made_of=SOFT.replace(EA=5.0), shape=Hanging())
+    rest = swing("bdf2", ropes=soft)
+    rest = rest.replace(run=rest.run.replace(start="at-rest"))
+    with pytest.raises(
+        SceneError, match="at-rest.* segment 0 of rope 'rope' at 2.717 of its length"
+    ):
+        Simulation(rest)
+    Simulation(rest.replace(limiter=Limiter(min_stretch=0.9, max_stretch=3.0)))
 
 
 @pytest.mark.parametrize("method", ABLE)

@@ -7,14 +7,12 @@ import math
 import numpy as np
 import pytest
 
-from ropewalk.build import build
-from ropewalk.scene import Air, Anchor, Ground, Limiter, Rope, SceneError, Straight, Velocity
+from ropewalk.scene import Air, Anchor, Ground, Limiter, Rope, Straight, Velocity
 from ropewalk.simulation import Simulation
 from verification.setups import (
     ALL,
     DOWN,
     EXPLICIT,
-    IMPLICIT,
     NO_GRAVITY,
     along_x,
     chain,
@@ -208,18 +206,6 @@ def test_the_limiter_holds_lengths_and_velocities(method: str) -> None:
     assert frames[-1][1] == pytest.approx([0, 0, 0], abs=allowed)
     assert max(-x[1] for x, _ in frames) < 1.1 + 1e-12
     assert -limited(velocities=False)[-1][1][1] > 20.0
-
-
-@pytest.mark.parametrize("method", [*IMPLICIT, "adaptive"])
-def test_a_limiter_is_refused_by_implicit_methods(method: str) -> None:
-    """It has no tangent: the plan names law and method. The twins: without it; and auto takes another."""
-    rope = chain(np.array([(0, 0, 0), (0, -1.0, 0)]), springs(1.0, 1.0, 1.0))
-    free = scene(rope, hold(0), dt=1e-2, steps=3, method=method)
-    with pytest.raises(SceneError, match=f'run.method: "{method}" - .*stretch limiter.*explicit'):
-        build(free.replace(limiter=Limiter()))
-    assert build(free).plan.method == method
-    auto = free.replace(limiter=Limiter(), run=free.run.replace(method="auto"))
-    assert build(auto).plan.method in EXPLICIT
 
 
 @pytest.mark.parametrize("method", EXPLICIT)

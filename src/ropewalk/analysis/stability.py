@@ -311,6 +311,9 @@ def _notes(
             rate = "y^2/2" if name == "euler" else "y^4/8"
             words += f"; it grows by {rate} per step, y = frequency [rad/s] x step [s]"
         notes.append(words)
+    if model.scene.limiter is not None:
+        unfit = [name for name in METHODS if not bounds_stretch(name)]
+        notes.append(f"{', '.join(unfit)} cannot work with a stretch limiter")
     air = model.system.air
     if largest[method] >= dt and air.quadratic:
         still = chains(model.system, model.state, 0.0)

@@ -20,7 +20,7 @@ from ropewalk.methods.registry import METHODS
 from ropewalk.scene import SceneError
 from ropewalk.scene.errors import Fault
 
-_TAUT = 1e-9  # a span this close to its rope's length leaves no room [1]
+TAUT = 1e-9  # a span this close to its rope's length leaves no room [1]
 _OFF = 0.05  # a start this much too long or short is a mistake, not a curve cut into chords [1]
 _ITERATIONS = 50
 _EXACT = 1e-13  # length error of the start that rounding may leave [1]
@@ -101,9 +101,9 @@ def _refuse_method(model: Model) -> None:
 def _refuse_spans(model: Model) -> None:
     faults = []
     for reach in reaches(model.layout, model.state, model.state.x):
-        if reach.distance < (1.0 - _TAUT) * reach.length:
+        if reach.distance < (1.0 - TAUT) * reach.length:
             continue
-        short = reach.distance > (1.0 + _TAUT) * reach.length
+        short = reach.distance > (1.0 + TAUT) * reach.length
         why = (
             "there is no such shape" if short else "taut like that, nothing determines its tension"
         )
@@ -207,7 +207,7 @@ def _fit_velocities(model: Model) -> None:
     r = np.sqrt((d * d).sum(axis=0))
     t = d / np.maximum(r, 1e-300)
     rate = (np.diff(state.v, axis=1) * t).sum(axis=0)
-    active = np.isinf(state.stiffness) & (~one_way | (r >= (1.0 - _TAUT) * state.rest_length))
+    active = np.isinf(state.stiffness) & (~one_way | (r >= (1.0 - TAUT) * state.rest_length))
     if not rate[active].any():
         return
     for _ in range(active.size):

@@ -177,6 +177,29 @@ def bending_rounding(x, rest_length, stiffness, clamp_stiffness, node):
 
 
 @kernel
+def bound_rounding(limiter):
+    """Return what rounding leaves of spring and bound, which cancel where a bound is far from L [N]."""
+    largest = 0.0
+    for k in range(3):
+        for j in range(limiter.shape[1]):
+            largest = max(largest, abs(limiter[k, j]))
+    return 8.0 * EPSILON * largest
+
+
+@part
+def rounding(system, state, stage):
+    """Return the residual that rounding leaves of forces much larger than those of the report's scale [N]."""
+    left = 0.0
+    if system.flags[BENDING] == 1:
+        clamps, node = system.bending.clamp_stiffness, state.anchor_node
+        stiffness = state.bending_stiffness
+        left += bending_rounding(stage.x, state.rest_length, stiffness, clamps, node)
+    if system.limiter.active == 1:
+        left += bound_rounding(stage.forces.limiter)
+    return left
+
+
+@kernel
 def is_solved(report, tolerance):
     """Tell whether the forces balance to `tolerance` [1], or to rounding, and the lengths fit."""
     bound = tolerance * report[SCALE] + report[ROUNDING] + 1e-300
@@ -313,10 +336,7 @@ def solve_stage(system, state, stage, c1, c2):
             continue
         largest_force(v, known, mass, free, system.gravity, c2, saddle.force, report)
         largest_misfit(x, tension, state.rest_length, stage.forces.friction, saddle, report)
-        if system.flags[BENDING] == 1:
-            clamps, node = system.bending.clamp_stiffness, state.anchor_node
-            stiffness = state.bending_stiffness
-            report[ROUNDING] = bending_rounding(x, state.rest_length, stiffness, clamps, node)
+        report[ROUNDING] = rounding(system, state, stage)
         report[ITERATIONS], report[HISTORY + iteration] = iteration, trial
         if is_solved(report, TIGHT) or (failed and not exact and is_solved(report, LOOSE)):
             break

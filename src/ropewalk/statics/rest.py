@@ -64,7 +64,7 @@ def static_shape(source: Scene | Model, *, strict: bool = True) -> Statics:
     `residual` then.
 
     Ropes that nothing gives a shape (not held, or slack without weight) are left where they are,
-    without tension; `checked_shape` refuses them. The stretch limiter is no force, and takes no part.
+    without tension; `checked_shape` refuses them. The stretch limiter takes no part.
 
     Raises SceneError for rigid links that do not reach, NoRest when Newton's method finds no shape.
     """

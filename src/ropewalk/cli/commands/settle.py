@@ -55,7 +55,7 @@ def settle(
         if output is not None:
             result = result.save(output, overwrite=overwrite)
     if loaded.limiter is not None:
-        warn("the stretch limiter is no force, and takes no part in the equilibrium")
+        warn("the stretch limiter takes no part in the equilibrium")
     if as_json:
         print_json(_facts(result, spans))
         return
