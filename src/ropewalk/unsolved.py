@@ -102,9 +102,10 @@ def _describe_shortest(
         rope, index = layout.rope_of(node)
         why = f"at node {index} of rope {rope!r} "
         why += f"its estimated error is {error:.3g} m, more than {tolerance:g} m"
+    text = f"adaptive needs steps below {SHORTEST_STEP:g} s at t = {time:.6g} s: {why}"
     if too_far := _too_far(layout, state, longest, scratch):
-        return f"adaptive needs steps below {SHORTEST_STEP:g} s at t = {time:.6g} s: {too_far}"
+        return f"{text}: {too_far}"
     return (
-        f"adaptive needs steps below {SHORTEST_STEP:g} s at t = {time:.6g} s: {why}. Try a larger "
-        "tolerance; look for anchors that jump or move apart, and for nodes thrown or pressed together."
+        f"{text}. Try a larger tolerance; look for anchors that jump or move apart, and for nodes thrown or "
+        "pressed together."
     )
