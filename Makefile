@@ -7,7 +7,7 @@ PYTEST := $(BIN)/python -m pytest
 SPREAD := -n logical --dist loadfile
 
 .DEFAULT_GOAL := help
-.PHONY: help venv runtime dev demo view test test-browser test-slow lint format bench work-precision docs report page page-check clean distclean
+.PHONY: help venv runtime dev demo view test test-browser test-slow lint locks format bench work-precision docs report page page-check clean distclean
 
 help:  ## list the targets
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | \
@@ -30,11 +30,16 @@ venv:
 	@pwd > .venv/made-in
 
 # Installs only what the lock and the package's description say is new: a copy of both is kept in .venv.
+# Every file is checked against the hash that requirements/PYTHON has of it (requirements/lock writes those).
 define install
-	@cmp -s requirements/$(1).txt .venv/lock-$(1).txt || { \
-	  echo "installing requirements/$(1).txt into .venv"; rm -f .venv/lock-$(1).txt; \
-	  $(BIN)/python -m pip install --quiet --disable-pip-version-check -r requirements/$(1).txt && \
-	  cp requirements/$(1).txt .venv/lock-$(1).txt; }
+	@lock="requirements/$$($(BIN)/python -c 'import sys; print("%d.%d" % sys.version_info[:2])')/$(1).txt"; \
+	[ -f "$$lock" ] || { \
+	  echo "make: there is no $$lock; the locks are for Python $$(cd requirements && echo 3.*)." \
+	       "Name one of these: make distclean, then make PYTHON=python3.12" >&2; exit 1; }; \
+	cmp -s "$$lock" .venv/lock-$(1).txt || { \
+	  echo "installing $$lock into .venv"; rm -f .venv/lock-$(1).txt; \
+	  $(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r "$$lock" && \
+	  cp "$$lock" .venv/lock-$(1).txt; }
 endef
 
 runtime: venv
@@ -66,6 +71,9 @@ lint: dev  ## check style, format, types and the import contracts
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 	$(BIN)/lint-imports --no-logo
+
+locks:  ## write requirements/PYTHON anew, for Python 3.11 to 3.13, after a change of pyproject.toml
+	PYTHON="$(PYTHON)" requirements/lock
 
 format: dev  ## put the code into the common format
 	$(BIN)/ruff check --fix .
