@@ -30,14 +30,16 @@ def started(model: Model) -> Model:
     not reach or do not have the shape's length, and for a mode that is not there or does not
     ring; `statics.NoRest` when none is found.
     """
+    if model.started:
+        return model
     run = model.scene.run
     if run.start != "at-rest":
-        return with_bounds(with_links(model))
+        return replace(with_bounds(with_links(model)), started=True)
     state = arrays.copy(model.state)
     state.x[...] = checked_shape(model).positions.T
     if run.ring is not None:
         state.v[...] += run.ring.speed * _velocity(model, run.ring)
-    return with_bounds(with_links(replace(model, state=state)))
+    return replace(with_bounds(with_links(replace(model, state=state))), started=True)
 
 
 def _velocity(model: Model, ring: Ring) -> Floats:

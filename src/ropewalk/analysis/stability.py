@@ -253,7 +253,7 @@ def sideways_share(model: Model, statics: Statics | None = None) -> float:
     alive = state.stiffness > 0.0
     if np.any(rest[alive] == 0.0) or not alive.any():
         return 1.0
-    statics = statics or static_shape(model)
+    statics = statics or static_shape(model, strict=False)
     size = np.linalg.norm(np.diff(state.x, axis=1), axis=0)
     stretch = max(float((size[alive] / rest[alive]).max()), 1.0)
     resting = max(float(statics.stretch[alive].max()), 1.0)

@@ -22,6 +22,7 @@ class Model:
     state: State
     layout: Layout
     plan: Plan
+    started: bool = False  # whether `state` is that in which the run starts; see `ropewalk.start`
 
 
 def build(scene: Scene) -> Model:

@@ -17,7 +17,7 @@ def results_rows(table: dict[str, Any]) -> list[tuple[str, str, str]]:
     """Return name, value with unit, and place of the numbers of a result's table."""
     rows = []
     for name, value in table.items():
-        if name.endswith(" at") or name == "status":
+        if name.endswith(" at") or name == "status" or value != value:  # NaN: there is none
             continue
         found = _UNIT.match(name)
         bare, unit = (found[1], found[2]) if found else (name, "")

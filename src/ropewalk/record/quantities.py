@@ -102,6 +102,21 @@ def joined(layout: Layout) -> NDArray[np.bool_]:
     return same
 
 
+def has_rope(layout: Layout, rest: Floats, lengths: list[float]) -> NDArray[np.bool_]:
+    """Tell where there is rope, (..., s): not between two ropes, and not on a winch's drum.
+
+    Args:
+        layout: of the ropes.
+        rest: unstretched length of all segments [m], (..., s); 0 on a drum.
+        lengths: each rope's segment length [m]; where that is 0, so is every rest length off a drum.
+    """
+    found: NDArray[np.bool_] = rest > 0.0
+    for span, length in zip(layout.ropes, lengths, strict=True):
+        if length == 0.0:
+            found[..., span.first : span.last] = True
+    return found & joined(layout)
+
+
 def rest_length_at_start(layout: Layout, lengths: list[float]) -> Floats:
     """Return the unstretched length of all segments [m], (s,), from each rope's segment length."""
     out = np.zeros(layout.segments)

@@ -18,7 +18,7 @@ from ropewalk.core.arrays import Floats
 from ropewalk.record.drawing import Plots, png
 from ropewalk.record.facts import AT_REST, Facts
 from ropewalk.record.ledger import balance_residual, energy_error
-from ropewalk.record.quantities import joined, labels, rest_length_at_start
+from ropewalk.record.quantities import has_rope, labels, rest_length_at_start
 from ropewalk.record.rope_view import RopeView
 from ropewalk.record.source import Source
 from ropewalk.record.summary import summary
@@ -123,8 +123,8 @@ class Result:
     @property
     def live(self) -> Bools:
         """Whether there is rope in a segment, (frames, segments)."""
-        found: Bools = (self.rest_length > 0.0) & joined(self.layout)
-        return found
+        lengths = [rope.segment_length for rope in self.scene.ropes]
+        return has_rope(self.layout, self.rest_length, lengths)
 
     @cached_property
     def energy(self) -> Mapping[str, Floats]:
@@ -326,6 +326,7 @@ class Result:
             f"<tr><td style='text-align:left'>{html.escape(key)}</td>"
             f"<td>{html.escape(_text(value))}</td></tr>"
             for key, value in self.table.items()
+            if value == value  # NaN: there is none
         )
         image = png(self)
         shown = ""

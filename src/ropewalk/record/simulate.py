@@ -63,13 +63,23 @@ class Runner:
         if block.status == OK:
             return block
         self._events += self._watch.look()
-        self.diagnosis = self.simulation.failure or self._explain(self.simulation)
+        self.diagnosis = self.simulation.failure or self._why()
         if not self._keep_going or block.status == UNSOLVED:
             return block
         told = {"event": BROKE, "time": self.simulation.time, "diagnosis": self.diagnosis}
         self._events.append(told)
         rest = self.simulation.advance_frames(frames - block.frames, keep_going=True)
         return join([block, rest])
+
+    def _why(self) -> str:
+        """Have the break explained; whatever goes wrong with that, the run and its result stand."""
+        here = self.simulation.state
+        try:
+            return self._explain(self.simulation)
+        except Exception as error:
+            self.simulation.restore(here)
+            why = f"{type(error).__name__}: {error}".rstrip(": .")
+            return f"{no_explanation(self.simulation)} Why could not be told ({why})."
 
     def take_events(self) -> list[Event]:
         """Return what has happened since this was last asked."""

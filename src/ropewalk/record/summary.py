@@ -9,7 +9,7 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats
 from ropewalk.record.facts import AT_REST
-from ropewalk.record.quantities import joined, rest_length_at_start
+from ropewalk.record.quantities import has_rope, rest_length_at_start
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -21,7 +21,8 @@ def summary(result: Result) -> dict[str, Any]:
     """Return the numbers that people want first, by name with unit.
 
     Segments and nodes are named as `rope:number`. Frames with NaN or infinite values are left out of
-    extremes. Reads the run in pieces, so that memory does not grow with its length.
+    extremes. NaN stands for what there is none of: a stretch where nothing has a rest length, an energy
+    error without a ledger. Reads the run in pieces, so that memory does not grow with its length.
     """
     found = _extremes(result)
     if result.status == AT_REST:
@@ -39,13 +40,15 @@ def summary(result: Result) -> dict[str, Any]:
         "frames": result.frames,
         **_steps(result),
         "largest tension [N]": tension,
-        "largest tension at": _place(layout, segment, "segment", time[frame]),
+        "largest tension at": _place(layout, segment, "segment", time[frame], tension),
         "largest stretch [1]": stretch,
-        "largest stretch at": _place(layout, stretch_segment, "segment", time[stretch_frame]),
+        "largest stretch at": _place(
+            layout, stretch_segment, "segment", time[stretch_frame], stretch
+        ),
         "largest speed [m/s]": speed,
-        "largest speed at": _place(layout, speed_node, "node", time[speed_frame]),
+        "largest speed at": _place(layout, speed_node, "node", time[speed_frame], speed),
         "lowest point [m]": -lowest,
-        "lowest point at": _place(layout, low_node, "node", time[low_frame]),
+        "lowest point at": _place(layout, low_node, "node", time[low_frame], lowest),
         "largest energy error [J]": _largest(result.energy_error),
         "final energy error [J]": float(result.energy_error[-1]),
         "largest balance residual [J]": _largest(result.balance_residual),
@@ -84,7 +87,8 @@ def _at_rest(result: Result, found: dict[str, tuple[float, int, int]]) -> dict[s
         value, _, index = found[name]
         rope, number = layout.rope_of(index)
         table[title] = sign * value
-        table[f"{title.partition(' [')[0]} at"] = f"{noun} {number} of rope {rope!r}"
+        place = f"{noun} {number} of rope {rope!r}" if math.isfinite(value) else ""
+        table[f"{title.partition(' [')[0]} at"] = place
     return table | {
         "potential energy [J]": float(result.energy["total"][0]),
         "largest force left [N]": result.residual,
@@ -107,20 +111,23 @@ def _extremes(result: Result) -> dict[str, tuple[float, int, int]]:
             frame, column = divmod(at, values.shape[1])
             if values[frame, column] > best[name][0]:
                 best[name] = (float(values[frame, column]), start + frame, column)
-    return best
+    none = [name for name, (value, _, _) in best.items() if value == -math.inf]
+    return best | dict.fromkeys(none, (math.nan, 0, 0))
 
 
 def _measures(result: Result, start: int, stop: int) -> dict[str, Floats]:
     positions = result.read("positions", start, stop)
+    lengths = [rope.segment_length for rope in result.scene.ropes]
     if "rest_length" in result.source.names:
         rest = result.read("rest_length", start, stop)
     else:
-        lengths = [rope.segment_length for rope in result.scene.ropes]
         rest = rest_length_at_start(result.layout, lengths)
-    live = (rest > 0.0) & joined(result.layout)
+    live = has_rope(result.layout, rest, lengths)
     with np.errstate(invalid="ignore", over="ignore"):
         length = np.linalg.norm(np.diff(positions, axis=1), axis=2)
-        stretch = np.divide(length, rest, out=np.full(length.shape, -np.inf), where=live)
+        stretch = np.divide(
+            length, rest, out=np.full(length.shape, -np.inf), where=live & (rest > 0.0)
+        )
         speed = np.linalg.norm(result.read("velocities", start, stop), axis=2)
         lowest = -(positions @ np.asarray(result.scene.up))
     tension = np.where(live, result.read("tension", start, stop), -np.inf)
@@ -132,6 +139,8 @@ def _largest(values: Floats) -> float:
     return float(sound.max()) if sound.size else math.nan
 
 
-def _place(layout: Any, index: int, noun: str, time: float) -> str:
+def _place(layout: Any, index: int, noun: str, time: float, value: float) -> str:
+    if math.isnan(value):
+        return ""
     rope, number = layout.rope_of(index)
     return f"{noun} {number} of rope {rope!r}, t = {time:.6g} s"

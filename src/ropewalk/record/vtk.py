@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from ropewalk.record.errors import RunError
 from ropewalk.record.files import PARTIAL, write, writing
-from ropewalk.record.quantities import joined, rest_length_at_start, rope_numbers
+from ropewalk.record.quantities import has_rope, rest_length_at_start, rope_numbers
 from ropewalk.record.result import Result
 from ropewalk.record.selection import Indices, Selection, take
 
@@ -76,13 +76,13 @@ def _write_frames(result: Result, chosen: Selection, folder: Path) -> list[str]:
     names = []
     for piece in chosen.pieces(result):
         arrays = {name: take(result, name, piece) for name in ("positions", *_more(result, chosen))}
+        lengths = [rope.segment_length for rope in result.scene.ropes]
         if "rest_length" in result.source.names:
             rest = take(result, "rest_length", piece)
         else:
-            lengths = [rope.segment_length for rope in result.scene.ropes]
             fixed = rest_length_at_start(result.layout, lengths)
             rest = np.broadcast_to(fixed, (len(piece), len(fixed)))
-        live = (rest > 0.0) & joined(result.layout)
+        live = has_rope(result.layout, rest, lengths)
         for row, frame in enumerate(piece):
             name = f"frame_{frame:06d}.vtp"
             parts = {key: array[row] for key, array in arrays.items()}
