@@ -319,11 +319,11 @@ def test_a_method_is_compiled_when_it_is_and_not_before(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     from ropewalk.cli.progress import is_compiled
-    from ropewalk.core import jit
+    from ropewalk.core import cache
     from ropewalk.methods.registry import METHODS
 
     kernel = METHODS["verlet"].advance
-    monkeypatch.setattr(jit, "cache_folder", lambda: tmp_path)
+    monkeypatch.setattr(cache, "cache_folder", lambda: tmp_path)
     if not kernel.signatures:
         stem = f"loop-{kernel.py_func.__code__.co_firstlineno}.py{sys.version_info[0]}{sys.version_info[1]}"
         (tmp_path / f"loop.advance-runge_kutta-{stem}.nbi").touch()

@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 
 from ropewalk.build import Model
-from ropewalk.core.jit import is_compiled
+from ropewalk.core.cache import is_compiled
 from ropewalk.methods.registry import METHODS
 from ropewalk.simulation import Broken, Simulation
 

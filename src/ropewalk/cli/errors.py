@@ -14,9 +14,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from threading import current_thread, main_thread
 from types import FrameType
-from typing import Any
+from typing import Any, TextIO
 
 import click
+
+from ropewalk.cli.console import warn
 
 BUG, BAD_INPUT, BROKE, INTERRUPTED = 1, 2, 3, 130
 
@@ -123,6 +125,19 @@ def explain(error: Exception) -> tuple[int, str]:
             return BROKE, _error_lines(str(error))
     name = type(error).__name__
     return BUG, f"error in Ropewalk itself: {name}: {error}"
+
+
+def show_warning(
+    message: Warning | str,
+    category: type[Warning],
+    filename: str,
+    lineno: int,
+    file: TextIO | None = None,
+    line: str | None = None,
+) -> None:
+    """Print what the package warns of; the warnings of others are for those who write programs."""
+    if issubclass(category, UserWarning):
+        warn(str(message))
 
 
 def _is_refusal(error: Exception) -> bool:

@@ -18,10 +18,10 @@ if TYPE_CHECKING:
 
 def is_compiled(method: str) -> bool:
     """Whether the machine code of a method is there already, in this process or on disk."""
-    from ropewalk.core import jit
+    from ropewalk.core import cache
     from ropewalk.methods.registry import METHODS
 
-    return jit.is_compiled(METHODS[method].advance)
+    return cache.is_compiled(METHODS[method].advance)
 
 
 def tell_compiling(method: str) -> None:

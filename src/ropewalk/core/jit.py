@@ -1,125 +1,17 @@
-"""The `@kernel` decorator: numba without fast-math, cached under a hash of the package's own sources.
-
-numba's own disk cache looks at one file's time stamp only and misses edits in the files a kernel calls
-(numba issue 1833). Here the stamp of every cached kernel is a hash over all sources of the package, so
-that stale machine code can never run.
-"""
+"""The `@kernel` decorator: numba without fast-math, cached under a hash of the package's own sources."""
 
 from __future__ import annotations
 
-import contextlib
-import hashlib
-import os
-import shutil
-import sys
 from collections.abc import Callable
-from functools import cache
-from pathlib import Path
 from typing import Any
 
 import numba
-from numba.core import caching, ir, ir_utils
+from numba.core import ir, ir_utils
 from numba.core.compiler import CompilerBase, DefaultPassBuilder
 from numba.core.compiler_machinery import FunctionPass, register_pass
 from numba.core.untyped_passes import ReconstructSSA
 
-PACKAGE = Path(__file__).resolve().parent.parent
-KERNEL_FOLDERS = ("core", "laws", "methods", "motions")
-KEPT_CACHES = 4
-
-
-@cache
-def source_hash() -> str:
-    """Return a hash of every source file that can hold a kernel, and of numba's version."""
-    digest = hashlib.sha256(numba.__version__.encode())
-    for folder in KERNEL_FOLDERS:
-        for path in sorted((PACKAGE / folder).rglob("*.py")):
-            digest.update(str(path.relative_to(PACKAGE)).encode())
-            digest.update(path.read_bytes())
-    return digest.hexdigest()[:16]
-
-
-def cache_root() -> Path:
-    """Return the folder of compiled kernels: `ROPEWALK_CACHE_DIR`, or the user's cache folder."""
-    if chosen := os.environ.get("ROPEWALK_CACHE_DIR"):
-        return Path(chosen)
-    if sys.platform == "win32":
-        base = Path(os.environ.get("LOCALAPPDATA", Path.home() / "AppData" / "Local"))
-    elif sys.platform == "darwin":
-        base = Path.home() / "Library" / "Caches"
-    else:
-        base = Path(os.environ.get("XDG_CACHE_HOME", Path.home() / ".cache"))
-    return base / "ropewalk"
-
-
-@cache
-def cache_folder() -> Path | None:
-    """Return this version's own cache folder, made if need be; None where nothing can be written."""
-    folder = cache_root() / source_hash()
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        os.utime(folder)
-        probe = folder / f".probe-{os.getpid()}"
-        probe.write_bytes(b"")
-        probe.unlink()
-    except OSError:
-        return None
-    _drop_old_caches(folder)
-    return folder
-
-
-def _drop_old_caches(current: Path) -> None:
-    with contextlib.suppress(OSError):
-        old = [entry for entry in current.parent.iterdir() if entry.is_dir() and entry != current]
-        old.sort(key=lambda entry: entry.stat().st_mtime, reverse=True)
-        for entry in old[KEPT_CACHES - 1 :]:
-            shutil.rmtree(entry, ignore_errors=True)
-
-
-def is_compiled(function: Any) -> bool:
-    """Tell whether `function` has machine code, in this process or on disk."""
-    if function.signatures:
-        return True
-    folder = cache_folder()
-    code = function.py_func.__code__
-    stem = Path(code.co_filename).stem
-    name = f"{stem}.{function.py_func.__qualname__}-{stem}-{code.co_firstlineno}."
-    version = f"py{sys.version_info.major}{sys.version_info.minor}"  # as numba names its files
-    return folder is not None and any(folder.glob(f"{name}{version}*.nbi"))
-
-
-class _SourceHashLocator(caching._CacheLocator):
-    """Locate cached kernels in the folder that carries the hash of all sources."""
-
-    def __init__(self, py_func: Callable[..., Any], py_file: str) -> None:
-        self._stem = Path(py_file).stem
-        self._line = py_func.__code__.co_firstlineno
-
-    def get_cache_path(self) -> str:
-        return str(cache_folder())
-
-    def get_source_stamp(self) -> str:
-        return source_hash()
-
-    def get_disambiguator(self) -> str:
-        return f"{self._stem}-{self._line}"
-
-    @classmethod
-    def from_function(cls, py_func: Callable[..., Any], py_file: str) -> _SourceHashLocator:
-        return cls(py_func, py_file)
-
-
-class _KernelCacheImpl(caching.CompileResultCacheImpl):
-    _locator_classes = [_SourceHashLocator]  # noqa: RUF012 - numba reads this class attribute
-
-
-class _KernelCache(caching.FunctionCache):
-    _impl_class = _KernelCacheImpl
-
-    def _index_key(self, sig: Any, codegen: Any) -> Any:
-        # The source hash stands for the code. numba adds a hash of what a closure holds, which for a
-        # compiled function is another in every process.
-        return sig, codegen.magic_tuple()
+from ropewalk.core.cache import KernelCache
 
 
 @register_pass(mutates_CFG=False, analysis_only=False)
@@ -197,8 +89,8 @@ def kernel(function: Callable[..., Any]) -> Any:
     took ten times as long as the physics of a short rope.
     """
     compiled = _njit()(function)
-    if hasattr(compiled, "_cache") and cache_folder() is not None:
-        compiled._cache = _KernelCache(function)
+    if hasattr(compiled, "_cache"):
+        compiled._cache = KernelCache(function)
     return compiled
 
 

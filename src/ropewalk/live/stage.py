@@ -13,7 +13,7 @@ import traceback
 from collections.abc import Callable
 from typing import Any, Protocol
 
-from ropewalk.core.jit import is_compiled
+from ropewalk.core.cache import is_compiled
 from ropewalk.live import breaks, describe
 from ropewalk.live.commands import Back, Command, Remedy, SceneCommand, Set
 from ropewalk.live.frame import BROKEN, GRABBED, PLAYING, SLOW, Clockwork, encode

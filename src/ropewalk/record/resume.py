@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from ropewalk.build import build
-from ropewalk.core.jit import source_hash
+from ropewalk.core.cache import source_hash
 from ropewalk.record import checkpoint
 from ropewalk.record.errors import RunError
 from ropewalk.record.events import log

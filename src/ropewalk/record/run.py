@@ -15,7 +15,7 @@ from types import FrameType
 
 from ropewalk.block import Block
 from ropewalk.build import Model
-from ropewalk.core.jit import source_hash
+from ropewalk.core.cache import source_hash
 from ropewalk.core.status import OK
 from ropewalk.methods.adaptive import counts
 from ropewalk.record import checkpoint
