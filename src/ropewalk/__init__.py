@@ -12,7 +12,47 @@ Units are SI throughout. Heavy parts (figures, run folders) load when they are f
 from __future__ import annotations
 
 from importlib import import_module
-from typing import Any
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:  # what type checkers and editors see; `_HOMES` loads the same at run time
+    from ropewalk.api import BrokenRun as BrokenRun
+    from ropewalk.api import check as check
+    from ropewalk.api import equilibrium as equilibrium
+    from ropewalk.api import modes as modes
+    from ropewalk.api import open as open  # noqa: A004
+    from ropewalk.api import resume as resume
+    from ropewalk.api import run as run
+    from ropewalk.api import simulate as simulate
+    from ropewalk.record.errors import RunError as RunError
+    from ropewalk.record.result import Result as Result
+    from ropewalk.scene import Air as Air
+    from ropewalk.scene import Anchor as Anchor
+    from ropewalk.scene import Clamp as Clamp
+    from ropewalk.scene import Ground as Ground
+    from ropewalk.scene import Limiter as Limiter
+    from ropewalk.scene import Load as Load
+    from ropewalk.scene import Material as Material
+    from ropewalk.scene import Ring as Ring
+    from ropewalk.scene import Rope as Rope
+    from ropewalk.scene import RunSettings as RunSettings
+    from ropewalk.scene import Scene as Scene
+    from ropewalk.scene import SceneError as SceneError
+    from ropewalk.scene import Springs as Springs
+    from ropewalk.scene import Winch as Winch
+    from ropewalk.scene import dumps as dumps
+    from ropewalk.scene import load as load
+    from ropewalk.scene import loads as loads
+    from ropewalk.scene import save as save
+    from ropewalk.scene.presets import preset as preset
+    from ropewalk.simulation import Broken as Broken
+    from ropewalk.simulation import Simulation as Simulation
+    from ropewalk.statics import NoRest as NoRest
+    from ropewalk.theory import catenary as catenary
+    from ropewalk.theory import elastic_catenary as elastic_catenary
+    from ropewalk.theory import hanging_chain as hanging_chain
+    from ropewalk.theory import lumped_chain as lumped_chain
+    from ropewalk.theory import parabola as parabola
+    from ropewalk.vibration import Modes as Modes
 
 _HOMES = {
     "Air": "scene",
@@ -45,6 +85,7 @@ _HOMES = {
     "NoRest": "statics",
     "run": "api",
     "resume": "api",
+    "open": "api",
     "RunError": "record.errors",
     "check": "api",
     "catenary": "theory",
@@ -55,14 +96,16 @@ _HOMES = {
 }
 
 __version__ = "0.1.0"
-__all__ = [*sorted(_HOMES), "__version__"]
+# `from ropewalk import *` must not put itself in the place of Python's own `open`.
+__all__ = [*sorted(set(_HOMES) - {"open"}), "__version__"]
 
+if not TYPE_CHECKING:
 
-def __getattr__(name: str) -> Any:
-    if name not in _HOMES:
-        raise AttributeError(f"module 'ropewalk' has no attribute {name!r}")
-    return getattr(import_module(f"ropewalk.{_HOMES[name]}"), name)
+    def __getattr__(name: str) -> object:
+        if name not in _HOMES:
+            raise AttributeError(f"module 'ropewalk' has no attribute {name!r}")
+        return getattr(import_module(f"ropewalk.{_HOMES[name]}"), name)
 
 
 def __dir__() -> list[str]:
-    return __all__
+    return sorted([*_HOMES, "__version__"])

@@ -188,6 +188,16 @@ def resume(
     return _ended(result, on_failure)
 
 
+def open(folder: str | Path) -> Result:  # noqa: A001 - as `rw.open`, it is what it says
+    """Open a run folder, finished or not, and return its result.
+
+    Quantities are read when they are first used: times [s], positions [m], tensions [N] ...
+
+    Raises RunError when it is no run folder, or damaged.
+    """
+    return Result.open(folder)
+
+
 def _check_choice(on_failure: str) -> None:
     if on_failure not in ("raise", "return"):
         raise ValueError(f'on_failure: {on_failure!r} - must be "raise" or "return"')

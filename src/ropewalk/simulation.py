@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 from importlib import import_module
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -37,6 +37,9 @@ from ropewalk.methods.scratch import make_sums
 from ropewalk.motions.table import HAND
 from ropewalk.scene import Scene
 from ropewalk.start import started
+
+if TYPE_CHECKING:
+    from ropewalk.live.view import View
 
 # The energy error that tells a broken simulation, over all energy that can honestly be turned over [1].
 MADE_UP = 3.0
@@ -337,14 +340,17 @@ class Simulation:
         """Let the adaptive method walk on from the state that is shown."""
         self._walk.control[BEGUN:] = 0.0
 
-    def view(self, **options: Any) -> Any:
+    def view(self, *, open_browser: bool = True, port: int | None = None) -> View:
         """Show the simulation in the browser, or here in a notebook, and return the view.
 
         The loop stays with your program: call `view.update()` once a frame. Hands on the page can move
-        anchors, pull and kick nodes. Options: `open_browser`, `port`. Raises RunError when the packages
-        of `ropewalk[view]` are missing.
+        anchors, pull and kick nodes. `open_browser` opens one at once (never in a notebook); `port` of the
+        server is by default one that is free.
+
+        Raises RunError when the packages of `ropewalk[view]` are missing, or the port is taken.
         """
-        return import_module(_VIEW).view_simulation(self, **options)
+        made = import_module(_VIEW).view_simulation(self, open_browser=open_browser, port=port)
+        return cast("View", made)
 
     def __repr__(self) -> str:
         name = self.scene.name

@@ -18,9 +18,12 @@ from ropewalk.record.quantities import (
 from ropewalk.scene import Scene
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     import xarray as xr
 
     from ropewalk.record.result import Result
+    from ropewalk.record.run_dataset import RunDataset
 
 TIME = {"units": "s", "long_name": "time", "standard_name": "time"}
 
@@ -102,13 +105,15 @@ def _counts(result: Result) -> dict[str, float]:
             if name in ("accepted", "rejected")}  # fmt: skip
 
 
-def make_dataset(result: Result) -> xr.Dataset:
+def make_dataset(result: Result) -> RunDataset:
     """Return a result's dataset: lazy for a run folder, views of the arrays in memory otherwise."""
     import xarray as xr
 
+    from ropewalk.record.run_dataset import RunDataset
+
     if result.folder is not None:
         stored: xr.Dataset = xr.open_zarr(result.folder / "data.zarr", chunks=None)
-        return stored.assign_attrs(_counts(result))
+        return RunDataset(stored.data_vars, stored.coords, stored.attrs | _counts(result))
     variables = {}
     for name in result.source.names:
         quantity = BY_NAME[name]
@@ -117,4 +122,11 @@ def make_dataset(result: Result) -> xr.Dataset:
     coords: dict[str, Any] = dict(coordinates(result.scene, result.layout))
     coords["time"] = ("time", result.time, TIME)
     about = attributes(result.scene, result.facts.provenance) | _counts(result)
-    return xr.Dataset(variables, coords, about)
+    return RunDataset(variables, coords, about)
+
+
+def split_dataset(result: Result) -> Mapping[str, xr.Dataset]:
+    """Return datasets of nodes, segments, anchors and the run; see `Result.datasets`."""
+    from ropewalk.record.run_dataset import split
+
+    return split(result, result.dataset)

@@ -2,38 +2,112 @@
 
 from __future__ import annotations
 
-from functools import partial
+from collections.abc import Sequence
 from importlib import import_module
 from io import BytesIO
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from ropewalk.record.result import Result
 
 _HOME = "ropewalk.plots"  # a layer above this one, so it is looked up by name when it is needed
 
 
 class Plots:
-    """The figures of one result, as methods."""
+    """The figures of one result, as methods. Each returns a matplotlib Figure.
+
+    A figure is shown by a notebook, and `figure.savefig("name.svg")` keeps it.
+    """
 
     def __init__(self, result: Result) -> None:
         self._result = result
 
-    def __getattr__(self, name: str) -> Any:
-        if name.startswith("_"):
-            raise AttributeError(name)
-        plots = import_module(_HOME)
-        if name not in self.__dir__():
-            known = ", ".join(self.__dir__())
-            raise AttributeError(f"no figure {name!r}; there is {known}")
-        return partial(getattr(plots, name), self._result)
+    def shape(self, times: Sequence[float] | None = None, *, plane: str | None = None) -> Figure:
+        """Draw the ropes at some `times` [s] (default: six, and where a run breaks two beyond).
+
+        `plane` names the two axes to look at, as "xz"; by default those that show most.
+
+        Raises ValueError for times outside the run and for a plane that is none.
+        """
+        return self._draw("shape", times, plane=plane)
+
+    def film(self, frames: int | Sequence[int] = 12, *, plane: str | None = None) -> Figure:
+        """Draw the ropes over time as a strip of pictures.
+
+        `frames` is how many pictures, spread over the run, or which frames; `plane` names the two axes
+        to look at, as "xz".
+
+        Raises ValueError for frames that are not there and for a plane that is none.
+        """
+        return self._draw("film", frames, plane=plane)
+
+    def height(self, nodes: Sequence[int | str | tuple[str, int]] | None = None) -> Figure:
+        """Draw the height [m] of some nodes against time (default: free ends and middles).
+
+        One of `nodes` is a number (negative: from the end) of the first rope, ("rope", 5) or "rope:5".
+
+        Raises ValueError for a node that is not there.
+        """
+        return self._draw("height", nodes)
+
+    def tension(
+        self, times: Sequence[float] | None = None, *, ropes: Sequence[str] | None = None
+    ) -> Figure:
+        """Draw the tension [N] along the ropes and in time as a heat map, and at some `times` [s].
+
+        `ropes` names those to draw.
+
+        Raises ValueError for times outside the run and ropes that are not there.
+        """
+        return self._draw("tension", times, ropes=ropes)
+
+    def energy(self) -> Figure:
+        """Draw energies, works and the energy error [J] against time."""
+        return self._draw("energy")
+
+    def phase(
+        self, node: int | str | tuple[str, int] | None = None, axis: str | None = None
+    ) -> Figure:
+        """Draw velocity [m/s] against position [m] of one node (default: a free end, or a middle).
+
+        `axis` is "x", "y", "z" or "up" (default: the one along which the node moves most).
+
+        Raises ValueError for a node or an axis that is not there.
+        """
+        return self._draw("phase", node, axis)
+
+    def reactions(self) -> Figure:
+        """Draw the force of each anchor on its rope [N] against time: components and size."""
+        return self._draw("reactions")
+
+    def forces(self, *, plane: str | None = None) -> Figure:
+        """Draw the last frame: shape, anchors' forces [N], and the tension [N] along the ropes.
+
+        Of an equilibrium it is the only one, of a broken run the last good one. `plane` names the two
+        axes to look at, as "xz".
+
+        Raises ValueError for a plane that is none.
+        """
+        return self._draw("forces", plane=plane)
+
+    def _draw(self, name: str, *args: Any, **options: Any) -> Figure:
+        figure: Figure = getattr(import_module(_HOME), name)(self._result, *args, **options)
+        return figure
 
     def __dir__(self) -> list[str]:
-        plots = import_module(_HOME)
-        return sorted(getattr(plots, "FIGURES", None) or plots.__all__)
+        return [name for name in vars(Plots) if not name.startswith("_")]
 
     def __repr__(self) -> str:
         return f"Figures of {self._result.scene.name!r}: {', '.join(self.__dir__())}."
+
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> object:
+            if name.startswith("_"):
+                raise AttributeError(name)
+            raise AttributeError(f"no figure {name!r}; there is {', '.join(self.__dir__())}")
 
 
 def png(result: Result) -> bytes | None:

@@ -2,37 +2,29 @@
 
 from __future__ import annotations
 
-import base64
-import html
 import math
 from collections.abc import Mapping
 from functools import cached_property
-from importlib import import_module
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from ropewalk.build import Layout, Plan
 from ropewalk.core.arrays import Floats
-from ropewalk.record.drawing import Plots, png
 from ropewalk.record.facts import AT_REST, Facts
 from ropewalk.record.ledger import balance_residual, energy_error
+from ropewalk.record.outlets import Outlets
 from ropewalk.record.quantities import has_rope, labels, rest_length_at_start
 from ropewalk.record.rope_view import RopeView
 from ropewalk.record.source import Source
 from ropewalk.record.summary import summary
 from ropewalk.scene import Scene
 
-if TYPE_CHECKING:
-    import xarray as xr
-
-_SHARE = "ropewalk.live.share"
-_VIEW = "ropewalk.live.view"  # a layer above this one, so it is looked up when it is needed
 Bools = np.ndarray[Any, np.dtype[np.bool_]]
 
 
-class Result:
+class Result(Outlets):
     """What a run recorded. All SI; frame 0 is the initial state.
 
     Arrays hold all ropes one after another, `rope(name)` gives one rope's own. The segment between two
@@ -257,36 +249,7 @@ class Result:
         """Return the frame nearest to a time [s]."""
         return int(np.argmin(np.abs(self.time - time)))
 
-    # -- to look at ----------------------------------------------------------------------
-
-    @cached_property
-    def dataset(self) -> xr.Dataset:
-        """The result as an xarray Dataset with named dimensions, coordinates and units."""
-        from ropewalk.record.dataset import make_dataset
-
-        return make_dataset(self)
-
-    @property
-    def plot(self) -> Plots:
-        """Figures: `result.plot.shape()`, `.film()`, `.height()`, `.tension()`, `.energy()`, ..."""
-        return Plots(self)
-
-    def view(self, **options: Any) -> Any:
-        """Replay the run in the browser, or here in a notebook, and return the view.
-
-        Options: `open_browser`, `playing`, `port`. Raises RunError when the packages of
-        `ropewalk[view]` are missing.
-        """
-        return import_module(_VIEW).view_result(self, **options)
-
-    def share(self, path: str | Path, *, frame_rate: float = 60.0, overwrite: bool = False) -> Path:
-        """Write one HTML file that replays the run without server or network; return its path.
-
-        `frame_rate` [1/s] is the most that is kept. Raises RunError when the file exists already, unless
-        `overwrite`, or cannot be written.
-        """
-        made = import_module(_SHARE).share_result
-        return Path(made(self, path, frame_rate=frame_rate, overwrite=overwrite))
+    # -- in words -------------------------------------------------------------------------
 
     def __repr__(self) -> str:
         names = ", ".join(repr(span.name) for span in self.layout.ropes[:3])
@@ -317,24 +280,3 @@ class Result:
     def _drift(self) -> str:
         error = self.energy_error[-1]
         return f"energy error {error:.3g} J" if self.facts.ledger else "no energy ledger"
-
-    def _repr_png_(self) -> bytes | None:
-        return png(self)
-
-    def _repr_html_(self) -> str:
-        rows = "".join(
-            f"<tr><td style='text-align:left'>{html.escape(key)}</td>"
-            f"<td>{html.escape(_text(value))}</td></tr>"
-            for key, value in self.table.items()
-            if value == value  # NaN: there is none
-        )
-        image = png(self)
-        shown = ""
-        if image is not None:
-            data = base64.b64encode(image).decode("ascii")
-            shown = f"<img alt='the rope' src='data:image/png;base64,{data}'>"
-        return f"<p>{html.escape(repr(self))}</p>{shown}<table>{rows}</table>"
-
-
-def _text(value: Any) -> str:
-    return f"{value:.6g}" if isinstance(value, float) else str(value)

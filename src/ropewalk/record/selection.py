@@ -6,13 +6,16 @@ import difflib
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ropewalk.record.errors import InputError
 from ropewalk.record.quantities import QUANTITIES
-from ropewalk.record.result import Result
+
+if TYPE_CHECKING:
+    from ropewalk.record.result import Result
 
 Indices = NDArray[np.int64]
 

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ropewalk.record.quantities import AXES, BY_NAME, law_names
-from ropewalk.record.result import Result
 from ropewalk.record.selection import Indices, Selection, take
+
+if TYPE_CHECKING:
+    from ropewalk.record.result import Result
 
 Columns = list[NDArray[Any]]
 
@@ -146,7 +148,7 @@ def series(result: Result, quantity: str) -> dict[str, NDArray[np.float64]]:
 
 
 def _run_table(result: Result, chosen: Selection) -> Table | None:
-    whole = [q for q in chosen.quantities if q in _OF_THE_RUN]
+    whole = [q for q in chosen.quantities if q in OF_THE_RUN]
     if not whole:
         return None
     columns = {"time [s]": result.time}
@@ -160,4 +162,4 @@ def _run_table(result: Result, chosen: Selection) -> Table | None:
     return Table("run", list(columns), pieces)
 
 
-_OF_THE_RUN = ("energy", "work", "momentum", "angular_momentum")
+OF_THE_RUN = ("energy", "work", "momentum", "angular_momentum")

@@ -13,6 +13,7 @@ from ropewalk.scene.base import (
     Text,
     Vector,
     Whole,
+    node_number,
     not_negative,
     quantity,
     refuse,
@@ -30,7 +31,7 @@ from ropewalk.scene.motions import (
     axis_faults,
     interval_faults,
 )
-from ropewalk.scene.rope import NAME, NODE
+from ropewalk.scene.rope import NAME
 
 
 class Clamp(Model):
@@ -43,11 +44,18 @@ class Clamp(Model):
         "Direction of the rope at time zero, from its start towards its end (any length but zero)",
         "1",
     )
-    turn_axis: Vector = vector("Axis about which it turns (any length but zero)", "1", (0, 0, 1))
-    turn_rate: Number = quantity("Angle per time", "rad/s", 0.0)
-    start: Number = not_negative("Time at which it begins to turn", "s", 0.0)
+    turn_axis: Vector = vector(
+        "Axis about which it turns (any length but zero)", "1", default=(0, 0, 1)
+    )
+    turn_rate: Number = quantity("Angle per time", "rad/s", default=0.0)
+    start: Number = not_negative("Time at which it begins to turn", "s", default=0.0)
     stop: Number = quantity(
-        "Time at which it stops (inf: never)", "s", math.inf, ge=0, le=math.inf, allow_inf_nan=True
+        "Time at which it stops (inf: never)",
+        "s",
+        default=math.inf,
+        ge=0,
+        le=math.inf,
+        allow_inf_nan=True,
     )
 
     @model_validator(mode="after")
@@ -72,12 +80,14 @@ class Anchor(Model):
     rope: Text = Field(
         default="", min_length=1, description="Name of the rope; may be left out with one rope"
     )
-    node: Whole = NODE
+    node: Whole = node_number()
     motion: Motion = Field(default=Fixed(), description="How the node is moved")
     clamp: Clamp | None = Field(
         default=None, description="Holds the rope's direction, too; free to turn without it"
     )
-    release_time: Number | None = quantity("Time at which it lets go of the node", "s", None, ge=0)
+    release_time: Number | None = quantity(
+        "Time at which it lets go of the node", "s", default=None, ge=0
+    )
     above_ground: Flag = Field(
         default=False, description="Whether the ground stops the anchor's way down"
     )

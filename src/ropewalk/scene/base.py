@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING, Annotated, Any, TypeVar
+from typing import TYPE_CHECKING, Annotated, Any, TypeVar, dataclass_transform
 
 from pydantic import (
     AfterValidator,
@@ -91,15 +91,15 @@ else:
     Many = Annotated[tuple[_T, ...], _list]
 
 
-def quantity(description: str, unit: str, default: Any = ..., **rules: Any) -> Any:
+def quantity(description: str, unit: str, *, default: Any = ..., **rules: Any) -> Any:
     """A finite number with a unit, of a magnitude of at most ``HUGE``."""
     bounds = {"ge": -HUGE, "le": HUGE, "allow_inf_nan": False} | rules
     return Field(default, description=description, json_schema_extra={"unit": unit}, **bounds)
 
 
-def positive(description: str, unit: str, default: Any = ..., **rules: Any) -> Any:
+def positive(description: str, unit: str, *, default: Any = ..., **rules: Any) -> Any:
     """A number greater than zero with a unit."""
-    return quantity(description, unit, default, **({"gt": 0, "ge": TINY} | rules))
+    return quantity(description, unit, default=default, **({"gt": 0, "ge": TINY} | rules))
 
 
 def stiffness(description: str, unit: str) -> Any:
@@ -107,20 +107,26 @@ def stiffness(description: str, unit: str) -> Any:
     return positive(description, unit, le=None, allow_inf_nan=None)
 
 
-def not_negative(description: str, unit: str, default: Any = ...) -> Any:
+def not_negative(description: str, unit: str, *, default: Any = ...) -> Any:
     """A number of at least zero with a unit."""
-    return quantity(description, unit, default, ge=0)
+    return quantity(description, unit, default=default, ge=0)
 
 
-def vector(description: str, unit: str, default: Any = ...) -> Any:
+def vector(description: str, unit: str, *, default: Any = ...) -> Any:
     """Three finite numbers x, y, z with a unit."""
     return Field(default, description=description, json_schema_extra={"unit": unit})
 
 
-def listed(description: str, toml: str, python: str) -> Any:
+def node_number() -> Any:
+    """The number of a node of a rope."""
+    text = "Node, counted from 0 at the rope's start; negative counts back from its end"
+    return Field(description=text, json_schema_extra={"unit": "1"})
+
+
+def listed(description: str, toml: str, python: str, *, default: tuple[()]) -> Any:
     """A list of tables, ``[[toml]]`` in a file and ``python=[...]`` in Python."""
     return Field(
-        default=(),
+        default=default,
         description=description,
         validation_alias=AliasChoices(toml, python),
         serialization_alias=toml,
@@ -135,6 +141,14 @@ def refuse(faults: Iterable[Fault]) -> None:
         raise PydanticCustomError("faults", text, {"faults": found})
 
 
+# Type checkers take these for fields, and one without `default=` for a field that must be given.
+@dataclass_transform(
+    kw_only_default=True,
+    frozen_default=True,
+    field_specifiers=(
+        Field, quantity, positive, stiffness, not_negative, vector, node_number, listed
+    ),
+)  # fmt: skip
 class _Sentences(_PydanticMeta):
     """Turns pydantic's errors into SceneError where a model is made by calling its class.
 

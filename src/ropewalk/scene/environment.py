@@ -25,21 +25,29 @@ class Air(Model):
     the flow across the rope, and pi times the diameter for the flow along it.
     """
 
-    node_drag: Number = not_negative("Linear drag of each node", "N s/m", 0.0)
-    node_drag_quadratic: Number = not_negative("Quadratic drag of each node", "N s^2/m^2", 0.0)
-    density: Number = not_negative("Density of the air, for segment drag", "kg/m^3", 0.0)
-    normal_coefficient: Number = not_negative("Drag coefficient across the rope", "1", 1.2)
-    tangential_coefficient: Number = not_negative("Drag coefficient along the rope", "1", 0.02)
-    wind: Vector = vector("Velocity of the air", "m/s", (0.0, 0.0, 0.0))
+    node_drag: Number = not_negative("Linear drag of each node", "N s/m", default=0.0)
+    node_drag_quadratic: Number = not_negative(
+        "Quadratic drag of each node", "N s^2/m^2", default=0.0
+    )
+    density: Number = not_negative("Density of the air, for segment drag", "kg/m^3", default=0.0)
+    normal_coefficient: Number = not_negative("Drag coefficient across the rope", "1", default=1.2)
+    tangential_coefficient: Number = not_negative(
+        "Drag coefficient along the rope", "1", default=0.02
+    )
+    wind: Vector = vector("Velocity of the air", "m/s", default=(0.0, 0.0, 0.0))
 
 
 class Ground(Model):
     """A yielding floor as in NeHe's lesson 40, whose values are the defaults."""
 
-    height: Number = quantity("Height along up (minus gravity)", "m", 0.0)
-    repulsion: Number = positive("Upward force per depth, for each node below", "N/m", 100.0)
-    friction: Number = not_negative("Viscous friction of sliding, for each node", "N s/m", 0.2)
-    absorption: Number = not_negative("Friction on the way in, for each node", "N s/m", 2.0)
+    height: Number = quantity("Height along up (minus gravity)", "m", default=0.0)
+    repulsion: Number = positive(
+        "Upward force per depth, for each node below", "N/m", default=100.0
+    )
+    friction: Number = not_negative(
+        "Viscous friction of sliding, for each node", "N s/m", default=0.2
+    )
+    absorption: Number = not_negative("Friction on the way in, for each node", "N s/m", default=2.0)
 
 
 class Limiter(Model):
@@ -49,8 +57,8 @@ class Limiter(Model):
     Equal limits restore the length exactly, as a rope of position constraints.
     """
 
-    min_stretch: Number = not_negative("Smallest length over unstretched length", "1", 0.9)
-    max_stretch: Number = positive("Largest length over unstretched length", "1", 1.1)
+    min_stretch: Number = not_negative("Smallest length over unstretched length", "1", default=0.9)
+    max_stretch: Number = positive("Largest length over unstretched length", "1", default=1.1)
     passes: Whole = Field(
         default=2, ge=1, le=10_000, description="Passes over the rope in each step"
     )

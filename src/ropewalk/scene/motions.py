@@ -35,9 +35,14 @@ class Velocity(Model):
 
     kind: Literal["velocity"] = "velocity"
     velocity: Vector = vector("Velocity while it moves", "m/s")
-    start: Number = not_negative("Time at which it begins to move", "s", 0.0)
+    start: Number = not_negative("Time at which it begins to move", "s", default=0.0)
     stop: Number = quantity(
-        "Time at which it stops (inf: never)", "s", math.inf, ge=0, le=math.inf, allow_inf_nan=True
+        "Time at which it stops (inf: never)",
+        "s",
+        default=math.inf,
+        ge=0,
+        le=math.inf,
+        allow_inf_nan=True,
     )
 
     @model_validator(mode="after")
@@ -110,7 +115,7 @@ class Shake(Model):
     axis: Vector = vector("Direction of the swing (any length but zero)", "1")
     amplitude: Number = positive("Half the width of the swing", "m")
     frequency: Number = positive("Swings per second", "Hz")
-    phase: Number = quantity("Phase of the sine at time zero", "rad", 0.0)
+    phase: Number = quantity("Phase of the sine at time zero", "rad", default=0.0)
 
     @model_validator(mode="after")
     def _check(self) -> Shake:

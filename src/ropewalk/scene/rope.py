@@ -18,6 +18,7 @@ from ropewalk.scene.base import (
     Vector,
     Whole,
     listed,
+    node_number,
     not_negative,
     positive,
     refuse,
@@ -28,10 +29,6 @@ from ropewalk.scene.errors import MISSING, Fault
 from ropewalk.scene.shapes import Points, Shape, Slack, Straight
 
 NAME = r"^[^\W\d_][\w-]*$"
-NODE = Field(
-    description="Node, counted from 0 at the rope's start; negative counts back from its end",
-    json_schema_extra={"unit": "1"},
-)
 Friction = Literal["vector", "axial"]
 _FRICTION = (
     "vector: against the whole difference of velocities; axial: only along the segment, which "
@@ -52,7 +49,9 @@ class Springs(Model):
     kind: Literal["springs"] = "springs"
     spring_constant: Stiffness = stiffness("Stiffness of each spring; inf makes rigid links", "N/m")
     node_mass: Number = positive("Mass of every node, the ends too", "kg")
-    spring_friction: Number = not_negative("Friction coefficient of each spring", "N s/m", 0.0)
+    spring_friction: Number = not_negative(
+        "Friction coefficient of each spring", "N s/m", default=0.0
+    )
     segment_length: Number = not_negative("Rest length of each spring (0 is allowed)", "m")
     friction: Friction = Field(default="vector", description=_FRICTION)
     tension_only: Flag = Field(default=False, description=_TENSION_ONLY)
@@ -66,18 +65,20 @@ class Material(Model):
         "Axial stiffness: tension per strain; inf makes a rope that does not stretch", "N"
     )
     mass_per_length: Number = positive("Mass per unstretched length", "kg/m")
-    axial_damping: Number = not_negative("Tension per strain rate (EA x retardation)", "N s", 0.0)
+    axial_damping: Number = not_negative(
+        "Tension per strain rate (EA x retardation)", "N s", default=0.0
+    )
     EI: Number = not_negative(
-        "Bending stiffness: moment per curvature; 0 bends freely", "N m^2", 0.0
+        "Bending stiffness: moment per curvature; 0 bends freely", "N m^2", default=0.0
     )
     bending_damping: Number = not_negative(
-        "Moment per rate of curvature (EI x retardation)", "N m^2 s", 0.0
+        "Moment per rate of curvature (EI x retardation)", "N m^2 s", default=0.0
     )
     curvature: Vector = vector(
         "Natural curvature: 1/radius of the unloaded rope along the axis it curls about "
         "(right-handed from start to end); the axis stays fixed in space",
         "1/m",
-        (0, 0, 0),
+        default=(0, 0, 0),
     )
     friction: Friction = Field(default="axial", description=_FRICTION)
     tension_only: Flag = Field(default=False, description=_TENSION_ONLY)
@@ -96,14 +97,14 @@ class Material(Model):
 class Load(Model):
     """Extra mass at one node; several loads at one node add up."""
 
-    node: Whole = NODE
+    node: Whole = node_number()
     mass: Number = positive("Extra mass", "kg")
 
 
 class Kick(Model):
     """Initial velocity of one node, in place of the shape's."""
 
-    node: Whole = NODE
+    node: Whole = node_number()
     velocity: Vector = vector("Initial velocity of the node", "m/s")
 
 
@@ -122,12 +123,12 @@ class Rope(Model):
     length: Number | None = positive(
         "Unstretched length; only with a material (springs have segments x segment_length)",
         "m",
-        None,
+        default=None,
     )
-    diameter: Number = positive("Diameter, for quadratic air drag", "m", 0.01)
+    diameter: Number = positive("Diameter, for quadratic air drag", "m", default=0.01)
     shape: Shape = Field(default=Straight(), description="Initial shape")
-    loads: Many[Load] = listed("Extra masses at nodes", "load", "loads")
-    kicks: Many[Kick] = listed("Initial velocities of single nodes", "kick", "kicks")
+    loads: Many[Load] = listed("Extra masses at nodes", "load", "loads", default=())
+    kicks: Many[Kick] = listed("Initial velocities of single nodes", "kick", "kicks", default=())
 
     @property
     def nodes(self) -> int:

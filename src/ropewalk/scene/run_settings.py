@@ -45,15 +45,17 @@ TimeStep = Annotated[float | Literal["auto"], BeforeValidator(_time_step)]
 class RunSettings(Model):
     """Duration, recording rate, time step and method of a run."""
 
-    duration: Number = positive("Simulated time", "s", 10.0)
-    frame_rate: Number = positive("Recorded frames per simulated second", "1/s", 60.0)
+    duration: Number = positive("Simulated time", "s", default=10.0)
+    frame_rate: Number = positive("Recorded frames per simulated second", "1/s", default=60.0)
     time_step: TimeStep = Field(
         default="auto",
         description='Largest time step, or "auto": a fraction of the predicted stability bound; with '
         "adaptive 0.1 s",
         json_schema_extra={"unit": "s"},
     )
-    auto_fraction: Number = positive('Fraction of the bound with time_step = "auto"', "1", 0.8)
+    auto_fraction: Number = positive(
+        'Fraction of the bound with time_step = "auto"', "1", default=0.8
+    )
     steps: Literal["divide", "exact", "nehe"] = Field(
         default="divide",
         description="divide: ceil(frame / time_step) equal steps a frame; exact: the time step "
@@ -68,10 +70,10 @@ class RunSettings(Model):
     tolerance: Annotated[Number, Field(ge=1e-9)] = positive(
         "Largest estimated error of any node's place in a step of adaptive; auto aims at 100 times it",
         "m",
-        1e-5,
+        default=1e-5,
     )
     spectral_radius: Annotated[Number, Field(le=1.0)] = not_negative(
-        "What generalized-alpha leaves of the fastest modes in a step, 0 to 1", "1", 0.8
+        "What generalized-alpha leaves of the fastest modes in a step, 0 to 1", "1", default=0.8
     )
     start: Literal["shape", "at-rest"] = Field(
         default="shape",

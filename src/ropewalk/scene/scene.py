@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from importlib import import_module
-from typing import Any, TypeVar
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 from pydantic import Field, field_validator, model_validator
 
@@ -18,6 +19,9 @@ from ropewalk.scene.rope import Rope
 from ropewalk.scene.run_settings import RunSettings
 from ropewalk.scene.winch import Winch
 
+if TYPE_CHECKING:
+    from ropewalk.live.view import View
+
 SCHEMA_VERSION = 1
 _VIEW = "ropewalk.live.view"  # a layer above this one, so it is looked up when it is needed
 _P = TypeVar("_P", bound=Model)
@@ -29,14 +33,18 @@ class Scene(Model):
     schema_version: Whole = Field(default=SCHEMA_VERSION, description="Version of this format")
     name: Text = Field(default="scene", min_length=1, max_length=200, description="Title")
     description: Text = Field(default="", max_length=2000, description="What it shows")
-    gravity: Vector = vector("Gravity; up is minus gravity (z without it)", "m/s^2", (0, 0, -9.81))
+    gravity: Vector = vector(
+        "Gravity; up is minus gravity (z without it)", "m/s^2", default=(0, 0, -9.81)
+    )
     run: RunSettings = Field(default=RunSettings(), description="How to run it")
-    ropes: Many[Rope] = listed("Ropes, one or more", "rope", "ropes")
-    anchors: Many[Anchor] = listed("Anchors, at most one per node", "anchor", "anchors")
+    ropes: Many[Rope] = listed("Ropes, one or more", "rope", "ropes", default=())
+    anchors: Many[Anchor] = listed("Anchors, at most one per node", "anchor", "anchors", default=())
     air: Air | None = Field(default=None, description="Air drag; none without it")
     ground: Ground | None = Field(default=None, description="Ground; none without it")
     limiter: Limiter | None = Field(default=None, description="Stretch limiter; none without it")
-    winches: Many[Winch] = listed("Winches, at most one per rope end", "winch", "winches")
+    winches: Many[Winch] = listed(
+        "Winches, at most one per rope end", "winch", "winches", default=()
+    )
 
     @property
     def up(self) -> tuple[float, float, float]:
@@ -82,17 +90,32 @@ class Scene(Model):
         """The node that an anchor of this scene holds, counted from 0 within its rope."""
         return self.rope_named(anchor.rope).node_index(anchor.node)
 
-    def view(self, **options: Any) -> Any:
+    def view(
+        self,
+        *,
+        folder: str | Path | None = None,
+        open_browser: bool = True,
+        playing: bool = True,
+        port: int | None = None,
+    ) -> View:
         """Play the scene live in the browser, or here in a notebook, and return the view.
 
-        It plays by itself, as `ropewalk view` does. Options: `folder` of a run to keep the session in,
-        `open_browser`, `playing`, `port`.
+        It plays by itself, as `ropewalk view` does.
+
+        Args:
+            folder: of a run to keep the session in.
+            open_browser: open a browser at once (never in a notebook).
+            playing: begin to play, or stand at time zero.
+            port: of the server; by default one that is free.
 
         Raises:
             SceneError: when it cannot be planned.
             RunError: for the folder, and when the packages of ``ropewalk[view]`` are missing.
         """
-        return import_module(_VIEW).view_scene(self, **options)
+        made = import_module(_VIEW).view_scene(
+            self, folder=folder, open_browser=open_browser, playing=playing, port=port
+        )
+        return cast("View", made)
 
     @field_validator("schema_version")
     @classmethod

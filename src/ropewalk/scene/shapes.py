@@ -24,10 +24,12 @@ class Straight(Model):
     """
 
     kind: Literal["straight"] = "straight"
-    start: Vector = vector("Place of the first node", "m", _ZERO)
-    end: Vector | None = vector("Place of the last node", "m", None)
-    direction: Vector | None = vector("Direction from the first node to the last", "1", None)
-    velocity: Vector = vector(_VELOCITY, "m/s", _ZERO)
+    start: Vector = vector("Place of the first node", "m", default=_ZERO)
+    end: Vector | None = vector("Place of the last node", "m", default=None)
+    direction: Vector | None = vector(
+        "Direction from the first node to the last", "1", default=None
+    )
+    velocity: Vector = vector(_VELOCITY, "m/s", default=_ZERO)
 
     @model_validator(mode="after")
     def _check(self) -> Straight:
@@ -49,7 +51,7 @@ class Polyline(Model):
     points: Many[Vector] = Field(
         description="Corner points, two or more", json_schema_extra={"unit": "m"}
     )
-    velocity: Vector = vector(_VELOCITY, "m/s", _ZERO)
+    velocity: Vector = vector(_VELOCITY, "m/s", default=_ZERO)
 
     @model_validator(mode="after")
     def _check(self) -> Polyline:
@@ -63,17 +65,17 @@ class Hanging(Model):
     """Straight along gravity from ``start``, the first node on top, at unstretched length."""
 
     kind: Literal["hanging"] = "hanging"
-    start: Vector = vector("Place of the first node, on top", "m", _ZERO)
-    velocity: Vector = vector(_VELOCITY, "m/s", _ZERO)
+    start: Vector = vector("Place of the first node, on top", "m", default=_ZERO)
+    velocity: Vector = vector(_VELOCITY, "m/s", default=_ZERO)
 
 
 class Slack(Model):
     """A smooth sagging curve (catenary) of the rope's own length between two points."""
 
     kind: Literal["slack"] = "slack"
-    start: Vector = vector("Place of the first node", "m", _ZERO)
+    start: Vector = vector("Place of the first node", "m", default=_ZERO)
     end: Vector = vector("Place of the last node", "m")
-    velocity: Vector = vector(_VELOCITY, "m/s", _ZERO)
+    velocity: Vector = vector(_VELOCITY, "m/s", default=_ZERO)
 
     @model_validator(mode="after")
     def _check(self) -> Slack:
@@ -100,7 +102,7 @@ class Points(Model):
     points: Many[Vector] = Field(
         default=(), description="Place of each node", json_schema_extra={"unit": "m"}
     )
-    velocity: Vector = vector(_VELOCITY, "m/s", _ZERO)
+    velocity: Vector = vector(_VELOCITY, "m/s", default=_ZERO)
 
     @model_validator(mode="before")
     @classmethod

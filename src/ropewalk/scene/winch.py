@@ -27,15 +27,27 @@ class Winch(Model):
     )
     end: Literal["start", "end"] = Field(description="The end at which the winch stands")
     speed: Number = quantity("Rope per second: positive pays out, negative reels in", "m/s")
-    start: Number = not_negative("Time at which it begins to turn", "s", 0.0)
+    start: Number = not_negative("Time at which it begins to turn", "s", default=0.0)
     stop: Number = quantity(
-        "Time at which it stops (inf: never)", "s", math.inf, ge=0, le=math.inf, allow_inf_nan=True
+        "Time at which it stops (inf: never)",
+        "s",
+        default=math.inf,
+        ge=0,
+        le=math.inf,
+        allow_inf_nan=True,
     )
-    min_length: Number | None = positive("Unstretched length at which reeling in ends", "m", None)
-    max_length: Number | None = positive("Unstretched length at which paying out ends", "m", None)
+    min_length: Number | None = positive(
+        "Unstretched length at which reeling in ends", "m", default=None
+    )
+    max_length: Number | None = positive(
+        "Unstretched length at which paying out ends", "m", default=None
+    )
 
     on_drum: Number | None = quantity(
-        "Rope that waits on the drum; default: what speed pays out during the run", "m", None, ge=0
+        "Rope that waits on the drum; default: what speed pays out during the run",
+        "m",
+        default=None,
+        ge=0,
     )
 
     @model_validator(mode="after")

@@ -1,0 +1,71 @@
+"""A run's whole dataset, which refuses to become one table; and the parts that make tables."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Hashable, Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+import xarray as xr
+
+from ropewalk.record.errors import InputError
+from ropewalk.record.quantities import BY_NAME, labels
+from ropewalk.record.tables import OF_THE_RUN, series
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+    from ropewalk.record.result import Result
+
+_PLACES = {"node": "nodes", "segment": "segments", "anchor": "anchors"}
+
+
+class RunDataset(xr.Dataset):  # type: ignore[no-untyped-call]
+    """A Dataset that makes a table of variables only where none brings dimensions foreign to the others."""
+
+    __slots__ = ()
+
+    def to_dataframe(self, dim_order: Sequence[Hashable] | None = None) -> pd.DataFrame:
+        """Return a pandas DataFrame, a row for every combination of the dimensions.
+
+        Raises InputError (a ValueError) when that would be more rows than any variable has values.
+        """
+        rows = math.prod(self.sizes.values())
+        most = max((variable.size for variable in self.data_vars.values()), default=rows)
+        if rows > most:
+            names = ", ".join(map(str, self.data_vars))
+            rule = (
+                f"these have different dimensions, and one table of all would have {rows:.3g} rows; "
+                'take one part: result.to_pandas("segments"), or result.datasets["nodes"]'
+            )
+            raise InputError("to_dataframe", names, rule)
+        return super().to_dataframe(dim_order)
+
+
+def split(result: Result, whole: xr.Dataset) -> dict[str, xr.Dataset]:
+    """Return the parts of a dataset by what they are of: nodes, segments, anchors, the run."""
+    names: dict[str, list[str]] = {}
+    for name in result.source.names:
+        part = next((_PLACES[dim] for dim in BY_NAME[name].dims if dim in _PLACES), "run")
+        names.setdefault(part, []).append(name)
+    found = {part: whole[names[part]] for part in _PLACES.values() if part in names}
+    return found | {"run": _of_the_run(result, whole, names.get("run", []))}
+
+
+def _of_the_run(result: Result, whole: xr.Dataset, names: list[str]) -> xr.Dataset:
+    """Return what has one value a frame, each label of a quantity as a variable of its own."""
+    variables = {}
+    for name in names:
+        quantity = BY_NAME[name]
+        if name in OF_THE_RUN:
+            columns = {head.partition(" [")[0]: v for head, v in series(result, name).items()}
+        elif len(quantity.dims) == 1:
+            columns = {name: result.read(name)}
+        else:
+            array, words = result.read(name), labels(result.layout)[quantity.dims[1]]
+            columns = {f"{name} {word}": array[:, k] for k, word in enumerate(words)}
+        for column, values in columns.items():
+            about = {"units": quantity.unit, "long_name": column}
+            variables[column.replace(" ", "_")] = ("time", np.asarray(values), about)
+    return xr.Dataset(variables, {"time": whole["time"]}, whole.attrs)
