@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
 from ropewalk.scene import (
@@ -168,3 +169,38 @@ def test_all_wrong_overrides_come_at_once() -> None:
         apply_overrides(TWO, ["rope.segments=0", "method=rk5"])
     paths = [fault.path for fault in caught.value.faults]
     assert paths == ["run.method", "rope[0].segments", "rope[1].segments"]
+
+
+def test_replace_reaches_as_deep_as_an_override() -> None:
+    softer = ONE.replace(**{"rope.made_of.spring_constant": 200})
+    assert softer == apply_overrides(ONE, ["rope.made_of.spring_constant=200"])
+    assert softer.ropes[0].made_of.spring_constant == 200.0  # type: ignore[union-attr]
+    assert ONE.ropes[0].made_of.spring_constant == 1e4  # type: ignore[union-attr]
+    both = TWO.replace(**{"ropes.b.segments": 9, "anchors[0].node": 2, "name": "other"})
+    assert [one.segments for one in both.ropes] == [4, 9]
+    assert both.anchors[0].node == 2
+    assert both.name == "other"
+
+
+def test_replace_takes_models_arrays_and_parts_of_scenes() -> None:
+    stuff = Material(EA=1e4, mass_per_length=0.1)
+    made = ONE.replace(**{"rope.made_of": stuff, "rope.length": 2.0, "rope.made_of.EA": 2e4})
+    assert made.ropes[0].made_of == stuff.replace(EA=2e4)
+    moved = ONE.replace(**{"anchor.left.motion.velocity": np.array([0.0, 1.0, 0.0])})
+    assert moved.anchors[0].motion.velocity == (0.0, 1.0, 0.0)  # type: ignore[union-attr]
+    assert ONE.ropes[0].replace(**{"made_of.node_mass": 3.0}).own_mass == 15.0
+
+
+@pytest.mark.parametrize(
+    ("path", "words"),
+    [
+        ("rope.made_of.spring_constnt", 'did you mean "spring_constant"'),
+        ("ropes[4].segments", "must be from 0 to 0"),
+        ("rope..segments", "is no path"),
+        ("rope.made_of.spring_constant", "must be greater than 0"),
+    ],
+)
+def test_replace_says_what_is_wrong_with_a_path(path: str, words: str) -> None:
+    with pytest.raises(SceneError) as caught:
+        ONE.replace(**{path: -1.0})
+    assert words in str(caught.value)

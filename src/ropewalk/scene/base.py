@@ -191,9 +191,17 @@ class Model(BaseModel, metaclass=_Sentences):
     def replace(self, **changes: Any) -> Self:
         """A validated copy with some fields changed.
 
+        A path reaches deeper, as ``--set`` does on the command line:
+        ``scene.replace(**{"rope.made_of.spring_constant": 200.0})`` (every rope), ``"rope[1].segments"``
+        or ``"rope.left.segments"`` (one of them), ``"run.duration"``.
+
         Raises:
-            SceneError: when the changed model is faulty.
+            SceneError: when a path leads nowhere, or the changed model is faulty.
         """
+        if any("." in name or "[" in name for name in changes):
+            from ropewalk.scene.overrides import replaced
+
+            return replaced(self, changes)
         kept = {name: getattr(self, name) for name in self.model_fields_set}
         return type(self)(**(kept | changes))
 

@@ -94,15 +94,16 @@ def as_table(model: Model) -> dict[str, Any]:
         default = field.get_default()
         if key not in _ALWAYS and value == default and repr(value) == repr(default):
             continue  # repr tells -0.0 from 0.0
-        table[key] = _plain(value)
+        table[key] = plain(value)
     return table
 
 
-def _plain(value: Any) -> Any:
+def plain(value: Any) -> Any:
+    """A value as TOML holds it: models as tables, tuples as lists."""
     if isinstance(value, Model):
         return as_table(value)
-    if isinstance(value, tuple):
-        return [_plain(item) for item in value]
+    if isinstance(value, (tuple, list)):
+        return [plain(item) for item in value]
     return value
 
 

@@ -4,16 +4,19 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Iterable, Iterator
-from typing import Any
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from functools import partial
+from typing import Any, TypeVar
 
+from ropewalk.scene.base import Model
 from ropewalk.scene.checks import nearest
 from ropewalk.scene.errors import NO_VALUE, Fault, SceneError, join
-from ropewalk.scene.files import scene_table
-from ropewalk.scene.paths import ModelType, by_tag, keys, kind_of, siblings, tag
+from ropewalk.scene.files import as_table, plain, scene_table
+from ropewalk.scene.paths import ModelType, by_tag, keys, kind_of, siblings, tag, toml_name
 from ropewalk.scene.run_settings import RunSettings
 from ropewalk.scene.scene import Scene
 
+M = TypeVar("M", bound=Model)
 #: Free texts, in which "none" is a word like others.
 _TEXTS = {"name", "description"}
 _STEP = re.compile(r"([^.\[\]=\s]+)((?:\[\d+\])*)")
@@ -35,18 +38,41 @@ def apply_overrides(scene: Scene, overrides: Iterable[str]) -> Scene:
     Raises:
         SceneError: with every override that names nothing, and every fault of the new scene.
     """
-    table = scene_table(scene)
+    return _changed(scene, scene_table(scene), [partial(_split, text) for text in overrides])
+
+
+def replaced(model: M, changes: Mapping[str, Any]) -> M:
+    """A model with some values changed, each named by its path below the model, values as in Python.
+
+    Raises:
+        SceneError: with every path that names nothing, and every fault of the new model.
+    """
+    table = scene_table(model) if isinstance(model, Scene) else as_table(model)
+    pairs = [partial(_named, path, value) for path, value in changes.items()]
+    return _changed(model, table, pairs)
+
+
+_Change = Callable[[], tuple[list[str | int], Any]]
+
+
+def _changed(model: M, table: dict[str, Any], changes: Iterable[_Change]) -> M:
+    """The model that a table makes once some values are set."""
     faults: list[Fault] = []
-    for override in overrides:
+    for change in changes:
         try:
-            path, value = _split(override)
-            for owner, key, model in _targets(table, path):
-                _set(owner, key, model, value)
+            path, value = change()
+            for owner, key, part in _targets(type(model), table, path):
+                _set(owner, key, part, value)
         except SceneError as error:
             faults += error.faults
     if faults:
         raise SceneError(faults)
-    return Scene.model_validate(table)
+    return type(model).model_validate(table)
+
+
+def _named(path: str, value: Any) -> tuple[list[str | int], Any]:
+    """The steps of a path and its value, models as tables."""
+    return _steps(path), plain(value)
 
 
 def _fault(path: str, rule: str) -> SceneError:
@@ -59,6 +85,14 @@ def _split(override: str) -> tuple[list[str | int], Any]:
     path, text = path.strip(), text.strip()
     if not equals or not path:
         raise _fault(f'"{override}"', "must be written as path=value, such as rope.segments=80")
+    steps = _steps(path)
+    if steps[0] in RunSettings.model_fields:
+        steps.insert(0, "run")
+    return steps, _value(text)
+
+
+def _steps(path: str) -> list[str | int]:
+    """The steps of a path: keys, names and numbers."""
     steps: list[str | int] = []
     for part in path.split("."):
         found = _STEP.fullmatch(part)
@@ -66,9 +100,7 @@ def _split(override: str) -> tuple[list[str | int], Any]:
             raise _fault(path, "is no path; write it as rope.segments or rope[0].load[1].mass")
         steps.append(found[1])
         steps += [int(index) for index in re.findall(r"\d+", found[2])]
-    if steps[0] in RunSettings.model_fields:
-        steps.insert(0, "run")
-    return steps, _value(text)
+    return steps
 
 
 def _value(text: str) -> Any:
@@ -83,18 +115,26 @@ def _value(text: str) -> Any:
 _Target = tuple[dict[str, Any], str, ModelType]
 
 
-def _targets(table: dict[str, Any], steps: list[str | int]) -> Iterator[_Target]:
-    """Every table, key and model that a path leads to."""
-    places: list[tuple[dict[str, Any], ModelType, str]] = [(table, Scene, "")]
+def _targets(root: ModelType, table: dict[str, Any], steps: list[str | int]) -> Iterator[_Target]:
+    """Every table, key and model that a path below a root leads to."""
+    places: list[tuple[dict[str, Any], ModelType, str]] = [(table, root, "")]
     rest = list(steps)
     while True:
-        key = rest.pop(0)
+        key = _as_in_toml(places, rest.pop(0))
         places = [_known(place, key) for place in places]
         if not rest:
             for owner, model, _ in places:
                 yield owner, str(key), model
             return
         places, rest = _descend(places, str(key), rest)
+
+
+def _as_in_toml(places: list[tuple[dict[str, Any], ModelType, str]], key: str | int) -> str | int:
+    """The key in TOML of one that may be a field's name in Python: ``ropes`` is ``rope``."""
+    for _, model, _ in places:
+        if isinstance(key, str) and key in model.model_fields:
+            return toml_name(key, model.model_fields[key])
+    return key
 
 
 def _known(
@@ -169,7 +209,7 @@ def _choose(
 def _set(owner: dict[str, Any], key: str, model: ModelType, value: Any) -> None:
     """Put a value into a table; a new kind drops the keys that it does not know."""
     field = keys(model)[key]
-    if value == "none" and not field.is_required() and key not in _TEXTS:
+    if isinstance(value, str) and value == "none" and not field.is_required() and key not in _TEXTS:
         owner.pop(key, None)
         return
     if key == "kind" and value != owner.get("kind"):
