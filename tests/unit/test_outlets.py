@@ -99,7 +99,7 @@ def test_a_table_that_is_not_there(result: Result) -> None:
 def test_results_write_themselves(result: Result, tmp_path: Path) -> None:
     (file,) = result.export("npz", tmp_path / "run.npz")
     np.testing.assert_array_equal(np.load(file)["positions"], result.positions)
-    film = result.movie(tmp_path / "run.gif", fps=10.0, size=(160, 90))
+    film = result.movie(tmp_path / "run.gif", fps=10.0, size=(320, 200))
     assert film.read_bytes()[:6] == b"GIF89a"
 
 
