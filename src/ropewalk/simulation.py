@@ -27,6 +27,7 @@ from ropewalk.methods.controller import BEGUN
 from ropewalk.methods.loop import close_frame, prepare, prepare_links
 from ropewalk.methods.recording import (
     CONSERVATIVE,
+    ENERGIES,
     Recording,
     bends,
     make_recording,
@@ -43,6 +44,8 @@ if TYPE_CHECKING:
 
 # The energy error that tells a broken simulation, over all energy that can honestly be turned over [1].
 MADE_UP = 3.0
+GRAVITY = ENERGIES.index("gravity")
+_ROUNDING = 1e-12  # [1]
 _VIEW = "ropewalk.live.view"  # a layer above this one, so it is looked up when it is needed
 BLOCK_BYTES = 16_000_000  # positions and velocities of one block of frames
 LONGEST_BLOCK = 2048  # frames
@@ -107,6 +110,8 @@ class Simulation:
         self._start, self._dt, self._step = 0.0, self.plan.dt, 0
         self._prepare()
         self._set_first_reactions()
+        self._gravity_zero = 0.0
+        self._gravity_zero = self._zero_of_gravity()
         energy = self.recording().recording.energy[0]
         self._energy = float(energy.sum())
         self._turnover = float(energy[0] + energy[2:].sum()) + self._energy_scale()
@@ -146,6 +151,13 @@ class Simulation:
         gives = np.isfinite(state.stiffness)
         elastic = 0.5 * state.stiffness * state.rest_length**2
         return weight * float(state.rest_length.sum()) + 1e-6 * float(elastic[gives].sum())
+
+    def _zero_of_gravity(self) -> float:
+        """Gravity's potential in the scene's own shape [J]: exactly the start's, where that is it."""
+        first = float(self.recording().recording.energy[0, GRAVITY])
+        state, zero = self._state, self.model.gravity_zero
+        size = float((np.abs(self.system.gravity) @ (np.abs(state.x) * state.mass)).sum())
+        return first if abs(first - zero) <= _ROUNDING * size else zero
 
     # -- what it is now -----------------------------------------------------------------
 
@@ -197,6 +209,7 @@ class Simulation:
         """Return the present state as one frame."""
         out = make_recording(self._state, 1, self._winches)
         close_frame(self.system, self._state, self.ledger, make_sums(), 0, out)
+        out.energy[:, GRAVITY] -= self._gravity_zero
         return Block(np.array([self.time]), out)
 
     # -- moving on ----------------------------------------------------------------------
@@ -299,6 +312,7 @@ class Simulation:
         clock = np.array([self._start, self._dt, self._step, steps], dtype=np.float64)
         common = (self.system, self._state, self._scratch, self._extras, clock, frames)
         status, good = self._method.advance(*common, self.ledger, out, stop, self._tableau)
+        out.energy[:, GRAVITY] -= self._gravity_zero
         if status == UNSOLVED:
             self.failure = unsolved.describe(self.model, self._state, self.clock, self._scratch)
             self._start, self._step = unsolved.standing(self.clock, self._scratch)

@@ -22,6 +22,9 @@ class Model:
     state: State
     layout: Layout
     plan: Plan
+    gravity_zero: (
+        float  # gravity's potential in the scene's own shape [J], from where it is counted
+    )
     started: bool = False  # whether `state` is that in which the run starts; see `ropewalk.start`
 
 
@@ -29,4 +32,6 @@ def build(scene: Scene) -> Model:
     """Build a scene. Raises SceneError when it cannot be planned."""
     layout = make_layout(scene)
     system, state = make_tables(scene, layout)
-    return Model(scene, system, state, layout, make_plan(scene, system, state))
+    plan = make_plan(scene, system, state)
+    zero = -float(system.gravity @ (state.x * state.mass).sum(axis=1))
+    return Model(scene, system, state, layout, plan, zero)

@@ -22,6 +22,7 @@ from ropewalk.plots.style import (
     styled,
 )
 from ropewalk.plots.view import Floats, broken_note, good_frames
+from ropewalk.record.ledger import turned_over
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -39,7 +40,7 @@ _INNER = (
 
 @styled
 def energy(result: Result) -> Figure:
-    """Draw the energies (gravity from its start) and works of a run, and below the energy error [J]."""
+    """Draw the energies and works of a run, and below the energy error [J]; gravity as in `Result.energy`."""
     good = good_frames(result)
     figure = new_figure(7.2, 5.4)
     upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=(2.2, 1.0))
@@ -95,12 +96,13 @@ def _draw_error(axes: Axes, result: Result, curves: dict[str, Floats], good: int
     scaled_axis(axes, "energy error", "J", set_limits(axes, [error], good, 0.1))
     if good < len(result.time):
         _break_scale(axes, [error], good, 3)
-    turned = max(float(np.ptp(part[:good])) for part in curves.values())
+    turned = turned_over({name: part[:good] for name, part in curves.items()})
     worst = float(np.nanmax(np.abs(error[:good])))
     share = f" ({_percent(worst / turned)} of the largest change of an energy)" if turned else ""
-    return [
-        f"Energy error: total energy less its start and all works; at most {worst:.3g} J{share}."
-    ]
+    said = f"Energy error: total energy less its start and all works; at most {worst:.3g} J{share}."
+    return (
+        [said, "Gravity's energy is 0 in the scene's own shape."] if "gravity" in curves else [said]
+    )
 
 
 def _percent(share: float) -> str:
@@ -123,13 +125,13 @@ def _break_scale(axes: Axes, curves: list[Floats], good: int, ticks: int) -> Non
 
 
 def energy_curves(result: Result) -> dict[str, Floats]:
-    """Return kinetic, gravity (from its start), elastic, bending and total energy [J], (f,) each.
+    """Return kinetic, gravity (0 in the scene's own shape), elastic, bending and total energy [J], (f,) each.
 
     Gravity without gravity and bending without stiffness are left out.
     """
     energies = result.energy
     with np.errstate(all="ignore"):
-        gravity = np.asarray(energies["gravity"]) - energies["gravity"][0]
+        gravity = np.asarray(energies["gravity"])
         kinetic, elastic = np.asarray(energies["kinetic"]), np.asarray(energies["elastic"])
         parts = {"kinetic": kinetic, "gravity": gravity, "elastic": elastic}
         if "bending" in energies:

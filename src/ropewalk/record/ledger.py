@@ -33,6 +33,16 @@ def energy_error(energy: Mapping[str, Floats], work: Mapping[str, Floats], ledge
     return error
 
 
+def turned_over(energy: Mapping[str, Floats]) -> float:
+    """Return the largest change of any one form of energy [J]: what an energy error is a share of.
+
+    Frames whose numbers are not finite are left out; 0 where nothing changes.
+    """
+    forms = [np.asarray(part) for name, part in energy.items() if name != "total"]
+    finite = [part[np.isfinite(part)] for part in forms]
+    return max((float(np.ptp(part)) for part in finite if part.size), default=0.0)
+
+
 def balance_residual(
     energy: Mapping[str, Floats], work: Mapping[str, Floats], jump: Floats, ledger: bool
 ) -> Floats:

@@ -13,6 +13,7 @@ from ropewalk.core.arrays import Floats
 from ropewalk.methods.recording import energy_names, work_names
 
 AXES = ("x", "y", "z")
+ENERGY = "energy; that of gravity is 0 in the scene's own shape"
 JUMPS = ("limiter", "winch")
 
 
@@ -33,7 +34,7 @@ QUANTITIES = (
     Quantity("velocities", ("time", "node", "axis"), "m/s", "velocity", "v", True),
     Quantity("tension", ("time", "segment"), "N", "elastic tension", "tension"),
     Quantity("rest_length", ("time", "segment"), "m", "unstretched length", "rest_length"),
-    Quantity("energy", ("time", "form"), "J", "energy", "energy"),
+    Quantity("energy", ("time", "form"), "J", ENERGY, "energy"),
     Quantity("work", ("time", "law"), "J", "work done on the rope since the start", "work"),
     Quantity("jump", ("time", "cause"), "J", "kinetic energy put in without a force", "jump"),
     Quantity(

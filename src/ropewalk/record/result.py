@@ -120,7 +120,10 @@ class Result(Outlets):
 
     @cached_property
     def energy(self) -> Mapping[str, Floats]:
-        """Energies [J], each (frames,): kinetic, gravity, elastic, total; with any EI also bending."""
+        """Energies [J], each (frames,): kinetic, gravity, elastic, total; with any EI also bending.
+
+        Gravity's is 0 in the scene's own shape, from which a run starts unless it starts at rest.
+        """
         array = self._all("energy")
         parts = {name: array[:, i] for i, name in enumerate(labels(self.layout)["form"])}
         return parts | {"total": array.sum(axis=1)}

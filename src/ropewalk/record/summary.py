@@ -9,11 +9,13 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats
 from ropewalk.record.facts import AT_REST
+from ropewalk.record.ledger import turned_over
 from ropewalk.record.quantities import has_rope, rest_length_at_start
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
 
+ZERO = "gravity's is 0 in the scene's own shape"
 _VALUES = 2_000_000  # numbers of one quantity looked at together
 
 
@@ -50,10 +52,12 @@ def summary(result: Result) -> dict[str, Any]:
         "lowest point [m]": -lowest,
         "lowest point at": _place(layout, low_node, "node", time[low_frame], lowest),
         "largest energy error [J]": _largest(result.energy_error),
+        "largest energy error, share of the energy turned over [%]": _share(result),
         "final energy error [J]": float(result.energy_error[-1]),
         "largest balance residual [J]": _largest(result.balance_residual),
         "final kinetic energy [J]": float(kinetic[-1]),
         "final total energy [J]": float(result.energy["total"][-1]),
+        "final total energy at": ZERO if any(result.scene.gravity) else "",
         "wall time [s]": seconds,
         "simulated time over wall time [1]": float(time[-1]) / seconds if seconds > 0 else math.nan,
     }
@@ -91,6 +95,7 @@ def _at_rest(result: Result, found: dict[str, tuple[float, int, int]]) -> dict[s
         table[f"{title.partition(' [')[0]} at"] = place
     return table | {
         "potential energy [J]": float(result.energy["total"][0]),
+        "potential energy at": ZERO if any(result.scene.gravity) else "",
         "largest force left [N]": result.residual,
         "largest gap left [m]": float(about["gap"]),
         "Newton steps": int(about["steps"]),
@@ -132,6 +137,12 @@ def _measures(result: Result, start: int, stop: int) -> dict[str, Floats]:
         lowest = -(positions @ np.asarray(result.scene.up))
     tension = np.where(live, result.read("tension", start, stop), -np.inf)
     return {"tension": tension, "stretch": stretch, "speed": speed, "lowest": lowest}
+
+
+def _share(result: Result) -> float:
+    """Return the largest energy error over the largest change of one form of energy [%]."""
+    turned = turned_over(result.energy)
+    return 100.0 * _largest(result.energy_error) / turned if turned > 0.0 else math.nan
 
 
 def _largest(values: Floats) -> float:
