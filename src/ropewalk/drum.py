@@ -5,8 +5,6 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from ropewalk.core.arrays import State, Winches
 from ropewalk.laws.winch import SPLIT, WINCH_SHARE
 
@@ -72,11 +70,9 @@ class WinchHandle:
 
     @property
     def tension(self) -> float:
-        """Elastic tension of the segment next to the drum [N], without friction."""
-        state, j = self._state, _working(self._winches, self._state, self._row)
-        size = float(np.linalg.norm(state.x[:, j + 1] - state.x[:, j]))
-        pull = float(state.stiffness[j]) * (size - float(state.rest_length[j]))
-        return max(pull, float(self._simulation.system.slack_floor[j]))
+        """What the segment next to the drum carries [N], friction included; see `Result.tension`."""
+        j = _working(self._winches, self._state, self._row)
+        return float(self._simulation.recording().recording.tension[0, j])
 
     @property
     def stopped_by(self) -> str:

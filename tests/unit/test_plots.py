@@ -179,7 +179,7 @@ def test_tension_image_is_the_tension_over_arc_length(three_anchors):
     profile = figure.axes[1].lines[0]
     np.testing.assert_array_equal(profile.get_ydata(), three_anchors.tension[60])
     np.testing.assert_allclose(profile.get_xdata(), np.arange(40) + 0.5)
-    assert any(axes.get_ylabel() == "elastic tension [N]" for axes in figure.axes)
+    assert any(axes.get_ylabel() == "tension [N]" for axes in figure.axes)
 
 
 def test_one_spike_does_not_bleach_the_tension_map():

@@ -58,7 +58,7 @@ def test_energies_follow_from_positions_and_velocities(result: Result) -> None:
     gravity = 0.05 * 9.81 * (result.positions[..., 2] - result.positions[0, :, 2]).sum(axis=1)
     np.testing.assert_allclose(result.energy["gravity"], gravity, rtol=1e-9, atol=1e-12)
     lengths = np.linalg.norm(np.diff(result.positions, axis=1), axis=2)
-    np.testing.assert_allclose(result.tension, 10000.0 * (lengths - 1.0), atol=1e-8)
+    np.testing.assert_allclose(result.elastic_tension, 10000.0 * (lengths - 1.0), atol=1e-8)
     np.testing.assert_allclose(
         result.energy["elastic"], 5000.0 * ((lengths - 1.0) ** 2).sum(axis=1), atol=1e-9
     )

@@ -29,7 +29,7 @@ export class Legend {
       "select",
       { id: "colouring", "aria-label": "Colour of the ropes", onchange: () => this.choose() },
       h("option", { value: "tension" }, "Tension"),
-      h("option", { value: "strain" }, "Strain"),
+      h("option", { value: "strain" }, "Tension / EA"),
       h("option", { value: "speed" }, "Speed"),
       h("option", { value: "plain" }, "Plain colours"),
     );

@@ -67,8 +67,9 @@ class Comparison:
     def rows(self) -> list[dict[str, Any]]:
         """One row of numbers per run, SI units in the names; nan where something is not defined."""
         rows = []
+        elastic = not all(result.has_total_tension for result in self.results)
         for number, (result, label) in enumerate(zip(self.results, self.labels, strict=True)):
-            row = {"run": label, **key_numbers(result)}
+            row = {"run": label, **key_numbers(result, elastic=elastic)}
             distance = self.distances[number - 1] if number else None
             row["largest distance [m]"] = distance.worst if distance else 0.0
             row["at time [s]"] = distance.when if distance else float("nan")
@@ -104,13 +105,17 @@ def default_labels(results: Sequence[Result]) -> tuple[str, ...]:
     return tuple(f"{result.scene.name} {i + 1}" for i, result in enumerate(results))
 
 
-def key_numbers(result: Result) -> dict[str, Any]:
-    """Return what people compare first, over the good part of a run."""
+def key_numbers(result: Result, *, elastic: bool = False) -> dict[str, Any]:
+    """Return what people compare first, over the good part of a run.
+
+    With `elastic` the elastic tension, which run folders of format 2 have alone, in place of the tension.
+    """
     good = good_part(result)
     with np.errstate(all="ignore"):
         error = np.asarray(result.energy_error)[:good]
         total = np.asarray(result.energy["total"])[:good]
-    highest = [_largest_tension(result, part, good) for part in range(0, good, _CHUNK)]
+    pull = "elastic_tension" if elastic and result.has_total_tension else "tension"
+    highest = [_largest(result, pull, part, good) for part in range(0, good, _CHUNK)]
     return {
         "method": result.plan.method,
         "step [s]": result.plan.dt,
@@ -118,14 +123,14 @@ def key_numbers(result: Result) -> dict[str, Any]:
         "frames": good,
         "end [s]": float(result.time[good - 1]),
         "status": result.status,
-        "largest tension [N]": max(highest),
+        f"largest {'elastic ' if elastic else ''}tension [N]": max(highest),
         "energy change [J]": float(total[-1] - total[0]),
         "largest energy error [J]": float(np.abs(error).max()),
     }
 
 
-def _largest_tension(result: Result, start: int, good: int) -> float:
-    return float(result.read("tension", start, min(start + _CHUNK, good)).max())
+def _largest(result: Result, name: str, start: int, good: int) -> float:
+    return float(result.read(name, start, min(start + _CHUNK, good)).max())
 
 
 def remembered(function: Callable[[Result], _T]) -> Callable[[Result], _T]:

@@ -88,6 +88,7 @@ def _ropes(scene: Scene, layout: Layout) -> State:
         mass=mass,
         inverse_mass=inverse,
         tension=np.zeros(s),
+        limited=np.zeros(s if scene.limiter else 0),
         drift=np.zeros(node),
         past=np.zeros(3),
         rest_length=lengths,

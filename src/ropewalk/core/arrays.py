@@ -155,6 +155,9 @@ class State(NamedTuple):
     mass: Floats  # (n,) [kg]
     inverse_mass: Floats  # (n,) [1/kg], 0 for held nodes
     tension: Floats  # (s,) [N] of the last stage of an implicit method, its next guess
+    limited: (
+        Floats  # (s,) [N] of an explicit method's limiter, mean over the last step; (0,) without
+    )
     drift: Floats  # (3, n) what the last step moved the nodes by [m], for multistep methods
     past: Floats  # (3,) last step [s], 0: none; anchors held and sum of winch exits in it
     rest_length: Floats  # (s,) [m]

@@ -41,6 +41,7 @@ def limit_stretch(system, state, work, dt, ledger):
     for _ in range(system.limiter.passes):
         sweep(system, state)
     stop_segments(system.limiter, state, work)
+    note_pulls(work, dt, state.limited)
     anchors = give_to_anchors(state, work, dt, ledger)
     if ledger:
         state.work.limiter[0] += kinetic_energy(state.v, state.mass) - kinetic - anchors
@@ -168,6 +169,13 @@ def _solve(state, work):
     for back in range(segments - 1):
         j = segments - 2 - back
         work[5, j] = (work[5, j] - work[4, j] * work[5, j + 1]) / work[3, j]
+
+
+@kernel
+def note_pulls(work, dt, limited):
+    """Write the impulses as mean tensions of the step [N], (s,)."""
+    for j in range(limited.shape[0]):
+        limited[j] = work[5, j] / dt
 
 
 @kernel

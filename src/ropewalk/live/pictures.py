@@ -67,7 +67,7 @@ def picture(track: Track, first: Picture | None = None, source: Floats | None = 
         "put_in": put_in,
         "energy_error": error,
         "tension_max": float(tension.max(initial=0.0)),
-        "strain_max": _largest_strain(simulation, tension),
+        "strain_max": _largest_strain(simulation, recording.elastic_tension[0]),
         "low": float(heights.min()),
         "high": float(heights.max()),
         "touching": _touching(simulation, heights),

@@ -23,6 +23,7 @@ from ropewalk.scene import Scene, SceneError
 
 _PIECE = 64  # frames read at once
 _NAMES = ("time", "positions", "velocities", "tension", "energy", "work")
+_MORE = ("elastic_tension", "reactions")
 
 
 class Recorded:
@@ -60,7 +61,7 @@ class Recorded:
             "put_in": gifts,
             "energy_error": total - self.first_energy - losses - gifts,
             "tension_max": float(tension.max(initial=0.0)),
-            "strain_max": self._strain(tension),
+            "strain_max": self._strain(data.get("elastic_tension", data["tension"])[row]),
             "low": float(heights.min()),
             "high": float(heights.max()),
             "touching": float(np.count_nonzero(heights < ground.height)) if ground else 0.0,
@@ -86,7 +87,7 @@ class Recorded:
         piece = frame // _PIECE
         if piece != self._piece:
             names = [*_NAMES]
-            names += ["reactions"] if "reactions" in self.result.source.names else []
+            names += [name for name in _MORE if name in self.result.source.names]
             start, stop = piece * _PIECE, (piece + 1) * _PIECE
             self._data = {name: self.result.source.read(name, start, stop) for name in names}
             self._piece = piece

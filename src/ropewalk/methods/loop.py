@@ -71,6 +71,11 @@ def close_frame(system, state, ledger, sums, frame, out):
     return check_state(state, system.break_stretch)
 
 
+def _module(step: Any) -> str:
+    """Return the module of a part, which is a plain function where numba is switched off."""
+    return str(getattr(step, "py_func", step).__module__)
+
+
 def make_advance(
     step: Any, *, carries: bool = False, solves: bool = False, tiles: bool = False
 ) -> Any:
@@ -129,5 +134,5 @@ def make_advance(
         return OK, frames
 
     # Files of machine code are named after the function: one name for every method.
-    advance.__qualname__ = f"advance-{step.py_func.__module__.rpartition('.')[2]}"
+    advance.__qualname__ = f"advance-{_module(step).rpartition('.')[2]}"
     return kernel(advance)

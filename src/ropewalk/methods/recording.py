@@ -28,7 +28,8 @@ class Recording(NamedTuple):
 
     x: Floats  # (f, 3, n) [m]
     v: Floats  # (f, 3, n) [m/s]
-    tension: Floats  # (f, s) elastic tension [N]
+    tension: Floats  # (f, s) what the segment carries along itself, see `carried_tension` [N]
+    elastic_tension: Floats  # (f, s) its spring's share [N]
     rest_length: Floats  # (f, s) [m]; (f, 0) without a winch
     energy: Floats  # (f, 3 or 4) kinetic, gravity, elastic and, where there is any, bending [J]
     work: Floats  # (f, 8 or 10 + a) work by law, then by anchor [J]
@@ -39,7 +40,7 @@ class Recording(NamedTuple):
     moment: Floats  # (f, a, 3) of the clamps on the rope [N m]; (f, 0, 3) without a clamp
 
 
-LARGE = Recording._fields[:3]  # by node or segment in every frame
+LARGE = Recording._fields[:4]  # by node or segment in every frame
 
 
 def make_recording(
@@ -55,7 +56,16 @@ def make_recording(
     """
     n, s, a = state.x.shape[1], state.rest_length.shape[0], state.held.shape[0]
     energies, laws = len(energy_names(bends(state))), len(work_names(bends(state)))
-    shapes = ((3, n), (3, n), (s,), (s if with_lengths else 0,), (energies,), (laws + a,), (2,))
+    shapes = (
+        (3, n),
+        (3, n),
+        (s,),
+        (s,),
+        (s if with_lengths else 0,),
+        (energies,),
+        (laws + a,),
+        (2,),
+    )
     shapes += ((a, 3), (3,), (3,), (state.moment.shape[0], 3))  # type: ignore[assignment]
     large = [empty((frames, *shape)) for shape in shapes[: len(LARGE)]]
     return Recording(*large, *(np.zeros((frames, *shape)) for shape in shapes[len(LARGE) :]))
@@ -171,12 +181,56 @@ def _add_tension(x, rest_length, stiffness, floor, solved, lo, hi, sums, tension
         sums[j] += 0.5 * pull * e if gives and pull >= floor[j] else 0.0
 
 
+@part
+def carried_tension(system, state, elastic, tension):
+    """Write what every segment carries along itself [N], (s,): its elastic tension, friction and bound.
+
+    Vector friction counts with its part along the segment. A rigid link has no friction, and its elastic
+    tension is what was solved for.
+    """
+    floor, lengths = system.slack_floor, state.rest_length
+    vector, axial = state.damping_vector, state.damping_axial
+    add_rubbing(state.x, state.v, lengths, floor, vector, axial, elastic, tension)
+    if state.winch_exit.shape[0] > 0:
+        take_growth(state.x, state, system.winches, floor, tension)
+    if system.limiter.active == 1:
+        add_bounds(state.forces.limiter, state.tension, state.limited, elastic, tension)
+
+
 @kernel
-def add_bounds(limiter, solved, tension):
-    """Put in the tension that was solved for where a segment is at a bound of its stretch."""
+def add_rubbing(x, v, rest_length, floor, vector, axial, elastic, tension):
+    """Write elastic tension and friction along the segment; a slack tension-only one has neither."""
+    x0, x1, x2 = x[0], x[1], x[2]
+    v0, v1, v2 = v[0], v[1], v[2]
+    for j in range(rest_length.shape[0]):
+        dx, dy, dz = x0[j + 1] - x0[j], x1[j + 1] - x1[j], x2[j + 1] - x2[j]
+        ux, uy, uz = v0[j + 1] - v0[j], v1[j + 1] - v1[j], v2[j + 1] - v2[j]
+        r = math.sqrt(dx * dx + dy * dy + dz * dz)
+        rubs = vector[j] + axial[j] if floor[j] != 0.0 or r >= rest_length[j] else 0.0
+        along = (ux * dx + uy * dy + uz * dz) / r if r > 0.0 and rubs > 0.0 else 0.0
+        tension[j] = elastic[j] + rubs * along
+
+
+@kernel
+def take_growth(x, state, winches, floor, tension):
+    """Take the growth of the winches' working segments out of their friction; see `growth_friction`."""
+    for row in range(state.winch_exit.shape[0]):
+        drum = state.winch_exit[row]
+        j = drum if winches.step[row] > 0 else drum - 1
+        dx, dy, dz = x[0, j + 1] - x[0, j], x[1, j + 1] - x[1, j], x[2, j + 1] - x[2, j]
+        stretch = math.sqrt(dx * dx + dy * dy + dz * dz) / state.rest_length[j]
+        if floor[j] != 0.0 or stretch >= 1.0:
+            c = state.damping_vector[j] + state.damping_axial[j]
+            tension[j] -= c * state.winch_rate[row] * stretch
+
+
+@kernel
+def add_bounds(limiter, solved, limited, elastic, tension):
+    """Add what the bound of the stretch holds: solved for by implicit methods, else mean of the step."""
     for j in range(tension.shape[0]):
         if limiter[0, j + 1] != 0.0 or limiter[1, j + 1] != 0.0 or limiter[2, j + 1] != 0.0:
-            tension[j] = solved[j]
+            tension[j] += solved[j] - elastic[j]
+        tension[j] += limited[j]
 
 
 @kernel
@@ -184,11 +238,10 @@ def record_frame(system, state, ledger, sums, frame, out):
     """Write the state and all that follows from it as frame `frame`; works only with `ledger`."""
     put(state.x, out.x[frame])
     put(state.v, out.v[frame])
-    tension, energy = out.tension[frame], out.energy[frame]
+    elastic, energy = out.elastic_tension[frame], out.energy[frame]
     lengths, stiffness, floor = state.rest_length, state.stiffness, system.slack_floor
-    energy[2] = record_tension(state.x, lengths, stiffness, floor, state.tension, sums, tension)
-    if system.limiter.active == 1:
-        add_bounds(state.forces.limiter, state.tension, tension)
+    energy[2] = record_tension(state.x, lengths, stiffness, floor, state.tension, sums, elastic)
+    carried_tension(system, state, elastic, out.tension[frame])
     for j in range(out.rest_length.shape[1]):
         out.rest_length[frame, j] = state.rest_length[j]
     if system.flags[BENDING] == 1:

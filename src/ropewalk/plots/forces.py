@@ -61,7 +61,7 @@ def forces(result: Result, *, plane: str | None = None) -> Figure:
     bar = figure.colorbar(
         ScalarMappable(scale, line_map(colours)), ax=above, extend=extend, pad=0.015, aspect=16
     )
-    bar.set_label("elastic tension [N]")
+    bar.set_label(f"{result.tension_name} [N]")
     _draw_profile(below, result, frame)
     when, about = f"forces at t = {result.time[frame]:.4g} s", describe(result)
     if result.status == "at rest":
@@ -163,6 +163,6 @@ def _draw_profile(axes: Axes, result: Result, frame: int) -> None:
     axes.set_ylim(min(low, 0.0) if low < 0.5 * high else low, high)
     axes.set_xlim(0.0, most or 1.0)
     axes.set_xlabel("unstretched arc length [m]")
-    axes.set_ylabel("elastic tension [N]")
+    axes.set_ylabel(f"{result.tension_name} [N]")
     if 1 < len(curves) <= 8:
         axes.legend(ncols=4, loc="lower left", bbox_to_anchor=(0.0, 1.0))

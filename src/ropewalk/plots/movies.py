@@ -169,7 +169,9 @@ class _Painter:
         draw_ground(axes, seen.ground, seen.box)
         self._rope = LineCollection([], cmap=self.colours, norm=self._scale, linewidths=2.2)
         axes.add_collection(self._rope)
-        figure.colorbar(self._rope, ax=axes, label="elastic tension [N]", pad=0.02, shrink=0.9)
+        figure.colorbar(
+            self._rope, ax=axes, label=f"{result.tension_name} [N]", pad=0.02, shrink=0.9
+        )
         self._loads = axes.plot([], [], **LOAD)[0]  # type: ignore[arg-type]
         self._anchors = axes.plot([], [], **ANCHOR)[0]  # type: ignore[arg-type]
         self._stamp = axes.text(

@@ -74,10 +74,10 @@ def tension(
     bar = figure.colorbar(
         image, ax=list(grid[: len(shown)]), extend=extend, pad=0.015, aspect=18 * min(len(shown), 3)
     )
-    bar.set_label("elastic tension [N]")
+    bar.set_label(f"{result.tension_name} [N]")
     if frames:
         _draw_profiles(grid[-1], result, maps, shown, frames)
-    set_title(figure, f"{result.scene.name}: tension", describe(result))
+    set_title(figure, f"{result.scene.name}: {result.tension_name}", describe(result))
     set_note(figure, broken_note(result, good) + notes)
     return figure
 
@@ -215,5 +215,5 @@ def _draw_profiles(
     axes.set_ylim(*limits(curves))
     axes.set_xlim(0.0, max(found.length for found in maps))
     axes.set_xlabel(f"{maps[0].origin} [m]")
-    axes.set_ylabel("tension [N]")
+    axes.set_ylabel(f"{result.tension_name} [N]")
     axes.legend(ncols=min(number, 6), fontsize=8.0, loc="lower left", bbox_to_anchor=(0.0, 1.0))

@@ -45,8 +45,8 @@ def export(
         run: result, or run folder.
         to: csv, parquet, npz or vtk.
         out: file or folder to make.
-        quantities: of positions, velocities, tension, rest_length, energy, work, reactions, moments,
-            momentum, angular_momentum. Those that a run does not record are left out.
+        quantities: of positions, velocities, tension, elastic_tension, rest_length, energy, work,
+            reactions, moments, momentum, angular_momentum. Those that a run does not record are left out.
         nodes: only these nodes of every rope (negative: from its end), and the segments next to them.
         times: only the frames nearest to these times [s].
         every: only every so many frames.

@@ -28,9 +28,9 @@ from ropewalk.record.facts import INTERRUPTED, RUNNING, Facts, now
 from ropewalk.record.files import read_json, reason, write, write_json, writing
 from ropewalk.record.lock import NAME as LOCK
 from ropewalk.record.lock import is_locked
-from ropewalk.record.reader import Stored
+from ropewalk.record.reader import Stored, reads
 from ropewalk.record.result import Result
-from ropewalk.record.store import FORMAT, Writer
+from ropewalk.record.store import FORMAT, READABLE, Writer
 from ropewalk.scene import Scene, SceneError, dumps, load
 
 SCENE, PROVENANCE, DATA = "scene.toml", "provenance.json", "data.zarr"
@@ -161,9 +161,8 @@ def read_scene(folder: Path) -> Scene:
 def read_facts(folder: Path) -> Facts:
     """Read provenance and status of a run. Raises RunError."""
     provenance = read_json(folder / PROVENANCE)
-    if (version := provenance.get("format")) != FORMAT:
-        rule = f"has the format {version!r}; this version of ropewalk reads {FORMAT}"
-        raise RunError(folder, rule)
+    if (version := provenance.get("format")) not in READABLE:
+        raise RunError(folder, f"has the format {version!r}; {reads()}")
     status: dict[str, Any] = {"status": RUNNING}
     if (folder / STATUS).exists():
         status = read_json(folder / STATUS)
@@ -199,6 +198,11 @@ def open_result(folder: Path) -> Result:
 
 def save_result(result: Result, folder: Path, overwrite: bool) -> Result:
     """Write a result as a run folder and open it from there. Raises RunError."""
+    if not result.has_total_tension:
+        rule = (
+            "is of an older format, whose tension is the elastic one only; copy its folder instead"
+        )
+        raise RunError(result.folder or folder, rule)
     step = max(1, min(result.frames, 4096, 4_000_000 // (48 * result.nodes)))
     facts = result.facts.but(provenance={**_about(result), "ended": now()})
     with new_folder(folder, overwrite) as made:

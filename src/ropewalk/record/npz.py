@@ -22,10 +22,12 @@ def write_npz(result: Result, chosen: Selection, path: Path) -> None:
     """
     names = [q.name for q in QUANTITIES if q.name in chosen.quantities]
     with zipfile.ZipFile(path, "w", zipfile.ZIP_STORED) as archive:
-        _write_pieces(archive, "time", result, chosen, ())
+        _write_pieces(archive, "time", result, chosen, (), "time")
         for name in names:
             if name in result.source.names:
-                _write_pieces(archive, name, result, chosen, _shape(result, chosen, name))
+                title = result.tension_name.replace(" ", "_") if name == "tension" else name
+                shape = _shape(result, chosen, name)
+                _write_pieces(archive, title, result, chosen, shape, name)
         for name, array in _about(result, chosen).items():
             with archive.open(f"{name}.npy", "w", force_zip64=True) as file:
                 np.lib.format.write_array(file, array, allow_pickle=False)
@@ -38,10 +40,15 @@ def _shape(result: Result, chosen: Selection, name: str) -> tuple[int, ...]:
 
 
 def _write_pieces(
-    archive: zipfile.ZipFile, name: str, result: Result, chosen: Selection, rest: tuple[int, ...]
+    archive: zipfile.ZipFile,
+    title: str,
+    result: Result,
+    chosen: Selection,
+    rest: tuple[int, ...],
+    name: str,
 ) -> None:
     header = {"descr": "<f8", "fortran_order": False, "shape": (len(chosen.frames), *rest)}
-    with archive.open(f"{name}.npy", "w", force_zip64=True) as file:
+    with archive.open(f"{title}.npy", "w", force_zip64=True) as file:
         np.lib.format.write_array_header_1_0(file, header)
         for piece in chosen.pieces(result):
             array = _picked(take(result, name, piece), name, chosen)

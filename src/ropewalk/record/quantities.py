@@ -32,7 +32,8 @@ class Quantity:
 QUANTITIES = (
     Quantity("positions", ("time", "node", "axis"), "m", "position", "x", True),
     Quantity("velocities", ("time", "node", "axis"), "m/s", "velocity", "v", True),
-    Quantity("tension", ("time", "segment"), "N", "elastic tension", "tension"),
+    Quantity("tension", ("time", "segment"), "N", "tension", "tension"),
+    Quantity("elastic_tension", ("time", "segment"), "N", "elastic tension", "elastic_tension"),
     Quantity("rest_length", ("time", "segment"), "m", "unstretched length", "rest_length"),
     Quantity("energy", ("time", "form"), "J", ENERGY, "energy"),
     Quantity("work", ("time", "law"), "J", "work done on the rope since the start", "work"),
@@ -67,6 +68,20 @@ def labels(layout: Layout) -> dict[str, tuple[str, ...]]:
         "cause": JUMPS,
         "anchor": layout.anchor_names,
     }
+
+
+# Run folders of format 2 have no other tension than the elastic one, and call it `tension`.
+ELASTIC_ONLY = 2
+_OLD_TENSION = Quantity("tension", ("time", "segment"), "N", "elastic tension", "tension")
+
+
+def stored(layout: Layout, with_lengths: bool, version: int) -> tuple[Quantity, ...]:
+    """Return the quantities in a run folder of a format."""
+    now = recorded(layout, with_lengths)
+    if version > ELASTIC_ONLY:
+        return now
+    old = [q for q in now if q.name != "elastic_tension"]
+    return tuple(_OLD_TENSION if q.name == "tension" else q for q in old)
 
 
 def recorded(layout: Layout, with_lengths: bool) -> tuple[Quantity, ...]:

@@ -12,10 +12,15 @@ from ropewalk.build import Layout
 from ropewalk.core.arrays import Floats
 from ropewalk.record.errors import RunError
 from ropewalk.record.files import read_json, reading
-from ropewalk.record.quantities import BY_NAME, recorded
-from ropewalk.record.store import FORMAT, LEADING, ROOT, array_specs
+from ropewalk.record.quantities import BY_NAME, stored
+from ropewalk.record.store import LEADING, READABLE, ROOT, array_specs
 from ropewalk.record.zarr_format import ArraySpec, decode
 from ropewalk.scene import Scene
+
+
+def reads() -> str:
+    """Say which formats can be read."""
+    return f"this version of ropewalk reads {' and '.join(map(str, READABLE))}"
 
 
 class Stored:
@@ -24,7 +29,7 @@ class Stored:
     def __init__(self, folder: Path, scene: Scene, layout: Layout) -> None:
         self.folder = folder
         self.root = read_json(folder / ROOT)
-        self._check_format()
+        version = self._check_format()
         try:
             arrays = self.root["consolidated_metadata"]["metadata"]
             self._frames = int(arrays["time"]["shape"][0])
@@ -33,7 +38,7 @@ class Stored:
             raise RunError(folder / ROOT, "is damaged: it does not describe a run") from None
         if self._frames < 1 or self._chunk < 1:
             raise RunError(folder / ROOT, "is damaged: it has no frames")
-        quantities = recorded(layout, bool(scene.winches))
+        quantities = stored(layout, bool(scene.winches), version)
         specs = array_specs(quantities, layout, self._chunk)
         self._specs = {spec.name: spec for spec in specs}
         for spec in specs:
@@ -42,14 +47,14 @@ class Stored:
                 rule = f"is damaged or was changed: {spec.name!r} does not fit the scene"
                 raise RunError(folder / ROOT, rule)
 
-    def _check_format(self) -> None:
+    def _check_format(self) -> int:
         about = self.root.get("attributes")
         version = about.get("ropewalk_format") if isinstance(about, dict) else None
         if version is None:
             raise RunError(self.folder, "is no run of ropewalk")
-        if version != FORMAT:
-            rule = f"has the format {version!r}; this version of ropewalk reads {FORMAT}"
-            raise RunError(self.folder, rule)
+        if version not in READABLE:
+            raise RunError(self.folder, f"has the format {version!r}; {reads()}")
+        return int(version)
 
     @property
     def frames(self) -> int:

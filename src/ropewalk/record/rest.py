@@ -61,7 +61,7 @@ def _frame(model: Model, statics: Statics) -> Recording:
     close_frame(model.system, state, True, make_sums(), 0, out)
     k = state.stiffness
     stored = np.divide(statics.tension**2, 2.0 * k, out=np.zeros_like(k), where=k > 0.0)
-    out.tension[0] = statics.tension
+    out.tension[0] = out.elastic_tension[0] = statics.tension
     out.energy[0, ENERGIES.index("gravity")] -= model.gravity_zero
     out.energy[0, ENERGIES.index("elastic")] = float(stored.sum())
     return out

@@ -99,8 +99,28 @@ class Result(Outlets):
 
     @property
     def tension(self) -> Floats:
-        """Elastic tension [N], (frames, segments), without friction; 0 where no rope is."""
+        """What the rope carries along each segment [N], (frames, segments); 0 where no rope is.
+
+        Elastic tension, internal friction (of vector friction its part along the segment) and the bound of
+        a limiter; of a rigid link what keeps its length. In a run folder of format 2, which recorded no
+        more, the elastic tension alone: see `tension_name`.
+        """
         return self._all("tension")
+
+    @property
+    def elastic_tension(self) -> Floats:
+        """The springs' share of the tension [N], (frames, segments); of a rigid link all of it."""
+        return self._all("elastic_tension" if self.has_total_tension else "tension")
+
+    @property
+    def has_total_tension(self) -> bool:
+        """Whether `tension` is all that a segment carries; False for run folders of format 2."""
+        return "elastic_tension" in self.source.names
+
+    @property
+    def tension_name(self) -> str:
+        """What `tension` is: "tension", or "elastic tension" in a run folder of format 2."""
+        return "tension" if self.has_total_tension else "elastic tension"
 
     @property
     def rest_length(self) -> Floats:
@@ -264,7 +284,7 @@ class Result(Outlets):
         if self.status == AT_REST:
             return (
                 f"Equilibrium of {self.scene.name!r}{where}: {ropes} with {segments} segments, "
-                f"largest tension {self.table['largest tension [N]']:.6g} N, "
+                f"largest tension {self.table[f'largest {self.tension_name} [N]']:.6g} N, "
                 f"at most {self.residual:.2g} N left on a node."
             )
         said = (

@@ -52,8 +52,16 @@ class RopeView:
 
     @property
     def tension(self) -> Floats:
-        """Elastic tension [N], (frames, segments); 0 on the drum."""
+        """What the rope carries along each segment [N], (frames, segments); 0 on the drum.
+
+        See `Result.tension`.
+        """
         return self._result.tension[:, self._segments]
+
+    @property
+    def elastic_tension(self) -> Floats:
+        """The springs' share of the tension [N], (frames, segments); 0 on the drum."""
+        return self._result.elastic_tension[:, self._segments]
 
     @property
     def rest_length(self) -> Floats:

@@ -20,7 +20,10 @@ if TYPE_CHECKING:
 Indices = NDArray[np.int64]
 
 EXPORTED = tuple(quantity.name for quantity in QUANTITIES if quantity.name != "jump")
-DEFAULT = ("positions", "velocities", "tension", "energy", "work", "reactions", "moments")
+DEFAULT = (
+    *("positions", "velocities", "tension", "elastic_tension"),
+    *("energy", "work", "reactions", "moments"),
+)
 _VALUES = 500_000  # numbers handled together
 
 

@@ -35,7 +35,8 @@ from ropewalk.scene import Scene
 if TYPE_CHECKING:
     from ropewalk.record.reader import Stored
 
-FORMAT = 2  # of the run folder
+FORMAT = 3  # of the run folder
+READABLE = (2, FORMAT)
 ROOT = "zarr.json"
 LEADING = "positions"  # the array whose chunks are the frames that are written at a time
 LONGEST_FILE = 4096  # [frames] of small arrays in one file

@@ -41,8 +41,10 @@ def summary(result: Result) -> dict[str, Any]:
         "simulated time [s]": float(time[-1]),
         "frames": result.frames,
         **_steps(result),
-        "largest tension [N]": tension,
-        "largest tension at": _place(layout, segment, "segment", time[frame], tension),
+        f"largest {result.tension_name} [N]": tension,
+        f"largest {result.tension_name} at": _place(
+            layout, segment, "segment", time[frame], tension
+        ),
         "largest stretch [1]": stretch,
         "largest stretch at": _place(
             layout, stretch_segment, "segment", time[stretch_frame], stretch
@@ -84,7 +86,7 @@ def _at_rest(result: Result, found: dict[str, tuple[float, int, int]]) -> dict[s
     about = result.facts.provenance["statics"]
     table: dict[str, Any] = {"status": result.status}
     for name, title, noun, sign in (
-        ("tension", "largest tension [N]", "segment", 1.0),
+        ("tension", f"largest {result.tension_name} [N]", "segment", 1.0),
         ("stretch", "largest stretch [1]", "segment", 1.0),
         ("lowest", "lowest point [m]", "node", -1.0),
     ):

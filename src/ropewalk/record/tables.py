@@ -30,7 +30,7 @@ class Table:
 def tables(result: Result, chosen: Selection, layout: str) -> list[Table]:
     """Return the tables that hold the chosen quantities, `long` or `wide`.
 
-    nodes: positions and velocities; segments: tension and unstretched length; anchors: reactions
+    nodes: positions and velocities; segments: tensions and unstretched length; anchors: reactions
     and moments;
     run: energies, works, momentum, one row per frame in either layout.
     """
@@ -40,7 +40,7 @@ def tables(result: Result, chosen: Selection, layout: str) -> list[Table]:
     anchors = np.arange(len(result.layout.anchor_names))
     kinds = (
         ("nodes", "node", chosen.nodes, at_nodes, ("positions", "velocities")),
-        ("segments", "segment", chosen.segments, at_segments, ("tension", "rest_length")),
+        ("segments", "segment", chosen.segments, at_segments, _OF_SEGMENTS),
         ("anchors", "anchor", anchors, list(result.layout.anchor_names), ("reactions", "moments")),
     )
     found = []
@@ -69,9 +69,14 @@ def _node_labels(result: Result) -> tuple[NDArray[Any], Indices]:
 _SYMBOLS = {"positions": "", "velocities": "v", "reactions": "f", "moments": "m"}
 
 
-def _components(quantity: str) -> list[tuple[str, str]]:
+_OF_SEGMENTS = ("tension", "elastic_tension", "rest_length")
+
+
+def _components(result: Result, quantity: str) -> list[tuple[str, str]]:
     """Return symbol and unit of a quantity's components."""
     unit = BY_NAME[quantity].unit
+    if quantity == "tension":
+        return [(result.tension_name, unit)]
     if quantity in _SYMBOLS:
         return [(_SYMBOLS[quantity] + axis, unit) for axis in AXES]
     return [(quantity.replace("_", " "), unit)]
@@ -92,7 +97,7 @@ def _long(
     quantities: list[str],
 ) -> Table:
     headers = ["time [s]", *keys]
-    headers += [f"{symbol} [{unit}]" for q in quantities for symbol, unit in _components(q)]
+    headers += [f"{symbol} [{unit}]" for q in quantities for symbol, unit in _components(result, q)]
 
     def pieces() -> Iterator[Columns]:
         for piece in chosen.pieces(result):
@@ -116,7 +121,7 @@ def _wide(
 ) -> Table:
     headers = ["time [s]"]
     for quantity in quantities:
-        parts = _components(quantity)
+        parts = _components(result, quantity)
         headers += [f"{symbol} {place} [{unit}]" for place in shown for symbol, unit in parts]
 
     def pieces() -> Iterator[Columns]:

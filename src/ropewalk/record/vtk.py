@@ -33,7 +33,7 @@ _HEAD = (
 def write_vtk(result: Result, chosen: Selection, out: Path, overwrite: bool) -> Path:
     """Write the series into the folder `out`; return its .pvd. Raises RunError.
 
-    Points are the chosen nodes; positions are always written, velocities and tension where they are
+    Points are the chosen nodes; positions are always written, velocities and tensions where they are
     chosen; other quantities have no place in it.
     """
     index, frames = out / "rope.pvd", out / "frames"
@@ -92,7 +92,8 @@ def _write_frames(result: Result, chosen: Selection, folder: Path) -> list[str]:
 
 
 def _more(result: Result, chosen: Selection) -> list[str]:
-    return [name for name in ("velocities", "tension") if name in chosen.quantities]
+    wanted = ("velocities", "tension", "elastic_tension")
+    return [name for name in wanted if name in chosen.quantities and name in result.source.names]
 
 
 def _poly_data(
@@ -111,7 +112,9 @@ def _poly_data(
             points |= {"velocity": velocity, "speed": np.linalg.norm(velocity, axis=1)}
     of_cells: dict[str, NDArray[Any]] = {"rope": number[cells]}
     if "tension" in parts:
-        of_cells["tension"] = parts["tension"][cells]
+        of_cells[result.tension_name.replace(" ", "_")] = parts["tension"][cells]
+    if "elastic_tension" in parts:
+        of_cells["elastic_tension"] = parts["elastic_tension"][cells]
     count = f'NumberOfPoints="{len(nodes)}" NumberOfVerts="0" NumberOfLines="{len(cells)}"'
     text = [_HEAD.format("PolyData") + "<PolyData>"]
     text.append(f'<Piece {count} NumberOfStrips="0" NumberOfPolys="0">')

@@ -37,8 +37,8 @@ _FLAGS = {
     "quantities",
     multiple=True,
     metavar="NAME",
-    help="positions, velocities, tension, rest_length, energy, work, reactions, moments, momentum or "
-    "angular_momentum; can be given again. Default: all but momenta and rest_length.",
+    help="positions, velocities, tension, elastic_tension, rest_length, energy, work, reactions, moments, "
+    "momentum or angular_momentum; can be given again. Default: all but momenta and rest_length.",
 )
 @click.option(
     "--node",
