@@ -61,15 +61,7 @@ def show_colons(app: Any, what: str, name: str, thing: Any, options: Any, lines:
     lines[:] = [line.replace(_COLON, ":") for line in lines]
 
 
-def short_signature(
-    app: Any, what: str, name: str, thing: Any, options: Any, signature: str, returns: str
-) -> tuple[str, str] | None:
-    """Leave out the signature of a scene model: the scene format is a page of its own."""
-    return ("(**fields)", "") if hasattr(thing, "model_fields") else None
-
-
 def setup(app: Any) -> None:
     """Stand on both sides of napoleon, whose priority is 500."""
     app.connect("autodoc-process-docstring", hide_colons, priority=400)
     app.connect("autodoc-process-docstring", show_colons, priority=600)
-    app.connect("autodoc-process-signature", short_signature)

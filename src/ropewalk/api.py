@@ -178,8 +178,14 @@ def resume(
 ) -> Result:
     """Go on with a killed or interrupted run, to the same bits as one never interrupted.
 
-    With `force` also when other sources of ropewalk began it (then with a warning, and perhaps not to
-    the same bits). Raises RunError when there is nothing to go on with, else as `run`.
+    Args:
+        folder: of the run.
+        force: go on also when other sources of ropewalk began it (then with a warning, and perhaps not
+            to the same bits).
+        on_failure: "raise" or "return" what there is, as in `run`.
+        progress: called after every block of frames with frames done, frames planned and the block.
+
+    Raises RunError when there is nothing to go on with, else as `run`.
     """
     from ropewalk.record.resume import resume_run
 
@@ -189,7 +195,7 @@ def resume(
 
 
 def open(folder: str | Path) -> Result:  # noqa: A001 - as `rw.open`, it is what it says
-    """Open a run folder, finished or not, and return its result.
+    """Open a run `folder`, finished or not, and return its result.
 
     Quantities are read when they are first used: times [s], positions [m], tensions [N] ...
 

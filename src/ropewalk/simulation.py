@@ -245,7 +245,7 @@ class Simulation:
     def advance_frames(
         self, frames: int, *, keep_going: bool = False, out: Recording | None = None
     ) -> Block:
-        """Advance by `frames` frames of the plan and return them, in buffers of that length if given.
+        """Advance by `frames` frames of the plan and return them, in buffers `out` of that length if given.
 
         When a frame is broken the block ends before it with status BROKEN, and the simulation stands
         at its last good frame; with `keep_going` it records on.
@@ -288,7 +288,10 @@ class Simulation:
         return int(broken[0]) if len(broken) else frames
 
     def frames(self, frames: int | None = None, *, keep_going: bool = False) -> Iterator[Block]:
-        """Yield blocks of up to `frames` frames (default: the rest of the plan) until one breaks."""
+        """Yield blocks of frames, `frames` in all (default: the rest of the plan), until one breaks.
+
+        With `keep_going` they go on into the break.
+        """
         left = self.frames_left if frames is None else frames
         while left > 0:
             block = self.advance_frames(min(left, self.block_frames), keep_going=keep_going)
@@ -341,12 +344,12 @@ class Simulation:
         self._prepare()
 
     def take_in_hand(self, row: int) -> None:
-        """Let an anchor be moved by its velocity from now on, whatever its motion was."""
+        """Let the anchor in a `row` be moved by its velocity from now on, whatever its motion was."""
         self._kinds[row] = HAND
         self._begin_anew()
 
     def turn_by_hand(self, row: int, speed: float) -> None:
-        """Let a winch turn at `speed` [m/s] from now on, whatever the scene told it."""
+        """Let the winch in a `row` turn at `speed` [m/s] from now on, whatever the scene told it."""
         self._drive[:, row] = speed, -math.inf, math.inf
         self._begin_anew()
 

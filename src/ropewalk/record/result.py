@@ -67,7 +67,10 @@ class Result(Outlets):
     # -- what was recorded ---------------------------------------------------------------
 
     def read(self, name: str, start: int = 0, stop: int | None = None) -> Floats:
-        """Return a recorded quantity (`quantities.QUANTITIES`) of some frames only.
+        """Return a recorded quantity in its SI unit, of some frames only, (frames, ...).
+
+        `name` is that of the property, as "positions" [m], (frames, nodes, 3), or "tension" [N]; the
+        frames are those from `start` to before `stop` (default: all).
 
         Raises KeyError for a quantity that this run did not record.
         """

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import inspect
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING, Annotated, Any, TypeVar, dataclass_transform
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, TypeVar, dataclass_transform
 
 from pydantic import (
     AfterValidator,
@@ -19,6 +20,7 @@ from pydantic import (
 from pydantic_core import PydanticCustomError
 
 from ropewalk.scene.errors import Fault, SceneError
+from ropewalk.scene.signatures import docstring, signature
 
 if TYPE_CHECKING:
     from typing import Self
@@ -176,9 +178,26 @@ class Model(BaseModel, metaclass=_Sentences):
         frozen=True, extra="forbid", populate_by_name=True, use_attribute_docstrings=False
     )
 
+    #: What the model is, without its fields.
+    about: ClassVar[str] = ""
+
+    @classmethod
+    def __pydantic_init_subclass__(cls, **options: Any) -> None:
+        cls.about = inspect.cleandoc(cls.__doc__ or "")
+        cls.__doc__ = docstring(cls, cls.about)
+        cls.__signature__ = signature(cls)
+
+    @classmethod
+    def __get_pydantic_json_schema__(cls, core_schema: Any, handler: Any) -> Any:
+        """The JSON Schema, whose properties have meanings of their own."""
+        made = handler.resolve_ref_schema(handler(core_schema))
+        return made | {"description": cls.about}
+
     @classmethod
     def model_validate(cls, obj: Any, **options: Any) -> Self:
-        """Make the model from a mapping (as TOML gives it).
+        """Make the model from a mapping ``obj`` (as TOML gives it).
+
+        ``options`` are pydantic's; ``context={"folder": ...}`` says what file names are relative to.
 
         Raises:
             SceneError: with every fault of the mapping.
@@ -189,7 +208,7 @@ class Model(BaseModel, metaclass=_Sentences):
             raise cls._scene_error(error, obj, options.get("context")) from None
 
     def replace(self, **changes: Any) -> Self:
-        """A validated copy with some fields changed.
+        """A validated copy with some fields changed: ``changes`` gives them by name.
 
         A path reaches deeper, as ``--set`` does on the command line:
         ``scene.replace(**{"rope.made_of.spring_constant": 200.0})`` (every rope), ``"rope[1].segments"``

@@ -22,7 +22,7 @@ _LARGEST_FILE = 500_000_000
 
 
 def load(path: str | Path) -> Scene:
-    """Read a scene file; file names in it are relative to its folder.
+    """Read a scene file from a ``path``; file names in it are relative to its folder.
 
     Raises:
         SceneFileError: when it cannot be read or is no TOML (with line and column).
@@ -55,7 +55,7 @@ def dumps(scene: Scene) -> str:
 
 
 def save(scene: Scene, path: str | Path) -> None:
-    """Write the scene as a TOML file, in place of one that is there.
+    """Write the scene as a TOML file at a ``path``, in place of one that is there.
 
     Raises:
         SceneFileError: when the file cannot be written.

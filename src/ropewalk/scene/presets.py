@@ -43,7 +43,7 @@ def preset_text(name: str) -> str:
 
 
 def preset(name: str) -> Scene:
-    """The scene of a preset.
+    """The scene of the preset called `name`; the command `ropewalk presets` lists all.
 
     Raises:
         SceneError: when there is no such preset.

@@ -48,7 +48,7 @@ class Scene(Model):
 
     @property
     def up(self) -> tuple[float, float, float]:
-        """Unit vector against gravity; z where there is no gravity."""
+        """Unit vector [1] against gravity; z where there is no gravity."""
         size = math.hypot(*self.gravity)
         if size == 0.0:
             return (0.0, 0.0, 1.0)

@@ -49,7 +49,7 @@ class Cable:
         return np.stack([x, z], axis=-1)
 
     def tension(self, s: ArrayLike) -> Floats:
-        """Return the tension at unstretched arc lengths s [m], in N."""
+        """Return the tension at unstretched arc lengths s [m], (m,) or any shape: in N, of that shape."""
         s = np.asarray(s, dtype=np.float64)
         return np.asarray(np.hypot(self.horizontal, self.vertical - self.weight * s))
 

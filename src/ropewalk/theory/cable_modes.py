@@ -30,6 +30,8 @@ def string_frequencies(length: float, tension: float, line: float, count: int = 
         count: how many.
 
     Raises ValueError for numbers that are not positive.
+
+    Source: d'Alembert 1747: w_n = n (pi/L) sqrt(T/mu).
     """
     for name, value, unit in (("length", length, "m"), ("tension", tension, "N")):
         need(name, value, unit)
@@ -49,6 +51,8 @@ def hanging_frequencies(
         end_mass: mass at the lower end over the mass of the rope [1].
 
     Raises ValueError for numbers that are not positive (`end_mass`: negative).
+
+    Source: D. Bernoulli 1733; Lamb, Higher Mechanics: J0(2 w sqrt(L/g)) = 0, with an end mass J0 and Y0.
     """
     from scipy.special import j0, j1, jn_zeros, y0, y1
 
@@ -81,6 +85,8 @@ def rigid_chain_frequencies(masses: int, link: float, gravity: float = 9.81) -> 
         gravity: [m/s^2].
 
     Exact for every number of masses. Raises ValueError for numbers that are not positive.
+
+    Source: w^2 = (g/l) x with L_N(x) = 0, the Laguerre polynomial; Lamb, Higher Mechanics.
     """
     need("masses", masses, "masses")
     need("link", link, "m")
@@ -105,6 +111,8 @@ def cable_parameter(
         horizontal: H [N].
         weight: per unstretched length [N/m].
         EA: [N].
+
+    Source: Irvine and Caughey, Proc. R. Soc. Lond. A 341 (1974) 299.
     """
     load = weight * length / across
     sag = load * across**2 / (8.0 * horizontal)
@@ -129,6 +137,8 @@ def cable_frequencies(
         count: how many of each.
 
     Raises ValueError for numbers that are not positive.
+
+    Source: Irvine and Caughey, Proc. R. Soc. Lond. A 341 (1974) 299.
     """
     need("across", across, "m")
     need("horizontal", horizontal, "N")

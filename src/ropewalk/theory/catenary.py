@@ -23,6 +23,8 @@ def catenary(length: float, across: float, rise: float = 0.0, weight: float = 1.
 
     Raises ValueError for a cable that does not reach, and for numbers that are not positive and
     finite.
+
+    Source: Irvine, Cable Structures (1981), sec. 1.2.
     """
     need("length", length, "m")
     need("weight", weight, "N/m")

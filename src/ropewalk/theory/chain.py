@@ -59,6 +59,8 @@ def lumped_chain(
 
     Raises ValueError for rigid links that do not reach, for shapes that do not fit, and for numbers
     that are not positive.
+
+    Source: the funicular polygon; Irvine, Cable Structures (1981), ch. 1, for the continuum.
     """
     weights = np.atleast_1d(np.asarray(weights, dtype=np.float64))
     segments = weights.size + 1
@@ -88,6 +90,8 @@ def hanging_chain(weights: ArrayLike, stiffness: ArrayLike, length: ArrayLike) -
 
     Segment i carries all weights below it: T_i = sum of w_j, j >= i, and is L_i + T_i/k_i long
     (Timoshenko, Strength of Materials I).
+
+    Source: elementary statics: every segment carries the weights below it.
     """
     weights = np.atleast_1d(np.asarray(weights, dtype=np.float64))
     tension: Floats = np.cumsum(weights[::-1])[::-1]

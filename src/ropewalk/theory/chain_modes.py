@@ -34,6 +34,8 @@ def chain_factors(masses: int, ends: str = "fixed-fixed") -> Floats:
 
     `ends`: "fixed-fixed"; "fixed-free"; "fixed-half", the free end with half a mass (a lumped rod);
     "free-free", whose first mode is 0. Raises ValueError for another word.
+
+    Source: Lagrange 1788; Kittel, Introduction to Solid State Physics, ch. 4.
     """
     return np.asarray(4.0 * np.sin(_half_angles(masses, ends)) ** 2)
 
@@ -41,7 +43,10 @@ def chain_factors(masses: int, ends: str = "fixed-fixed") -> Floats:
 def chain_frequencies(
     masses: int, stiffness: float, mass: float, ends: str = "fixed-fixed"
 ) -> Floats:
-    """Return the angular frequencies of all modes [rad/s], (masses,), without friction."""
+    """Return the angular frequencies of all modes [rad/s], (masses,), without friction.
+
+    Source: Lagrange 1788; Kittel, Introduction to Solid State Physics, ch. 4.
+    """
     return np.asarray(np.sqrt(stiffness / mass * chain_factors(masses, ends)))
 
 
@@ -58,7 +63,10 @@ def chain_decay_times(
 
 
 def chain_shape(masses: int, mode: int, ends: str = "fixed-fixed") -> Floats:
-    """Return the displacements of the masses in a mode counted from 1 [1], largest about 1."""
+    """Return the displacements of the masses in a mode counted from 1 [1], largest about 1.
+
+    Source: Lagrange 1788; Kittel, Introduction to Solid State Physics, ch. 4.
+    """
     angle = 2.0 * _half_angles(masses, ends)[mode - 1]
     place = np.arange(1, masses + 1)
     if ends == "free-free":

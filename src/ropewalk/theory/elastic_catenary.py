@@ -32,6 +32,8 @@ def elastic_catenary(
 
     Raises ValueError for an inextensible cable that does not reach, for a slack one without weight
     (its shape is not determined), and for numbers that are not positive and finite.
+
+    Source: Irvine, Cable Structures (1981), sec. 1.4; Jayaraman and Knudson, Comput. Struct. 14 (1981) 301.
     """
     if weight != 0.0:
         need("weight", weight, "N/m")

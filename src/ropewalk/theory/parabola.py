@@ -43,12 +43,12 @@ class Parabola:
         return self.weight * (self.across**2 + self.rise**2) / (8.0 * self.chord_tension)
 
     def height(self, x: ArrayLike) -> Floats:
-        """Return z over the first end at horizontal places x [m]."""
+        """Return z over the first end at horizontal places x [m], (m,), the shape of x."""
         share = np.asarray(x, dtype=np.float64) / self.across
         return np.asarray(share * self.rise - 4.0 * self.sag * share * (1.0 - share))
 
     def tension(self, x: ArrayLike) -> Floats:
-        """Return the tension at horizontal places x [m], H over the cosine of the slope [N]."""
+        """Return the tension at horizontal places x [m]: H over the cosine of the slope [N], (m,) as x."""
         share = np.asarray(x, dtype=np.float64) / self.across
         slope = (self.rise - 4.0 * self.sag * (1.0 - 2.0 * share)) / self.across
         return np.asarray(self.horizontal * np.hypot(1.0, slope))
@@ -68,6 +68,8 @@ def parabola(
 
     Raises ValueError for an inextensible cable that does not reach, for ends one above the other, and
     for numbers that are not positive and finite.
+
+    Source: Irvine, Cable Structures (1981), sec. 2.2 and 2.3.
     """
     need("length", length, "m")
     need("weight", weight, "N/m")
