@@ -24,7 +24,9 @@ class BrokenRun(Broken):
     """A run that broke. It has a `result` up to the break (or into it) and a `diagnosis`."""
 
     def __init__(self, result: Result) -> None:
-        super().__init__(result.diagnosis)
+        more = "The error's `result` holds what there is"
+        more += "; its plot.shape() shows the break." if result.beyond is not None else "."
+        super().__init__(f"{result.diagnosis} {more}")
         self.result, self.diagnosis = result, result.diagnosis
 
 

@@ -7,20 +7,17 @@ linearly, which is exact at the frames: a run compared with itself differs by ex
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import wraps
-from typing import Any, TypeVar
-from weakref import WeakKeyDictionary
+from typing import Any
 
 import numpy as np
 
 from ropewalk.core.arrays import Floats
-from ropewalk.core.status import BREAK_STRETCH
+from ropewalk.record.good import good_part
 from ropewalk.record.result import Result
 from ropewalk.scene import Scene
 
-_T = TypeVar("_T")
 _CHUNK = 256  # frames compared in one go
 
 
@@ -131,38 +128,6 @@ def key_numbers(result: Result, *, elastic: bool = False) -> dict[str, Any]:
 
 def _largest(result: Result, name: str, start: int, good: int) -> float:
     return float(result.read(name, start, min(start + _CHUNK, good)).max())
-
-
-def remembered(function: Callable[[Result], _T]) -> Callable[[Result], _T]:
-    """Remember what a function says of a result, as long as the result lives."""
-    known: WeakKeyDictionary[Result, tuple[int, _T]] = WeakKeyDictionary()
-
-    @wraps(function)
-    def wrapper(result: Result) -> _T:
-        found = known.get(result)
-        if found is None or found[0] != len(result.time):
-            found = known[result] = (len(result.time), function(result))
-        return found[1]
-
-    return wrapper
-
-
-@remembered
-def good_part(result: Result) -> int:
-    """Return the number of frames before the run broke (1 at least)."""
-    longest = np.full(result.layout.segments, np.inf)
-    factor = BREAK_STRETCH * (1.6 if result.scene.winches else 1.0)
-    for span, rope in zip(result.layout.ropes, result.scene.ropes, strict=True):
-        if rope.segment_length > 0.0:
-            longest[span.first : span.last] = factor * rope.segment_length
-    for start in range(0, len(result.time), _CHUNK):
-        points = result.read("positions", start, start + _CHUNK)
-        with np.errstate(all="ignore"):
-            length = np.sqrt((np.diff(points, axis=1) ** 2).sum(axis=2))
-            fine = (length <= longest).all(axis=1) & np.isfinite(points).all(axis=(1, 2))
-        if not fine.all():
-            return max(1, start + int(np.argmin(fine)))
-    return len(result.time)
 
 
 # -- distance ----------------------------------------------------------------------------

@@ -6,10 +6,12 @@ import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from ropewalk.plots.canvas import (
+    Stage,
     draw_anchors,
     draw_ground,
     draw_loads,
@@ -18,9 +20,9 @@ from ropewalk.plots.canvas import (
     prepare,
     stage,
 )
-from ropewalk.plots.shapes import draw_ropes
+from ropewalk.plots.shapes import draw_points, draw_ropes
 from ropewalk.plots.style import COLOURS, FAINT, describe, new_figure, set_note, set_title, styled
-from ropewalk.plots.view import broken_note, spread_frames
+from ropewalk.plots.view import broken_note, broken_shapes, spread_frames
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -40,27 +42,29 @@ def film(
     """
     seen = stage(result, plane)
     chosen = _chosen(result, frames, seen.good)
-    columns, rows = _grid(len(chosen), seen.box.height / seen.box.width)
+    torn = broken_shapes(result) if chosen[-1] == result.frames - 1 else []
+    count = len(chosen) + len(torn)
+    columns, rows = _grid(count, seen.box.height / seen.box.width)
     width = 7.6
     panel = (width - 0.7) / columns
     tall = panel * min(max(seen.box.height / seen.box.width, 0.2), 3.0) + 0.27
     figure = new_figure(width, min(rows * tall + 1.25, 10.0))
     grid = figure.subplots(rows, columns, sharex=True, sharey=True, squeeze=False)
     for number, axes in enumerate(grid.flat):
-        if number >= len(chosen):
+        if number >= count:
             axes.set_visible(False)
             continue
-        frame = chosen[number]
         prepare(axes, seen.box)
         draw_ground(axes, seen.ground, seen.box)
-        if number > 0 and chosen[number - 1] < seen.good:
+        if 0 < number <= len(chosen) and chosen[number - 1] < seen.good:
             draw_ropes(axes, result, seen, chosen[number - 1], FAINT, "_before")
-        colour = COLOURS[0] if frame < seen.good else COLOURS[1]
-        draw_ropes(axes, result, seen, frame, colour, "rope")
-        draw_loads(axes, result, seen.view, frame, markersize=4.5)
-        draw_anchors(axes, result, seen.view, frame, markersize=3.5)
-        axes.set_title(_stamp(result, frame, frame >= seen.good), fontsize=8.5, loc="left", pad=3.0)
-        below = number + columns >= len(chosen)
+        if number < len(chosen):
+            _draw_frame(axes, result, seen, chosen[number])
+        else:
+            time, points = torn[number - len(chosen)]
+            draw_points(axes, result, seen, points, COLOURS[1], "rope", broken=True)
+            axes.set_title(f"t = {time:.6g} s (broken)", fontsize=8.5, loc="left", pad=3.0)
+        below = number + columns >= count
         axes.tick_params(labelbottom=below)
         axes.xaxis.set_major_locator(MaxNLocator(max(2, int(1.7 * panel))))
         label(axes, seen.view, across=below, up=number % columns == 0)
@@ -68,6 +72,15 @@ def film(
     clipped = "the broken shapes (orange) leave the picture"
     set_note(figure, broken_note(result, seen.good, clipped=clipped) + magnification_note(seen.box))
     return figure
+
+
+def _draw_frame(axes: Axes, result: Result, seen: Stage, frame: int) -> None:
+    """Draw one recorded frame with its time."""
+    colour = COLOURS[0] if frame < seen.good else COLOURS[1]
+    draw_ropes(axes, result, seen, frame, colour, "rope")
+    draw_loads(axes, result, seen.view, frame, markersize=4.5)
+    draw_anchors(axes, result, seen.view, frame, markersize=3.5)
+    axes.set_title(_stamp(result, frame, frame >= seen.good), fontsize=8.5, loc="left", pad=3.0)
 
 
 def _chosen(result: Result, frames: int | Sequence[int], good: int) -> list[int]:

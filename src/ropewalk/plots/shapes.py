@@ -23,9 +23,19 @@ from ropewalk.plots.canvas import (
     prepare,
     stage,
 )
-from ropewalk.plots.style import describe, new_figure, set_note, set_title, styled, times_map
+from ropewalk.plots.style import (
+    COLOURS,
+    describe,
+    new_figure,
+    set_note,
+    set_title,
+    styled,
+    times_map,
+)
 from ropewalk.plots.view import (
+    Floats,
     broken_note,
+    broken_shapes,
     frame_at,
     held_nodes,
     load_nodes,
@@ -97,6 +107,10 @@ def _draw_over(axes: Axes, result: Result, seen: Stage, frames: list[int]) -> No
         draw_ropes(axes, result, seen, frame, colour, f"{time:.4g} s")
         draw_loads(axes, result, seen.view, frame, color=colour)
         draw_anchors(axes, result, seen.view, frame, color=colour, markeredgecolor="black")
+    if frames[-1] == result.frames - 1:
+        for time, points in broken_shapes(result):
+            name = f"{time:.6g} s (broken)"
+            draw_points(axes, result, seen, points, COLOURS[1], name, broken=True)
     figure = axes.figure
     mappable = ScalarMappable(scale, colours)
     if len(frames) > _FEW:
@@ -108,9 +122,24 @@ def draw_ropes(
     axes: Axes, result: Result, seen: Stage, frame: int, colour: object, name: str
 ) -> None:
     """Draw all ropes at a frame; the first one's line carries the name."""
-    points = seen.view.project(positions_of(result, slice(frame, frame + 1))[0])
+    points = positions_of(result, slice(frame, frame + 1))[0]
+    draw_points(axes, result, seen, points, colour, name, broken=frame >= seen.good)
+
+
+def draw_points(
+    axes: Axes,
+    result: Result,
+    seen: Stage,
+    places: Floats,
+    colour: object,
+    name: str,
+    *,
+    broken: bool,
+) -> None:
+    """Draw all ropes with their nodes at `places` [m], (n, 3); broken ones not too far outside."""
+    points = seen.view.project(places)
     box = seen.box
-    if frame >= seen.good:
+    if broken:
         points = np.stack(
             [
                 tame(points[:, 0], box.left, box.right),

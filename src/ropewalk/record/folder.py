@@ -3,6 +3,7 @@
 scene.toml        the scene as it was run
 provenance.json   versions, machine, method, steps, start and end
 data.zarr/        the numbers; xarray opens it
+beyond.npz        of a run that broke: single steps past its last good frame
 checkpoint.npz    what a continuation needs
 events.jsonl      what happened, one JSON object a line
 status.json       running, finished, broke or interrupted; up to where
@@ -21,6 +22,7 @@ from typing import Any
 from ropewalk.build import Layout, Plan
 from ropewalk.build.layout import make_layout
 from ropewalk.methods.registry import METHODS
+from ropewalk.record import beyond
 from ropewalk.record.errors import RunError
 from ropewalk.record.events import NAME as EVENTS
 from ropewalk.record.events import log, read_events
@@ -36,7 +38,7 @@ from ropewalk.scene import Scene, SceneError, dumps, load
 SCENE, PROVENANCE, DATA = "scene.toml", "provenance.json", "data.zarr"
 STATUS = "status.json"
 PACKING_STEPS = 130  # explicit steps that take ten times as long as compressing the frame
-PARTS = (SCENE, PROVENANCE, DATA, "checkpoint.npz", EVENTS, STATUS, LOCK)
+PARTS = (SCENE, PROVENANCE, DATA, "checkpoint.npz", beyond.NAME, EVENTS, STATUS, LOCK)
 
 
 def is_run(folder: Path) -> bool:
@@ -214,6 +216,8 @@ def save_result(result: Result, folder: Path, overwrite: bool) -> Result:
                 arrays.append(array.transpose(0, 2, 1) if quantity.swapped else array)
             writer.add_raw(arrays)
         writer.commit()
+        if result.beyond is not None:
+            beyond.save(made, result.beyond)
         write_status(made, facts, result.frames, float(result.time[-1]))
         for event in result.events:
             log(made, **event)

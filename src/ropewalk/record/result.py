@@ -12,7 +12,10 @@ import numpy as np
 
 from ropewalk.build import Layout, Plan
 from ropewalk.core.arrays import Floats
+from ropewalk.record.beyond import Beyond
+from ropewalk.record.beyond import load as load_beyond
 from ropewalk.record.facts import AT_REST, Facts
+from ropewalk.record.good import good_part
 from ropewalk.record.ledger import balance_residual, energy_error
 from ropewalk.record.outlets import Outlets
 from ropewalk.record.quantities import has_rope, labels, rest_length_at_start
@@ -39,7 +42,9 @@ class Result(Outlets):
         source: Source,
         facts: Facts,
         folder: Path | None = None,
+        beyond: Beyond | None = None,
     ) -> None:
+        self._beyond = beyond
         self.scene, self.layout, self.source, self.facts = scene, layout, source, facts
         self.folder = folder
         self._cache: dict[str, Floats] = {}
@@ -205,6 +210,23 @@ class Result(Outlets):
     def frames(self) -> int:
         """Number of frames, the initial one included."""
         return self.source.frames
+
+    @property
+    def good_frames(self) -> int:
+        """Number of frames before a break; fewer than `frames` where a run was recorded on into it.
+
+        Tables tell of these frames only.
+        """
+        return good_part(self)
+
+    @cached_property
+    def beyond(self) -> Beyond | None:
+        """Single steps past the last good frame of a run that broke: `time` (k,), `positions` (k, nodes, 3).
+
+        Figures show them in orange; no number is taken from them. None of a sound run, and of one recorded
+        on into its break. Raises RunError when the run folder's copy is damaged.
+        """
+        return load_beyond(self.folder) if self.folder is not None else self._beyond
 
     @property
     def nodes(self) -> int:

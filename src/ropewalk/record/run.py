@@ -18,7 +18,7 @@ from ropewalk.build import Model
 from ropewalk.core.cache import source_hash
 from ropewalk.core.status import OK
 from ropewalk.methods.adaptive import counts
-from ropewalk.record import checkpoint
+from ropewalk.record import beyond, checkpoint
 from ropewalk.record.background import Background
 from ropewalk.record.checkpoint import Checkpoint
 from ropewalk.record.errors import RunError
@@ -173,6 +173,9 @@ def finish(recorder: Recorder, progress: Progress | None) -> Result:
         recorder.begun = recorder.last_commit = time.perf_counter()
         try:
             status = recorder.record(progress)
+            if recorder.runner.beyond is not None:
+                with writing(folder):
+                    beyond.save(folder, recorder.runner.beyond)
             recorder.commit(status)
         except RunError as error:
             with suppress(OSError):

@@ -9,6 +9,7 @@ from ropewalk.block import Block, join
 from ropewalk.build import Model
 from ropewalk.core.status import OK, UNSOLVED
 from ropewalk.methods.recording import Recording
+from ropewalk.record.beyond import Beyond, look_beyond
 from ropewalk.record.events import Event
 from ropewalk.record.facts import BROKE, FINISHED, Facts, provenance
 from ropewalk.record.quantities import recorded
@@ -45,6 +46,7 @@ class Runner:
         self._keep_going, self._explain = keep_going, explain
         self._watch = Watch(simulation, resumed=resumed)
         self._events: list[Event] = []
+        self.beyond: Beyond | None = None  # set where it breaks and is not to go on
         self.diagnosis = diagnosis  # set by a break; given when the run broke before it was resumed
 
     def advance(self, frames: int, out: Recording | None = None) -> Block:
@@ -64,7 +66,10 @@ class Runner:
             return block
         self._events += self._watch.look()
         self.diagnosis = self.simulation.failure or self._why()
-        if not self._keep_going or block.status == UNSOLVED:
+        if block.status == UNSOLVED:
+            return block
+        if not self._keep_going:
+            self.beyond = look_beyond(self.simulation)
             return block
         told = {"event": BROKE, "time": self.simulation.time, "diagnosis": self.diagnosis}
         self._events.append(told)
@@ -134,4 +139,5 @@ def simulate_in_memory(
     )
     with_lengths = bool(simulation.scene.winches)
     names = tuple(q.name for q in recorded(simulation.layout, with_lengths))
-    return Result(simulation.scene, simulation.layout, Memory(blocks, names), facts)
+    source = Memory(blocks, names)
+    return Result(simulation.scene, simulation.layout, source, facts, beyond=runner.beyond)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -22,24 +23,26 @@ _VALUES = 2_000_000  # numbers of one quantity looked at together
 def summary(result: Result) -> dict[str, Any]:
     """Return the numbers that people want first, by name with unit.
 
-    Segments and nodes are named as `rope:number`. Frames with NaN or infinite values are left out of
-    extremes. NaN stands for what there is none of: a stretch where nothing has a rest length, an energy
-    error without a ledger. Reads the run in pieces, so that memory does not grow with its length.
+    Segments and nodes are named as `rope:number`. Only frames before a break count. NaN stands for what there
+    is none of: a stretch where nothing has a rest length, an energy error without a ledger. Reads the run in
+    pieces, so that memory does not grow with its length.
     """
     found = _extremes(result)
     if result.status == AT_REST:
         return _at_rest(result, found)
-    layout, time = result.layout, result.time
+    layout, time, good = result.layout, result.time, result.good_frames
+    energy = {name: part[:good] for name, part in result.energy.items()}
+    error = result.energy_error[:good]
     tension, frame, segment = found["tension"]
     stretch, stretch_frame, stretch_segment = found["stretch"]
     speed, speed_frame, speed_node = found["speed"]
     lowest, low_frame, low_node = found["lowest"]
-    kinetic = result.energy["kinetic"]
     seconds = result.facts.seconds
     return {
         "status": result.status,
         "simulated time [s]": float(time[-1]),
         "frames": result.frames,
+        **({"frames before the break": good} if good < result.frames else {}),
         **_steps(result),
         f"largest {result.tension_name} [N]": tension,
         f"largest {result.tension_name} at": _place(
@@ -53,12 +56,12 @@ def summary(result: Result) -> dict[str, Any]:
         "largest speed at": _place(layout, speed_node, "node", time[speed_frame], speed),
         "lowest point [m]": -lowest,
         "lowest point at": _place(layout, low_node, "node", time[low_frame], lowest),
-        "largest energy error [J]": _largest(result.energy_error),
-        "largest energy error, share of the energy turned over [%]": _share(result),
-        "final energy error [J]": float(result.energy_error[-1]),
-        "largest balance residual [J]": _largest(result.balance_residual),
-        "final kinetic energy [J]": float(kinetic[-1]),
-        "final total energy [J]": float(result.energy["total"][-1]),
+        "largest energy error [J]": _largest(error),
+        "largest energy error, share of the energy turned over [%]": _share(energy, error),
+        "final energy error [J]": float(error[-1]),
+        "largest balance residual [J]": _largest(result.balance_residual[:good]),
+        "final kinetic energy [J]": float(energy["kinetic"][-1]),
+        "final total energy [J]": float(energy["total"][-1]),
         "final total energy at": ZERO if any(result.scene.gravity) else "",
         "wall time [s]": seconds,
         "simulated time over wall time [1]": float(time[-1]) / seconds if seconds > 0 else math.nan,
@@ -111,8 +114,9 @@ def _extremes(result: Result) -> dict[str, tuple[float, int, int]]:
     step = max(1, _VALUES // (3 * result.nodes))
     if result.source.chunk < result.frames:
         step = max(1, step // result.source.chunk) * result.source.chunk
-    for start in range(0, result.frames, step):
-        for name, values in _measures(result, start, start + step).items():
+    for start in range(0, result.good_frames, step):
+        stop = min(start + step, result.good_frames)
+        for name, values in _measures(result, start, stop).items():
             values = np.where(np.isfinite(values), values, -np.inf)
             at = int(np.argmax(values))
             frame, column = divmod(at, values.shape[1])
@@ -141,10 +145,10 @@ def _measures(result: Result, start: int, stop: int) -> dict[str, Floats]:
     return {"tension": tension, "stretch": stretch, "speed": speed, "lowest": lowest}
 
 
-def _share(result: Result) -> float:
+def _share(energy: Mapping[str, Floats], error: Floats) -> float:
     """Return the largest energy error over the largest change of one form of energy [%]."""
-    turned = turned_over(result.energy)
-    return 100.0 * _largest(result.energy_error) / turned if turned > 0.0 else math.nan
+    turned = turned_over(energy)
+    return 100.0 * _largest(error) / turned if turned > 0.0 else math.nan
 
 
 def _largest(values: Floats) -> float:

@@ -155,6 +155,9 @@ def conclude(result: Result, warnings: tuple[str, ...] = (), *, as_json: bool, q
         tell(result.diagnosis)
         if not result.facts.keep_going:
             tell(f"everything up to t = {result.time[-1]:.6g} s is kept in {result.folder}")
+            if result.beyond is not None:
+                tell(f"see how it broke: ropewalk plot {result.folder} shape film")
+                tell("record on into the break: run it with --keep-going")
         return BROKE
     return 0
 

@@ -1,0 +1,74 @@
+"""How a run broke: single steps past its last good frame, kept apart from what counts."""
+
+from __future__ import annotations
+
+import io
+import zipfile
+from collections import deque
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from ropewalk.core.arrays import Floats
+from ropewalk.core.status import OK
+from ropewalk.record.errors import RunError
+from ropewalk.record.files import reading, write
+from ropewalk.simulation import Simulation
+
+NAME = "beyond.npz"
+_FRAMES = 10  # so many at most are looked at past the last good one ...
+_STEPS = 20_000  # ... and so many steps
+_KEPT = 64  # steps, the last before the rope is torn apart
+_NUMBERS = 3_000_000  # coordinates kept
+
+
+@dataclass(frozen=True)
+class Beyond:
+    """Single steps of a run past its last good frame, up to where the rope is torn apart.
+
+    They show how it broke, and nothing else: no number of the rope's is to be taken from them.
+    """
+
+    time: Floats  # (k,) [s]
+    positions: Floats  # (k, n, 3) [m], finite
+
+
+def look_beyond(simulation: Simulation) -> Beyond | None:
+    """Step a simulation that stands at its last good frame on into its break; leave it as it stands."""
+    here, plan = simulation.state, simulation.plan
+    most = max(2, min(_KEPT, _NUMBERS // (3 * simulation.layout.nodes)))
+    seen: deque[tuple[float, Floats]] = deque(maxlen=most)
+    for _ in range(min(_FRAMES * plan.steps_per_frame, _STEPS)):
+        status = simulation.advance_steps(1)
+        positions = simulation.positions.copy()
+        if not np.isfinite(positions).all():
+            break
+        seen.append((simulation.time, positions))
+        if status != OK:
+            break
+    simulation.restore(here)
+    if not seen:
+        return None
+    return Beyond(np.array([time for time, _ in seen]), np.array([x for _, x in seen]))
+
+
+def save(folder: Path, beyond: Beyond) -> None:
+    """Write it into a run folder. Raises OSError."""
+    data = io.BytesIO()
+    np.savez(data, allow_pickle=False, time=beyond.time, positions=beyond.positions)
+    write(folder / NAME, data.getvalue())
+
+
+def load(folder: Path) -> Beyond | None:
+    """Read it from a run folder; None where there is none. Raises RunError when it is damaged."""
+    path = folder / NAME
+    if not path.exists():
+        return None
+    with reading(path):
+        data = path.read_bytes()
+    try:
+        with np.load(io.BytesIO(data), allow_pickle=False) as archive:
+            return Beyond(archive["time"], archive["positions"])
+    except (KeyError, ValueError, OSError, EOFError, zipfile.BadZipFile) as error:
+        raise RunError(path, f"is damaged: {error}") from None

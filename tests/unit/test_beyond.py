@@ -1,0 +1,114 @@
+"""Broken runs: the steps past the break are kept apart, drawn as such, and counted nowhere."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+from matplotlib.colors import to_hex
+
+import ropewalk as rw
+import runs
+from ropewalk import plots
+from ropewalk.cli import main
+from ropewalk.cli.summary import results_rows
+from ropewalk.plots.style import COLOURS
+from ropewalk.record.result import Result
+from ropewalk.scene import dumps
+
+
+@pytest.fixture(scope="module")
+def broken() -> Result:
+    return rw.simulate(runs.breaking(), on_failure="return")
+
+
+@pytest.fixture(scope="module")
+def into_it() -> Result:
+    return rw.simulate(runs.breaking(), on_failure="return", keep_going=True)
+
+
+def zigzag(positions: np.ndarray) -> float:
+    """Correlation of the changes of neighbouring segments from their mean: -1 in a zigzag."""
+    lengths = np.linalg.norm(np.diff(positions, axis=0), axis=1)
+    rough = np.diff(lengths)
+    return float(np.corrcoef(rough[:-1], rough[1:])[0, 1])
+
+
+def test_single_steps_past_the_last_good_frame_are_kept_apart(broken: Result) -> None:
+    assert broken.status == "broke"
+    beyond = broken.beyond
+    assert beyond is not None
+    assert beyond.time[0] == pytest.approx(broken.time[-1] + broken.plan.dt, rel=1e-12)
+    np.testing.assert_allclose(np.diff(beyond.time), broken.plan.dt, rtol=1e-9)
+    assert np.isfinite(beyond.positions).all()
+    assert zigzag(beyond.positions[0]) < -0.5
+    assert broken.frames == broken.good_frames == len(broken.positions)
+    simulation = rw.Simulation(runs.breaking())
+    for _ in range(broken.frames - 1):
+        simulation.step()
+    np.testing.assert_array_equal(simulation.positions, broken.positions[-1])
+    simulation.advance_steps(1)
+    np.testing.assert_array_equal(simulation.positions, beyond.positions[0])
+
+
+def test_a_sound_run_has_nothing_beyond() -> None:
+    result = rw.simulate(runs.hanging(duration=0.2))
+    assert result.beyond is None
+    assert result.good_frames == result.frames
+
+
+@pytest.mark.parametrize("kind", ["shape", "film"])
+def test_figures_draw_the_break_in_orange_and_say_so(broken: Result, kind: str) -> None:
+    orange = to_hex(COLOURS[1])
+
+    def lines(result: Result) -> int:
+        figure = getattr(plots, kind)(result)
+        drawn = [line for axes in figure.axes for line in axes.lines]
+        return sum(
+            to_hex(line.get_color()) == orange and len(line.get_xdata()) == 11 for line in drawn
+        )
+
+    assert lines(broken) in (1, 2)
+    assert lines(rw.simulate(runs.hanging(duration=0.2))) == 0
+
+
+def test_the_folder_keeps_it_and_tells_of_damage(broken: Result, tmp_path: Path) -> None:
+    ran = rw.run(runs.breaking(), tmp_path / "run", on_failure="return")
+    saved = broken.save(tmp_path / "saved")
+    for result in (ran, saved):
+        assert result.beyond is not None
+        assert broken.beyond is not None
+        np.testing.assert_array_equal(result.beyond.positions, broken.beyond.positions)
+    path = tmp_path / "run" / "beyond.npz"
+    data = bytearray(path.read_bytes())
+    data[len(data) // 2] ^= 1
+    path.write_bytes(data)
+    with pytest.raises(rw.RunError, match="beyond.npz"):
+        _ = rw.Result.open(tmp_path / "run").beyond
+
+
+def test_a_run_recorded_into_its_break_tells_of_the_frames_before(
+    broken: Result, into_it: Result
+) -> None:
+    assert into_it.frames > into_it.good_frames == broken.frames
+    for name in ("largest tension [N]", "final kinetic energy [J]", "largest energy error [J]"):
+        assert into_it.table[name] == broken.table[name]
+    assert into_it.table["frames before the break"] == broken.frames
+    for name, value, _ in results_rows(into_it.table):
+        assert "e+" not in value, name
+        assert "nan" not in value, name
+
+
+def test_the_message_says_how_to_see_more(tmp_path: Path) -> None:
+    (tmp_path / "scene.toml").write_text(dumps(runs.breaking()))
+    run = tmp_path / "run"
+    done = CliRunner().invoke(main, ["run", str(tmp_path / "scene.toml"), "-o", str(run)])
+    assert done.exit_code == 3
+    assert f"ropewalk plot {run} shape film" in done.stderr
+    assert "--keep-going" in done.stderr
+    drawn = CliRunner().invoke(main, ["plot", str(run), "shape", "film"])
+    assert drawn.exit_code == 0, drawn.output
+    with pytest.raises(rw.BrokenRun, match="plot.shape"):
+        rw.simulate(runs.breaking())
