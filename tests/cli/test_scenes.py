@@ -44,9 +44,18 @@ def test_a_command_that_is_not_there(ropewalk: Any) -> None:
 def test_check_says_what_to_expect(ropewalk: Any) -> None:
     done = ropewalk("check", "r4")
     assert done.exit_code == 0
-    for text in ("stable at 1.852 ms", "rk4", "waves along it", "sag", "10800 steps", "this run"):
-        assert text in done.stdout
+    lines = done.stdout.splitlines()
+    order = ("sag", "tension", "strain", "the run:", "10800 steps", "stable at 1.852 ms")
+    places = [next(i for i, line in enumerate(lines) if text in line) for text in order]
+    assert max(places[:3]) < places[3] == places[4] < places[5]
+    assert "rk4" not in done.stdout
     assert done.stderr == ""
+
+
+def test_check_tells_of_all_methods_when_asked(ropewalk: Any) -> None:
+    done = ropewalk("check", "r4", "--all")
+    for text in ("stable at 1.852 ms", "rk4", "bdf2", "waves along it", "rad/s", "stability meter"):
+        assert text in done.stdout
 
 
 def test_check_of_a_run_that_will_break(ropewalk: Any) -> None:

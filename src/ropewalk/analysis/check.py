@@ -15,7 +15,8 @@ from ropewalk.analysis.plan_notes import plan_notes
 from ropewalk.analysis.stability import Stability, milliseconds, rounded_down, stability
 from ropewalk.analysis.units import unit_slips
 from ropewalk.build import Model, build
-from ropewalk.scene import Scene
+from ropewalk.core.arrays import Floats
+from ropewalk.scene import Scene, Springs
 from ropewalk.start import started
 from ropewalk.statics import Statics, static_shape
 
@@ -24,6 +25,7 @@ __all__ = ["Check", "RopeCheck", "check", "milliseconds"]
 _SMALL_MARGIN = 0.1
 _ROUNDING = 1e-9
 _AFFORDABLE = 20_000  # nodes up to which the highest frequency at rest is computed
+_STRAINED = 0.1  # [1] strain at rest that few ropes bear
 _SHORT = 0.01  # a curve's chords are a little shorter than its arcs
 
 
@@ -38,25 +40,32 @@ class RopeCheck:
     longitudinal: float  # speed of waves along the rope [m/s]
     transverse: tuple[float, float] | None  # slowest and fastest sideways wave at rest [m/s]
     largest_tension: float  # at rest [N]
+    largest_strain: (
+        float | None
+    )  # at rest, length over rest length less 1 [1]; None without a rest length
     slack: int  # segments without tension at rest
     short: int  # segments that start more than 1 % shorter than their rest length
 
     def lines(self) -> list[str]:
-        """Text, one fact a line."""
+        """What it is, and what it carries at rest; one fact a line."""
         text = [
             f"rope {self.name!r}: {self.segments} segments, {self.length:.6g} m, {self.mass:.6g} kg"
         ]
-        waves = f"  waves along it {self.longitudinal:.4g} m/s"
-        if math.isinf(self.longitudinal):
-            waves = "  rigid links: a pull runs along it at once"
-        if self.transverse:
-            low, high = self.transverse
-            waves += f", sideways {low:.4g} to {high:.4g} m/s at rest"
-        text.append(waves)
-        text.append(f"  largest tension at rest {self.largest_tension:.5g} N")
+        strain = "" if self.largest_strain is None else f", strain {_percent(self.largest_strain)}"
+        text.append(f"  at rest: largest tension {self.largest_tension:.5g} N{strain}")
         if self.slack or self.short:
             text.append(f"  segments slack at rest {self.slack}, started too short {self.short}")
         return text
+
+    def waves(self) -> str:
+        """The speeds of its waves."""
+        waves = f"rope {self.name!r}: waves along it {self.longitudinal:.4g} m/s"
+        if math.isinf(self.longitudinal):
+            waves = f"rope {self.name!r}: rigid links: a pull runs along it at once"
+        if self.transverse:
+            low, high = self.transverse
+            waves += f", sideways {low:.4g} to {high:.4g} m/s at rest"
+        return waves
 
 
 @dataclass(frozen=True)
@@ -120,11 +129,35 @@ class Check:
         }
         return {key: plain(value) for key, value in found.items()}
 
-    def lines(self) -> list[str]:
-        """Text, one fact a line."""
-        s = self.stability
-        text = [f"{self.name}: {s.verdict}"]
+    def lines(self, *, all_methods: bool = False) -> list[str]:
+        """Text, one fact a line: the ropes at rest, how long the run takes, then the step.
+
+        With `all_methods` also what the step may be in other methods, what decides it, and the waves.
+        """
+        text = [self.name]
+        for rope in self.ropes:
+            text += rope.lines()
+            text += [
+                f"  at rest: {span.words}" for span in self.statics.spans if span.rope == rope.name
+            ]
+        if self.statics.grounded.any():
+            text.append(f"at rest {_count(self.statics.grounded, 'node')} on the ground")
+        text.append(
+            f"the run: {self.duration:.6g} s in about {_duration(self.seconds)}; {self.pace}"
+        )
+        text.append(f"the step: {self.stability.verdict}")
         text += [self.why] if self.why else []
+        if all_methods:
+            text += self._of_the_step() + [rope.waves() for rope in self.ropes]
+        text += [f"note: {note}" for note in self.stability.notes]
+        text += [f"warning: {warning}" for warning in self.warnings]
+        return text
+
+    def _of_the_step(self) -> list[str]:
+        """The bound of every method, and what decides it."""
+        s = self.stability
+        text = ["largest stable steps:"]
+        text += [f"  {name:<20} {milliseconds(step)}" for name, step in s.largest_step.items()]
         if math.isinf(s.highest_frequency):
             text.append("highest frequency: none bounds it, rigid links do not stretch")
         else:
@@ -134,8 +167,6 @@ class Check:
             text[-1] += f" ({bound}{self.highest_at_rest:.6g} rad/s about the rest shape)"
         if s.method == "semi-implicit-euler":
             text.append(f"stability meter a + 2b = {s.meter:.4g} of 4")
-        text.append("largest stable steps:")
-        text += [f"  {name:<20} {milliseconds(step)}" for name, step in s.largest_step.items()]
         if s.largest_spring_constant is not None:
             text.append(f"largest spring constant {s.largest_spring_constant:.6g} N/m at this step")
         elif s.largest_axial_stiffness is not None:
@@ -144,14 +175,6 @@ class Check:
             text.append(f"all springs could be {s.largest_spring_factor:.4g} times as stiff")
         if s.largest_bending_stiffness is not None:
             text.append(f"largest EI {s.largest_bending_stiffness:.6g} N m^2 at this step")
-        for rope in self.ropes:
-            text += rope.lines()
-        text += [f"  {span}" for span in self.statics.spans]
-        if self.statics.grounded.any():
-            text.append(f"  at rest {_count(self.statics.grounded, 'node')} on the ground")
-        text.append(f"{self.pace}; about {_duration(self.seconds)} to run")
-        text += [f"note: {note}" for note in s.notes]
-        text += [f"warning: {warning}" for warning in self.warnings]
         return text
 
     def __str__(self) -> str:
@@ -205,6 +228,10 @@ def _highest_at_rest(model: Model, statics: Statics) -> float | None:
     return None if found == math.inf else found  # of rigid links
 
 
+def _percent(strain: float) -> str:
+    return f"{100.0 * strain:.3g} %"
+
+
 def _rope(model: Model, statics: Statics, name: str) -> RopeCheck:
     rope, span = model.scene.rope_named(name), model.layout.span(name)
     segments = slice(span.start, span.end)
@@ -226,9 +253,16 @@ def _rope(model: Model, statics: Statics, name: str) -> RopeCheck:
         longitudinal=rope.segment_length * math.sqrt(rope.segment_stiffness / own),
         transverse=(float(speed.min()), float(speed.max())) if speed.size else None,
         largest_tension=float(tension.max(initial=0.0)),
+        largest_strain=_strain(rest, statics.stretch[segments]),
         slack=int(statics.slack[segments].sum()),
         short=int((size < rest * (1.0 - _SHORT)).sum()),
     )
+
+
+def _strain(rest: Floats, stretch: Floats) -> float | None:
+    """Return the largest strain [1] of segments of a rest length, 0 where all are slack."""
+    strains = stretch[rest > 0.0] - 1.0
+    return max(float(strains.max()), 0.0) if strains.size else None
 
 
 def _warnings(
@@ -250,6 +284,7 @@ def _warnings(
         f"rope {name!r}: nothing holds it" + ("; it falls" if np.any(model.system.gravity) else "")
         for name in statics.unheld
     ]
+    warnings += _strain_warnings(model, statics, ropes)
     warnings += _limiter_warnings(model, statics) + _rest_warnings(statics)
     warnings += bending_warnings(model)
     return warnings + plan_notes(model) + unit_slips(model)
@@ -271,17 +306,36 @@ def _stability_warnings(found: Stability) -> list[str]:
     return []
 
 
+def _strain_warnings(model: Model, statics: Statics, ropes: tuple[RopeCheck, ...]) -> list[str]:
+    """Ropes that stretch at rest as no rope does: kN typed as N, or springs weak for their load."""
+    if model.system.limiter.active or not statics.solved:
+        return []
+    found = []
+    for i, rope in enumerate(ropes):
+        if rope.largest_strain is None or rope.largest_strain <= _STRAINED:
+            continue
+        made_of = model.scene.ropes[i].made_of
+        if isinstance(made_of, Springs):
+            what = f"spring_constant of {made_of.spring_constant:g} N/m"
+            slip = "kN/m typed as N/m, or springs that are weak for what they carry?"
+        else:
+            what, slip = (
+                f"EA of {made_of.EA:g} N",
+                "kN typed as N, or a rope too soft for its load?",
+            )
+        found.append(
+            f"rope {rope.name!r}: at rest it is stretched by {_percent(rope.largest_strain)}, under "
+            f"{rope.largest_tension:.4g} N by its {what}: {slip}"
+        )
+    return found
+
+
 def _limiter_warnings(model: Model, statics: Statics) -> list[str]:
     """Habrador's scene: weights that the springs carry only far beyond the limiter's length."""
     limiter = model.system.limiter
     alive = model.state.stiffness > 0.0
     stretch = statics.stretch[alive & (model.state.rest_length > 0.0)]
     if not limiter.active or not stretch.size:
-        if stretch.size and stretch.max() > 1.5:
-            return [
-                f"at rest the rope is stretched to {stretch.max():.3g} times its length: "
-                "its springs are weak for what they carry"
-            ]
         return []
     over = int((stretch > limiter.longest * (1.0 + _ROUNDING)).sum())
     if over == 0 or limiter.longest <= 1.0:

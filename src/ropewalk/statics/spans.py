@@ -27,6 +27,14 @@ class RestSpan:
     horizontal: float  # part of the tension across gravity at its lowest node [N]; all along it without wind
     largest_tension: float  # [N]
 
+    @property
+    def words(self) -> str:
+        """What hangs how, without the rope's name."""
+        where = f"nodes {self.first} to {self.last}"
+        if self.kind == "tail":
+            return f"{where} hang free, {self.distance:.4g} m long"
+        return f"sag {self.sag:.4g} m over {self.distance:.4g} m, {where}"
+
     def __str__(self) -> str:
         where = f"nodes {self.first} to {self.last} of rope {self.rope!r}"
         if self.kind == "tail":
