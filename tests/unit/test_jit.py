@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from ropewalk.core.jit import kernel, part
+from ropewalk.core.compiler import entry
+from ropewalk.core.jit import OPTIONS, kernel, part
 
 
 @part
@@ -78,3 +79,14 @@ def sometimes_given(n):
 
 def test_a_variable_may_be_given_on_one_way_only() -> None:
     assert [sometimes_given(n) for n in range(6)] == [0, 0, 0, 2, 5, 9]
+
+
+def test_a_kernel_serves_python_and_kernels() -> None:
+    """As an entry it has machine code; what it calls has none of its own until Python calls that."""
+    called = entry(one_behind.py_func, OPTIONS)
+    caller = entry(lambda n: called(n) + 1, OPTIONS)
+    assert caller(5) == 5
+    assert caller.inner.signatures == called.signatures == []
+    (inner,) = called.inner.overloads.values()
+    assert inner.library.get_pointer_to_function(inner.fndesc.llvm_cpython_wrapper_name) == 0
+    assert called(5) == 4

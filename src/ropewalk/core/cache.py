@@ -25,6 +25,8 @@ from typing import Any
 import numba
 from numba.core import caching
 
+from ropewalk.core.compiler import rebuild_inner, reduce_inner
+
 PACKAGE = Path(__file__).resolve().parent.parent
 KERNEL_FOLDERS = ("core", "laws", "methods", "motions")
 KEPT_CACHES = 4
@@ -126,6 +128,27 @@ class _KernelCacheImpl(caching.CompileResultCacheImpl):
     _locator_classes = [_SourceHashLocator]  # noqa: RUF012 - numba reads this class attribute
 
 
+class _InnerLocator(_SourceHashLocator):
+    """Locate the inner functions of kernels, in files of their own."""
+
+    def get_disambiguator(self) -> str:
+        return f"{super().get_disambiguator()}-inner"
+
+
+class _InnerCacheImpl(caching.CompileResultCacheImpl):
+    _locator_classes = [_InnerLocator]  # noqa: RUF012 - numba reads this class attribute
+
+    def reduce(self, cres: Any) -> Any:
+        return reduce_inner(cres)
+
+    def rebuild(self, target_context: Any, payload: Any) -> Any:
+        return rebuild_inner(target_context, payload)
+
+    def check_cachable(self, cres: Any) -> bool:
+        """Keep all: an address in code that is not optimised yet is seen where an entry links it in."""
+        return True
+
+
 class _CheckedFiles(caching.IndexDataCacheFile):
     """An index and its data files, each with a hash of its contents before them.
 
@@ -169,7 +192,7 @@ class _CheckedFiles(caching.IndexDataCacheFile):
 class KernelCache(caching.FunctionCache):
     """The cache of one kernel."""
 
-    _impl_class = _KernelCacheImpl
+    _impl_class: type[caching.CompileResultCacheImpl] = _KernelCacheImpl
 
     def __init__(self, py_func: Callable[..., Any]) -> None:
         super().__init__(py_func)
@@ -186,6 +209,12 @@ class KernelCache(caching.FunctionCache):
         # The source hash stands for the code. numba adds a hash of what a closure holds, which for a
         # compiled function is another in every process.
         return sig, codegen.magic_tuple()
+
+
+class InnerCache(KernelCache):
+    """The cache of what a kernel is to other kernels."""
+
+    _impl_class: type[caching.CompileResultCacheImpl] = _InnerCacheImpl
 
 
 @cache

@@ -1,0 +1,211 @@
+"""How kernels are compiled: numba's passes and one of ours, and no machine code for what only kernels call.
+
+numba makes every compiled function ready for calls from Python: it optimises it with all that it calls,
+makes machine code of it, and a wrapper that takes a hundred arrays out of their tuples. A kernel that another
+kernel calls needs none of that: it is optimised where it is called. So a kernel is two things here: an entry,
+compiled when Python calls it, and an inner function, kept as LLVM's bitcode, that kernels link in.
+"""
+
+from __future__ import annotations
+
+import gc
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any
+
+import llvmlite.binding as llvm
+from numba.core import ir, ir_utils, sigutils
+from numba.core.codegen import JITCodeLibrary
+from numba.core.compiler import CompilerBase, CompileResult, DefaultPassBuilder
+from numba.core.compiler_machinery import FunctionPass, register_pass
+from numba.core.registry import CPUDispatcher
+from numba.core.untyped_passes import ReconstructSSA
+
+
+@register_pass(mutates_CFG=False, analysis_only=False)
+class _ForwardCopies(FunctionPass):
+    """Use a variable itself in place of its copies.
+
+    numba copies the arguments of a function that it inlines. A copy of a named tuple of a hundred arrays
+    is a thousand loads and stores to LLVM: without this pass a step took three times as long to compile.
+    """
+
+    _name = "ropewalk_forward_copies"
+
+    def __init__(self) -> None:
+        FunctionPass.__init__(self)
+
+    def run_pass(self, state: Any) -> bool:
+        blocks, definitions = state.func_ir.blocks, state.func_ir._definitions
+        phis = [phi for block in blocks.values() for phi in block.find_exprs("phi")]
+        merged = {
+            value.name for phi in phis for value in phi.incoming_values if isinstance(value, ir.Var)
+        }
+
+        def stays(variable: Any) -> bool:
+            """Whether it is given one value, and not by a phi, which becomes several assignments."""
+            given = definitions[variable.name]
+            return len(given) == 1 and given[0] not in phis
+
+        copies: dict[str, Any] = {}
+        for block in blocks.values():
+            for statement in block.find_insts(ir.Assign):
+                source, target = statement.value, statement.target
+                if isinstance(source, ir.Var) and stays(source) and stays(target):
+                    if target.name not in merged:
+                        copies[target.name] = source
+        for name in copies:
+            while copies[name].name in copies:
+                copies[name] = copies[copies[name].name]
+        for block in blocks.values():
+            block.body = [
+                statement
+                for statement in block.body
+                if not (isinstance(statement, ir.Assign) and statement.target.name in copies)
+            ]
+        ir_utils.replace_vars(blocks, copies)
+        return bool(copies)
+
+
+class Compiler(CompilerBase):
+    """numba's own passes and ours."""
+
+    def define_pipelines(self) -> list[Any]:
+        manager = DefaultPassBuilder.define_nopython_pipeline(self.state)
+        manager.add_pass_after(_ForwardCopies, ReconstructSSA)
+        manager.finalize()
+        return [manager]
+
+
+class _NoEnvironments:
+    """A code generator that is told nothing of the Python objects of a function without machine code.
+
+    They are what a function needs in order to raise or print, which kernels do not.
+    """
+
+    def __init__(self, codegen: Any) -> None:
+        self._codegen = codegen
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._codegen, name)
+
+    def set_env(self, name: str, environment: Any) -> None:
+        """Do nothing: the variable is nowhere in memory."""
+
+
+class InnerLibrary(JITCodeLibrary):
+    """The LLVM code of an inner function and of all that it calls, neither optimised nor emitted."""
+
+    @property
+    def codegen(self) -> Any:
+        return _NoEnvironments(self._codegen)
+
+    def _optimize_final_module(self) -> None:
+        """Leave it to the entry."""
+
+    def _finalize_final_module(self) -> None:
+        self._finalized = True
+
+    def get_pointer_to_function(self, name: str) -> int:
+        """Return no address: there is no machine code."""
+        self._ensure_finalized()
+        return 0
+
+    def reduced(self) -> tuple[str, bytes]:
+        """Return what `of` makes it from again."""
+        return self.name, self._get_module_for_linking().as_bitcode()
+
+    @classmethod
+    def of(cls, codegen: Any, reduced: tuple[str, bytes]) -> InnerLibrary:
+        """Return the library that was `reduced`."""
+        name, bitcode = reduced
+        library = cls(codegen, name)
+        library._final_module = llvm.parse_bitcode(bitcode)
+        library._finalized = True
+        return library
+
+
+class InnerCompiler(Compiler):
+    """Compiles into an `InnerLibrary`."""
+
+    def define_pipelines(self) -> list[Any]:
+        state = self.state
+        state.library = InnerLibrary(state.targetctx.codegen(), state.func_id.func_qualname)
+        return super().define_pipelines()
+
+
+def reduce_inner(result: Any) -> tuple[Any, ...]:
+    """Return the picklable parts of an inner function's compile result."""
+    result.fndesc.typemap = result.fndesc.calltypes = None
+    return result.library.reduced(), result.fndesc, result.environment, result.signature
+
+
+def rebuild_inner(target_context: Any, parts: tuple[Any, ...]) -> Any:
+    """Return the compile result of which `reduce_inner` made `parts`."""
+    reduced, fndesc, environment, signature = parts
+    library = InnerLibrary.of(target_context.codegen(), reduced)
+    result: Any = CompileResult  # a named tuple, of which numba's types know no field
+    return result(
+        typing_context=target_context.typing_context,
+        target_context=target_context,
+        entry_point=target_context.get_executable(library, fndesc, environment),
+        typing_error=None,
+        type_annotation=None,
+        signature=signature,
+        library=library,
+        call_helper=None,
+        environment=environment,
+        lifted=(),
+        fndesc=fndesc,
+        objectmode=False,
+        metadata=None,
+        reload_init=[],
+        referenced_envs=[],
+    )
+
+
+@contextmanager
+def _no_collections() -> Iterator[None]:
+    """Keep Python from looking for cycles among the compiler's objects, a seventh of its time."""
+    if not gc.isenabled():
+        yield
+        return
+    gc.disable()
+    try:
+        yield
+    finally:
+        gc.enable()
+
+
+class Entry(CPUDispatcher):
+    """A kernel as Python calls it; kernels that call it link in its `inner` function."""
+
+    inner: Any  # the dispatcher of the inner function
+
+    def get_call_template(self, args: Any, kws: Any) -> Any:
+        """Return what the types of a call from another kernel follow from."""
+        return self.inner.get_call_template(args, kws)
+
+    def get_overload(self, sig: Any) -> Any:
+        """Return what another kernel calls."""
+        return self.inner.get_overload(sig)
+
+    def compile(self, sig: Any) -> Any:
+        """Compile for a signature and return what Python calls."""
+        with _no_collections():
+            found = super().compile(sig)
+        args, _ = sigutils.normalize_signature(sig)
+        compiled: Any = self.overloads[tuple(args)]
+        if compiled.library.has_dynamic_globals:
+            name = self.py_func.__qualname__
+            raise RuntimeError(f"{name}: its machine code holds addresses of this process")
+        return found
+
+
+def entry(function: Callable[..., Any], options: dict[str, Any]) -> Any:
+    """Return the kernel `function`, an `Entry`; its caches are not yet set."""
+    options = options | {"nopython": True}
+    found = Entry(py_func=function, targetoptions=options, pipeline_class=Compiler)
+    options = options | {"no_cpython_wrapper": True}
+    found.inner = CPUDispatcher(function, targetoptions=options, pipeline_class=InnerCompiler)
+    return found

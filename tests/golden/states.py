@@ -1,0 +1,134 @@
+"""Golden states: the last bits of small runs, one per law and method, as an earlier commit left them.
+
+`python -m golden.states` from the folder `tests` writes them anew; a commit that does so says why.
+"""
+
+from __future__ import annotations
+
+import json
+import platform
+from hashlib import sha256
+from pathlib import Path
+from typing import Any
+
+import llvmlite.binding as llvm
+import numba
+import numpy as np
+
+from ropewalk.methods.registry import METHODS
+from ropewalk.scene import (
+    Air,
+    Anchor,
+    Clamp,
+    Ground,
+    Limiter,
+    Material,
+    Rope,
+    RunSettings,
+    Scene,
+    SceneError,
+    Shake,
+    Slack,
+    Springs,
+    Winch,
+)
+from ropewalk.simulation import Simulation
+
+FOLDER = Path(__file__).parent
+ROUNDING = 1e-13  # [1] of the largest coordinate or speed: machines differ in sine and cosine
+STEP, STEPS = 1e-3, 60
+
+
+def rope(**more: Any) -> Rope:
+    """A slack rope of eight segments, one node kicked."""
+    line = {"EA": 60.0, "mass_per_length": 0.2, "axial_damping": 0.02}
+    line |= more.pop("line", {})
+    rest = {"segments": 8, "length": 2.0, "shape": Slack(start=(0, 0, 1), end=(1.7, 0, 1.2))}
+    rest |= {"kicks": [{"node": 5, "velocity": (0.3, 2.0, 1.0)}], "made_of": Material(**line)}
+    return Rope(name="rope", **(rest | more))
+
+
+def springs() -> Rope:
+    """The same of springs with friction along and across."""
+    made_of = Springs(
+        spring_constant=240.0, node_mass=0.05, segment_length=0.25, spring_friction=0.1
+    )
+    return rope(made_of=made_of, length=None)
+
+
+def laws() -> dict[str, dict[str, Any]]:
+    """Return what each law adds to the scene, by law."""
+    shaken = Anchor(name="far", node=-1, motion=Shake(axis=(0, 1, 0), amplitude=0.1, frequency=4))
+    clamp = Clamp(direction=(1, 0, 0), turn_axis=(0, 1, 0), turn_rate=2.0)
+    bent = rope(line={"EI": 0.02, "bending_damping": 1e-4})
+    free = [Anchor(name="near", node=0)]
+    return {
+        "stretch": {},
+        "springs": {"ropes": [springs()]},
+        "slack": {"ropes": [rope(line={"tension_only": True})], "anchors": free},
+        "rigid": {"ropes": [rope(line={"EA": float("inf")})]},
+        "shaken": {"anchors": [*free, shaken]},
+        "released": {"anchors": [Anchor(name="near", node=0, release_time=0.03)]},
+        "air-linear": {"air": Air(node_drag=0.05, wind=(1, 0, 0))},
+        "air-quadratic": {"air": Air(node_drag_quadratic=0.02, density=1.2, wind=(5, 0, 0))},
+        "ground": {"ground": Ground(height=1.02), "anchors": free},
+        "limiter": {"limiter": Limiter(min_stretch=0.95, max_stretch=1.03)},
+        "bending": {"ropes": [bent], "anchors": free},
+        "clamp": {"ropes": [bent], "anchors": [Anchor(name="near", node=0, clamp=clamp)]},
+        "load": {"ropes": [rope(loads=[{"node": 4, "mass": 0.3}])]},
+        "winch": {"winches": [Winch(name="drum", rope="rope", end="start", speed=2.0)]},
+        "two": {"ropes": [rope(), rope().replace(name="other")], "anchors": free},
+    }
+
+
+def scene(law: str, method: str) -> Scene:
+    """Return the run of a law by a method. Raises SceneError where the two do not go together."""
+    ends = [Anchor(name="near", node=0), Anchor(name="far", node=-1)]
+    run = RunSettings(
+        duration=STEP * STEPS, frame_rate=100.0, time_step=STEP, steps="exact", method=method
+    )
+    parts: dict[str, Any] = {"ropes": [rope()], "anchors": ends, "run": run} | laws()[law]
+    for anchor in parts["anchors"]:
+        if len(parts["ropes"]) > 1:
+            parts["anchors"] = [
+                anchor.replace(rope=one.name, name=one.name) for one in parts["ropes"]
+            ]
+    return Scene(**parts)
+
+
+def final(law: str, method: str, frames: int = 6) -> dict[str, Any]:
+    """Run one for `frames` frames; return the bits' hash and the numbers, or what was refused."""
+    try:
+        simulation = Simulation(scene(law, method))
+    except SceneError as refused:
+        return {"refused": refused.faults[0].path}
+    simulation.advance_frames(frames)
+    x, v = simulation.arrays.x, simulation.arrays.v
+    bits = sha256(np.ascontiguousarray(x).tobytes() + np.ascontiguousarray(v).tobytes())
+    return {"bits": bits.hexdigest()[:16], "x": x.tolist(), "v": v.tolist()}
+
+
+def machine() -> dict[str, str]:
+    """Return what may change the last bits beside the code."""
+    return {
+        "processor": str(llvm.get_host_cpu_name()),
+        "libc": " ".join(platform.libc_ver()),
+        "numba": numba.__version__,
+    }
+
+
+def path(method: str) -> Path:
+    """Return the file of a method."""
+    return FOLDER / f"{method}.json"
+
+
+def main() -> None:
+    """Write every method's file."""
+    for method in METHODS:
+        found = {"machine": machine()} | {law: final(law, method) for law in laws()}
+        path(method).write_text(json.dumps(found, indent=0) + "\n", encoding="utf-8")
+        print(method, {law: next(iter(found[law])) for law in laws()})
+
+
+if __name__ == "__main__":
+    main()
