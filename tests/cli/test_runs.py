@@ -181,7 +181,10 @@ def test_folders_that_are_no_runs(ropewalk: Any, scene: Path, command: str) -> N
     assert ropewalk("run", scene, "-o", "a").exit_code == 0
     path = Path("a/provenance.json")
     path.write_text(json.dumps(json.loads(path.read_text()) | {"format": 99}))
-    refused(ropewalk(command, "a", *more), "a: has the format 99; this version of ropewalk reads 2")
+    refused(
+        ropewalk(command, "a", *more),
+        "a: has the format 99; this version of ropewalk reads 2 and 3",
+    )
     path.write_text("{")
     refused(ropewalk(command, "a", *more), "provenance.json: is damaged")
     assert not list(Path("a").glob("*.gif"))
@@ -269,7 +272,7 @@ def test_a_run_by_other_sources_is_resumed_only_by_force(
     refused(ropewalk("resume", "a"), "other sources of ropewalk", "give --force")
     done = ropewalk("resume", "a", "--force")
     assert done.exit_code == 0, done.output
-    assert "warning: a: begun by other sources" in done.stderr
+    assert "warning: a: begun with other sources" in done.stderr
 
 
 def test_a_pipe_gets_no_bar_and_a_terminal_does(process: Any, scene: Path, tmp_path: Path) -> None:
@@ -381,3 +384,18 @@ def test_a_reader_that_goes_away(tmp_path: Path) -> None:
         check=False,
     )
     assert done.stderr == ""
+
+
+def test_info_verifies_every_chunk(ropewalk: Any, scene: Path, tmp_path: Path) -> None:
+    assert ropewalk("run", scene, "-o", "a").exit_code == 0
+    done = ropewalk("info", "a", "--verify")
+    assert done.exit_code == 0, done.output
+    assert "chunks of numbers, all as they were written" in done.stderr
+    chunks = sorted((tmp_path / "a/data.zarr").glob("*/c.*"))
+    for path in chunks[:2]:
+        data = bytearray(path.read_bytes())
+        data[len(data) // 2] ^= 16
+        path.write_bytes(data)
+    named = [f"a/data.zarr/{path.parent.name}/{path.name}: is damaged" for path in chunks[:2]]
+    refused(ropewalk("info", "a", "--verify"), "2 things are wrong", *named)
+    refused(ropewalk("info", "a", "--verify", "--json"), *named)

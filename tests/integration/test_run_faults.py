@@ -19,6 +19,7 @@ from ropewalk.record import lock
 from ropewalk.record.errors import RunError
 from ropewalk.record.result import Result
 from ropewalk.record.run import record_run
+from ropewalk.record.verify import verify
 
 AS_ROOT = hasattr(os, "geteuid") and os.geteuid() == 0
 
@@ -98,20 +99,20 @@ FAULTS: dict[str, tuple[Callable[[Path], object], str]] = {
     ),
     "no provenance": (lambda f: (f / "provenance.json").unlink(), "provenance.json: is missing"),
     "torn provenance": (
-        lambda f: (f / "provenance.json").write_text('{"format": 2, '),
+        lambda f: (f / "provenance.json").write_text('{"format": 3, '),
         "provenance.json: is damaged: it holds no JSON",
     ),
     "empty provenance": (
-        lambda f: (f / "provenance.json").write_text('{"format": 2}'),
+        lambda f: (f / "provenance.json").write_text('{"format": 3}'),
         "does not describe a run",
     ),
     "another version": (
         lambda f: edit(f / "provenance.json", "format", 99),
-        "has the format 99; this version of ropewalk reads 2",
+        "has the format 99; this version of ropewalk reads 2 and 3",
     ),
     "another store": (
-        lambda f: damage_root(f, lambda root: root["attributes"].update(ropewalk_format=3)),  # type: ignore[attr-defined]
-        "has the format 3",
+        lambda f: damage_root(f, lambda root: root["attributes"].update(ropewalk_format=4)),  # type: ignore[attr-defined]
+        "has the format 4",
     ),
     "no store": (lambda f: shutil.rmtree(f / "data.zarr"), "zarr.json: is missing"),
     "no root": (lambda f: (f / "data.zarr" / "zarr.json").unlink(), "zarr.json: is missing"),
@@ -290,6 +291,76 @@ def test_other_sources_are_refused_unless_forced(stopped: Path, whole: Path) -> 
     with pytest.warns(UserWarning, match="may not go on to the same bits"):
         rw.resume(stopped, force=True)
     assert Result.open(stopped).frames == Result.open(whole).frames
+
+
+@pytest.mark.parametrize("name", ["numpy", "numba"])
+def test_other_versions_are_refused_and_named(stopped: Path, name: str) -> None:
+    edit(stopped / "provenance.json", name, "0.1")
+    with pytest.raises(RunError, match=rf"begun with {name} 0.1 \(here: \d"):
+        rw.resume(stopped)
+
+
+def test_another_scene_is_refused_and_another_comment_is_not(stopped: Path) -> None:
+    path = stopped / "scene.toml"
+    text = path.read_text()
+    changed = text.replace("spring_friction = 0.05", "spring_friction = 0.06")
+    assert changed != text
+    path.write_text(changed)
+    for use in (Result.open, rw.resume, lambda folder: rw.resume(folder, force=True)):
+        with pytest.raises(RunError, match=r"scene\.toml: is damaged or was changed"):
+            use(stopped)
+    path.write_text("# a rope\n" + text)
+    rw.resume(stopped)
+
+
+def flip(path: Path, place: int) -> None:
+    """Change one bit of a file."""
+    data = bytearray(path.read_bytes())
+    data[place % len(data)] ^= 1 << (place % 8)
+    path.write_bytes(data)
+
+
+def test_one_bit_in_any_chunk_is_found(folder: Path) -> None:
+    chunks = [path for path in (folder / "data.zarr").glob("*/c.*") if path.is_file()]
+    assert len(chunks) > 20
+    assert verify(folder) == (len(chunks), ())
+    before = Result.open(folder)
+    kept = {name: before.read(name) for name in before.source.names}
+    for number, path in enumerate(chunks):
+        sound = path.read_bytes()
+        flip(path, 7919 * (number + 1))
+        (fault,) = verify(folder).faults
+        assert fault.path == str(path)
+        assert "do not fit their checksum" in fault.rule
+        if (name := path.parent.name) in kept:
+            with pytest.raises(RunError, match="is damaged"):
+                Result.open(folder).read(name)
+        path.write_bytes(sound)
+    assert verify(folder).faults == ()
+
+
+def test_a_resumed_run_reads_every_chunk_first(stopped: Path) -> None:
+    chunks = sorted((stopped / "data.zarr").glob("*/c.[01]*"))
+    shown = Result.open(stopped).frames
+    for path in chunks[:: len(chunks) // 8]:
+        flip(path, 33)
+        with pytest.raises(RunError, match="do not fit their checksum"):
+            rw.resume(stopped, force=True)
+        flip(path, 33)
+    assert Result.open(stopped).frames == shown
+    rw.resume(stopped)
+
+
+def test_a_damaged_checkpoint_is_found(stopped: Path) -> None:
+    size = (stopped / "checkpoint.npz").stat().st_size
+    for place in (size // 4, size // 2, 3 * size // 4):
+        flip(stopped / "checkpoint.npz", place)
+        (fault,) = verify(stopped).faults
+        assert fault.path.endswith("checkpoint.npz")
+        with pytest.raises(RunError, match=r"checkpoint\.npz: is damaged"):
+            rw.resume(stopped)
+        flip(stopped / "checkpoint.npz", place)
+    assert verify(stopped).faults == ()
 
 
 @pytest.mark.parametrize("length", [None, 0, 100])

@@ -17,7 +17,7 @@ from ropewalk.record.checkpoint import Checkpoint
 from ropewalk.record.errors import RunError
 from ropewalk.record.result import Result
 from ropewalk.record.run import record_run
-from ropewalk.record.zarr_format import decode, encode, encode_stored
+from ropewalk.record.zarr_format import decode, encode, encode_stored, opened
 
 
 @pytest.fixture
@@ -31,16 +31,16 @@ def test_a_chunk_comes_back_to_the_bit_and_is_the_same_every_time() -> None:
     values[3, 1, 7] = np.nan
     data = encode(values)
     assert encode(values) == data
-    np.testing.assert_array_equal(decode(data, "float64", values.shape), values)
+    np.testing.assert_array_equal(decode(opened(data), "float64", values.shape), values)
 
 
 def test_a_chunk_that_is_not_compressed_is_read_like_any_other() -> None:
     values = np.random.default_rng(2).normal(size=(16, 3, 500))
     data = encode_stored(values)
-    assert len(data) == 16 + values.nbytes
-    np.testing.assert_array_equal(decode(data, "float64", values.shape), values)
+    assert len(data) == 16 + values.nbytes + 4
+    np.testing.assert_array_equal(decode(opened(data), "float64", values.shape), values)
     with pytest.raises(ValueError, match="bytes"):
-        decode(data[:-1], "float64", values.shape)
+        decode(opened(data[:-1]), "float64", values.shape)
 
 
 @pytest.mark.usefixtures("small_chunks")
@@ -50,7 +50,7 @@ def test_frames_are_compressed_where_they_cost_much(
 ) -> None:
     scene = runs.hanging(time_step=time_step)
     record_run(scene, tmp_path / "run")
-    size = 16 + 8 * 16 * 3 * 11  # header, and frames x axes x nodes
+    size = 16 + 8 * 16 * 3 * 11 + 4  # header, frames x axes x nodes, checksum
     chunks = [tmp_path / "run" / "data.zarr" / "positions" / f"c.{i}.0.0" for i in range(7)]
     assert {path.stat().st_size < size for path in chunks} == {packed}
     assert {path.stat().st_size > size for path in chunks} == {False}
@@ -78,12 +78,12 @@ def test_a_file_system_without_direct_writing_gets_the_same_files(
 def test_a_cut_chunk_is_refused(cut: int) -> None:
     data = encode(np.arange(1000.0))
     with pytest.raises(ValueError, match="bytes"):
-        decode(data[:cut], "float64", (1000,))
+        decode(opened(data[:cut]), "float64", (1000,))
 
 
 def test_a_chunk_of_another_size_is_refused() -> None:
     with pytest.raises(ValueError, match="bytes"):
-        decode(encode(np.arange(1000.0)), "float64", (999,))
+        decode(opened(encode(np.arange(1000.0))), "float64", (999,))
 
 
 @pytest.mark.usefixtures("small_chunks")

@@ -27,8 +27,9 @@ from ropewalk.record.errors import RunError
 from ropewalk.record.events import log
 from ropewalk.record.facts import FINISHED, RUNNING, Facts, provenance
 from ropewalk.record.files import read_json, write_json, writing
-from ropewalk.record.folder import DATA, PROVENANCE, begin, new_folder, write_end, write_status
+from ropewalk.record.folder import begin, write_end, write_status
 from ropewalk.record.lock import locked
+from ropewalk.record.place import DATA, PROVENANCE, new_folder
 from ropewalk.record.store import Writer
 from ropewalk.scene import Scene
 
@@ -78,7 +79,6 @@ class Keeper:
             log(folder, "continued", step=session.count)
         else:
             self._begin_part(session.start[0])
-            self._held.enter_context(locked(folder))
             log(folder, "session", preset=session.preset, live=1)
         session.on_command = self._on_command
         session.on_break = self._on_break
@@ -131,7 +131,8 @@ class Keeper:
         self._parts += 1
         folder = self.folder if self._parts == 1 else self.folder / f"part-{self._parts}"
         facts = Facts(plan, True, False, RUNNING, provenance=_about(plan))
-        with new_folder(folder, overwrite=False) as made:
+        held = self._held if self._parts == 1 else None
+        with new_folder(folder, overwrite=False, held=held) as made:
             writer = begin(made, scene, layout, facts, CHUNK_FRAMES)
             writer.add(block)
             writer.commit()

@@ -14,9 +14,9 @@ from ropewalk.core.arrays import Floats
 from ropewalk.core.status import OK
 from ropewalk.record.errors import RunError
 from ropewalk.record.files import reading, write
+from ropewalk.record.place import BEYOND as NAME
 from ropewalk.simulation import Simulation
 
-NAME = "beyond.npz"
 _FRAMES = 10  # so many at most are looked at past the last good one ...
 _STEPS = 20_000  # ... and so many steps
 _KEPT = 64  # steps, the last before the rope is torn apart

@@ -8,7 +8,6 @@ from __future__ import annotations
 import io
 import json
 import os
-import zipfile
 from contextlib import suppress
 from dataclasses import dataclass
 from math import prod
@@ -20,9 +19,8 @@ import numpy as np
 from ropewalk.core.arrays import Floats, flatten
 from ropewalk.record.errors import RunError
 from ropewalk.record.files import PARTIAL, reading
+from ropewalk.record.place import CHECKPOINT as NAME
 from ropewalk.simulation import Snapshot
-
-NAME = "checkpoint.npz"
 
 
 @dataclass(frozen=True)
@@ -65,12 +63,8 @@ def load(folder: Path, like: Snapshot) -> Checkpoint:
 
     Raises RunError when it is missing, damaged, or of another model.
     """
-    path = folder / NAME
-    with reading(path):
-        data = path.read_bytes()
+    path, found = folder / NAME, read(folder)
     try:
-        with np.load(io.BytesIO(data), allow_pickle=False) as archive:
-            found = {name: archive[name] for name in archive.files}
         return Checkpoint(
             _fill(like, _apart(found), ""),
             int(found["run.frames"]),
@@ -81,7 +75,19 @@ def load(folder: Path, like: Snapshot) -> Checkpoint:
     except KeyError as error:
         rule = f"is damaged, or of another version: it lacks {error.args[0]}"
         raise RunError(path, rule) from None
-    except (ValueError, OSError, EOFError, zipfile.BadZipFile) as error:
+    except (ValueError, TypeError) as error:
+        raise RunError(path, f"is damaged: {error}") from None
+
+
+def read(folder: Path) -> dict[str, Any]:
+    """Read the arrays of a folder's checkpoint. Raises RunError when it is missing or damaged."""
+    path = folder / NAME
+    with reading(path):
+        data = path.read_bytes()
+    try:
+        with np.load(io.BytesIO(data), allow_pickle=False) as archive:  # zip files have checksums
+            return {name: archive[name] for name in archive.files}
+    except Exception as error:  # a damaged header of numpy's or of zip's can raise nearly anything
         raise RunError(path, f"is damaged: {error}") from None
 
 

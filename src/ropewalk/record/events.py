@@ -11,8 +11,8 @@ from pathlib import Path
 from typing import Any
 
 from ropewalk.record.facts import now
+from ropewalk.record.place import EVENTS as NAME
 
-NAME = "events.jsonl"
 Event = dict[str, Any]
 
 

@@ -9,7 +9,7 @@ from datetime import UTC, datetime
 from typing import Any
 
 from ropewalk.build import Plan
-from ropewalk.core.cache import source_hash
+from ropewalk.record.identity import source_hash
 
 FINISHED, BROKE, INTERRUPTED, RUNNING = "finished", "broke", "interrupted", "running"
 AT_REST = "at rest"  # no run: the one frame of an equilibrium

@@ -75,7 +75,7 @@ def write(path: Path, data: bytes | memoryview, *, sync: bool = False) -> None:
         raise
 
 
-def write_pages(path: Path, pages: mmap.mmap, size: int) -> None:
+def write_pages(path: Path, pages: mmap.mmap, size: int, *, sync: bool = False) -> None:
     """Write `size` bytes of memory, past the system's cache where that is possible, as `write` does.
 
     The processor then copies nothing. `pages` are whole pages. Raises OSError.
@@ -87,13 +87,17 @@ def write_pages(path: Path, pages: mmap.mmap, size: int) -> None:
             while len(view):
                 view = view[file.write(view) :]
             file.truncate(size)
+            if sync:
+                os.fsync(file.fileno())
         os.replace(partial, path)
     except OSError as error:
         with suppress(OSError):
             partial.unlink()
         if error.errno != errno.EINVAL or not DIRECT:
             raise
-        write(path, memoryview(pages)[:size])  # on a file system that has only the other way
+        write(
+            path, memoryview(pages)[:size], sync=sync
+        )  # on a file system that has only the other way
 
 
 def _open_direct(path: str, flags: int) -> int:

@@ -11,10 +11,8 @@ status.json       running, finished, broke or interrupted; up to where
 
 from __future__ import annotations
 
-import os
-import shutil
-from collections.abc import Iterator
-from contextlib import contextmanager, suppress
+import hashlib
+from contextlib import suppress
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
@@ -24,91 +22,24 @@ from ropewalk.build.layout import make_layout
 from ropewalk.methods.registry import METHODS
 from ropewalk.record import beyond
 from ropewalk.record.errors import RunError
-from ropewalk.record.events import NAME as EVENTS
 from ropewalk.record.events import log, read_events
 from ropewalk.record.facts import INTERRUPTED, RUNNING, Facts, now
-from ropewalk.record.files import read_json, reason, write, write_json, writing
-from ropewalk.record.lock import NAME as LOCK
+from ropewalk.record.files import read_json, reading, write, write_json
 from ropewalk.record.lock import is_locked
+from ropewalk.record.place import DATA, PROVENANCE, SCENE, STATUS, new_folder
 from ropewalk.record.reader import Stored, reads
 from ropewalk.record.result import Result
-from ropewalk.record.store import FORMAT, READABLE, Writer
+from ropewalk.record.store import CHECKED, FORMAT, READABLE, Writer
 from ropewalk.scene import Scene, SceneError, dumps, load
 
-SCENE, PROVENANCE, DATA = "scene.toml", "provenance.json", "data.zarr"
-STATUS = "status.json"
 PACKING_STEPS = 130  # explicit steps that take ten times as long as compressing the frame
-PARTS = (SCENE, PROVENANCE, DATA, "checkpoint.npz", beyond.NAME, EVENTS, STATUS, LOCK)
-
-
-def is_run(folder: Path) -> bool:
-    """Tell whether a folder looks like a run folder."""
-    return (folder / PROVENANCE).is_file() and (folder / DATA).is_dir()
-
-
-def check_free(folder: Path, overwrite: bool) -> None:
-    """Raise RunError when a run must not be written to `folder`."""
-    try:
-        if not folder.exists() and not folder.is_symlink():
-            return
-        if not folder.is_dir():
-            raise RunError(folder, "is a file; a run needs a folder of its own")
-        entries = list(folder.iterdir())
-    except OSError as error:
-        raise RunError(folder, f"cannot be written: {reason(error)}") from None
-    if not entries:
-        return
-    if not is_run(folder):
-        raise RunError(folder, "exists and is no run folder; a run never replaces other files")
-    if not overwrite:
-        raise RunError(
-            folder,
-            "holds a run already; choose another folder, or allow to overwrite (overwrite=True)",
-        )
-    if is_locked(folder):
-        raise RunError(folder, "is being written by another process")
-
-
-@contextmanager
-def new_folder(folder: Path, overwrite: bool) -> Iterator[Path]:
-    """Give an empty folder to fill, which then appears as `folder`, whole.
-
-    In place of an old run only the run's own files go; others that lie there stay. Raises RunError.
-    """
-    check_free(folder, overwrite)
-    folder = Path(os.path.abspath(folder.resolve()))
-    made = folder.with_name(f".{folder.name}.{os.getpid()}.new")
-    with writing(folder):
-        folder.parent.mkdir(parents=True, exist_ok=True)
-        made.mkdir()
-    try:
-        with writing(folder):
-            yield made
-            _put_in_place(made, folder)
-    finally:
-        shutil.rmtree(made, ignore_errors=True)
-
-
-def _put_in_place(made: Path, folder: Path) -> None:
-    try:
-        os.rename(made, folder)  # where there is nothing, or an empty folder
-        return
-    except OSError:
-        if not is_run(folder):
-            raise
-    old = folder.with_name(f".{folder.name}.{os.getpid()}.old")
-    os.rename(folder, old)
-    os.rename(made, folder)
-    for entry in list(old.iterdir()):
-        if entry.name not in PARTS:
-            os.rename(entry, folder / entry.name)
-    shutil.rmtree(old)
 
 
 def begin(folder: Path, scene: Scene, layout: Layout, facts: Facts, chunk: int) -> Writer:
     """Write everything but the frames into an empty folder. Raises OSError."""
-    write(folder / SCENE, dumps(scene).encode(), sync=True)
-    provenance = {"format": FORMAT, **facts.provenance}
+    text = dumps(scene).encode()
+    write(folder / SCENE, text, sync=True)
+    provenance = {**facts.provenance, "format": FORMAT, "scene_hash": _hash(text)}
     write_json(folder / PROVENANCE, provenance, sync=True)
     writer = Writer(folder / DATA, scene, layout, chunk, is_packed(facts.plan))
     writer.create(provenance)
@@ -187,13 +118,38 @@ def read_facts(folder: Path) -> Facts:
         raise RunError(folder / PROVENANCE, "is damaged: it does not describe a run") from None
 
 
+def check_scene(folder: Path, scene: Scene, facts: Facts) -> None:
+    """Raise RunError unless `scene`, read from a run folder, is the one that was run."""
+    said = facts.provenance.get("scene_hash")
+    if said is None and facts.provenance.get("format", 0) < CHECKED:
+        return
+    with reading(folder / SCENE):
+        if said == _hash((folder / SCENE).read_bytes()):
+            return
+    if said != _hash(dumps(scene).encode()):  # more than comments or layout
+        raise RunError(
+            folder / SCENE, "is damaged or was changed: it is not the scene that was run"
+        )
+
+
+def _hash(text: bytes) -> str:
+    return hashlib.sha256(text).hexdigest()[:16]
+
+
+def open_parts(folder: Path) -> tuple[Scene, Facts, Stored]:
+    """Open the scene, the facts and the store of a run folder. Raises RunError."""
+    scene = read_scene(folder)
+    facts = read_facts(folder)
+    stored = Stored(folder / DATA, scene, make_layout(scene))
+    check_scene(folder, scene, facts)
+    return scene, facts, stored
+
+
 def open_result(folder: Path) -> Result:
     """Open a run folder as a result. Raises RunError."""
     try:
-        scene = read_scene(folder)
-        facts = read_facts(folder)
-        layout = make_layout(scene)
-        return Result(scene, layout, Stored(folder / DATA, scene, layout), facts, folder)
+        scene, facts, stored = open_parts(folder)
+        return Result(scene, make_layout(scene), stored, facts, folder)
     except PermissionError:
         raise RunError(folder, "cannot be read: there is no permission") from None
 

@@ -13,33 +13,38 @@ from ropewalk.record.errors import RunError
 fcntl: Any
 try:
     import fcntl
-except ImportError:  # pragma: no cover - not a POSIX system: no locks
+except ImportError:  # pragma: no cover - not a POSIX system
     fcntl = None
 
 NAME = ".lock"
+PATIENCE = 0.2  # [s]; one who asks whether a folder is locked holds it for a moment himself
 
 
 @contextmanager
-def locked(folder: Path) -> Iterator[None]:
-    """Hold a folder's lock. Raises RunError when another process has it, OSError from the system."""
-    handle = os.open(folder / NAME, os.O_RDWR | os.O_CREAT, 0o644)
+def locked(folder: Path, name: str | Path = "") -> Iterator[None]:
+    """Hold a folder's lock, wherever it is moved. Raises OSError from the system.
+
+    Raises RunError, about `name` if given, when another process has it.
+    """
+    from filelock import FileLock, Timeout  # slow to import; who only reads has no need of it
+
+    lock = FileLock(folder / NAME, timeout=PATIENCE, thread_local=False, mode=0o644)
     try:
-        if fcntl is not None:
-            try:
-                fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
-            except BlockingIOError:
-                raise RunError(folder, "is being written by another process") from None
+        lock.acquire(poll_interval=0.01)
+    except Timeout:
+        raise RunError(name or folder, "is being written by another process") from None
+    try:
         yield
     finally:
-        os.close(handle)
+        lock.release()
 
 
 def is_locked(folder: Path) -> bool:
     """Tell whether a process writes the folder now."""
-    if fcntl is None:
-        return False
+    if fcntl is None:  # pragma: no cover - not a POSIX system
+        return _is_held(folder)
     try:
-        handle = os.open(folder / NAME, os.O_RDONLY)
+        handle = os.open(folder / NAME, os.O_RDONLY)  # as one who may not write there can
     except OSError:
         return False
     try:
@@ -49,3 +54,15 @@ def is_locked(folder: Path) -> bool:
     finally:
         os.close(handle)
     return False
+
+
+def _is_held(folder: Path) -> bool:
+    if not (folder / NAME).exists():
+        return False
+    try:
+        with locked(folder):
+            return False
+    except RunError:
+        return True
+    except OSError:
+        return False

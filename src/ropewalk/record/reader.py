@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -13,8 +14,8 @@ from ropewalk.core.arrays import Floats
 from ropewalk.record.errors import RunError
 from ropewalk.record.files import read_json, reading
 from ropewalk.record.quantities import BY_NAME, stored
-from ropewalk.record.store import LEADING, READABLE, ROOT, array_specs
-from ropewalk.record.zarr_format import ArraySpec, decode
+from ropewalk.record.store import CHECKED, LEADING, READABLE, ROOT, array_specs
+from ropewalk.record.zarr_format import ArraySpec, decode, opened
 from ropewalk.scene import Scene
 
 
@@ -38,8 +39,10 @@ class Stored:
             raise RunError(folder / ROOT, "is damaged: it does not describe a run") from None
         if self._frames < 1 or self._chunk < 1:
             raise RunError(folder / ROOT, "is damaged: it has no frames")
+        self.shown = self._frames  # frames that the store's own metadata tell of
+        self.checked = version >= CHECKED
         quantities = stored(layout, bool(scene.winches), version)
-        specs = array_specs(quantities, layout, self._chunk)
+        specs = array_specs(quantities, layout, self._chunk, self.checked)
         self._specs = {spec.name: spec for spec in specs}
         for spec in specs:
             expected = spec.metadata(self._frames)
@@ -60,6 +63,43 @@ class Stored:
     def frames(self) -> int:
         """Number of frames."""
         return self._frames
+
+    def go_to(self, frames: int) -> None:
+        """Take so many frames, of which the last ones need not be shown yet.
+
+        Raises RunError when they are not there, or a chunk that holds any of them is damaged.
+        """
+        self._frames = frames
+        there = int(np.isfinite(self.read_raw("time")).sum())
+        if there < frames:
+            rule = f"is damaged: it has {there} frames, and its checkpoint stands at {frames}"
+            raise RunError(self.folder, rule)
+        for path in self.files():
+            if fault := self.fault(path):
+                raise fault
+
+    def files(self) -> Iterator[Path]:
+        """Go through the files of all chunks, those of fixed coordinates included."""
+        for name, about in self.root["consolidated_metadata"]["metadata"].items():
+            spec = self._specs.get(name)
+            if spec is None:
+                yield self.folder / name / ("c" + ".0" * len(about["shape"]))
+            else:
+                for number in range(-(-self._frames // spec.chunk[0])):
+                    yield self.folder / spec.key(number)
+
+    def fault(self, path: Path) -> RunError | None:
+        """Return what is wrong with a chunk's file; without checksums only whether it is there."""
+        try:
+            with reading(path):
+                data = path.read_bytes()
+            if self.checked:
+                opened(data)
+        except RunError as error:
+            return error
+        except ValueError as error:
+            return RunError(path, f"is damaged: {error}")
+        return None
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -102,6 +142,8 @@ class Stored:
         with reading(path):
             data = path.read_bytes()
         try:
-            return decode(data, spec.kind, self._stored_shape(spec))
+            return decode(
+                opened(data) if self.checked else data, spec.kind, self._stored_shape(spec)
+            )
         except ValueError as error:
             raise RunError(path, f"is damaged: {error}") from None

@@ -2,24 +2,26 @@
 
 from __future__ import annotations
 
-import warnings
+from contextlib import ExitStack
 from dataclasses import replace
 from pathlib import Path
 
 from ropewalk.build import build
-from ropewalk.core.cache import source_hash
 from ropewalk.record import checkpoint
 from ropewalk.record.errors import RunError
 from ropewalk.record.events import log
-from ropewalk.record.facts import AT_REST, BROKE, FINISHED
+from ropewalk.record.facts import AT_REST, BROKE, FINISHED, Facts
 from ropewalk.record.files import writing
-from ropewalk.record.folder import DATA, is_packed, read_facts, read_scene
-from ropewalk.record.lock import is_locked
+from ropewalk.record.folder import check_scene, is_packed, read_facts, read_scene
+from ropewalk.record.identity import check_same
+from ropewalk.record.lock import locked
+from ropewalk.record.place import DATA
 from ropewalk.record.reader import Stored
 from ropewalk.record.result import Result
 from ropewalk.record.run import COMMIT_SECONDS, Recorder, finish
 from ropewalk.record.simulate import Explain, Progress, Runner, no_explanation
-from ropewalk.record.store import Writer
+from ropewalk.record.store import FORMAT, Writer
+from ropewalk.scene import Scene
 from ropewalk.simulation import Simulation
 
 
@@ -37,51 +39,58 @@ def resume_run(
     same bits. Raises RunError when there is nothing to continue, or it cannot be.
     """
     scene = read_scene(folder)
+    with ExitStack() as held:
+        with writing(folder):
+            held.enter_context(locked(folder))
+        return _go_on(folder, scene, force, progress, explain, commit_seconds)
+
+
+def _go_on(
+    folder: Path,
+    scene: Scene,
+    force: bool,
+    progress: Progress | None,
+    explain: Explain,
+    commit_seconds: float,
+) -> Result:
+    """Continue a run whose lock is held. Raises RunError."""
     facts = read_facts(folder)
-    if is_locked(folder):
-        raise RunError(folder, "is being written by another process")
+    _check_open(folder, facts)
+    check_same(folder, facts.provenance, force)
+    check_scene(folder, scene, facts)
+    model = replace(build(scene), plan=facts.plan)
+    simulation = Simulation(model, ledger=facts.ledger)
+    found = checkpoint.load(folder, simulation.state)
+    check_same(folder, {**facts.provenance, "source_hash": found.source_hash}, force)
+    simulation.restore(found.snapshot)
+    with writing(folder):
+        writer = _take_up(folder, simulation, found.frames)
+        log(folder, "resumed", time=simulation.time, frames=found.frames)
+    runner = Runner(simulation, facts.keep_going, explain, resumed=True, diagnosis=found.diagnosis)
+    recorder = Recorder(simulation, folder, writer, facts, runner, commit_seconds)
+    recorder.earlier = found.seconds
+    return finish(recorder, progress)
+
+
+def _check_open(folder: Path, facts: Facts) -> None:
+    """Raise RunError when there is nothing to go on with."""
+    if facts.provenance.get("format") != FORMAT:
+        raise RunError(folder, "is of an older format, which can be read but not gone on with")
     if facts.status == FINISHED:
         raise RunError(folder, "is finished: there is nothing to resume")
     if facts.status == AT_REST:
         raise RunError(folder, "holds an equilibrium, not a run: there is nothing to resume")
     if facts.status == BROKE:
         raise RunError(folder, f"broke; a broken run cannot be resumed. {facts.diagnosis}".rstrip())
-    _check_sources(folder, str(facts.provenance.get("source_hash")), force)
-    model = replace(build(scene), plan=facts.plan)
-    simulation = Simulation(model, ledger=facts.ledger)
-    found = checkpoint.load(folder, simulation.state)
-    _check_sources(folder, found.source_hash, force)
-    simulation.restore(found.snapshot)
-    writer = _take_up(folder, simulation, found.frames)
-    runner = Runner(simulation, facts.keep_going, explain, resumed=True, diagnosis=found.diagnosis)
-    recorder = Recorder(simulation, folder, writer, facts, runner, commit_seconds)
-    recorder.earlier = found.seconds
-    with writing(folder):
-        log(folder, "resumed", time=simulation.time, frames=found.frames)
-    return finish(recorder, progress)
-
-
-def _check_sources(folder: Path, made_by: str, force: bool) -> None:
-    if made_by == source_hash():
-        return
-    if not force:
-        rule = (
-            "was begun by other sources of ropewalk (or another numba), so it would not go on to the "
-            "same bits; resume it with the version it was begun with, or force it"
-        )
-        raise RunError(folder, rule)
-    warnings.warn(
-        f"{folder}: begun by other sources of ropewalk; it may not go on to the same bits",
-        stacklevel=3,
-    )
 
 
 def _take_up(folder: Path, simulation: Simulation, frames: int) -> Writer:
-    """Return a writer that goes on after `frames` frames."""
+    """Return a writer that goes on after `frames` frames, all of which are sound.
+
+    Raises RunError, OSError.
+    """
     stored = Stored(folder / DATA, simulation.scene, simulation.layout)
-    if stored.frames < frames:
-        rule = f"is damaged: it has {stored.frames} frames, and its checkpoint stands at {frames}"
-        raise RunError(folder / DATA, rule)
+    stored.go_to(frames)
     scene, layout, packed = simulation.scene, simulation.layout, is_packed(simulation.plan)
     writer = Writer(folder / DATA, scene, layout, stored.chunk, packed)
     writer.go_on(stored, frames)

@@ -9,7 +9,7 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats, State
 from ropewalk.methods.recording import LARGE, Recording, make_recording
-from ropewalk.record.zarr_format import HEADER, stored_header
+from ropewalk.record.zarr_format import CHECKSUM, HEADER, checksum, stored_header
 
 
 class Room:
@@ -23,13 +23,20 @@ class Room:
 
         def empty(shape: tuple[int, ...]) -> Floats:
             size = 8 * prod(shape)
-            pages = mmap.mmap(-1, -(-(HEADER + size) // mmap.PAGESIZE) * mmap.PAGESIZE)
+            pages = mmap.mmap(-1, -(-(HEADER + size + CHECKSUM) // mmap.PAGESIZE) * mmap.PAGESIZE)
             pages[:HEADER] = stored_header(size)
             found.append(pages)
             return np.frombuffer(pages, count=prod(shape), offset=HEADER).reshape(shape)
 
         self.recording = make_recording(state, frames, with_lengths, empty)
         self.pages = dict(zip(LARGE, found, strict=True))
+
+    def seal(self, field: str) -> int:
+        """Put the checksum behind what `field` holds; return the bytes of its file."""
+        pages = self.pages[field]
+        end: int = HEADER + getattr(self.recording, field).nbytes
+        pages[end : end + CHECKSUM] = checksum(np.frombuffer(pages, np.uint8, end))
+        return end + CHECKSUM
 
     def part(self, start: int, stop: int) -> Recording:
         """Return the buffers of the frames from `start` to `stop`."""

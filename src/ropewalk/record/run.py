@@ -15,7 +15,6 @@ from types import FrameType
 
 from ropewalk.block import Block
 from ropewalk.build import Model
-from ropewalk.core.cache import source_hash
 from ropewalk.core.status import OK
 from ropewalk.methods.adaptive import counts
 from ropewalk.record import beyond, checkpoint
@@ -24,16 +23,10 @@ from ropewalk.record.checkpoint import Checkpoint
 from ropewalk.record.errors import RunError
 from ropewalk.record.events import Event, log
 from ropewalk.record.facts import BROKE, FINISHED, INTERRUPTED, RUNNING, Facts, provenance
-from ropewalk.record.files import writing
-from ropewalk.record.folder import (
-    DATA,
-    begin,
-    new_folder,
-    open_result,
-    write_end,
-    write_status,
-)
-from ropewalk.record.lock import locked
+from ropewalk.record.files import sync_all, writing
+from ropewalk.record.folder import begin, open_result, write_end, write_status
+from ropewalk.record.identity import source_hash
+from ropewalk.record.place import DATA, new_folder
 from ropewalk.record.result import Result
 from ropewalk.record.room import Room
 from ropewalk.record.simulate import Explain, Progress, Runner, no_explanation
@@ -108,9 +101,13 @@ class Recorder:
                 self._commit(RUNNING, made)
 
     def commit(self, status: str) -> None:
-        """Show readers what there is: numbers first, then the checkpoint. Raises RunError."""
+        """Show readers what there is. Raises RunError."""
         with writing(self.folder, KEPT):
-            self._commit(status, self._checkpoint(self.writer.frames))
+            self.write_down(status)
+
+    def write_down(self, status: str) -> None:
+        """Show readers what there is. Raises OSError."""
+        self._commit(status, self._checkpoint(self.writer.frames))
 
     def _checkpoint(self, frames: int) -> Checkpoint:
         """Return what it takes to go on from here, where `frames` frames have been recorded."""
@@ -119,14 +116,21 @@ class Recorder:
         return Checkpoint(now, frames, source_hash(), seconds, diagnosis)
 
     def _commit(self, status: str, made: Checkpoint) -> None:
+        """Numbers first, then the checkpoint, then the new length of the store.
+
+        So the frames that are shown are never more than those that a resumed run goes on after: it
+        never has to write what readers have seen.
+        """
         start = time.perf_counter()
         diagnosis = made.diagnosis
         taken = counts(made.snapshot.walk)
         self.facts = self.facts.but(
             status=status, seconds=made.seconds, diagnosis=diagnosis, step_counts=taken
         )
-        self.writer.commit()
+        self.writer.flush()
         checkpoint.save(self.folder, made)
+        sync_all([self.folder])
+        self.writer.show()
         now = made.snapshot
         write_status(self.folder, self.facts, made.frames, now.start + now.step * now.dt)
         self.last_commit = time.perf_counter()
@@ -152,38 +156,37 @@ def record_run(
     plan = simulation.plan
     about = provenance(plan, ledger, keep_going)
     facts = Facts(plan, ledger, keep_going, RUNNING, provenance=about)
-    with new_folder(folder, overwrite) as made:
-        writer = begin(made, simulation.scene, simulation.layout, facts, chunk_frames(simulation))
-        runner = Runner(simulation, keep_going, explain)
-        recorder = Recorder(simulation, made, writer, facts, runner, commit_seconds)
-        writer.add(simulation.recording())
-        recorder.commit(RUNNING)
-        log(made, "started", planned_frames=plan.frames + 1)
-    recorder.folder, writer.folder = folder, folder / DATA
-    return finish(recorder, progress)
+    chunk = chunk_frames(simulation)
+    with ExitStack() as held:
+        with new_folder(folder, overwrite, held) as made:
+            writer = begin(made, simulation.scene, simulation.layout, facts, chunk)
+            runner = Runner(simulation, keep_going, explain)
+            recorder = Recorder(simulation, made, writer, facts, runner, commit_seconds)
+            writer.add(simulation.recording())
+            recorder.write_down(RUNNING)
+            log(made, "started", planned_frames=plan.frames + 1)
+        recorder.folder, writer.folder = folder, folder / DATA
+        return finish(recorder, progress)
 
 
 def finish(recorder: Recorder, progress: Progress | None) -> Result:
-    """Record to the end and close the folder. Raises RunError."""
+    """Record to the end and close the folder, whose lock is held. Raises RunError."""
     folder = recorder.folder
-    with ExitStack() as stack:
-        with writing(folder):
-            stack.enter_context(locked(folder))
-        recorder.simulation.advance_frames(0)  # compiles outside the clock
-        recorder.begun = recorder.last_commit = time.perf_counter()
-        try:
-            status = recorder.record(progress)
-            if recorder.runner.beyond is not None:
-                with writing(folder):
-                    beyond.save(folder, recorder.runner.beyond)
-            recorder.commit(status)
-        except RunError as error:
-            with suppress(OSError):
-                log(folder, "failed", reason=error.rule)
-            raise
-        with writing(folder):
-            write_end(folder)
-            log(folder, **recorder.runner.ending(status, recorder.writer.frames))
+    recorder.simulation.advance_frames(0)  # compiles outside the clock
+    recorder.begun = recorder.last_commit = time.perf_counter()
+    try:
+        status = recorder.record(progress)
+        if recorder.runner.beyond is not None:
+            with writing(folder):
+                beyond.save(folder, recorder.runner.beyond)
+        recorder.commit(status)
+    except RunError as error:
+        with suppress(OSError):
+            log(folder, "failed", reason=error.rule)
+        raise
+    with writing(folder):
+        write_end(folder)
+        log(folder, **recorder.runner.ending(status, recorder.writer.frames))
     return open_result(folder)
 
 

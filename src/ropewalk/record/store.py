@@ -4,6 +4,8 @@ A chunk holds the same frames of every quantity. Chunk files come first, under n
 does not reach or with contents that repeat what is there; then the root's zarr.json, which holds the shapes
 of all arrays, is replaced by one rename. Whatever moment a run is killed at, the store opens with
 consistent lengths.
+
+Behind the last frame of a chunk that is not full lie NaNs: what is read beyond is no number.
 """
 
 from __future__ import annotations
@@ -23,7 +25,6 @@ from ropewalk.record.files import sync_all, write, write_json, write_pages
 from ropewalk.record.quantities import Quantity, raw, recorded, sizes
 from ropewalk.record.room import Room
 from ropewalk.record.zarr_format import (
-    HEADER,
     ArraySpec,
     encode,
     encode_stored,
@@ -37,18 +38,22 @@ if TYPE_CHECKING:
 
 FORMAT = 3  # of the run folder
 READABLE = (2, FORMAT)
+CHECKED = 3  # from this format on every chunk has a checksum
 ROOT = "zarr.json"
 LEADING = "positions"  # the array whose chunks are the frames that are written at a time
 LONGEST_FILE = 4096  # [frames] of small arrays in one file
 FILE_BYTES = 1_000_000  # of them, before compression
 
 
-def array_specs(quantities: tuple[Quantity, ...], layout: Layout, chunk: int) -> list[ArraySpec]:
+def array_specs(
+    quantities: tuple[Quantity, ...], layout: Layout, chunk: int, checked: bool = True
+) -> list[ArraySpec]:
     """Return the descriptions of the time coordinate and of the quantities, in order.
 
     A file of a LARGE quantity holds one chunk of frames, that of a small one several.
     """
-    specs = [ArraySpec("time", ("time",), (0,), (_frames(chunk, 8),), "float64", dict(TIME))]
+    rows = (_frames(chunk, 8),)
+    specs = [ArraySpec("time", ("time",), (0,), rows, "float64", dict(TIME), checked=checked)]
     lengths = sizes(layout)
     for quantity in quantities:
         rest = tuple(lengths[dim] for dim in quantity.dims[1:])
@@ -56,7 +61,7 @@ def array_specs(quantities: tuple[Quantity, ...], layout: Layout, chunk: int) ->
         about = {"units": quantity.unit, "long_name": quantity.long_name}
         shape, form = (0, *rest), (frames, *rest)
         name, dims, swapped = quantity.name, quantity.dims, quantity.swapped
-        specs.append(ArraySpec(name, dims, shape, form, "float64", about, swapped))
+        specs.append(ArraySpec(name, dims, shape, form, "float64", about, swapped, checked))
     return specs
 
 
@@ -81,6 +86,8 @@ class Writer:
         self._attributes: dict[str, Any] = {}
         self._pending: list[list[Floats]] = [[] for _ in self._specs]
         self._unsynced: list[Path] = []
+        self._touched: set[Path] = set()  # folders that got a file
+        self._safe = 0  # frames that are on the disk for good, or shown
         self.frames = 0
 
     def create(self, provenance: dict[str, Any]) -> None:
@@ -104,7 +111,10 @@ class Writer:
         self._attributes["coordinates"] = " ".join(more)  # where xarray looks for their names
 
     def go_on(self, stored: Stored, frames: int) -> None:
-        """Take up a store where it has `frames` frames. Raises RunError."""
+        """Take up a store after `frames` frames; more than that it shows no longer.
+
+        Raises RunError, OSError.
+        """
         own = {spec.name for spec in self._specs}
         arrays = stored.root["consolidated_metadata"]["metadata"]
         self._fixed = {name: value for name, value in arrays.items() if name not in own}
@@ -112,7 +122,9 @@ class Writer:
         for spec, parts in zip(self._specs, self._pending, strict=True):
             begun = frames % spec.chunk[0]
             parts[:] = [stored.read_raw(spec.name, frames - begun, frames)] if begun else []
-        self.frames = frames
+        self.frames = self._safe = frames
+        if stored.shown > frames:  # before a chunk is written anew that holds fewer than are shown
+            self.show()
 
     def add(self, block: Block, room: Room | None = None) -> None:
         """Take a block of frames; write every chunk that becomes full. Raises OSError.
@@ -145,23 +157,38 @@ class Writer:
         """Write a chunk of which `part` is the end."""
         spec, field, before = self._specs[place], self._fields[place], self._pending[place]
         path = self.folder / spec.key(number)
-        self._unsynced.append(path)
+        again = number * spec.chunk[0] < self._safe  # then it stands in for frames that are safe
+        self._touched.add(path.parent)
+        if not again:
+            self._unsynced.append(path)
         if self.packed or field not in LARGE:
-            write(path, encode(np.concatenate([*before, part]) if before else part))
+            write(path, encode(np.concatenate([*before, part]) if before else part), sync=again)
         elif room is None:
-            write(path, encode_stored(np.concatenate([*before, part])))
+            write(path, encode_stored(np.concatenate([*before, part])), sync=again)
         else:
             whole = getattr(room.recording, field)
             if before:
                 whole[: len(whole) - len(part)] = np.concatenate(before)
-            write_pages(path, room.pages[field], HEADER + whole.nbytes)
+            write_pages(path, room.pages[field], room.seal(field), sync=again)
 
     def commit(self) -> None:
         """Show readers all frames so far, on the disk for good. Raises OSError."""
+        self.flush()
+        self.show()
+
+    def flush(self) -> None:
+        """Have all frames so far on the disk for good; readers do not see them yet. Raises OSError."""
         for spec, parts in zip(self._specs, self._pending, strict=True):
             if parts:
                 self._write_part(spec, parts)
         sync_all(self._unsynced)
+        sync_all(self._touched)
+        self._unsynced.clear()
+        self._touched.clear()
+        self._safe = self.frames
+
+    def show(self) -> None:
+        """Show readers all frames so far, which have been flushed. Raises OSError."""
         arrays = dict(self._fixed)
         for spec in self._specs:
             arrays[spec.name] = spec.metadata(self.frames)
@@ -169,12 +196,11 @@ class Writer:
         whole = group_metadata(self._attributes, arrays)
         write_json(self.folder / ROOT, whole, indent=None, sync=True)
         sync_all([self.folder])
-        self._unsynced.clear()
 
     def _write_part(self, spec: ArraySpec, parts: list[Floats]) -> None:
-        """Write the frames that fill no whole chunk yet; zeros follow, which no reader sees."""
-        full = np.zeros((spec.chunk[0], *parts[0].shape[1:]))
+        """Write the frames that fill no whole chunk yet."""
+        full = np.full((spec.chunk[0], *parts[0].shape[1:]), np.nan)
         np.concatenate(parts, out=full[: sum(map(len, parts))])
         path = self.folder / spec.key(self.frames // spec.chunk[0])
-        write(path, encode(full))
-        self._unsynced.append(path)
+        write(path, encode(full), sync=True)
+        self._touched.add(path.parent)

@@ -26,7 +26,9 @@ _BLOSC = {
 }
 _SWAP = {"name": "transpose", "configuration": {"order": [0, 2, 1]}}
 _TEXT = {"name": "vlen-utf8"}
+_CHECKSUM = {"name": "crc32c"}
 HEADER = 16  # bytes
+CHECKSUM = 4  # bytes, at the end of every chunk
 
 
 @dataclass(frozen=True)
@@ -40,11 +42,13 @@ class ArraySpec:
     kind: str  # float64, int64 or string
     attributes: dict[str, Any]
     swapped: bool = False  # chunks lie as (time, axis, node)
+    checked: bool = True  # chunks end with their checksum
 
     def metadata(self, frames: int | None = None) -> dict[str, Any]:
         """Return the array's zarr.json; `frames` in place of the first length."""
         shape = list(self.shape) if frames is None else [frames, *self.shape[1:]]
-        codecs = [_TEXT] if self.kind == "string" else [_LITTLE, _BLOSC]
+        codecs: list[dict[str, Any]] = [_TEXT] if self.kind == "string" else [_LITTLE, _BLOSC]
+        codecs += [_CHECKSUM] if self.checked else []
         fill: Any = {"float64": "NaN", "int64": 0, "string": ""}[self.kind]
         return {
             "zarr_format": 3,
@@ -75,6 +79,21 @@ def group_metadata(attributes: dict[str, Any], arrays: dict[str, dict[str, Any]]
     }
 
 
+def checksum(data: bytes | NDArray[np.uint8]) -> bytes:
+    """Return the CRC-32C of a chunk as it lies behind it."""
+    import google_crc32c
+
+    return struct.pack("<I", google_crc32c.value(data))
+
+
+def opened(data: bytes) -> bytes:
+    """Return a chunk without its checksum. Raises ValueError when it does not fit."""
+    body = data[:-CHECKSUM]
+    if len(data) < CHECKSUM or checksum(body) != data[-CHECKSUM:]:
+        raise ValueError(f"its {len(data)} bytes do not fit their checksum")
+    return body
+
+
 def encode(array: NDArray[Any]) -> bytes:
     """Return a chunk of numbers as it lies on disk (same input, same bytes)."""
     from numcodecs import blosc
@@ -88,7 +107,7 @@ def encode(array: NDArray[Any]) -> bytes:
         packed: bytes = blosc.compress(data, b"lz4", 1, blosc.SHUFFLE, 0)
     finally:
         blosc.use_threads = with_threads
-    return packed
+    return packed + checksum(packed)
 
 
 def stored_header(size: int) -> bytes:
@@ -101,11 +120,13 @@ def stored_header(size: int) -> bytes:
 
 def encode_stored(array: NDArray[Any]) -> bytes:
     """Return a chunk of numbers as `encode` does, but not compressed."""
-    return stored_header(array.nbytes) + np.ascontiguousarray(array, dtype="<f8").tobytes()
+    plain = np.ascontiguousarray(array, dtype="<f8").tobytes()
+    data = stored_header(array.nbytes) + plain
+    return data + checksum(data)
 
 
 def decode(data: bytes, kind: str, shape: tuple[int, ...]) -> NDArray[Any]:
-    """Return a chunk's numbers. Raises ValueError when it is damaged."""
+    """Return the numbers of a chunk without its checksum. Raises ValueError when it is damaged."""
     from numcodecs import blosc
 
     size = 8 * int(np.prod(shape))
@@ -122,7 +143,8 @@ def decode(data: bytes, kind: str, shape: tuple[int, ...]) -> NDArray[Any]:
 def encode_texts(values: list[str]) -> bytes:
     """Return texts as the codec vlen-utf8 has them."""
     packed = {value: _length_and_bytes(value.encode()) for value in set(values)}
-    return struct.pack("<I", len(values)) + b"".join([packed[value] for value in values])
+    data = struct.pack("<I", len(values)) + b"".join([packed[value] for value in values])
+    return data + checksum(data)
 
 
 def _length_and_bytes(text: bytes) -> bytes:

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from ropewalk.cli.console import print_json, print_table, say
+from ropewalk.cli.console import print_json, print_table, say, tell
+from ropewalk.cli.errors import Refusal
 from ropewalk.cli.runs import open_run, run_argument
 from ropewalk.cli.sources import json_option
 from ropewalk.cli.summary import print_results
@@ -16,15 +17,24 @@ if TYPE_CHECKING:
     from ropewalk.build import Plan
     from ropewalk.record.result import Result
 
+MOST_NAMED = 20  # damaged chunks
 _PROVENANCE = ("started", "ended", "ropewalk", "python", "numpy", "numba", "platform")
 
 
 @click.command()
 @run_argument
+@click.option(
+    "--verify",
+    "checked",
+    is_flag=True,
+    help="Compare every chunk of numbers with its checksum first; exit status 2 if one is damaged.",
+)
 @json_option
-def info(folder: Path, as_json: bool) -> None:
+def info(folder: Path, checked: bool, as_json: bool) -> None:
     """Say what is in the run folder DIR: scene, state, numbers, where it came from."""
     result = open_run(folder)
+    if checked:
+        tell(f"{_verified(folder)} chunks of numbers, all as they were written")
     if as_json:
         print_json(_facts(result))
         return
@@ -44,6 +54,19 @@ def info(folder: Path, as_json: bool) -> None:
         say(result.diagnosis)
     if result.status == "interrupted":
         say(f"go on with: ropewalk resume {folder}")
+
+
+def _verified(folder: Path) -> int:
+    """Return how many chunks there are, all sound. Raises Refusal that names those that are not."""
+    from ropewalk.record.verify import verify
+
+    verdict = verify(folder)
+    if verdict.faults:
+        named = [str(fault) for fault in verdict.faults[:MOST_NAMED]]
+        if len(verdict.faults) > MOST_NAMED:
+            named.append(f"and {len(verdict.faults) - MOST_NAMED} more of {verdict.chunks} chunks")
+        raise Refusal("\n".join(named))
+    return verdict.chunks
 
 
 def _rows(result: Result) -> list[tuple[str, str]]:

@@ -81,7 +81,7 @@ def refuse_run(folder: Path, overwrite: bool) -> None:
 
     Raises Refusal for a run that is there, RunError for anything else that is in the way.
     """
-    from ropewalk.record.folder import check_free, is_run
+    from ropewalk.record.place import check_free, is_run
 
     refuse_parent(folder)
     if not overwrite and is_run(folder):

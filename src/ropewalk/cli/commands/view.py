@@ -89,7 +89,7 @@ def view(
         name = short_name(source or DEFAULT)
         if not no_save:
             if output is not None and output.exists():
-                from ropewalk.record.folder import check_free
+                from ropewalk.record.place import check_free
 
                 check_free(output, overwrite=False)
             options["folder"] = stack.enter_context(claimed(output, RUNS, f"{name}-live"))
@@ -101,7 +101,7 @@ def view(
 def _is_run(path: Path) -> bool:
     with suppress(OSError):
         if path.is_dir():
-            from ropewalk.record.folder import is_run  # with numba: not for nothing
+            from ropewalk.record.place import is_run
 
             return is_run(path)
     return False
