@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 
 import numpy as np
@@ -39,6 +40,7 @@ def _break(window: Window) -> None:
     window.until("r.time > 0.5")
     _stiffen(window, 40_000.0)
     window.until("r.state === 'broken'")
+    window.page.locator("#broken", has_text="above the largest").wait_for()
 
 
 def test_the_meter_goes_from_green_over_amber_to_red(window: Window) -> None:
@@ -58,6 +60,29 @@ def test_the_meter_goes_from_green_over_amber_to_red(window: Window) -> None:
             window.ask("getComputedStyle(document.querySelector('.meter .fill')).backgroundColor")
         )
     assert len(set(colours)) == 3
+
+
+def test_a_break_stays_while_the_slider_is_dragged_on(window: Window) -> None:
+    _break(window)
+    card = window.page.locator("#broken")
+    slider = window.page.locator(".panel [data-parameter=spring_constant] input[type=range]")
+    for _ in range(3):  # dragged on, in small steps
+        slider.evaluate(
+            "(e) => { e.value = Number(e.value) + 8; e.dispatchEvent(new Event('input')); }"
+        )
+        window.until("r.app.tweak.asked.size === 0 && r.app.tweak.queue.size === 0")
+        assert card.is_visible()
+        assert window.ask("r.state") == "broken"
+    slider.evaluate("(e) => e.dispatchEvent(new Event('change'))")
+    on = card.get_by_role("button", name="Go on with these values")
+    on.wait_for()
+    assert "above the largest stable one" in card.inner_text()
+    _stiffen(window, 10_000.0)
+    window.until("document.querySelector('#broken .main').dataset.remedy === 'on'")
+    time = window.ask("r.time")
+    on.click()
+    card.wait_for(state="hidden")
+    window.until(f"r.state === 'playing' && r.time > {time} + 0.3")
 
 
 def test_a_break_freezes_says_why_and_goes_back(window: Window) -> None:
@@ -136,7 +161,13 @@ def test_the_menu_of_scenes_shows_and_opens_them(window: Window) -> None:
     window.click("#open-scenes")
     cards = window.page.locator(".scene-card")
     names = [name for name in window.ask("r.session.presets.map((p) => p.name)") if name != "start"]
-    assert names == preset_names()
+    assert sorted(names) == sorted(preset_names())
+    themes = window.page.locator(".scene-themes h3").all_inner_texts()
+    assert themes[0] == "Look and play"
+    assert "report" in themes[-1]
+    titles = cards.locator("strong").all_inner_texts()
+    assert "Three anchors (R4)" in titles
+    assert [bool(re.search(r" [(]R\d[)]$", one)) for one in titles[-9:]] == [True] * 9
     for i in range(cards.count()):
         assert len(cards.nth(i).locator("span").inner_text()) > 20
     pictures = window.ask(

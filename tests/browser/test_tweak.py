@@ -26,6 +26,12 @@ def _row(name: str) -> str:
     return f".panel [data-parameter={name}]"
 
 
+def _folder(window: Window, *names: str) -> None:
+    """Open folders of the panel, or close them."""
+    for name in names:
+        window.page.locator(".panel .lil-title", has_text=re.compile(rf"^{name}$")).click()
+
+
 def _told(name: str) -> str:
     """The server's description of a constant, as the page has it."""
     return f"r.session.parameters.find((p) => p.name === '{name}')"
@@ -44,8 +50,7 @@ def test_every_constant_is_changed_and_goes_back(open_window: Open, serve: Serve
     server = serve(Session(slack_rope(ground=Ground(height=-6.0))))
     window = open_window(server.address, viewport=SIZE).ready()
     window.until("r.session.parameters.length > 0")
-    for folder in ("Air", "Ground"):
-        window.page.locator(".panel .lil-title", has_text=re.compile(rf"^{folder}$")).click()
+    _folder(window, "More", "Air", "Ground")
     shown = window.ask(
         "[...document.querySelectorAll('[data-parameter]')].map((e) => e.dataset.parameter)"
     )
@@ -95,9 +100,33 @@ def _change(window: Window, name: str, kind: str) -> None:
         row.locator("input[type=checkbox]").click()
 
 
+@pytest.mark.parametrize(
+    ("scene", "stiffness"), [(preset("r4"), "spring_constant"), (slack_rope(), "EA")]
+)
+def test_first_comes_what_everybody_asks_for(
+    open_window: Open, serve: Serve, scene: Any, stiffness: str
+) -> None:
+    window = open_window(serve(Session(scene)).address, viewport=SIZE).ready()
+    window.until("r.session.parameters.length > 0")
+    seen = (
+        "[...document.querySelectorAll('[data-parameter]')].filter((e) => e.offsetHeight)"
+        ".map((e) => e.dataset.parameter)"
+    )
+    assert window.ask(seen) == [stiffness, "spring_friction", "mass", "length", "gravity"]
+    assert "a + 2b" not in window.page.locator("body").inner_text()
+    _folder(window, "More", "Air", "Ground")
+    window.until(f"{seen}.length === {len(PARAMETERS)}")
+    window.tell(type="scene", preset="r3")
+    window.until("r.session.layout.scene.preset === 'r3'")
+    assert window.ask(f"{seen}.length") == len(PARAMETERS)  # open folders stay open
+    _folder(window, "More")
+    window.until(f"{seen}.length === 5")
+
+
 def test_what_is_out_of_range_is_refused_with_the_range(open_window: Open, serve: Serve) -> None:
     server = serve(Session(slack_rope()))
     window = open_window(server.address, viewport=SIZE).ready()
+    _folder(window, "More")
     field = window.page.locator(f"{_row('segments')} input[type=text]")
     field.fill("0")
     field.press("Enter")
@@ -118,6 +147,7 @@ def test_every_number_fits_into_its_field(open_window: Open, serve: Serve, size:
     window = open_window(server.address, viewport=size).ready()
     if window.page.locator("#panel").is_hidden():
         window.click("#toggle-panel")
+    _folder(window, "More")
     step = window.page.locator(f"{_row('time_step')} input[type=text]")
     for value, shown in (
         (1.0 / 5400.0, "0.000185185"),
@@ -179,6 +209,7 @@ def test_one_rope_of_several_is_changed(open_window: Open, serve: Serve) -> None
 def test_a_change_makes_no_jump_while_it_runs(open_window: Open, serve: Serve) -> None:
     window = open_window(serve(Session(slack_rope()), playing=True).address, viewport=SIZE).ready()
     window.until("r.time > 0.5")
+    _folder(window, "More")
     window.page.evaluate(
         """() => {
             const r = window.ropewalk;

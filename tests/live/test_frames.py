@@ -174,8 +174,9 @@ def run(monkeypatch: pytest.MonkeyPatch, cost: float, speed: float) -> tuple[flo
     while clock.now < 102.0:
         begun = clock.now
         steps = kept.steps(1e-3, speed)
-        with kept.measured(max(steps, 1)):
-            clock.now += steps * cost
+        kept.begin()
+        clock.now += steps * cost
+        kept.end(steps, steps)
         simulated += steps * 1e-3
         kept.note(simulated)
         clock.now = max(clock.now, begun + pace.TICK)

@@ -157,7 +157,7 @@ def test_a_replay_shows_what_was_recorded(tmp_path: Path) -> None:
     stage = ReplayStage(tmp_path / "run", playing=False)
     assert len(stage.times) == 32
     assert stage.duration == pytest.approx(270 * session.main.dt)
-    data = stage.frames_between(0, 40, 1)
+    data = b"".join(stage.frames_between(0, 40, 1))
     first = np.frombuffer(data, "<f4", 3 * 41, 48 + 4 * 18).reshape(41, 3)
     assert np.allclose(first, Result.open(tmp_path / "run").positions[0], atol=1e-6)
     sizes = [stage._layout_message(part)["bytes"] for part in (0, 1)]

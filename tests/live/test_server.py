@@ -199,7 +199,7 @@ def test_the_sockets_door_is_the_same(server: ViewServer) -> None:
     ("text", "said"),
     [
         ("no json", "must be JSON"),
-        ("[" * 5000, "must be JSON"),
+        ("[" * 5000, "must nest at most 8 deep"),
         ("[1]", "must be a JSON object"),
         ("{}", "type: "),
         ('{"type": "hack"}', "must be one of"),

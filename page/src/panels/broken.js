@@ -9,6 +9,7 @@ const SIGNS = /** @type {Record<string, string>} */ ({
   back: "Back to before",
   step: "Use the suggested step",
   implicit: "Use an implicit method",
+  on: "Go on with these values",
 });
 
 export class BrokenCard {

@@ -54,12 +54,6 @@ export class Meter {
       tick,
     );
     /** @type {[string, string][]} */ const facts = [];
-    if (one.meter !== null && one.meter_limit !== null) {
-      facts.push([
-        `${one.meter_name} = ${figures(one.meter)} of ${figures(one.meter_limit)}`,
-        "of",
-      ]);
-    }
     if (one.bound !== null) facts.push([`largest step ${quantity(one.bound, "s")}`, "step"]);
     if (one.largest_spring_constant !== null) {
       facts.push([`largest spring constant ${quantity(one.largest_spring_constant, "N/m")}`, "k"]);
@@ -68,7 +62,7 @@ export class Meter {
     }
     return h(
       "div",
-      { className: `meter-row ${zone}`, title: one.verdict, data: { zone } },
+      { className: `meter-row ${zone}`, title: theory(one), data: { zone } },
       h("span", { className: "meter-name" }, many && label ? label : "Stability"),
       bar,
       h(
@@ -79,6 +73,12 @@ export class Meter {
       ...facts.map(([fact, kind]) => h("span", { className: `meter-fact ${kind}` }, fact)),
     );
   }
+}
+
+/** What is behind the bar, in words and with the theory's sum. @param {Stability} one */
+function theory({ verdict, meter, meter_name, meter_limit }) {
+  if (meter === null || meter_limit === null) return verdict;
+  return `${verdict} (${meter_name} = ${figures(meter)} of ${figures(meter_limit)})`;
 }
 
 /** @param {number} ratio */

@@ -36,6 +36,7 @@ export class Tweak {
         p.unit,
         p.choices,
         p.group,
+        p.more,
         p.label,
         Object.keys(p.values ?? {}),
       ]),
@@ -57,17 +58,28 @@ export class Tweak {
     });
     const ropes = [...new Set(parameters.flatMap((p) => Object.keys(p.values ?? {})))];
     if (!ropes.includes(this.rope)) this.rope = "";
-    for (const group of [...new Set(parameters.map((p) => p.group))]) {
-      const folder = this.gui.addFolder(group);
-      folder.onOpenClose((changed) => {
-        if (changed === folder) this.closed.set(group, folder._closed);
-      });
-      if (this.closed.get(group) ?? (group === "Air" || group === "Ground")) folder.close();
-      if (group === "Rope" && ropes.length > 1) this.addRopeChoice(folder, ropes);
-      for (const parameter of parameters)
-        if (parameter.group === group) this.addRow(folder, parameter);
+    if (ropes.length > 1) this.addRopeChoice(this.gui, ropes);
+    for (const parameter of parameters) if (!parameter.more) this.addRow(this.gui, parameter);
+    const rest = parameters.filter(({ more }) => more);
+    if (rest.length) {
+      const more = this.addFolder(this.gui, "More", true);
+      for (const group of [...new Set(rest.map((p) => p.group))]) {
+        const folder = this.addFolder(more, group, group === "Air" || group === "Ground");
+        for (const parameter of rest) if (parameter.group === group) this.addRow(folder, parameter);
+      }
     }
     this.host.scrollTop = scrolled;
+  }
+
+  /** A folder that stays as the user left it. @param {GUI} parent @param {string} name
+   * @param {boolean} closed at first */
+  addFolder(parent, name, closed) {
+    const folder = parent.addFolder(name);
+    folder.onOpenClose((changed) => {
+      if (changed === folder) this.closed.set(name, folder._closed);
+    });
+    if (this.closed.get(name) ?? closed) folder.close();
+    return folder;
   }
 
   /** @param {GUI} folder @param {string[]} ropes */

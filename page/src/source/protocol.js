@@ -22,8 +22,8 @@
  *   kind: "number" | "whole" | "vector" | "choice" | "flag", value: any, default: any,
  *   low: number, high: number, scale: "linear" | "log", minimum: number, maximum: number,
  *   choices?: {value: any, label: string}[], values?: Record<string, any>, enabled: boolean, why: string,
- *   help: string}} Parameter */
-/** @typedef {{name: string, title: string, sentence: string, picture: string}} Preset */
+ *   more: boolean, help: string}} Parameter */
+/** @typedef {{name: string, title: string, theme: string, sentence: string, picture: string}} Preset */
 /** @typedef {{type: "status", playing: boolean, speed: number, realtime: number, slow: boolean, text: string,
  *   time: number, step: number, dt: number, steps_per_frame: number, method: string, broken: boolean,
  *   clients: number, address: string, duration: number | null}} Status */

@@ -34,7 +34,7 @@ from ropewalk.live.hands import MOST_GRABS, Target
 from ropewalk.live.parameters import named, refusal
 from ropewalk.live.remedies import calm_moment, implicit_method, suggested_step
 from ropewalk.live.session import Session
-from ropewalk.live.sources import scene_of
+from ropewalk.live.sources import Read, Start, from_toml, scene_of
 from ropewalk.live.track import Track
 from ropewalk.scene import Scene
 from ropewalk.simulation import Simulation
@@ -68,7 +68,6 @@ def set_(session: Session, command: Set, client: int) -> str:
         rule = f"must be from 0 to {len(session.tracks) - 1}"
         raise refusal("variant", command.variant, rule)
     session.set(command.name, command.value, command.rope, command.variant)
-    session.broken = None
     return ""
 
 
@@ -175,14 +174,19 @@ def kick(session: Session, command: Kick, client: int) -> str:
 
 
 def scene(session: Session, command: SceneCommand, client: int) -> str:
-    made, preset, settings = scene_of(command, session.start)
-    session.open(made, preset)
+    session.adopt(opened(command, session.start))
+    return ""
+
+
+def opened(command: SceneCommand, start: Start, read: Read = from_toml) -> Session:
+    """Return a session of the scene that a command asks for, at time zero. Raises SceneError."""
+    made, preset, settings = scene_of(command, start, read)
+    session = Session(made, preset)
     for name, rope, value in settings:
         session.set(name, value, rope, None)
-    session.broken = None
     if settings:
-        reset(session, Reset(type="reset"), client)
-    return ""
+        reset(session, Reset(type="reset"), 0)
+    return session
 
 
 def compare(session: Session, command: Compare, client: int) -> str:
@@ -224,14 +228,23 @@ def remedy(session: Session, command: Remedy, client: int) -> str:
         value = suggested_step(track.simulation)
     elif command.remedy == "implicit":
         value = implicit_method(track.simulation)
-    wanted = session.main.scene
-    session.go_back(calm_moment(session, layout=session.main.simulation.layout))
+    wanted, layout = session.main.scene, session.main.simulation.layout
+    if command.remedy != "on" or _was_so(session, layout):  # nothing to go back to after a cut
+        session.go_back(calm_moment(session, layout=layout))
     session.broken = None
     if command.remedy == "back":
         return ""
     _take_constants(session, wanted, changes)
+    if command.remedy == "on":
+        return ""
     session.set("time_step" if command.remedy == "step" else "method", value, None, variant)
     return ""
+
+
+def _was_so(session: Session, layout: Layout) -> bool:
+    """Whether the history reaches back to ropes like the present ones."""
+    moments = session.history.newest_first()
+    return any(one.tracks[0].simulation.layout == layout for one in moments)
 
 
 def _take_constants(session: Session, wanted: Any, changes: dict[Any, Any]) -> None:
@@ -282,7 +295,6 @@ def _on_node(session: Session, node: int, make: Callable[..., edits.Edit]) -> st
 
 
 def _structured(session: Session) -> str:
-    session.broken = None
     session.changed()
     return ""
 

@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 from starlette.applications import Starlette
 from starlette.concurrency import run_in_threadpool
 from starlette.requests import Request
-from starlette.responses import PlainTextResponse, Response
+from starlette.responses import PlainTextResponse, Response, StreamingResponse
 from starlette.routing import Route, WebSocketRoute
 from starlette.websockets import WebSocket
 
 from ropewalk import __version__
 from ropewalk.live.commands import Command
+from ropewalk.live.downloads import Downloads
 from ropewalk.live.exports import Exports, NothingToExport
 from ropewalk.live.guard import LONGEST_SCENE
 from ropewalk.live.hands import MOST_GRABS
@@ -99,6 +101,8 @@ class Live:
 def make_app(live: Live) -> Starlette:
     """Return the application behind the page's own files, which the `Door` serves."""
 
+    downloads = Downloads()
+
     async def picture(request: Request) -> Response:
         made = await run_in_threadpool(svg, request.path_params["name"], live.stage)
         if made is None:
@@ -108,12 +112,11 @@ def make_app(live: Live) -> Starlette:
     async def export(request: Request) -> Response:
         name = request.path_params["name"]
         try:
-            data, kind = await run_in_threadpool(live.exports.make, name, request.query_params)
+            return await downloads.make(
+                partial(live.exports.make, name), live.exports.file_name(name)
+            )
         except NothingToExport as error:
             return PlainTextResponse(f"{error}\n", 404)
-        disposition = f'attachment; filename="{live.exports.file_name(name)}"'
-        headers = {"content-type": kind, "content-disposition": disposition}
-        return Response(data, headers=headers)
 
     async def frames(request: Request) -> Response:
         make = getattr(live.stage, "frames_between", None)
@@ -126,8 +129,7 @@ def make_app(live: Live) -> Starlette:
             return PlainTextResponse("first, count and every must be whole numbers\n", 400)
         if make is None or first < 0 or not 0 < count <= 4096 or every < 1:
             return PlainTextResponse("no such frames\n", 404)
-        data = await run_in_threadpool(make, first, count, every)
-        return Response(data, media_type="application/octet-stream")
+        return StreamingResponse(make(first, count, every), media_type="application/octet-stream")
 
     async def socket(websocket: WebSocket) -> None:
         await serve_socket(websocket, live)

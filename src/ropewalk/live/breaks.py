@@ -1,7 +1,12 @@
-"""Why a live session broke: the steps before the break are taken again and looked at."""
+"""Why a live session broke: the steps before the break are taken again and looked at.
+
+That may take long, so a question is asked on the stage and answered by any thread, with a simulation
+of its own.
+"""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -10,71 +15,111 @@ from ropewalk.analysis.diagnosis import Diagnosis, diagnose, retrace
 from ropewalk.analysis.stability import stability
 from ropewalk.core.arrays import Floats
 from ropewalk.live.remedies import as_messages
-from ropewalk.live.session import Session
+from ropewalk.live.session import Break, Session
 from ropewalk.live.track import Saved, Track
-from ropewalk.simulation import Simulation
+from ropewalk.simulation import Simulation, Snapshot
 
 _HISTORY = 400  # steps to look at
 _MOST_WORK = 3_000_000  # steps times nodes taken again
 
 
+@dataclass(frozen=True)
+class Question:
+    """All that the answer needs of a session that broke; none of it changes any more."""
+
+    broken: Break
+    changed: bool  # whether constants were changed since
+    simulation: Simulation  # only its model, layout and plan are looked at
+    here: Snapshot
+    start: Saved | None  # a moment before the break shows
+    time: float
+    step: int  # of the session
+    steps: int  # of the variant
+    failure: str
+
+    @classmethod
+    def of(cls, session: Session) -> Question:
+        """Ask about a session that is broken."""
+        assert session.broken is not None
+        track = session.tracks[session.broken.variant]
+        return cls(
+            session.broken,
+            session.revision != session.broken.revision,
+            track.simulation,
+            track.simulation.state,
+            _start(session, track),
+            track.simulation.time,
+            session.count,
+            track.count,
+            track.simulation.failure,
+        )
+
+    def at_once(self) -> dict[str, Any]:
+        """Return the message as far as it is known without looking."""
+        index = self.simulation.layout.ropes[0].start
+        rope, node = self.simulation.layout.rope_of(index)
+        return {
+            "type": "broken",
+            "variant": self.broken.variant,
+            "time": self.time,
+            "step": self.step,
+            "rope": rope,
+            "node": node,
+            "index": index,
+            "text": f"Broke after t = {self.time:.6g} s. The steps before it are being looked at.",
+            "sign": "",
+            "remedies": as_messages(None, self.changed),
+        }
+
+    def remedies(self) -> list[dict[str, Any]]:
+        """Return the ways out."""
+        return as_messages(self.simulation, self.changed)
+
+    def answer(self) -> dict[str, Any]:
+        """Return the message about the break."""
+        found = self._diagnosis()
+        return self.at_once() | {
+            "rope": found.rope,
+            "node": found.node,
+            "index": self.simulation.layout.node(found.node, found.rope),
+            "text": self.failure or found.text,
+            "sign": "" if self.failure else found.sign,
+            "remedies": self.remedies(),
+        }
+
+    def _diagnosis(self) -> Diagnosis:
+        model, layout = self.simulation.model, self.simulation.layout
+        positions = self._from_history()
+        if positions is None:
+            again = Simulation(model)
+            again.restore(self.here)
+            positions = retrace(again, max(self.broken.chunk, 1) + 1)
+        return diagnose(stability(model), layout, positions, self.time, self.steps)
+
+    def _from_history(self) -> Floats | None:
+        """Return the steps from an earlier moment up to the break, or None when they end otherwise.
+
+        Hands that moved in between are not followed, so the break may not come again; then there is no
+        telling from these steps.
+        """
+        start = self.start
+        if start is None or start.snapshot.dt != self.here.dt:
+            return None
+        steps = self.steps - start.steps + self.broken.chunk + 2  # one more than it breaks in
+        if steps * self.simulation.layout.nodes > _MOST_WORK:
+            return None
+        again = Simulation(self.simulation.model)
+        again.restore(start.snapshot)
+        positions = retrace(again, steps, keep=_HISTORY)
+        last = positions[-1]
+        span = float(np.ptp(positions[0], axis=0).max()) + 1.0
+        wild = not np.isfinite(last).all() or float(np.abs(last).max()) > 1e3 * span
+        return positions if wild or len(positions) < steps else None
+
+
 def explain(session: Session) -> dict[str, Any]:
     """Return the message about the break of a session; the session stays as it is."""
-    assert session.broken is not None
-    track = session.tracks[session.broken.variant]
-    here, failure = track.simulation.state, track.simulation.failure
-    try:
-        found = _diagnosis(session, track)
-    finally:
-        track.simulation.restore(here)
-    index = track.simulation.layout.node(found.node, found.rope)
-    return {
-        "type": "broken",
-        "variant": session.broken.variant,
-        "time": track.simulation.time,
-        "step": session.count,
-        "rope": found.rope,
-        "node": found.node,
-        "index": index,
-        "text": failure or found.text,
-        "sign": "" if failure else found.sign,
-        "remedies": as_messages(session),
-    }
-
-
-def _diagnosis(session: Session, track: Track) -> Diagnosis:
-    assert session.broken is not None
-    simulation = track.simulation
-    here = simulation.state
-    positions = _from_history(session, track)
-    if positions is None:
-        simulation.restore(here)
-        positions = retrace(simulation, max(session.broken.chunk, 1) + 1)
-    simulation.restore(here)
-    theory = stability(simulation.model)
-    return diagnose(theory, simulation.layout, positions, simulation.time, track.count)
-
-
-def _from_history(session: Session, track: Track) -> Floats | None:
-    """Return the steps from an earlier moment up to the break, or None when they end otherwise.
-
-    Hands that moved in between are not followed, so the break may not come again; then there is no
-    telling from these steps.
-    """
-    assert session.broken is not None
-    simulation: Simulation = track.simulation
-    start = _start(session, track)
-    if start is None or start.snapshot.dt != track.dt:
-        return None
-    steps = track.count - start.steps + session.broken.chunk + 2  # one more than it breaks in
-    if steps * simulation.layout.nodes > _MOST_WORK:
-        return None
-    simulation.restore(start.snapshot)
-    positions = retrace(simulation, steps, keep=_HISTORY)
-    last = positions[-1]
-    span = float(np.ptp(positions[0], axis=0).max()) + 1.0
-    wild = not np.isfinite(last).all() or float(np.abs(last).max()) > 1e3 * span
-    return positions if wild or len(positions) < steps else None
+    return Question.of(session).answer()
 
 
 def _start(session: Session, track: Track) -> Saved | None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError
@@ -12,11 +13,14 @@ from ropewalk.scene import Fault, SceneError
 FAR = 1e6  # [m], [m/s]: no place and no speed that a hand gives is larger
 LONGEST_TEXT = 200_000
 MOST_VARIANTS = 4
+LARGEST_ID = 2**53
 
 
 def _number(value: Any) -> Any:
     """Take whole numbers for numbers, but neither true nor text."""
-    return float(value) if isinstance(value, int) and not isinstance(value, bool) else value
+    if isinstance(value, int) and not isinstance(value, bool):
+        return float(value) if abs(value) < 1e300 else math.inf
+    return value
 
 
 Number = Annotated[float, BeforeValidator(_number), Field(strict=True, allow_inf_nan=False)]
@@ -24,7 +28,7 @@ Coordinate = Annotated[Number, Field(ge=-FAR, le=FAR)]
 Vector = tuple[Coordinate, Coordinate, Coordinate]
 Index = Annotated[int, Field(strict=True, ge=0, le=100_000_000)]
 Name = Annotated[str, Field(strict=True, max_length=100)]
-Id = Annotated[int, Field(strict=True, ge=0, le=2**53)]
+Id = Annotated[int, Field(strict=True, ge=0, le=LARGEST_ID)]
 Value = bool | int | float | str | list[Any] | None
 
 
@@ -155,7 +159,7 @@ class Back(Command):
 
 class Remedy(Command):
     type: Literal["remedy"]
-    remedy: Literal["back", "step", "implicit"]
+    remedy: Literal["back", "step", "implicit", "on"]
 
 
 class Save(Command):

@@ -14,9 +14,12 @@ from ropewalk.live.frame import HEADER, SCALARS, Shape
 from ropewalk.live.parameters import PARAMETERS, ROPE, Parameter
 from ropewalk.live.session import Session
 from ropewalk.live.sources import START
+from ropewalk.live.themes import menu, title
 from ropewalk.live.track import RIGID_FIXED, WINCH_SAFE, WITH_LINKS, Track
-from ropewalk.scene import Scene
-from ropewalk.scene.presets import names, preset
+from ropewalk.scene import Scene, Springs
+from ropewalk.scene.presets import preset
+
+FIRST_LEVEL = ("spring_friction", "mass", "length", "gravity")
 
 
 def layout(session: Session) -> dict[str, Any]:
@@ -134,6 +137,12 @@ def parameters(session: Session) -> dict[str, Any]:
     return {"type": "parameters", "parameters": found}
 
 
+def _first_level(scene: Scene) -> set[str]:
+    """Return the parameters that everybody asks for, with the stiffness as the ropes have it."""
+    springs = any(isinstance(rope.made_of, Springs) for rope in scene.ropes)
+    return {"spring_constant" if springs else "EA", *FIRST_LEVEL}
+
+
 def _parameter(session: Session, parameter: Parameter) -> dict[str, Any]:
     scene, loaded = session.scene, session.loaded
     values = {
@@ -154,6 +163,7 @@ def _parameter(session: Session, parameter: Parameter) -> dict[str, Any]:
         "name": parameter.name,
         "label": parameter.label,
         "group": parameter.group,
+        "more": parameter.name not in _first_level(scene),
         "unit": parameter.unit,
         "kind": parameter.kind,
         "help": parameter.help,
@@ -177,15 +187,16 @@ def presets(session: Session) -> dict[str, Any]:
     found = []
     scene, name = session.start
     if name is None:
-        found.append(_preset(START, scene))
-    found += [_preset(one, preset(one)) for one in names()]
+        found.append(_preset(START, scene, "The scene of this program"))
+    found += [_preset(one.name, preset(one.name), one.theme) for one in menu()]
     return {"type": "presets", "presets": found}
 
 
-def _preset(name: str, scene: Scene) -> dict[str, str]:
+def _preset(name: str, scene: Scene, theme: str) -> dict[str, str]:
     return {
         "name": name,
-        "title": scene.name,
+        "title": title(scene.name),
+        "theme": theme,
         "sentence": scene.description,
         "picture": f"presets/{name}.svg",
     }

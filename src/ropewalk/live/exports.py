@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import tempfile
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from importlib import import_module
 from pathlib import Path
 
@@ -44,34 +43,33 @@ class Exports:
         safe = "".join(one if one.isalnum() or one in "-_" else "-" for one in self._name)
         return f"{safe[:60] or 'rope'}-{name}"
 
-    def make(self, name: str, options: Mapping[str, str]) -> tuple[bytes, str]:
-        """Return content and type. Raises NothingToExport."""
+    def make(self, name: str, into: Path) -> tuple[Path, str]:
+        """Write a file into a folder; return its path and type. Raises NothingToExport."""
         if name not in self.names():
             raise NothingToExport("there is nothing of that name here")
         if name == "scene.toml":
             assert self._scene is not None
-            return dumps(self._scene()).encode(), _TOML
+            out = into / name
+            out.write_text(dumps(self._scene()), encoding="utf-8", newline="\n")
+            return out, _TOML
         assert self._folder is not None
         try:
-            return self._from_run(name, self._folder())
+            return self._from_run(name, self._folder(), into / name)
         except (RunError, InputError) as error:
             raise NothingToExport(str(error)) from None
 
-    def _from_run(self, name: str, folder: Path) -> tuple[bytes, str]:
-        with tempfile.TemporaryDirectory() as made:
-            if name == "page.html":
-                share = _share()
-                assert share is not None
-                out = Path(made) / "page.html"
-                share(folder, out)
-                return out.read_bytes(), _HTML
-            from ropewalk.record.result import Result
+    def _from_run(self, name: str, folder: Path, out: Path) -> tuple[Path, str]:
+        if name == "page.html":
+            share = _share()
+            assert share is not None
+            share(folder, out)
+            return out, _HTML
+        from ropewalk.record.result import Result
 
-            result = Result.open(folder)
-            every = max(1, result.frames * result.nodes // MOST_ROWS)
-            out = Path(made) / name
-            export(result, "csv", out, quantities=(_TABLES[name],), every=every)
-            return out.read_bytes(), _CSV
+        result = Result.open(folder)
+        every = max(1, result.frames * result.nodes // MOST_ROWS)
+        export(result, "csv", out, quantities=(_TABLES[name],), every=every)
+        return out, _CSV
 
 
 def _share() -> Callable[[Path, Path], object] | None:

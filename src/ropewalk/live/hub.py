@@ -141,5 +141,8 @@ class Hub:
 
 
 def as_text(message: dict[str, Any]) -> str:
-    """Return a message as JSON; numbers that are not finite become null."""
-    return json.dumps(plain(message), ensure_ascii=False, allow_nan=False)
+    """Return a message as JSON; numbers that are not finite become null.
+
+    In ASCII, so that no text in it can be one that a socket refuses to send.
+    """
+    return json.dumps(plain(message), allow_nan=False)

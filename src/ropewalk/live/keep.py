@@ -21,7 +21,7 @@ from typing import Any
 from ropewalk.block import Block
 from ropewalk.build import Layout, Plan
 from ropewalk.live.commands import Command
-from ropewalk.live.frozen import scene_now
+from ropewalk.live.frozen import Frozen, scene_now
 from ropewalk.live.session import Session
 from ropewalk.record.errors import RunError
 from ropewalk.record.events import log
@@ -93,8 +93,7 @@ class Keeper:
         self._put(lambda: self._log("command", step=count, client=client, command=about))
         simulation = self.session.main.simulation
         if command.type in _JUMPS or simulation.layout != self._layout:
-            scene = scene_now(self.session, fresh=command.type in ("reset", "scene"))
-            self._new_part(scene)
+            self._new_part(Frozen.of(self.session, fresh=command.type in ("reset", "scene")))
 
     def _on_break(self, count: int, variant: int) -> None:
         self._put(lambda: self._log("broken", step=count, variant=variant))
@@ -105,13 +104,13 @@ class Keeper:
             block = session.main.simulation.recording()
             self._put(lambda: self._add(block))
 
-    def _new_part(self, scene: Scene) -> None:
+    def _new_part(self, frozen: Frozen) -> None:
         if self._parts >= MOST_PARTS or self.failure:
             return
         layout, plan = self.session.main.simulation.layout, self.session.main.simulation.plan
         block = self.session.main.simulation.recording()
         self._set_rate(layout)
-        self._put(lambda: self._next_part(scene, layout, plan, block))
+        self._put(lambda: self._next_part(frozen.thaw(), layout, plan, block))
 
     def _set_rate(self, layout: Layout) -> None:
         self._layout = layout

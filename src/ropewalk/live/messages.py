@@ -6,13 +6,16 @@ from typing import Any
 
 from ropewalk.analysis.json_values import plain
 from ropewalk.live.parameters import PARAMETERS
+from ropewalk.record.errors import RunError
 from ropewalk.scene import SceneError
 
 
-def error_message(command: str | None, number: int | None, error: SceneError) -> dict[str, Any]:
+def error_message(
+    command: str | None, number: int | None, error: SceneError | RunError
+) -> dict[str, Any]:
     """Return the `error` message for what was refused, with what is allowed."""
     faults = []
-    for fault in error.faults[:20]:
+    for fault in error.faults[:20] if isinstance(error, SceneError) else ():
         known = PARAMETERS.get(fault.path)
         value = fault.value if fault.value.__class__ in (int, float, str, bool) else None
         faults.append(

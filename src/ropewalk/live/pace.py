@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import time
 from collections import deque
-from collections.abc import Iterator
-from contextlib import contextmanager
 
 TICK = 1.0 / 60.0  # [s]
 BUDGET = 0.85 * TICK  # [s] of a tick that simulating may take
@@ -19,6 +17,7 @@ class Pace:
 
     def __init__(self) -> None:
         self._cost = 0.0  # [s] per step
+        self._begun = self._wall = 0.0
         self.load = 0.0  # share of the time spent simulating
         self.realtime = 0.0  # simulated over wall time
         self.slow = False
@@ -58,12 +57,17 @@ class Pace:
     def _load_decays(self, elapsed: float) -> None:
         self._wall = elapsed
 
-    @contextmanager
-    def measured(self, steps: int) -> Iterator[None]:
-        """Measure what steps cost."""
-        begun = time.perf_counter()
-        yield
-        spent = time.perf_counter() - begun
+    def begin(self) -> None:
+        """Begin to measure what steps cost."""
+        self._begun = time.perf_counter()
+
+    def end(self, steps: int, due: int) -> None:
+        """Note that so many steps were taken since, where so many were due."""
+        if steps < due and self._dropped:
+            self._dropped[-1] = (self._dropped[-1][0], True)
+        if steps == 0:
+            return
+        spent = time.perf_counter() - self._begun
         cost = spent / steps
         self._cost = cost if self._cost == 0.0 else self._cost + 0.2 * (cost - self._cost)
         share = min(1.0, spent / max(self._wall, 1e-4))

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import asyncio
-import json
 import time
 from typing import TYPE_CHECKING, Any
 
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
-from ropewalk.live.commands import Ack, SceneCommand, parse
+from ropewalk.live.commands import LARGEST_ID, Ack, SceneCommand, parse
 from ropewalk.live.door import SUBPROTOCOL
 from ropewalk.live.hub import Mailbox
+from ropewalk.live.json_input import read_json
 from ropewalk.live.messages import error_message
 from ropewalk.live.parameters import refusal
 from ropewalk.scene import SceneError
@@ -108,34 +108,20 @@ async def _receive(socket: WebSocket, box: Mailbox, live: Live) -> None:
 def _command(text: str | None) -> Any:
     if text is None:
         raise refusal("message", "bytes", "must be text")
-    data = _json(text)
-    command = parse(data)
+    command = parse(read_json(text))
     if len(text) > LONGEST_MESSAGE and not isinstance(command, SceneCommand):
         raise refusal("message", f"{len(text)} characters", f"must be at most {LONGEST_MESSAGE}")
     return command
 
 
-def _json(text: str) -> Any:
-    try:
-        return json.loads(text, parse_constant=_refuse_constant)
-    except (ValueError, RecursionError):
-        raise refusal("message", text[:60], "must be JSON") from None
-
-
-def _refuse_constant(name: str) -> Any:
-    raise ValueError(name)
-
-
 def _about(text: str | None) -> tuple[int | None, str | None]:
     """Return the id and type of a faulty message, where they can be told."""
     try:
-        data = json.loads(text or "")
-    except (ValueError, RecursionError):
+        data = read_json(text or "", checked=False)
+    except SceneError:
         return None, None
     if not isinstance(data, dict):
         return None, None
     number, kind = data.get("id"), data.get("type")
-    return (
-        number if isinstance(number, int) and not isinstance(number, bool) else None,
-        kind[:40] if isinstance(kind, str) else None,
-    )
+    known = isinstance(number, int) and not isinstance(number, bool) and 0 <= number <= LARGEST_ID
+    return (number if known else None, kind[:40] if isinstance(kind, str) else None)

@@ -6,7 +6,7 @@ A change goes through the scene's own validated models, so that every fault has 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any, get_args
 
@@ -17,6 +17,8 @@ from ropewalk.scene.run_settings import Method
 
 NUMBER, WHOLE, VECTOR, CHOICE, FLAG = "number", "whole", "vector", "choice", "flag"
 ROPE, WORLD, AIR, GROUND, METHOD = "Rope", "World", "Air", "Ground", "Method"
+
+_LARGEST = 1e300  # a whole number may be larger than any floating-point one
 
 Get = Callable[[Scene, int], Any]
 Put = Callable[[Scene, int, Any], Scene]
@@ -124,7 +126,8 @@ def refusal(path: str, value: Any, rule: str) -> SceneError:
 
 
 def _is_number(value: Any) -> bool:
-    return isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
+    number = isinstance(value, (int, float)) and not isinstance(value, bool)
+    return number and abs(value) < _LARGEST
 
 
 def _made_of(scene: Scene, index: int, **changes: Any) -> Scene:
@@ -373,3 +376,13 @@ def named(name: str) -> Parameter:
 
         raise refusal(name, name, f"no such parameter; {nearest(name, list(PARAMETERS))}")
     return PARAMETERS[name]
+
+
+def initial(loaded: Scene, changes: Mapping[tuple[str, str | None], Any]) -> Scene:
+    """Return a scene as loaded, with changed constants.
+
+    Raises SceneError when they do not fit its shape at time zero.
+    """
+    for (name, rope), value in changes.items():
+        loaded = named(name).apply(loaded, value, rope)
+    return loaded

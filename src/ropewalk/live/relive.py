@@ -38,6 +38,7 @@ def _replay(session: Session, event: dict[str, Any]) -> None:
         return
     steps = int(event["step"]) - session.count
     if steps > 0:
+        session.broken = None  # it went on, so the break was over
         session.advance(steps)
     if kind == "broken":
         session.broken = Break(int(event["variant"]), 1)

@@ -70,14 +70,22 @@ def _is_stable(simulation: Simulation, known: dict[int, bool]) -> bool:
     return known[key]
 
 
-def as_messages(session: Session) -> list[dict[str, Any]]:
-    """Return the remedies that a page offers."""
-    if session.broken is None:
-        return []
-    track = session.tracks[session.broken.variant]
-    step, method = suggested_step(track.simulation), implicit_method(track.simulation)
-    return [
-        {"id": "back", "label": "Back to before", "value": None},
-        {"id": "step", "label": f"Use a step of {1e3 * step:g} ms", "value": step},
-        {"id": "implicit", "label": f"Use {method}", "value": method},
-    ]
+def as_messages(simulation: Simulation | None, changed: bool) -> list[dict[str, Any]]:
+    """Return the remedies that a page offers for the simulation that broke; None: not looked at yet.
+
+    When constants were `changed` since the break, one is to go on with them.
+    """
+    found: list[dict[str, Any]] = [{"id": "back", "label": "Back to before", "value": None}]
+    if simulation is None:
+        found += [{"id": one, "label": "", "value": None} for one in ("step", "implicit")]
+    else:
+        step, method = suggested_step(simulation), implicit_method(simulation)
+        found += [
+            {"id": "step", "label": f"Use a step of {1e3 * step:g} ms", "value": step},
+            {"id": "implicit", "label": f"Use {method}", "value": method},
+        ]
+    if changed:
+        on = {"id": "on", "label": "Go on with these values", "value": None}
+        stable = simulation is not None and simulation.plan.dt <= largest_step(simulation)
+        found.insert(0 if stable else len(found), on)
+    return found

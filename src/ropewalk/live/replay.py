@@ -4,19 +4,22 @@ from __future__ import annotations
 
 import queue
 import time
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from ropewalk.core.arrays import Floats
+from ropewalk.live.audience import Audience, Nobody
 from ropewalk.live.commands import Command, Seek, Speed, Step
 from ropewalk.live.describe import anchor_list, load_list, rope_list, view_box
 from ropewalk.live.frame import END, HEADER, PLAYING, SCALARS, Clockwork, Picture, Shape, encode
+from ropewalk.live.inbox import Reply
 from ropewalk.live.keep import parts
 from ropewalk.live.messages import error_message
 from ropewalk.live.parameters import refusal
-from ropewalk.live.stage import STATUS_SECONDS, Audience, Nobody, Reply
+from ropewalk.live.stage import STATUS_SECONDS
 from ropewalk.live.track import losses_and_gifts
 from ropewalk.record.result import Result
 from ropewalk.scene import Scene, SceneError
@@ -217,12 +220,13 @@ class ReplayStage:
         head = Clockwork(part + 1, number, flags, when, index, realtime, self.speed, 0.0)
         return encode(head, [picture])
 
-    def frames_between(self, first: int, count: int, every: int) -> bytes:
-        """Return frames one after another, for a page that wants many at once."""
+    def frames_between(self, first: int, count: int, every: int) -> Iterator[bytes]:
+        """Yield frames one after another, for a page that wants many at once."""
         last = min(first + count * every, len(self.times))
         reader = ReplayStage.__new__(ReplayStage)  # a reader of its own: this is another thread
         reader.__dict__ = {**self.__dict__, "parts": [Recorded(one.result) for one in self.parts]}
-        return b"".join(reader._frame(index, index) for index in range(first, last, every))
+        for index in range(first, last, every):
+            yield reader._frame(index, index)
 
     def status(self) -> dict[str, Any]:
         """Return the `status` message."""

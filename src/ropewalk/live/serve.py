@@ -9,6 +9,7 @@ import threading
 from collections.abc import Callable
 from concurrent.futures import Future
 from contextlib import suppress
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -91,6 +92,7 @@ class ViewServer:
         self.player = Player(stage) if play else None
         exports = Exports(self._scene_now(), self._run_folder(folder), title)
         wake = self.player.wake if self.player is not None else _nothing
+        stage.wake = wake
         where = keeper.folder if keeper is not None else folder
         self.live = Live(stage, self.hub, exports, wake=wake, folder=where, title=title)
         self.door.open(make_app(self.live))
@@ -110,18 +112,18 @@ class ViewServer:
             return None if scene is None else (lambda: scene)
 
         def ask() -> Scene:
-            found: Future[Scene] = Future()
+            from ropewalk.live.frozen import Frozen
+
+            found: Future[Frozen] = Future()
 
             def answer(stage: Any) -> None:
-                from ropewalk.live.frozen import scene_now
-
                 try:
-                    found.set_result(scene_now(stage.session))
+                    found.set_result(Frozen.of(stage.session))
                 except BaseException as error:
                     found.set_exception(error)
 
             self.live.do(answer)
-            return found.result(10.0)
+            return found.result(10.0).thaw()
 
         return ask
 
@@ -136,12 +138,15 @@ class ViewServer:
             return
         import uvicorn
 
+        from ropewalk.live.connections import Connection, Waiting
+
         app = Guard(self.door, self.token, self.host, self.port)
         config = uvicorn.Config(
             app,
             log_config=None,
             access_log=False,
             lifespan="off",
+            http=partial(Connection, waiting=Waiting()),  # type: ignore[arg-type]
             ws="websockets-sansio",
             ws_max_size=LONGEST_SCENE,
             ws_per_message_deflate=False,

@@ -14,7 +14,7 @@ from ropewalk.core.status import BROKEN, OK
 from ropewalk.live import edits
 from ropewalk.live.commands import PHYSICAL, Command
 from ropewalk.live.history import EVERY, History, Moment
-from ropewalk.live.parameters import named
+from ropewalk.live.parameters import initial, named
 from ropewalk.live.track import Saved, Track, planned
 from ropewalk.scene import Scene
 from ropewalk.simulation import Simulation
@@ -28,6 +28,7 @@ class Break:
 
     variant: int
     chunk: int  # steps in which it broke
+    revision: int = 0  # of the session, when it broke
 
 
 class Session:
@@ -44,6 +45,8 @@ class Session:
         self.broken: Break | None = None
         self.start = (scene, preset)  # what the program was started with
         self.tracks: list[Track] = []
+        self.preset, self.loaded = preset, scene
+        self.changes: dict[Key, Any] = {}
         if track is None:
             self.open(scene, preset)
         else:
@@ -59,12 +62,21 @@ class Session:
         edits.check_size(scene)
         self._take(Track(scene, "as it is"), scene, preset)
 
+    def adopt(self, other: Session) -> None:
+        """Take the scene of another session, and all that was changed in it, in place of the present one."""
+        other.main.count = self.count
+        self.tracks = [other.main]
+        self.preset, self.loaded, self.changes = other.preset, other.loaded, dict(other.changes)
+        self.broken = None
+        self.remember(clear=True)
+        self.changed()
+
     def _take(self, track: Track, scene: Scene, preset: str | None) -> None:
         track.count = self.count if self.tracks else 0
         self.tracks = [track]
         self.preset = preset
         self.loaded = planned(scene, track.simulation.plan)
-        self.changes: dict[Key, Any] = {}
+        self.changes = {}
         self.remember(clear=True)
         self.changed()
 
@@ -111,7 +123,7 @@ class Session:
             if broken is not None:
                 for track, saved in zip(self.tracks, before, strict=True):
                     track.restore(saved, undo=True)
-                self.broken = Break(broken, now)
+                self.broken = Break(broken, now, self.revision)
                 self.on_break(self.count, broken)
                 return BROKEN
             steps -= now
@@ -158,10 +170,11 @@ class Session:
 
     # -- commands -----------------------------------------------------------------------
 
-    def apply(self, command: Command, client: int = 0) -> str:
+    def apply(self, command: Command, client: int = 0, opened: Session | None = None) -> str:
         """Carry out a command that changes the simulation; return a note, or "".
 
-        All or nothing: when it is refused (SceneError), nothing has changed.
+        All or nothing: when it is refused (SceneError), nothing has changed. `opened` is what a command for
+        a scene asks for, where it is there already.
         """
         from ropewalk.live.actions import ACTIONS
 
@@ -170,7 +183,11 @@ class Session:
         count = self.count
         before = self._everything()
         try:
-            note = ACTIONS[command.type](self, command, client)
+            if opened is not None:
+                self.adopt(opened)
+                note = ""
+            else:
+                note = ACTIONS[command.type](self, command, client)
         except BaseException:
             self._put_back(before)
             raise
@@ -215,10 +232,7 @@ class Session:
 
         Raises SceneError when they do not fit its shape at time zero.
         """
-        scene = self.loaded
-        for (name, rope), value in {} if original else self.changes.items():
-            scene = named(name).apply(scene, value, rope)
-        return scene
+        return initial(self.loaded, {} if original else self.changes)
 
 
 def _resolved(name: str, value: Any, scene: Scene) -> Any:

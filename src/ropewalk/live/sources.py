@@ -10,38 +10,22 @@ import base64
 import json
 import tomllib
 import zlib
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from contextlib import suppress
 from typing import Any
 from urllib.parse import parse_qsl, urlencode
 
 from ropewalk.live.commands import LONGEST_TEXT, SceneCommand
+from ropewalk.live.json_input import read_json
 from ropewalk.live.parameters import refusal
-from ropewalk.scene import Scene, dumps, loads
+from ropewalk.scene import Scene, SceneError, dumps, loads
 from ropewalk.scene.presets import names, preset
 
 START = "start"
 LONGEST_ADDRESS = 8000
 Settings = list[tuple[str, str | None, Any]]
 Start = tuple[Scene, str | None]
-
-
-def scene_of(command: SceneCommand, start: Start) -> tuple[Scene, str | None, Settings]:
-    """Return scene, preset's name and constants to change. Raises SceneError."""
-    given = [one for one in (command.preset, command.toml, command.address) if one is not None]
-    if len(given) != 1:
-        raise refusal("scene", None, "give one of preset, toml, address")
-    if command.preset is not None:
-        return (*_named(command.preset, start), [])
-    if command.toml is not None:
-        return from_toml(command.toml), None, []
-    return from_address(str(command.address), start)
-
-
-def _named(name: str, start: Start) -> Start:
-    if name == START:
-        return start
-    return preset(name), name
+Read = Callable[[str], Scene]  # of TOML
 
 
 def from_toml(text: str) -> Scene:
@@ -51,6 +35,26 @@ def from_toml(text: str) -> Scene:
     with suppress(tomllib.TOMLDecodeError, RecursionError):  # `loads` says it better
         _refuse_files(tomllib.loads(text))
     return loads(text, "the scene")
+
+
+def scene_of(
+    command: SceneCommand, start: Start, read: Read = from_toml
+) -> tuple[Scene, str | None, Settings]:
+    """Return scene, preset's name and constants to change. Raises SceneError."""
+    given = [one for one in (command.preset, command.toml, command.address) if one is not None]
+    if len(given) != 1:
+        raise refusal("scene", None, "give one of preset, toml, address")
+    if command.preset is not None:
+        return (*_named(command.preset, start), [])
+    if command.toml is not None:
+        return read(command.toml), None, []
+    return from_address(str(command.address), start, read)
+
+
+def _named(name: str, start: Start) -> Start:
+    if name == START:
+        return start
+    return preset(name), name
 
 
 def _refuse_files(table: Any, path: str = "") -> None:
@@ -65,7 +69,9 @@ def _refuse_files(table: Any, path: str = "") -> None:
             _refuse_files(item, here)
 
 
-def from_address(text: str, start: Start) -> tuple[Scene, str | None, Settings]:
+def from_address(
+    text: str, start: Start, read: Read = from_toml
+) -> tuple[Scene, str | None, Settings]:
     """Take an address apart. Raises SceneError."""
     try:
         pairs = parse_qsl(
@@ -80,7 +86,7 @@ def from_address(text: str, start: Start) -> tuple[Scene, str | None, Settings]:
         if key == "scene":
             scene, name = _named(value, start)
         elif key == "toml":
-            scene, name = from_toml(_inflated(value)), None
+            scene, name = read(_inflated(value)), None
         else:
             rope, _, parameter = key.rpartition(".")
             settings.append((parameter, rope or None, _value(value)))
@@ -91,8 +97,8 @@ def from_address(text: str, start: Start) -> tuple[Scene, str | None, Settings]:
 
 def _value(text: str) -> Any:
     try:
-        return json.loads(text)
-    except (ValueError, RecursionError):
+        return read_json(text)
+    except SceneError:
         return text
 
 

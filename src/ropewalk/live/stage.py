@@ -6,58 +6,41 @@ in a queue.
 
 from __future__ import annotations
 
-import queue
+import math
 import sys
 import time
 import traceback
 from collections.abc import Callable
-from typing import Any, Protocol
+from concurrent.futures import Future
+from functools import partial
+from typing import Any
 
 from ropewalk.core.cache import is_compiled
-from ropewalk.live import breaks, describe
+from ropewalk.live import describe
+from ropewalk.live.aside import aside
+from ropewalk.live.audience import Audience, Nobody
 from ropewalk.live.commands import Back, Command, Remedy, SceneCommand, Set
+from ropewalk.live.explainer import Explainer
 from ropewalk.live.frame import BROKEN, GRABBED, PLAYING, SLOW, Clockwork, encode
+from ropewalk.live.inbox import Inbox, Item, Reply
 from ropewalk.live.messages import error_message
 from ropewalk.live.meter_thread import MeterThread
-from ropewalk.live.pace import Pace
+from ropewalk.live.opening import Opened, Opening
+from ropewalk.live.pace import BUDGET, Pace
 from ropewalk.live.pictures import Compared, pictures
 from ropewalk.live.session import Session
 from ropewalk.live.sources import address
+from ropewalk.live.steps import Steps, advance_within
+from ropewalk.live.toil import takes_long
 from ropewalk.methods.registry import METHODS
+from ropewalk.record.errors import RunError
 from ropewalk.scene import Fault, SceneError
 from ropewalk.scene.errors import NO_VALUE
 
-Reply = Callable[[dict[str, Any]], None]
 STATUS_SECONDS = 0.25
 LIVE = "live"
-_PLAYER = frozenset(["play", "pause", "step", "speed"])
-_COALESCED = frozenset(["set", "drag", "grab", "move"])
-
-
-class Audience(Protocol):
-    """Whoever looks on: pages behind a server."""
-
-    @property
-    def size(self) -> int:
-        """How many look on."""
-
-    def show(self, number: int, frame: bytes) -> None:
-        """Show a frame to all."""
-
-    def tell(self, message: dict[str, Any]) -> None:
-        """Send a message to all."""
-
-
-class Nobody:
-    """An audience of none."""
-
-    size = 0
-
-    def show(self, number: int, frame: bytes) -> None:
-        """Show a frame to nobody."""
-
-    def tell(self, message: dict[str, Any]) -> None:
-        """Tell nobody."""
+# What ends the steps that are still to be taken.
+_JUMPS = frozenset(["play", "pause", "reset", "back", "remedy"])
 
 
 class Stage:
@@ -69,7 +52,8 @@ class Stage:
     def __init__(self, session: Session, *, playing: bool = True) -> None:
         self.session, self.playing = session, playing
         self.audience: Audience = Nobody()
-        self.waiting: queue.SimpleQueue[tuple[Any, int, Reply]] = queue.SimpleQueue()
+        self.inbox = Inbox(self._done)
+        self.wake: Callable[[], None] = lambda: None  # has the next tick come at once
         self.pace = Pace()
         self.frame_number = self.layout_number = 0
         self.text = ""
@@ -84,6 +68,10 @@ class Stage:
         self._broken = False
         self._compared = Compared()
         self.meter = MeterThread()
+        self._explainer = Explainer(lambda: self.wake())
+        self._opening = Opening(session.start, lambda: self.wake())
+        self._steps = Steps()
+        self._lent: Future[None] | None = None  # while another thread has the session
         self.refresh()
 
     @property
@@ -95,36 +83,52 @@ class Stage:
 
     # -- commands -----------------------------------------------------------------------
 
-    def submit(self, item: Command | Callable[[Stage], None], client: int, reply: Reply) -> None:
+    def submit(self, what: Command | Callable[[Stage], None], client: int, reply: Reply) -> None:
         """Put a command, or something to be done on the stage, in the queue (from any thread)."""
-        self.waiting.put((item, client, reply))
+        self.inbox.put(Item(what, client, reply))
 
-    def handle(self) -> None:
-        """Carry out everything that waits; of many alike only the last."""
-        batch: list[tuple[Any, int, Reply]] = []
-        while True:
-            try:
-                batch.append(self.waiting.get_nowait())
-            except queue.Empty:
-                break
-        last: dict[Any, int] = {}
-        for i, (item, client, _) in enumerate(batch):
-            if isinstance(item, Command) and item.type in _COALESCED:
-                last[_subject(item, client)] = i
-        for i, (item, client, reply) in enumerate(batch):
-            if not isinstance(item, Command):
-                item(self)
-            elif item.type in _COALESCED and last[_subject(item, client)] != i:
-                self._done(item, reply)
+    def handle(self, until: float = math.inf) -> None:
+        """Carry out what waits, up to a time on the clock [s]; what takes long is done beside the stage."""
+        self.inbox.gather()
+        some = False
+        while self._lent is None:
+            ready = self._opening.take()
+            if ready is not None:
+                self._carry_out(ready.item, partial(self._show_scene, ready))
+            elif (item := self.inbox.take(self._opening.clients)) is not None:
+                self._begin(item)
             else:
-                self._carry_out(item, client, reply)
-        if batch:
+                break
+            some = True
+            if time.perf_counter() >= until:
+                self.wake()
+                break
+        if some and self._lent is None:
             self.refresh()
 
-    def _carry_out(self, command: Command, client: int, reply: Reply) -> None:
+    def _begin(self, item: Item) -> None:
+        """Carry out one item, or have it carried out."""
+        command = item.what
+        if not isinstance(command, Command):
+            command(self)
+        elif command.type not in self.can:
+            self._carry_out(item, partial(self.act, item))
+        elif isinstance(command, SceneCommand):
+            self._opening.ask(item)
+        elif command.type == "save":
+            aside(partial(self._carry_out, item, partial(self._save, item)), "save", self.wake)
+        elif takes_long(command, self.session):
+            self._warn_of_compiling(command)
+            what = partial(self._carry_out, item, partial(self.act, item, compiles=True))
+            self._lent = aside(what, "lent", self.wake)
+        else:
+            self._carry_out(item, partial(self.act, item))
+
+    def _carry_out(self, item: Item, what: Callable[[], bool]) -> None:
+        command, reply = item.what, item.reply
         try:
-            self.act(command, client, reply)
-        except SceneError as error:
+            finished = what()
+        except (SceneError, RunError) as error:
             reply(error_message(command.type, command.id, error))
             return
         except Exception as error:  # a fault of ours must not end the run; nothing has changed
@@ -134,39 +138,63 @@ class Stage:
             reply(error_message(command.type, command.id, fault))
             return
         self._dirty = True
-        self._done(command, reply)
+        if finished:
+            self._done(command, reply)
 
     def _done(self, command: Command, reply: Reply) -> None:
         if command.id is not None:
             made = {"id": command.id, "command": command.type, "step": self.count}
             reply({"type": "done", **made, "frame": self.frame_number + 1})
 
-    def act(self, command: Command, client: int, reply: Reply) -> None:
-        """Carry out one command. Raises SceneError."""
-        kind = command.type
+    def act(self, item: Item, *, compiles: bool = False) -> bool:
+        """Carry out one command; return whether it is done with that. Raises SceneError."""
+        command, kind = item.what, item.what.type
         if kind not in self.can:
             rule = "cannot be done here; there is " + ", ".join(self.can)
             raise SceneError([Fault("type", kind, rule)])
-        if kind == "save":
-            folder = self.on_save() if self.on_save is not None else None
-            reply({"type": "saved", "folder": folder, "replays": folder is not None})
-            return
+        if kind == "step":
+            if self.playing or self.session.broken is not None:
+                return True
+            self._steps.ask(item)
+            return False
+        if kind in _JUMPS:
+            self._end_steps()
         if kind == "play":
             self.playing = self.session.broken is None
         elif kind == "pause":
             self.playing = False
-        elif kind == "step":
-            if not self.playing:
-                self.session.advance(command.count)  # type: ignore[attr-defined]
         else:
-            self._warn_of_compiling(command)
-            note = self.session.apply(command, client)
-            if note:
-                self.audience.tell({"type": "note", "text": note})
-            if isinstance(command, SceneCommand | Remedy | Back):
-                back = isinstance(command, Back) or getattr(command, "remedy", "") == "back"
+            self._note(self.session.apply(command, item.client))
+            if isinstance(command, Remedy | Back):
+                back = isinstance(command, Back) or command.remedy == "back"
                 self.playing = not back
+            if compiles:
+                for track in self.session.tracks:
+                    track.simulation.advance_frames(0)
         self.pace.restart()
+        return True
+
+    def _show_scene(self, ready: Opened) -> bool:
+        """Put a scene that was opened on the stage."""
+        self._end_steps()
+        made = ready.session.result()
+        self._note(self.session.apply(ready.item.what, ready.item.client, made))
+        self.playing = True
+        self.pace.restart()
+        return True
+
+    def _save(self, item: Item) -> bool:
+        folder = self.on_save() if self.on_save is not None else None
+        item.reply({"type": "saved", "folder": folder, "replays": folder is not None})
+        return True
+
+    def _note(self, text: str) -> None:
+        if text:
+            self.audience.tell({"type": "note", "text": text})
+
+    def _end_steps(self) -> None:
+        for item in self._steps.end():
+            self._done(item.what, item.reply)
 
     def _warn_of_compiling(self, command: Command) -> None:
         """Say that a method will be compiled first, when it will."""
@@ -189,8 +217,8 @@ class Stage:
         tell(self.status())
         if self.meter.latest is not None:
             tell(self.meter.latest)
-        if "broken" in self._sent and self.session.broken is not None:
-            tell(self._sent["broken"])
+        if self._explainer.message is not None:
+            tell(self._explainer.message)
         self._dirty = True
 
     @property
@@ -213,13 +241,29 @@ class Stage:
     # -- time ---------------------------------------------------------------------------
 
     def tick(self) -> None:
-        """Carry out what waits, go on by the time that has passed, show a frame."""
-        self.handle()
+        """Carry out what waits, go on by the time that has passed, show a frame.
+
+        Only what is short is done here: nothing is but a single step of a very large scene.
+        """
+        if self._lent is not None:
+            if not self._lent.done():
+                self.inbox.gather()
+                return
+            self._lent = None
+            self.refresh()
+        self.handle(time.perf_counter() + BUDGET)
+        if self._lent is None:
+            self._go_on()
+
+    def _go_on(self) -> None:
         if self.playing and self.session.broken is None:
             self._play()
-        if self.session.broken is not None and not self._broken:
-            self._show_break()
-        self._broken = self.session.broken is not None
+        elif self._steps:
+            for item in self._steps.take(self.session, BUDGET):
+                self._done(item.what, item.reply)
+            self._dirty = True
+            self.wake()
+        self._look_at_break()
         found = self.meter.take()
         if found is not None:
             self.audience.tell(found)
@@ -231,17 +275,20 @@ class Stage:
         main = self.session.main
         steps = self.pace.steps(main.dt, self.session.speed)
         if steps > 0:
-            with self.pace.measured(steps):
-                self.session.advance(steps)
+            self.pace.begin()
+            self.pace.end(advance_within(self.session, steps, BUDGET), steps)
             self._dirty = True
         self.pace.note(self.session.time)
 
-    def _show_break(self) -> None:
-        self.playing = False
-        self._sent["broken"] = breaks.explain(self.session)
-        self.audience.tell(self._sent["broken"])
-        self._tell_status(time.perf_counter())
-        self._dirty = True
+    def _look_at_break(self) -> None:
+        broken = self.session.broken is not None
+        if broken and not self._broken:
+            self.playing, self._dirty = False, True
+            self._tell_status(time.perf_counter())
+        self._broken = broken
+        found = self._explainer.look(self.session)
+        if found is not None:
+            self.audience.tell(found)
 
     # -- telling ------------------------------------------------------------------------
 
@@ -334,12 +381,6 @@ class Stage:
             self.pace.load,
         )
         return encode(head, pictures(session.tracks, self._compared))
-
-
-def _subject(command: Command, client: int) -> tuple[Any, ...]:
-    """What a command is about: of several in one batch only the last counts."""
-    about = command.model_dump(exclude={"id", "value", "target", "velocity"})
-    return (client, *sorted((key, str(value)) for key, value in about.items()))
 
 
 def _shape(layout: dict[str, Any]) -> Any:

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import sys
-import webbrowser
 from html import escape
 from pathlib import Path
 from types import TracebackType
 from typing import Any
 
+from ropewalk.live.browser import open_browser as show_in_browser
 from ropewalk.live.launch import check_installed
 from ropewalk.record.result import Result
 from ropewalk.scene import Scene
@@ -28,7 +28,7 @@ class View:
         server.start()
         self._open = True
         if open_browser and not in_notebook():
-            webbrowser.open(server.address)
+            show_in_browser(server.address)
 
     @property
     def address(self) -> str:

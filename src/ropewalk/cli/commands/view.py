@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import signal
-import webbrowser
 from collections.abc import Callable
 from contextlib import ExitStack, suppress
 from pathlib import Path
-from threading import Thread
 from types import FrameType
 from typing import TYPE_CHECKING, Any
 
@@ -189,8 +187,10 @@ def _announce(server: Any, no_browser: bool, port: int | None) -> None:
         )
     say(server.address)
     tell("Ctrl-C ends")
-    if not no_browser:  # in a thread: one in the terminal comes back when it is closed
-        Thread(target=webbrowser.open, args=[server.address], daemon=True).start()
+    if not no_browser:
+        from ropewalk.live.browser import open_browser
+
+        open_browser(server.address)
 
 
 def _as_interrupt(number: int, frame: FrameType | None) -> None:

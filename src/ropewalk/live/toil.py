@@ -1,0 +1,26 @@
+"""Which commands may take longer than a tick: those that build large simulations anew, or compile."""
+
+from __future__ import annotations
+
+from ropewalk.live.commands import Command, Compare, Remedy, Set
+from ropewalk.live.session import Session
+
+MANY = 500  # nodes; to build so many anew takes some milliseconds
+_BUILDING = frozenset(["reset", "set", "pin", "unpin", "cut", "load", "compare", "back", "remedy"])
+
+
+def takes_long(command: Command, session: Session) -> bool:
+    """Tell whether a command may take longer than a tick."""
+    if command.type not in _BUILDING:
+        return False
+    nodes = sum(track.simulation.layout.nodes for track in session.tracks)
+    return nodes > MANY or _compiles(command) or session.loaded.run.start == "at-rest"
+
+
+def _compiles(command: Command) -> bool:
+    """Whether another method may come into play: its machine code is read from disk, or made."""
+    if isinstance(command, Set):
+        return command.name == "method"
+    if isinstance(command, Remedy):
+        return command.remedy == "implicit"
+    return isinstance(command, Compare) and any("method" in one.changes for one in command.variants)
