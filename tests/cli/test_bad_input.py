@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -90,6 +92,7 @@ def test_all_faults_at_once(ropewalk: Any, scene: Path) -> None:
         (b"duration = 1..2", "line 1, column 13: TOML"),
         (b"a = 1\na = 2", "line 2, column 6: TOML"),
         (b"[" * 5000, "TOML"),
+        (b"a = 1\nb = " + b"9" * 5000, "line 2: has a number of more digits than can be read"),
     ],
 )
 def test_files_that_are_no_scenes(ropewalk: Any, scene: Path, content: bytes, said: str) -> None:
@@ -214,3 +217,19 @@ def test_a_csv_with_more_cells_than_columns(ropewalk: Any, scene: Path) -> None:
     refused(ropewalk("check", scene), '"path.csv" - line 3: has 5 cells, the first line has 4')
     path.write_text("time,x,y,z\n0,0,0,0\n1,1,0,0.5\n")
     assert ropewalk("check", scene).exit_code == 0
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="needs a shell")
+@pytest.mark.parametrize("command", ["presets", "check r4", "run r4", "--help"])
+def test_a_closed_stdout(tmp_path: Path, command: str) -> None:
+    done = subprocess.run(
+        f"'{sys.executable}' -m ropewalk {command} >&-",
+        shell=True,
+        cwd=tmp_path,
+        stderr=subprocess.PIPE,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 2
+    assert done.stderr.startswith("error: standard output is closed")
+    assert list(tmp_path.iterdir()) == []

@@ -204,3 +204,25 @@ def test_replace_says_what_is_wrong_with_a_path(path: str, words: str) -> None:
     with pytest.raises(SceneError) as caught:
         ONE.replace(**{path: -1.0})
     assert words in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("changes", "path"),
+    [
+        (("rope=3", "rope.segments=5"), "rope"),
+        (("rope=[3]", "rope.segments=5"), "rope"),
+        (("rope=[]", "rope.segments=5"), "rope"),
+        (("run=3", "run.duration=5"), "run"),
+        (("anchor=x", "anchor.left.node=0"), "anchor"),
+        (("rope[0].made_of=3", "rope[0].made_of.node_mass=5"), "rope[0].made_of"),
+    ],
+)
+def test_a_part_that_was_set_to_something_else_before(changes: tuple[str, ...], path: str) -> None:
+    with pytest.raises(SceneError) as raised:
+        apply_overrides(ONE, changes)
+    assert raised.value.faults[0].path == path
+
+
+def test_a_number_of_too_many_digits() -> None:
+    with pytest.raises(SceneError, match="must be a whole number"):
+        apply_overrides(ONE, ["rope.segments=" + "9" * 5000])

@@ -263,3 +263,17 @@ def test_the_implicit_method_that_is_recommended_to_a_limiter_can_work_with_it()
     build(scene.replace(run=scene.run.replace(method="bdf2")))
     with pytest.raises(SceneError, match="stretch limiter"):  # the twin
         build(scene.replace(run=scene.run.replace(method="sdirk2")))
+
+
+@pytest.mark.parametrize("weak", [5e-324, 1e-308, 1e-200])
+def test_rods_of_next_to_no_stiffness(weak: float) -> None:
+    """The factor on them up to the bound is no number: the largest EI must be told without one."""
+    settings = RunSettings(duration=1.0, time_step=1e-3)
+
+    def largest(EI: float) -> float | None:
+        made_of = Material(EA=1e3, EI=EI, mass_per_length=0.1)
+        rope = Rope(segments=10, length=5.0, made_of=made_of)
+        scene = Scene(ropes=rope, anchors=[Anchor(node=0)], run=settings)
+        return stability(build(scene)).largest_bending_stiffness
+
+    assert largest(weak) == pytest.approx(largest(1e-6), rel=1e-3)

@@ -36,6 +36,7 @@ _HARMLESS = 10.0
 _RESOLVED = 2.0  # [1] frequency times step up to which a mode is followed, if roughly
 # A swinging rope carries up to about three times its weight at rest.
 _SWING = 3.0
+_WEAK = 1e-100  # [N/m] or [N m]: far below all that is a spring
 
 
 @dataclass(frozen=True)
@@ -189,7 +190,7 @@ def stability(source: Scene | Model, statics: Statics | None = None) -> Stabilit
     if dt <= own[case]:
         growth = growth_per_step(method, cases[case], dt, share)
     friction = 4.0 if method == "verlet" else 2.0
-    factor = min(largest_stiffness_factor(method, chain, dt) for chain in cases.values())
+    factor, unit = largest_factor(method, list(cases.values()), dt)
     shape = worst_mode(cases[case], min(dt, own[case]) or dt)
     rope, node = model.layout.rope_of(int(np.argmax(np.abs(shape))))
     constant, material = _uniform(model.scene)
@@ -204,9 +205,9 @@ def stability(source: Scene | Model, statics: Statics | None = None) -> Stabilit
         highest_frequency=max(highest_frequency(chain) for chain in cases.values()),
         growth_per_step=growth,
         meter=max(meter(chain, dt, friction) for chain in cases.values()),
-        largest_spring_factor=factor,
-        largest_spring_constant=None if constant is None else factor * constant,
-        largest_axial_stiffness=None if material is None else factor * material,
+        largest_spring_factor=factor * unit,
+        largest_spring_constant=None if constant is None else factor * (unit * constant),
+        largest_axial_stiffness=None if material is None else factor * (unit * material),
         largest_bending_stiffness=_largest_bending(model.scene, cases, method, dt),
         case=case,
         cases=own,
@@ -279,11 +280,25 @@ def _largest_bending(scene: Scene, cases: dict[str, Chain], method: str, dt: flo
     shared = {rope.bending_stiffness for rope in scene.ropes}
     if len(shared) != 1 or 0.0 in shared:
         return None
-    swapped = (  # the factor is on what stands in the springs' place
+    swapped = [  # the factor is on what stands in the springs' place
         chain._replace(stiffness=np.asarray(chain.bending), bending=chain.stiffness)
         for chain in cases.values()
-    )
-    return shared.pop() * min(largest_stiffness_factor(method, chain, dt) for chain in swapped)
+    ]
+    factor, unit = largest_factor(method, swapped, dt)
+    return factor * (unit * shared.pop())
+
+
+def largest_factor(method: str, chains: list[Chain], dt: float) -> tuple[float, float]:
+    """Return the largest factor on all springs stable at dt [1], as a number and its unit.
+
+    The unit is 1 but for springs so weak or so stiff that the factor itself may be no number.
+    """
+    top = max(float(np.max(chain.stiffness, initial=0.0)) for chain in chains)
+    unit = 1.0
+    if math.isfinite(top) and top > 0.0 and not _WEAK < top < 1.0 / _WEAK:
+        unit = 2.0 ** min(-math.frexp(top)[1], 1023)
+    scaled = (chain._replace(stiffness=chain.stiffness * unit) for chain in chains)
+    return min(largest_stiffness_factor(method, chain, dt) for chain in scaled), unit
 
 
 def _notes(

@@ -88,6 +88,7 @@ class RopewalkGroup(click.Group):
             with warnings.catch_warnings(), errors.interrupts() as interrupts:
                 warnings.simplefilter("ignore", RuntimeWarning)  # numpy's, of broken runs
                 warnings.showwarning = errors.show_warning
+                errors.refuse_closed_stdout()
                 status = super().main(args, name, complete_var, standalone_mode=False, **extra)
             sys.stdout.flush()
         except Exception as error:  # the one place where errors become messages

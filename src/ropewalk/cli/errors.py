@@ -85,6 +85,12 @@ def close_name(name: str, known: Iterable[str], cutoff: float = 0.5) -> str:
     return next(iter(difflib.get_close_matches(name.lower(), known, n=1, cutoff=cutoff)), "")
 
 
+def refuse_closed_stdout() -> None:
+    """Raise Refusal where there is no stdout: its number would be the next file's that is opened."""
+    if sys.stdout is None:  # as Python has it after `>&-`
+        raise Refusal("standard output is closed; send it somewhere, such as > /dev/null")
+
+
 def report(error: Exception, settings: Settings) -> int:
     """Print the message of an error on stderr; return the exit status."""
     status, text = explain(error)

@@ -8,6 +8,7 @@ from typing import Any
 from ropewalk.analysis.json_values import plain
 from ropewalk.analysis.stability import (
     Stability,
+    largest_factor,
     milliseconds,
     rounded_down,
     stability,
@@ -15,7 +16,7 @@ from ropewalk.analysis.stability import (
 from ropewalk.build import Model
 from ropewalk.build.chains import chains, speed_scale
 from ropewalk.build.links import has_links
-from ropewalk.methods.bound import largest_step, largest_stiffness_factor, meter
+from ropewalk.methods.bound import largest_step, meter
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import Springs
 from ropewalk.unsolved import RINGING
@@ -38,7 +39,8 @@ def measure(model: Model) -> dict[str, Any]:
     case = min(own, key=lambda name: own[name])
     bound = own[case]
     steps = {name: min(largest_step(name, chain) for chain in cases.values()) for name in METHODS}
-    factor = min(largest_stiffness_factor(method, chain, dt) for chain in cases.values())
+    scaled, unit = largest_factor(method, list(cases.values()), dt)
+    factor = scaled * unit
     constant, material = _constants(model)
     stable = dt <= bound
     ratio = dt / bound if bound > 0.0 else math.inf
@@ -58,8 +60,8 @@ def measure(model: Model) -> dict[str, Any]:
         "meter_limit": None if value is None else 4.0,
         "meter_name": words,
         "spring_factor": factor,
-        "largest_spring_constant": None if constant is None else factor * constant,
-        "largest_axial_stiffness": None if material is None else factor * material,
+        "largest_spring_constant": None if constant is None else scaled * (unit * constant),
+        "largest_axial_stiffness": None if material is None else scaled * (unit * material),
         "case": case,
         "steps": steps,
         "verdict": _verdict(method, dt, bound, stable),

@@ -155,7 +155,10 @@ def _unreadable(path: Path, reason: str) -> SceneFileError:
 def _scene(text: str, source: str | None, folder: Path) -> Scene:
     try:
         table = tomllib.loads(text)
-    except (tomllib.TOMLDecodeError, RecursionError) as error:
+    except (
+        ValueError,
+        RecursionError,
+    ) as error:  # ValueError: also of numbers with too many digits
         raise SceneFileError([_syntax(text, error)], source) from None
     if not table:
         raise SceneFileError([Fault("", NO_VALUE, "is empty: a scene needs a [[rope]]")], source)
@@ -185,6 +188,10 @@ def _syntax(text: str, error: Exception) -> Fault:
     if found:
         place = f"line {found[1]}, column {found[2]}"
         return Fault(place, NO_VALUE, f"TOML: {_in_words(message[: found.start()])}")
+    if not isinstance(error, (tomllib.TOMLDecodeError, RecursionError)):
+        long = re.search(r"\d[\d_]{4000,}", text)
+        line = text.count("\n", 0, long.start()) + 1 if long else 1
+        return Fault(f"line {line}", NO_VALUE, "has a number of more digits than can be read")
     lines = text.splitlines() or [""]
     place = f"line {len(lines)}, column {len(lines[-1]) + 1}"
     return Fault(

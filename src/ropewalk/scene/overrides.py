@@ -107,10 +107,13 @@ def _value(text: str) -> Any:
     """The value that a text stands for: TOML where it is, else the text itself."""
     try:
         table = tomllib.loads(f"value = {text}")
-    except (tomllib.TOMLDecodeError, RecursionError):
+    except (ValueError, RecursionError):  # ValueError: also of numbers with too many digits
         return text
     return table["value"] if len(table) == 1 else text
 
+
+# What an earlier path of the same call has put there.
+_WHOLE = "was set to a value without keys before; leave that out, or set it whole"
 
 _Target = tuple[dict[str, Any], str, ModelType]
 
@@ -167,6 +170,8 @@ def _descend(
             if isinstance(rest[0], int):
                 raise _fault(f"{here}[{rest[0]}]", f"there is only one; write {here}")
             inner = owner.setdefault(key, {})
+            if not isinstance(inner, dict):
+                raise _fault(here, _WHOLE)
             below.append((inner, _model(kind.models, inner, here), here))
             continue
         chosen, left = _choose(owner.get(key, []), kind.models[0], here, rest)
@@ -187,6 +192,8 @@ def _choose(
     items: list[dict[str, Any]], model: ModelType, path: str, rest: list[str | int]
 ) -> tuple[list[tuple[dict[str, Any], str]], list[str | int]]:
     """The items of a list that the next step of a path means: one by index or name, else all."""
+    if not isinstance(items, list) or not all(isinstance(item, dict) for item in items):
+        raise _fault(path, _WHOLE)
     spots = [(item, f"{path}[{i}]") for i, item in enumerate(items)]
     if not items:
         raise _fault(path, "the scene has none")
