@@ -1,4 +1,4 @@
-"""Anchors as live objects: read where they are, move them by hand."""
+"""Anchors as live objects: read where they are, move and turn them by hand."""
 
 from __future__ import annotations
 
@@ -8,9 +8,21 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ropewalk.core.arrays import Floats
+from ropewalk.drive import shortest_turn
 
 if TYPE_CHECKING:
     from ropewalk.simulation import Simulation
+
+
+def three(name: str, value: ArrayLike, unit: str) -> Floats:
+    """Return three finite numbers as an array. Raises ValueError for anything else."""
+    try:
+        vector = np.array(value, dtype=np.float64)
+    except (TypeError, ValueError):
+        vector = np.zeros(0)
+    if vector.shape != (3,) or not np.isfinite(vector).all():
+        raise ValueError(f"{name}: {value!r} - must be three finite numbers [{unit}]")
+    return vector
 
 
 class AnchorHandle:
@@ -38,13 +50,70 @@ class AnchorHandle:
 
     @velocity.setter
     def velocity(self, value: ArrayLike) -> None:
-        vector = np.asarray(value, dtype=np.float64)
-        if vector.shape != (3,) or not np.isfinite(vector).all():
-            raise ValueError(f"velocity: {value!r} - must be three finite numbers [m/s]")
-        if not self.holds:
-            raise ValueError("velocity: the anchor has let go of its node and moves nothing")
+        vector = three("velocity", value, "m/s")
+        self._check_holds("velocity")
+        self._simulation.forget_position(self._row)
         self._simulation.take_in_hand(self._row)
         self._simulation.arrays.anchor_v[self._row] = vector
+
+    def move_to(self, position: ArrayLike) -> None:
+        """Let the anchor be at a `position` [m], (3,), at the end of the next step, exactly.
+
+        Its velocity follows, constant over that step (`Simulation.step` of any duration, or the next
+        block of `frames`). There it rests, until it is told again. A ground that stops it may keep it
+        from getting there.
+
+        Raises ValueError for anything but three finite numbers, and when the anchor has let go.
+        """
+        vector = three("position", position, "m")
+        self._check_holds("move_to")
+        self._simulation.set_goal(self._row, position=vector)
+
+    @property
+    def direction(self) -> Floats:
+        """Direction in which the anchor's clamp holds the rope, unit vector [1], (3,), a copy.
+
+        From the rope's start towards its end.
+
+        Raises ValueError for an anchor without a clamp.
+        """
+        self._check_clamped("direction")
+        return np.array(self._simulation.arrays.clamp_direction[self._row])
+
+    def turn_to(self, direction: ArrayLike) -> None:
+        """Let the clamp point in a `direction` [1], (3,), at the end of the next step, exactly.
+
+        The direction may have any length. The clamp turns there by the shortest way, at a constant
+        rate, and rests.
+
+        Raises ValueError for anything but three finite numbers that are not all zero, for the direction
+        opposite to the present one, for an anchor without a clamp, and when it has let go.
+        """
+        vector = three("direction", direction, "1")
+        self._check_clamped("turn_to")
+        size = float(np.linalg.norm(vector))
+        if size == 0.0:
+            raise ValueError(f"direction: {direction!r} - must not be zero")
+        shortest_turn(self.direction, vector / size)
+        self._simulation.set_goal(self._row, direction=vector / size)
+
+    @property
+    def angular_velocity(self) -> Floats:
+        """Angular velocity of the anchor's clamp [rad/s], (3,), a copy.
+
+        Set it to turn the clamp from now on.
+
+        Raises ValueError for anything but three finite numbers, for an anchor without a clamp, and when it
+        has let go.
+        """
+        self._check_clamped("angular_velocity")
+        return self._simulation.clamp_spin(self._row)
+
+    @angular_velocity.setter
+    def angular_velocity(self, value: ArrayLike) -> None:
+        vector = three("angular_velocity", value, "rad/s")
+        self._check_clamped("angular_velocity")
+        self._simulation.turn_clamp(self._row, vector)
 
     @property
     def reaction(self) -> Floats:
@@ -52,9 +121,27 @@ class AnchorHandle:
         return np.array(self._simulation.arrays.reaction[self._row])
 
     @property
+    def moment(self) -> Floats:
+        """Moment of the anchor's clamp on the rope [N m], (3,), a copy; 0 without a clamp."""
+        parts = self._simulation.arrays.moment  # elastic, then friction's
+        row = self._row
+        return parts[row, :3] + parts[row, 3:] if len(parts) else np.zeros(3)
+
+    @property
     def holds(self) -> bool:
         """Whether the anchor still holds its node."""
         return bool(self._simulation.arrays.held[self._row])
+
+    def _check_holds(self, name: str) -> None:
+        if not self.holds:
+            raise ValueError(f"{name}: the anchor has let go of its node and moves nothing")
+
+    def _check_clamped(self, name: str) -> None:
+        bending = self._simulation.system.bending
+        if not (len(bending.clamped) and bending.clamped[self._row]):
+            rule = "this anchor holds no direction; give it a clamp: Anchor(clamp=Clamp(direction=...))"
+            raise ValueError(f"{name}: {rule}")
+        self._check_holds(name)
 
     @property
     def _node(self) -> int:

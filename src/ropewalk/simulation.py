@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from ropewalk import unsolved
 from ropewalk.block import Block
@@ -18,6 +17,7 @@ from ropewalk.build.plan import divide
 from ropewalk.core import arrays
 from ropewalk.core.arrays import APPLIED, Floats, Ints, State
 from ropewalk.core.status import BROKEN, OK, UNSOLVED
+from ropewalk.drive import Driven, Goal
 from ropewalk.drum import WinchHandle
 from ropewalk.hand import AnchorHandle
 from ropewalk.laws.clamps import start_clamps
@@ -65,9 +65,10 @@ class Snapshot(NamedTuple):
     motion_kinds: Ints  # (a,) which anchors have been taken in hand
     winch_drive: Floats  # (3, w) speed [m/s], start and stop [s] of the winches
     walk: Walk  # of the adaptive method
+    clamp_turns: Floats  # (3, a, 3) direction, axis and turn of the clamps, see `arrays.Bending`
 
 
-class Simulation:
+class Simulation(Driven):
     """A scene in motion.
 
     Either the caller owns the loop (`step`), or frames are taken as the scene plans them (`frames`).
@@ -86,7 +87,14 @@ class Simulation:
         winches = system.winches
         self._drive = np.stack((winches.speed, winches.start, winches.stop))
         speed, start, stop = self._drive
+        clamps = (system.bending.direction, system.bending.axis, system.bending.turn)
+        self._turns = np.stack(clamps)
+        directions, axes, turns = self._turns
+        self._goals: dict[int, Goal] = {}
+        self._due = 0.0
+        self._first = None
         self.system = system._replace(
+            bending=system.bending._replace(direction=directions, axis=axes, turn=turns),
             flags=system.flags.copy(),
             anchors=system.anchors._replace(kind=self._kinds),
             winches=winches._replace(speed=speed, start=start, stop=stop),
@@ -189,7 +197,9 @@ class Simulation:
     @property
     def state(self) -> Snapshot:
         """A copy of everything that evolves; `restore` goes back to it, to the same bits."""
-        taken = self._kinds.copy(), self._drive.copy(), arrays.copy(self._walk)
+        taken = (
+            self._kinds.copy(), self._drive.copy(), arrays.copy(self._walk), self._turns.copy()
+        )  # fmt: skip
         return Snapshot(arrays.copy(self._state), self._start, self._dt, self._step, *taken)
 
     @property
@@ -198,10 +208,12 @@ class Simulation:
         return adaptive.counts(self._walk)
 
     def restore(self, snapshot: Snapshot) -> None:
-        """Go back (or forth) to a snapshot of this simulation."""
+        """Go back (or forth) to a snapshot of this simulation; places still to go to are forgotten."""
+        self._goals.clear()
         arrays.assign(self._state, snapshot.state)
         self._start, self._dt, self._step = snapshot.start, snapshot.dt, snapshot.step
         self._kinds[:], self._drive[:] = snapshot.motion_kinds, snapshot.winch_drive
+        self._turns[:] = snapshot.clamp_turns
         arrays.assign(self._walk, snapshot.walk)
         self.system.flags[APPLIED] = int(self._state.forces.applied.any())
 
@@ -230,9 +242,11 @@ class Simulation:
         if dt != self._dt:
             self._start, self._dt, self._step = self.time, dt, 0
         self.failure = ""
+        self._set_off(count * dt)
         status, _ = self._advance(count, 1, make_recording(self._state, 0, False))
         if status != OK:
             raise Broken(self.failure or f"the simulation broke before t = {self.time:g} s")
+        self._arrive()
 
     def advance_steps(self, steps: int) -> int:
         """Advance by so many steps of the present length; return OK, or why not: the state is broken.
@@ -240,7 +254,10 @@ class Simulation:
         `failure` then says where an implicit method found no solution; the state is that before.
         """
         self.failure = ""
-        return self._advance(steps, 1, make_recording(self._state, 0, False))[0]
+        self._set_off(steps * self._dt)
+        status = self._advance(steps, 1, make_recording(self._state, 0, False))[0]
+        self._arrive()
+        return status
 
     def advance_frames(
         self, frames: int, *, keep_going: bool = False, out: Recording | None = None
@@ -252,6 +269,7 @@ class Simulation:
         """
         if self._dt != self.plan.dt:  # after a step of another length
             self._start, self._dt, self._step = self.time, self.plan.dt, 0
+        self._set_off(frames * self.plan.frame_interval)
         before, self.failure = self.state if not keep_going else None, ""
         out = out or make_recording(self._state, frames, self._winches)
         start, first = self._start, self._step
@@ -263,6 +281,7 @@ class Simulation:
         times = np.asarray(start + steps * self._dt, dtype=np.float64)
         block = Block(times, out, status)
         if status == OK or (before is None and status == BROKEN):
+            self._arrive()
             return block
         if before is None:
             return block.head(good)
@@ -324,24 +343,6 @@ class Simulation:
         return status, good
 
     # -- hands --------------------------------------------------------------------------
-
-    def apply_force(self, node: int, force: ArrayLike, rope: str | None = None) -> None:
-        """Apply a force [N], (3,), to a node from now on, in place of the one applied before.
-
-        Raises KeyError and IndexError for the rope and the node, ValueError for the force.
-        """
-        vector = np.asarray(force, dtype=np.float64)
-        if vector.shape != (3,) or not np.isfinite(vector).all():
-            raise ValueError(f"force: {force!r} - must be three finite numbers [N]")
-        self.push({self.layout.node(node, rope): vector})
-
-    def push(self, forces: Mapping[int, Floats]) -> None:
-        """Apply forces [N], each (3,), to nodes by their index in the arrays, as `apply_force` does."""
-        applied = self._state.forces.applied
-        for index, vector in forces.items():
-            applied[:, index] = vector
-        self.system.flags[APPLIED] = int(applied.any())
-        self._prepare()
 
     def take_in_hand(self, row: int) -> None:
         """Let the anchor in a `row` be moved by its velocity from now on, whatever its motion was."""

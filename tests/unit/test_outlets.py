@@ -127,3 +127,26 @@ def test_a_name_does_not_get_out_of_the_frame() -> None:
     scene = runs.hanging(duration=0.1).replace(name=name)
     shown = rw.simulate(scene).replay()._repr_html_()
     assert shown.count("<") == 2  # the frame and its end
+
+
+def _pictures(shown: str) -> int:
+    return len(re.findall(r"<img alt='[^']+' src='data:image/png;base64,[\w+/=]+'>", shown))
+
+
+def test_checks_and_modes_draw_themselves() -> None:
+    scene = rw.preset("hanging-rope").replace(name="<b>rope</b>")
+    check, modes = rw.check(scene, measure=False), rw.modes(scene, count=3)
+    for one in (check, modes):
+        shown = one._repr_html_()
+        assert _pictures(shown) == 1
+        assert "&lt;b&gt;rope&lt;/b&gt;" in shown
+        assert "<b>" not in shown
+    assert html.escape(str(check)) in check._repr_html_()
+    assert f"<td>{modes.frequencies[2]:.6g}</td>" in modes._repr_html_()
+
+
+def test_a_check_of_what_has_no_rest_shape_has_no_picture() -> None:
+    falling = runs.hanging(duration=0.1).replace(anchors=())
+    shown = rw.check(falling, measure=False)._repr_html_()
+    assert _pictures(shown) == 0
+    assert "nothing holds it" in shown

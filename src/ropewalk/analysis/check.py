@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import html
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ropewalk import cells
 from ropewalk.analysis.bending import bending_warnings
 from ropewalk.analysis.cost import seconds_per_step
 from ropewalk.analysis.json_values import plain
@@ -16,6 +18,7 @@ from ropewalk.analysis.stability import Stability, milliseconds, rounded_down, s
 from ropewalk.analysis.units import unit_slips
 from ropewalk.build import Model, build
 from ropewalk.core.arrays import Floats
+from ropewalk.record.rest import as_result
 from ropewalk.scene import Scene, Springs
 from ropewalk.start import started
 from ropewalk.statics import Statics, static_shape
@@ -85,6 +88,7 @@ class Check:
     warnings: tuple[str, ...]
     highest_at_rest: float | None = None  # frequency about the shape of rest [rad/s]
     tolerance: float | None = None  # [m] of steps of varying length
+    model: Model | None = field(default=None, repr=False, compare=False)  # what was checked
     why: str = ""  # why the method was chosen, where it was not given
 
     @property
@@ -180,6 +184,14 @@ class Check:
     def __str__(self) -> str:
         return "\n".join(self.lines())
 
+    def _repr_html_(self) -> str:
+        shown = ""
+        if self.model is not None and self.statics.solved and not self.statics.unheld:
+            rest = as_result(self.model, self.statics, 0.0)
+            shown = cells.picture(cells.png(rest.plot.forces), "the ropes at rest")
+        said = f"<pre>{html.escape(str(self))}</pre>"
+        return cells.paragraph(repr(self)) + shown + said
+
     def __repr__(self) -> str:
         count = len(self.warnings)
         return f"Check of {self.name!r}: {self.stability.verdict}; {count} warnings."
@@ -215,6 +227,7 @@ def check(source: Scene | Model, *, measure: bool = True) -> Check:
         highest_at_rest=_highest_at_rest(model, statics) if measure else None,
         tolerance=plan.tolerance,
         why=plan.why,
+        model=model,
     )
 
 

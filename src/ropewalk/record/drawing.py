@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from importlib import import_module
-from io import BytesIO
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -108,14 +107,3 @@ class Plots:
             if name.startswith("_"):
                 raise AttributeError(name)
             raise AttributeError(f"no figure {name!r}; there is {', '.join(self.__dir__())}")
-
-
-def png(result: Result) -> bytes | None:
-    """Draw the result's shape as PNG; None where figures cannot be drawn."""
-    try:
-        figure = Plots(result).shape()
-        buffer = BytesIO()
-        figure.savefig(buffer, format="png", dpi=100)
-    except ImportError:
-        return None
-    return buffer.getvalue()

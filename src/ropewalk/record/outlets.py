@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import base64
-import html
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cached_property
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, cast
 
-from ropewalk.record.drawing import Plots, png
+from ropewalk import cells
+from ropewalk.record.drawing import Plots
 from ropewalk.record.selection import DEFAULT
 
 if TYPE_CHECKING:
@@ -209,23 +208,11 @@ class Outlets:
         return Path(made(self._result, path, frame_rate=frame_rate, overwrite=overwrite))
 
     def _repr_png_(self) -> bytes | None:
-        return png(self._result)
+        return cells.png(self.plot.shape)
 
     def _repr_html_(self) -> str:
         result = self._result
-        rows = "".join(
-            f"<tr><td style='text-align:left'>{html.escape(key)}</td>"
-            f"<td>{html.escape(_text(value))}</td></tr>"
-            for key, value in result.table.items()
-            if value == value  # NaN: there is none
-        )
-        image = png(result)
-        shown = ""
-        if image is not None:
-            data = base64.b64encode(image).decode("ascii")
-            shown = f"<img alt='the rope' src='data:image/png;base64,{data}'>"
-        return f"<p>{html.escape(repr(result))}</p>{shown}<table>{rows}</table>"
-
-
-def _text(value: Any) -> str:
-    return f"{value:.6g}" if isinstance(value, float) else str(value)
+        # A number that is none (NaN) has no row.
+        rows = [(key, value) for key, value in result.table.items() if value == value]
+        shown = cells.picture(self._repr_png_(), "the rope")
+        return cells.paragraph(repr(result)) + shown + cells.table(rows)

@@ -30,6 +30,11 @@ def rest_result(source: Scene | Model) -> Result:
     model = source if isinstance(source, Model) else build(source)
     begun = time.perf_counter()
     statics = checked_shape(model)
+    return as_result(model, statics, time.perf_counter() - begun)
+
+
+def as_result(model: Model, statics: Statics, seconds: float) -> Result:
+    """Return the shape of rest of a model as a result of one frame; it took so many seconds [s]."""
     plan = replace(model.plan, frames=0)
     about = provenance(plan, ledger=True, keep_going=False)
     about["statics"] = {
@@ -40,7 +45,7 @@ def rest_result(source: Scene | Model) -> Result:
     facts = Facts(
         plan=plan,
         status=AT_REST,
-        seconds=time.perf_counter() - begun,
+        seconds=seconds,
         provenance=about,
     )
     block = Block(np.zeros(1), _frame(model, statics))

@@ -8,6 +8,7 @@ from typing import Any, Literal
 
 import numpy as np
 
+from ropewalk import cells
 from ropewalk.build import Layout, Model, build
 from ropewalk.build.links import has_links
 from ropewalk.core import arrays
@@ -88,6 +89,13 @@ class Modes:
     def plot(self) -> ModePlots:
         """Figures: `modes.plot.mode_shapes()`."""
         return ModePlots(self)
+
+    def _repr_html_(self) -> str:
+        image = cells.png(self.plot.mode_shapes) if self.count else None
+        heads = list(self.table[0]) if self.count else []
+        rows = [list(row.values()) for row in self.table]
+        shown = cells.picture(image, "the shapes of the modes")
+        return cells.paragraph(repr(self)) + shown + cells.table(rows, heads)
 
     def __repr__(self) -> str:
         shown = ", ".join(f"{f:.4g}" for f in self.frequencies[:5])
