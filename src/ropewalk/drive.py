@@ -137,6 +137,7 @@ class Driven:
         if row in self._goals:
             self._goals[row].direction = None
         rate = float(np.linalg.norm(spin))
+        self._state.clamp_direction[row] /= np.linalg.norm(self._state.clamp_direction[row])
         self._turn(row, spin / rate if rate > 0.0 else np.array([0.0, 0.0, 1.0]), rate)
 
     def clamp_spin(self, row: int) -> Floats:
@@ -147,8 +148,8 @@ class Driven:
 
     def _turn(self, row: int, axis: Floats, rate: float) -> None:
         """Let a clamp turn about a unit vector from where it is now on."""
-        direction, bending = self._state.clamp_direction[row], self.system.bending
-        bending.direction[row] = direction / np.linalg.norm(direction)
+        bending = self.system.bending
+        bending.direction[row] = self._state.clamp_direction[row]
         bending.axis[row] = axis
         bending.turn[row] = rate, self.time, math.inf
         self._begin_anew()
