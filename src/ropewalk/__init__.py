@@ -28,6 +28,7 @@ if TYPE_CHECKING:  # what type checkers and editors see; `_HOMES` loads the same
     from ropewalk.scene import Air as Air
     from ropewalk.scene import Anchor as Anchor
     from ropewalk.scene import Clamp as Clamp
+    from ropewalk.scene import Force as Force
     from ropewalk.scene import Ground as Ground
     from ropewalk.scene import Limiter as Limiter
     from ropewalk.scene import Load as Load
@@ -60,6 +61,7 @@ _HOMES = {
     "Clamp": "scene",
     "Ground": "scene",
     "Limiter": "scene",
+    "Force": "scene",
     "Load": "scene",
     "Material": "scene",
     "Rope": "scene",

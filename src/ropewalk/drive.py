@@ -78,13 +78,13 @@ class Driven:
 
     @property
     def applied_forces(self) -> Floats:
-        """Forces applied to all nodes [N], (nodes, 3), a copy.
+        """Forces applied to all nodes on top of the scene's own [N], (nodes, 3), a copy.
 
         Set it to apply others from now on, to all nodes at once, in the order of `positions`.
 
         Raises ValueError when it is set to anything but finite numbers of that shape.
         """
-        return np.array(self._state.forces.applied.T)
+        return np.array((self._state.forces.applied - self.model.state.forces.applied).T)
 
     @applied_forces.setter
     def applied_forces(self, forces: ArrayLike) -> None:
@@ -95,8 +95,9 @@ class Driven:
         if not np.isfinite(array).all():
             node = int(np.argmin(np.isfinite(array).all(axis=1)))
             raise ValueError(f"applied_forces[{node}]: {array[node]} - must be finite numbers [N]")
-        self._state.forces.applied[...] = array.T
-        self.system.flags[APPLIED] = int(array.any())
+        applied = self._state.forces.applied
+        applied[...] = self.model.state.forces.applied + array.T
+        self.system.flags[APPLIED] = int(applied.any())
         self._prepare()
 
     def apply_force(self, node: int, force: ArrayLike, rope: str | None = None) -> None:
@@ -110,10 +111,13 @@ class Driven:
         self.push({self.layout.node(node, rope): vector})
 
     def push(self, forces: Mapping[int, Floats]) -> None:
-        """Apply forces [N], each (3,), to nodes by their index in the arrays, as `apply_force` does."""
-        applied = self._state.forces.applied
+        """Apply forces [N], each (3,), to nodes by their index in the arrays, as `apply_force` does.
+
+        They come on top of the scene's own.
+        """
+        applied, given = self._state.forces.applied, self.model.state.forces.applied
         for index, vector in forces.items():
-            applied[:, index] = vector
+            applied[:, index] = given[:, index] + vector
         self.system.flags[APPLIED] = int(applied.any())
         self._prepare()
 

@@ -147,7 +147,7 @@ class Simulation(Driven):
                 total = total + forces.bending[:, i + 1] - forces.bending[:, i]
             if self.scene.limiter is not None:
                 total = total + forces.limiter[:, i + 1] - forces.limiter[:, i]
-            total = total + forces.air[:, i] + forces.ground[:, i]
+            total = total + forces.air[:, i] + forces.ground[:, i] + forces.applied[:, i]
             total = total + state.mass[i] * self.system.gravity
             state.reaction[row] = -total if state.held[row] else 0.0
         start_clamps(self.system, state)

@@ -149,7 +149,11 @@ def speed_scale(system: System, state: State) -> float:
     """
     wind = system.air.wind[:, None]
     start = float(np.linalg.norm(state.v - wind, axis=0).max())
-    fall = math.sqrt(2.0 * float(np.linalg.norm(system.gravity)) * float(state.rest_length.sum()))
+    pull = float(np.linalg.norm(system.gravity))
+    if state.forces.applied.any():
+        whole = np.linalg.norm(state.forces.applied, axis=0).sum() / state.mass.sum()
+        pull += float(whole)
+    fall = math.sqrt(2.0 * pull * float(state.rest_length.sum()))
     moved = max((_anchor_speed(system, row) for row in range(len(state.held))), default=0.0)
     return max(start, fall + float(np.linalg.norm(wind)), moved + float(np.linalg.norm(wind)))
 

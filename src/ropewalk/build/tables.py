@@ -57,12 +57,29 @@ def _node_masses(rope: Rope) -> Floats:
     return mass
 
 
+def _add_forces(scene: Scene, rope: Rope, applied: Floats) -> None:
+    """Add the constant forces on a rope's nodes [N], (3, nodes): those given, and the water's lift."""
+    for force in rope.forces:
+        applied[:, rope.node_index(force.node)] += force.force
+    if rope.submerged_weight is None:
+        return
+    size = math.hypot(*scene.gravity)
+    share = np.full(rope.nodes, rope.segment_length)
+    share[[0, -1]] *= 0.5
+    weight = line_density(rope) * share
+    if isinstance(rope.made_of, Springs):
+        weight = np.full(rope.nodes, rope.made_of.node_mass)
+        share[:] = rope.length_unstretched / rope.nodes
+    applied += np.outer(scene.up, weight * size - rope.submerged_weight * share)
+
+
 def _ropes(scene: Scene, layout: Layout) -> State:
     n, s = layout.nodes, layout.segments
     a, w = len(scene.anchors), len(scene.winches)
     x, v, mass = np.zeros((3, n)), np.zeros((3, n)), np.zeros(n)
     lengths, stiffness = np.zeros(s), np.zeros(s)
     vector, axial = np.zeros(s), np.zeros(s)
+    applied = np.zeros((3, n))
     for rope, span in zip(scene.ropes, layout.ropes, strict=True):
         nodes, segments = slice(span.start, span.end + 1), slice(span.start, span.end)
         x[:, nodes] = initial_points(scene, rope).T
@@ -72,6 +89,7 @@ def _ropes(scene: Scene, layout: Layout) -> State:
         for kick in rope.kicks:
             v[:, span.start + rope.node_index(kick.node)] = kick.velocity
         mass[nodes] = _node_masses(rope)
+        _add_forces(scene, rope, applied[:, nodes])
         lengths[segments] = rope.segment_length
         stiffness[segments] = rope.segment_stiffness
         form = vector if rope.made_of.friction == "vector" else axial
@@ -109,7 +127,7 @@ def _ropes(scene: Scene, layout: Layout) -> State:
         clamp_direction=np.zeros((0, 3)),
         clamp_spin=np.zeros((0, 3)),
         moment=np.zeros((0, 6)),
-        forces=Forces(*(np.zeros(shape) for shape in channels)),
+        forces=Forces(*(np.zeros(shape) for shape in channels))._replace(applied=applied),
         work=Work(*(np.zeros(size) for size in (s, s, n, n, n, n, a, 2, 2, 0, 0))),
     )
 
@@ -124,9 +142,12 @@ def _system(scene: Scene, layout: Layout, state: State) -> System:
         if rope.made_of.tension_only:
             floor[span.first : span.last] = 0.0
     origins = state.x[:, state.anchor_node].T.copy()
+    pushed = state.forces.applied.any()
     return System(
         gravity=np.array(scene.gravity, dtype=np.float64),
-        flags=np.array([0, state.damping_axial.any(), (floor == 0.0).any(), 0], dtype=np.int64),
+        flags=np.array(
+            [pushed, state.damping_axial.any(), (floor == 0.0).any(), 0], dtype=np.int64
+        ),
         break_stretch=_break_stretch(scene, state),
         slack_floor=floor,
         air=_air(scene, layout),
@@ -141,6 +162,7 @@ def _system(scene: Scene, layout: Layout, state: State) -> System:
 def _break_stretch(scene: Scene, state: State) -> float:
     """The stretch that tells a broken simulation from a soft rope under all its weight [1]."""
     weight = math.hypot(*scene.gravity) * float(state.mass.sum())
+    weight += float(np.linalg.norm(state.forces.applied, axis=0).sum())
     softest = state.stiffness * state.rest_length
     softest = softest[(softest > 0.0) & np.isfinite(softest)]
     return BREAK_STRETCH + (3.0 * weight / float(softest.min()) if len(softest) else 0.0)

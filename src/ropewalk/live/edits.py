@@ -16,7 +16,7 @@ import numpy as np
 from ropewalk.build.layout import Layout, make_layout
 from ropewalk.core.arrays import Floats
 from ropewalk.live.parameters import refusal
-from ropewalk.scene import Anchor, Hand, Load, Material, Rope, Scene, Straight
+from ropewalk.scene import Anchor, Force, Hand, Load, Material, Rope, Scene, Straight
 
 MOST_ANCHORS, MOST_ROPES = 100, 200
 MOST_NODES = 200_000
@@ -153,7 +153,7 @@ def cut(scene: Scene, layout: Layout, segment: int) -> Edit:
     if len(ends) == 1:
         ends = [(ends[0][0], ends[0][1], name)]
     ropes = list(scene.ropes)
-    ropes[i : i + 1] = [_piece(rope, low, high, new) for low, high, new in ends]
+    ropes[i : i + 1] = [_piece(scene, rope, low, high, new) for low, high, new in ends]
     anchors = []
     for anchor in scene.anchors:
         if anchor.rope != name:
@@ -180,17 +180,29 @@ def _two_names(scene: Scene, name: str) -> tuple[str, str]:
     return found[0], found[1]
 
 
-def _piece(rope: Rope, low: int, high: int, name: str) -> Rope:
+def _piece(scene: Scene, rope: Rope, low: int, high: int, name: str) -> Rope:
     """Return the part of a rope from node `low` to node `high`, with half a segment's mass at cuts."""
     loads = [
         Load(node=node - low, mass=one.mass)
         for one in rope.loads
         if low <= (node := rope.node_index(one.node)) <= high
     ]
-    changes: dict[str, Any] = {"name": name, "segments": high - low}
+    forces = [
+        Force(node=node - low, force=one.force)
+        for one in rope.forces
+        if low <= (node := rope.node_index(one.node)) <= high
+    ]
+    changes: dict[str, Any] = {"name": name, "segments": high - low, "forces": forces}
     if isinstance(rope.made_of, Material):
         changes["length"] = rope.segment_length * (high - low)
         half = 0.5 * rope.made_of.mass_per_length * rope.segment_length
+        if rope.submerged_weight is not None:  # what stays as mass stays in the water, too
+            size = math.hypot(*scene.gravity)
+            lift = half * size - 0.5 * rope.submerged_weight * rope.segment_length
+            lifted = tuple(lift * part for part in scene.up)
+            forces += [Force(node=0, force=lifted)] if low > 0 else []
+            forces += [Force(node=high - low, force=lifted)] if high < rope.segments else []
+            changes["forces"] = forces
         if low > 0:
             loads.append(Load(node=0, mass=half))
         if high < rope.segments:

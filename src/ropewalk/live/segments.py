@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from ropewalk.scene import Anchor, Kick, Load, Points, Polyline, Rope, Scene, Springs
+from ropewalk.scene import Anchor, Force, Kick, Load, Points, Polyline, Rope, Scene, Springs
 
 _MOST_PIECES = 10  # between anchors; more of them would leave too few numbers to choose from
 
@@ -66,6 +66,7 @@ def resegment(scene: Scene, index: int, segments: int) -> Scene:
     def moved(node: int) -> int:
         return moved_node(node, rope.segments, segments)
 
+    changes["forces"] = [Force(node=moved(one.node), force=one.force) for one in rope.forces]
     changes["loads"] = [Load(node=moved(one.node), mass=one.mass) for one in rope.loads]
     kicks = {moved(one.node): one.velocity for one in rope.kicks}
     changes["kicks"] = [Kick(node=node, velocity=velocity) for node, velocity in kicks.items()]

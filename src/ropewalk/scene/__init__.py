@@ -7,7 +7,7 @@ from ropewalk.scene.files import dumps, load, loads, save, schema
 from ropewalk.scene.motions import Fixed, Hand, Motion, Orbit, Shake, Table, Velocity
 from ropewalk.scene.overrides import apply_overrides
 from ropewalk.scene.ring import Ring
-from ropewalk.scene.rope import Kick, Load, Material, Rope, Springs
+from ropewalk.scene.rope import Force, Kick, Load, Material, Rope, Springs
 from ropewalk.scene.run_settings import RunSettings
 from ropewalk.scene.scene import Scene
 from ropewalk.scene.shapes import Hanging, Points, Polyline, Shape, Slack, Straight
@@ -19,6 +19,7 @@ __all__ = [
     "Clamp",
     "Fault",
     "Fixed",
+    "Force",
     "Ground",
     "Hand",
     "Hanging",

@@ -39,7 +39,23 @@ def scene_faults(
         *(_slack(gravity, ropes) if gravity is not None else ()),
         *_anchors(ropes, anchors),
         *_winches(ropes, anchors, winches),
+        *_weights(gravity, ropes, winches),
     ]
+
+
+def _weights(
+    gravity: Sequence[float] | None, ropes: Sequence[Rope | None], winches: Sequence[Winch | None]
+) -> Iterator[Fault]:
+    """Weights in water where there is no up, or where a winch changes what is in the water."""
+    wound = [winch.rope for winch in winches if winch is not None]
+    for i, rope in enumerate(ropes):
+        if rope is None or rope.submerged_weight is None:
+            continue
+        path, value = f"rope[{i}].submerged_weight", rope.submerged_weight
+        if gravity is not None and not any(gravity):
+            yield Fault(path, value, "needs gravity: without it nothing has a weight")
+        if wound and (rope.name in wound or "" in wound):
+            yield Fault(path, value, "a rope on a winch cannot have it: leave it out, or the winch")
 
 
 def _ropes(ropes: Sequence[Rope | None], limiter: Limiter | None) -> Iterator[Fault]:

@@ -21,6 +21,7 @@ from ropewalk.scene.base import (
     node_number,
     not_negative,
     positive,
+    quantity,
     refuse,
     stiffness,
     vector,
@@ -108,6 +109,13 @@ class Kick(Model):
     velocity: Vector = vector("Initial velocity of the node", "m/s")
 
 
+class Force(Model):
+    """Constant force at one node; several forces at one node add up."""
+
+    node: Whole = node_number()
+    force: Vector = vector("Force on the node, constant in size and direction", "N")
+
+
 class Rope(Model):
     """A chain of ``segments + 1`` nodes, numbered from 0 at its start."""
 
@@ -129,6 +137,14 @@ class Rope(Model):
     shape: Shape = Field(default=Straight(), description="Initial shape")
     loads: Many[Load] = listed("Extra masses at nodes", "load", "loads", default=())
     kicks: Many[Kick] = listed("Initial velocities of single nodes", "kick", "kicks", default=())
+
+    forces: Many[Force] = listed("Constant forces at nodes", "force", "forces", default=())
+    submerged_weight: Number | None = quantity(
+        "Weight in water per unstretched length, loads left out; negative: it floats up; "
+        "default: its mass times gravity",
+        "N/m",
+        default=None,
+    )
 
     @property
     def nodes(self) -> int:
@@ -239,7 +255,11 @@ def rope_faults(rope: Rope) -> list[Fault]:
             least = math.ceil(rope.segments * turn / _MOST_TURN)
             rule = f"turns by {turn:.3g} rad from segment to segment; take {least} segments or more"
             faults.append(Fault("made_of.curvature", rope.made_of.curvature, rule))
+    if rope.submerged_weight is not None and rope.length_unstretched == 0.0:
+        rule = "leave it out: springs of no length have no weight per length"
+        faults.append(Fault("submerged_weight", rope.submerged_weight, rule))
     nodes = [(f"load[{i}].node", load.node) for i, load in enumerate(rope.loads)]
+    nodes += [(f"force[{i}].node", one.node) for i, one in enumerate(rope.forces)]
     nodes += [(f"kick[{i}].node", kick.node) for i, kick in enumerate(rope.kicks)]
     for path, node in nodes:
         if not -rope.nodes <= node < rope.nodes:

@@ -1,4 +1,4 @@
-"""Where the ropes of a model hang under their weight alone: exact, and the start for everything else.
+"""Where ropes hang under their weight and constant forces along it: exact, and the start for all else.
 
 Between two held nodes the closed form of the chain (`theory.chain`), beyond the outermost ones a tail
 that hangs straight down. No ground, no air, no bending; what would have to push counts as slack.
@@ -76,6 +76,11 @@ def _span(model: Model, x: Floats, tension: Floats, first: int, last: int) -> No
     across = float(np.linalg.norm(level))
     direction = level / across if across > 0.0 else np.zeros(3)
     weights = state.mass[first + 1 : last] * gravity
+    if (lift := up @ state.forces.applied[:, first + 1 : last]).any():
+        weights = weights - lift
+        if weights.sum() < 0.0:  # it floats: as it would hang, upside down
+            up, rise, weights = -up, -rise, -weights
+        weights = np.maximum(weights, 1e-6 * float(np.abs(weights).max()))
     found = hang(weights, state.stiffness[segments], state.rest_length[segments], across, rise)
     steps = np.outer(direction, found.along) + np.outer(up, found.upward)
     x[:, first + 1 : last] = x[:, first, None] + np.cumsum(steps, axis=1)[:, :-1]
@@ -89,12 +94,20 @@ def _tail(model: Model, x: Floats, tension: Floats, held: int, tip: int) -> None
     """Hang what lies beyond a held node straight down; without weight it stays as it starts."""
     state = model.state
     up, gravity = upward(model)
-    if gravity == 0.0:
+    if gravity == 0.0 and not state.forces.applied.any():
         return
     step = 1 if tip > held else -1
     nodes = np.arange(held + step, tip + step, step)
     segments = nodes - 1 if step > 0 else nodes
     carried = np.cumsum(state.mass[nodes][::-1])[::-1] * gravity
-    size = state.rest_length[segments] + carried / state.stiffness[segments]
-    x[:, nodes] = x[:, held, None] - np.outer(up, np.cumsum(size))
+    if state.forces.applied[:, nodes].any():
+        beyond = np.outer(model.system.gravity, state.mass[nodes]) + state.forces.applied[:, nodes]
+        pull = np.cumsum(beyond[:, ::-1], axis=1)[:, ::-1]
+        carried = np.linalg.norm(pull, axis=0)
+        way = np.where(carried > 0.0, pull / np.maximum(carried, 1e-300), -up[:, None])
+        size = state.rest_length[segments] + carried / state.stiffness[segments]
+        x[:, nodes] = x[:, held, None] + np.cumsum(way * size, axis=1)
+    else:
+        size = state.rest_length[segments] + carried / state.stiffness[segments]
+        x[:, nodes] = x[:, held, None] - np.outer(up, np.cumsum(size))
     tension[segments] = carried

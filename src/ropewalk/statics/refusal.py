@@ -40,7 +40,7 @@ def _fault_of(model: Model, rope: Span) -> str:
     if not held:
         return _unheld(model, rope, heavy, windy)
     bends = model.scene.ropes[model.scene.rope_index(rope.name)].bending_stiffness > 0.0
-    if heavy or windy or bends:
+    if heavy or windy or bends or _is_pushed(model, rope):
         return ""
     outer = rope.start != held[0] or rope.end != held[-1]
     slack = any(_is_slack(model, a, b) for a, b in itertools.pairwise(held))
@@ -61,6 +61,8 @@ def _unheld(model: Model, rope: Span, heavy: bool, windy: bool) -> str:
     missing = "no anchor holds it"
     if named:
         missing = "all its anchors have let go at time 0 (release_time = 0)"
+    if not (heavy or windy) and _is_pushed(model, rope):
+        return f"{missing}: a constant force carries it away; hold a node of it with an anchor"
     if not (heavy or windy):
         return f"{missing}, and nothing acts on it: it is at rest wherever it is; hold a node of it"
     if windy:
@@ -74,6 +76,11 @@ def _has_wind(model: Model) -> bool:
     air = model.system.air
     acts = bool(air.linear or air.quadratic)
     return acts and bool(np.any(air.wind))
+
+
+def _is_pushed(model: Model, rope: Span) -> bool:
+    """Whether a constant force acts on a node of the rope."""
+    return bool(model.state.forces.applied[:, rope.start : rope.end + 1].any())
 
 
 def _is_slack(model: Model, first: int, last: int) -> bool:
