@@ -16,11 +16,13 @@ from pydantic import (
     Field,
     Strict,
     ValidationError,
+    model_validator,
 )
 from pydantic_core import PydanticCustomError
 
 from ropewalk.scene.errors import Fault, SceneError
 from ropewalk.scene.signatures import docstring, signature
+from ropewalk.scene.units import WrongUnit, in_unit
 
 if TYPE_CHECKING:
     from typing import Self
@@ -40,7 +42,9 @@ MOST_ON_DRUM = 1_000_000
 
 
 def _plain(value: Any) -> Any:
-    """Take a numpy number or array as the Python value it stands for."""
+    """Take a numpy number or array as the Python value it stands for; refuse a wrong unit."""
+    if isinstance(value, WrongUnit):
+        raise PydanticCustomError("unit", "{rule}", {"rule": value.rule, "given": value.given})
     if type(value).__module__ == "numpy":
         return value.tolist()
     return value
@@ -177,6 +181,21 @@ class Model(BaseModel, metaclass=_Sentences):
     model_config = ConfigDict(
         frozen=True, extra="forbid", populate_by_name=True, use_attribute_docstrings=False
     )
+
+    @model_validator(mode="before")
+    @classmethod
+    def _without_units(cls, data: Any) -> Any:
+        """Take quantities with a unit, such as "12 mm", as numbers in the field's own unit."""
+        if not isinstance(data, Mapping):
+            return data
+        changed = dict(data)
+        for name, value in data.items():
+            if isinstance(value, bool | int | float) or name not in cls.model_fields:
+                continue
+            extra = cls.model_fields[name].json_schema_extra
+            if isinstance(extra, Mapping) and isinstance(extra.get("unit"), str):
+                changed[name] = in_unit(value, str(extra["unit"]))
+        return changed
 
     #: What the model is, without its fields.
     about: ClassVar[str] = ""

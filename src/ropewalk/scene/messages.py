@@ -33,6 +33,8 @@ def _meant(fault: Fault) -> str | None:
 def _faults(model: ModelType, item: Mapping[str, Any]) -> Sequence[Fault]:
     kind, value, context = item["type"], item["input"], item.get("ctx") or {}
     where = place(model, item["loc"])
+    if kind == "unit":
+        return [Fault(where.path, context["given"], context["rule"])]
     if kind == "faults":
         return [fault.below(where.path) for fault in context["faults"]]
     if kind == "missing":

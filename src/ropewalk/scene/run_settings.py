@@ -9,6 +9,7 @@ from pydantic import BeforeValidator, Field, model_validator
 from ropewalk.scene.base import HUGE, TINY, Model, Number, not_negative, positive, refuse
 from ropewalk.scene.errors import NO_VALUE, Fault
 from ropewalk.scene.ring import Ring
+from ropewalk.scene.units import WrongUnit
 
 Method = Literal[
     "euler",
@@ -33,6 +34,8 @@ def _time_step(value: Any) -> Any:
     """Refuse what is neither a positive number nor "auto", before the union is tried."""
     if value == "auto" and isinstance(value, str):
         return value
+    if isinstance(value, WrongUnit):
+        refuse([Fault("", value.given, value.rule)])
     number = isinstance(value, (int, float)) and not isinstance(value, bool)
     if not number or not TINY <= value <= HUGE:
         refuse([Fault("", value, f'must be a number of seconds from {TINY} on, or "auto"')])

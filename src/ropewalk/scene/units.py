@@ -1,0 +1,111 @@
+"""Quantities with units, "5.65 MN" or pint's own, as numbers in the unit that a field is stored in."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+from typing import Any
+
+_LONGEST = (
+    60  # characters; a number and a unit need few, and pint's reader takes its time over many
+)
+_MANY = (
+    64  # parts of a list; longer ones are numbers from elsewhere, and are not searched for texts
+)
+_NUMBER = r"[+-]?(?:\d+(?:_\d+)*\.?\d*|\.\d+)(?:[eE][+-]?\d{1,3})?"
+_POWER = r"(?:(?:\*\*|\^)-?\d)?"
+_NAME = r"[A-Za-zµμΩ°%²³]+"
+_UNIT = rf"1|{_NAME}{_POWER}(?:\s*[*/·]\s*{_NAME}{_POWER}|\s+{_NAME}{_POWER})*"
+_QUANTITY = re.compile(rf"\s*({_NUMBER})\s*((?:1/)?(?:{_UNIT}))\s*")
+_BARE = re.compile(rf"\s*{_NUMBER}\s*")
+
+
+class WrongUnit:
+    """What was given in place of a number, and why it is none; the field's own check tells it."""
+
+    def __init__(self, given: Any, rule: str) -> None:
+        self.given, self.rule = given, rule
+
+
+def in_unit(value: Any, unit: str) -> Any:
+    """Return a text such as "12 mm", or pint's quantity, as a number of `unit`; lists part by part.
+
+    Anything else is returned as it is; a WrongUnit stands for what cannot be.
+    """
+    if isinstance(value, str):
+        return _from_text(value, unit)
+    if isinstance(value, list | tuple) and len(value) <= _MANY:
+        parts = [in_unit(part, unit) for part in value]
+        wrong = next((part for part in parts if isinstance(part, WrongUnit)), None)
+        return wrong or tuple(parts)
+    if hasattr(value, "dimensionality") and hasattr(value, "to"):
+        return _converted(value, unit, str(value))
+    return value
+
+
+def _from_text(text: str, unit: str) -> Any:
+    head = text.strip()[:1]
+    if not (head.isdigit() or head in "+-.") or not any(c.isdigit() for c in text):
+        return text  # a word, such as "auto"
+    if _BARE.fullmatch(text):
+        return text  # a number in quotes, which the field refuses
+    found = _QUANTITY.fullmatch(text) if len(text) <= _LONGEST else None
+    if found is None:
+        rule = f"is no number with a unit; write it as {_example(unit)}"
+        return WrongUnit(text, rule + (", with a point for the decimals" if "," in text else ""))
+    import pint
+
+    try:
+        units = _registry().parse_units(_readable(found[2]))
+        return _converted(_registry().Quantity(float(found[1]), units), unit, text)
+    except pint.UndefinedUnitError as error:
+        names = ", ".join(repr(name) for name in error.unit_names)
+        return WrongUnit(
+            text, f"has a unit that is not known, {names}; write it as {_example(unit)}"
+        )
+    except (pint.PintError, ValueError, TypeError, AttributeError):
+        return WrongUnit(text, f"has a unit that cannot be read; write it as {_example(unit)}")
+
+
+def _readable(unit: str) -> str:
+    """Return a unit as pint reads it."""
+    for sign, word in (("^", "**"), ("·", "*"), ("%", "percent"), ("°", "degree")):
+        unit = unit.replace(sign, word)
+    return unit
+
+
+def _converted(quantity: Any, unit: str, given: str) -> Any:
+    """Return the quantity as a number of `unit`, or what is wrong with it."""
+    registry = quantity._REGISTRY
+    target = registry.parse_units("dimensionless" if unit == "1" else unit.replace("^", "**"))
+    if quantity.dimensionality == target.dimensionality and _turns(quantity) == _turns(target):
+        try:
+            number = quantity.to(target).magnitude
+            return number.tolist() if hasattr(number, "tolist") else float(number)
+        except Exception:  # of units with a zero of their own, such as degrees Celsius
+            return WrongUnit(given, f"cannot be converted to {unit}")
+    force = registry.parse_units("kgf / kg")
+    per_mass = (
+        target.dimensionality == (registry.Quantity(1.0, quantity.units) * force).dimensionality
+    )
+    hint = "; a weight is written in kgf or lbf" if per_mass else ""
+    kind = f"a quantity in {unit}" if unit != "1" else "a plain number or a share, such as 5 %"
+    return WrongUnit(given, f"is of another kind: {kind} is needed{hint}")
+
+
+def _turns(value: Any) -> float:
+    """Return the power of an angle in a quantity or unit: pint takes 1 Hz for 1 rad/s, which it is not."""
+    return float(dict((1.0 * value).to_root_units().unit_items()).get("radian", 0.0))
+
+
+def _example(unit: str) -> str:
+    known = {"N": '"5.65 MN"', "m": '"12 mm"', "kg/m": '"63 g/m"', "s": '"20 ms"', "kg": '"80 kg"'}
+    return known.get(unit, f'"2.5 {unit}"' if unit != "1" else "2.5")
+
+
+@cache
+def _registry() -> Any:
+    """Return the units that are known; pint is imported where a unit is met first."""
+    import pint
+
+    return pint.UnitRegistry(cache_folder=None)

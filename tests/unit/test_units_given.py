@@ -1,0 +1,141 @@
+"""Quantities with units at the door: TOML, command line and Python; stored in SI."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from typing import Any
+
+import pint
+import pytest
+from click.testing import CliRunner
+
+import ropewalk as rw
+import ropewalk.scene as scene_module
+from ropewalk.cli import main
+from ropewalk.scene import Kick, Shake, dumps, loads
+from ropewalk.scene.units import WrongUnit, in_unit
+
+TEXT = """
+[run]
+duration = "2 min"
+time_step = "0.5 ms"
+frame_rate = "30 Hz"
+[[rope]]
+segments = 10
+length = "30 ft"
+diameter = "12 mm"
+[rope.made_of]
+kind = "material"
+EA = "5.65 MN"
+mass_per_length = "63 g/m"
+[rope.shape]
+kind = "straight"
+start = ["1 ft", 0, "10 cm"]
+[[rope.force]]
+node = 3
+force = ["80 kgf", 0.0, "1 lbf"]
+[[anchor]]
+node = 0
+"""
+
+
+def test_a_file_gives_quantities_in_any_unit_and_stores_si() -> None:
+    scene = loads(TEXT)
+    rope = scene.ropes[0]
+    assert rope.made_of.EA == 5.65e6  # type: ignore[union-attr]
+    assert rope.made_of.mass_per_length == 0.063  # type: ignore[union-attr]
+    assert rope.diameter == 0.012
+    assert rope.length == pytest.approx(9.144, rel=1e-15)
+    assert rope.shape.start == pytest.approx((0.3048, 0.0, 0.1), rel=1e-15)  # type: ignore[union-attr]
+    assert rope.forces[0].force == pytest.approx((80 * 9.80665, 0.0, 4.4482216152605), rel=1e-14)
+    assert (scene.run.duration, scene.run.time_step, scene.run.frame_rate) == (120.0, 0.0005, 30.0)
+    assert loads(dumps(scene)) == scene
+    assert "MN" not in dumps(scene)
+
+
+def test_python_takes_texts_and_pints_own_quantities() -> None:
+    units = pint.UnitRegistry()
+    given = rw.Material(EA="25 kN", mass_per_length=65 * units.gram / units.meter)  # type: ignore[arg-type]
+    assert given == rw.Material(EA=25e3, mass_per_length=0.065)
+    assert given.EA == 25e3
+    vector = Kick(node=0, velocity=[3.6, 0, 0] * units.kilometer / units.hour)  # type: ignore[arg-type]
+    assert vector.velocity == pytest.approx((1.0, 0.0, 0.0))
+    assert rw.Rope(segments=2, made_of=given, length=2.0).length == 2.0
+
+
+def test_the_command_line_takes_them() -> None:
+    done = CliRunner().invoke(
+        main,
+        ["check", "r4", "--json", "--duration", "500 ms", "--set", "rope.made_of.node_mass=40 g"],
+    )
+    found = json.loads(done.stdout)
+    assert found["duration"] == pytest.approx(0.5)
+    plain = CliRunner().invoke(
+        main, ["check", "r4", "--json", "--duration", "0.5", "--set", "rope.made_of.node_mass=0.04"]
+    )
+    assert found["ropes"] == json.loads(plain.stdout)["ropes"]
+
+
+@pytest.mark.parametrize(
+    ("field", "given", "said"),
+    [
+        ("EA", "5.65 m", "is of another kind: a quantity in N is needed"),
+        ("EA", "80 kg", "a weight is written in kgf or lbf"),
+        ("EA", "5,65 MN", "with a point for the decimals"),
+        ("EA", "5.65 MNN", "unit that is not known, 'MNN'"),
+        ("EA", "5.65", "must be a number (N)"),
+        ("EA", "lots", "must be a number (N)"),
+        ("EA", "-3 kN", "must be greater than 0"),
+        ("EA", "3 m^9999999", "is no number with a unit"),
+        ("EA", "3 " + "m*" * 500 + "m", "is no number with a unit"),
+        ("mass_per_length", "63 g", "a quantity in kg/m is needed"),
+    ],
+)
+def test_what_is_no_such_quantity_is_refused_as_given(field: str, given: str, said: str) -> None:
+    values: dict[str, Any] = {"EA": 1e4, "mass_per_length": 0.1, field: given}
+    with pytest.raises(rw.SceneError) as raised:
+        rw.Material(**values)
+    text = str(raised.value)
+    assert field in text
+    assert said in text
+    assert len(raised.value.faults) == 1
+    if len(given) < 20 and not given.startswith("-"):
+        assert given in text
+
+
+def test_faults_are_still_told_together() -> None:
+    with pytest.raises(rw.SceneError) as raised:
+        rw.Material(EA="1 m", mass_per_length="1 s", EI=-1.0)  # type: ignore[arg-type]
+    assert {fault.path for fault in raised.value.faults} == {"EA", "mass_per_length", "EI"}
+    with pytest.raises(rw.SceneError, match=r"time_step.*a quantity in s is needed"):
+        rw.RunSettings(time_step="3 m")  # type: ignore[arg-type]
+
+
+def test_turns_are_no_numbers_per_second() -> None:
+    """pint takes 60 rpm for 6.28 Hz, and 1 Hz for 1 rad/s: both are refused."""
+    assert isinstance(in_unit("60 rpm", "1/s"), WrongUnit)
+    assert isinstance(in_unit("1 Hz", "rad/s"), WrongUnit)
+    assert in_unit("60 rpm", "rad/s") == pytest.approx(6.283185307, rel=1e-9)
+    assert in_unit("90 deg", "rad") == pytest.approx(1.5707963268, rel=1e-9)
+    assert in_unit("5 %", "1") == pytest.approx(0.05)
+    shaken = Shake(axis=(0, 0, 1), amplitude="10 cm", frequency="2 Hz")  # type: ignore[arg-type]
+    assert (shaken.amplitude, shaken.frequency) == (0.1, 2.0)
+
+
+def test_every_unit_of_the_scene_is_known_to_pint() -> None:
+    units = set()
+    for model in vars(scene_module).values():
+        for field in getattr(model, "model_fields", {}).values():
+            if isinstance(field.json_schema_extra, dict) and "unit" in field.json_schema_extra:
+                units.add(str(field.json_schema_extra["unit"]))
+    assert {"N", "m", "kg/m", "N/m", "s"} <= units
+    for unit in units - {"1"}:
+        assert in_unit(f"2.5 {unit}", unit) == 2.5, unit
+
+
+def test_plain_numbers_need_no_pint() -> None:
+    code = "import sys, ropewalk as rw; rw.preset('r4'); print('pint' in sys.modules)"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert done.stdout.strip() == "False", done.stderr
