@@ -192,8 +192,13 @@ class Model(BaseModel, metaclass=_Sentences):
         for name, value in data.items():
             if isinstance(value, bool | int | float) or name not in cls.model_fields:
                 continue
-            extra = cls.model_fields[name].json_schema_extra
-            if isinstance(extra, Mapping) and isinstance(extra.get("unit"), str):
+            field = cls.model_fields[name]
+            extra = field.json_schema_extra
+            if (
+                field.annotation is not int
+                and isinstance(extra, Mapping)
+                and isinstance(extra.get("unit"), str)
+            ):
                 changed[name] = in_unit(value, str(extra["unit"]))
         return changed
 
