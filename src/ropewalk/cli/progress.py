@@ -15,6 +15,9 @@ if TYPE_CHECKING:
     from ropewalk.block import Block
     from ropewalk.scene import Scene
 
+_NARROW, _WIDE = 70, 110  # columns from which on more is said
+_NAME = 18  # letters of a scene's name on all but wide terminals
+
 
 def is_compiled(method: str) -> bool:
     """Whether the machine code of a method is there already, in this process or on disk."""
@@ -71,8 +74,30 @@ def energy_error(block: Block) -> float:
     return float(energy.sum() - done)
 
 
+def shortened(text: str, most: int) -> str:
+    """Return a text of at most so many letters."""
+    return text if len(text) <= most else text[: most - 1] + "…"
+
+
+def facts_of(now: float, end: float, speed: float, drift: float, width: int) -> str:
+    """Return what stands behind the bar: no more than leaves the bar some room on the terminal.
+
+    Args:
+        now, end: simulated time, and where it ends [s].
+        speed: simulated over wall time [1].
+        drift: of the energy [J].
+        width: of the terminal [letters].
+    """
+    time = f"{now:.4g}/{end:.4g} s"
+    if width < _NARROW:
+        return time
+    if width < _WIDE:
+        return f"{time}  {speed:.2g}x real time"
+    return f"{time}  {speed:.3g} x real time  energy {drift:+.1e} J"
+
+
 class RunProgress:
-    """A bar with simulated time, speed against real time, energy drift and time left.
+    """A bar with simulated time, speed against real time and time left; on a wide terminal energy drift, too.
 
     Use as a context manager; call it with frames done, frames planned and the newest block. Silent
     when `quiet` or when stderr is no terminal.
@@ -85,6 +110,7 @@ class RunProgress:
         self._quiet = quiet or not terminal()
         self._first: float | None = None
         self._begun = time.perf_counter()
+        self._width = _WIDE
         self._from: float | None = None  # simulated time where this part of the run began [s]
 
     def __enter__(self) -> RunProgress:
@@ -94,15 +120,20 @@ class RunProgress:
 
         from ropewalk.cli.console import console
 
+        made = console(stderr=True)
+        self._width = made.width
         self._bar = Progress(
             TextColumn("{task.description}", markup=False),
             BarColumn(bar_width=None),
+            TextColumn("{task.percentage:>3.0f} %", markup=False),
             TextColumn("{task.fields[facts]}", markup=False),
             TimeRemainingColumn(compact=True),
-            console=console(stderr=True),
+            console=made,
             transient=False,
+            expand=True,
         )
-        self._task = self._bar.add_task(self._scene.name, total=None, facts="")
+        name = shortened(self._scene.name, _NAME if made.width < _WIDE else made.width // 4)
+        self._task = self._bar.add_task(name, total=None, facts="")
         self._bar.start()
         return self
 
@@ -119,9 +150,7 @@ class RunProgress:
         spent = time.perf_counter() - self._begun
         speed = (now - self._from) / spent if spent > 0.0 else math.inf
         drift = energy_error(block) - (self._first or 0.0)
-        facts = (
-            f"{now:.2f} of {frame * planned:.2f} s  {speed:.3g} x real time  energy {drift:+.1e} J"
-        )
+        facts = facts_of(now, frame * planned, speed, drift, self._width)
         self._bar.update(self._task, completed=done, total=planned, facts=facts)
 
     def __exit__(
