@@ -127,6 +127,10 @@ def test_the_table_names_the_extremes(result: Result) -> None:
     assert table["largest tension [N]"] == result.tension[frame, segment]
     assert f"segment {segment} of rope 'rope'" in table["largest tension at"]
     assert f"t = {result.time[frame]:.6g} s" in table["largest tension at"]
+    for name in ("largest tension", "largest stretch", "largest speed", "lowest point"):
+        assert table[f"{name} at"].endswith(
+            ", of the recorded frames"
+        )  # steps between may reach more
     speed = np.linalg.norm(result.velocities, axis=2)
     assert table["largest speed [m/s]"] == pytest.approx(speed.max(), rel=1e-14)
     assert table["lowest point [m]"] == pytest.approx(result.positions[..., 2].min(), rel=1e-14)

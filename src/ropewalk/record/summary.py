@@ -16,6 +16,7 @@ from ropewalk.record.quantities import has_rope, rest_length_at_start
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
 
+SEEN = "of the recorded frames"  # between two of them there may be more
 ZERO = "gravity's is 0 in the scene's own shape"
 _VALUES = 2_000_000  # numbers of one quantity looked at together
 
@@ -23,9 +24,10 @@ _VALUES = 2_000_000  # numbers of one quantity looked at together
 def summary(result: Result) -> dict[str, Any]:
     """Return the numbers that people want first, by name with unit.
 
-    Segments and nodes are named as `rope:number`. Only frames before a break count. NaN stands for what there
-    is none of: a stretch where nothing has a rest length, an energy error without a ledger. Reads the run in
-    pieces, so that memory does not grow with its length.
+    Segments and nodes are named as `rope:number`. Extremes are those of the recorded frames, and say so:
+    what steps between two frames reach is not in them. Only frames before a break count. NaN stands for what
+    there is none of: a stretch where nothing has a rest length, an energy error without a ledger. Reads the
+    run in pieces, so that memory does not grow with its length.
     """
     found = _extremes(result)
     if result.status == AT_REST:
@@ -160,4 +162,4 @@ def _place(layout: Any, index: int, noun: str, time: float, value: float) -> str
     if math.isnan(value):
         return ""
     rope, number = layout.rope_of(index)
-    return f"{noun} {number} of rope {rope!r}, t = {time:.6g} s"
+    return f"{noun} {number} of rope {rope!r}, t = {time:.6g} s, {SEEN}"
