@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from ropewalk.build import build
-from ropewalk.scene import Anchor, Load, Material, Rope, Scene, Springs, Straight
-from ropewalk.statics import Statics, static_shape
+from ropewalk.scene import Anchor, Load, Material, Rope, Scene, Slack, Springs, Straight
+from ropewalk.statics import Statics, rest, static_shape
 
 G = 9.81
 
@@ -249,3 +249,28 @@ def test_elastic_catenary_of_irvine_is_the_limit_of_the_material() -> None:
         errors.append(abs(found.spans[0].horizontal - 0.6300720579))
     assert errors[0] < 1e-3
     assert math.log2(errors[0] / errors[1]) == pytest.approx(2.0, abs=0.05)
+
+
+def test_large_ropes_take_the_closed_form(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It is right up to rounding; what is not right up to rounding is solved as ever."""
+    made_of = Material(EA=1e5, mass_per_length=0.1)
+    shape = Slack(start=(0, 0, 0), end=(8, 0, 1))
+    rope = Rope(segments=400, length=10.0, made_of=made_of, shape=shape)
+    scene = Scene(ropes=rope, anchors=[Anchor(node=0), Anchor(node=-1)])
+    solved = static_shape(scene)
+    real = rest.hung
+    monkeypatch.setattr(rest, "_LARGE", 100)
+    taken = static_shape(scene)
+    assert taken.solved
+    assert taken.steps == 0
+    np.testing.assert_allclose(taken.positions, solved.positions, atol=1e-9)
+    np.testing.assert_allclose(taken.tension, solved.tension, rtol=1e-9)
+
+    def off(model: object) -> tuple[np.ndarray, np.ndarray]:
+        x, tension = real(model)
+        return x, tension * (1.0 + 1e-6)
+
+    monkeypatch.setattr(rest, "hung", off)
+    found = static_shape(scene)
+    assert found.steps > 0
+    np.testing.assert_allclose(found.tension, solved.tension, rtol=1e-9)

@@ -96,6 +96,12 @@ class Balance:
             pull += size * float(self.state.bending_stiffness.max()) / self.length**2
         return max(_CLOSED, _ROUNDING * pull / self.force)
 
+    def rounding(self, x: Floats, tension: Floats) -> float:
+        """Return the error that rounding the places makes of the largest tension's direction [1]."""
+        pull = float(np.abs(tension[self.live]).max(initial=0.0))
+        size = float(np.abs(x).max(initial=0.0))
+        return 16.0 * float(np.finfo(float).eps) * size / self.length * pull / self.force
+
     # -- the laws ------------------------------------------------------------------------
 
     def others(self, x: Floats) -> Floats:

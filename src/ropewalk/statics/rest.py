@@ -18,6 +18,7 @@ from ropewalk.statics.spans import RestSpan, rest_spans
 
 _SOFT = 1e-6  # compliance of rigid links on the way to their shape, in the model's units [1]
 _PUSHED = 1e-7  # of the unit of force: what counts as compression [1]
+_LARGE = 100_000  # nodes from which on the closed form is not polished
 _NUDGE = 1e-3  # of a segment: the push aside that tells whether a compressed shape is stable [1]
 
 
@@ -94,6 +95,8 @@ def _find(model: Model, balance: Balance) -> Found:
     grounded = _below_ground(model, x).any()
     own = grounded or balance.bends
     if not own:
+        if x.shape[1] > _LARGE and (exact := _closed_form(balance, x, tension)):
+            return exact
         found = settle(balance, x, tension)
         if found.at_rest:
             return _stable(balance, found)
@@ -106,6 +109,16 @@ def _find(model: Model, balance: Balance) -> Found:
         best = found if best is None or found.error < best.error else best
     assert best is not None
     return best
+
+
+def _closed_form(balance: Balance, x: Floats, tension: Floats) -> Found | None:
+    """Return the hung shape where all that is wrong with it is the rounding of its places, else None.
+
+    For ropes of so many nodes that Newton's steps would take minutes to shuffle that about.
+    """
+    allowed = max(balance.allowed(x, tension), balance.rounding(x, tension))
+    found = Found(x, tension, balance.error(x, tension), allowed, 0)
+    return _stable(balance, found) if found.at_rest else None
 
 
 def _soft_first(balance: Balance, x: Floats) -> Found:
