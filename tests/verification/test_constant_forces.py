@@ -202,6 +202,12 @@ def test_what_makes_no_sense_is_refused() -> None:
         )
 
 
+def test_a_rope_that_is_heavier_in_water_is_warned_of() -> None:
+    for weight, said in ((2.5, True), (1.9, False), (-3.0, False)):
+        found = rw.check(scene(rope(submerged_weight=weight)), measure=False).warnings
+        assert any("more than its 1.962 N/m in air" in text for text in found) is said
+
+
 def test_a_scene_file_has_them() -> None:
     text = """
 [[rope]]

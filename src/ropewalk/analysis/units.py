@@ -33,7 +33,7 @@ def unit_slips(model: Model) -> list[str]:
     for i, rope in enumerate(scene.ropes):
         path = f"rope[{i}]"
         found += _line(path, rope) + _section(path, rope) + _size(path, rope, model)
-        found += _bending(path, rope)
+        found += _bending(path, rope) + _in_water(path, rope, scene)
         for j, load in enumerate(rope.loads):
             if load.mass > 1000.0 * max(rope.own_mass, 1.0):
                 found.append(
@@ -152,6 +152,20 @@ def _bending(path: str, rope: Rope) -> list[str]:
             f"{4.0 * radius:.3g} m thick; N mm^2 for N m^2?"
         ]
     return []
+
+
+def _in_water(path: str, rope: Rope, scene: Scene) -> list[str]:
+    """Water only makes a rope lighter."""
+    weight = rope.submerged_weight
+    if weight is None:
+        return []
+    dry = rope.own_mass * math.hypot(*scene.gravity) / rope.length_unstretched
+    if weight <= dry * (1.0 + 1e-6):
+        return []
+    return [
+        f"{path}.submerged_weight: {weight:g} N/m is more than its {dry:.4g} N/m in air, and water only "
+        "makes it lighter; another unit for N/m, or its mass too small?"
+    ]
 
 
 def _size(path: str, rope: Rope, model: Model) -> list[str]:
