@@ -180,9 +180,9 @@ def test_old_run_folders_open_and_say_that_their_tension_is_elastic(tmp_path: Pa
     assert label == "elastic tension [N]"
     assert old.dataset.tension.attrs["long_name"] == "elastic tension"
     assert new.dataset.tension.attrs["long_name"] == "tension"
-    rw.export(old, "csv", tmp_path / "t.csv", quantities=("tension",))
+    old.export("csv", tmp_path / "t.csv", quantities=("tension",))
     assert (tmp_path / "t.csv").read_text().splitlines()[0].endswith(",elastic tension [N]")
-    rw.export(old, "npz", tmp_path / "t.npz", quantities=("tension",))
+    old.export("npz", tmp_path / "t.npz", quantities=("tension",))
     assert "elastic_tension" in np.load(tmp_path / "t.npz").files
     rows = compare_runs([new, old]).rows
     assert rows[0]["largest elastic tension [N]"] == rows[1]["largest elastic tension [N]"]
