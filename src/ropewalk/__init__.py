@@ -88,6 +88,7 @@ _HOMES = {
     "run": "api",
     "resume": "api",
     "open": "api",
+    "sweep": "sweeps.public",
     "RunError": "record.errors",
     "check": "api",
     "catenary": "theory",

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
-from typing import Any, TypeVar
+from typing import Any, NamedTuple, TypeVar
+
+from pydantic.fields import FieldInfo
 
 from ropewalk.scene.base import Model
 from ropewalk.scene.checks import nearest
@@ -27,7 +29,8 @@ def apply_overrides(scene: Scene, overrides: Iterable[str]) -> Scene:
 
     Each override is ``path=value``. ``rope.segments=80`` changes every rope,
     ``rope[1].segments=80`` or ``rope.left.segments=80`` (by its name) one of them; the same goes
-    for anchors, winches, loads and kicks. The keys of ``[run]`` need no prefix:
+    for anchors, winches, loads and kicks. ``gravity[2]=-1.62`` changes one component of a
+    vector. The keys of ``[run]`` need no prefix:
     ``time_step=0.001``. A value is read as TOML and, where it is none, taken as text, so that
     ``method=rk4`` needs no quotes. ``none`` takes an optional value or table away, so that
     it has its default again.
@@ -61,8 +64,8 @@ def _changed(model: M, table: dict[str, Any], changes: Iterable[_Change]) -> M:
     for change in changes:
         try:
             path, value = change()
-            for owner, key, part in _targets(type(model), table, path):
-                _set(owner, key, part, value)
+            for target in _targets(type(model), table, path):
+                _set(target, value)
         except SceneError as error:
             faults += error.faults
     if faults:
@@ -75,6 +78,63 @@ def _named(path: str, value: Any) -> tuple[list[str | int], Any]:
     return _steps(path), plain(value)
 
 
+class Places:
+    """Places in a scene to which values are written, again and again.
+
+    `scene(values)` is `apply_overrides` with the same paths, and values as they are instead of text.
+    """
+
+    def __init__(self, scene: Scene, paths: Iterable[str]) -> None:
+        """Find the places. Raises SceneError with every path that leads nowhere."""
+        self.paths = tuple(paths)
+        self._table = scene_table(scene)
+        faults: list[Fault] = []
+        places: list[list[_Target]] = []
+        for path in self.paths:
+            try:
+                places.append(list(_targets(Scene, self._table, _steps_of_scene(path.strip()))))
+            except SceneError as error:
+                faults += error.faults
+        if faults:
+            raise SceneError(faults)
+        self._places = places
+        # A kind takes keys away, which must be there again for the next value.
+        self._renewed = any(target.key == "kind" for found in places for target in found)
+        self._scene = scene
+
+    def field(self, number: int) -> tuple[FieldInfo, str]:
+        """Return the field that path `number` leads to (to the first of many) and its whole path."""
+        target = self._places[number][0]
+        return keys(target.model)[target.key], target.path
+
+    def value(self, number: int) -> Any:
+        """Return what stands at path `number` now (at the first of many places); None for nothing."""
+        target = self._places[number][0]
+        found = target.owner.get(target.key, _default(target))
+        return found[target.part] if target.part is not None and found is not None else found
+
+    def overlap(self, number: int, other: int) -> bool:
+        """Tell whether two of the paths write to one place."""
+        for one in self._places[number]:
+            for two in self._places[other]:
+                same = one.owner is two.owner and one.key == two.key
+                if same and (one.part is None or two.part is None or one.part == two.part):
+                    return True
+        return False
+
+    def scene(self, values: Sequence[Any]) -> Scene:
+        """Return the scene with these values, one per path. Raises SceneError with every fault."""
+        if self._renewed or any(isinstance(v, str) and v == "none" for v in values):  # which takes the key away
+            return Places(self._scene, self.paths)._written(values)
+        return self._written(values)
+
+    def _written(self, values: Sequence[Any]) -> Scene:
+        for targets, value in zip(self._places, values, strict=True):
+            for target in targets:
+                _set(target, value)
+        return Scene.model_validate(self._table)
+
+
 def _fault(path: str, rule: str) -> SceneError:
     return SceneError([Fault(path, NO_VALUE, rule)])
 
@@ -85,10 +145,15 @@ def _split(override: str) -> tuple[list[str | int], Any]:
     path, text = path.strip(), text.strip()
     if not equals or not path:
         raise _fault(f'"{override}"', "must be written as path=value, such as rope.segments=80")
+    return _steps_of_scene(path), as_value(text)
+
+
+def _steps_of_scene(path: str) -> list[str | int]:
+    """The steps of a path below a scene, where the keys of [run] need no prefix."""
     steps = _steps(path)
     if steps[0] in RunSettings.model_fields:
         steps.insert(0, "run")
-    return steps, _value(text)
+    return steps
 
 
 def _steps(path: str) -> list[str | int]:
@@ -103,7 +168,7 @@ def _steps(path: str) -> list[str | int]:
     return steps
 
 
-def _value(text: str) -> Any:
+def as_value(text: str) -> Any:
     """The value that a text stands for: TOML where it is, else the text itself."""
     try:
         table = tomllib.loads(f"value = {text}")
@@ -115,7 +180,15 @@ def _value(text: str) -> Any:
 # What an earlier path of the same call has put there.
 _WHOLE = "was set to a value without keys before; leave that out, or set it whole"
 
-_Target = tuple[dict[str, Any], str, ModelType]
+
+class _Target(NamedTuple):
+    """Where a path leads: a key of a table, or one component of the list that stands there."""
+
+    owner: dict[str, Any]
+    key: str
+    model: ModelType
+    path: str
+    part: int | None = None
 
 
 def _targets(root: ModelType, table: dict[str, Any], steps: list[str | int]) -> Iterator[_Target]:
@@ -125,9 +198,11 @@ def _targets(root: ModelType, table: dict[str, Any], steps: list[str | int]) -> 
     while True:
         key = _as_in_toml(places, rest.pop(0))
         places = [_known(place, key) for place in places]
-        if not rest:
-            for owner, model, _ in places:
-                yield owner, str(key), model
+        if not rest or (len(rest) == 1 and _is_vector(places, str(key), rest[0])):
+            for owner, model, path in places:
+                part = int(rest[0]) if rest else None
+                where = join(path, str(key)) + ("" if part is None else f"[{part}]")
+                yield _checked(_Target(owner, str(key), model, where, part))
             return
         places, rest = _descend(places, str(key), rest)
 
@@ -138,6 +213,30 @@ def _as_in_toml(places: list[tuple[dict[str, Any], ModelType, str]], key: str | 
         if isinstance(key, str) and key in model.model_fields:
             return toml_name(key, model.model_fields[key])
     return key
+
+
+def _is_vector(
+    places: list[tuple[dict[str, Any], ModelType, str]], key: str, step: str | int
+) -> bool:
+    """Whether the last step is a component of a value such as [x, y, z]."""
+    return isinstance(step, int) and all(not kind_of(keys(m)[key]).models for _, m, _ in places)
+
+
+def _default(target: _Target) -> Any:
+    field = keys(target.model)[target.key]
+    return None if field.is_required() else field.get_default()
+
+
+def _checked(target: _Target) -> _Target:
+    """The same target, after a check that there is such a component."""
+    if target.part is None:
+        return target
+    whole = target.owner.get(target.key, _default(target))
+    if not isinstance(whole, (list, tuple)):
+        raise _fault(target.path, "has no components; set it whole")
+    if target.part >= len(whole):
+        raise _fault(target.path, f"must be from 0 to {len(whole) - 1}")
+    return target
 
 
 def _known(
@@ -213,9 +312,15 @@ def _choose(
     return spots, rest
 
 
-def _set(owner: dict[str, Any], key: str, model: ModelType, value: Any) -> None:
+def _set(target: _Target, value: Any) -> None:
     """Put a value into a table; a new kind drops the keys that it does not know."""
+    owner, key, model, _, part = target
     field = keys(model)[key]
+    if part is not None:
+        whole = list(owner.get(key, _default(target)))
+        whole[part] = value
+        owner[key] = whole
+        return
     if isinstance(value, str) and value == "none" and not field.is_required() and key not in _TEXTS:
         owner.pop(key, None)
         return

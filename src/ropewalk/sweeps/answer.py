@@ -1,0 +1,105 @@
+"""The answer of a sweep: an xarray Dataset with the parameters as coordinates, in their units."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ropewalk.sweeps.designs import GRID
+from ropewalk.sweeps.memory import SweepMemory
+from ropewalk.sweeps.plan import SweepPlan
+from ropewalk.sweeps.store import DATA, DONE, SweepFolder
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+#: A grid of more numbers than this stays a table of runs on disk [bytes].
+MOST_BYTES = 1_000_000_000
+
+
+def open_sweep(folder: str | Path) -> xr.Dataset:
+    """Open a sweep's folder, finished or not.
+
+    Of a grid every parameter is a dimension; of other designs (and of grids of more than 1 GB) there is
+    one dimension `run` with the parameters along it, read from disk as it is used. Runs that are not made
+    yet have the status "".
+
+    Raises RunError when it is none, or damaged.
+    """
+    return stored(SweepFolder.open(Path(folder)))
+
+
+def stored(sweep: SweepFolder) -> xr.Dataset:
+    """Return the dataset of a sweep on disk."""
+    import xarray as xr
+
+    found: xr.Dataset = xr.open_zarr(sweep.folder / DATA, chunks=None).drop_vars(DONE)
+    found = found.assign_attrs(sweep=str(sweep.folder))
+    plan = sweep.plan
+    if plan.design != GRID or plan.runs * plan.run_bytes > MOST_BYTES:
+        return found
+    return as_grid(found.load(), plan)
+
+
+def in_memory(sweep: SweepMemory) -> xr.Dataset:
+    """Return the dataset of a sweep in memory."""
+    import xarray as xr
+
+    plan = sweep.plan
+    coords: dict[str, Any] = {
+        "run": ("run", np.arange(plan.runs), {"long_name": "number of the run"})
+    }
+    for about in plan.parameters:
+        told = {"path": about["path"], "long_name": about["long_name"]}
+        told |= {"units": about["unit"]} if about["unit"] else {}
+        coords[about["name"]] = ("run", sweep.values[about["name"]], told)
+    for dim, found in plan.coordinates.items():
+        coords[dim] = (dim, np.array(found["values"]), found["attributes"])
+    variables: dict[str, Any] = {
+        "status": ("run", sweep.columns["status"], {"long_name": "how the run ended"}),
+        "reason": ("run", sweep.columns["reason"], {"long_name": "why it broke"}),
+        "broke_at": (
+            "run",
+            sweep.columns["broke_at"],
+            {"long_name": "time of the last good frame of a broken run", "units": "s"},
+        ),
+    }
+    for v in plan.variables:
+        variables[v.name] = (("run", *v.dims), sweep.columns[v.name], v.attributes)
+    seed = {} if plan.seed is None else {"seed": plan.seed}
+    about = {
+        "title": plan.title,
+        "source": f"ropewalk {plan.provenance.get('ropewalk', '')}".rstrip(),
+        "design": plan.design,
+        **seed,
+        "grid": json.dumps(list(plan.shape)),
+    }
+    made = xr.Dataset(variables, coords, about)
+    return as_grid(made, plan) if plan.design == GRID else made
+
+
+def as_grid(table: xr.Dataset, plan: SweepPlan) -> xr.Dataset:
+    """Return a table of runs as a grid: one dimension per parameter, in the order they were given."""
+    import xarray as xr
+
+    names = [parameter["name"] for parameter in plan.parameters]
+    coords: dict[str, Any] = {}
+    for place, name in enumerate(names):
+        inner = math.prod(plan.shape[place + 1 :])
+        picked = np.arange(plan.shape[place]) * inner
+        coords[name] = (name, table[name].values[picked], table[name].attrs)
+    variables: dict[str, Any] = {}
+    for key, array in table.variables.items():
+        if key in names:
+            continue
+        if "run" not in array.dims:
+            coords[str(key)] = array
+            continue
+        shaped = array.values.reshape(*plan.shape, *array.shape[1:])
+        made = ((*names, *array.dims[1:]), shaped, array.attrs)
+        (coords if key == "run" else variables)[str(key)] = made
+    return xr.Dataset(variables, coords, table.attrs)

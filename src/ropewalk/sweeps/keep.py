@@ -1,0 +1,253 @@
+"""What a sweep keeps of every run: `tension.max`, `positions[-1]`, `sag.max[time]`, `reactions[-1, left]`.
+
+QUANTITY[frame, ...]      some of it: a frame, then a place along each further dimension (`:` is all)
+QUANTITY.REDUCER          one number over time and along the rope; vectors count by their size
+QUANTITY.REDUCER[dims]    the same, but not over the dimensions named here
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ropewalk.core.arrays import Floats
+from ropewalk.record.quantities import BY_NAME, labels
+from ropewalk.record.result import Result
+from ropewalk.scene import SceneError
+from ropewalk.scene.checks import nearest
+from ropewalk.scene.errors import NO_VALUE, Fault
+
+DEFAULT = ("tension.max", "reactions.max", "positions[-1]")
+_FORM = re.compile(r"(\w+)\s*(?:\[([^\[\]]*)\])?\s*(?:\.\s*(\w+)\s*(?:\[([^\[\]]*)\])?)?")
+#: Dimensions that a reducer goes over; anchors, ropes and forms of energy stay apart.
+_REDUCED = ("time", "node", "segment")
+# NaN stands where there is no rope; a run with others is broken, and not asked.
+_REDUCERS: dict[str, tuple[str, Callable[..., Any]]] = {
+    "max": ("largest", np.nanmax),
+    "min": ("least", np.nanmin),
+    "mean": ("mean", np.nanmean),
+    "std": ("standard deviation of the", np.nanstd),
+    "range": ("largest less least", lambda a, axis: np.nanmax(a, axis) - np.nanmin(a, axis)),
+}
+
+
+@dataclass(frozen=True)
+class Derived:
+    """A quantity made from recorded ones: (time, ...) with dimensions, unit and a name in words."""
+
+    dims: tuple[str, ...]
+    unit: str
+    long_name: str
+    of: Callable[[Result], Floats]
+
+
+def _stretch(result: Result) -> Floats:
+    length = np.linalg.norm(np.diff(result.positions, axis=1), axis=2)
+    found: Floats = np.full_like(length, np.nan)
+    np.divide(length, result.rest_length, out=found, where=result.live)
+    return found
+
+
+def _sag(result: Result) -> Floats:
+    """Largest drop of each rope below the straight line between its ends, along gravity."""
+    up = np.asarray(result.scene.up)
+    found = np.zeros((result.frames, len(result.layout.ropes)))
+    for column, span in enumerate(result.layout.ropes):
+        points = result.positions[:, span.start : span.end + 1]
+        from_first = points - points[:, :1]
+        heights = from_first @ up
+        level = from_first - heights[..., None] * up
+        end = level[:, -1]
+        across2 = (end**2).sum(axis=1)
+        rise = heights[:, -1]
+        upright = across2 <= 1e-18 * (from_first[:, -1] ** 2).sum(axis=1)
+        share = np.einsum("fni,fi->fn", level, end) / np.where(upright, 1.0, across2)[:, None]
+        chord = np.where(upright[:, None], np.minimum(rise, 0.0)[:, None], share * rise[:, None])
+        found[:, column] = np.maximum((chord - heights).max(axis=1), 0.0)
+    return found
+
+
+DERIVED: dict[str, Derived] = {
+    "speed": Derived(
+        ("time", "node"), "m/s", "speed", lambda r: np.linalg.norm(r.velocities, axis=2)
+    ),
+    "height": Derived(
+        ("time", "node"), "m", "height along up", lambda r: r.positions @ np.asarray(r.scene.up)
+    ),
+    "stretch": Derived(("time", "segment"), "1", "length over unstretched length", _stretch),
+    "sag": Derived(("time", "rope"), "m", "drop below the line between the rope's ends", _sag),
+    "total_energy": Derived(("time",), "J", "total energy", lambda r: r.energy["total"]),
+    "energy_error": Derived(
+        ("time",), "J", "energy that no law accounts for", lambda r: r.energy_error
+    ),
+}
+
+
+@dataclass(frozen=True)
+class Kept:
+    """One thing kept of every run; makes one variable of the answer."""
+
+    text: str
+    name: str
+    quantity: str
+    picks: tuple[Any, ...] | None  # a number, a label or None (all) per dimension
+    reducer: str | None
+    but: tuple[str, ...] = ()  # dimensions that the reducer leaves alone
+
+    @property
+    def unit(self) -> str:
+        """Unit of the quantity."""
+        return _about(self.quantity)[1]
+
+    @property
+    def long_name(self) -> str:
+        """What the variable is, in words."""
+        words = _about(self.quantity)[2]
+        if self.reducer is None:
+            return words + (f" ({self.text})" if self.picks is not None else "")
+        what = f"{_REDUCERS[self.reducer][0]} {words}"
+        time_too = "time" not in self.but and self._frame() is None
+        return f"{what}, over the recorded frames" if time_too else what
+
+    def _frame(self) -> Any:
+        return self.picks[0] if self.picks else None
+
+    def of(self, result: Result) -> tuple[Floats, tuple[str, ...]]:
+        """Return the value of one run and its dimensions. Raises LookupError for a place not there."""
+        dims, _, _ = _about(self.quantity)
+        derived = DERIVED.get(self.quantity)
+        if derived is not None:
+            array = derived.of(result)
+        elif self.quantity in result.source.names:
+            array = result.read(self.quantity)
+        else:
+            raise KeyError(f"the runs have no {self.quantity}; there is {_known(result)}")
+        if self.picks is not None:
+            array, dims = self._picked(result, array, dims)
+        if self.reducer is None:
+            return array, dims
+        if self.quantity == "tension":  # no rope: no tension, and not a least one of zero
+            live = result.live if self.picks is None else self._picked(result, result.live, dims)[0]
+            array = np.where(live, array, np.nan)
+        return self._reduced(array, dims)
+
+    def _picked(
+        self, result: Result, array: NDArray[Any], dims: tuple[str, ...]
+    ) -> tuple[NDArray[Any], tuple[str, ...]]:
+        assert self.picks is not None
+        where: list[Any] = []
+        all_dims = _about(self.quantity)[0]
+        names = labels(result.layout) | {"rope": tuple(s.name for s in result.layout.ropes)}
+        for pick, dim, size in zip(self.picks, all_dims, array.shape, strict=False):
+            if pick is None:
+                where.append(slice(None))
+                continue
+            if isinstance(pick, str):
+                if pick not in names.get(dim, ()):
+                    known = ", ".join(names.get(dim, ())) or "numbers only"
+                    raise KeyError(f"there is no {dim} {pick!r}; there is {known}")
+                pick = names[dim].index(pick)
+            if not -size <= pick < size:
+                raise IndexError(f"there is no {dim} {pick}: there are {size}")
+            where.append(pick)
+        left = tuple(
+            dim
+            for number, dim in enumerate(all_dims)
+            if number >= len(self.picks) or self.picks[number] is None
+        )
+        return array[tuple(where)], left
+
+    def _reduced(self, array: Floats, dims: tuple[str, ...]) -> tuple[Floats, tuple[str, ...]]:
+        assert self.reducer is not None
+        if "axis" in dims:
+            array = np.linalg.norm(array, axis=dims.index("axis"))
+            dims = tuple(dim for dim in dims if dim != "axis")
+        over = tuple(i for i, dim in enumerate(dims) if dim in _REDUCED and dim not in self.but)
+        made = _REDUCERS[self.reducer][1](array, axis=over)
+        left = tuple(dim for i, dim in enumerate(dims) if i not in over)
+        return np.asarray(made, dtype=np.float64), left
+
+
+def _about(quantity: str) -> tuple[tuple[str, ...], str, str]:
+    if quantity in DERIVED:
+        derived = DERIVED[quantity]
+        return derived.dims, derived.unit, derived.long_name
+    recorded = BY_NAME[quantity]
+    return recorded.dims, recorded.unit, recorded.long_name
+
+
+def _known(result: Result) -> str:
+    return ", ".join((*result.source.names, *DERIVED))
+
+
+def parse(text: str) -> Kept:
+    """Return what a text such as `tension.max` asks for. Raises SceneError."""
+    found = _FORM.fullmatch(text.strip())
+    if found is None:
+        rule = "must be written as tension.max, positions[-1], sag.max[time] or reactions[-1, left]"
+        raise SceneError([Fault("keep", text, rule)])
+    quantity, picks, reducer, but = found.groups()
+    known = [*BY_NAME, *DERIVED]
+    if quantity not in known:
+        rule = f"there is no quantity {quantity!r}; {nearest(quantity, known)}"
+        raise SceneError([Fault("keep", text, rule)])
+    dims = _about(quantity)[0]
+    if reducer is not None and reducer not in _REDUCERS:
+        rule = f"there is no reducer {reducer!r}; {nearest(reducer, list(_REDUCERS))}"
+        raise SceneError([Fault("keep", text, rule)])
+    left = tuple(part.strip() for part in but.split(",")) if but is not None else ()
+    for dim in left:
+        if dim not in dims:
+            rule = f"{quantity} has no dimension {dim!r}; {nearest(dim, dims)}"
+            raise SceneError([Fault("keep", text, rule)])
+    places = _places(text, picks, dims) if picks is not None else None
+    return Kept(text.strip(), _name(text), quantity, places, reducer, left)
+
+
+def _places(text: str, picks: str, dims: Sequence[str]) -> tuple[Any, ...]:
+    parts = [part.strip() for part in picks.split(",")]
+    if len(parts) > len(dims):
+        rule = f"has more places than dimensions: {', '.join(dims)}"
+        raise SceneError([Fault("keep", text, rule)])
+    return tuple(_place(part) for part in parts)
+
+
+def _place(part: str) -> Any:
+    if part in (":", ""):
+        return None
+    return int(part) if re.fullmatch(r"[-+]?\d+", part) else part
+
+
+def _name(text: str) -> str:
+    """Return the variable's name: `tension_max`, `positions_last`, `reactions_last_left`."""
+    text = re.sub(r"-1(?=\s*[\],])", "last", text)
+    text = re.sub(r"-(\d)", r"m\1", text)
+    return re.sub(r"\W+", "_", text.replace(":", "")).strip("_")
+
+
+def make_keep(keep: Sequence[str] | str | None, anchored: bool) -> tuple[Kept, ...]:
+    """Return what is to be kept; by default the maxima and the last frame. Raises SceneError."""
+    if keep is None:
+        keep = [text for text in DEFAULT if anchored or not text.startswith("reactions")]
+    if isinstance(keep, str):
+        keep = [keep]
+    made, faults = [], []
+    for text in keep:
+        try:
+            made.append(parse(str(text)))
+        except SceneError as error:
+            faults += error.faults
+    names = [kept.name for kept in made]
+    for kept in made:
+        if names.count(kept.name) > 1:
+            faults.append(Fault("keep", kept.text, "is asked for twice"))
+    if not made and not faults:
+        faults.append(Fault("keep", NO_VALUE, "is empty: name at least one thing to keep"))
+    if faults:
+        raise SceneError(faults)
+    return tuple(made)

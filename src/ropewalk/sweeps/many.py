@@ -1,0 +1,335 @@
+"""A sweep from its first word to its answer: faults, batches, store, workers."""
+
+from __future__ import annotations
+
+import json
+import math
+import time
+import warnings
+from collections.abc import Callable, Sequence
+from contextlib import ExitStack
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from ropewalk.api import SceneLike, as_scene
+from ropewalk.core.jit import source_hash
+from ropewalk.record.errors import InputError, RunError
+from ropewalk.record.facts import provenance
+from ropewalk.record.lock import is_locked, locked
+from ropewalk.scene import Scene, dumps
+from ropewalk.sweeps import answer, engines
+from ropewalk.sweeps.bar import Bar
+from ropewalk.sweeps.batch import REST, RUN, Batch, Recipe
+from ropewalk.sweeps.designs import Design, make_design
+from ropewalk.sweeps.keep import make_keep
+from ropewalk.sweeps.memory import SweepMemory
+from ropewalk.sweeps.parameters import gives_runs, make_parameters
+from ropewalk.sweeps.plan import SweepPlan, rows_of
+from ropewalk.sweeps.store import SweepFolder, is_sweep
+from ropewalk.sweeps.trial import Trial, try_out
+from ropewalk.sweeps.worker import batcher_of, count_broken, job_of
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+#: A sweep that keeps more than this needs a folder [bytes].
+MOST_IN_MEMORY = 1_000_000_000
+#: Work of one batch [s]: long beside what handing it out costs, short beside the sweep.
+BATCH_SECONDS = 0.5
+_MOST_BATCH_BYTES = 64_000_000
+_MEASURED = 0.2  # [s] of first runs that are timed
+_MOST_MEASURED = 256  # runs
+
+
+@dataclass(frozen=True)
+class Standing:
+    """How far a sweep is."""
+
+    done: int  # runs
+    runs: int
+    broken: int
+    per_second: float  # runs made in a second of this part of the sweep
+    note: str = ""  # where it runs
+
+
+Progress = Callable[[Standing], None]
+
+
+def sweep(
+    scene: SceneLike,
+    vary: Any,
+    *,
+    keep: Sequence[str] | str | None = None,
+    samples: int | None = None,
+    design: str = "sobol",
+    seed: int | None = None,
+    store: str | Path | None = None,
+    on: Any = None,
+    workers: int | None = None,
+    what: str = RUN,
+    batch: int | None = None,
+    overwrite: bool = False,
+    progress: Progress | bool = True,
+) -> xr.Dataset:
+    """Run a scene many times with other values, and return what was kept of every run.
+
+    Args:
+        scene: scene, preset's name, or scene file.
+        vary: mapping from paths (those of `--set`, such as "rope.made_of.EA") to a list of values, a
+            frozen distribution of scipy.stats, or a range (low, high); or a pandas DataFrame or xarray
+            Dataset with a column per path: the runs themselves.
+        keep: what to keep of every run: "tension.max", "positions[-1]", "sag.max[time]", ...; by
+            default the largest tension and reactions over the recorded frames, and the last positions.
+        samples: number of runs drawn from the ranges and distributions; without it lists make a grid.
+        design: how they are drawn: "sobol", "lhs", "halton" or "random".
+        seed: of the samples; by default a new one, which the answer tells.
+        store: folder to write to as the sweep goes on; without it the answer is in memory.
+        on: a Dask client, the address of a scheduler, "local" (a cluster of this machine's cores), or
+            "here" (this process). By default "local" where it is worth it and Dask is installed.
+        workers: processes of a cluster of its own; by default one per core.
+        what: "run", or "rest": the equilibrium of each scene, without a run.
+        batch: runs made and stored together; by default measured: about half a second's work.
+        overwrite: put the sweep in place of another one in `store`.
+        progress: a function called with a `Standing` now and then; True: a bar on a terminal.
+
+    Returns:
+        A Dataset. Of a grid every parameter is a dimension, else they lie along `run`; with units. Every
+        run has a `status`; one that broke has also a `reason` and `broke_at` [s], and NaN in what was kept.
+
+    Raises SceneError with the faults of all corners before anything runs; InputError, RunError;
+    KeyboardInterrupt, after which `resume` goes on with what is stored.
+    """
+    if what not in (RUN, REST):
+        raise InputError("what", what, 'must be "run" or "rest"')
+    if batch is not None and batch < 1:
+        raise InputError("batch", batch, "must be a whole number of runs from 1 on")
+    loaded = as_scene(scene)
+    parameters = make_parameters(loaded, vary)
+    chosen = make_design(parameters, samples, design, seed, gives_runs(vary))
+    kept = make_keep(keep, bool(loaded.anchors))
+    folder = Path(store) if store is not None else None
+    if folder is not None:
+        _check_free(folder, overwrite)
+    trial = try_out(loaded, parameters, kept, what)
+    recipe = Recipe(
+        scene=dumps(loaded),
+        paths=tuple(p.path for p in parameters),
+        kinds=tuple(p.kind for p in parameters),
+        keep=tuple(k.text for k in kept),
+        sizes=tuple(v.sizes for v in trial.variables),
+        what=what,
+        source=source_hash(),
+    )
+    _refuse_too_much(trial, chosen, folder)
+    first = _first_runs(recipe, chosen, batch)
+    plan = _plan(loaded, chosen, trial, recipe, first, batch)
+    with ExitStack() as stack:
+        sink: SweepFolder | SweepMemory
+        if folder is None:
+            sink = SweepMemory(plan, chosen.pieces())
+        else:
+            folder.mkdir(parents=True, exist_ok=True)
+            stack.enter_context(locked(folder))
+            sink = SweepFolder.create(folder, plan, loaded, chosen.pieces())
+        _make(sink, _Begun(first, set(), 0), on, workers, progress)
+    return answer.stored(sink) if isinstance(sink, SweepFolder) else answer.in_memory(sink)
+
+
+def resume_sweep(
+    folder: str | Path,
+    *,
+    on: Any = None,
+    workers: int | None = None,
+    force: bool = False,
+    progress: Progress | bool = True,
+) -> xr.Dataset:
+    """Go on with a sweep that was stopped or killed, to the same bits as one that never was.
+
+    Batches that are marked as done are checked; damaged ones are made again, with a warning. With `force`
+    also when other sources of ropewalk began it. Raises RunError when it cannot be; else as `sweep`.
+    """
+    found = SweepFolder.open(Path(folder))
+    if found.plan.recipe.source != source_hash() and not force:
+        rule = (
+            "was begun by other sources of ropewalk (or another numba), so it would not go on to the "
+            "same bits; resume it with the version it was begun with, or force it"
+        )
+        raise RunError(folder, rule)
+    with locked(found.folder):
+        found.tidy()
+        done, damaged = found.standing()
+        if damaged:
+            warnings.warn(
+                f"{folder}: {len(damaged)} stored batches are damaged and are made again",
+                stacklevel=2,
+            )
+            found.unmark(damaged)
+        if len(done) < found.plan.batches:
+            broken = sum(count_broken(status) for status, _ in found.statuses())
+            _make(found, _Begun(None, set(done), broken), on, workers, progress)
+    return answer.stored(found)
+
+
+def _refuse_too_much(trial: Trial, design: Design, folder: Path | None) -> None:
+    """Refuse a sweep that would fill the memory. Raises InputError."""
+    size = 8 * (1 + len(design.parameters) + sum(v.numbers for v in trial.variables))
+    if folder is None and size * design.runs > MOST_IN_MEMORY:
+        rule = (
+            f"{design.runs} runs keep {size * design.runs / 1e9:.3g} GB, more than 1 GB: "
+            "give a folder (store=...), or keep less"
+        )
+        raise InputError("store", None, rule)
+
+
+def _check_free(folder: Path, overwrite: bool) -> None:
+    """Refuse a folder that a sweep must not be written to. Raises RunError."""
+    if not folder.exists() or (folder.is_dir() and not any(folder.iterdir())):
+        return
+    if not folder.is_dir():
+        raise RunError(folder, "is a file, not a folder")
+    if is_locked(folder):
+        raise RunError(folder, "is being written by another process")
+    if not is_sweep(folder):
+        left = {path.name for path in folder.iterdir()} <= {
+            ".lock",
+            ".partial",
+            "data.zarr",
+            "scene.toml",
+        }
+        if left:
+            return  # of a sweep that never began
+        raise RunError(folder, "holds something else than a sweep; take another folder")
+    if not overwrite:
+        rule = (
+            "holds a sweep already: resume it, take another folder, or overwrite (overwrite=True)"
+        )
+        raise RunError(folder, rule)
+    (folder / "sweep.json").unlink()
+
+
+# -- the first runs ------------------------------------------------------------------------
+
+
+@dataclass
+class _First:
+    """The first runs, made here and timed: what a batch should be, and the beginning of the first."""
+
+    batch: Batch
+    seconds: float  # of one run
+
+
+def _first_runs(recipe: Recipe, design: Design, batch: int | None) -> _First:
+    """Make the first runs until they have taken a while; the first one compiles and is not timed."""
+    batcher = batcher_of(json.dumps(recipe.plain()))
+    rows = rows_of([column[:_MOST_MEASURED] for column in next(design.pieces())])[: batch or None]
+    made, spent = batcher.make(rows[:1]), []
+    begun = time.perf_counter()
+    for row in rows[1:]:
+        before = time.perf_counter()
+        made.append(batcher.make([row]))
+        spent.append(time.perf_counter() - before)
+        if time.perf_counter() - begun > _MEASURED:
+            break
+    return _First(made, sum(spent) / max(len(spent), 1))
+
+
+def _plan(
+    scene: Scene, design: Design, trial: Trial, recipe: Recipe, first: _First, batch: int | None
+) -> SweepPlan:
+    about = provenance(trial.model.plan, True, False)
+    plan = SweepPlan(
+        title=scene.name,
+        recipe=recipe,
+        parameters=tuple(parameter.described() for parameter in design.parameters),
+        design=design.kind,
+        shape=design.shape,
+        runs=design.runs,
+        batch=1,
+        variables=trial.variables,
+        coordinates=trial.coordinates,
+        provenance=about,
+        seed=design.seed,
+    )
+    return replace(plan, batch=batch or _batch_size(plan, first))
+
+
+def _batch_size(plan: SweepPlan, first: _First) -> int:
+    """Return how many runs make a batch: a power of two, at least those that are made already."""
+    by_time = BATCH_SECONDS / max(first.seconds, 1e-6)
+    by_bytes = _MOST_BATCH_BYTES / plan.run_bytes
+    many = max(1.0, min(by_time, by_bytes, plan.runs / 16))
+    size = 1 << int(math.log2(many))
+    return max(size, len(first.batch.status))
+
+
+# -- making it -----------------------------------------------------------------------------
+
+
+@dataclass
+class _Begun:
+    """What there is already: first runs made here, batches that are stored."""
+
+    first: _First | None
+    done: set[int]
+    broken: int
+
+
+def _make(
+    sink: SweepFolder | SweepMemory, begun: _Begun, on: Any, workers: int | None, progress: Any
+) -> None:
+    """Make all batches that are not done."""
+    plan = sink.plan
+    with Bar(plan.title, plan.runs, progress, Standing) as bar:
+        bar.start(sum(len(plan.rows(n)) for n in begun.done), begun.broken)
+
+        def told(number: int, broken: int) -> None:
+            bar.add(len(plan.rows(number)), broken)
+
+        seconds = 0.0
+        if begun.first is not None:
+            _finish_first(sink, begun.first)
+            begun.done.add(0)
+            told(0, begun.first.batch.broken)
+            seconds = begun.first.seconds
+        left = [n for n in range(plan.batches) if n not in begun.done]
+        work = seconds * plan.batch * len(left)
+        folder = sink.folder if isinstance(sink, SweepFolder) else None
+        if _runs_here(on, work, begun.first is None):
+            engines.make_here(sink, iter(left), told)
+            return
+        size = min(workers or 10**9, len(left)) if workers else None
+        with engines.client_of(on, size, bar.note) as client:
+            engines.make_with(client, sink, folder, iter(left), told)
+
+
+def _finish_first(sink: SweepFolder | SweepMemory, first: _First) -> None:
+    """Make the rest of the first batch, and store it."""
+    rows = sink.rows(0)
+    batcher = batcher_of(job_of(sink.plan, None)["recipe"])
+    if len(rows) > len(first.batch.status):
+        first.batch.append(batcher.make(rows[len(first.batch.status) :]))
+    sink.write(0, first.batch)
+
+
+_told_of_extra = False
+
+
+def _runs_here(on: Any, work: float, unknown: bool) -> bool:
+    """Decide who makes the batches; `work` [s] is what is left for one core."""
+    global _told_of_extra
+    if on == "here":
+        return True
+    if engines.has_dask():
+        return on is None and (work < engines.WORTH_A_CLUSTER and not unknown)
+    if on is not None:
+        rule = "needs Dask, which is not installed: pip install 'ropewalk[sweep]'"
+        raise InputError("on", str(on), rule)
+    if (work > engines.WORTH_A_CLUSTER or unknown) and not _told_of_extra:
+        _told_of_extra = True
+        warnings.warn(
+            "this sweep runs in one process; with pip install 'ropewalk[sweep]' the same call takes all "
+            "cores, or a cluster",
+            stacklevel=4,
+        )
+    return True

@@ -1,0 +1,204 @@
+"""What a sweep varies: paths of the scene, with names, units and the values or spreads given for them."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ropewalk.scene import Scene, SceneError
+from ropewalk.scene.errors import NO_VALUE, Fault
+from ropewalk.scene.overrides import Places
+
+FLOAT, INT, TEXT = "float", "int", "text"
+#: Names of a sweep's own variables and of dimensions, which no parameter may take.
+RESERVED = {
+    *("run", "status", "reason", "broke_at", "done", "time", "node", "segment", "axis", "anchor"),
+    *("form", "law", "cause", "rope", "parameter", "quantile"),
+    *("method", "tolerance", "drop"),  # words of xarray's `sel`
+}
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """One thing that a sweep varies.
+
+    `values` are those of a grid or of given runs; `spread` is a frozen distribution, or (low, high).
+    """
+
+    path: str
+    name: str  # of its dimension or coordinate
+    unit: str
+    long_name: str
+    kind: str  # FLOAT, INT or TEXT: anything else, written as in TOML
+    values: tuple[Any, ...] | None = None
+    spread: Any = None
+
+    @property
+    def attributes(self) -> dict[str, str]:
+        """What its coordinate says about itself."""
+        about = {"path": self.path, "long_name": self.long_name}
+        return about | ({"units": self.unit} if self.unit else {})
+
+    def described(self) -> dict[str, Any]:
+        """All of it but the values, as plain data."""
+        return {
+            "path": self.path,
+            "name": self.name,
+            "unit": self.unit,
+            "long_name": self.long_name,
+            "kind": self.kind,
+            "spread": spread_in_words(self.spread) if self.spread is not None else None,
+        }
+
+
+def spread_in_words(spread: Any) -> str:
+    """Return a distribution or a range as text: `norm(100000.0, 5000.0)`, `9.5 to 10.5`."""
+    if isinstance(spread, tuple):
+        return f"{spread[0]:g} to {spread[1]:g}"
+    words = [f"{value!r}" for value in getattr(spread, "args", ())]
+    words += [f"{name}={value!r}" for name, value in getattr(spread, "kwds", {}).items()]
+    return f"{getattr(getattr(spread, 'dist', None), 'name', type(spread).__name__)}({', '.join(words)})"
+
+
+def make_parameters(scene: Scene, vary: Any) -> tuple[Parameter, ...]:
+    """Return the parameters that `vary` describes.
+
+    Args:
+        scene: that is varied.
+        vary: mapping from paths (those of `--set`) to a list of values, a frozen distribution of
+            scipy.stats, or a range (low, high); or a pandas DataFrame or an xarray Dataset of one
+            dimension with a column per path: the runs themselves.
+
+    Raises SceneError with every path and value that cannot be used.
+    """
+    given = _columns(vary)
+    if not given:
+        raise SceneError([Fault("vary", NO_VALUE, "is empty: name at least one path to vary")])
+    places = Places(scene, given)
+    _refuse_overlaps(places)
+    faults: list[Fault] = []
+    names = short_names(list(given))
+    made = []
+    for number, (path, what) in enumerate(given.items()):
+        field, whole = places.field(number)
+        extra = field.json_schema_extra
+        unit = str(extra.get("unit", "")) if isinstance(extra, Mapping) else ""
+        description = (field.description or whole).partition(":")[0].partition(";")[0]
+        try:
+            values, spread = _values_or_spread(path, what)
+            kind = _kind(path, values, spread, field.annotation is int)
+            if values is not None:
+                values = tuple(as_kind(value, kind) for value in values)
+        except SceneError as error:
+            faults += error.faults
+            continue
+        about = {"unit": unit, "long_name": f"{description} ({path})", "kind": kind}
+        made.append(Parameter(path, names[number], values=values, spread=spread, **about))
+    if faults:
+        raise SceneError(faults)
+    return tuple(made)
+
+
+def _columns(vary: Any) -> dict[str, Any]:
+    """Return what is given for each path."""
+    if hasattr(vary, "data_vars"):  # an xarray Dataset, perhaps the coordinates of another sweep
+        columns = {name: vary[name] for name in (*vary.data_vars, *vary.coords)}
+        with_path = {k: v for k, v in columns.items() if "path" in v.attrs}
+        used = with_path or {str(name): vary[name] for name in vary.data_vars}
+        return {str(v.attrs.get("path", k)): np.atleast_1d(v.values) for k, v in used.items()}
+    if hasattr(vary, "columns") and hasattr(vary, "iloc"):  # a pandas DataFrame
+        return {str(name): vary[name].to_numpy() for name in vary.columns}
+    if not isinstance(vary, Mapping):
+        rule = "must be a mapping from paths to values, a DataFrame, or a Dataset"
+        raise SceneError([Fault("vary", type(vary).__name__, rule)])
+    return {str(path): what for path, what in vary.items()}
+
+
+def gives_runs(vary: Any) -> bool:
+    """Tell whether `vary` holds the runs themselves."""
+    return hasattr(vary, "data_vars") or (hasattr(vary, "columns") and hasattr(vary, "iloc"))
+
+
+def _refuse_overlaps(places: Places) -> None:
+    """Refuse two paths that write to one place: the later one would win, unseen."""
+    faults = []
+    for number, path in enumerate(places.paths):
+        for earlier in range(number):
+            if places.overlap(number, earlier):
+                rule = f"changes what {places.paths[earlier]} changes too; keep one of them"
+                faults.append(Fault(path, NO_VALUE, rule))
+    if faults:
+        raise SceneError(faults)
+
+
+def _values_or_spread(path: str, what: Any) -> tuple[tuple[Any, ...] | None, Any]:
+    if hasattr(what, "ppf"):
+        return None, what
+    if isinstance(what, tuple):
+        numbers = all(isinstance(v, (int, float)) and not isinstance(v, bool) for v in what)
+        if len(what) != 2 or not numbers or not np.isfinite(what).all() or what[0] > what[1]:
+            rule = "a tuple is a range (low, high) to sample from; values of a grid are a list"
+            raise SceneError([Fault(path, list(what), rule)])
+        return None, (what[0], what[1])
+    if isinstance(what, np.ndarray):
+        what = what.tolist()
+    if isinstance(what, (str, bytes)) or not isinstance(what, Iterable):
+        rule = (
+            "must be a list of values, a range (low, high), or a frozen scipy.stats distribution; "
+            "a value that stays the same belongs into the scene"
+        )
+        raise SceneError([Fault(path, what, rule)])
+    values = tuple(item.item() if isinstance(item, np.generic) else item for item in what)
+    if not values:
+        raise SceneError([Fault(path, [], "has no values; give at least one")])
+    return values, None
+
+
+def _kind(path: str, values: Sequence[Any] | None, spread: Any, whole: bool) -> str:
+    if values is None:
+        return INT if whole else FLOAT
+    if all(isinstance(value, (int, float)) and not isinstance(value, bool) for value in values):
+        if whole and all(float(value).is_integer() for value in values):
+            return INT
+        return FLOAT  # a fraction where a whole number is needed is refused with its scene
+    if all(isinstance(value, (str, int, float, list, tuple, bool)) for value in values):
+        return TEXT
+    rule = "must be numbers, texts, true or false, or vectors [x, y, z]"
+    raise SceneError([Fault(path, list(values)[:3], rule)])
+
+
+def as_kind(value: Any, kind: str) -> Any:
+    """Return a value as its column holds it."""
+    if kind == FLOAT:
+        return float(value)
+    if kind == INT:
+        return int(value)
+    if isinstance(value, str):
+        return value
+    return json.dumps(value)  # TOML reads numbers, vectors and true as JSON writes them
+
+
+def short_names(paths: Sequence[str]) -> list[str]:
+    """Return a name for every path: its last keys, as few as tell it from the others."""
+    parts = [re.sub(r"\[(\d+)\]", r"_\1", path).replace("-", "_").split(".") for path in paths]
+    names = [_last(keys, 1) for keys in parts]
+    for count in range(2, max(map(len, parts)) + 1):
+        often = Counter(names)
+        again = [often[name] > 1 or name in RESERVED for name in names]
+        if not any(again):
+            break
+        names = [
+            _last(k, count) if more else name
+            for k, more, name in zip(parts, again, names, strict=True)
+        ]
+    return [f"run_{name}" if name in RESERVED else name for name in names]
+
+
+def _last(keys: Sequence[str], count: int) -> str:
+    return "_".join(keys[-count:])

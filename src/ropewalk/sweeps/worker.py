@@ -1,0 +1,93 @@
+"""What a worker does with a batch, in this process or another one: plain data in, plain data out."""
+
+from __future__ import annotations
+
+import json
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ropewalk.core.jit import source_hash
+from ropewalk.record.errors import RunError
+from ropewalk.sweeps.batch import GOOD, Batch, Batcher, Recipe
+from ropewalk.sweeps.plan import SweepPlan
+from ropewalk.sweeps.store import SweepFolder
+
+#: What a worker says of a batch.
+STORED, CARRIED, REFUSED = "stored", "carried", "refused"
+
+
+@lru_cache(maxsize=8)
+def batcher_of(recipe: str) -> Batcher:
+    """Return what makes the runs of a recipe, given as JSON; kept for the next batch."""
+    return Batcher(Recipe.of(json.loads(recipe)))
+
+
+@lru_cache(maxsize=8)
+def _folder_of(folder: str, name: str) -> SweepFolder | None:
+    """Return the sweep's folder if this machine sees it."""
+    try:
+        found = SweepFolder.open(Path(folder))
+    except (RunError, OSError):
+        return None
+    return found if found.plan.id == name else None
+
+
+def make_batch(job: dict[str, Any], number: int, rows: list[list[Any]]) -> dict[str, Any]:
+    """Make a batch and store it, or carry it to the client where the store is out of reach.
+
+    A batch that is stored already is not made again.
+    """
+    if job["source"] != source_hash():
+        text = (
+            "it has other sources of ropewalk, or another numba, and would not make the same bits"
+        )
+        return {"number": number, "what": REFUSED, "why": text}
+    store = _folder_of(job["folder"], job["id"]) if job["folder"] else None
+    if store is not None and store.is_done(number):
+        return {"number": number, "what": STORED, "broken": None}
+    batch = batcher_of(job["recipe"]).make(rows)
+    if store is None:
+        return {"number": number, "what": CARRIED, "broken": batch.broken, "batch": packed(batch)}
+    try:
+        store.write(number, batch)
+    except RunError as error:
+        return {"number": number, "what": REFUSED, "why": str(error)}
+    return {"number": number, "what": STORED, "broken": batch.broken}
+
+
+def job_of(plan: SweepPlan, folder: Path | None) -> dict[str, Any]:
+    """Return what a worker needs besides the values; plain data."""
+    return {
+        "recipe": json.dumps(plan.recipe.plain()),
+        "source": plan.recipe.source,
+        "folder": str(folder.resolve()) if folder is not None else "",
+        "id": plan.id,
+    }
+
+
+def packed(batch: Batch) -> dict[str, Any]:
+    """Return a batch as lists, texts and bytes."""
+    return {
+        "status": batch.status,
+        "reason": batch.reason,
+        "broke_at": np.asarray(batch.broke_at).tobytes(),
+        "kept": {name: (array.shape, array.tobytes()) for name, array in batch.kept.items()},
+    }
+
+
+def unpacked(plain: dict[str, Any]) -> Batch:
+    """Return the batch that `packed` gave."""
+    kept = {
+        name: np.frombuffer(data, dtype=np.float64).reshape(shape)
+        for name, (shape, data) in plain["kept"].items()
+    }
+    broke_at = np.frombuffer(plain["broke_at"], dtype=np.float64).tolist()
+    return Batch(list(plain["status"]), list(plain["reason"]), broke_at, kept)
+
+
+def count_broken(status: list[str]) -> int:
+    """Count the runs that did not end well."""
+    return sum(one not in GOOD for one in status)

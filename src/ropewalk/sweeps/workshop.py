@@ -1,0 +1,30 @@
+"""The models of a sweep's runs: what two runs share is built once."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from ropewalk.build import Model, build
+from ropewalk.scene import Scene
+from ropewalk.scene.overrides import Places
+from ropewalk.sweeps.parameters import TEXT
+
+
+class Workshop:
+    """Makes the scene and the model of every run of a sweep."""
+
+    def __init__(self, scene: Scene, paths: Sequence[str], kinds: Sequence[str]) -> None:
+        self._places = Places(scene, paths)
+        self._kinds = tuple(kinds)
+
+    def scene(self, values: Sequence[Any]) -> Scene:
+        """Return the scene with these values. Raises SceneError with every fault."""
+        from ropewalk.scene.overrides import as_value
+
+        pairs = zip(values, self._kinds, strict=True)
+        return self._places.scene([as_value(v) if kind == TEXT else v for v, kind in pairs])
+
+    def model(self, values: Sequence[Any]) -> Model:
+        """Return the model of a run. Raises SceneError when it cannot be planned."""
+        return build(self.scene(values))

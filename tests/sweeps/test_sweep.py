@@ -1,0 +1,268 @@
+"""A sweep answers with units, refuses before it runs, and tells of runs that break."""
+
+from __future__ import annotations
+
+import json
+import warnings
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+import scipy.stats
+import xarray as xr
+
+import ropewalk as rw
+from ropewalk.record.errors import InputError, RunError
+from sweeps.scenes import DOWN, EA, STIFF, alone, same, store_bytes, swing
+
+
+def test_a_grid_has_a_dimension_with_units_for_every_parameter() -> None:
+    grid = {EA: [1000.0, 2000.0], DOWN: np.linspace(-9.9, -9.7, 3)}
+    ds = rw.sweep(swing(), grid, keep=["tension.max", "positions[-1]"], on="here")
+    assert ds.tension_max.dims == ("EA", "gravity_2")
+    assert ds.EA.attrs["units"] == "N"
+    assert ds.gravity_2.attrs == {
+        "path": DOWN,
+        "units": "m/s^2",
+        "long_name": ds.gravity_2.attrs["long_name"],
+    }
+    assert ds.tension_max.attrs["units"] == "N"
+    for stiffness in ds.EA.values:
+        for down in ds.gravity_2.values:
+            own = alone(swing(), **{EA: float(stiffness), DOWN: float(down)})
+            at = ds.sel(EA=stiffness, gravity_2=down)
+            assert at.tension_max == own.tension.max()
+            np.testing.assert_array_equal(at.positions_last, own.positions[-1])
+
+
+def test_store_and_memory_hold_the_same(tmp_path: Path) -> None:
+    ask = {"keep": ["tension.max", "sag.max[time]"], "samples": 8, "seed": 3, "on": "here"}
+    vary = {EA: scipy.stats.norm(2000.0, 100.0), "rope.length": (1.9, 2.1)}
+    here = rw.sweep(swing(), vary, **ask)
+    there = rw.sweep(swing(), vary, store=tmp_path / "s", **ask)
+    assert set(here.variables) == set(there.variables)
+    for name in here.variables:
+        assert same(np.asarray(here[name].values), np.asarray(there[name].values)), name
+        assert here[name].attrs == there[name].attrs
+    plain = xr.open_zarr(tmp_path / "s" / "data.zarr")
+    assert {"EA", "length"} <= set(plain.coords)
+    frame = plain[["tension_max", "status"]].to_dataframe()
+    assert list(frame.status) == ["finished"] * 8
+    assert frame.EA.between(1500, 2500).all()
+
+
+def test_a_broken_run_is_a_result(tmp_path: Path) -> None:
+    ds = rw.sweep(swing(), {EA: STIFF}, store=tmp_path / "s", on="here")
+    assert list(ds.status.values) == ["finished", "finished", "broke"]
+    assert "largest stable" in str(ds.reason.values[2])
+    assert ds.broke_at.values[2] < 0.1
+    assert np.isnan(ds.tension_max.values[2])
+    assert np.isfinite(ds.tension_max.values[:2]).all()
+    assert rw.sweep.replay(tmp_path / "s", 2).status == "broke"
+
+
+def test_a_refused_run_is_a_result_and_corners_are_told_before(tmp_path: Path) -> None:
+    hanging = rw.preset("hanging-rope")
+    hanging = hanging.replace(run=hanging.run.replace(duration=0.02))
+    with pytest.raises(rw.SceneError, match=r"shorter than the .* \(with|shorter than") as caught:
+        rw.sweep(hanging, {"rope.length": [7.0, 12.0]}, on="here", store=tmp_path / "s")
+    assert "rope[0].shape.end" in str(caught.value)
+    assert not (tmp_path / "s").exists()
+    table = pd.DataFrame({"rope.length": [12.0, 13.0, 12.5]})
+    ds = rw.sweep(hanging, table, on="here", keep="sag[-1]")
+    assert ds.sag_last.dims == ("run", "rope")
+    assert list(ds.length.values) == [12.0, 13.0, 12.5]
+
+
+@pytest.mark.parametrize(
+    ("vary", "more", "words"),
+    [
+        ({"rope.made_of.mass": [1.0]}, {}, "mass_per_length"),
+        ({"gravity[3]": [1.0]}, {}, "must be from 0 to 2"),
+        ({EA: [1.0, -1.0]}, {}, "must be greater than 0"),
+        ({EA: []}, {}, "has no values"),
+        ({EA: 5.0}, {}, "must be a list of values"),
+        ({EA: (1.0, 2.0)}, {}, "say how many samples"),
+        ({EA: (2.0, 1.0)}, {"samples": 4}, "a tuple is a range"),
+        ({EA: (1.0, 2.0, 3.0)}, {"samples": 4}, "a tuple is a range"),
+        ({}, {}, "name at least one path"),
+        ({"gravity": [[0, 0, -1]], "gravity[2]": [-1.0]}, {}, "changes what gravity changes too"),
+        ({EA: [1.0]}, {"design": "sobel"}, 'did you mean "sobol"'),
+        ({EA: (1.0, 2.0)}, {"samples": 0}, "whole number from 1"),
+        ({EA: [1.0]}, {"keep": "tention.max"}, 'did you mean "tension"'),
+        ({EA: [1.0]}, {"keep": "tension.maximum"}, "no reducer"),
+        ({EA: [1.0]}, {"keep": "positions[9]"}, "no frame 9"),
+        ({EA: [1.0]}, {"keep": "reactions[-1, bottom]"}, "there is top"),
+        ({EA: [1.0]}, {"keep": ["tension.max", "tension.max"]}, "asked for twice"),
+        ({EA: [1.0]}, {"keep": []}, "is empty"),
+        ({"rope.segments": [4, 0]}, {}, "must be at least 1"),
+        ({"rope.segments": [4.5]}, {}, "whole number"),
+        ([1, 2], {}, "must be a mapping"),
+    ],
+)
+def test_what_cannot_be_is_told_before_anything_runs(
+    vary: object, more: dict[str, object], words: str
+) -> None:
+    with pytest.raises(rw.SceneError) as caught:
+        rw.sweep(swing(0.1), vary, on="here", **more)
+    assert words in str(caught.value)
+
+
+def test_every_faulty_corner_is_told_at_once() -> None:
+    with pytest.raises(rw.SceneError) as caught:
+        rw.sweep(swing(), {EA: [-1.0, 1.0], "rope.length": [-2.0, 2.0]}, on="here")
+    assert len(caught.value.faults) == 2
+
+
+def test_samples_are_those_of_scipy_and_the_same_for_a_seed() -> None:
+    from scipy.stats import qmc
+
+    spread = scipy.stats.norm(2000.0, 50.0)
+    vary = {EA: spread, "rope.length": (1.9, 2.1), "rope.segments": (3, 5)}
+    ds = rw.sweep(swing(0.02), vary, samples=16, seed=11, keep="tension.max", on="here")
+    points = qmc.Sobol(3, rng=np.random.default_rng(11)).random(16)
+    np.testing.assert_array_equal(ds.EA, spread.ppf(points[:, 0]))
+    np.testing.assert_array_equal(ds.length, 1.9 + points[:, 1] * (2.1 - 1.9))
+    np.testing.assert_array_equal(ds.segments, 3 + np.floor(3 * points[:, 2]))
+    assert ds.attrs["seed"] == 11
+    again = rw.sweep(swing(0.02), vary, samples=16, seed=11, keep="tension.max", on="here")
+    assert ds.identical(again)
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always")
+        rw.sweep(swing(0.02), vary, samples=12, seed=1, keep="tension.max", on="here")
+    assert "no power of two" in str(told[0].message)
+
+
+@pytest.mark.parametrize("design", ["sobol", "lhs", "halton", "random"])
+def test_every_design_fills_the_range(design: str) -> None:
+    ds = rw.sweep(swing(0.02), {EA: (1000.0, 3000.0)}, samples=32, design=design, seed=5, on="here")
+    values = np.sort(ds.EA.values)
+    assert values[0] < 1200.0
+    assert values[-1] > 2800.0
+    assert len(set(values)) == 32
+
+
+def test_a_list_with_samples_is_drawn_from() -> None:
+    ds = rw.sweep(
+        swing(0.02), {EA: [1e3, 2e3, 3e3], "rope.length": (1.9, 2.1)}, samples=64, seed=1, on="here"
+    )
+    found, counts = np.unique(ds.EA, return_counts=True)
+    assert list(found) == [1e3, 2e3, 3e3]
+    assert counts.min() >= 20
+
+
+def test_texts_switches_and_vectors_can_vary() -> None:
+    ds = rw.sweep(
+        swing(0.02),
+        {"method": ["verlet", "rk4"], "gravity": [[0, 0, -9.81], [0, 0, -1.62]]},
+        keep="tension.max",
+        on="here",
+    )
+    assert ds.tension_max.dims == ("run_method", "gravity")
+    moon = alone(swing(0.02), method="rk4", gravity=[0, 0, -1.62])
+    assert ds.tension_max.sel(run_method="rk4", gravity="[0, 0, -1.62]") == moon.tension.max()
+
+
+def test_runs_of_different_shapes_are_filled_up() -> None:
+    ds = rw.sweep(swing(), {"rope.segments": [2, 5]}, keep="positions[-1]", on="here")
+    assert ds.positions_last.shape == (2, 6, 3)
+    assert np.isnan(ds.positions_last.values[0, 3:]).all()
+    assert np.isfinite(ds.positions_last.values[0, :3]).all()
+
+
+def test_the_answer_of_one_sweep_gives_the_runs_of_the_next() -> None:
+    first = rw.sweep(
+        swing(0.02), {EA: (1e3, 3e3)}, samples=4, seed=2, keep="tension.max", on="here"
+    )
+    second = rw.sweep(swing(0.02), first, keep="tension.max", on="here")
+    np.testing.assert_array_equal(first.tension_max, second.tension_max)
+
+
+def test_rest_shapes_can_be_swept() -> None:
+    hanging = rw.preset("hanging-rope")
+    ds = rw.sweep(hanging, {"rope.length": [12.0, 14.0]}, keep="sag[-1]", what="rest", on="here")
+    sag = [
+        rw.equilibrium(hanging.replace(ropes=[hanging.ropes[0].replace(length=x)]))
+        for x in (12.0, 14.0)
+    ]
+    assert list(ds.status.values) == ["at rest"] * 2
+    assert ds.sag_last.values[1, 0] > ds.sag_last.values[0, 0] > 0.0
+    lowest = -(sag[0].positions[0] @ np.array(hanging.up)).min()
+    assert 0.0 < ds.sag_last.values[0, 0] - lowest < 1.0  # the line lies above the lower end
+
+
+def test_a_folder_with_something_in_it_is_refused(tmp_path: Path) -> None:
+    rw.sweep(swing(0.02), {EA: [1e3]}, store=tmp_path / "s", on="here")
+    with pytest.raises(RunError, match="resume it, take another folder, or overwrite"):
+        rw.sweep(swing(0.02), {EA: [1e3]}, store=tmp_path / "s", on="here")
+    rw.sweep(swing(0.02), {EA: [2e3]}, store=tmp_path / "s", on="here", overwrite=True)
+    assert list(rw.sweep.open(tmp_path / "s").EA) == [2e3]
+    other = tmp_path / "other"
+    other.mkdir()
+    (other / "letter.txt").write_text("dear")
+    with pytest.raises(RunError, match="something else than a sweep"):
+        rw.sweep(swing(0.02), {EA: [1e3]}, store=other, on="here", overwrite=True)
+    with pytest.raises(RunError, match="no such sweep"):
+        rw.sweep.open(tmp_path / "nothing")
+
+
+def test_too_much_for_memory_is_refused() -> None:
+    with pytest.raises(InputError, match="store="):
+        rw.sweep(swing(10.0), {EA: (1e3, 2e3)}, samples=65536, keep="positions", on="here")
+
+
+def test_what_was_asked_is_kept(tmp_path: Path) -> None:
+    vary = {EA: scipy.stats.norm(2e3, 10.0)}
+    rw.sweep(swing(0.02), vary, samples=4, seed=9, store=tmp_path / "s", on="here")
+    facts = json.loads((tmp_path / "s" / "sweep.json").read_text())
+    assert facts["parameters"][0]["spread"] == "norm(2000.0, 10.0)"
+    assert facts["seed"] == 9
+    assert facts["provenance"]["source_hash"]
+    assert rw.load(tmp_path / "s" / "scene.toml") == swing(0.02)
+
+
+def test_any_size_of_batches_gives_the_same(tmp_path: Path) -> None:
+    vary = {EA: STIFF, "rope.length": [1.9, 2.0, 2.1]}
+    found = [
+        rw.sweep(swing(), vary, store=tmp_path / f"s{size}", batch=size, on="here")
+        for size in (1, 4, 9)
+    ]
+    for ds in found[1:]:
+        for name in ds.variables:
+            assert same(np.asarray(found[0][name].values), np.asarray(ds[name].values))
+    assert len(store_bytes(tmp_path / "s1")) > len(store_bytes(tmp_path / "s9"))
+
+
+def test_a_replayed_run_has_the_bits_of_the_sweep(tmp_path: Path) -> None:
+    ds = rw.sweep(
+        swing(), {EA: (1e3, 3e3)}, samples=8, seed=1, store=tmp_path / "s", on="here", batch=3
+    )
+    run = rw.sweep.replay(tmp_path / "s", 5)
+    np.testing.assert_array_equal(run.positions[-1], ds.positions_last.values[5])
+    own = alone(swing(), **{EA: float(ds.EA[5])})
+    np.testing.assert_array_equal(run.positions, own.positions)
+    with pytest.raises(RunError, match="0 to 7"):
+        rw.sweep.replay(tmp_path / "s", 8)
+
+
+def test_progress_is_told() -> None:
+    told = []
+    rw.sweep(swing(), {EA: STIFF}, on="here", batch=1, progress=told.append)
+    assert told[-1].done == told[-1].runs == 3
+    assert told[-1].broken == 1
+
+
+def test_a_function_of_a_matrix(tmp_path: Path) -> None:
+    f = rw.sweep.function(swing(), [EA, "rope.length"], ["tension.max", "positions[-1, -1]"])
+    assert f.columns == ("tension_max", *(f"positions_last_last[{i}]" for i in range(3)))
+    made = f([[2000.0, 2.0], [4.0e6, 2.0], [1500.0, 2.1]])
+    assert made.shape == (3, 4)
+    assert np.isnan(made[1]).all()
+    assert f.last.status == ["finished", "broke", "finished"]
+    assert f([2000.0, 2.0]).shape == (4,)
+    np.testing.assert_array_equal(made[0], f([2000.0, 2.0]))
+    own = alone(swing(), **{EA: 1500.0, "rope.length": 2.1})
+    assert made[2, 0] == own.tension.max()
+    with pytest.raises(InputError, match="N x 2"):
+        f([1.0, 2.0, 3.0])
