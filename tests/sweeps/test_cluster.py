@@ -13,10 +13,10 @@ from typing import Any
 
 import numpy as np
 import pytest
-from sweeps.scenes import EA, STIFF, same, store_bytes, swing
 
 import ropewalk as rw
 from ropewalk.record.errors import RunError
+from sweeps.scenes import EA, STIFF, same, store_bytes, swing
 
 ROOT = Path(__file__).resolve().parents[2]
 #: Notes every batch that a worker makes, and makes it last long enough to be killed in.
@@ -114,9 +114,7 @@ def once(process: subprocess.Popen[bytes], after: int) -> Any:
 def test_a_worker_is_killed(tmp_path: Path, cluster: Cluster, here: dict[str, bytes]) -> None:
     folder = tmp_path / "s"
     kill = once(cluster.workers[0], 20)
-    ds = rw.sweep(
-        swing(0.04), VARY, store=folder, batch=2, on=cluster.address, progress=kill
-    )
+    ds = rw.sweep(swing(0.04), VARY, store=folder, batch=2, on=cluster.address, progress=kill)
     assert store_bytes(folder) == here
     assert (ds.status != "").all()
     made = Counter(line.partition(" ")[2] for line in cluster.made.read_text().splitlines())

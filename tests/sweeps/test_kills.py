@@ -15,11 +15,11 @@ from typing import Any
 
 import numpy as np
 import pytest
-from sweeps.scenes import EA, STIFF, store_bytes, swing
 
 import ropewalk as rw
 from ropewalk.record.errors import RunError
 from ropewalk.sweeps.store import SweepFolder
+from sweeps.scenes import EA, STIFF, store_bytes, swing
 
 LENGTHS = np.linspace(1.9, 2.1, 8).tolist()
 RUNS = 24

@@ -32,6 +32,7 @@ from ropewalk.cli.commands.run import run
 from ropewalk.cli.commands.schema import schema
 from ropewalk.cli.commands.settle import settle
 from ropewalk.cli.commands.share import share
+from ropewalk.cli.commands.sweep import sweep
 from ropewalk.cli.commands.view import view
 
 
@@ -117,7 +118,7 @@ def main() -> None:
 
 
 for _command in (
-    demo, view, presets, new, check, settle, modes, run, resume, info, plot, movie, share, compare,
+    demo, view, presets, new, check, settle, modes, run, sweep, resume, info, plot, movie, share, compare,
     export, report, schema,
 ):  # fmt: skip
     main.add_command(_command)

@@ -22,6 +22,11 @@ def open_run(folder: Path) -> Result:
     return Result.open(folder)
 
 
+def is_sweep(folder: Path) -> bool:
+    """Tell whether a folder holds a sweep rather than a run."""
+    return (folder / "sweep.json").is_file()
+
+
 def parse_node(text: str, result: Result) -> tuple[str, int]:
     """Return rope and node (as given, negative ones count from the end) of NODE or ROPE:NODE.
 

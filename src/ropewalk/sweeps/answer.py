@@ -39,7 +39,12 @@ def stored(sweep: SweepFolder) -> xr.Dataset:
 
     found: xr.Dataset = xr.open_zarr(sweep.folder / DATA, chunks=None).drop_vars(DONE)
     found = found.assign_attrs(sweep=str(sweep.folder))
-    plan = sweep.plan
+    plan, unmarked = sweep.plan, sweep.unmarked_runs()
+    if unmarked:
+        status = found.status.load()
+        for rows in unmarked:
+            status.values[rows] = ""
+        found["status"] = status
     if plan.design != GRID or plan.runs * plan.run_bytes > MOST_BYTES:
         return found
     return as_grid(found.load(), plan)

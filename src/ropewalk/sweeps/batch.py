@@ -90,13 +90,9 @@ class Batch:
             self.kept[name] = array if here is None else np.concatenate([here, array])
 
     def arrays(self) -> dict[str, Any]:
-        """Return the columns by name: lists of texts, arrays of numbers."""
-        return {
-            "status": self.status,
-            "reason": self.reason,
-            "broke_at": np.array(self.broke_at),
-            **self.kept,
-        }
+        """Return the columns by name: lists of texts, arrays of numbers; `status` is the last one."""
+        texts = {"reason": self.reason, "status": self.status}
+        return self.kept | {"broke_at": np.array(self.broke_at)} | texts
 
 
 class Batcher:

@@ -76,6 +76,7 @@ class SweepFolder:
         with writing(folder):
             shutil.rmtree(folder / DATA, ignore_errors=True)  # of one that never began
             (folder / PARTIAL).mkdir(parents=True, exist_ok=True)
+            made.tidy()
             for spec in made.specs.values():
                 (folder / DATA / spec.name).mkdir(parents=True, exist_ok=True)
             arrays = {spec.name: _metadata(spec) for spec in made.specs.values()}
@@ -176,7 +177,7 @@ class SweepFolder:
             return False
         check = 0
         try:
-            for name in ("status", "reason", "broke_at", *(v.name for v in self.plan.variables)):
+            for name in (*(v.name for v in self.plan.variables), "broke_at", "reason", "status"):
                 path = self.folder / DATA / self.specs[name].key(number)
                 check = google_crc32c.extend(check, path.read_bytes())
         except OSError:
@@ -192,6 +193,11 @@ class SweepFolder:
             elif (self.folder / DATA / self.specs[DONE].key(number)).exists():
                 damaged.append(number)
         return done, damaged
+
+    def unmarked_runs(self) -> list[slice]:
+        """Return the runs of batches without a mark."""
+        rows = (self.plan.rows(n) for n in range(self.plan.batches) if self.marked(n) is None)
+        return [slice(part.start, part.stop) for part in rows]
 
     def unmark(self, numbers: Iterable[int]) -> None:
         """Take the marks of damaged batches away, so that they are made again. Raises RunError."""

@@ -9,7 +9,7 @@ import click
 
 from ropewalk.cli.console import print_json, print_table, say, tell
 from ropewalk.cli.errors import Refusal
-from ropewalk.cli.runs import open_run, run_argument
+from ropewalk.cli.runs import is_sweep, open_run, run_argument
 from ropewalk.cli.sources import json_option
 from ropewalk.cli.summary import print_results
 
@@ -31,7 +31,15 @@ _PROVENANCE = ("started", "ended", "ropewalk", "python", "numpy", "numba", "plat
 )
 @json_option
 def info(folder: Path, checked: bool, as_json: bool) -> None:
-    """Say what is in the run folder DIR: scene, state, numbers, where it came from."""
+    """Say what is in the run folder DIR: scene, state, numbers, where it came from.
+
+    Of a sweep: how its runs ended, and why those that broke did.
+    """
+    if is_sweep(folder):
+        from ropewalk.cli.commands.sweep import info_folder
+
+        info_folder(folder, as_json=as_json)
+        return
     result = open_run(folder)
     if checked:
         tell(f"{_verified(folder)} chunks of numbers, all as they were written")

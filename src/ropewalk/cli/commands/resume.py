@@ -10,7 +10,7 @@ import click
 from ropewalk.cli.commands.run import conclude, quiet_option
 from ropewalk.cli.console import warn
 from ropewalk.cli.progress import RunProgress, tell_compiling
-from ropewalk.cli.runs import open_run, run_argument
+from ropewalk.cli.runs import is_sweep, open_run, run_argument
 from ropewalk.cli.sources import json_option
 from ropewalk.cli.startup import without_scipy
 
@@ -25,10 +25,14 @@ from ropewalk.cli.startup import without_scipy
 @json_option
 @quiet_option
 def resume(folder: Path, force: bool, as_json: bool, quiet: bool) -> int:
-    """Go on with the run in DIR where it was killed or interrupted.
+    """Go on with the run or sweep in DIR where it was killed or interrupted.
 
-    It goes on to the same bits as a run that was never interrupted.
+    It goes on to the same bits as one that was never interrupted.
     """
+    if is_sweep(folder):
+        from ropewalk.cli.commands.sweep import resume_folder
+
+        return resume_folder(folder, force=force, as_json=as_json)
     with without_scipy(), warnings.catch_warnings(record=True) as caught:
         from ropewalk.api import explain
         from ropewalk.record.resume import resume_run

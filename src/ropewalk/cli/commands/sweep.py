@@ -1,0 +1,188 @@
+"""`ropewalk sweep`: many runs of one scene; what resume, info and plot do with its folder."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import click
+
+from ropewalk.cli.console import print_json, print_table, say, tell, warn
+from ropewalk.cli.errors import INTERRUPTED
+from ropewalk.cli.files import claimed, refuse_parent
+from ropewalk.cli.progress import tell_compiling
+from ropewalk.cli.sources import json_option, load_scene, named, run_options, short_name
+
+SWEEPS = Path("sweeps")
+
+
+@click.command()
+@click.argument("scene")
+@click.option(
+    "--vary",
+    "varied",
+    multiple=True,
+    required=True,
+    metavar="PATH=WHAT",
+    help="What to vary, as in --set: a list 1e4,1e5,1e6, a range 9.5..10.5, linspace(1, 2, 5), or a "
+    "distribution such as norm(1e5, 5e3); can be given again.",
+)
+@click.option("--samples", type=int, metavar="N", help="Draw N runs; without it lists make a grid.")
+@click.option("--design", default="sobol", show_default=True, help="sobol, lhs, halton or random.")
+@click.option("--seed", type=int, help="Of the samples; default: a new one, which info tells.")
+@click.option(
+    "--keep",
+    multiple=True,
+    metavar="WHAT",
+    help="What to keep of every run, such as tension.max, positions[-1] or sag.max[time]; can be given "
+    "again. Default: largest tension and reactions, last positions.",
+)
+@click.option(
+    "-o",
+    "--output",
+    type=click.Path(path_type=Path),
+    metavar="DIR",
+    help="The sweep's folder; default: sweeps/NAME-1, -2 and so on.",
+)
+@click.option(
+    "--on",
+    metavar="WHERE",
+    help='Address of a Dask scheduler, "local" (all cores here) or "here" (one process).',
+)
+@click.option("--workers", type=click.IntRange(1), metavar="N", help="Processes of local.")
+@click.option("--rest", is_flag=True, help="Find each scene's equilibrium instead of running it.")
+@run_options
+@click.option("--overwrite", is_flag=True, help="Replace a sweep that is in DIR.")
+@json_option
+def sweep(
+    scene: str,
+    varied: tuple[str, ...],
+    samples: int | None,
+    design: str,
+    seed: int | None,
+    keep: tuple[str, ...],
+    output: Path | None,
+    on: str | None,
+    workers: int | None,
+    rest: bool,
+    overrides: tuple[str, ...],
+    duration: str | None,
+    time_step: str | None,
+    method: str | None,
+    overwrite: bool,
+    as_json: bool,
+) -> int:
+    """Run a scene many times with other values, into a folder.
+
+    Lists make a grid; with --samples, ranges, distributions and lists are drawn from. Everything wrong
+    at the corners is told before anything runs. A run that breaks is a result like others. Killed at any
+    moment, the sweep goes on with `ropewalk resume DIR`, to the same bits.
+    """
+    from ropewalk.record.errors import InputError
+    from ropewalk.sweeps.many import sweep as make
+    from ropewalk.sweeps.spread_text import parse_vary
+
+    loaded = load_scene(scene, overrides, duration=duration, time_step=time_step, method=method)
+    vary: dict[str, Any] = {}
+    for text in varied:
+        path, what = parse_vary(text)
+        if path in vary:
+            raise InputError("--vary", text, f"{path} is varied already")
+        vary[path] = what
+    if output is not None:
+        refuse_parent(output)
+    tell_compiling(loaded.run.method)
+    asked: dict[str, Any] = {
+        "keep": keep or None,
+        "samples": samples,
+        "design": design,
+        "seed": seed,
+    }
+    asked |= {"on": on, "workers": workers, "what": "rest" if rest else "run"}
+    with named(scene), claimed(output, SWEEPS, short_name(scene)) as folder, _telling():
+        return _ended(
+            folder, lambda: make(loaded, vary, store=folder, overwrite=overwrite, **asked), as_json
+        )
+
+
+def resume_folder(folder: Path, *, force: bool, as_json: bool) -> int:
+    """Go on with the sweep in a folder."""
+    from ropewalk.sweeps.many import resume_sweep
+
+    with _telling():
+        return _ended(folder, lambda: resume_sweep(folder, force=force), as_json)
+
+
+@contextmanager
+def _telling() -> Iterator[None]:
+    """Print warnings as the command line does."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("always", UserWarning)
+        warnings.showwarning = lambda message, *_, **__: warn(str(message))
+        yield
+
+
+def _ended(folder: Path, make: Any, as_json: bool) -> int:
+    """Make a sweep and print how it ended; return the exit status."""
+    from ropewalk.sweeps.store import SweepFolder, is_sweep
+
+    try:
+        make()
+    except KeyboardInterrupt:
+        if not is_sweep(folder):
+            raise
+        found = SweepFolder.open(folder)
+        done = sum(len(status) for status, _ in found.statuses())
+        tell(f"interrupted: {done} of {found.plan.runs} runs are stored")
+        tell(f"go on with: ropewalk resume {folder}")
+        return INTERRUPTED
+    info_folder(folder, as_json=as_json)
+    return 0
+
+
+def info_folder(folder: Path, *, as_json: bool) -> None:
+    """Say what is in a sweep's folder."""
+    from ropewalk.sweeps.store import SweepFolder
+    from ropewalk.sweeps.summary import summary
+
+    found = summary(SweepFolder.open(folder))
+    if as_json:
+        print_json({"folder": str(folder), **found})
+        return
+    say(f"{folder}: {found['title']}")
+    ended = ", ".join(f"{count} {how}" for how, count in found["ended"].items())
+    seed = "" if found["seed"] is None else f", seed {found['seed']}"
+    rows = [
+        ("runs", f"{found['done']} of {found['runs']} made: {ended or 'none yet'}"),
+        ("design", f"{found['design']}{seed}"),
+        ("batches", f"{found['batches done']} of {found['batches']} stored"),
+        ("ropewalk", str(found["provenance"].get("ropewalk", ""))),
+        ("started", str(found["provenance"].get("started", ""))),
+    ]
+    print_table(("", ""), rows)
+    print_table(("varied", "unit", "spread"), [_varied(p) for p in found["parameters"]])
+    columns = ("kept", "unit", "shape", "least", "5 %", "median", "95 %", "largest")
+    print_table(columns, [_kept(v) for v in found["kept"]], right=range(3, 8))
+    causes = [(str(count), why) for why, count in found["causes"].items()]
+    if causes:
+        print_table(("broken runs", "cause (# is a number that differs)"), causes)
+    if found["damaged"]:
+        warn(f"{len(found['damaged'])} stored batches are damaged; resume makes them again")
+    if found["done"] < found["runs"]:
+        say(f"go on with: ropewalk resume {folder}")
+    say(f"sweep folder: {folder}")
+
+
+def _varied(parameter: dict[str, Any]) -> tuple[str, str, str]:
+    return parameter["path"], parameter["unit"], parameter["spread"] or "given values"
+
+
+def _kept(variable: dict[str, Any]) -> Sequence[str]:
+    shape = " x ".join(
+        f"{size} {d}" for d, size in zip(variable["dims"], variable["sizes"], strict=True)
+    )
+    numbers = [f"{value:.5g}" for value in variable.get("quantiles", ())]
+    return [variable["name"], variable["unit"], shape, *numbers, *[""] * (5 - len(numbers))]

@@ -1,0 +1,105 @@
+"""Values and spreads as text, for the command line: `1e4,1e5`, `9.5..10.5`, `norm(1e5, 5e3)`."""
+
+from __future__ import annotations
+
+import ast
+import re
+from typing import Any
+
+import numpy as np
+
+from ropewalk.record.errors import InputError
+from ropewalk.scene.checks import nearest
+from ropewalk.scene.overrides import as_value
+
+#: Distributions by their names in scipy.stats, with what they take.
+DISTRIBUTIONS = {
+    "norm": "mean, standard deviation",
+    "uniform": "low, width",
+    "lognorm": "shape, loc, scale",
+    "triang": "share of the peak, low, width",
+    "truncnorm": "a, b, mean, standard deviation",
+    "beta": "a, b, low, width",
+    "gamma": "a, loc, scale",
+    "weibull_min": "c, loc, scale",
+}
+_GRIDS: dict[str, Any] = {
+    "linspace": np.linspace,
+    "logspace": np.logspace,
+    "geomspace": np.geomspace,
+}
+_CALL = re.compile(r"(\w+)\((.*)\)")
+
+
+def parse_vary(text: str) -> tuple[str, Any]:
+    """Return path and values (or spread) of `PATH=WHAT`. Raises InputError.
+
+    WHAT is a list `1e4,1e5,1e6`, a range `9.5..10.5`, a grid `linspace(1, 2, 5)`, `logspace(3, 6, 4)`, or
+    a distribution of scipy.stats such as `norm(1e5, 5e3)`.
+    """
+    path, equals, what = text.partition("=")
+    if not equals or not path.strip() or not what.strip():
+        rule = "must be written as PATH=WHAT, such as rope.made_of.EA=1e4,1e5,1e6"
+        raise InputError("--vary", text, rule)
+    return path.strip(), parse_values(what.strip(), text)
+
+
+def parse_values(what: str, text: str) -> Any:
+    """Return the list, range or distribution that a text stands for."""
+    if found := _CALL.fullmatch(what):
+        return _called(found[1], found[2], text)
+    if ".." in what:
+        low, _, high = what.partition("..")
+        try:
+            return float(low), float(high)
+        except ValueError:
+            raise InputError("--vary", text, "a range is written LOW..HIGH") from None
+    return [_number(part) for part in _parts(what)]
+
+
+def _parts(what: str) -> list[str]:
+    """Cut at the commas outside brackets."""
+    return [part.strip() for part in re.split(r",(?![^\[]*\])", what) if part.strip()]
+
+
+def _number(part: str) -> Any:
+    try:
+        return int(part)
+    except ValueError:
+        pass
+    try:
+        return float(part)
+    except ValueError:
+        value = as_value(part)
+        return value if isinstance(value, (str, bool, list)) else part
+
+
+def _called(name: str, given: str, text: str) -> Any:
+    try:
+        numbers = [float(ast.literal_eval(part)) for part in _parts(given)]
+    except (ValueError, SyntaxError, TypeError):
+        raise InputError("--vary", text, f"{name}(...) takes numbers") from None
+    if name in _GRIDS:
+        if len(numbers) != 3 or numbers[2] < 1 or not numbers[2].is_integer():
+            rule = (
+                f"{name} takes first, last, count"
+                if name != "logspace"
+                else ("logspace takes the exponents of first and last, and the count")
+            )
+            raise InputError("--vary", text, rule)
+        made = _GRIDS[name](numbers[0], numbers[1], int(numbers[2]))
+        return made.tolist()
+    if name not in DISTRIBUTIONS:
+        rule = f"there is no {name!r}; {nearest(name, [*DISTRIBUTIONS, *_GRIDS])}"
+        raise InputError("--vary", text, rule)
+    import scipy.stats
+
+    try:
+        made = getattr(scipy.stats, name)(*numbers)
+        sound = bool(np.isfinite(made.ppf([0.25, 0.5, 0.75])).all())
+    except (TypeError, ValueError):
+        sound = False
+    if not sound:
+        rule = f"{name} takes {DISTRIBUTIONS[name]}"
+        raise InputError("--vary", text, rule)
+    return made

@@ -1,0 +1,71 @@
+"""A sweep in a few lines: how far it is, how its runs ended, what they gave."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from typing import Any
+
+import numpy as np
+
+from ropewalk.sweeps.answer import stored
+from ropewalk.sweeps.batch import GOOD
+from ropewalk.sweeps.store import SweepFolder
+
+_NUMBER = re.compile(r"[-+]?\d+(\.\d+)?(e[-+]?\d+)?", re.IGNORECASE)
+
+
+def cause(status: str, reason: str) -> str:
+    """Return a run's reason without its numbers: what many runs have in common."""
+    first = reason.replace("\n", "; ")
+    first = re.sub(r"Broke after t = \S+ s at node \d+ of", "Broke at", first)
+    sentences = re.split(r"(?<=[.:;])\s", first + " ", maxsplit=2)[:2]
+    return f"{status}: {_NUMBER.sub('#', ' '.join(sentences).strip())}"
+
+
+def summary(sweep: SweepFolder) -> dict[str, Any]:
+    """Return counts of runs by how they ended and why, and ranges of what was kept."""
+    ended: Counter[str] = Counter()
+    causes: Counter[str] = Counter()
+    for status, reason in sweep.statuses():
+        ended.update(status)
+        pairs = zip(status, reason, strict=True)
+        causes.update(cause(one, why) for one, why in pairs if one not in GOOD)
+    done, damaged = sweep.standing()
+    plan = sweep.plan
+    return {
+        "title": plan.title,
+        "design": plan.design,
+        "seed": plan.seed,
+        "runs": plan.runs,
+        "done": sum(ended.values()),
+        "batches": plan.batches,
+        "batches done": len(done),
+        "damaged": damaged,
+        "ended": dict(ended),
+        "causes": dict(causes.most_common(20)),
+        "parameters": [dict(parameter) for parameter in plan.parameters],
+        "kept": _kept(sweep),
+        "provenance": dict(plan.provenance),
+    }
+
+
+def _kept(sweep: SweepFolder) -> list[dict[str, Any]]:
+    """Return shape, unit and quantiles of everything kept, over the runs that ended well."""
+    data = stored(sweep)
+    found = []
+    for variable in sweep.plan.variables:
+        about: dict[str, Any] = {
+            "name": variable.name,
+            "unit": variable.unit,
+            "long_name": variable.long_name,
+            "dims": list(variable.dims),
+            "sizes": list(variable.sizes),
+        }
+        if variable.numbers * sweep.plan.runs <= 10_000_000:
+            values = data[variable.name].values
+            sound = values[np.isfinite(values)]
+            if sound.size:
+                about["quantiles"] = np.quantile(sound, [0.0, 0.05, 0.5, 0.95, 1.0]).tolist()
+        found.append(about)
+    return found
