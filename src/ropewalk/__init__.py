@@ -89,6 +89,8 @@ _HOMES = {
     "resume": "api",
     "open": "api",
     "sweep": "sweeps.public",
+    "calibrate": "sweeps.public",
+    "uncertain": "sweeps.uncertainty",
     "RunError": "record.errors",
     "check": "api",
     "catenary": "theory",

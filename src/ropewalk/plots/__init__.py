@@ -25,6 +25,7 @@ from ropewalk.plots.movies import MovieError, movie
 from ropewalk.plots.phases import phase
 from ropewalk.plots.reaction_forces import reactions
 from ropewalk.plots.shapes import shape
+from ropewalk.plots.sweeps import sweep
 from ropewalk.plots.tensions import tension
 
 
@@ -64,5 +65,6 @@ __all__ = [
     "reactions",
     "save",
     "shape",
+    "sweep",
     "tension",
 ]

@@ -66,7 +66,7 @@ def client_of(on: Any, workers: int | None, say: Callable[[str], None]) -> Itera
         return
     if isinstance(on, str) and on != "local":
         try:
-            client = Client(on, timeout="20s", set_as_default=False)
+            client = Client(on, timeout="10s", set_as_default=False)
         except (OSError, ValueError, TypeError) as error:
             raise RunError(on, f"no Dask scheduler answers there: {error}") from None
         with client:

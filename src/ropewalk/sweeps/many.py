@@ -293,9 +293,14 @@ def _make(
             told(0, begun.first.batch.broken)
             seconds = begun.first.seconds
         left = [n for n in range(plan.batches) if n not in begun.done]
+        if begun.first is None and on is None:  # what is gone on with: how long will it take?
+            before = time.perf_counter()
+            engines.make_here(sink, iter(left[:1]), told)
+            seconds = (time.perf_counter() - before) / plan.batch
+            left = left[1:]
         work = seconds * plan.batch * len(left)
         folder = sink.folder if isinstance(sink, SweepFolder) else None
-        if _runs_here(on, work, begun.first is None):
+        if _runs_here(on, work):
             engines.make_here(sink, iter(left), told)
             return
         size = min(workers or 10**9, len(left)) if workers else None
@@ -315,17 +320,17 @@ def _finish_first(sink: SweepFolder | SweepMemory, first: _First) -> None:
 _told_of_extra = False
 
 
-def _runs_here(on: Any, work: float, unknown: bool) -> bool:
+def _runs_here(on: Any, work: float) -> bool:
     """Decide who makes the batches; `work` [s] is what is left for one core."""
     global _told_of_extra
     if on == "here":
         return True
     if engines.has_dask():
-        return on is None and (work < engines.WORTH_A_CLUSTER and not unknown)
+        return on is None and work < engines.WORTH_A_CLUSTER
     if on is not None:
         rule = "needs Dask, which is not installed: pip install 'ropewalk[sweep]'"
         raise InputError("on", str(on), rule)
-    if (work > engines.WORTH_A_CLUSTER or unknown) and not _told_of_extra:
+    if work > engines.WORTH_A_CLUSTER and not _told_of_extra:
         _told_of_extra = True
         warnings.warn(
             "this sweep runs in one process; with pip install 'ropewalk[sweep]' the same call takes all "

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ropewalk.sweeps.answer import open_sweep
+from ropewalk.sweeps.calibration import Calibrate
 from ropewalk.sweeps.function import SweepFunction
 from ropewalk.sweeps.many import resume_sweep
 from ropewalk.sweeps.many import sweep as make_sweep
@@ -47,3 +48,4 @@ class Sweep:
 
 
 sweep = Sweep()
+calibrate = Calibrate()

@@ -12,7 +12,7 @@ import click
 from ropewalk.cli.console import say
 from ropewalk.cli.errors import Refusal, nearest_name
 from ropewalk.cli.files import refuse_existing
-from ropewalk.cli.runs import open_run, parse_node, run_argument
+from ropewalk.cli.runs import is_sweep, open_run, parse_node, run_argument
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -71,7 +71,12 @@ def plot(
       phase      velocity against position of a node (--node)
       reactions  force of each anchor on its rope
       forces     the last frame coloured by tension, with the anchors' forces
+    Of a sweep, KIND is a name of what it kept, such as tension_max.
     """
+    if is_sweep(folder):
+        _refuse_of_sweeps(times, nodes)
+        plot_sweep(folder, kinds, output, formats, overwrite)
+        return
     result = open_run(folder)
     from ropewalk import plots
 
@@ -89,6 +94,37 @@ def plot(
         for path in targets[kind]:
             path.parent.mkdir(parents=True, exist_ok=True)
             say(str(plots.save(figure, path)))
+
+
+def plot_sweep(
+    folder: Path, kinds: Sequence[str], output: Path | None, formats: str, overwrite: bool
+) -> None:
+    """Draw what a sweep kept, one figure each."""
+    from ropewalk import plots
+    from ropewalk.plots.sweeps import drawable
+    from ropewalk.sweeps.answer import open_sweep
+
+    data = open_sweep(folder)
+    known = drawable(data)
+    if not known:
+        raise Refusal(f"{folder}: keeps nothing that can be drawn; keep maxima, or [time] of them")
+    chosen, endings = _chosen(kinds, known), _endings(formats, plots.FORMATS)
+    targets = _targets(folder, output, chosen, endings, plots.FORMATS)
+    for kind in chosen:
+        try:
+            figure = plots.sweep(data, kind)
+        except ValueError as error:
+            raise Refusal(f"{folder}: {error}") from error
+        for path in targets[kind]:
+            refuse_existing(path, overwrite=overwrite or output is None)
+            path.parent.mkdir(parents=True, exist_ok=True)
+            say(str(plots.save(figure, path)))
+
+
+def _refuse_of_sweeps(times: Sequence[float], nodes: Sequence[str]) -> None:
+    for flag, given in (("--time", times), ("--node", nodes)):
+        if given:
+            raise Refusal(f"{flag}: figures of a sweep take none; leave it out")
 
 
 def draw(

@@ -38,12 +38,23 @@ quiet_option = click.option(
 )
 @run_options
 @click.option("--keep-going", is_flag=True, help="Record on into a break, to the planned end.")
+@click.option(
+    "--uncertain",
+    "spreads",
+    multiple=True,
+    metavar="PATH=SPREAD",
+    help="A value that is not known exactly: a range 9.5..10.5 or norm(1e5, 5e3). Then many runs are made, "
+    "and bands for tension, sag and anchor forces printed and drawn; can be given again.",
+)
+@click.option("--samples", type=click.IntRange(2), metavar="N", help="Of --uncertain; default 256.")
 @click.option("--overwrite", is_flag=True, help="Replace a run that is in DIR.")
 @json_option
 @quiet_option
 def run(
     scene: str,
     output: Path | None,
+    spreads: tuple[str, ...],
+    samples: int | None,
     overrides: tuple[str, ...],
     duration: str | None,
     time_step: str | None,
@@ -61,6 +72,13 @@ def run(
     resumed.
     """
     loaded = load_scene(scene, overrides, duration=duration, time_step=time_step, method=method)
+    if spreads:
+        from ropewalk.cli.commands.uncertain import run_uncertain
+
+        where = (output, short_name(scene), overwrite)
+        return run_uncertain(loaded, spreads, samples or 256, where, as_json=as_json)
+    if samples is not None:
+        raise Refusal("--samples: goes with --uncertain; for a sweep see: ropewalk sweep --help")
     if output is not None:
         with without_scipy():
             refuse_run(output, overwrite)

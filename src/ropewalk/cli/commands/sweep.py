@@ -102,7 +102,7 @@ def sweep(
         "seed": seed,
     }
     asked |= {"on": on, "workers": workers, "what": "rest" if rest else "run"}
-    with named(scene), claimed(output, SWEEPS, short_name(scene)) as folder, _telling():
+    with named(scene), claimed(output, SWEEPS, short_name(scene)) as folder, telling():
         return _ended(
             folder, lambda: make(loaded, vary, store=folder, overwrite=overwrite, **asked), as_json
         )
@@ -112,12 +112,12 @@ def resume_folder(folder: Path, *, force: bool, as_json: bool) -> int:
     """Go on with the sweep in a folder."""
     from ropewalk.sweeps.many import resume_sweep
 
-    with _telling():
+    with telling():
         return _ended(folder, lambda: resume_sweep(folder, force=force), as_json)
 
 
 @contextmanager
-def _telling() -> Iterator[None]:
+def telling() -> Iterator[None]:
     """Print warnings as the command line does."""
     with warnings.catch_warnings():
         warnings.simplefilter("always", UserWarning)

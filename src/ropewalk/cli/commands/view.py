@@ -15,6 +15,7 @@ from ropewalk.cli.console import say, tell, warn
 from ropewalk.cli.errors import Refusal
 from ropewalk.cli.files import claimed
 from ropewalk.cli.progress import tell_compiling
+from ropewalk.cli.runs import is_sweep
 from ropewalk.cli.sources import load_scene, run_options, short_name
 from ropewalk.cli.startup import without_scipy
 
@@ -45,6 +46,9 @@ _LOCAL = ("127.0.0.1", "localhost", "::1")
     help="The session's run folder; default: runs/NAME-live-1, -2 and so on.",
 )
 @click.option("--no-save", is_flag=True, help="Keep nothing on disk.")
+@click.option(
+    "--run", "number", type=click.IntRange(0), metavar="N", help="Which run of the sweep in DIR."
+)
 @click.option("--continue", "go_on", is_flag=True, help="Go on with the live session in DIR.")
 def view(
     source: str | None,
@@ -58,9 +62,10 @@ def view(
     paused: bool,
     output: Path | None,
     no_save: bool,
+    number: int | None,
     go_on: bool,
 ) -> int:
-    """Show a scene live in the browser, or replay the run in DIR there.
+    """Show a scene live in the browser, or replay the run in DIR (or one of a sweep's) there.
 
     The rope can be grabbed, pinned, cut and tweaked while it moves. The session is kept as a run folder,
     from which the same commands give the same bits again. Ctrl-C ends it. Without SCENE the report's
@@ -72,6 +77,13 @@ def view(
         check_installed()
         settings = {"duration": duration, "time_step": time_step, "method": method}
         options: dict[str, Any] = {"host": host, "port": port}
+        if source is not None and is_sweep(Path(source)):
+            if overrides or any(settings.values()) or output or go_on:
+                raise Refusal(f"{source}: is a sweep; only --run says what of it is shown")
+            made, playing = _run_of_sweep(Path(source), number), not paused
+            return _serve(lambda _: _replay(made, playing, options), no_browser, port)
+        if number is not None:
+            raise Refusal(f"--run: {source or DEFAULT} is no sweep; leave it out")
         if source is not None and _is_run(Path(source)):
             if overrides or any(settings.values()):
                 raise Refusal(f"{source}: is a run; values of a run cannot be changed by flags")
@@ -105,6 +117,15 @@ def _is_run(path: Path) -> bool:
     return False
 
 
+def _run_of_sweep(folder: Path, number: int | None) -> Any:
+    """Make a run of a sweep again."""
+    from ropewalk.sweeps.replay import replay
+
+    if number is None:
+        raise Refusal(f"{folder}: is a sweep; say which run of it: --run 0")
+    return replay(folder, number)
+
+
 def _preset_of(scene: Scene, source: str, changed: bool) -> str | None:
     """Return the name of the preset that the scene is, unchanged."""
     from ropewalk.scene.presets import names, preset
@@ -134,10 +155,10 @@ def _continued(folder: Path, no_save: bool, options: dict[str, Any]) -> Any:
     return serve_session(session, **options)
 
 
-def _replay(folder: Path, playing: bool, options: dict[str, Any]) -> Any:
+def _replay(run: Any, playing: bool, options: dict[str, Any]) -> Any:
     from ropewalk.live.replay import serve_run
 
-    return serve_run(folder, playing=playing, **options)
+    return serve_run(run, playing=playing, **options)
 
 
 def _serve(make: Callable[[Announce], Any], no_browser: bool, port: int | None) -> int:

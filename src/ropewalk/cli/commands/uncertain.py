@@ -1,0 +1,70 @@
+"""`ropewalk run --uncertain`: bands of what is not known exactly."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from ropewalk.cli.commands.sweep import SWEEPS, telling
+from ropewalk.cli.console import print_json, print_table, say, tell
+from ropewalk.cli.files import claimed
+from ropewalk.cli.progress import tell_compiling
+
+if TYPE_CHECKING:
+    from ropewalk.scene import Scene
+
+
+def run_uncertain(
+    scene: Scene,
+    spreads: Sequence[str],
+    samples: int,
+    where: tuple[Path | None, str, bool],
+    *,
+    as_json: bool,
+) -> int:
+    """Make the runs into a sweep's folder, print the bands and draw the figure there."""
+    from ropewalk import plots
+    from ropewalk.sweeps.spread_text import parse_vary
+    from ropewalk.sweeps.uncertainty import text_rows, uncertain
+
+    output, name, overwrite = where
+    vary = dict(parse_vary(text) for text in spreads)
+    tell_compiling(scene.run.method)
+    with claimed(output, SWEEPS, f"{name}-uncertain") as folder, telling():
+        found = uncertain(scene, vary, samples=samples, store=folder, overwrite=overwrite)
+    figures = folder / "figures"
+    figures.mkdir(exist_ok=True)
+    path = plots.save(found.plot(), figures / "uncertain.png")
+    if as_json:
+        print_json(_facts(found, folder))
+        return 0
+    columns = ("result", "5 %", "50 %", "95 %", "unit", "follows (total Sobol index)")
+    print_table(columns, text_rows(found), right=(1, 2, 3))
+    if found.note:
+        tell(found.note)
+    say(str(path))
+    say(f"sweep folder: {folder}")
+    return 0
+
+
+def _facts(found: Any, folder: Path) -> dict[str, Any]:
+    bands = {
+        name: {"unit": unit, "5 %": low, "50 %": middle, "95 %": high}
+        for name, unit, low, middle, high in found.table()
+    }
+    sobol = {}
+    if found.sobol is not None:
+        names = found.sobol.parameter.values.tolist()
+        for key in found.sobol.data_vars:
+            if not str(key).endswith("_ci"):
+                total = found.sobol[key].sel(order="total").values
+                sobol[str(key)] = dict(zip(names, total.tolist(), strict=True))
+    return {
+        "folder": str(folder),
+        "runs": len(found.runs.run),
+        "broken": found.broken,
+        "bands": bands,
+        "total Sobol indices": sobol,
+        "note": found.note or None,
+    }

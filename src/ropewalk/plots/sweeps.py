@@ -1,0 +1,304 @@
+"""Figures of sweeps: lines for one parameter, a map for two, scatters for more, a band in time."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from ropewalk.plots.style import (
+    COLOURS,
+    FAINT,
+    line_style,
+    new_figure,
+    scaled_axis,
+    set_note,
+    set_title,
+    styled,
+)
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+Floats = NDArray[np.float64]
+BAND = (0.05, 0.5, 0.95)
+_MOST_PANELS = 12
+_MOST_POINTS = 5000
+
+
+@styled
+def sweep(data: xr.Dataset, variable: str | None = None) -> Figure:
+    """Draw one thing that a sweep kept, in the way that suits its parameters.
+
+    Along time: the band that holds 90 % of the runs. Else lines against one parameter, a map over a grid
+    of two, and for more one panel per parameter. Broken runs are marked.
+
+    Args:
+        data: what `rw.sweep` returned.
+        variable: name of what was kept; default: the first that can be drawn.
+
+    Raises ValueError for a name that is not there, or something that cannot be drawn.
+    """
+    names = drawable(data)
+    if not names:
+        raise ValueError(
+            "nothing that this sweep kept can be drawn; keep maxima, or [time] of them"
+        )
+    name = variable or names[0]
+    if name not in names:
+        raise ValueError(f"cannot draw {name!r}; there is {', '.join(names)}")
+    along = _own_dims(data, name)
+    if {"time", "frame"} & set(along):
+        return _band(data, name)
+    parameters = _parameters(data)
+    if "run" not in data[name].dims and len(parameters) == 2:
+        return _map(data, name, parameters)
+    if len(parameters) == 1:
+        return _lines(data, name, parameters[0])
+    return _panels(data, name, parameters)
+
+
+def drawable(data: xr.Dataset) -> list[str]:
+    """Return the names of what can be drawn: numbers per run, per anchor or rope, and along time."""
+    found = []
+    for name in map(str, data.data_vars):
+        along = set(_own_dims(data, name))
+        kept = "keep" in data[name].attrs
+        if kept and along <= {"time", "frame", "anchor", "rope", "form"}:
+            found.append(name)
+    return found
+
+
+def _parameters(data: xr.Dataset) -> list[str]:
+    return [str(name) for name in data.coords if "path" in data[name].attrs]
+
+
+def _own_dims(data: xr.Dataset, name: str) -> list[str]:
+    """Return the dimensions of a variable that are not the sweep's."""
+    swept = {"run", *_parameters(data)}
+    return [str(dim) for dim in data[name].dims if dim not in swept]
+
+
+def _parts(data: xr.Dataset, name: str) -> list[tuple[str, xr.DataArray]]:
+    """Return a variable anchor by anchor (or rope by rope), each with its label."""
+    array = data[name]
+    split = [dim for dim in _own_dims(data, name) if dim in ("anchor", "rope", "form")]
+    if not split:
+        return [("", array)]
+    (dim,) = split
+    return [(str(label), array.sel({dim: label})) for label in data[dim].values]
+
+
+def _title(figure: Figure, data: xr.Dataset, name: str) -> None:
+    status = _texts(data.status)
+    broken = int((~np.isin(status, ["finished", "at rest", ""])).sum())
+    made = int((status != "").sum())
+    of = f"{made} runs" if made == status.size else f"{made} of {status.size} runs so far"
+    seed = f", seed {data.attrs['seed']}" if "seed" in data.attrs else ""
+    told = f"{data.attrs.get('title', '')}: {data.attrs['design']}{seed}, {of}"
+    set_title(
+        figure, data[name].attrs["long_name"], told + (f", {broken} broken" if broken else "")
+    )
+
+
+def _label(array: xr.DataArray) -> str:
+    unit = array.attrs.get("units", "")
+    words = array.attrs.get("long_name", array.name)
+    return f"{words} [{unit}]" if unit and unit != "1" else str(words)
+
+
+def _axis(axes: Axes, array: xr.DataArray, values: Floats, which: str = "x") -> None:
+    """Label an axis by a parameter; logarithmic where its values rise by factors."""
+    getattr(axes, f"set_{which}label")(_label(array))
+    sound = np.unique(values[np.isfinite(values)])
+    if len(sound) > 2 and sound[0] > 0 and sound[-1] / sound[0] >= 50.0:
+        ratios = np.diff(np.log(sound))
+        if ratios.max() < 0.5 * (np.log(sound[-1]) - np.log(sound[0])) or len(sound) == 3:
+            getattr(axes, f"set_{which}scale")("log")
+
+
+def _numbers(array: xr.DataArray) -> tuple[Floats, list[str] | None]:
+    """Return a parameter's values as numbers; texts are counted, and are the labels."""
+    values = array.values
+    if values.dtype.kind in "fiu":
+        return values.astype(np.float64), None
+    texts = _texts(array).tolist()
+    labels = list(dict.fromkeys(texts))
+    return np.array([labels.index(text) for text in texts], dtype=np.float64), labels
+
+
+def _texts(array: xr.DataArray) -> NDArray[np.str_]:
+    return np.array(array.values.ravel().tolist(), dtype=str).reshape(array.shape)
+
+
+def _lines(data: xr.Dataset, name: str, parameter: str) -> Figure:
+    figure = new_figure(6.4, 4.2)
+    axes = figure.subplots()
+    x, labels = _numbers(data[parameter])
+    order = np.argsort(x, kind="stable")
+    largest = 0.0
+    parts = _parts(data, name)
+    for number, (label, part) in enumerate(parts):
+        y = part.values.astype(np.float64)
+        largest = max(largest, float(np.nanmax(np.abs(y), initial=0.0)))
+        few = len(x) <= 60
+        axes.plot(x[order], y[order], marker="o" if few else "", label=label, **line_style(number))
+    _mark_broken(axes, x[_is_broken(data)])
+    scaled_axis(
+        axes, data[name].attrs["long_name"].partition(",")[0], data[name].attrs["units"], largest
+    )
+    _axis(axes, data[parameter], x)
+    if labels:
+        axes.set_xticks(range(len(labels)), labels)
+    if len(parts) > 1:
+        axes.legend()
+    _title(figure, data, name)
+    return figure
+
+
+def _is_broken(data: xr.Dataset) -> NDArray[np.bool_]:
+    status = _texts(data.status)
+    return np.asarray(~np.isin(status, ["finished", "at rest", ""]))
+
+
+def _mark_broken(axes: Axes, x: Floats) -> None:
+    """Mark runs without a value at the foot of the axes."""
+    if len(x):
+        foot = axes.get_xaxis_transform()
+        style: dict[str, Any] = {"color": COLOURS[1], "linestyle": "none", "clip_on": False}
+        axes.plot(x, np.full(len(x), 0.02), marker="x", transform=foot, label="broken", **style)
+        axes.legend()
+
+
+def _map(data: xr.Dataset, name: str, parameters: list[str]) -> Figure:
+    parts = _parts(data, name)
+    figure = new_figure(5.4 * len(parts) if len(parts) > 1 else 6.4, 4.6)
+    panels = np.atleast_1d(figure.subplots(1, len(parts)))
+    (x, x_labels), (y, y_labels) = (_numbers(data[p]) for p in parameters)
+    broken = _is_broken(data)
+    for axes, (label, part) in zip(panels, parts, strict=True):
+        values = part.values.astype(np.float64)
+        axes.grid(False)
+        axes.set_facecolor(FAINT)
+        _axis(axes, data[parameters[0]], x)
+        _axis(axes, data[parameters[1]], y, "y")
+        edges = _edges(x, axes.get_xscale()), _edges(y, axes.get_yscale())
+        drawn = axes.pcolormesh(*edges, values.T, cmap="viridis")
+        figure.colorbar(drawn, ax=axes, label=f"{name} [{data[name].attrs['units']}]")
+        for i, j in np.argwhere(broken):
+            axes.plot(x[i], y[j], marker="x", color=COLOURS[1])
+        for labels, set_ticks in ((x_labels, axes.set_xticks), (y_labels, axes.set_yticks)):
+            if labels:
+                set_ticks(range(len(labels)), labels)
+        if label:
+            axes.set_title(label)
+    if broken.any():
+        set_note(figure, ["Crosses on grey: runs that broke."])
+    _title(figure, data, name)
+    return figure
+
+
+def _edges(centres: Floats, scale: str) -> Floats:
+    """Return the edges of cells about centres."""
+    at = np.log(centres) if scale == "log" else centres
+    if len(at) == 1:
+        edges = np.array([at[0] - 0.5, at[0] + 0.5])
+    else:
+        middle = 0.5 * (at[1:] + at[:-1])
+        edges = np.concatenate([[2 * at[0] - middle[0]], middle, [2 * at[-1] - middle[-1]]])
+    return np.asarray(np.exp(edges) if scale == "log" else edges)
+
+
+def _panels(data: xr.Dataset, name: str, parameters: list[str]) -> Figure:
+    """One panel per parameter, coloured by another one: what moves the result, and with what."""
+    table = data if "run" in data[name].dims else _table(data, parameters)
+    shown = parameters[:_MOST_PANELS]
+    columns = min(3, len(shown))
+    rows = -(-len(shown) // columns)
+    figure = new_figure(3.3 * columns + 0.6, 3.0 * rows + 0.7)
+    panels = figure.subplots(rows, columns, squeeze=False, sharey=True)
+    parts = _parts(table, name)
+    y = np.max([part.values for _, part in parts], axis=0).astype(np.float64)
+    good = np.isfinite(y)
+    step = max(1, int(good.sum()) // _MOST_POINTS)
+    xs = {p: _numbers(table[p]) for p in parameters}
+    strongest = max(parameters, key=lambda p: _rank_correlation(xs[p][0][good], y[good]))
+    for place, (axes, parameter) in enumerate(zip(panels.flat, shown, strict=False)):
+        x, labels = xs[parameter]
+        by = strongest if parameter != strongest else _next(parameters, strongest, xs, y, good)
+        colour = xs[by][0]
+        drawn = axes.scatter(
+            x[good][::step], y[good][::step], c=colour[good][::step], s=9, cmap="viridis"
+        )
+        figure.colorbar(drawn, ax=axes, label=f"{by} [{table[by].attrs.get('units', '1')}]")
+        _mark_broken(axes, x[_is_broken(table)])
+        axes.set_xlabel(f"{parameter} [{table[parameter].attrs.get('units', '1')}]")
+        if labels:
+            axes.set_xticks(range(len(labels)), labels)
+        if place % columns == 0:
+            axes.set_ylabel(f"{name} [{data[name].attrs['units']}]")
+    for axes in list(panels.flat)[len(shown) :]:
+        axes.set_visible(False)
+    notes = ["Colours: another parameter, the one that the result follows most."]
+    if len(parts) > 1:
+        notes.append(f"The largest of {', '.join(label for label, _ in parts)}.")
+    set_note(figure, notes)
+    _title(figure, data, name)
+    return figure
+
+
+def _next(
+    parameters: list[str], but: str, xs: dict[str, Any], y: Floats, good: NDArray[np.bool_]
+) -> str:
+    others = [p for p in parameters if p != but]
+    return max(others, key=lambda p: _rank_correlation(xs[p][0][good], y[good]))
+
+
+def _rank_correlation(x: Floats, y: Floats) -> float:
+    """Return the size of Spearman's rank correlation [1]."""
+    if len(x) < 3 or np.ptp(x) == 0.0 or np.ptp(y) == 0.0:
+        return 0.0
+    ranks = np.argsort(np.argsort(np.stack([x, y]), axis=1), axis=1)
+    return abs(float(np.asarray(np.corrcoef(ranks))[0, 1]))
+
+
+def _table(data: xr.Dataset, parameters: list[str]) -> xr.Dataset:
+    """Return a grid as a table of runs."""
+    about = {name: data[name].attrs for name in parameters}
+    flat = data.drop_vars("run").stack(run=parameters).reset_index("run")
+    for name, told in about.items():
+        flat[name].attrs.update(told)
+    return flat
+
+
+def _band(data: xr.Dataset, name: str) -> Figure:
+    """The median and the band that holds 90 % of the runs, against time."""
+    parts = _parts(data, name)
+    figure = new_figure(7.0, 4.2)
+    axes = figure.subplots()
+    time = "time" if "time" in data[name].dims else "frame"
+    x = data[time].values if time in data.coords else np.arange(data.sizes[time])
+    largest = 0.0
+    for number, (label, part) in enumerate(parts):
+        swept = [dim for dim in part.dims if dim != time]
+        values = part.transpose(*swept, time).values.reshape(-1, part.sizes[time])
+        values = values[np.isfinite(values).any(axis=1)]
+        if not len(values):
+            raise ValueError(f"cannot draw {name!r}: no run ended well")
+        low, middle, high = np.nanquantile(values, BAND, axis=0)
+        style = line_style(number)
+        axes.fill_between(x, low, high, color=style["color"], alpha=0.25, linewidth=0.0)
+        axes.plot(x, middle, label=label, **style)
+        largest = max(largest, float(np.nanmax(np.abs(high))))
+    scaled_axis(
+        axes, data[name].attrs["long_name"].partition(",")[0], data[name].attrs["units"], largest
+    )
+    axes.set_xlabel("time [s]" if time == "time" else "frame")
+    if len(parts) > 1:
+        axes.legend()
+    set_note(figure, ["Line: median of the runs; band: 5 % to 95 % of them at each time."])
+    _title(figure, data, name)
+    return figure

@@ -1,0 +1,381 @@
+"""Fitting a scene's values to measurements: least squares, intervals, what a measurement cannot tell."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from importlib import import_module
+from typing import Any
+
+import numpy as np
+
+from ropewalk.api import SceneLike, as_scene
+from ropewalk.core.arrays import Floats
+from ropewalk.record.errors import InputError
+from ropewalk.scene import Scene, SceneError
+from ropewalk.scene.errors import NO_VALUE, Fault
+from ropewalk.sweeps import measurements
+from ropewalk.sweeps.batch import REST, RUN
+from ropewalk.sweeps.function import SweepFunction
+from ropewalk.sweeps.identify import Findings, identify
+from ropewalk.sweeps.measurements import Measurement, as_measurements
+from ropewalk.sweeps.parameters import short_names
+from ropewalk.sweeps.profile import profile_intervals
+from ropewalk.sweeps.workshop import Workshop
+
+_PLOTS = "ropewalk.plots.residuals"  # a layer above this one, so it is looked up when it is needed
+_LOGARITHMIC = 20.0  # bounds this far apart are searched by factors
+_STEP = 1e-4  # of the differences, as a share of the range
+_LOST = 1e6  # residual of a run that broke, in standard deviations
+
+
+class NotFitted(RuntimeError):  # noqa: N818 - it is what happened, not a mistake
+    """No start led to a fit: all runs broke."""
+
+
+@dataclass(frozen=True)
+class Scale:
+    """A parameter's range as 0 to 1, by factors where it is wide."""
+
+    low: float
+    high: float
+
+    @property
+    def logarithmic(self) -> bool:
+        """Whether equal steps are equal factors."""
+        return self.low > 0.0 and self.high / self.low >= _LOGARITHMIC
+
+    def value(self, share: Any) -> Any:
+        """Return the value at a share of the range."""
+        if self.logarithmic:
+            return self.low * (self.high / self.low) ** np.asarray(share)
+        return self.low + np.asarray(share) * (self.high - self.low)
+
+    def share(self, value: float) -> float:
+        """Return the share of the range at a value."""
+        if self.logarithmic:
+            return math.log(value / self.low) / math.log(self.high / self.low)
+        return (value - self.low) / (self.high - self.low)
+
+
+class Residuals:
+    """Predicted less measured, in standard deviations, as a function of shares of the ranges."""
+
+    def __init__(
+        self, scene: Scene, found: tuple[Measurement, ...], bounds: Mapping[str, Any], options: Any
+    ) -> None:
+        self.measurements = found
+        self.paths = tuple(bounds)
+        self.scales = tuple(Scale(float(low), float(high)) for low, high in bounds.values())
+        self._workshop = Workshop(scene, self.paths, ["float"] * len(self.paths))
+        keep = tuple(dict.fromkeys(text for m in found for text in m.keep))
+        rest = tuple(dict.fromkeys(text for m in found for text in m.rest))
+        self._functions = {
+            what: SweepFunction(scene, self.paths, texts, what=what, **options)
+            for what, texts in ((RUN, keep), (REST, rest))
+            if texts
+        }
+        self.weights = np.concatenate(
+            [np.full(m.values.size, 1.0 / (m.error or 1.0)) for m in found]
+        )
+        self.known = found[0].error is not None
+        self.size = self.weights.size
+        self.evaluations = 0
+
+    def values(self, shares: Floats) -> Floats:
+        """Return the parameters (N, D) at shares of their ranges."""
+        columns = [scale.value(shares[:, i]) for i, scale in enumerate(self.scales)]
+        return np.stack(columns, axis=1)
+
+    def predicted(self, shares: Floats) -> Floats:
+        """Return the predictions (N, m) side by side; NaN for a run that breaks."""
+        table = self.values(np.atleast_2d(shares))
+        kept: dict[str, dict[str, Floats]] = {RUN: {}, REST: {}}
+        for what, function in self._functions.items():
+            kept[what] = function.runs(table)
+        self.evaluations += len(table)
+        return np.stack([self._row(row, number, kept) for number, row in enumerate(table.tolist())])
+
+    def _row(self, row: list[float], number: int, kept: dict[str, dict[str, Floats]]) -> Floats:
+        parts = ({name: a[number] for name, a in kept[what].items()} for what in (RUN, REST))
+        runs, rests = parts
+        try:
+            scene = self._workshop.scene(row)
+            return np.concatenate([m.predicted(runs, rests, scene) for m in self.measurements])
+        except (SceneError, RuntimeError, ValueError):
+            return np.full(self.size, math.nan)
+
+    def many(self, shares: Floats) -> Floats:
+        """Return the residuals (N, m)."""
+        measured = np.concatenate([m.values for m in self.measurements])
+        found = (self.predicted(shares) - measured) * self.weights
+        return np.where(np.isfinite(found), found, _LOST)
+
+    def one(self, share: Floats) -> Floats:
+        """Return the residuals (m,) of one set of values."""
+        return np.asarray(self.many(share[None])[0])
+
+    def jacobian(self, share: Floats) -> Floats:
+        """Return their derivatives (m, D), by central differences made side by side.
+
+        The place of exact tangents through the implicit solve, when there are any.
+        """
+        low, high = np.maximum(share - _STEP, 0.0), np.minimum(share + _STEP, 1.0)
+        width = len(share)
+        table = np.tile(share, (2 * width, 1))
+        at = np.arange(width)
+        table[at, at], table[width + at, at] = low, high
+        found = self.many(table)
+        return np.asarray(((found[width:] - found[:width]) / (high - low)[:, None]).T)
+
+    def close(self) -> None:
+        """End the clusters that were started."""
+        for function in self._functions.values():
+            function.close()
+
+
+@dataclass(frozen=True)
+class Calibration:
+    """A fit.
+
+    Attributes:
+        scene: with the fitted values.
+        values: by path.
+        intervals: by path, from the covariance: (low, high) at `level`.
+        profile: the same from the profile likelihood; empty when it was not asked for.
+        correlation: of the values, (D, D) [1].
+        words: what the measurement tells and what it does not.
+        residuals: predicted less measured, by measurement, in its unit.
+        spread: standard deviation of the residuals over their errors [1]; about 1 for errors as given.
+        evaluations: runs (or equilibria) made.
+    """
+
+    scene: Scene
+    values: dict[str, float]
+    intervals: dict[str, tuple[float, float]]
+    profile: dict[str, tuple[float, float]]
+    correlation: Floats
+    words: tuple[str, ...]
+    measurements: tuple[Measurement, ...]
+    predicted: tuple[Floats, ...]
+    spread: float
+    level: float
+    evaluations: int
+    units: dict[str, str] = field(default_factory=dict)
+
+    @property
+    def residuals(self) -> dict[str, Floats]:
+        """Predicted less measured, by measurement, in its unit."""
+        pairs = zip(self.measurements, self.predicted, strict=True)
+        return {m.name: p - m.values for m, p in pairs}
+
+    def plot(self) -> Any:
+        """Draw the residuals; a Figure."""
+        return import_module(_PLOTS).residuals(self)
+
+    def __repr__(self) -> str:
+        lines = [f"Fitted to {sum(m.values.size for m in self.measurements)} numbers:"]
+        for path, value in self.values.items():
+            low, high = self.profile.get(path) or self.intervals[path]
+            unit = self.units.get(path, "")
+            about = f"{100 * self.level:g} % from {low:.5g} to {high:.5g}"
+            lines.append(f"  {path} = {value:.6g} {unit} ({about})")
+        return "\n".join([*lines, *(f"  {text}" for text in self.words)])
+
+
+def calibrate(
+    scene: SceneLike,
+    measured: Any,
+    bounds: Mapping[str, tuple[float, float]],
+    *,
+    level: float = 0.9,
+    starts: int = 8,
+    seed: int = 0,
+    profile: bool = True,
+    on: Any = "here",
+    workers: int | None = None,
+) -> Calibration:
+    """Fit values of a scene to measurements by least squares.
+
+    Args:
+        scene: scene, preset's name, or scene file: how it was measured.
+        measured: one or several of `rw.calibrate.sag`, `shape`, `pull_test`, `droop`, `swing`, `track` and
+            `kept`, or a mapping from what a sweep keeps to (values, error).
+        bounds: by path, (low, high); far apart ones are searched by factors.
+        level: of the intervals [1].
+        starts: places to start from besides the scene's own values; the best three are followed.
+        seed: of the starts.
+        profile: also make intervals by profile likelihood, which takes more runs.
+        on, workers: as of `sweep`; the differences of a step are made side by side.
+
+    Errors are given for all measurements or for none; then they are estimated from what the fit leaves.
+    A fixed `run.time_step` is best: with "auto" the number of steps jumps as values change.
+
+    Raises SceneError, InputError, NotFitted.
+    """
+    loaded = as_scene(scene)
+    found = as_measurements(measured)
+    _refuse(found, bounds, level)
+    residuals = Residuals(loaded, found, bounds, {"on": on, "workers": workers})
+    try:
+        share, same = _search(residuals, loaded, starts, seed)
+        jacobian = residuals.jacobian(share)
+        left = residuals.one(share)
+        known = residuals.known
+        findings = identify(jacobian, left, known, level, short_names(residuals.paths))
+        intervals = _mapped(residuals, share, findings)
+        profiles = {}
+        if profile and np.isfinite(findings.deviation).all():
+            ends = profile_intervals(residuals.one, residuals.jacobian, share, findings)
+            profiles = {
+                path: (float(s.value(low)), float(s.value(high)))
+                for path, s, (low, high) in zip(
+                    residuals.paths, residuals.scales, ends, strict=True
+                )
+            }
+        return _answer(loaded, residuals, share, findings, (intervals, profiles), (same, level))
+    finally:
+        residuals.close()
+
+
+def _refuse(found: tuple[Measurement, ...], bounds: Mapping[str, Any], level: float) -> None:
+    faults = (
+        [] if bounds else [Fault("bounds", NO_VALUE, "is empty: name at least one path to fit")]
+    )
+    for path, pair in bounds.items():
+        try:
+            low, high = (float(value) for value in pair)
+        except (TypeError, ValueError):
+            faults.append(Fault(path, str(pair), "must be bounds (low, high)"))
+            continue
+        if not (math.isfinite(low) and math.isfinite(high) and low < high):
+            faults.append(Fault(path, [low, high], "must be bounds (low, high), low below high"))
+    if faults:
+        raise SceneError(faults)
+    if len({m.error is None for m in found}) > 1:
+        missing = ", ".join(m.name for m in found if m.error is None)
+        raise InputError(
+            "error", missing, "is missing: give errors for all measurements, or for none"
+        )
+    units = {m.unit for m in found}
+    if found[0].error is None and len(units) > 1:
+        rule = f"is needed: numbers in {', '.join(sorted(units))} cannot be weighed otherwise"
+        raise InputError("error", None, rule)
+    if not 0.0 < level < 1.0:
+        raise InputError("level", level, "must be between 0 and 1")
+
+
+def _search(
+    residuals: Residuals, scene: Scene, starts: int, seed: int
+) -> tuple[Floats, tuple[int, int]]:
+    """Return the best fit, and how many of the starts that were followed led to it."""
+    from scipy.optimize import least_squares
+    from scipy.stats import qmc
+
+    width = len(residuals.paths)
+    points = qmc.Sobol(width, rng=np.random.default_rng(seed)).random_base2(
+        max(1, math.ceil(math.log2(max(starts, 2))))
+    )
+    own = _own_start(residuals, scene)
+    table = np.concatenate([own, points])
+    costs = (residuals.many(table) ** 2).sum(axis=1)
+    order = [i for i in np.argsort(costs) if costs[i] < _LOST**2][:3]
+    if not order:
+        raise NotFitted(
+            "every start broke: no run ended well anywhere in the bounds that were tried"
+        )
+    fits = [
+        least_squares(
+            residuals.one, np.clip(table[i], 1e-6, 1.0 - 1e-6), residuals.jacobian,
+            bounds=(0.0, 1.0), xtol=1e-10, ftol=1e-12, gtol=1e-12, max_nfev=60,
+        )
+        for i in order
+    ]  # fmt: skip
+    best = min(fits, key=lambda fit: float(fit.cost))
+    near = 0.01 * float(best.cost) + 1e-6 * residuals.size
+    same = sum(float(fit.cost) <= float(best.cost) + near for fit in fits)
+    return np.asarray(best.x), (same, len(fits))
+
+
+def _own_start(residuals: Residuals, scene: Scene) -> Floats:
+    """The scene's own values where they are within the bounds, else the middle."""
+    from ropewalk.scene.overrides import Places
+
+    places, found = Places(scene, residuals.paths), []
+    for number, scale in enumerate(residuals.scales):
+        value = places.value(number)
+        inside = isinstance(value, (int, float)) and scale.low <= value <= scale.high
+        found.append(scale.share(float(value)) if inside else 0.5)
+    return np.array([found])
+
+
+def _mapped(residuals: Residuals, share: Floats, findings: Findings) -> dict[str, Any]:
+    """Return the intervals of the covariance in the parameters' units, cut at the bounds."""
+    made = {}
+    half = findings.quantile * findings.deviation
+    parts = zip(residuals.paths, residuals.scales, share, half, strict=True)
+    for path, scale, middle, width in parts:
+        if math.isnan(width):
+            made[path] = (math.nan, math.nan)
+            continue
+        ends = np.clip([middle - width, middle + width], 0.0, 1.0)
+        made[path] = (float(scale.value(ends[0])), float(scale.value(ends[1])))
+    return made
+
+
+def _answer(
+    scene: Scene,
+    residuals: Residuals,
+    share: Floats,
+    findings: Findings,
+    intervals: tuple[dict[str, Any], dict[str, Any]],
+    facts: tuple[tuple[int, int], float],
+) -> Calibration:
+    from ropewalk.scene.overrides import Places
+
+    (same, tried), level = facts
+    row = residuals.values(share[None])[0].tolist()
+    places = Places(scene, residuals.paths)
+    extras = [places.field(number)[0].json_schema_extra for number in range(len(row))]
+    units = [str(e.get("unit", "")) if isinstance(e, Mapping) else "" for e in extras]
+    predicted = residuals.predicted(share[None])[0]
+    cuts = np.cumsum([m.values.size for m in residuals.measurements])[:-1]
+    words = list(findings.words)
+    if same < tried:
+        words.append(
+            f"{tried - same} of {tried} starts ended in a worse place; take more starts to be sure."
+        )
+    for path, part in zip(residuals.paths, share, strict=True):
+        if part < 1e-3 or part > 1.0 - 1e-3:
+            words.append(f"{path} ends at its bound; widen it if that is no natural limit.")
+    return Calibration(
+        scene=places.scene(row),
+        values=dict(zip(residuals.paths, row, strict=True)),
+        intervals=intervals[0],
+        profile=intervals[1],
+        correlation=findings.correlation,
+        words=tuple(words),
+        measurements=residuals.measurements,
+        predicted=tuple(np.split(predicted, cuts)),
+        spread=findings.spread,
+        level=level,
+        evaluations=residuals.evaluations,
+        units=dict(zip(residuals.paths, units, strict=True)),
+    )
+
+
+class Calibrate:
+    """`rw.calibrate(scene, measured, bounds)` fits; `sag`, `shape`, ... make what was measured."""
+
+    __call__ = staticmethod(calibrate)
+    sag: Callable[..., Measurement] = staticmethod(measurements.sag)
+    shape: Callable[..., Measurement] = staticmethod(measurements.shape)
+    pull_test: Callable[..., Measurement] = staticmethod(measurements.pull_test)
+    droop: Callable[..., Measurement] = staticmethod(measurements.droop)
+    swing: Callable[..., Measurement] = staticmethod(measurements.swing)
+    track: Callable[..., Measurement] = staticmethod(measurements.track)
+    kept: Callable[..., Measurement] = staticmethod(measurements.kept)
+
+    def __repr__(self) -> str:
+        return "<ropewalk.calibrate: fits a scene to measurements; see help(ropewalk.calibrate.__call__)>"

@@ -1,0 +1,105 @@
+"""What a fit is worth: covariance, correlation, and which values a measurement cannot tell apart."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ropewalk.core.arrays import Floats
+
+#: A value whose interval is wider than this share of its bounds is not determined.
+_WIDE = 0.7
+#: A direction in which the values are looser than this share of the bounds is not determined.
+_LOOSE = 0.3
+_PART = 0.25  # a value takes part in a direction with at least this share of it
+_TIED = 0.98  # correlation of values that the measurement hardly tells apart
+_TINY = 1e-12
+
+
+@dataclass(frozen=True)
+class Findings:
+    """The worth of a fit, in shares of the parameters' ranges."""
+
+    deviation: Floats  # (D,) standard deviations; NaN where they cannot be told
+    correlation: Floats  # (D, D)
+    spread: float  # of the residuals [1]
+    quantile: float  # of the interval, in standard deviations
+    variance: float  # of the residuals: 1 for known errors, else estimated
+    words: tuple[str, ...]
+
+
+def identify(
+    jacobian: Floats, residuals: Floats, known: bool, level: float, names: Sequence[str]
+) -> Findings:
+    """Return what the Jacobian (m, D) at the fit says.
+
+    Covariance = variance times (J^T J)^-1; the variance is 1 for `known` errors, else what the residuals
+    leave over m - D. Intervals are Student's then, else normal.
+    """
+    from scipy.stats import norm, t
+
+    m, d = jacobian.shape
+    free = m - d
+    left = math.sqrt(float(residuals @ residuals) / free) if free > 0 else math.nan
+    sigma = 1.0 if known else left
+    share = 0.5 + 0.5 * level
+    quantile = float(norm.ppf(share)) if known or free <= 0 else float(t.ppf(share, free))
+    _, sizes, directions = np.linalg.svd(jacobian, full_matrices=True)
+    sizes = np.concatenate([sizes, np.zeros(d - len(sizes))])
+    floor = np.maximum(sizes, _TINY * max(float(sizes.max()), 1e-300))
+    inverse = (directions.T / floor**2) @ directions
+    deviation = sigma * np.sqrt(np.diag(inverse))
+    outer = np.sqrt(np.outer(np.diag(inverse), np.diag(inverse)))
+    correlation = inverse / outer
+    words: list[str] = []
+    variance = sigma**2
+    if math.isnan(sigma):
+        words.append(
+            f"{m} numbers for {d} values: nothing is left to judge the fit by; give the error of the "
+            "measurement for intervals."
+        )
+        sigma = 0.0
+    words += _words(jacobian, sizes, directions, sigma * quantile, correlation, names)
+    return Findings(deviation, correlation, left, quantile, variance, tuple(words))
+
+
+def _words(
+    jacobian: Floats,
+    sizes: Floats,
+    directions: Floats,
+    scale: float,
+    correlation: Floats,
+    names: Sequence[str],
+) -> list[str]:
+    """Say which values do not show, or cannot be told apart."""
+    told: list[str] = []
+    strength = np.linalg.norm(jacobian, axis=0)
+    least = max(scale / _WIDE, 1e-9 * float(strength.max()))
+    unseen = {i for i in range(len(names)) if strength[i] <= least}
+    told += [f"{names[i]} does not show in this measurement." for i in sorted(unseen)]
+    tied: set[frozenset[int]] = set()
+    for size, direction in zip(sizes, directions, strict=True):
+        loose = size <= max(scale / _LOOSE, 1e-9 * float(sizes.max()))
+        group = frozenset(i for i, v in enumerate(direction) if abs(v) >= _PART) - unseen
+        if loose and len(group) > 1:
+            tied.add(frozenset(group))
+            told.append(f"{_listed(names, group)} cannot be told apart by this measurement.")
+    for i in range(len(names)):
+        for j in range(i):
+            close = abs(correlation[i, j]) > _TIED and not {i, j} & unseen
+            if close and not any({i, j} <= group for group in tied):
+                told.append(
+                    f"{_listed(names, {i, j})} are tied (correlation {correlation[i, j]:.3f}): what one "
+                    "loses the other makes up."
+                )
+    if not told:
+        told.append("The measurement tells all of them apart.")
+    return told
+
+
+def _listed(names: Sequence[str], group: set[int] | frozenset[int]) -> str:
+    words = [names[i] for i in sorted(group)]
+    return f"{', '.join(words[:-1])} and {words[-1]}"

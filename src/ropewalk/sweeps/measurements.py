@@ -1,0 +1,305 @@
+"""What can be measured of a rope, and what a scene gives in its place.
+
+Every measurement says what it needs of the runs (`keep`) or of the equilibria (`rest`), or works on the scene
+itself, and returns the values that the scene predicts where numbers were measured.
+"""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ropewalk.build import build
+from ropewalk.core.arrays import Floats
+from ropewalk.record.errors import InputError, RunError
+from ropewalk.scene import Material, Scene
+
+AXES = "xyz"
+
+
+@dataclass(frozen=True)
+class Measurement:
+    """Numbers that were measured, in one unit; `error` is their standard deviation, None: not known."""
+
+    name: str
+    unit: str
+    values: Floats  # (m,)
+    error: float | None = None
+    keep: tuple[str, ...] = ()  # of runs
+    rest: tuple[str, ...] = ()  # of equilibria
+    at: Floats | None = None  # (m,) where or when, for the plot
+    at_name: str = "number"
+
+    def predicted(
+        self, kept: Mapping[str, Floats], rest: Mapping[str, Floats], scene: Scene
+    ) -> Floats:
+        """Return what one run (or equilibrium) of `scene` gives in place of `values`, (m,)."""
+        raise NotImplementedError
+
+
+def _numbers(name: str, values: ArrayLike) -> Floats:
+    found = np.atleast_1d(np.asarray(values, dtype=np.float64))
+    if not found.size or not np.isfinite(found).all():
+        raise InputError(name, values, "must be finite numbers, at least one")
+    return found
+
+
+def _error(name: str, error: float | None) -> float | None:
+    if error is not None and not (np.isfinite(error) and error > 0.0):
+        raise InputError(
+            f"{name}.error", error, "must be a positive standard deviation, or left out"
+        )
+    return error
+
+
+@dataclass(frozen=True)
+class _Kept(Measurement):
+    """Whatever a sweep can keep of a run or an equilibrium, as one number."""
+
+    variable: str = ""
+
+    def predicted(
+        self, kept: Mapping[str, Floats], rest: Mapping[str, Floats], scene: Scene
+    ) -> Floats:
+        found = np.ravel((kept if self.keep else rest)[self.variable])
+        return np.broadcast_to(found, self.values.shape) if found.size == 1 else found
+
+
+def kept(
+    what: str, values: ArrayLike, error: float | None = None, *, rest: bool = False
+) -> Measurement:
+    """Numbers of anything that a sweep keeps, such as "tension.max" [N] or "reactions.max" [N]."""
+    from ropewalk.sweeps.keep import parse
+
+    asked = parse(what)
+    keep, at_rest = ((), (what,)) if rest else ((what,), ())
+    found = _numbers(what, values)
+    return _Kept(what, asked.unit, found, _error(what, error), keep, at_rest, variable=asked.name)
+
+
+def sag(values: ArrayLike, error: float | None = None) -> Measurement:
+    """Sag of the hanging rope at rest below the line between its ends [m], measured once or often."""
+    found = _numbers("sag", values)
+    return _Kept("sag", "m", found, _error("sag", error), rest=("sag[-1]",), variable="sag_last")
+
+
+@dataclass(frozen=True)
+class _Droop(Measurement):
+    node: int = -1
+
+    def predicted(
+        self, kept: Mapping[str, Floats], rest: Mapping[str, Floats], scene: Scene
+    ) -> Floats:
+        heights = rest["positions_last"] @ np.asarray(scene.up)
+        return np.full(self.values.shape, heights[0] - heights[self.node])
+
+
+def droop(values: ArrayLike, error: float | None = None, *, node: int = -1) -> Measurement:
+    """How far a node hangs at rest below the rope's first one [m], as of an overhanging clamped rope."""
+    found = _numbers("droop", values)
+    return _Droop("droop", "m", found, _error("droop", error), rest=("positions[-1]",), node=node)
+
+
+@dataclass(frozen=True)
+class _PullTest(Measurement):
+    forces: Floats | None = None
+    length: float | None = None  # [m] of the piece that was pulled
+    rope: str | None = None
+
+    def predicted(
+        self, kept: Mapping[str, Floats], rest: Mapping[str, Floats], scene: Scene
+    ) -> Floats:
+        rope = scene.ropes[0] if self.rope is None else scene.rope_named(self.rope)
+        if not isinstance(rope.made_of, Material):
+            raise InputError("pull_test", rope.name, "needs a rope of a material (EA)")
+        assert self.forces is not None
+        return self.forces * (self.length or rope.length_unstretched) / rope.made_of.EA
+
+
+def pull_test(
+    forces: ArrayLike,
+    elongations: ArrayLike,
+    error: float | None = None,
+    *,
+    length: float | None = None,
+    rope: str | None = None,
+) -> Measurement:
+    """Elongations [m] of a piece of the rope under forces [N]; `length` [m] of the piece, or the rope's.
+
+    The law of stretch gives them without a run: force times length over EA.
+    """
+    pulled, found = _numbers("forces", forces), _numbers("elongations", elongations)
+    if pulled.shape != found.shape:
+        raise InputError(
+            "pull_test", f"{pulled.size} and {found.size}", "needs as many forces as elongations"
+        )
+    return _PullTest(
+        "pull test", "m", found, _error("pull test", error), at=pulled, at_name="force [N]",
+        forces=pulled, length=length, rope=rope,
+    )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class _Swing(Measurement):
+    mode: int = 1
+
+    def predicted(
+        self, kept: Mapping[str, Floats], rest: Mapping[str, Floats], scene: Scene
+    ) -> Floats:
+        from ropewalk.vibration import modes
+
+        found = modes(build(scene), count=self.mode)
+        return np.full(self.values.shape, 1.0 / found.frequencies[self.mode - 1])
+
+
+def swing(periods: ArrayLike, error: float | None = None, *, mode: int = 1) -> Measurement:
+    """Period of a small swing about rest [s], once or often; `mode` counts the natural modes, slowest 1."""
+    found = _numbers("periods", periods)
+    return _Swing("swing", "s", found, _error("swing", error), mode=mode)
+
+
+@dataclass(frozen=True)
+class _Shape(Measurement):
+    points: Floats | None = None  # (k, 3), NaN in an axis that was not measured
+
+    def predicted(
+        self, kept: Mapping[str, Floats], rest: Mapping[str, Floats], scene: Scene
+    ) -> Floats:
+        assert self.points is not None
+        return offsets(rest["positions_last"], self.points, np.asarray(scene.up))
+
+
+def shape(points: ArrayLike, error: float | None = None, *, axes: str = "xyz") -> Measurement:
+    """Points on the rope at rest [m], (k, 3) or, of a photograph, (k, 2) along two `axes`.
+
+    What is compared is the distance of each point from the rope, across it: one number a point in a plane,
+    two in space. Where along the rope a point lies need not be known.
+    """
+    found = np.asarray(points, dtype=np.float64)
+    if found.ndim != 2 or found.shape[1] != len(axes) or set(axes) - set(AXES) or len(axes) < 2:
+        rule = f"must be k x {len(axes)} numbers, one column for each of the axes {axes!r}"
+        raise InputError("shape", " x ".join(map(str, found.shape)), rule)
+    _numbers("shape", found)
+    full = np.full((len(found), 3), np.nan)
+    full[:, [AXES.index(axis) for axis in axes]] = found
+    count = len(found) * (len(axes) - 1)
+    return _Shape(
+        "shape", "m", np.zeros(count), _error("shape", error), rest=("positions[-1]",), points=full,
+        at_name="point",
+    )  # fmt: skip
+
+
+def offsets(rope: Floats, points: Floats, up: Floats) -> Floats:
+    """Return how far points lie from a polyline (n, 3), across it: (k,) in a plane, (2 k,) in space.
+
+    Nearest point of every segment, ends included. Axes that are NaN in `points` were not measured.
+    """
+    seen = np.isfinite(points[0])
+    a, d = rope[:-1][:, seen], np.diff(rope, axis=0)[:, seen]
+    p = points[:, seen]
+    length2 = np.maximum((d**2).sum(axis=1), 1e-300)
+    share = np.clip(((p[:, None] - a) * d).sum(axis=2) / length2, 0.0, 1.0)
+    gap = p[:, None] - a - share[..., None] * d
+    nearest = np.argmin((gap**2).sum(axis=2), axis=1)
+    rows = np.arange(len(p))
+    gap, t = gap[rows, nearest], d[nearest] / np.sqrt(length2[nearest])[:, None]
+    if seen.sum() == 2:
+        return np.asarray(t[:, 0] * gap[:, 1] - t[:, 1] * gap[:, 0])
+    normal = up - (t @ up)[:, None] * t
+    flat = np.linalg.norm(normal, axis=1) < 1e-6  # a rope along gravity has no normal in its plane
+    normal[flat] = np.cross(t[flat], np.roll(up, 1))
+    normal /= np.linalg.norm(normal, axis=1)[:, None]
+    return np.concatenate([(gap * normal).sum(axis=1), (gap * np.cross(t, normal)).sum(axis=1)])
+
+
+@dataclass(frozen=True)
+class _Track(Measurement):
+    node: int = -1
+    axes: tuple[int, ...] = (0, 1, 2)
+
+    def predicted(
+        self, kept: Mapping[str, Floats], rest: Mapping[str, Floats], scene: Scene
+    ) -> Floats:
+        from scipy.interpolate import CubicHermiteSpline
+
+        assert self.at is not None
+        name = str(self.node).replace("-1", "last").replace("-", "m")
+        x, v = kept[f"positions_{name}"], kept[f"velocities_{name}"]
+        times = np.arange(len(x)) * scene.run.frame_interval
+        spline = CubicHermiteSpline(times, x, v)  # the run knows its velocities, too
+        points = spline(self.at[: len(self.at) // len(self.axes)])
+        return np.asarray(points[:, list(self.axes)].T.ravel())
+
+
+def track(
+    source: str | Path | ArrayLike,
+    error: float | None = None,
+    *,
+    node: int = -1,
+    axes: str = "xyz",
+) -> Measurement:
+    """A node followed in time, as of a video: a CSV file with a head `time,x,z`, or rows of such numbers.
+
+    Times [s] from the run's start, places [m] along the `axes` (a file's head names them).
+    """
+    if isinstance(source, (str, Path)):
+        rows, axes = _read_track(Path(source))
+    else:
+        rows = np.asarray(source, dtype=np.float64)
+    if rows.ndim != 2 or rows.shape[1] != 1 + len(axes) or set(axes) - set(AXES):
+        rule = f"must be rows of time and {', '.join(axes)}"
+        raise InputError("track", " x ".join(map(str, rows.shape)), rule)
+    _numbers("track", rows)
+    if (rows[:, 0] < 0.0).any():
+        raise InputError("track", float(rows[:, 0].min()), "times count from the run's start, 0")
+    return _Track(
+        "track", "m", rows[:, 1:].T.ravel(), _error("track", error),
+        keep=(f"positions[:, {node}]", f"velocities[:, {node}]"),
+        at=np.tile(rows[:, 0], len(axes)), at_name="time [s]",
+        node=node, axes=tuple(AXES.index(axis) for axis in axes),
+    )  # fmt: skip
+
+
+def _read_track(path: Path) -> tuple[Floats, str]:
+    """Return the rows and axes of a file of tracked points. Raises RunError."""
+    try:
+        with path.open(newline="", encoding="utf-8-sig") as file:
+            lines = [row for row in csv.reader(file) if row]
+    except OSError as error:
+        raise RunError(path, f"cannot be read: {error.strerror}") from None
+    head = [name.strip().lower() for name in lines[0]] if lines else []
+    if head[:1] != ["time"] or not head[1:] or set(head[1:]) - set(AXES):
+        raise RunError(path, "must begin with a head such as time,x,z")
+    try:
+        rows = np.array([[float(cell) for cell in row] for row in lines[1:]])
+        return rows.reshape(-1, len(head)), "".join(head[1:])
+    except ValueError as error:
+        raise RunError(path, f"must hold {len(head)} numbers a line: {error}") from None
+
+
+def as_measurements(measured: Any) -> tuple[Measurement, ...]:
+    """Return measurements from one, several, or a mapping from what is kept to (values, error)."""
+    if isinstance(measured, Measurement):
+        return (measured,)
+    if isinstance(measured, Mapping):
+        return tuple(
+            kept(name, *(given if isinstance(given, tuple) else (given,)))
+            for name, given in measured.items()
+        )
+    if (
+        isinstance(measured, Sequence)
+        and measured
+        and all(isinstance(m, Measurement) for m in measured)
+    ):
+        return tuple(measured)
+    rule = (
+        "must be measurements such as rw.calibrate.sag(1.2, error=0.01), or a mapping such as "
+        '{"tension.max": (120.0, 2.0)}'
+    )
+    raise InputError("measured", type(measured).__name__, rule)

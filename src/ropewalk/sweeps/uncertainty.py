@@ -1,0 +1,255 @@
+"""Uncertainty: bands of what is not known exactly, and which of the unknowns they come from."""
+
+from __future__ import annotations
+
+import math
+import warnings
+from collections.abc import Sequence
+from dataclasses import dataclass
+from importlib import import_module
+from importlib.util import find_spec
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ropewalk.api import SceneLike, as_scene
+from ropewalk.core.arrays import Floats
+from ropewalk.scene import Scene, SceneError
+from ropewalk.scene.errors import NO_VALUE, Fault
+from ropewalk.sweeps.batch import GOOD
+from ropewalk.sweeps.designs import spread_over
+from ropewalk.sweeps.many import sweep
+from ropewalk.sweeps.parameters import Parameter, make_parameters
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+QUANTILES = (0.05, 0.5, 0.95)
+_PLOTS = (
+    "ropewalk.plots.uncertainty"  # a layer above this one, so it is looked up when it is needed
+)
+
+
+@dataclass(frozen=True)
+class Uncertainty:
+    """What a scene gives when some of its values are not known exactly.
+
+    Attributes:
+        runs: the sweep's dataset, one row per run.
+        bands: quantiles 5, 50, 95 % of everything kept, along `quantile`.
+        sobol: Sobol indices [1] by kept scalar, `order` (first, total) and `parameter`, with the half
+            width of their 95 % intervals; None without SALib or where too many runs broke.
+        note: what a reader must know: broken runs, what is missing.
+    """
+
+    runs: xr.Dataset
+    bands: xr.Dataset
+    sobol: xr.Dataset | None
+    note: str
+
+    @property
+    def broken(self) -> int:
+        """Number of runs that did not end well; they are not in the bands."""
+        return int(sum(status not in GOOD for status in self.runs.status.values.tolist()))
+
+    def plot(self) -> Any:
+        """Draw the bands of tension, sag and anchor forces, and the Sobol indices; a Figure."""
+        return import_module(_PLOTS).uncertainty(self)
+
+    def table(self) -> list[tuple[str, str, float, float, float]]:
+        """Return name, unit and the three quantiles of every scalar."""
+        found = []
+        for name, part in scalars(self.bands):
+            low, middle, high = (float(v) for v in part.values)
+            found.append((name, str(part.attrs.get("units", "")), low, middle, high))
+        return found
+
+    def __repr__(self) -> str:
+        lines = [f"{len(self.runs.run)} runs; 5 %, 50 %, 95 %:"]
+        for name, unit, low, middle, high in self.table():
+            lines.append(f"  {name}: {low:.5g}, {middle:.5g}, {high:.5g} {unit}")
+        if self.sobol is not None:
+            for key in self.sobol.data_vars:
+                if not str(key).endswith("_ci"):
+                    total = self.sobol[key].sel(order="total")
+                    parts = zip(total.parameter.values, total.values, strict=True)
+                    told = ", ".join(f"{p} {float(v):.2f}" for p, v in parts)
+                    lines.append(f"  {key} follows (total index): {told}")
+        return "\n".join([*lines, self.note] if self.note else lines)
+
+
+def uncertain(
+    scene: SceneLike,
+    spreads: Any,
+    *,
+    samples: int = 256,
+    seed: int | None = None,
+    keep: Sequence[str] | None = None,
+    what: str = "run",
+    **options: Any,
+) -> Uncertainty:
+    """Say what is not known of a scene, and get bands for tension, sag and anchor forces.
+
+    Args:
+        scene: scene, preset's name, or scene file.
+        spreads: mapping from paths to frozen scipy.stats distributions or ranges (low, high).
+        samples: base samples, best a power of two. With SALib (`ropewalk[uncertain]`) there are
+            `samples` times (parameters + 2) runs, from which come bands and Sobol indices; without it
+            `samples` runs, and bands only.
+        seed: of the samples.
+        keep: what to keep besides the largest tension, sag and reactions, and their course in time.
+        what: "run", or "rest" for the equilibrium.
+        options: of `sweep`: store, on, workers, progress.
+
+    Raises as `sweep` does.
+    """
+    loaded = as_scene(scene)
+    parameters = make_parameters(loaded, spreads)
+    fixed = [p.path for p in parameters if p.spread is None]
+    if fixed:
+        rule = "must be a range (low, high) or a distribution"
+        raise SceneError([Fault(path, NO_VALUE, rule) for path in fixed])
+    if samples < 2:
+        raise SceneError([Fault("samples", samples, "must be at least 2")])
+    if seed is None:
+        seed = int(np.random.SeedSequence().generate_state(1)[0] >> 1)
+    kept = [*_default_keep(loaded, what), *(keep or ())]
+    if find_spec("SALib") is None:
+        runs = sweep(loaded, spreads, samples=samples, seed=seed, keep=kept, what=what, **options)
+        note = "No Sobol indices: pip install 'ropewalk[uncertain]' brings them."
+        return Uncertainty(runs, bands(runs), None, _note(runs, note))
+    points = _saltelli(parameters, samples, seed)
+    runs = sweep(loaded, _as_table(parameters, points), keep=kept, what=what, **options)
+    # The first of each group of D + 2 rows are the plain sample; the others repeat its values.
+    plain = runs.isel(run=slice(0, None, len(parameters) + 2))
+    found, more = _indices(runs, parameters, samples, seed)
+    return Uncertainty(runs, bands(plain), found, _note(runs, more))
+
+
+def _default_keep(scene: Scene, what: str) -> list[str]:
+    names = ["tension", "sag"] + (["reactions"] if scene.anchors else [])
+    kept = [f"{name}.max" for name in names]
+    return kept if what == "rest" else [*kept, *(f"{name}.max[time]" for name in names)]
+
+
+def _saltelli(parameters: Sequence[Parameter], samples: int, seed: int) -> Floats:
+    """Return Saltelli's points of the unit cube, (samples * (D + 2), D).
+
+    Source: Saltelli et al., Comput. Phys. Commun. 181 (2010) 259, as SALib makes them.
+    """
+    from SALib.sample import sobol
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of sizes that are no powers of two
+        made: Floats = sobol.sample(
+            _problem(parameters), samples, calc_second_order=False, seed=seed
+        )
+    return made
+
+
+def _problem(parameters: Sequence[Parameter]) -> dict[str, Any]:
+    names = [parameter.name for parameter in parameters]
+    return {"num_vars": len(names), "names": names, "bounds": [[0.0, 1.0]] * len(names)}
+
+
+def _as_table(parameters: Sequence[Parameter], points: Floats) -> xr.Dataset:
+    import xarray as xr
+
+    columns = {
+        p.name: ("run", spread_over(p, points[:, i]), {"path": p.path})
+        for i, p in enumerate(parameters)
+    }
+    return xr.Dataset(coords=columns)
+
+
+def bands(runs: xr.Dataset) -> xr.Dataset:
+    """Return the quantiles 5, 50, 95 % of everything kept, over the runs that ended well."""
+    good = np.isin(np.array(runs.status.values.tolist()), GOOD)
+    names = [name for name in runs.data_vars if "keep" in runs[name].attrs]
+    picked = runs[names].isel(run=np.flatnonzero(good))
+    made = picked.quantile(QUANTILES, dim="run", keep_attrs=True)
+    made["quantile"].attrs["long_name"] = "share of the runs below"
+    return made
+
+
+def scalars(data: xr.Dataset) -> list[tuple[str, xr.DataArray]]:
+    """Return what is one number per run, anchor by anchor and rope by rope, with labels."""
+    found = []
+    for name in data.data_vars:
+        array = data[name]
+        own = [dim for dim in array.dims if dim not in ("run", "quantile")]
+        if not own:
+            found.append((str(name), array))
+        elif len(own) == 1 and own[0] in ("anchor", "rope"):
+            (dim,) = own
+            labels = array[dim].values.tolist()
+            found += [(f"{name}[{label}]", array.sel({dim: label})) for label in labels]
+    return found
+
+
+def _indices(
+    runs: xr.Dataset, parameters: Sequence[Parameter], samples: int, seed: int
+) -> tuple[xr.Dataset | None, str]:
+    """Return the Sobol indices of all scalars, and what is to be said of them.
+
+    A group of runs in which one broke cannot be used: all its runs are left out.
+    """
+    import xarray as xr
+    from SALib.analyze import sobol
+
+    width = len(parameters) + 2
+    kept = runs[[n for n in runs.data_vars if "keep" in runs[n].attrs]]
+    names = [parameter.name for parameter in parameters]
+    made: dict[str, Any] = {}
+    note = ""
+    for name, array in scalars(kept):
+        groups = array.values.reshape(-1, width)
+        whole = np.isfinite(groups).all(axis=1)
+        if whole.sum() < 8:
+            return None, "No Sobol indices: too many runs broke."
+        if not whole.all():
+            note = f"Sobol indices without {int((~whole).sum())} groups of runs in which one broke."
+        values = groups[whole].ravel()
+        if np.ptp(values) <= 1e-12 * np.abs(values).max(initial=0.0):
+            continue  # nothing to share out
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            got = sobol.analyze(
+                _problem(parameters),
+                values,
+                calc_second_order=False,
+                seed=seed,
+                print_to_console=False,
+            )
+        dims, unit = ("order", "parameter"), {"units": "1"}
+        made[name] = (dims, np.stack([got["S1"], got["ST"]]), unit)
+        made[f"{name}_ci"] = (dims, np.stack([got["S1_conf"], got["ST_conf"]]), unit)
+    return xr.Dataset(made, {"order": ["first", "total"], "parameter": names}), note
+
+
+def _note(runs: xr.Dataset, more: str) -> str:
+    broken = int(sum(status not in GOOD for status in runs.status.values.tolist()))
+    told = []
+    if broken:
+        share = 100.0 * broken / len(runs.run)
+        told.append(
+            f"{broken} of {len(runs.run)} runs broke ({share:.2g} %) and are not in the bands: they hold "
+            "for the values that do not break."
+        )
+    return " ".join([*told, more] if more else told)
+
+
+def text_rows(found: Uncertainty) -> list[tuple[str, ...]]:
+    """Return the table of bands and total indices as text, for the command line."""
+    rows = []
+    for name, unit, low, middle, high in found.table():
+        parts = [name, *(f"{v:.5g}" if math.isfinite(v) else "" for v in (low, middle, high)), unit]
+        told = ""
+        if found.sobol is not None and name in found.sobol:
+            total: NDArray[Any] = found.sobol[name].sel(order="total").values
+            names = found.sobol.parameter.values
+            order = np.argsort(-total)
+            told = ", ".join(f"{names[i]} {total[i]:.2f}" for i in order)
+        rows.append((*parts, told))
+    return rows

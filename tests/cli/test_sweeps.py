@@ -1,0 +1,128 @@
+"""`ropewalk sweep` and what other commands do with its folder."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+from click.testing import Result
+
+import ropewalk as rw
+
+Call = Callable[..., Result]
+VARY = ("--vary", "rope.made_of.spring_constant=500,1000,1e7", "--on", "here")
+
+
+def test_a_sweep_says_how_its_runs_ended(ropewalk: Call, scene: Path, tmp_path: Path) -> None:
+    done = ropewalk("sweep", scene, *VARY, "-o", "s")
+    assert done.exit_code == 0, done.output
+    assert "3 of 3 made: 2 finished, 1 broke" in done.output
+    assert "tension_max" in done.output
+    assert "broke: " in done.output
+    told = json.loads(ropewalk("info", "s", "--json").output)
+    assert told["ended"] == {"finished": 2, "broke": 1}
+    assert sum(told["causes"].values()) == 1
+    assert told["parameters"][0]["unit"] == "N/m"
+    ds = rw.sweep.open(tmp_path / "s")
+    own = rw.simulate(rw.load(scene).replace(ropes=[rw.load(scene).ropes[0].replace(
+        made_of=rw.load(scene).ropes[0].made_of.replace(spring_constant=1000.0))]))  # fmt: skip
+    assert ds.tension_max.values[1] == own.tension.max()
+
+
+def test_an_interrupted_sweep_is_gone_on_with(
+    ropewalk: Call, scene: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from ropewalk.sweeps import batch
+
+    real, seen = batch.Batcher.run, 0
+
+    def run(self: object, row: list[float]) -> rw.Result:
+        nonlocal seen
+        seen += 1
+        if seen == 7:
+            raise KeyboardInterrupt
+        return real(self, row)
+
+    names = ["--vary", "gravity[2]=linspace(-12,-8,12)", "--on", "here"]
+    monkeypatch.setattr("ropewalk.sweeps.many._MEASURED", 0.0)
+    monkeypatch.setattr("ropewalk.sweeps.many.BATCH_SECONDS", 0.0)
+    with monkeypatch.context() as patch:
+        patch.setattr(batch.Batcher, "run", run)
+        stopped = ropewalk("sweep", scene, *names, "-o", "s")
+    assert stopped.exit_code == 130, stopped.output
+    assert "of 12 runs are stored" in stopped.output
+    assert "ropewalk resume s" in stopped.output
+    assert "go on with: ropewalk resume s" in ropewalk("info", "s").output
+    resumed = ropewalk("resume", "s")
+    assert resumed.exit_code == 0, resumed.output
+    assert "12 of 12 made: 12 finished" in resumed.output
+    ropewalk("sweep", scene, *names, "-o", "whole")
+    one, other = rw.sweep.open(tmp_path / "s"), rw.sweep.open(tmp_path / "whole")
+    np.testing.assert_array_equal(one.positions_last, other.positions_last)
+
+
+def test_samples_are_drawn_and_figures_made(ropewalk: Call, scene: Path, tmp_path: Path) -> None:
+    spread = [
+        "--vary",
+        "rope.made_of.spring_constant=norm(800, 20)",
+        "--vary",
+        "gravity[2]=-10..-9",
+    ]
+    spread += ["--vary", "rope.made_of.node_mass=0.04..0.06"]
+    keep = ["--keep", "tension.max", "--keep", "tension.max[time]", "--on", "here"]
+    done = ropewalk("sweep", scene, *spread, "--samples", 16, "--seed", 4, *keep, "-o", "s")
+    assert done.exit_code == 0, done.output
+    assert "sobol, seed 4" in done.output
+    drawn = ropewalk("plot", "s")
+    assert drawn.exit_code == 0, drawn.output
+    assert (tmp_path / "s" / "figures" / "tension_max_time.png").stat().st_size > 5000
+    assert "there is no such figure" in ropewalk("plot", "s", "tension_maxx").output
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (["--vary", "rope.made_of.springs=1"], "unknown key"),
+        (["--vary", "rope.made_of.spring_constant"], "must be written as PATH=WHAT"),
+        (["--vary", "gravity[2]=nrm(1,2)"], 'did you mean "norm"'),
+        (["--vary", "gravity[2]=norm(1)..2"], "LOW..HIGH"),
+        (["--vary", "gravity[2]=-10..-9"], "say how many samples"),
+        (["--vary", "gravity[2]=-10,-9", "--vary", "gravity[2]=1"], "varied already"),
+        (["--vary", "gravity[2]=1", "--keep", "tention.max"], 'did you mean "tension"'),
+    ],
+)
+def test_bad_input(ropewalk: Call, scene: Path, words: list[str], told: str) -> None:
+    done = ropewalk("sweep", scene, *words, "-o", "s")
+    assert done.exit_code == 2
+    assert told in done.output
+
+
+def test_uncertain_runs(ropewalk: Call, scene: Path, tmp_path: Path) -> None:
+    spread = ["--uncertain", "rope.made_of.node_mass=0.04..0.06", "--samples", 8]
+    done = ropewalk("run", scene, *spread, "--uncertain", "gravity[2]=norm(-9.8, 0.1)", "-o", "u")
+    assert done.exit_code == 0, done.output
+    assert "node_mass" in done.output
+    assert (tmp_path / "u" / "figures" / "uncertain.png").exists()
+    told = json.loads(ropewalk("run", scene, *spread, "-o", "v", "--json").stdout)
+    assert told["bands"]["tension_max"]["5 %"] < told["bands"]["tension_max"]["95 %"]
+    refused = ropewalk("run", scene, "--samples", 8)
+    assert "goes with --uncertain" in refused.output
+
+
+def test_a_run_of_a_sweep_is_shown(
+    ropewalk: Call, scene: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    ropewalk("sweep", scene, *VARY, "-o", "s")
+    shown = []
+    monkeypatch.setattr(
+        "ropewalk.cli.commands.view._serve", lambda make, *_: shown.append(make(None)) or 0
+    )
+    assert ropewalk("view", "s", "--run", 1).exit_code == 0
+    (server,) = shown
+    server.stop("")
+    assert "say which run" in ropewalk("view", "s").output
+    assert "has no run 9" in ropewalk("view", "s", "--run", 9).output
+    assert "is no sweep" in ropewalk("view", scene, "--run", 1).output
