@@ -48,6 +48,9 @@ if TYPE_CHECKING:  # what type checkers and editors see; `_HOMES` loads the same
     from ropewalk.simulation import Broken as Broken
     from ropewalk.simulation import Simulation as Simulation
     from ropewalk.statics import NoRest as NoRest
+    from ropewalk.sweeps.public import calibrate as calibrate
+    from ropewalk.sweeps.public import sweep as sweep
+    from ropewalk.sweeps.uncertainty import uncertain as uncertain
     from ropewalk.theory import catenary as catenary
     from ropewalk.theory import elastic_catenary as elastic_catenary
     from ropewalk.theory import hanging_chain as hanging_chain

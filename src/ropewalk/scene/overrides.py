@@ -124,7 +124,9 @@ class Places:
 
     def scene(self, values: Sequence[Any]) -> Scene:
         """Return the scene with these values, one per path. Raises SceneError with every fault."""
-        if self._renewed or any(isinstance(v, str) and v == "none" for v in values):  # which takes the key away
+        if self._renewed or any(
+            isinstance(v, str) and v == "none" for v in values
+        ):  # which takes the key away
             return Places(self._scene, self.paths)._written(values)
         return self._written(values)
 

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from ropewalk.api import SceneLike, as_scene
 from ropewalk.core.arrays import Floats
-from ropewalk.core.jit import source_hash
+from ropewalk.core.cache import source_hash
 from ropewalk.record.errors import InputError
 from ropewalk.scene import SceneError, dumps
 from ropewalk.scene.errors import Fault

@@ -131,7 +131,10 @@ class Kept:
             array, dims = self._picked(result, array, dims)
         if self.reducer is None:
             return array, dims
-        if self.quantity == "tension":  # no rope: no tension, and not a least one of zero
+        if self.quantity in (
+            "tension",
+            "elastic_tension",
+        ):  # no rope: no tension, and not a least one of zero
             live = result.live if self.picks is None else self._picked(result, result.live, dims)[0]
             array = np.where(live, array, np.nan)
         return self._reduced(array, dims)

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ropewalk.api import SceneLike, as_scene
-from ropewalk.core.jit import source_hash
+from ropewalk.core.cache import source_hash
 from ropewalk.record.errors import InputError, RunError
 from ropewalk.record.facts import provenance
 from ropewalk.record.lock import is_locked, locked

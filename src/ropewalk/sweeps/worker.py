@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from ropewalk.core.jit import source_hash
+from ropewalk.core.cache import source_hash
 from ropewalk.record.errors import RunError
 from ropewalk.sweeps.batch import GOOD, Batch, Batcher, Recipe
 from ropewalk.sweeps.plan import SweepPlan
