@@ -12,13 +12,15 @@ import numpy as np
 from ropewalk.api import explain
 from ropewalk.build import Model
 from ropewalk.core.arrays import Floats
+from ropewalk.core.cache import source_hash
 from ropewalk.record.facts import AT_REST, BROKE, FINISHED
 from ropewalk.record.rest import rest_result
 from ropewalk.record.result import Result
 from ropewalk.record.simulate import simulate_in_memory
-from ropewalk.scene import Scene, SceneError, loads
+from ropewalk.scene import Scene, SceneError, dumps, loads
 from ropewalk.statics import NoRest
 from ropewalk.sweeps.keep import Kept, parse
+from ropewalk.sweeps.parameters import Parameter
 from ropewalk.sweeps.workshop import Workshop
 
 REFUSED, NO_REST, FAILED = "refused", "no rest", "failed"
@@ -64,6 +66,21 @@ class Recipe:
             what=plain["what"],
             source=plain["source"],
         )
+
+
+def make_recipe(
+    scene: Scene, parameters: Sequence[Parameter], variables: Sequence[Any], what: str
+) -> Recipe:
+    """Return the recipe of a sweep; `variables` are what is kept (`plan.Variable`)."""
+    return Recipe(
+        scene=dumps(scene),
+        paths=tuple(p.path for p in parameters),
+        kinds=tuple(p.kind for p in parameters),
+        keep=tuple(v.text for v in variables),
+        sizes=tuple(v.sizes for v in variables),
+        what=what,
+        source=source_hash(),
+    )
 
 
 @dataclass

@@ -12,12 +12,11 @@ from numpy.typing import ArrayLike
 
 from ropewalk.api import SceneLike, as_scene
 from ropewalk.core.arrays import Floats
-from ropewalk.core.cache import source_hash
 from ropewalk.record.errors import InputError
-from ropewalk.scene import SceneError, dumps
+from ropewalk.scene import SceneError
 from ropewalk.scene.errors import Fault
 from ropewalk.sweeps import engines
-from ropewalk.sweeps.batch import RUN, Batch, Recipe
+from ropewalk.sweeps.batch import RUN, Batch, make_recipe
 from ropewalk.sweeps.keep import make_keep
 from ropewalk.sweeps.parameters import INT, Parameter, make_parameters
 from ropewalk.sweeps.trial import try_out
@@ -48,15 +47,7 @@ class SweepFunction:
         trial = try_out(loaded, self.parameters, kept, what)
         self.variables = trial.variables
         self.coordinates = trial.coordinates
-        self.recipe = Recipe(
-            scene=dumps(loaded),
-            paths=tuple(paths),
-            kinds=tuple(parameter.kind for parameter in self.parameters),
-            keep=tuple(k.text for k in kept),
-            sizes=tuple(v.sizes for v in trial.variables),
-            what=what,
-            source=source_hash(),
-        )
+        self.recipe = make_recipe(loaded, self.parameters, trial.variables, what)
         self.columns = tuple(name for v in trial.variables for name in _column_names(v))
         self.last: Batch = Batch()
         self._stack = ExitStack()

@@ -134,7 +134,7 @@ class Kept:
         if self.quantity in (
             "tension",
             "elastic_tension",
-        ):  # no rope: no tension, and not a least one of zero
+        ):  # none where there is no rope
             live = result.live if self.picks is None else self._picked(result, result.live, dims)[0]
             array = np.where(live, array, np.nan)
         return self._reduced(array, dims)

@@ -7,7 +7,6 @@ import math
 import time
 import warnings
 from collections.abc import Callable, Sequence
-from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -16,11 +15,12 @@ from ropewalk.api import SceneLike, as_scene
 from ropewalk.core.cache import source_hash
 from ropewalk.record.errors import InputError, RunError
 from ropewalk.record.facts import provenance
+from ropewalk.record.files import writing
 from ropewalk.record.lock import is_locked, locked
-from ropewalk.scene import Scene, dumps
+from ropewalk.scene import Scene
 from ropewalk.sweeps import answer, engines
 from ropewalk.sweeps.bar import Bar
-from ropewalk.sweeps.batch import REST, RUN, Batch, Recipe
+from ropewalk.sweeps.batch import REST, RUN, Batch, Recipe, make_recipe
 from ropewalk.sweeps.designs import Design, make_design
 from ropewalk.sweeps.keep import make_keep
 from ropewalk.sweeps.memory import SweepMemory
@@ -112,28 +112,20 @@ def sweep(
     if folder is not None:
         _check_free(folder, overwrite)
     trial = try_out(loaded, parameters, kept, what)
-    recipe = Recipe(
-        scene=dumps(loaded),
-        paths=tuple(p.path for p in parameters),
-        kinds=tuple(p.kind for p in parameters),
-        keep=tuple(k.text for k in kept),
-        sizes=tuple(v.sizes for v in trial.variables),
-        what=what,
-        source=source_hash(),
-    )
     _refuse_too_much(trial, chosen, folder)
+    recipe = make_recipe(loaded, parameters, trial.variables, what)
     first = _first_runs(recipe, chosen, batch)
     plan = _plan(loaded, chosen, trial, recipe, first, batch)
-    with ExitStack() as stack:
-        sink: SweepFolder | SweepMemory
-        if folder is None:
-            sink = SweepMemory(plan, chosen.pieces())
-        else:
-            folder.mkdir(parents=True, exist_ok=True)
-            stack.enter_context(locked(folder))
-            sink = SweepFolder.create(folder, plan, loaded, chosen.pieces())
-        _make(sink, _Begun(first, set(), 0), on, workers, progress)
-    return answer.stored(sink) if isinstance(sink, SweepFolder) else answer.in_memory(sink)
+    if folder is None:
+        memory = SweepMemory(plan, chosen.pieces())
+        _make(memory, _Begun(first, set(), 0), on, workers, progress)
+        return answer.in_memory(memory)
+    with writing(folder):
+        folder.mkdir(parents=True, exist_ok=True)
+    with locked(folder):
+        stored = SweepFolder.create(folder, plan, loaded, chosen.pieces())
+        _make(stored, _Begun(first, set(), 0), on, workers, progress)
+    return answer.stored(stored)
 
 
 def resume_sweep(
