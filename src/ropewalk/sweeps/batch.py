@@ -12,8 +12,8 @@ import numpy as np
 from ropewalk.api import explain
 from ropewalk.build import Model
 from ropewalk.core.arrays import Floats
-from ropewalk.core.cache import source_hash
 from ropewalk.record.facts import AT_REST, BROKE, FINISHED
+from ropewalk.record.identity import source_hash
 from ropewalk.record.rest import rest_result
 from ropewalk.record.result import Result
 from ropewalk.record.simulate import simulate_in_memory

@@ -12,10 +12,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ropewalk.api import SceneLike, as_scene
-from ropewalk.core.cache import source_hash
 from ropewalk.record.errors import InputError, RunError
 from ropewalk.record.facts import provenance
 from ropewalk.record.files import writing
+from ropewalk.record.identity import source_hash
 from ropewalk.record.lock import is_locked, locked
 from ropewalk.scene import Scene
 from ropewalk.sweeps import answer, engines
@@ -100,10 +100,7 @@ def sweep(
     Raises SceneError with the faults of all corners before anything runs; InputError, RunError;
     KeyboardInterrupt, after which `resume` goes on with what is stored.
     """
-    if what not in (RUN, REST):
-        raise InputError("what", what, 'must be "run" or "rest"')
-    if batch is not None and batch < 1:
-        raise InputError("batch", batch, "must be a whole number of runs from 1 on")
+    _check_options(what, batch)
     loaded = as_scene(scene)
     parameters = make_parameters(loaded, vary)
     chosen = make_design(parameters, samples, design, seed, gives_runs(vary))
@@ -116,16 +113,32 @@ def sweep(
     recipe = make_recipe(loaded, parameters, trial.variables, what)
     first = _first_runs(recipe, chosen, batch)
     plan = _plan(loaded, chosen, trial, recipe, first, batch)
+    begun, how = _Begun(first, set(), 0), (on, workers, progress)
     if folder is None:
         memory = SweepMemory(plan, chosen.pieces())
-        _make(memory, _Begun(first, set(), 0), on, workers, progress)
+        _make(memory, begun, *how)
         return answer.in_memory(memory)
+    return _stored(folder, plan, loaded, chosen, begun, how)
+
+
+def _check_options(what: str, batch: int | None) -> None:
+    """Refuse what no sweep can be. Raises InputError."""
+    if what not in (RUN, REST):
+        raise InputError("what", what, 'must be "run" or "rest"')
+    if batch is not None and batch < 1:
+        raise InputError("batch", batch, "must be a whole number of runs from 1 on")
+
+
+def _stored(
+    folder: Path, plan: SweepPlan, scene: Scene, design: Design, begun: _Begun, how: tuple[Any, ...]
+) -> xr.Dataset:
+    """Make a sweep into a folder."""
     with writing(folder):
         folder.mkdir(parents=True, exist_ok=True)
     with locked(folder):
-        stored = SweepFolder.create(folder, plan, loaded, chosen.pieces())
-        _make(stored, _Begun(first, set(), 0), on, workers, progress)
-    return answer.stored(stored)
+        sink = SweepFolder.create(folder, plan, scene, design.pieces())
+        _make(sink, begun, *how)
+    return answer.stored(sink)
 
 
 def resume_sweep(

@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from ropewalk.core.cache import source_hash
 from ropewalk.record.errors import RunError
+from ropewalk.record.identity import source_hash
 from ropewalk.sweeps.batch import GOOD, Batch, Batcher, Recipe
 from ropewalk.sweeps.plan import SweepPlan
 from ropewalk.sweeps.store import SweepFolder

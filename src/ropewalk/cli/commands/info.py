@@ -38,7 +38,7 @@ def info(folder: Path, checked: bool, as_json: bool) -> None:
     if is_sweep(folder):
         from ropewalk.cli.commands.sweep import info_folder
 
-        info_folder(folder, as_json=as_json)
+        info_folder(folder, as_json=as_json, checked=checked)
         return
     result = open_run(folder)
     if checked:

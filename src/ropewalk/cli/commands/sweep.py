@@ -11,7 +11,7 @@ from typing import Any
 import click
 
 from ropewalk.cli.console import print_json, print_table, say, tell, warn
-from ropewalk.cli.errors import INTERRUPTED
+from ropewalk.cli.errors import INTERRUPTED, Refusal
 from ropewalk.cli.files import claimed, refuse_parent
 from ropewalk.cli.progress import tell_compiling
 from ropewalk.cli.sources import json_option, load_scene, named, run_options, short_name
@@ -143,12 +143,15 @@ def _ended(folder: Path, make: Any, as_json: bool) -> int:
     return 0
 
 
-def info_folder(folder: Path, *, as_json: bool) -> None:
-    """Say what is in a sweep's folder."""
+def info_folder(folder: Path, *, as_json: bool, checked: bool = False) -> None:
+    """Say what is in a sweep's folder. With `checked` raises Refusal where batches are damaged."""
     from ropewalk.sweeps.store import SweepFolder
     from ropewalk.sweeps.summary import summary
 
     found = summary(SweepFolder.open(folder))
+    if checked and found["damaged"]:
+        batches = ", ".join(map(str, found["damaged"][:20]))
+        raise Refusal(f"{folder}: damaged batches: {batches}; ropewalk resume makes them again")
     if as_json:
         print_json({"folder": str(folder), **found})
         return
