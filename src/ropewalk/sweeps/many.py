@@ -22,7 +22,7 @@ from ropewalk.sweeps import answer, engines
 from ropewalk.sweeps.bar import Bar
 from ropewalk.sweeps.batch import REST, RUN, Batch, Recipe, make_recipe
 from ropewalk.sweeps.designs import Design, make_design
-from ropewalk.sweeps.keep import make_keep
+from ropewalk.sweeps.keep import Kept, make_keep
 from ropewalk.sweeps.memory import SweepMemory
 from ropewalk.sweeps.parameters import gives_runs, make_parameters
 from ropewalk.sweeps.plan import SweepPlan, rows_of
@@ -101,24 +101,36 @@ def sweep(
     KeyboardInterrupt, after which `resume` goes on with what is stored.
     """
     _check_options(what, batch)
-    loaded = as_scene(scene)
+    loaded, folder = as_scene(scene), Path(store) if store is not None else None
     parameters = make_parameters(loaded, vary)
     chosen = make_design(parameters, samples, design, seed, gives_runs(vary))
     kept = make_keep(keep, bool(loaded.anchors))
-    folder = Path(store) if store is not None else None
     if folder is not None:
         _check_free(folder, overwrite)
-    trial = try_out(loaded, parameters, kept, what)
-    _refuse_too_much(trial, chosen, folder)
-    recipe = make_recipe(loaded, parameters, trial.variables, what)
-    first = _first_runs(recipe, chosen, batch)
-    plan = _plan(loaded, chosen, trial, recipe, first, batch)
-    begun, how = _Begun(first, set(), 0), (on, workers, progress)
+    return _made(loaded, chosen, kept, (what, batch), folder, (on, workers, progress))
+
+
+def _made(
+    scene: Scene,
+    design: Design,
+    kept: Sequence[Kept],
+    asked: tuple[str, int | None],
+    folder: Path | None,
+    how: tuple[Any, ...],
+) -> xr.Dataset:
+    """Try out a sweep's corners, make it, and return its answer."""
+    what, batch = asked
+    trial = try_out(scene, design.parameters, kept, what)
+    _refuse_too_much(trial, design, folder)
+    recipe = make_recipe(scene, design.parameters, trial.variables, what)
+    first = _first_runs(recipe, design, batch)
+    plan = _plan(scene, design, trial, recipe, first, batch)
+    begun = _Begun(first, set(), 0)
     if folder is None:
-        memory = SweepMemory(plan, chosen.pieces())
+        memory = SweepMemory(plan, design.pieces())
         _make(memory, begun, *how)
         return answer.in_memory(memory)
-    return _stored(folder, plan, loaded, chosen, begun, how)
+    return _stored(folder, plan, scene, design, begun, how)
 
 
 def _check_options(what: str, batch: int | None) -> None:
