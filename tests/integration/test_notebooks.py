@@ -36,7 +36,7 @@ def test_a_notebook_runs(path: Path, tmp_path: Path, monkeypatch: pytest.MonkeyP
     book = nbformat.read(path, as_version=4)
     nbformat.validate(book)
     code = [cell for cell in book.cells if cell.cell_type == "code"]
-    assert code[-1].source.count("assert ") >= 2
+    assert code[-1].source.count("assert ") >= 3
     assert all(not cell.outputs and cell.execution_count is None for cell in code)
     run(book, tmp_path, monkeypatch)
     kinds = [kind for cell in code for out in cell.outputs for kind in out.get("data", {})]
