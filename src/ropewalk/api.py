@@ -141,8 +141,8 @@ def run(
 ) -> Result:
     """Run a scene into a run folder, in memory that does not grow with its duration.
 
-    Killed at any moment, it leaves a folder that opens, and `resume` goes on. Ctrl-C finishes the
-    present block of frames and saves (a second one does not wait).
+    Killed at any moment, it leaves a folder that opens, and `resume` goes on. Ctrl-C drops
+    what has begun of the present frame and saves the rest (a second one does not wait).
 
     Args:
         scene: scene, preset's name, or scene file.

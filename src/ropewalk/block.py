@@ -29,8 +29,7 @@ class Block:
 
     def head(self, frames: int) -> Block:
         """Return the first `frames` frames."""
-        kept = Recording(*(array[:frames] for array in self.recording))
-        return Block(self.time[:frames], kept, self.status)
+        return Block(self.time[:frames], self.recording.part(0, frames), self.status)
 
 
 def join(blocks: list[Block]) -> Block:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from functools import partial
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
@@ -37,6 +38,7 @@ from ropewalk.methods.registry import METHODS
 from ropewalk.methods.scratch import make_sums
 from ropewalk.motions.table import HAND
 from ropewalk.scene import Scene
+from ropewalk.slices import Slices
 from ropewalk.start import started
 
 if TYPE_CHECKING:
@@ -113,6 +115,7 @@ class Simulation(Driven):
             self._state, self._scratch = adaptive.adapt(self.system, self._state, *limits)
             self._walk = self._scratch.walk
         self.failure = ""  # set where an implicit method finds no solution of a step
+        self.slices = Slices(self.layout.nodes, self._method.cost, self._method.fixed)
         self._winches = len(self.scene.winches) > 0
         self._extras = 1 if self._winches or (limited and not self._method.implicit) else None
         self._start, self._dt, self._step = 0.0, self.plan.dt, 0
@@ -265,7 +268,8 @@ class Simulation(Driven):
         """Advance by `frames` frames of the plan and return them, in buffers `out` of that length if given.
 
         When a frame is broken the block ends before it with status BROKEN, and the simulation stands
-        at its last good frame; with `keep_going` it records on.
+        at its last good frame; with `keep_going` it records on. Where `slices.asked` says so it ends
+        early, with status OK.
         """
         if self._dt != self.plan.dt:  # after a step of another length
             self._start, self._dt, self._step = self.time, self.plan.dt, 0
@@ -282,7 +286,7 @@ class Simulation(Driven):
         block = Block(times, out, status)
         if status == OK or (before is None and status == BROKEN):
             self._arrive()
-            return block
+            return block.head(good) if status == OK and good < frames else block
         if before is None:
             return block.head(good)
         self.restore(before)
@@ -331,16 +335,32 @@ class Simulation(Driven):
         return max(1, min(LONGEST_BLOCK, BLOCK_BYTES // (48 * self.layout.nodes)))
 
     def _advance(self, steps: int, frames: int, out: Any, stop: bool = True) -> tuple[int, int]:
+        """Advance frames of so many steps, in slices; return the status and the number of good frames.
+
+        Fewer than `frames` with status OK: `slices.asked` said so.
+        """
+        found = self.slices.run(
+            self._call, lambda: partial(self.restore, self.state), steps, frames, out, stop
+        )
+        out.energy[:, GRAVITY] -= self._gravity_zero
+        return found
+
+    def _call(self, steps: int, frames: int, out: Recording, stop: bool) -> tuple[int, int, int]:
+        """Call the kernel once; return its status, the number of good frames and the steps taken."""
         clock = np.array([self._start, self._dt, self._step, steps], dtype=np.float64)
         common = (self.system, self._state, self._scratch, self._extras, clock, frames)
-        status, good = self._method.advance(*common, self.ledger, out, stop, self._tableau)
-        out.energy[:, GRAVITY] -= self._gravity_zero
+        fixed = self._method.fixed
+        if not fixed:
+            self._scratch.strides[0] = self.slices.most
+        try:
+            status, good = self._method.advance(*common, self.ledger, out, stop, self._tableau)
+        finally:  # a signal's handler may raise as soon as the kernel is back
+            self._step = int(clock[2])
+        taken = steps * good if fixed else self.slices.most - int(self._scratch.strides[0])
         if status == UNSOLVED:
             self.failure = unsolved.describe(self.model, self._state, self.clock, self._scratch)
             self._start, self._step = unsolved.standing(self.clock, self._scratch)
-        else:
-            self._step += steps * (frames if status == OK else good + 1)
-        return status, good
+        return status, good, taken
 
     # -- hands --------------------------------------------------------------------------
 

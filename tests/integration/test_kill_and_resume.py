@@ -21,6 +21,7 @@ from ropewalk.record.errors import RunError
 from ropewalk.record.result import Result
 from ropewalk.record.resume import resume_run
 from ropewalk.record.run import record_run
+from ropewalk.slices import Slices
 
 CHUNK = 16
 CHILD = """
@@ -196,6 +197,33 @@ def test_ctrl_c_finishes_the_block_and_saves(tmp_path: Path) -> None:
     assert result.status == "interrupted"
     assert result.frames == 2 * CHUNK
     assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+    rw.resume(tmp_path / "run")
+    equal_runs(tmp_path / "run", tmp_path / "whole")
+
+
+@pytest.mark.parametrize(("strike", "frames"), [(3, 1), (8, 2)])
+def test_ctrl_c_is_heard_inside_a_frame(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, strike: int, frames: int
+) -> None:
+    """The kernel returns within a frame; its frame is dropped, what was good before is kept."""
+    scene = runs.hanging(duration=0.2, frame_rate=20.0, segments=5)  # 25 steps a frame: 4 calls
+    rw.run(scene, tmp_path / "whole")
+    calls = []
+
+    def note(self: Slices, steps: int, seconds: float) -> None:
+        self.most = 8
+        calls.append(steps)
+        if len(calls) == strike:
+            os.kill(os.getpid(), signal.SIGINT)
+
+    monkeypatch.setattr(Slices, "note", note)
+    with pytest.raises(KeyboardInterrupt):
+        rw.run(scene, tmp_path / "run")
+    result = Result.open(tmp_path / "run")
+    assert result.status == "interrupted"
+    assert len(calls) == strike
+    assert result.frames == frames  # the first one is drawn before anything moves
+    monkeypatch.undo()
     rw.resume(tmp_path / "run")
     equal_runs(tmp_path / "run", tmp_path / "whole")
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from ropewalk.core.arrays import flatten
-from ropewalk.methods.loop import DEPTH, TILE
+from ropewalk.methods.tiles import DEPTH, TILE
 from ropewalk.scene import Air, Anchor, Ground, Material, Rope, RunSettings, Scene, Shake
 from ropewalk.simulation import Simulation
 

@@ -43,7 +43,7 @@ def add_bending(scene: Scene, layout: Layout, system: System, state: State) -> t
         bending_stiffness=free * stiffness,
         bending_damping=free * damping,
         clamp_direction=system.bending.direction.copy(),
-        clamp_spin=np.zeros((count, 3)),
+        clamp_spin=_first_spin(system.bending) if count else np.zeros((0, 3)),
         moment=np.zeros((count, 6)),
         forces=state.forces._replace(bending=np.zeros((3, n + 1))),
         work=state.work._replace(bending=np.zeros(layout.segments), clamps=np.zeros(count)),
@@ -92,6 +92,13 @@ def _sides(rope: Rope, anchor: Anchor) -> list[int]:
 
 def _turn(clamp: Clamp) -> tuple[float, float, float]:
     return clamp.turn_rate, clamp.start, clamp.stop
+
+
+def _first_spin(bending: Bending) -> Floats:
+    """Return the angular velocity of every clamp at time zero [rad/s], (a, 3)."""
+    rate, start, stop = bending.turn.T
+    turning = np.where((start <= 0.0) & (stop > 0.0), rate, 0.0)
+    return np.ascontiguousarray(turning[:, None] * bending.axis)
 
 
 def _unit(vector: object) -> Floats:

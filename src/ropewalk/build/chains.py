@@ -47,13 +47,15 @@ def chains(system: System, state: State, speed: float = 0.0) -> dict[str, Chain]
     for row in range(len(state.winch_exit)):
         cases["with all rope reeled in"] = _reeled_in(base, system, state, row)
     if system.ground.active:
-        ground = system.ground
+        ground, twice = system.ground, 2.0 * system.ground.damping_ratio
         for name, chain in tuple(cases.items()):
             here = "" if name == "in the air" else f", {name}"
             damping = chain.node_damping
             cases[f"pressed to the ground{here}"] = chain._replace(
                 node_stiffness=zero + ground.repulsion,
-                node_damping=damping + ground.absorption,
+                node_damping=damping
+                + ground.absorption
+                + twice * np.sqrt(ground.repulsion * chain.mass),
             )
             cases[f"sliding on the ground{here}"] = chain._replace(
                 node_damping=damping + ground.friction

@@ -24,6 +24,7 @@ from ropewalk.core.arrays import (
 )
 from ropewalk.core.status import BREAK_STRETCH
 from ropewalk.laws.anchors import start_of_anchor
+from ropewalk.methods.kinks import kink_times
 from ropewalk.scene import Material, Rope, Scene, Springs
 
 
@@ -32,6 +33,7 @@ def make_tables(scene: Scene, layout: Layout) -> tuple[System, State]:
     state = _ropes(scene, layout)
     system = _system(scene, layout, state)
     system, state = add_bending(scene, layout, system, state)
+    system = system._replace(kinks=kink_times(system.anchors, system.bending))
     _hold(system, state)
     return system, state
 
@@ -156,6 +158,7 @@ def _system(scene: Scene, layout: Layout, state: State) -> System:
         anchors=anchor_tables(scene, origins, state.anchor_node),
         winches=_winches(scene, layout),
         bending=no_bending(),
+        kinks=np.zeros(0),
     )
 
 
@@ -192,8 +195,9 @@ def _ground(scene: Scene) -> Ground:
     up = np.array(scene.up)
     ground = scene.ground
     if ground is None:
-        return Ground(0, up, 0.0, 0.0, 0.0, 0.0)
-    return Ground(1, up, ground.height, ground.repulsion, ground.friction, ground.absorption)
+        return Ground(0, up, 0.0, 0.0, 0.0, 0.0, 0.0)
+    numbers = ground.height, ground.repulsion, ground.friction, ground.absorption
+    return Ground(1, up, *numbers, ground.damping_ratio)
 
 
 def _limiter(scene: Scene, layout: Layout) -> Limiter:

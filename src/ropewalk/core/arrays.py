@@ -41,6 +41,7 @@ class Ground(NamedTuple):
     repulsion: float  # [N/m]
     friction: float  # [N s/m]
     absorption: float  # [N s/m]
+    damping_ratio: float  # [1] of every node on its own, both ways; 0 without
 
 
 class Limiter(NamedTuple):
@@ -116,6 +117,7 @@ class System(NamedTuple):
     anchors: Anchors
     winches: Winches
     bending: Bending
+    kinks: Floats  # (k,) times at which the velocity of an anchor or clamp jumps [s], sorted
 
 
 class Forces(NamedTuple):

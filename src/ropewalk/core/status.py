@@ -5,6 +5,7 @@ from __future__ import annotations
 OK = 0
 BROKEN = 1  # a coordinate is not finite, or a segment is stretched beyond BREAK_STRETCH
 UNSOLVED = 2  # an implicit method found no solution of a step
+PAUSED = 3  # the adaptive method has taken as many steps as one call may
 
 # A segment this many times its rest length [1] counts as broken simulation, not as rope; three times
 # what all weight would stretch the softest segment by comes on top of it.

@@ -39,9 +39,27 @@ def point_clamps(held, clamped, first, axis, turn, t, direction, spin):
         direction[row, 0] = c * dx + s * (ey * dz - ez * dy) + along * ex
         direction[row, 1] = c * dy + s * (ez * dx - ex * dz) + along * ey
         direction[row, 2] = c * dz + s * (ex * dy - ey * dx) + along * ez
-        rate = turn[row, 0] if turn[row, 1] <= t < turn[row, 2] else 0.0
+        rate = clamp_rate(turn, row, t)
         for k in range(3):
             spin[row, k] = rate * axis[row, k]
+
+
+@part
+def clamp_rate(turn, row, t):
+    """Return the rate at which a clamp turns just after time `t` [rad/s]."""
+    return turn[row, 0] if turn[row, 1] <= t < turn[row, 2] else 0.0
+
+
+@kernel
+def spins_jump(held, clamped, axis, turn, t, spin):
+    """Return how many numbers of `spin`, (a, 3), are not those just after time `t` [s]."""
+    jumps = 0
+    for row in range(clamped.shape[0]):
+        if clamped[row] == 1 and held[row] == 1:
+            rate = clamp_rate(turn, row, t)
+            for k in range(3):
+                jumps += 0 if spin[row, k] == rate * axis[row, k] else 1
+    return jumps
 
 
 @part

@@ -13,7 +13,7 @@ import math
 from ropewalk.core.arrays import TENSION_ONLY
 from ropewalk.core.jit import kernel, part
 from ropewalk.laws.bounds import bound_segments, split_tension
-from ropewalk.laws.ground import mark_touching, marked_ground_forces
+from ropewalk.laws.ground import damp_marked_ground, mark_touching, marked_ground_forces
 from ropewalk.laws.stretch import drop_marked_friction
 from ropewalk.laws.table import evaluate_smooth, rub_segments
 
@@ -70,8 +70,10 @@ def evaluate_stage(system, state, x, v, tension, work, saddle, forces):
         drop_marked_friction(saddle.band.rubs, forces.friction)
     evaluate_smooth(system, state, x, v, forces)
     if system.ground.active == 1:
-        band = saddle.band
-        marked_ground_forces(x, v, system.ground, band.touches, band.frozen[0], forces.ground)
+        ground, band = system.ground, saddle.band
+        marked_ground_forces(x, v, ground, band.touches, band.frozen[0], forces.ground)
+        if ground.damping_ratio > 0.0:
+            damp_marked_ground(x, v, state.mass, ground, band.touches, forces.ground)
 
 
 @part

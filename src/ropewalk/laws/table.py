@@ -12,7 +12,7 @@ from ropewalk.core.ranges import ALL, rows
 from ropewalk.laws.air_drag import linear_drag, quadratic_line_drag, quadratic_node_drag
 from ropewalk.laws.bending import bending_forces, bending_friction
 from ropewalk.laws.clamps import clamp_forces
-from ropewalk.laws.ground import ground_forces
+from ropewalk.laws.ground import damp_ground, ground_forces
 from ropewalk.laws.stretch import (
     axial_friction,
     drop_slack_friction,
@@ -37,6 +37,8 @@ def evaluate(system, state, x, v, forces, lo=0, hi=ALL):
     evaluate_smooth(system, state, x, v, forces, lo, hi)
     if system.ground.active == 1:
         ground_forces(x, v, system.ground, forces.ground, lo, hi)
+        if system.ground.damping_ratio > 0.0:
+            damp_ground(x, v, state.mass, system.ground, forces.ground, lo, hi)
 
 
 @part

@@ -54,7 +54,8 @@ def add_tangents(system, state, x, v, weight_x, weight_v, band):
         quadratic_node_tangent(v, air.node_drag_quadratic, air.wind, weight_v, band)
         line_drag_tangent(x, v, air.normal, air.tangential, air.wind, weight_x, weight_v, band)
     if system.ground.active == 1:
-        ground_tangent(v, system.ground, band.touches, weight_x, weight_v, band)
+        ground, touches = system.ground, band.touches
+        ground_tangent(x, v, state.mass, ground, touches, weight_x, weight_v, band)
 
 
 @part

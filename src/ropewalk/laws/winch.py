@@ -121,6 +121,7 @@ def set_segment(winches, state, row, segment, length):
 @kernel
 def split(winches, state, row, drum, working, length):
     """Let the node on the drum go, where both halves keep the strain; the next one becomes the exit."""
+    state.past[0] = 0.0  # a multistep method knows nothing of the node's past
     side = winches.step[row]
     nominal, line = winches.segment[row], winches.line[row]
     outer, inner = drum + side, drum - side
@@ -144,6 +145,7 @@ def split(winches, state, row, drum, working, length):
 @kernel
 def merge(winches, state, row, drum, working, length):
     """Take the next node on to the drum; keep the working segment's tension."""
+    state.past[0] = 0.0
     side = winches.step[row]
     outer = drum + side
     far = outer + side

@@ -18,9 +18,8 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats, State, System, pooled
 from ropewalk.core.jit import kernel, part
-from ropewalk.core.status import OK, UNSOLVED
-from ropewalk.laws.anchors import anchor_target, release_anchors
-from ropewalk.laws.clamps import turn_clamps
+from ropewalk.core.status import OK, PAUSED, UNSOLVED
+from ropewalk.laws.anchors import release_anchors
 from ropewalk.laws.links import hold_links, note_reactions
 from ropewalk.laws.winch import run_winches
 from ropewalk.methods.controller import (
@@ -30,7 +29,6 @@ from ropewalk.methods.controller import (
     END,
     ERROR,
     EVENT_STEP,
-    JUST_BELOW,
     LONGEST,
     NODE,
     REJECTED,
@@ -44,7 +42,6 @@ from ropewalk.methods.controller import (
     largest_error,
     longest_step,
     make_control,
-    next_break,
     shorter,
 )
 from ropewalk.methods.crossings import crossings, mark_sides
@@ -55,6 +52,7 @@ from ropewalk.methods.implicit import (
     step,
     take_step,
 )
+from ropewalk.methods.kinks import JUST_BELOW, next_break, take_up_rates
 from ropewalk.methods.loop import close_frame, prepare_links
 from ropewalk.methods.stage import Stage
 from ropewalk.methods.tableaus import ESDIRK3
@@ -82,6 +80,7 @@ class AdaptiveScratch(NamedTuple):
     ahead: State
     breaks: Floats  # times at which a step must end [s]
     limits: Floats  # (2,) tolerance [m], longest step [s]
+    strides: Floats  # (1,) tries of a step, and frames, that are left to the present call
 
 
 def no_walk() -> Walk:
@@ -100,7 +99,8 @@ def adapt(
     solver.stage.saddle.band.frozen[0] = 1
     limits = np.array([tolerance, longest])
     breaks = break_times(system)
-    return shown, AdaptiveScratch(solver, solver.stage, walk, here, begin, ahead, breaks, limits)
+    rest = breaks, limits, np.zeros(1)
+    return shown, AdaptiveScratch(solver, solver.stage, walk, here, begin, ahead, *rest)
 
 
 def counts(walk: Walk) -> dict[str, float]:
@@ -130,29 +130,15 @@ def begin_walk(state, scratch, t):
     """Begin anew at time `t` [s] from the state that is shown."""
     control = scratch.walk.control
     put_row(scratch.here, scratch.walk.ahead)
+    put_row(scratch.here, scratch.walk.shown)
     control[BEGIN], control[END], control[BEGUN] = t, t, 1.0
 
 
 @part
 def open_step(system, state, t, solver, ledger):
-    """Let go of anchors and take up their velocities after time `t` [s]; a jump is booked as work."""
-    jumps = 1 if release_anchors(system, state, t, 0.0) else 0
-    for row in range(state.held.shape[0]):
-        if state.held[row] == 0:
-            continue
-        anchor_target(system, state, row, t, 0.0, solver.point, solver.speed)
-        i = state.anchor_node[row]
-        for k in range(3):
-            old, new = state.anchor_v[row, k], solver.speed[k]
-            if old != new:
-                jumps += 1
-                if ledger:
-                    state.work.anchors[row] += 0.5 * state.mass[i] * (new * new - old * old)
-                state.anchor_v[row, k] = new
-                state.v[k, i] = new
-    if state.moment.shape[0] > 0:
-        turn_clamps(system, state, t)
-    return jumps > 0
+    """Let go of anchors and take up all rates after time `t` [s]; a jump is booked as work."""
+    unclamped = release_anchors(system, state, t, 0.0)
+    return take_up_rates(system, state, t, solver.point, solver.speed, ledger) > 0 or unclamped
 
 
 @kernel
@@ -202,6 +188,7 @@ def stride(system, scratch, extras, ledger, tableau):
             end, cut = t + 0.5 * (stop - t), True
             after = end
         dt = end - t
+        scratch.strides[0] -= 1.0
         again, changes = try_step(system, state, before, scratch, t, after, dt, ledger, tableau)
         if again == 0.0:
             break
@@ -263,7 +250,8 @@ def go_to(system, state, scratch, extras, time, ledger, tableau):
 def advance(system, state, scratch, extras, clock, frames, ledger, out, stop_at_break, tableau):
     """Advance `frames` frames; return the status and the number of good frames. See `loop.make_advance`.
 
-    `clock` holds t0, time between two frames, frames done and, for a frame, how many of them.
+    `clock` holds t0, time between two frames, frames done and, for a frame, how many of them. PAUSED after
+    as many tries as `scratch.strides` says: the walk may then be part of the way to the next frame.
     """
     control, walk = scratch.walk.control, scratch.walk
     done = int(clock[2])
@@ -273,12 +261,18 @@ def advance(system, state, scratch, extras, clock, frames, ledger, out, stop_at_
         done += int(clock[3])
         time = clock[0] + done * clock[1]
         while control[END] < time:
+            if scratch.strides[0] <= 0.0:
+                return PAUSED, frame
             status = stride(system, scratch, extras, ledger, tableau)
             if status != OK:
                 return status, frame
+        if scratch.strides[0] <= 0.0:
+            return PAUSED, frame
+        scratch.strides[0] -= 1.0
         status = show(system, state, scratch, extras, time, ledger, tableau)
         if status == OK:
             put_row(scratch.here, walk.shown)
+            clock[2] = done
             status = close_frame(system, state, ledger, scratch.solver.sums, frame, out)
         if status != OK and (stop_at_break or status == UNSOLVED):
             return status, frame

@@ -17,7 +17,7 @@ import numpy as np
 from ropewalk.core.arrays import Floats, System
 from ropewalk.core.jit import kernel
 from ropewalk.laws.winch import WINCH_SHARE
-from ropewalk.motions.table import TABLE, VELOCITY
+from ropewalk.methods.kinks import in_order
 
 #: Longest step where the scene names none [s]: what happens and is over within one goes unseen.
 LONGEST_STEP = 0.1
@@ -27,7 +27,6 @@ SHORTEST_STEP = 1e-9
 EVENT_STEP = 1e-7
 SAFETY = 0.9
 UNSOLVED_SHARE = 0.25  # of a step whose equations have no solution, for the next try
-JUST_BELOW = 1.0 - 2.3e-16
 
 # Places in the array `control`. BEGIN and END [s] are those of the last step, WISH [s] the next one's
 # length (0: none yet), BEFORE the last error over the tolerance; then counts and extremes of accepted
@@ -45,42 +44,10 @@ def make_control() -> Floats:
 def break_times(system: System) -> Floats:
     """Return the times at which a step must end [s], sorted: the scene's own sudden changes.
 
-    Releases; starts and stops of motions, of turning clamps and of winches; corners of tables.
+    Its kinks, releases, and starts and stops of winches.
     """
     anchors, winches = system.anchors, system.winches
-    times = [anchors.release, winches.start, winches.stop]
-    times.append(anchors.params[anchors.kind == VELOCITY, 6:8].ravel())
-    for row in np.flatnonzero(anchors.kind == TABLE):
-        first = anchors.table_start[row]
-        times.append(_corners(anchors.table[first : first + anchors.table_rows[row]]))
-    times.append(system.bending.turn[system.bending.clamped == 1, 1:].ravel())
-    found = np.unique(np.concatenate(times))
-    return np.ascontiguousarray(found[np.isfinite(found) & (found > 0.0)])
-
-
-def _corners(rows: Floats) -> Floats:
-    """Return the times of a table at which its velocity jumps: both ends, and corners between."""
-    time, slope = rows[:, 0], rows[:, 2::4]
-    width = np.diff(time)[:, None]
-    arriving = rows[:-1, 2::4] + width * (2.0 * rows[:-1, 3::4] + width * 3.0 * rows[:-1, 4::4])
-    jump = np.abs(slope[1:-1] - arriving[:-1]).max(axis=1, initial=0.0)
-    corner = np.ones(len(time), dtype=bool)
-    corner[1:-1] = jump > 1e-9 * np.abs(slope).max(initial=0.0)
-    found: Floats = time[corner]
-    return found
-
-
-@kernel
-def next_break(times, t):
-    """Return the first of the sorted `times` after `t`, inf when there is none [s]."""
-    low, high = 0, times.shape[0]
-    while low < high:
-        middle = (low + high) // 2
-        if times[middle] <= t:
-            low = middle + 1
-        else:
-            high = middle
-    return times[low] if low < times.shape[0] else np.inf
+    return in_order([system.kinks, anchors.release, winches.start, winches.stop])
 
 
 @kernel

@@ -10,13 +10,12 @@ from ropewalk.laws.anchors import release_anchors
 from ropewalk.laws.limiter import limit_stretch
 from ropewalk.laws.links import hold_links
 from ropewalk.laws.stretch import segment_tension
-from ropewalk.laws.table import accelerate, evaluate, reaches_neighbours_only
+from ropewalk.laws.table import accelerate, evaluate
 from ropewalk.laws.winch import run_winches
+from ropewalk.methods.kinks import next_piece
 from ropewalk.methods.recording import check_state, record_frame
 from ropewalk.methods.scratch import clear
-
-TILE = 1024  # nodes; about 250 kB of all their arrays
-DEPTH = 32  # steps
+from ropewalk.methods.tableaus import BDF2
 
 
 @kernel
@@ -51,13 +50,26 @@ def _prepare_other(system, state, t, scratch):
 
 
 @part
+def _renew_solver(system, state, t, scratch, tableau):
+    """Prepare for the step after winches have turned; what BDF2 keeps of the step before stays true."""
+    if tableau.kind != BDF2:
+        prepare_links(system, state, t, scratch.stage.saddle)
+
+
+@part
+def _renew_other(system, state, t, scratch, tableau):
+    """Prepare for the step after winches have turned."""
+    prepare(system, state)
+
+
+@part
 def _wind(system, state, scratch, t, dt, ledger):
     """Let winches act on the end of a step; a method that solves has the limiter in its equations."""
     run_winches(system, state, t, dt, ledger)
 
 
 @part
-def _wind_and_limit(system, state, scratch, t, dt, ledger):
+def wind_and_limit(system, state, scratch, t, dt, ledger):
     """Let winches and limiter act on the end of a step."""
     run_winches(system, state, t, dt, ledger)
     limit_stretch(system, state, scratch.limiter, dt, ledger)
@@ -76,63 +88,61 @@ def _module(step: Any) -> str:
     return str(getattr(step, "py_func", step).__module__)
 
 
-def make_advance(
-    step: Any, *, carries: bool = False, solves: bool = False, tiles: bool = False
-) -> Any:
+def make_advance(step: Any, *, carries: bool = False, solves: bool = False) -> Any:
     """Return the kernel that advances by a method's `step`, a part compiled into it.
 
     `carries` says that a step begins with the forces and accelerations that the one before ended with,
-    `solves` that it solves equations and returns a status, `tiles` that a step takes a range of nodes.
-    Then a long rope is cut into tiles that fit the cache, and a tile goes through up to DEPTH steps
-    before the next one: from step to step it moves back by one node, so that all neighbours stand where
-    they are needed and every node goes through the same arithmetic as in one sweep, to the same bits.
-    What a tile needs of the segment before it is in the force arrays: written by the tile before it in the
-    same step, and reached by none of the later ones.
+    `solves` that it solves equations and returns a status. Steps are cut at kinks, see `kinks`.
     """
     begin_anew = _prepare_solver if solves else _prepare_other
-    act_after = _wind if solves else _wind_and_limit
+    renew = _renew_solver if solves else _renew_other
+    act_after = _wind if solves else wind_and_limit
 
     def advance(system, state, scratch, extras, clock, frames, ledger, out, stop_at_break, tableau):
         """Advance `frames` frames; return the status and the number of good frames.
 
-        `clock` holds t0, dt, steps done and steps per frame, so that t = t0 + step dt, never a sum.
+        `clock` holds t0, dt, steps done and steps per frame, so that t = t0 + step dt, never a sum. What is
+        done is counted there, so that it fits the state even where the call ends with a raised signal.
         `extras` is None or 1: with None winches and limiter are left out of the machine code.
         `tableau` holds the method's coefficients, if it has any.
         """
         dt = clock[1]
         done, steps = int(clock[2]), int(clock[3])
-        n = state.mass.shape[0]
-        width = TILE if tiles and extras is None and reaches_neighbours_only(system) else n
+        point, speed = scratch.point, scratch.speed
         for frame in range(frames):
-            for start in range(done, done + steps, DEPTH):
-                first = 0
-                while first < n:
-                    last = first + width if n - first >= 2 * width else n
-                    for s in range(start, min(start + DEPTH, done + steps)):
-                        lo = first - (s - start) if first > 0 else 0
-                        hi = last - (s - start) if last < n else n
-                        t, after = clock[0] + s * dt, clock[0] + (s + 1) * dt
-                        if release_anchors(system, state, t, dt, lo, hi) and carries:
-                            begin_anew(system, state, t, scratch)
-                        if tiles:
-                            step(system, state, scratch, t, after, dt, ledger, tableau, lo, hi)
-                        elif solves:
-                            status = step(system, state, scratch, t, after, dt, ledger, tableau)
-                            if status != OK:
-                                return status, frame
-                        else:
-                            step(system, state, scratch, t, after, dt, ledger, tableau)
-                        if extras is not None:
-                            act_after(system, state, scratch, t, dt, ledger)
-                            if carries:
-                                begin_anew(system, state, after, scratch)
-                    first = last
+            for s in range(done, done + steps):
+                t, after = clock[0] + s * dt, clock[0] + (s + 1) * dt
+                if release_anchors(system, state, t, dt) and carries:
+                    begin_anew(system, state, t, scratch)
+                begin = t
+                while begin < after:  # once, but for kinks
+                    h, end, stop, jumps = next_piece(
+                        system, state, t, begin, after, dt, point, speed, ledger
+                    )
+                    if jumps > 0 and carries:
+                        begin_anew(system, state, begin, scratch)
+                    if solves:
+                        status = step(system, state, scratch, begin, end, h, ledger, tableau)
+                        if status != OK:
+                            return status, frame
+                    else:
+                        step(system, state, scratch, begin, end, h, ledger, tableau)
+                    if extras is not None:
+                        act_after(system, state, scratch, begin, h, ledger)
+                        if carries:
+                            renew(system, state, end, scratch, tableau)
+                    begin = stop
             done += steps
+            clock[2] = done
             status = close_frame(system, state, ledger, scratch.sums, frame, out)
             if status != OK and stop_at_break:
                 return status, frame
         return OK, frames
 
-    # Files of machine code are named after the function: one name for every method.
+    return named(advance, step)
+
+
+def named(advance: Any, step: Any) -> Any:
+    """Return the kernel of `advance`, named after the method: files of machine code carry the name."""
     advance.__qualname__ = f"advance-{_module(step).rpartition('.')[2]}"
     return kernel(advance)

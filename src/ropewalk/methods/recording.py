@@ -39,6 +39,10 @@ class Recording(NamedTuple):
     angular_momentum: Floats  # (f, 3) about the origin [kg m^2/s]
     moment: Floats  # (f, a, 3) of the clamps on the rope [N m]; (f, 0, 3) without a clamp
 
+    def part(self, start: int, stop: int) -> Recording:
+        """Return the frames from `start` to `stop`, views."""
+        return Recording(*(array[start:stop] for array in self))
+
 
 LARGE = Recording._fields[:4]  # by node or segment in every frame
 

@@ -39,7 +39,9 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
             axpy(state.x, c, vs, xs)
             axpy(state.v, c, a, vs)
         if s > 0:
-            place_stage(system, state, t + c, c, xs, vs, scratch.point, scratch.speed)
+            # The last one may end at a kink, just before which `after` is.
+            time = after if c == dt and system.kinks.shape[0] > 0 else t + c
+            place_stage(system, state, time, c, xs, vs, scratch.point, scratch.speed)
         evaluate(system, state, xs, vs, state.forces)
         accelerate(system, state, state.forces, a)
         add_forces(system, state.forces, tableau[1, s], mean)

@@ -19,8 +19,8 @@ from ropewalk.laws.table import (
     has_plain_forces,
     has_plain_springs,
 )
-from ropewalk.methods.loop import make_advance
 from ropewalk.methods.scratch import axpy, push
+from ropewalk.methods.tiles import make_tiled_advance
 
 
 @small
@@ -92,4 +92,4 @@ def step(system, state, scratch, t, after, dt, ledger, tableau, lo, hi):
         account(system, state, forces, middle, dt, lo, hi)
 
 
-advance = make_advance(step, tiles=True)
+advance = make_tiled_advance(step)

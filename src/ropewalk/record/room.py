@@ -40,4 +40,4 @@ class Room:
 
     def part(self, start: int, stop: int) -> Recording:
         """Return the buffers of the frames from `start` to `stop`."""
-        return Recording(*(array[start:stop] for array in self.recording))
+        return self.recording.part(start, stop)

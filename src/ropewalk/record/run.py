@@ -17,6 +17,7 @@ from ropewalk.block import Block
 from ropewalk.build import Model
 from ropewalk.core.status import OK
 from ropewalk.methods.adaptive import counts
+from ropewalk.methods.registry import METHODS
 from ropewalk.record import beyond, checkpoint
 from ropewalk.record.background import Background
 from ropewalk.record.checkpoint import Checkpoint
@@ -33,9 +34,9 @@ from ropewalk.record.simulate import Explain, Progress, Runner, no_explanation
 from ropewalk.record.store import Writer
 from ropewalk.scene import Scene
 from ropewalk.simulation import Simulation
+from ropewalk.slices import NODE_STEP
 
 CHUNK_SECONDS = 0.25  # about this long a chunk of frames is simulated [s]
-NODE_STEP_SECONDS = 4e-9  # rough cost of one node and step [s]
 COMMIT_SECONDS = 1.0  # at least this long between two commits [s]
 COMMIT_SHARE = 0.05  # commits take at most about this share of the time [1]
 KEPT = "; everything up to the last commit is kept, and `ropewalk resume` goes on from there"
@@ -65,6 +66,7 @@ class Recorder:
         state, winches = self.simulation.arrays, bool(self.simulation.scene.winches)
         rooms = cycle([Room(state, chunk, winches) for _ in range(2)])
         with stop_requests() as stop, Background() as beside:
+            self.simulation.slices.asked = lambda: bool(stop)
             while taken <= plan.frames:
                 begun, room = taken % chunk, next(rooms)
                 count = min(chunk - begun, plan.frames + 1 - taken)
@@ -193,13 +195,14 @@ def finish(recorder: Recorder, progress: Progress | None) -> Result:
 def chunk_frames(simulation: Simulation) -> int:
     """Return the frames of one chunk: some megabytes, and about a quarter of a second of work."""
     plan, nodes = simulation.plan, simulation.layout.nodes
-    by_time = CHUNK_SECONDS / (NODE_STEP_SECONDS * plan.steps_per_frame * nodes)
+    cost = max(1.0, METHODS[plan.method].cost)
+    by_time = CHUNK_SECONDS / (NODE_STEP * cost * plan.steps_per_frame * nodes)
     return max(1, min(simulation.block_frames, int(by_time), plan.frames + 1))
 
 
 @contextmanager
 def stop_requests() -> Iterator[list[int]]:
-    """Collect Ctrl-C instead of raising it, so that a block is finished; the second one raises."""
+    """Collect Ctrl-C instead of raising it, so that frames are kept; the second one raises."""
     requests: list[int] = []
 
     def note(number: int, _: FrameType | None) -> None:

@@ -38,7 +38,11 @@ class Air(Model):
 
 
 class Ground(Model):
-    """A yielding floor as in NeHe's lesson 40, whose values are the defaults."""
+    """A yielding floor as in NeHe's lesson 40, whose values are the defaults.
+
+    NeHe's floor throws back what it has taken up: absorption acts on the way in only. With a
+    ``damping_ratio`` it damps on the way out, too, and never pulls: 1 for no bounce to speak of.
+    """
 
     height: Number = quantity("Height along up (minus gravity)", "m", default=0.0)
     repulsion: Number = positive(
@@ -48,6 +52,9 @@ class Ground(Model):
         "Viscous friction of sliding, for each node", "N s/m", default=0.2
     )
     absorption: Number = not_negative("Friction on the way in, for each node", "N s/m", default=2.0)
+    damping_ratio: Number = not_negative(
+        "Damping both ways, for each node, over that at which it hardly bounces", "1", default=0.0
+    )
 
 
 class Limiter(Model):

@@ -1,0 +1,129 @@
+"""Kinks: the times at which an anchor's velocity or a clamp's rate jumps.
+
+Nothing of an order above one survives a kink inside a step, nor a step that takes the rate from the wrong
+side of one. So steps are cut at kinks; a step that ends at one sees the rate before it, and one that begins
+at one the rate after it. What the jump of a held node does to the kinetic energy is its anchor's work.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ropewalk.core.arrays import Anchors, Bending, Floats
+from ropewalk.core.jit import kernel, part
+from ropewalk.laws.anchors import anchor_target
+from ropewalk.laws.clamps import spins_jump, turn_clamps
+from ropewalk.motions.table import TABLE, VELOCITY
+
+JUST_BELOW = 1.0 - 2.3e-16
+AT = 1e-9  # [1] a kink this near to an end of a step, over its length, is at that end ...
+ROUNDING = 1e-15  # [1] ... or by this share of the time
+
+
+def kink_times(anchors: Anchors, bending: Bending) -> Floats:
+    """Return the times of all kinks after time zero [s], sorted.
+
+    Starts and stops of motions and of turning clamps, and corners of tables.
+    """
+    times = [anchors.params[anchors.kind == VELOCITY, 6:8].ravel()]
+    for row in np.flatnonzero(anchors.kind == TABLE):
+        first = anchors.table_start[row]
+        times.append(_corners(anchors.table[first : first + anchors.table_rows[row]]))
+    times.append(bending.turn[bending.clamped == 1, 1:].ravel())
+    return in_order(times)
+
+
+def in_order(times: list[Floats]) -> Floats:
+    """Return the finite ones of these times after zero [s], sorted."""
+    found = np.unique(np.concatenate(times))
+    return np.ascontiguousarray(found[np.isfinite(found) & (found > 0.0)])
+
+
+def _corners(rows: Floats) -> Floats:
+    """Return the times of a table at which its velocity jumps: both ends, and corners between."""
+    time, slope = rows[:, 0], rows[:, 2::4]
+    width = np.diff(time)[:, None]
+    arriving = rows[:-1, 2::4] + width * (2.0 * rows[:-1, 3::4] + width * 3.0 * rows[:-1, 4::4])
+    jump = np.abs(slope[1:-1] - arriving[:-1]).max(axis=1, initial=0.0)
+    corner = np.ones(len(time), dtype=bool)
+    corner[1:-1] = jump > 1e-9 * np.abs(slope).max(initial=0.0)
+    found: Floats = time[corner]
+    return found
+
+
+@kernel
+def next_break(times, t):
+    """Return the first of the sorted `times` after `t`, inf when there is none [s]."""
+    low, high = 0, times.shape[0]
+    while low < high:
+        middle = (low + high) // 2
+        if times[middle] <= t:
+            low = middle + 1
+        else:
+            high = middle
+    return times[low] if low < times.shape[0] else np.inf
+
+
+@part
+def near(t, dt):
+    """Return how near to an end of a step of `dt` a kink at about `t` is at that end [s]."""
+    return max(AT * dt, ROUNDING * abs(t))
+
+
+@kernel
+def next_kink(kinks, begin, after, dt):
+    """Return a kink at the step's begin, -inf for none, and the next one in it or at its end, or inf [s]."""
+    here = next_break(kinks, begin - near(begin, dt))
+    if here > begin + near(begin, dt):
+        return -np.inf, here if here <= after + near(after, dt) else np.inf
+    later = next_break(kinks, begin + near(begin, dt))
+    return here, later if later <= after + near(after, dt) else np.inf
+
+
+@part
+def take_up_rates(system, state, t, point, speed, ledger):
+    """Give held nodes and clamps their rates just after time `t` [s]; return how many numbers jumped.
+
+    The jump of a node's kinetic energy is booked as its anchor's work.
+    """
+    jumps = 0
+    for row in range(state.held.shape[0]):
+        if state.held[row] == 0:
+            continue
+        anchor_target(system, state, row, t, 0.0, point, speed)
+        i = state.anchor_node[row]
+        for k in range(3):
+            old, new = state.anchor_v[row, k], speed[k]
+            if old != new:
+                jumps += 1
+                if ledger:
+                    state.work.anchors[row] += 0.5 * state.mass[i] * (new * new - old * old)
+                state.anchor_v[row, k] = new
+                state.v[k, i] = new
+    if state.moment.shape[0] > 0:
+        bending = system.bending
+        jumps += spins_jump(
+            state.held, bending.clamped, bending.axis, bending.turn, t, state.clamp_spin
+        )
+        turn_clamps(system, state, t)
+    return jumps
+
+
+@part
+def next_piece(system, state, t, begin, after, dt, point, speed, ledger):
+    """Begin a piece of the step from `t` to `after` [s] at `begin`, with the rates after a kink there.
+
+    Returns its length, the time just before which it ends where there is a kink, its end, and how many
+    numbers jumped at its begin. Without a kink it is the whole step.
+    """
+    h, end, stop, jumps = dt, after, after, 0
+    if system.kinks.shape[0] > 0:
+        here, kink = next_kink(system.kinks, begin, after, dt)
+        if here > -np.inf:
+            jumps = take_up_rates(system, state, max(begin, here), point, speed, ledger)
+        if kink < np.inf:
+            stop = kink if kink < after - near(after, dt) else after
+            end = min(after, kink * JUST_BELOW)
+        if stop < after or begin > t:
+            h = stop - begin
+    return h, end, stop, jumps

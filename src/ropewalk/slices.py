@@ -1,0 +1,96 @@
+"""Long calls of a kernel in slices by the clock on the wall: in between, the host hears Ctrl-C.
+
+A kernel never looks at signals, and Python's handlers run in no other thread than the one that waits for it.
+So no call may last long. Where a call ends changes no bit: a kernel takes step after step, by their numbers.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+
+from ropewalk.core.status import OK, PAUSED
+from ropewalk.methods.recording import Recording
+
+SLICE = 0.05  # [s] about so long a kernel runs without returning
+NODE_STEP = 4e-9  # [s] rough cost of one node, step and evaluation of the forces
+GROWTH = 4.0  # [1] a slice has at most so many times the steps of the one before
+
+#: Takes steps per frame, frames, buffers and whether a break ends it; returns status, good frames and steps.
+Call = Callable[[int, int, Recording, bool], tuple[int, int, int]]
+#: Returns what brings back the present state.
+Keep = Callable[[], Callable[[], None]]
+
+
+class Slices:
+    """How many steps a kernel may take in one call, by what the last ones cost."""
+
+    def __init__(
+        self,
+        nodes: int,
+        cost: float,
+        fixed: bool = True,
+        clock: Callable[[], float] = time.perf_counter,
+    ) -> None:
+        """Begin with a guess for steps of so many nodes; `cost` of a step in force evaluations.
+
+        Without `fixed` steps the calls bound themselves to `most` steps.
+        """
+        self.most = max(1, int(SLICE / (NODE_STEP * max(cost, 1.0) * max(nodes, 1))))
+        self.asked: Callable[[], bool] | None = None  # whether to stop at the last whole frame
+        self._fixed, self._clock = fixed, clock
+
+    def run(
+        self, call: Call, keep: Keep, steps: int, frames: int, out: Recording, stop: bool
+    ) -> tuple[int, int]:
+        """Advance frames of so many steps each; return the status and the number of good frames.
+
+        Fewer than `frames` with status OK: `asked` said so.
+        """
+        good = 0
+        while True:
+            left = frames - good
+            count = min(self.most // steps, left) if self._fixed else left
+            if count > 0 or left == 0:
+                status, done = self._timed(call, steps, count, out.part(good, good + count), stop)
+            else:
+                status, done = self._cut_frame(call, keep, steps, out.part(good, good + 1), stop)
+            good += done
+            if status not in (OK, PAUSED) or good >= frames:
+                return status, good
+            if self._is_asked():
+                return OK, good
+
+    def _cut_frame(
+        self, call: Call, keep: Keep, steps: int, out: Recording, stop: bool
+    ) -> tuple[int, int]:
+        """Advance by one frame in several calls; whether it is broken is told at its end, as ever."""
+        nothing = out.part(0, 0)
+        back = keep() if self.asked is not None else None
+        while steps > self.most:
+            taken = self.most
+            status, _ = self._timed(call, taken, 1, nothing, False)
+            if status != OK:
+                return status, 0
+            steps -= taken
+            if back is not None and self._is_asked():
+                back()
+                return OK, 0
+        return self._timed(call, steps, 1, out, stop)
+
+    def _timed(
+        self, call: Call, steps: int, frames: int, out: Recording, stop: bool
+    ) -> tuple[int, int]:
+        begun = self._clock()
+        status, good, taken = call(steps, frames, out, stop)
+        self.note(taken, self._clock() - begun)
+        return status, good
+
+    def _is_asked(self) -> bool:
+        return self.asked is not None and self.asked()
+
+    def note(self, steps: int, seconds: float) -> None:
+        """Take up that so many steps have taken so long [s]."""
+        if steps > 0:
+            wish = SLICE * steps / max(seconds, 1e-9)
+            self.most = max(1, int(min(wish, GROWTH * max(self.most, steps))))
