@@ -1,0 +1,110 @@
+"""Where anchors and clamps start, stop and turn corners, at steps and inside them: no order is lost."""
+
+from __future__ import annotations
+
+import math
+from functools import cache
+from typing import Any
+
+import numpy as np
+import pytest
+
+from ropewalk.build import build
+from ropewalk.methods.registry import METHODS
+from ropewalk.scene import Anchor, Clamp, Material, Scene, Table, Velocity
+from ropewalk.simulation import Simulation
+from verification.setups import ALL, DOWN, along_x, chain, scene, springs
+
+END = 0.2  # s
+STEPS = {"verlet": 400, "heun": 400, "rk4": 200, "esdirk3": 40}
+AT_A_STEP, INSIDE = 0.1, 0.2 / math.pi  # s
+CORNERS = Table(
+    times=[0.0, INSIDE, AT_A_STEP, 1.0],
+    positions=[(0.0, 0.0, 0.0), (0.02, 0.05, 0.0), (0.0, 0.0, 0.03), (0.5, 0.5, 0.0)],
+)
+
+
+def pulled(motion: Any) -> dict[str, Any]:
+    """A chain with friction along its segments, one end moved."""
+    points = np.array([(0.25 * i, -0.05 * i * (5 - i), 0.03 * i) for i in range(6)])
+    rope = chain(points, springs(60.0, 0.1, 0.25, 0.2, friction="axial"))
+    return {"rope": rope, "anchors": [Anchor(node=0, motion=motion), Anchor(node=5)]}
+
+
+def turned(start: float) -> dict[str, Any]:
+    """A rod with bending damping, clamped at an end that begins to turn."""
+    points = along_x(np.linspace(0.0, 1.0, 6))
+    points[:, 1] = 0.02 * np.sin(3.0 * points[:, 0])
+    made_of = Material(
+        EA=200.0, mass_per_length=0.2, EI=0.5, bending_damping=0.02, axial_damping=0.5
+    )
+    clamp = Clamp(direction=(1, 0, 0), turn_axis=(0, 0, 1), turn_rate=2.0, start=start, stop=9.0)
+    rope = chain(points, made_of, length=1.0)
+    return {"rope": rope, "anchors": [Anchor(node=0, clamp=clamp), Anchor(node=5)]}
+
+
+CASES = {
+    "a start at a step": pulled(Velocity(velocity=(0.4, 0.9, 0.0), start=AT_A_STEP, stop=9.0)),
+    "a start inside a step": pulled(Velocity(velocity=(0.4, 0.9, 0.0), start=INSIDE, stop=0.15)),
+    "corners of a table": pulled(CORNERS),
+    "a clamp from the start": turned(0.0),
+    "a clamp at a step": turned(AT_A_STEP),
+    "a clamp inside a step": turned(INSIDE),
+}
+
+
+@cache
+def end_state(case: str, method: str, steps: int, cut: bool = True) -> np.ndarray:
+    """Places and velocities at END; without `cut` the simulation is told of no kinks."""
+    made = scene(
+        **CASES[case], dt=END / steps, steps=steps, every=steps, method=method, gravity=DOWN
+    )
+    simulation = Simulation(made)
+    if not cut:
+        simulation.system = simulation.system._replace(kinks=np.zeros(0))
+    assert simulation.advance_frames(1).status == 0
+    return np.concatenate([simulation.positions.ravel(), simulation.velocities.ravel()])
+
+
+def order(case: str, method: str, cut: bool = True) -> float:
+    """Fit the order of convergence to what rk4 finds in 1600 steps."""
+    exact, n = end_state(case, "rk4", 1600), STEPS.get(method, 80)
+    errors = [np.linalg.norm(end_state(case, method, s, cut) - exact) for s in (n, 2 * n)]
+    return math.log2(errors[0] / errors[1])
+
+
+@pytest.mark.parametrize("case", CASES)
+@pytest.mark.parametrize("method", [m for m in ALL if METHODS[m].order > 1 and m != "rk4"])
+def test_kinks_cost_no_order(method: str, case: str) -> None:
+    """Within 0.4 of the method's order, where fixed steps have their order at all."""
+    assert order(case, method) > METHODS[method].order - 0.4
+
+
+@pytest.mark.parametrize("case", ["corners of a table", "a clamp at a step"])
+@pytest.mark.parametrize("method", ["heun", "esdirk3"])
+def test_the_twin_loses_it(method: str, case: str) -> None:
+    """Without the kinks' times the same steps are of order one."""
+    assert order(case, method, cut=False) < 1.7
+
+
+def test_kinks_of_a_scene() -> None:
+    """Starts, stops and corners, in order; a motion from the beginning on has none there."""
+    made = Scene(ropes=[CASES["a start inside a step"]["rope"]], anchors=pulled(CORNERS)["anchors"])
+    assert build(made).system.kinks.tolist() == [INSIDE, AT_A_STEP, 1.0]
+    made = made.replace(anchors=CASES["a start inside a step"]["anchors"])
+    assert build(made).system.kinks.tolist() == [INSIDE, 0.15]
+    made = made.replace(anchors=[Anchor(node=0, motion=Velocity(velocity=(1, 0, 0)))])
+    assert build(made).system.kinks.tolist() == []
+
+
+def test_the_work_of_a_jump_is_the_anchors() -> None:
+    """The ledger stays exact over a kink: kinetic energy gained is the sum of all works."""
+    made = scene(
+        **CASES["corners of a table"], dt=END / 40, steps=40, method="esdirk3", gravity=DOWN
+    )
+    simulation = Simulation(made)
+    first = simulation.recording().recording
+    block = simulation.advance_frames(40).recording
+    gained = block.energy[:, 0] - first.energy[0, 0]
+    assert block.work.sum(axis=1) == pytest.approx(gained, abs=1e-12)
+    assert np.abs(gained).max() > 0.01
