@@ -148,6 +148,29 @@ def test_steps_end_where_the_scene_changes() -> None:
     assert break_times(system).tolist() == [0.25, 0.75]
 
 
+@pytest.mark.parametrize("tolerance", [1e-7, 1e-8, 1e-9])
+def test_no_event_stops_the_walk(tolerance: float) -> None:
+    """Two masses fall on the ground and are through in a bounded number of tries, whatever the tolerance.
+
+    A step to an event is cut to EVENT_STEP, which rounding makes a little longer: it was cut again for ever.
+    """
+    rope = Rope(
+        segments=1,
+        length=1.0,
+        made_of=SOFT,
+        shape={"kind": "straight", "start": (0, 0, 0.1), "end": (1, 0, 0.1)},
+    )
+    run = RunSettings(duration=0.16, frame_rate=50.0, method="adaptive", tolerance=tolerance)
+    ground = Ground(height=0.0, repulsion=80.0, friction=0.0, absorption=0.0)
+    simulation = Simulation(Scene(ropes=[rope], ground=ground, run=run))
+    tries: list[int] = []
+    simulation.slices.most = 50
+    simulation.slices.note = lambda steps, seconds: tries.append(steps)  # type: ignore[method-assign]
+    simulation.slices.asked = lambda: sum(tries) > 3000
+    assert simulation.advance_frames(8).frames == 8
+    assert simulation.positions[:, 2].max() < 0.0
+
+
 def test_a_release_has_its_own_time() -> None:
     """A mass let go at an odd time falls freely from then on, to rounding."""
     rope = Rope(segments=1, length=1.0, made_of=SOFT, shape={"kind": "straight"})
