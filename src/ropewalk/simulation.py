@@ -267,9 +267,8 @@ class Simulation(Driven):
     ) -> Block:
         """Advance by `frames` frames of the plan and return them, in buffers `out` of that length if given.
 
-        When a frame is broken the block ends before it with status BROKEN, and the simulation stands
-        at its last good frame; with `keep_going` it records on. Where `slices.asked` says so it ends
-        early, with status OK.
+        When a frame is broken the block ends before it with status BROKEN, and the simulation stands at
+        its last good frame; with `keep_going` it records on. It ends early where `slices.asked` says so.
         """
         if self._dt != self.plan.dt:  # after a step of another length
             self._start, self._dt, self._step = self.time, self.plan.dt, 0
