@@ -102,7 +102,7 @@ def uncertain(
         what: "run", or "rest" for the equilibrium.
         options: of `sweep`: store, on, workers, progress.
 
-    Raises as `sweep` does.
+    Raises SceneError for values that nothing makes uncertain and for fewer than 2 samples, else as `sweep`.
     """
     loaded = as_scene(scene)
     parameters = make_parameters(loaded, spreads)
