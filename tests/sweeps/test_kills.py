@@ -11,6 +11,7 @@ import sys
 import time
 from collections.abc import Callable
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -19,6 +20,8 @@ import pytest
 
 import ropewalk as rw
 from ropewalk.record.errors import RunError
+from ropewalk.sweeps import many
+from ropewalk.sweeps.batch import Batcher
 from ropewalk.sweeps.store import SweepFolder
 from sweeps.scenes import EA, alone, store_bytes, swing
 
@@ -146,6 +149,50 @@ def test_two_cannot_write_one_sweep(tmp_path: Path) -> None:
     make(tmp_path / "s")
     with locked(tmp_path / "s"), pytest.raises(RunError, match="by another process"):
         make(tmp_path / "s")
+
+
+def test_the_mark_of_another_sweep_is_not_taken(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A late worker of a sweep that was overwritten writes a whole batch, and its mark."""
+    folder = tmp_path / "s"
+    make(folder)
+    late = SweepFolder.open(folder)
+    batch = Batcher(late.plan.recipe).make(late.rows(1))
+    other = SimpleNamespace(uuid4=lambda: SimpleNamespace(hex="1" * 32))
+    monkeypatch.setattr("ropewalk.sweeps.plan.uuid", other)
+    rw.sweep(swing(0.04), TABLE, store=folder, batch=2, on="here", overwrite=True)
+    late.write(1, batch)
+    assert late.is_done(1)
+    assert SweepFolder.open(folder).standing()[1] == [1]
+
+
+def test_what_is_refused_leaves_the_sweep_that_it_would_overwrite(
+    tmp_path: Path, whole: dict[str, bytes]
+) -> None:
+    folder = tmp_path / "s"
+    make(folder)
+    with pytest.raises(rw.SceneError, match="greater than 0"):
+        rw.sweep(swing(0.04), {EA: [1.0, -1.0]}, store=folder, on="here", overwrite=True)
+    assert SweepFolder.open(folder).standing() == (list(range(RUNS // 2)), [])
+    assert store_bytes(folder) == whole
+
+
+def test_a_sweep_that_came_between_is_left_alone(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, whole: dict[str, bytes]
+) -> None:
+    """Two begin a sweep in one new folder; the second has seen it empty."""
+    folder, real = tmp_path / "s", many._first_runs
+
+    def first_runs(*args: Any) -> Any:
+        monkeypatch.setattr(many, "_first_runs", real)
+        make(folder)
+        return real(*args)
+
+    monkeypatch.setattr(many, "_first_runs", first_runs)
+    with pytest.raises(RunError, match="was made by another process meanwhile"):
+        make(folder)
+    assert store_bytes(folder) == whole
 
 
 def test_other_sources_are_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

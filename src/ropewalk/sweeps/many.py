@@ -107,19 +107,20 @@ def sweep(
     kept = make_keep(keep, bool(loaded.anchors))
     if folder is not None:
         _check_free(folder, overwrite)
-    return _made(loaded, chosen, kept, (what, batch), folder, (on, workers, progress))
+    asked = (what, batch, overwrite)
+    return _made(loaded, chosen, kept, asked, folder, (on, workers, progress))
 
 
 def _made(
     scene: Scene,
     design: Design,
     kept: Sequence[Kept],
-    asked: tuple[str, int | None],
+    asked: tuple[str, int | None, bool],
     folder: Path | None,
     how: tuple[Any, ...],
 ) -> xr.Dataset:
     """Try out a sweep's corners, make it, and return its answer."""
-    what, batch = asked
+    what, batch, overwrite = asked
     trial = try_out(scene, design.parameters, kept, what)
     _refuse_too_much(trial, design, folder)
     recipe = make_recipe(scene, design.parameters, trial.variables, what)
@@ -130,7 +131,7 @@ def _made(
         memory = SweepMemory(plan, design.pieces())
         _make(memory, begun, *how)
         return answer.in_memory(memory)
-    return _stored(folder, plan, scene, design, begun, how)
+    return _stored((folder, overwrite), plan, scene, design, begun, how)
 
 
 def _check_options(what: str, batch: int | None) -> None:
@@ -142,12 +143,20 @@ def _check_options(what: str, batch: int | None) -> None:
 
 
 def _stored(
-    folder: Path, plan: SweepPlan, scene: Scene, design: Design, begun: _Begun, how: tuple[Any, ...]
+    where: tuple[Path, bool],
+    plan: SweepPlan,
+    scene: Scene,
+    design: Design,
+    begun: _Begun,
+    how: tuple[Any, ...],
 ) -> xr.Dataset:
-    """Make a sweep into a folder."""
+    """Make a sweep into a folder, perhaps over another one."""
+    folder, overwrite = where
     with writing(folder):
         folder.mkdir(parents=True, exist_ok=True)
     with locked(folder):
+        if is_sweep(folder) and not overwrite:  # it was not there when the folder was checked
+            raise RunError(folder, "was made by another process meanwhile; take another folder")
         sink = SweepFolder.create(folder, plan, scene, design.pieces())
         _make(sink, begun, *how)
     return answer.stored(sink)
@@ -222,7 +231,6 @@ def _check_free(folder: Path, overwrite: bool) -> None:
             "holds a sweep already: resume it, take another folder, or overwrite (overwrite=True)"
         )
         raise RunError(folder, rule)
-    (folder / "sweep.json").unlink()
 
 
 # -- the first runs ------------------------------------------------------------------------
@@ -237,10 +245,15 @@ class _First:
 
 
 def _first_runs(recipe: Recipe, design: Design, batch: int | None) -> _First:
-    """Make the first runs until they have taken a while; the first one compiles and is not timed."""
+    """Make the first runs until they have taken a while.
+
+    The first one may compile: its time counts only where it is the only one.
+    """
     batcher = batcher_of(json.dumps(recipe.plain()))
     rows = rows_of([column[:_MOST_MEASURED] for column in next(design.pieces())])[: batch or None]
+    begun = time.perf_counter()
     made, spent = batcher.make(rows[:1]), []
+    alone = time.perf_counter() - begun
     begun = time.perf_counter()
     for row in rows[1:]:
         before = time.perf_counter()
@@ -248,7 +261,7 @@ def _first_runs(recipe: Recipe, design: Design, batch: int | None) -> _First:
         spent.append(time.perf_counter() - before)
         if time.perf_counter() - begun > _MEASURED:
             break
-    return _First(made, sum(spent) / max(len(spent), 1))
+    return _First(made, sum(spent) / len(spent) if spent else alone)
 
 
 def _plan(

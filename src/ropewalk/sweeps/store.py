@@ -1,7 +1,7 @@
 """A sweep on disk: a folder with the scene, what was asked, and a Zarr store with one chunk per batch.
 
 A batch's data are written first, each file whole or not at all, then its mark in `done`: a checksum over
-those files. A mark that is there and right says that the batch is there, whole and right.
+those files and the sweep's id. A mark that is there and right says that the batch is there, whole and right.
 """
 
 from __future__ import annotations
@@ -48,6 +48,8 @@ class SweepFolder:
     def __init__(self, folder: Path, plan: SweepPlan) -> None:
         self.folder, self.plan = folder, plan
         self.specs = {spec.name: spec for spec in _specs(plan)}
+        # So that a late worker of a sweep that was overwritten cannot mark a batch of this one.
+        self._seed = int(google_crc32c.value(plan.id.encode()))
 
     @classmethod
     def open(cls, folder: Path) -> SweepFolder:
@@ -74,7 +76,8 @@ class SweepFolder:
         """
         made = cls(folder, plan)
         with writing(folder):
-            shutil.rmtree(folder / DATA, ignore_errors=True)  # of one that never began
+            (folder / FACTS).unlink(missing_ok=True)  # of one that is overwritten; the first to go
+            shutil.rmtree(folder / DATA, ignore_errors=True)
             (folder / PARTIAL).mkdir(parents=True, exist_ok=True)
             made.tidy()
             for spec in made.specs.values():
@@ -141,7 +144,7 @@ class SweepFolder:
 
     def _write_chunks(self, number: int, columns: dict[str, Any]) -> int:
         """Write one chunk of each column; return the checksum over all their files."""
-        check = 0
+        check = self._seed
         for name in columns:
             data = _encoded(self.specs[name], columns[name])
             check = google_crc32c.extend(check, data)
@@ -175,7 +178,7 @@ class SweepFolder:
         wanted = self.marked(number)
         if wanted is None:
             return False
-        check = 0
+        check = self._seed
         try:
             for name in (*(v.name for v in self.plan.variables), "broke_at", "reason", "status"):
                 path = self.folder / DATA / self.specs[name].key(number)
@@ -274,7 +277,9 @@ def _specs(plan: SweepPlan) -> Iterator[ArraySpec]:
         dims, shape = ("run", *variable.dims), (plan.runs, *variable.sizes)
         chunk = (plan.batch, *(max(1, size) for size in variable.sizes))
         yield ArraySpec(variable.name, dims, shape, chunk, "float64", variable.attributes)
-    about = {"long_name": "1 + checksum (CRC-32C) of a batch's files; 0: not done"}
+    about = {
+        "long_name": "1 + checksum (CRC-32C) of the sweep's id and a batch's files; 0: not done"
+    }
     yield ArraySpec(DONE, ("batch",), (plan.batches,), (1,), "int64", about)
 
 

@@ -1,0 +1,17 @@
+"""What all tests of sweeps share."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from types import SimpleNamespace
+
+import pytest
+
+
+@pytest.fixture(scope="module", autouse=True)
+def one_id() -> Iterator[None]:
+    """All sweeps get the same id here: the marks hold it, and stores are compared byte by byte."""
+    with pytest.MonkeyPatch.context() as patch:
+        made = SimpleNamespace(uuid4=lambda: SimpleNamespace(hex="0" * 32))
+        patch.setattr("ropewalk.sweeps.plan.uuid", made)
+        yield
