@@ -167,6 +167,53 @@ def test_what_a_sweep_keeps_can_be_fitted() -> None:
     assert fit.values["rope.made_of.mass_per_length"] == pytest.approx(1.3, rel=1e-5)
 
 
+def test_a_measurement_of_another_size_is_refused() -> None:
+    """Two anchors have two largest reactions; one number cannot stand for both."""
+    one = rw.calibrate.kept("reactions.max", 7.0, 0.1)
+    two = {"reactions_max": np.array([7.0, 8.0])}
+    with pytest.raises(InputError, match="'1 measured' - the scene gives 2 numbers"):
+        one.predicted(two, {}, hung())
+    often = rw.calibrate.kept("reactions.max", [7.0, 7.1, 6.9], 0.1)
+    with pytest.raises(InputError, match="'3 measured' - the scene gives 2 numbers"):
+        often.predicted(two, {}, hung())
+    again = rw.calibrate.sag([1.2, 1.3]).predicted({}, {"sag_last": np.array([1.25])}, hung())
+    np.testing.assert_array_equal(again, [1.25, 1.25])
+    with pytest.raises(InputError, match="the scene gives 2 numbers"):
+        measured = rw.calibrate.kept("reactions.max", 7.0, 0.1, rest=True)
+        rw.calibrate(hung(), measured, {LENGTH: (4.5, 6.0)}, starts=2)
+
+
+def test_a_far_start_is_no_broken_one() -> None:
+    """Errors so small that every start lies more than a million of them off."""
+    forces = np.array([100.0, 200.0])
+    pull = rw.calibrate.pull_test(forces, forces * 5.0 / 800.0, error=1e-12)
+    fit = rw.calibrate(hung(), pull, {EA: (500.0, 2000.0)}, starts=2, profile=False)
+    assert fit.values[EA] == pytest.approx(800.0, rel=1e-6)
+
+
+def test_a_track_of_any_node_within_the_run() -> None:
+    times = np.arange(21) / 50.0
+    line = np.column_stack([times, 0.0 * times, 1.0 - times])
+    speed = np.tile([1.0, 0.0, -1.0], (21, 1))
+    scene = hung(run=rw.RunSettings(duration=0.4, frame_rate=50.0))
+    for node, name in ((-1, "last"), (-10, "m10"), (-11, "m11"), (3, "3")):
+        kept = {f"positions_all_{name}": line, f"velocities_all_{name}": speed}
+        track = rw.calibrate.track([[0.11, 0.0, 0.0]], node=node, axes="xz")
+        np.testing.assert_allclose(track.predicted(kept, {}, scene), [0.11, 0.89])
+    kept = {"positions_all_last": line, "velocities_all_last": speed}
+    late = rw.calibrate.track([[0.1, 0.0, 0.0], [0.41, 0.0, 0.0]], axes="xz")
+    with pytest.raises(InputError, match=r"0\.41 .* beyond the last frame, at 0\.4 s"):
+        late.predicted(kept, {}, scene)
+
+
+def test_names_of_what_is_kept_differ() -> None:
+    from ropewalk.sweeps.keep import make_keep
+
+    asked = ["positions[-1]", "positions[:, -1]", "positions[:, -10]", "positions[-1, -1]"]
+    names = ["positions_last", "positions_all_last", "positions_all_m10", "positions_last_last"]
+    assert [kept.name for kept in make_keep(asked, True)] == names
+
+
 def test_points_beside_a_line() -> None:
     rope = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 0.0, -1.0]])
     up = np.array([0.0, 0.0, 1.0])

@@ -27,7 +27,7 @@ from ropewalk.sweeps.workshop import Workshop
 _PLOTS = "ropewalk.plots.residuals"  # a layer above this one, so it is looked up when it is needed
 _LOGARITHMIC = 20.0  # bounds this far apart are searched by factors
 _STEP = 1e-4  # of the differences, as a share of the range
-_LOST = 1e6  # residual of a run that broke, in standard deviations
+_LOST = 1e6  # least residual of a run that broke, in standard deviations
 
 
 class NotFitted(RuntimeError):  # noqa: N818 - it is what happened, not a mistake
@@ -82,6 +82,7 @@ class Residuals:
         self.known = found[0].error is not None
         self.size = self.weights.size
         self.evaluations = 0
+        self.lost = _LOST
 
     def values(self, shares: Floats) -> Floats:
         """Return the parameters (N, D) at shares of their ranges."""
@@ -103,14 +104,20 @@ class Residuals:
         try:
             scene = self._workshop.scene(row)
             return np.concatenate([m.predicted(runs, rests, scene) for m in self.measurements])
+        except InputError:  # of the measurement, not of these values
+            raise
         except (SceneError, RuntimeError, ValueError):
             return np.full(self.size, math.nan)
 
-    def many(self, shares: Floats) -> Floats:
-        """Return the residuals (N, m)."""
+    def found(self, shares: Floats) -> Floats:
+        """Return the residuals (N, m); NaN for a run that breaks."""
         measured = np.concatenate([m.values for m in self.measurements])
-        found = (self.predicted(shares) - measured) * self.weights
-        return np.where(np.isfinite(found), found, _LOST)
+        return np.asarray((self.predicted(shares) - measured) * self.weights)
+
+    def many(self, shares: Floats) -> Floats:
+        """Return the residuals (N, m), those of a run that breaks very large."""
+        found = self.found(shares)
+        return np.where(np.isfinite(found), found, self.lost)
 
     def one(self, share: Floats) -> Floats:
         """Return the residuals (m,) of one set of values."""
@@ -279,12 +286,15 @@ def _search(
     )
     own = _own_start(residuals, scene)
     table = np.concatenate([own, points])
-    costs = (residuals.many(table) ** 2).sum(axis=1)
-    order = [i for i in np.argsort(costs) if costs[i] < _LOST**2][:3]
+    found = residuals.found(table)
+    costs = (found**2).sum(axis=1)
+    order = [i for i in np.argsort(costs) if np.isfinite(costs[i])][:3]
     if not order:
         raise NotFitted(
             "every start broke: no run ended well anywhere in the bounds that were tried"
         )
+    # A run that breaks must never look better than one that only lies far off.
+    residuals.lost = max(_LOST, 10.0 * float(np.abs(found[np.isfinite(found)]).max()))
     fits = [
         least_squares(
             residuals.one, np.clip(table[i], 1e-6, 1.0 - 1e-6), residuals.jacobian,

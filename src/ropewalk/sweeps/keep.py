@@ -227,10 +227,11 @@ def _place(part: str) -> Any:
 
 
 def _name(text: str) -> str:
-    """Return the variable's name: `tension_max`, `positions_last`, `reactions_last_left`."""
+    """Return the variable's name: `tension_max`, `positions_last`, `positions_all_last`."""
+    text = re.sub(r"(?<=[\[,])\s*:?\s*(?=[\],])", "all", text)
     text = re.sub(r"-1(?=\s*[\],])", "last", text)
     text = re.sub(r"-(\d)", r"m\1", text)
-    return re.sub(r"\W+", "_", text.replace(":", "")).strip("_")
+    return re.sub(r"\W+", "_", text).strip("_")
 
 
 def make_keep(keep: Sequence[str] | str | None, anchored: bool) -> tuple[Kept, ...]:

@@ -19,6 +19,7 @@ from ropewalk.build import build
 from ropewalk.core.arrays import Floats
 from ropewalk.record.errors import InputError, RunError
 from ropewalk.scene import Material, Scene
+from ropewalk.sweeps.keep import parse
 
 AXES = "xyz"
 
@@ -68,15 +69,19 @@ class _Kept(Measurement):
         self, kept: Mapping[str, Floats], rest: Mapping[str, Floats], scene: Scene
     ) -> Floats:
         found = np.ravel((kept if self.keep else rest)[self.variable])
-        return np.broadcast_to(found, self.values.shape) if found.size == 1 else found
+        if found.size not in (1, self.values.size):
+            rule = f"the scene gives {found.size} numbers for it: measure as many, or keep one of them"
+            raise InputError(self.name, f"{self.values.size} measured", rule)
+        return np.broadcast_to(found, self.values.shape)  # one may be measured often
 
 
 def kept(
     what: str, values: ArrayLike, error: float | None = None, *, rest: bool = False
 ) -> Measurement:
-    """Numbers of anything that a sweep keeps, such as "tension.max" [N] or "reactions.max" [N]."""
-    from ropewalk.sweeps.keep import parse
+    """Numbers of anything that a sweep keeps, such as "tension.max" [N] or "reactions.max" [N].
 
+    As many as the scene gives for it; of what is one number, several are measured again and again.
+    """
     asked = parse(what)
     keep, at_rest = ((), (what,)) if rest else ((what,), ())
     found = _numbers(what, values)
@@ -229,9 +234,11 @@ class _Track(Measurement):
         from scipy.interpolate import CubicHermiteSpline
 
         assert self.at is not None
-        name = str(self.node).replace("-1", "last").replace("-", "m")
-        x, v = kept[f"positions_{name}"], kept[f"velocities_{name}"]
+        x, v = (kept[parse(text).name] for text in self.keep)
         times = np.arange(len(x)) * scene.run.frame_interval
+        if self.at.max() > times[-1] + 1e-9:
+            rule = f"[s] lies beyond the last frame, at {times[-1]:g} s; make run.duration longer"
+            raise InputError("track", float(self.at.max()), rule)
         spline = CubicHermiteSpline(times, x, v)  # the run knows its velocities, too
         points = spline(self.at[: len(self.at) // len(self.axes)])
         return np.asarray(points[:, list(self.axes)].T.ravel())
