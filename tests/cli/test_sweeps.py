@@ -82,6 +82,27 @@ def test_samples_are_drawn_and_figures_made(ropewalk: Call, scene: Path, tmp_pat
     assert "there is no such figure" in ropewalk("plot", "s", "tension_maxx").output
 
 
+def test_damage_is_told(ropewalk: Call, scene: Path, tmp_path: Path) -> None:
+    values = {"gravity[2]": [-12.0, -11.0, -10.0, -9.0]}
+    rw.sweep(scene, values, batch=1, store=tmp_path / "s", on="here")
+    assert ropewalk("info", "s", "--verify").exit_code == 0
+    store = tmp_path / "s" / "data.zarr"
+    chunk = store / "tension_max" / "c.1"
+    data = bytearray(chunk.read_bytes())
+    data[-1] ^= 1
+    chunk.write_bytes(data)
+    (store / "status" / "c.2").unlink()
+    checked = ropewalk("info", "s", "--verify")
+    assert checked.exit_code == 2
+    assert "damaged batches: 1, 2; ropewalk resume makes them again" in checked.output
+    told = ropewalk("info", "s")
+    assert told.exit_code == 0, told.output
+    assert "2 of 4 made: 2 finished" in told.output
+    assert "2 stored batches are damaged" in told.output
+    assert ropewalk("resume", "s").exit_code == 0
+    assert ropewalk("info", "s", "--verify").exit_code == 0
+
+
 @pytest.mark.parametrize(
     ("words", "told"),
     [

@@ -178,8 +178,8 @@ def test_a_measurement_of_another_size_is_refused() -> None:
         often.predicted(two, {}, hung())
     again = rw.calibrate.sag([1.2, 1.3]).predicted({}, {"sag_last": np.array([1.25])}, hung())
     np.testing.assert_array_equal(again, [1.25, 1.25])
+    measured = rw.calibrate.kept("reactions.max", 7.0, 0.1, rest=True)
     with pytest.raises(InputError, match="the scene gives 2 numbers"):
-        measured = rw.calibrate.kept("reactions.max", 7.0, 0.1, rest=True)
         rw.calibrate(hung(), measured, {LENGTH: (4.5, 6.0)}, starts=2)
 
 

@@ -136,6 +136,7 @@ def test_a_damaged_batch_is_seen_and_made_again(tmp_path: Path, whole: dict[str,
     path.write_bytes(data)
     (folder / "data.zarr" / "status" / "c.5").unlink()
     assert SweepFolder.open(folder).standing()[1] == [3, 5]
+    assert rw.sweep.open(folder).status.values[9:13].tolist() == ["finished", "", "", "finished"]
     with pytest.raises(Exception, match=r"(?i)checksum|crc"):
         rw.sweep.open(folder).tension_max.load()
     with pytest.warns(UserWarning, match="2 stored batches are damaged"):

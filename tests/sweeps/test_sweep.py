@@ -14,6 +14,7 @@ import xarray as xr
 
 import ropewalk as rw
 from ropewalk.record.errors import InputError, RunError
+from ropewalk.scene import apply_overrides
 from sweeps.scenes import DOWN, EA, STIFF, alone, same, store_bytes, swing
 
 
@@ -65,7 +66,7 @@ def test_a_broken_run_is_a_result(tmp_path: Path) -> None:
 def test_a_refused_run_is_a_result_and_corners_are_told_before(tmp_path: Path) -> None:
     hanging = rw.preset("hanging-rope")
     hanging = hanging.replace(run=hanging.run.replace(duration=0.02))
-    with pytest.raises(rw.SceneError, match=r"shorter than the .* \(with|shorter than") as caught:
+    with pytest.raises(rw.SceneError, match="shorter than the") as caught:
         rw.sweep(hanging, {"rope.length": [7.0, 12.0]}, on="here", store=tmp_path / "s")
     assert "rope[0].shape.end" in str(caught.value)
     assert not (tmp_path / "s").exists()
@@ -73,6 +74,46 @@ def test_a_refused_run_is_a_result_and_corners_are_told_before(tmp_path: Path) -
     ds = rw.sweep(hanging, table, on="here", keep="sag[-1]")
     assert ds.sag_last.dims == ("run", "rope")
     assert list(ds.length.values) == [12.0, 13.0, 12.5]
+
+
+def test_a_table_is_tried_at_its_own_rows() -> None:
+    """Neither end of the first rope reaches the end of the second; a table that says so is right."""
+    end = "rope.shape.end"
+    hanging = rw.preset("hanging-rope")
+    hanging = hanging.replace(run=hanging.run.replace(duration=0.02))
+    near, far = [2.0, 0.0, 0.0], [11.0, 0.0, 0.0]
+    right = {"rope.length": [3.0, 12.0], end: [near, far], "run.duration": [0.02, 0.04]}
+    table = pd.DataFrame(right)
+    ds = rw.sweep(hanging, table, on="here", keep="sag[-1]")
+    assert list(ds.status.values) == ["finished", "finished"]
+    wrong = pd.DataFrame(right | {"rope.length": [12.0, 3.0]})
+    with pytest.raises(rw.SceneError, match=r"shorter than the .*\(with rope.length=3.0"):
+        rw.sweep(hanging, wrong, on="here", keep="sag[-1]")
+
+
+def test_runs_beyond_the_tails_are_good_ones() -> None:
+    """The largest of a sample is larger than 99.9 % of the distribution."""
+    spread = scipy.stats.geom(0.4)
+    soft = apply_overrides(swing(0.02), [f"{EA}=200.0", "rope.made_of.axial_damping=0.1"])
+    ds = rw.sweep(
+        soft, {"rope.segments": spread}, samples=64, design="random", seed=34,
+        keep="positions[-1]", on="here",
+    )  # fmt: skip
+    assert ds.segments.max() > spread.ppf(0.999)
+    assert set(ds.status.values.tolist()) == {"finished"}
+    assert ds.sizes["node"] == ds.segments.max() + 1
+
+
+def test_every_text_of_a_list_is_tried() -> None:
+    from ropewalk.sweeps.parameters import make_parameters
+    from ropewalk.sweeps.trial import _ends, corners
+
+    vectors = [[0.0, 0.0, -float(i)] for i in range(1, 12)]
+    vary = {"gravity": vectors, "rope.segments": list(range(2, 9))}
+    ends = [_ends(parameter, None) for parameter in make_parameters(swing(), vary)]
+    tried = list(corners(ends))
+    assert len({row[0] for row in tried}) == 11
+    assert {row[1] for row in tried} == {2, 8}
 
 
 @pytest.mark.parametrize(
@@ -187,6 +228,9 @@ def test_rest_shapes_can_be_swept() -> None:
         for x in (12.0, 14.0)
     ]
     assert list(ds.status.values) == ["at rest"] * 2
+    framed = rw.sweep(hanging, {"rope.length": [12.0]}, keep="sag", what="rest", on="here")
+    assert framed.sag.dims == ("length", "time", "rope")
+    assert framed.time.values.tolist() == [0.0]
     assert ds.sag_last.values[1, 0] > ds.sag_last.values[0, 0] > 0.0
     lowest = -(sag[0].positions[0] @ np.array(hanging.up)).min()
     assert 0.0 < ds.sag_last.values[0, 0] - lowest < 1.0  # the line lies above the lower end

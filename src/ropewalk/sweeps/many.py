@@ -121,7 +121,7 @@ def _made(
 ) -> xr.Dataset:
     """Try out a sweep's corners, make it, and return its answer."""
     what, batch, overwrite = asked
-    trial = try_out(scene, design.parameters, kept, what)
+    trial = try_out(scene, design.parameters, kept, what, design)
     _refuse_too_much(trial, design, folder)
     recipe = make_recipe(scene, design.parameters, trial.variables, what)
     first = _first_runs(recipe, design, batch)
@@ -192,7 +192,7 @@ def resume_sweep(
             )
             found.unmark(damaged)
         if len(done) < found.plan.batches:
-            broken = sum(count_broken(status) for status, _ in found.statuses())
+            broken = sum(count_broken(status) for status, _ in found.statuses(done))
             _make(found, _Begun(None, set(done), broken), on, workers, progress)
     return answer.stored(found)
 

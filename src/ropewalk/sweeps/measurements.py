@@ -70,7 +70,9 @@ class _Kept(Measurement):
     ) -> Floats:
         found = np.ravel((kept if self.keep else rest)[self.variable])
         if found.size not in (1, self.values.size):
-            rule = f"the scene gives {found.size} numbers for it: measure as many, or keep one of them"
+            rule = (
+                f"the scene gives {found.size} numbers for it: measure as many, or keep one of them"
+            )
             raise InputError(self.name, f"{self.values.size} measured", rule)
         return np.broadcast_to(found, self.values.shape)  # one may be measured often
 

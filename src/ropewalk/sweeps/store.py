@@ -180,8 +180,7 @@ class SweepFolder:
             return False
         check = self._seed
         try:
-            for name in (*(v.name for v in self.plan.variables), "broke_at", "reason", "status"):
-                path = self.folder / DATA / self.specs[name].key(number)
+            for path in self._files(number):
                 check = google_crc32c.extend(check, path.read_bytes())
         except OSError:
             return False
@@ -198,9 +197,19 @@ class SweepFolder:
         return done, damaged
 
     def unmarked_runs(self) -> list[slice]:
-        """Return the runs of batches without a mark."""
-        rows = (self.plan.rows(n) for n in range(self.plan.batches) if self.marked(n) is None)
+        """Return the runs of batches without a mark, or of which a file is missing."""
+        numbers = range(self.plan.batches)
+        rows = (self.plan.rows(n) for n in numbers if self.marked(n) is None or not self._whole(n))
         return [slice(part.start, part.stop) for part in rows]
+
+    def _whole(self, number: int) -> bool:
+        """Tell whether all files of a batch are there."""
+        return all(path.is_file() for path in self._files(number))
+
+    def _files(self, number: int) -> list[Path]:
+        """Return the files of a batch that its mark answers for, in order."""
+        names = (*(v.name for v in self.plan.variables), "broke_at", "reason", "status")
+        return [self.folder / DATA / self.specs[name].key(number) for name in names]
 
     def unmark(self, numbers: Iterable[int]) -> None:
         """Take the marks of damaged batches away, so that they are made again. Raises RunError."""
@@ -234,13 +243,12 @@ class SweepFolder:
         number, place = divmod(run, self.plan.batch)
         return self.rows(number)[place]
 
-    def statuses(self) -> Iterator[tuple[list[str], list[str]]]:
-        """Yield status and reason of the runs of every batch that is done."""
-        for number in range(self.plan.batches):
-            if self.marked(number) is not None:
-                count = len(self.plan.rows(number))
-                status, reason = (self._read_chunk(name, number) for name in ("status", "reason"))
-                yield status[:count], reason[:count]
+    def statuses(self, done: Iterable[int]) -> Iterator[tuple[list[str], list[str]]]:
+        """Yield status and reason of the runs of batches that are done."""
+        for number in done:
+            count = len(self.plan.rows(number))
+            status, reason = (self._read_chunk(name, number) for name in ("status", "reason"))
+            yield status[:count], reason[:count]
 
     def _read_chunk(self, name: str, number: int) -> list[Any]:
         """Return a chunk's values. Raises OSError, ValueError when it is not there or damaged."""

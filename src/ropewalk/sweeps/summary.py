@@ -27,11 +27,11 @@ def summary(sweep: SweepFolder) -> dict[str, Any]:
     """Return counts of runs by how they ended and why, and ranges of what was kept."""
     ended: Counter[str] = Counter()
     causes: Counter[str] = Counter()
-    for status, reason in sweep.statuses():
+    done, damaged = sweep.standing()
+    for status, reason in sweep.statuses(done):
         ended.update(status)
         pairs = zip(status, reason, strict=True)
         causes.update(cause(one, why) for one, why in pairs if one not in GOOD)
-    done, damaged = sweep.standing()
     plan = sweep.plan
     return {
         "title": plan.title,
@@ -45,14 +45,17 @@ def summary(sweep: SweepFolder) -> dict[str, Any]:
         "ended": dict(ended),
         "causes": dict(causes.most_common(20)),
         "parameters": [dict(parameter) for parameter in plan.parameters],
-        "kept": _kept(sweep),
+        "kept": _kept(sweep, ranges=not damaged),
         "provenance": dict(plan.provenance),
     }
 
 
-def _kept(sweep: SweepFolder) -> list[dict[str, Any]]:
-    """Return shape, unit and quantiles of everything kept, over the runs that ended well."""
-    data = stored(sweep)
+def _kept(sweep: SweepFolder, ranges: bool) -> list[dict[str, Any]]:
+    """Return shape and unit of everything kept, and quantiles over the runs that ended well.
+
+    Without `ranges` no quantiles: they would read damaged batches.
+    """
+    data = stored(sweep) if ranges else None
     found = []
     for variable in sweep.plan.variables:
         about: dict[str, Any] = {
@@ -62,7 +65,7 @@ def _kept(sweep: SweepFolder) -> list[dict[str, Any]]:
             "dims": list(variable.dims),
             "sizes": list(variable.sizes),
         }
-        if variable.numbers * sweep.plan.runs <= 10_000_000:
+        if data is not None and variable.numbers * sweep.plan.runs <= 10_000_000:
             values = data[variable.name].values
             sound = values[np.isfinite(values)]
             if sound.size:

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import itertools
+import math
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -21,15 +23,19 @@ from ropewalk.scene.errors import NO_VALUE, Fault, show
 from ropewalk.simulation import Simulation
 from ropewalk.statics import NoRest
 from ropewalk.sweeps.batch import REST
+from ropewalk.sweeps.designs import DESIGNS, GIVEN, Design
 from ropewalk.sweeps.keep import Kept
-from ropewalk.sweeps.parameters import Parameter
+from ropewalk.sweeps.parameters import TEXT, Parameter
 from ropewalk.sweeps.plan import Variable
 from ropewalk.sweeps.workshop import Workshop
 
 _MOST_CORNERS = 64
-#: Reliable ends of a distribution that has none of its own.
-_TAIL = 0.001
+_MOST_TEXTS = 256
 _TOLD = 20  # faults
+
+
+#: A model, with dimensions and sizes of what is kept of it.
+_Tried = tuple[Model, list[tuple[tuple[str, ...], tuple[int, ...]]]]
 
 
 @dataclass(frozen=True)
@@ -41,36 +47,58 @@ class Trial:
     model: Model  # of the first corner
 
 
-def corners(parameters: Sequence[Parameter]) -> Iterator[list[Any]]:
-    """Yield the corners of the values, at most 64 of them: every least and largest value is in some."""
-    ends = [_ends(parameter) for parameter in parameters]
-    if 2 ** len(ends) <= _MOST_CORNERS:
+def corners(ends: Sequence[Sequence[Any]]) -> Iterator[list[Any]]:
+    """Yield the corners of the values, about 64 of them: every end of every parameter is in some."""
+    if math.prod(map(len, ends)) <= _MOST_CORNERS:
         yield from (list(corner) for corner in itertools.product(*ends))
         return
-    middle = [pair[0] for pair in ends]
-    yield middle
-    yield [pair[-1] for pair in ends]
-    for place, pair in enumerate(ends[: _MOST_CORNERS - 2]):
-        yield [*middle[:place], pair[-1], *middle[place + 1 :]]
+    base = [values[0] for values in ends]
+    yield base
+    yield [values[-1] for values in ends]
+    for place, values in enumerate(ends):
+        for value in values[1:]:
+            yield [*base[:place], value, *base[place + 1 :]]
 
 
-def _ends(parameter: Parameter) -> tuple[Any, ...]:
-    if parameter.values is not None:
-        if parameter.kind == "text":
-            return tuple(dict.fromkeys(parameter.values))[:8]
-        return tuple(dict.fromkeys((min(parameter.values), max(parameter.values))))
-    if isinstance(parameter.spread, tuple):
-        return tuple(dict.fromkeys(parameter.spread))
-    low, high = (float(parameter.spread.ppf(share)) for share in (_TAIL, 1.0 - _TAIL))
-    return (round(low), round(high)) if parameter.kind == "int" else (low, high)
+def _ends(parameter: Parameter, drawn: Sequence[Any] | None) -> tuple[Any, ...]:
+    """Return least and largest of a parameter's values, or of those that were drawn; all texts."""
+    values = parameter.values if drawn is None else drawn
+    assert values is not None
+    if parameter.kind == TEXT:
+        return tuple(dict.fromkeys(values))[:_MOST_TEXTS]
+    return tuple(dict.fromkeys((min(values), max(values))))
 
 
-def refuse_values(workshop: Workshop, parameters: Sequence[Parameter], rows: Any = ()) -> None:
-    """Refuse values that no scene can have, each by itself, and given runs. Raises SceneError."""
+def _drawn_ends(design: Design) -> list[tuple[Any, ...]]:
+    """Return the ends of the values that a sample has drawn."""
+    found: list[tuple[Any, ...]] = [() for _ in design.parameters]
+    for piece in design.pieces():
+        found = [
+            _ends(parameter, (*known, *column.tolist()))
+            for parameter, known, column in zip(design.parameters, found, piece, strict=True)
+        ]
+    return found
+
+
+def _outer_rows(parameters: Sequence[Parameter]) -> Iterator[list[Any]]:
+    """Yield those of given runs in which a value is least or largest, and one for every text."""
+    columns = [parameter.values or () for parameter in parameters]
+    picked = {
+        column.index(end)
+        for parameter, column in zip(parameters, columns, strict=True)
+        for end in _ends(parameter, None)
+    }
+    yield from ([column[row] for column in columns] for row in sorted(picked))
+
+
+def refuse_values(
+    workshop: Workshop, parameters: Sequence[Parameter], ends: Sequence[Sequence[Any]]
+) -> None:
+    """Refuse values that no scene can have, each by itself. Raises SceneError."""
     faults: dict[str, Fault] = {}
-    base = [_ends(parameter)[0] for parameter in parameters]
+    base = [values[0] for values in ends]
     for place, parameter in enumerate(parameters):
-        values = parameter.values if parameter.values is not None else _ends(parameter)
+        values = parameter.values if parameter.values is not None else ends[place]
         for value in dict.fromkeys(values):
             _note(workshop, parameters, [*base[:place], value, *base[place + 1 :]], faults)
             if len(faults) >= _TOLD:
@@ -93,35 +121,54 @@ def _note(
 
 
 def try_out(
-    scene: Scene, parameters: Sequence[Parameter], keep: Sequence[Kept], what: str
+    scene: Scene,
+    parameters: Sequence[Parameter],
+    keep: Sequence[Kept],
+    what: str,
+    design: Design | None = None,
 ) -> Trial:
     """Build the corners of a sweep without running them.
+
+    Of given runs they are those in which a value is least or largest.
 
     Raises SceneError with every fault of every corner, each with the values of its corner.
     """
     workshop = Workshop(scene, [p.path for p in parameters], [p.kind for p in parameters])
-    refuse_values(workshop, parameters)
+    drawn = design is not None and design.kind in DESIGNS
+    ends = _drawn_ends(design) if design and drawn else [_ends(p, None) for p in parameters]
+    given = design is not None and design.kind == GIVEN
+    if not given:
+        refuse_values(workshop, parameters, ends)
     faults: list[Fault] = []
-    found: list[tuple[Model, list[tuple[tuple[str, ...], tuple[int, ...]]]]] = []
-    for corner in corners(parameters):
+    found: list[_Tried] = []
+    for corner in _outer_rows(parameters) if given else corners(ends):
         try:
-            model = workshop.model(corner)
-            found.append((model, _shapes(model, keep, what)))
+            found.append(_tried(workshop, corner, keep, what))
         except (SceneError, NoRest) as error:
-            where = ", ".join(
-                f"{p.path}={show(v)}" for p, v in zip(parameters, corner, strict=True)
-            )
-            told = (
-                error.faults if isinstance(error, SceneError) else [Fault("", NO_VALUE, str(error))]
-            )
-            faults += [
-                Fault(fault.path, fault.value, f"{fault.rule} (with {where})") for fault in told
-            ]
+            faults += _with_values(error, parameters, corner)
             if len(faults) >= _TOLD:
                 break
     if faults:
         raise SceneError(faults)
-    return _trial(found, keep)
+    for corner in corners(ends) if given else ():  # only for the largest sizes: no run of the table
+        with suppress(SceneError, NoRest):
+            found.append(_tried(workshop, corner, keep, what))
+    return _trial(found, keep, what)
+
+
+def _tried(workshop: Workshop, corner: list[Any], keep: Sequence[Kept], what: str) -> _Tried:
+    model = workshop.model(corner)
+    return model, _shapes(model, keep, what)
+
+
+def _with_values(
+    error: SceneError | NoRest, parameters: Sequence[Parameter], corner: list[Any]
+) -> list[Fault]:
+    """Return the faults of a corner, each with its values."""
+    pairs = zip(parameters, corner, strict=True)
+    where = ", ".join(f"{p.path}={show(value)}" for p, value in pairs)
+    told = error.faults if isinstance(error, SceneError) else [Fault("", NO_VALUE, str(error))]
+    return [Fault(fault.path, fault.value, f"{fault.rule} (with {where})") for fault in told]
 
 
 def _shapes(
@@ -157,11 +204,9 @@ def _at_start(kept: Kept, frames: int) -> Kept:
     return replace(kept, picks=(0, *kept.picks[1:]))
 
 
-def _trial(
-    found: list[tuple[Model, list[tuple[tuple[str, ...], tuple[int, ...]]]]], keep: Sequence[Kept]
-) -> Trial:
+def _trial(found: list[_Tried], keep: Sequence[Kept], what: str) -> Trial:
     first = found[0][0]
-    times = [_times(model) for model, _ in found]
+    times = [np.zeros(1) if what == REST else _times(model) for model, _ in found]
     same = all(
         len(time) == len(times[0]) and np.allclose(time, times[0], rtol=1e-9, atol=0.0)
         for time in times

@@ -135,7 +135,7 @@ def _ended(folder: Path, make: Any, as_json: bool) -> int:
         if not is_sweep(folder):
             raise
         found = SweepFolder.open(folder)
-        done = sum(len(status) for status, _ in found.statuses())
+        done = sum(len(found.plan.rows(number)) for number in found.standing()[0])
         tell(f"interrupted: {done} of {found.plan.runs} runs are stored")
         tell(f"go on with: ropewalk resume {folder}")
         return INTERRUPTED
