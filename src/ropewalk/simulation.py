@@ -281,8 +281,7 @@ class Simulation(Driven):
             sane = self._sane_frames(out, good)
             status, good = (BROKEN, sane) if sane < good else (status, good)
         steps = first + self.plan.steps_per_frame * np.arange(1, frames + 1)
-        times = np.asarray(start + steps * self._dt, dtype=np.float64)
-        block = Block(times, out, status)
+        block = Block(np.asarray(start + steps * self._dt, dtype=np.float64), out, status)
         if status == OK or (before is None and status == BROKEN):
             self._arrive()
             return block.head(good) if status == OK and good < frames else block
@@ -290,7 +289,8 @@ class Simulation(Driven):
             return block.head(good)
         self.restore(before)
         if good > 0:
-            self._advance(self.plan.steps_per_frame, good, make_recording(self._state, 0, False))
+            with self.slices.unasked():  # the state must come to the frames that are returned
+                self._advance(self.plan.steps_per_frame, good, out.part(0, 0))
         return block.head(good)
 
     def _sane_frames(self, out: Recording, frames: int) -> int:

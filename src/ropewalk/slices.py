@@ -7,7 +7,8 @@ So no call may last long. Where a call ends changes no bit: a kernel takes step 
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 
 from ropewalk.core.status import OK, PAUSED
 from ropewalk.methods.recording import Recording
@@ -58,7 +59,7 @@ class Slices:
             good += done
             if status not in (OK, PAUSED) or good >= frames:
                 return status, good
-            if self._is_asked():
+            if self.is_asked():
                 return OK, good
 
     def _cut_frame(
@@ -73,7 +74,7 @@ class Slices:
             if status != OK:
                 return status, 0
             steps -= taken
-            if back is not None and self._is_asked():
+            if back is not None and self.is_asked():
                 back()
                 return OK, 0
         return self._timed(call, steps, 1, out, stop)
@@ -86,7 +87,17 @@ class Slices:
         self.note(taken, self._clock() - begun)
         return status, good
 
-    def _is_asked(self) -> bool:
+    @contextmanager
+    def unasked(self) -> Iterator[None]:
+        """Ask nobody whether to stop."""
+        asked, self.asked = self.asked, None
+        try:
+            yield
+        finally:
+            self.asked = asked
+
+    def is_asked(self) -> bool:
+        """Tell whether to stop at the last whole frame."""
         return self.asked is not None and self.asked()
 
     def note(self, steps: int, seconds: float) -> None:

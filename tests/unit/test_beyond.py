@@ -112,3 +112,35 @@ def test_the_message_says_how_to_see_more(tmp_path: Path) -> None:
     assert drawn.exit_code == 0, drawn.output
     with pytest.raises(rw.BrokenRun, match="plot.shape"):
         rw.simulate(runs.breaking())
+
+
+def test_a_soft_rope_that_hangs_at_many_times_its_length_is_whole() -> None:
+    """At rest the top segment is stretched twenty times; nothing broke, and every frame counts."""
+    soft = rw.Springs(spring_constant=10.0, node_mass=0.05, segment_length=0.05, spring_friction=0.5)
+    scene = rw.Scene(
+        ropes=[rw.Rope(segments=20, made_of=soft)],
+        anchors=[rw.Anchor(node=0)],
+        run=rw.RunSettings(duration=2.0, method="semi-implicit-euler"),
+    )
+    result = rw.simulate(scene)
+    longest = np.linalg.norm(np.diff(result.positions, axis=1), axis=2).max()
+    assert longest > 10 * 0.05
+    assert result.status == "finished"
+    assert result.good_frames == result.frames
+
+
+def test_a_request_to_stop_leaves_the_frames_before_a_break_whole() -> None:
+    """Asked once the break was found: the state still comes to the last frame that is returned."""
+    plain, asked = rw.Simulation(runs.breaking()), rw.Simulation(runs.breaking())
+    whole = plain.advance_frames(plain.plan.frames)
+    went_back: list[float] = []
+    asked.slices.most = 1  # a slice a step, so that it would be heard at once
+    asked.slices.note = lambda steps, seconds: None  # type: ignore[method-assign]
+    restore = asked.restore
+    asked.restore = lambda state: (went_back.append(asked.time), restore(state))  # type: ignore
+    asked.slices.asked = lambda: bool(went_back)
+    again = asked.advance_frames(plain.plan.frames)
+    assert went_back
+    assert again.frames == whole.frames > 1
+    assert asked.time == plain.time
+    np.testing.assert_array_equal(asked.positions, plain.positions)

@@ -35,11 +35,16 @@ class Beyond:
 
 
 def look_beyond(simulation: Simulation) -> Beyond | None:
-    """Step a simulation that stands at its last good frame on into its break; leave it as it stands."""
-    here, plan = simulation.state, simulation.plan
+    """Step a simulation that stands at its last good frame on into its break; leave it as it stands.
+
+    Ends early where the simulation's slices are asked to.
+    """
+    here, plan, failure = simulation.state, simulation.plan, simulation.failure
     most = max(2, min(_KEPT, _NUMBERS // (3 * simulation.layout.nodes)))
     seen: deque[tuple[float, Floats]] = deque(maxlen=most)
     for _ in range(min(_FRAMES * plan.steps_per_frame, _STEPS)):
+        if simulation.slices.is_asked():
+            break
         status = simulation.advance_steps(1)
         positions = simulation.positions.copy()
         if not np.isfinite(positions).all():
@@ -48,6 +53,7 @@ def look_beyond(simulation: Simulation) -> Beyond | None:
         if status != OK:
             break
     simulation.restore(here)
+    simulation.failure = failure
     if not seen:
         return None
     return Beyond(np.array([time for time, _ in seen]), np.array([x for _, x in seen]))

@@ -38,9 +38,11 @@ def remembered(function: Callable[[Result], _T]) -> Callable[[Result], _T]:
 def good_part(result: Result) -> int:
     """Return the number of frames before the run broke (1 at least); the others were recorded into it.
 
-    By what the run itself noted, and by the lengths of the segments.
+    By what the run itself noted, and of a run that broke by the lengths of the segments.
     """
     last = _until_noted(result)
+    if result.status != BROKE and last == len(result.time):
+        return last  # the simulation knows best: soft ropes may hang at many times their length
     longest = np.full(result.layout.segments, np.inf)
     factor = BREAK_STRETCH * (1.6 if result.scene.winches else 1.0)
     for span, rope in zip(result.layout.ropes, result.scene.ropes, strict=True):
