@@ -156,6 +156,8 @@ class Driven:
         bending.direction[row] = self._state.clamp_direction[row]
         bending.axis[row] = axis
         bending.turn[row] = rate, self.time, math.inf
+        self._state.clamp_spin[row] = rate * axis
+        self._prepare()  # the next step begins with this spin
         self._begin_anew()
 
     def _set_off(self, duration: float) -> None:

@@ -281,7 +281,7 @@ def test_a_pipe_gets_no_bar_and_a_terminal_does(process: Any, scene: Path, tmp_p
     assert "\x1b" not in done.stdout
     out, status = on_terminal(tmp_path, "run", "scene.toml", "--set", "name=[bold]a[/b] rope")
     assert status == 0
-    for text in ("0.50 of 0.50 s", "x real time", "energy +", "━", "[bold]a[/b] rope"):
+    for text in ("0.5/0.5 s", "x real time", "energy +", "━", "[bold]a[/b] rope"):
         assert text in out
     out, status = on_terminal(tmp_path, "run", "scene.toml", "--quiet")
     assert (out, status) == ("runs/scene-3\r\n", 0)

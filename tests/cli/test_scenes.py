@@ -16,7 +16,7 @@ from ropewalk.cli.commands.new import starter
 from ropewalk.scene import Springs, load, loads, presets, schema
 
 COMMANDS = [
-    "demo", "view", "presets", "new", "check", "settle", "modes", "run", "resume", "info", "plot",
+    "demo", "view", "presets", "new", "check", "settle", "modes", "run", "sweep", "resume", "info", "plot",
     "movie", "share", "compare", "export", "report", "schema",
 ]  # fmt: skip
 

@@ -15,10 +15,8 @@ from ropewalk.record.errors import RunError
 
 
 @pytest.fixture
-def options(tmp_path: Path) -> dict[str, object]:
-    (tmp_path / "page").mkdir()
-    (tmp_path / "page" / "index.html").write_text("<!doctype html><title>a page</title>")
-    return {"page": tmp_path / "page", "port": 0, "open_browser": False}
+def options() -> dict[str, object]:
+    return {"port": 0, "open_browser": False}
 
 
 def page_of(view: View) -> Page:

@@ -116,7 +116,9 @@ def test_the_message_says_how_to_see_more(tmp_path: Path) -> None:
 
 def test_a_soft_rope_that_hangs_at_many_times_its_length_is_whole() -> None:
     """At rest the top segment is stretched twenty times; nothing broke, and every frame counts."""
-    soft = rw.Springs(spring_constant=10.0, node_mass=0.05, segment_length=0.05, spring_friction=0.5)
+    soft = rw.Springs(
+        spring_constant=10.0, node_mass=0.05, segment_length=0.05, spring_friction=0.5
+    )
     scene = rw.Scene(
         ropes=[rw.Rope(segments=20, made_of=soft)],
         anchors=[rw.Anchor(node=0)],
