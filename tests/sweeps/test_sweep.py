@@ -104,6 +104,32 @@ def test_runs_beyond_the_tails_are_good_ones() -> None:
     assert ds.sizes["node"] == ds.segments.max() + 1
 
 
+def test_a_map_of_an_unsorted_grid_is_that_of_the_sorted_one() -> None:
+    from ropewalk.plots.sweeps import _map
+
+    def cells(stiffness: list[float]) -> np.ndarray:
+        names = {EA: stiffness, "rope.length": [1.9, 2.1]}
+        data = xr.Dataset(
+            {
+                "tension_max": (("EA", "length"), [[e * n for n in (1.9, 2.1)] for e in stiffness]),
+                "status": (("EA", "length"), [["finished"] * 2] * len(stiffness)),
+            },
+            {path.split(".")[-1]: values for path, values in names.items()},
+            {"design": "grid"},
+        )
+        data.tension_max.attrs |= {"units": "N", "long_name": "largest tension"}
+        mesh = _map(data, "tension_max", ["EA", "length"]).axes[0].collections[0]
+        return np.stack([mesh.get_array().ravel(), mesh.get_coordinates()[:-1, :-1, 0].ravel()])
+
+    np.testing.assert_array_equal(cells([2e3, 1e3, 3e3]), cells([1e3, 2e3, 3e3]))
+
+
+def test_few_samples_have_no_indices() -> None:
+    spread = {EA: (1e3, 2e3)}
+    found = rw.uncertain(swing(0.02), spread, samples=4, seed=1, on="here", progress=False)
+    assert "No Sobol indices: they need at least 8 samples." in found.note
+
+
 def test_every_text_of_a_list_is_tried() -> None:
     from ropewalk.sweeps.parameters import make_parameters
     from ropewalk.sweeps.trial import _ends, corners

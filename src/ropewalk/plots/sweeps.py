@@ -178,9 +178,11 @@ def _map(data: xr.Dataset, name: str, parameters: list[str]) -> Figure:
     figure = new_figure(5.4 * len(parts) if len(parts) > 1 else 6.4, 4.6)
     panels = np.atleast_1d(figure.subplots(1, len(parts)))
     (x, x_labels), (y, y_labels) = (_numbers(data[p]) for p in parameters)
-    broken = _is_broken(data)
+    order = np.ix_(np.argsort(x, kind="stable"), np.argsort(y, kind="stable"))
+    x, y = np.sort(x), np.sort(y)
+    broken = _is_broken(data)[order]
     for axes, (label, part) in zip(panels, parts, strict=True):
-        values = part.values.astype(np.float64)
+        values = part.values.astype(np.float64)[order]
         axes.grid(False)
         axes.set_facecolor(FAINT)
         _axis(axes, data[parameters[0]], x)

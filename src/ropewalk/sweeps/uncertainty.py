@@ -201,6 +201,8 @@ def _indices(
     width = len(parameters) + 2
     kept = runs[[n for n in runs.data_vars if "keep" in runs[n].attrs]]
     names = [parameter.name for parameter in parameters]
+    if samples < 8:
+        return None, "No Sobol indices: they need at least 8 samples."
     made: dict[str, Any] = {}
     note = ""
     for name, array in scalars(kept):

@@ -1,4 +1,4 @@
-"""The models of a sweep's runs: what two runs share is built once."""
+"""Makes scene and model of every run anew."""
 
 from __future__ import annotations
 
