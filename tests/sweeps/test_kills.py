@@ -20,7 +20,7 @@ import pytest
 
 import ropewalk as rw
 from ropewalk.record.errors import RunError
-from ropewalk.sweeps import many
+from ropewalk.sweeps import identity, many
 from ropewalk.sweeps.batch import Batcher
 from ropewalk.sweeps.store import SweepFolder
 from sweeps.scenes import EA, alone, store_bytes, swing
@@ -198,9 +198,20 @@ def test_a_sweep_that_came_between_is_left_alone(
 
 def test_other_sources_are_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     make(tmp_path / "s")
-    monkeypatch.setattr("ropewalk.sweeps.many.source_hash", lambda: "other")
+    monkeypatch.setattr("ropewalk.sweeps.many.sweep_hash", lambda: "other")
     with pytest.raises(RunError, match="other sources"):
         make(tmp_path / "s")
+    monkeypatch.setattr("ropewalk.sweeps.replay.sweep_hash", lambda: "other")
+    with pytest.warns(UserWarning, match="may not have the bits of the sweep"):
+        rw.sweep.replay(tmp_path / "s", 1)
+
+
+def test_what_reduces_the_numbers_is_in_the_identity(monkeypatch: pytest.MonkeyPatch) -> None:
+    made = identity.sweep_hash.__wrapped__
+    assert made() == identity.sweep_hash()
+    shorter = [name for name in identity.KEPT_BY if name != "sweeps/keep.py"]
+    monkeypatch.setattr(identity, "KEPT_BY", shorter)
+    assert made() != identity.sweep_hash()
 
 
 @pytest.mark.slow

@@ -13,12 +13,12 @@ from ropewalk.api import explain
 from ropewalk.build import Model
 from ropewalk.core.arrays import Floats
 from ropewalk.record.facts import AT_REST, BROKE, FINISHED
-from ropewalk.record.identity import source_hash
 from ropewalk.record.rest import rest_result
 from ropewalk.record.result import Result
 from ropewalk.record.simulate import simulate_in_memory
 from ropewalk.scene import Scene, SceneError, dumps, loads
 from ropewalk.statics import NoRest
+from ropewalk.sweeps.identity import sweep_hash
 from ropewalk.sweeps.keep import Kept, parse
 from ropewalk.sweeps.parameters import Parameter
 from ropewalk.sweeps.workshop import Workshop
@@ -79,7 +79,7 @@ def make_recipe(
         keep=tuple(v.text for v in variables),
         sizes=tuple(v.sizes for v in variables),
         what=what,
-        source=source_hash(),
+        source=sweep_hash(),
     )
 
 

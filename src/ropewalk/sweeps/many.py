@@ -15,13 +15,13 @@ from ropewalk.api import SceneLike, as_scene
 from ropewalk.record.errors import InputError, RunError
 from ropewalk.record.facts import provenance
 from ropewalk.record.files import writing
-from ropewalk.record.identity import source_hash
 from ropewalk.record.lock import is_locked, locked
 from ropewalk.scene import Scene
 from ropewalk.sweeps import answer, engines
 from ropewalk.sweeps.bar import Bar
 from ropewalk.sweeps.batch import REST, RUN, Batch, Recipe, make_recipe
 from ropewalk.sweeps.designs import Design, make_design
+from ropewalk.sweeps.identity import sweep_hash
 from ropewalk.sweeps.keep import Kept, make_keep
 from ropewalk.sweeps.memory import SweepMemory
 from ropewalk.sweeps.parameters import gives_runs, make_parameters
@@ -176,10 +176,10 @@ def resume_sweep(
     also when other sources of ropewalk began it. Raises RunError when it cannot be; else as `sweep`.
     """
     found = SweepFolder.open(Path(folder))
-    if found.plan.recipe.source != source_hash() and not force:
+    if found.plan.recipe.source != sweep_hash() and not force:
         rule = (
-            "was begun by other sources of ropewalk (or another numba), so it would not go on to the "
-            "same bits; resume it with the version it was begun with, or force it"
+            "was begun by other sources of ropewalk (or another numpy or numba), so it would not go on "
+            "to the same bits; resume it with the version it was begun with, or force it"
         )
         raise RunError(folder, rule)
     with locked(found.folder):

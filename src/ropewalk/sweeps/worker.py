@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 
 from ropewalk.record.errors import RunError
-from ropewalk.record.identity import source_hash
 from ropewalk.sweeps.batch import GOOD, Batch, Batcher, Recipe
+from ropewalk.sweeps.identity import sweep_hash
 from ropewalk.sweeps.plan import SweepPlan
 from ropewalk.sweeps.store import SweepFolder
 
@@ -40,10 +40,8 @@ def make_batch(job: dict[str, Any], number: int, rows: list[list[Any]]) -> dict[
 
     A batch that is stored already is not made again.
     """
-    if job["source"] != source_hash():
-        text = (
-            "it has other sources of ropewalk, or another numba, and would not make the same bits"
-        )
+    if job["source"] != sweep_hash():
+        text = "it has other sources of ropewalk, or another numpy or numba, and would not make the same bits"
         return {"number": number, "what": REFUSED, "why": text}
     store = _folder_of(job["folder"], job["id"]) if job["folder"] else None
     if store is not None and store.is_done(number):

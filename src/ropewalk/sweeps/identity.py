@@ -1,0 +1,33 @@
+"""What decides the bits that a sweep keeps: those of its runs, and what is made of them."""
+
+from __future__ import annotations
+
+import hashlib
+from functools import cache
+
+import numba
+import numpy as np
+
+from ropewalk.core.cache import PACKAGE
+from ropewalk.record.identity import meaning, source_hash
+
+#: Beside the sources of a run: what reads, reduces and keeps its numbers.
+KEPT_BY = (
+    "record/quantities.py",
+    "record/rest.py",
+    "record/result.py",
+    "record/simulate.py",
+    "record/source.py",
+    "sweeps/batch.py",
+    "sweeps/keep.py",
+    "sweeps/workshop.py",
+)
+
+
+@cache
+def sweep_hash() -> str:
+    """Return a hash of all sources, and of numpy and numba, that decide what a sweep keeps."""
+    digest = hashlib.sha256(f"{source_hash()} {np.__version__} {numba.__version__}".encode())
+    for name in KEPT_BY:
+        digest.update(f"{name} {meaning((PACKAGE / name).read_bytes())}\n".encode())
+    return digest.hexdigest()[:16]
