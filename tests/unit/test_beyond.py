@@ -7,14 +7,17 @@ from pathlib import Path
 import numpy as np
 import pytest
 from click.testing import CliRunner
+from matplotlib.axes import Axes
 from matplotlib.colors import to_hex
+from matplotlib.lines import Line2D
+from PIL import Image, ImageSequence
 
 import ropewalk as rw
 import runs
 from ropewalk import plots
 from ropewalk.cli import main
 from ropewalk.cli.summary import results_rows
-from ropewalk.plots.style import COLOURS
+from ropewalk.plots.torn import BROKEN
 from ropewalk.record.result import Result
 from ropewalk.scene import dumps
 
@@ -61,7 +64,7 @@ def test_a_sound_run_has_nothing_beyond() -> None:
 
 @pytest.mark.parametrize("kind", ["shape", "film"])
 def test_figures_draw_the_break_in_orange_and_say_so(broken: Result, kind: str) -> None:
-    orange = to_hex(COLOURS[1])
+    orange = to_hex(BROKEN)
 
     def lines(result: Result) -> int:
         figure = getattr(plots, kind)(result)
@@ -74,6 +77,55 @@ def test_figures_draw_the_break_in_orange_and_say_so(broken: Result, kind: str) 
     assert lines(rw.simulate(runs.hanging(duration=0.2))) == 0
 
 
+def orange_lines(axes: Axes) -> list[Line2D]:
+    return [line for line in axes.lines if to_hex(line.get_color()) == to_hex(BROKEN)]
+
+
+def test_the_height_figure_draws_single_steps_past_the_break(broken: Result) -> None:
+    assert broken.beyond is not None
+    figure = plots.height(broken)
+    past = [line for line in orange_lines(figure.axes[1]) if line.get_marker() == "."]
+    assert past
+    for line in past:
+        assert line.get_xdata()[0] == broken.time[-1]
+        assert line.get_xdata()[1] == broken.beyond.time[0]
+        assert line.get_xdata()[-1] <= line.axes.get_xlim()[1]
+    assert len(plots.height(rw.simulate(runs.hanging(duration=0.2))).axes) == 1
+
+
+def test_the_tension_figure_draws_the_zigzag_past_the_break(broken: Result) -> None:
+    assert broken.beyond is not None
+    assert broken.beyond.tension is not None
+    assert broken.beyond.tension.shape == (len(broken.beyond.time), 10)
+    [line, *_] = orange_lines(plots.tension(broken).axes[1])
+    drawn = np.asarray(line.get_ydata())
+    np.testing.assert_array_equal(drawn, broken.beyond.tension[0])
+    assert (np.diff(np.sign(np.diff(drawn))) != 0).sum() >= 6
+    assert not any(
+        orange_lines(axes) for axes in plots.tension(rw.simulate(runs.hanging(duration=0.2))).axes
+    )
+
+
+def test_a_movie_ends_in_the_break_in_orange(broken: Result, tmp_path: Path) -> None:
+    def pictures(result: Result) -> list[np.ndarray]:
+        path = plots.movie(result, tmp_path / "it.gif", fps=10, size=(480, 300))
+        with Image.open(path) as film:
+            return [np.asarray(one.convert("RGB"), int) for one in ImageSequence.Iterator(film)]
+
+    def orange(picture: np.ndarray) -> int:
+        inside = picture[:, :380]  # without the colour bar
+        return int((np.abs(inside - [213, 94, 0]).max(axis=2) < 12).sum())
+
+    shown = pictures(broken)
+    assert orange(shown[0]) == 0
+    assert orange(shown[-1]) > 100
+    seen = [number for number, one in enumerate(shown) if orange(one)]
+    assert len(seen) > 0
+    assert seen == list(range(seen[0], len(shown)))
+    sound = pictures(rw.simulate(runs.hanging(duration=0.2)))
+    assert not any(map(orange, sound))
+
+
 def test_the_folder_keeps_it_and_tells_of_damage(broken: Result, tmp_path: Path) -> None:
     ran = rw.run(runs.breaking(), tmp_path / "run", on_failure="return")
     saved = broken.save(tmp_path / "saved")
@@ -81,6 +133,7 @@ def test_the_folder_keeps_it_and_tells_of_damage(broken: Result, tmp_path: Path)
         assert result.beyond is not None
         assert broken.beyond is not None
         np.testing.assert_array_equal(result.beyond.positions, broken.beyond.positions)
+        np.testing.assert_array_equal(result.beyond.tension, broken.beyond.tension)
     path = tmp_path / "run" / "beyond.npz"
     data = bytearray(path.read_bytes())
     data[len(data) // 2] ^= 1

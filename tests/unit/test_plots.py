@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
+import runs
 from ropewalk import equilibrium, plots
 from ropewalk.plots.energies import energy_curves
 from ropewalk.plots.tensions import colour_scale, thinned
@@ -180,6 +181,28 @@ def test_tension_image_is_the_tension_over_arc_length(three_anchors):
     np.testing.assert_array_equal(profile.get_ydata(), three_anchors.tension[60])
     np.testing.assert_allclose(profile.get_xdata(), np.arange(40) + 0.5)
     assert any(axes.get_ylabel() == "tension [N]" for axes in figure.axes)
+
+
+@pytest.mark.parametrize("kind", ["tension", "forces", "reactions"])
+def test_large_forces_are_labelled_in_kilonewtons(kind: str) -> None:
+    """The same rope ten thousand times as heavy and stiff: the numbers at its axes stay small."""
+
+    def labels(factor: float) -> tuple[list[str], set[str]]:
+        made_of = {"spring_constant": 1e4, "node_mass": 0.05, "spring_friction": 0.05}
+        changes = {f"rope.made_of.{name}": factor * value for name, value in made_of.items()}
+        scene = runs.hanging(duration=0.2).replace(**changes, **{"air.node_drag": 0.02 * factor})
+        figure = getattr(plots, kind)(simulate_in_memory(scene))
+        figure.draw_without_rendering()
+        axes = [one for one in figure.axes if one.get_ylabel().endswith("N]")]
+        ticks = {tick.get_text() for one in axes for tick in one.get_yticklabels()}
+        return [one.get_ylabel() for one in axes], ticks
+
+    small, large = labels(1.0), labels(1e4)
+    assert any(name.endswith("[N]") for name in small[0])
+    assert not any("kN" in name for name in small[0])
+    assert any(name.endswith("[kN]") for name in large[0])
+    assert not any(name.endswith("[N]") for name in large[0])
+    assert all(abs(float(tick.replace("−", "-"))) < 1000.0 for tick in large[1])
 
 
 def test_one_spike_does_not_bleach_the_tension_map():

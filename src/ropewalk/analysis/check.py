@@ -18,6 +18,7 @@ from ropewalk.analysis.stability import Stability, milliseconds, rounded_down, s
 from ropewalk.analysis.units import unit_slips
 from ropewalk.build import Model, build
 from ropewalk.core.arrays import Floats
+from ropewalk.prefixes import prefixed
 from ropewalk.record.rest import as_result
 from ropewalk.scene import Scene, Springs
 from ropewalk.start import started
@@ -55,7 +56,7 @@ class RopeCheck:
             f"rope {self.name!r}: {self.segments} segments, {self.length:.6g} m, {self.mass:.6g} kg"
         ]
         strain = "" if self.largest_strain is None else f", strain {_percent(self.largest_strain)}"
-        text.append(f"  at rest: largest tension {self.largest_tension:.5g} N{strain}")
+        text.append(f"  at rest: largest tension {prefixed(self.largest_tension, 'N', 5)}{strain}")
         if self.slack or self.short:
             text.append(f"  segments slack at rest {self.slack}, started too short {self.short}")
         return text
@@ -338,7 +339,7 @@ def _strain_warnings(model: Model, statics: Statics, ropes: tuple[RopeCheck, ...
             )
         found.append(
             f"rope {rope.name!r}: at rest it is stretched by {_percent(rope.largest_strain)}, under "
-            f"{rope.largest_tension:.4g} N by its {what}: {slip}"
+            f"{prefixed(rope.largest_tension, 'N')} by its {what}: {slip}"
         )
     return found
 

@@ -6,10 +6,12 @@ import re
 from typing import TYPE_CHECKING, Any
 
 from ropewalk.cli.console import print_json, print_table
+from ropewalk.prefixes import prefixed
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
 
+_PREFIXED = ("N", "N m", "J")
 _UNIT = re.compile(r"^(.*) \[(.*)\]$")
 
 
@@ -22,7 +24,7 @@ def results_rows(table: dict[str, Any]) -> list[tuple[str, str, str]]:
         found = _UNIT.match(name)
         bare, unit = (found[1], found[2]) if found else (name, "")
         place = str(table.get(f"{bare} at", ""))
-        rows.append((bare, f"{_number(value)} {'' if unit == '1' else unit}".rstrip(), place))
+        rows.append((bare, _with_unit(value, "" if unit == "1" else unit), place))
     return rows
 
 
@@ -52,5 +54,10 @@ def print_result_json(result: Result, warnings: tuple[str, ...] = ()) -> None:
     )
 
 
-def _number(value: Any) -> str:
-    return f"{value:.5g}" if isinstance(value, float) else str(value)
+def _with_unit(value: Any, unit: str) -> str:
+    """Five figures and the unit; of forces and energies with a prefix: 26.774 kN."""
+    if not isinstance(value, float):
+        return f"{value} {unit}".rstrip()
+    if unit in _PREFIXED:
+        return prefixed(value, unit, 5)
+    return f"{value:.5g} {unit}".rstrip()

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from matplotlib.axes import Axes
 
+from ropewalk.plots.torn import BROKEN
 from ropewalk.plots.view import Floats, limits
 
 if TYPE_CHECKING:
@@ -27,7 +28,7 @@ def mark_break(axes: Axes, result: Result, good: int) -> None:
     """Mark the last good frame of a run that goes on into its break."""
     if good < len(result.time):
         at = float(result.time[good - 1])
-        axes.axvline(at, color="#D55E00", linewidth=1.0, linestyle=(0, (4, 3)), label="_break")
+        axes.axvline(at, color=BROKEN, linewidth=1.0, linestyle=(0, (4, 3)), label="_break")
 
 
 def drawable(values: Floats, good: int, among: list[Floats] | None = None) -> Floats:

@@ -21,7 +21,8 @@ from ropewalk.plots.style import (
     set_title,
     styled,
 )
-from ropewalk.plots.view import Floats, broken_note, good_frames
+from ropewalk.plots.torn import broken_note
+from ropewalk.plots.view import Floats, good_frames
 from ropewalk.record.ledger import turned_over
 
 if TYPE_CHECKING:

@@ -22,7 +22,8 @@ from ropewalk.plots.canvas import (
 )
 from ropewalk.plots.shapes import draw_points, draw_ropes
 from ropewalk.plots.style import COLOURS, FAINT, describe, new_figure, set_note, set_title, styled
-from ropewalk.plots.view import broken_note, broken_shapes, spread_frames
+from ropewalk.plots.torn import BROKEN, broken_note, broken_shapes
+from ropewalk.plots.view import spread_frames
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -62,7 +63,7 @@ def film(
             _draw_frame(axes, result, seen, chosen[number])
         else:
             time, points = torn[number - len(chosen)]
-            draw_points(axes, result, seen, points, COLOURS[1], "rope", broken=True)
+            draw_points(axes, result, seen, points, BROKEN, "rope", broken=True)
             axes.set_title(f"t = {time:.6g} s (broken)", fontsize=8.5, loc="left", pad=3.0)
         below = number + columns >= count
         axes.tick_params(labelbottom=below)
@@ -76,7 +77,7 @@ def film(
 
 def _draw_frame(axes: Axes, result: Result, seen: Stage, frame: int) -> None:
     """Draw one recorded frame with its time."""
-    colour = COLOURS[0] if frame < seen.good else COLOURS[1]
+    colour = COLOURS[0] if frame < seen.good else BROKEN
     draw_ropes(axes, result, seen, frame, colour, "rope")
     draw_loads(axes, result, seen.view, frame, markersize=4.5)
     draw_anchors(axes, result, seen.view, frame, markersize=3.5)

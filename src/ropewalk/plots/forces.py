@@ -27,12 +27,15 @@ from ropewalk.plots.style import (
     escape,
     line_style,
     new_figure,
+    scaled_axis,
     set_note,
     set_title,
     styled,
 )
-from ropewalk.plots.tensions import colour_scale, line_map
-from ropewalk.plots.view import anchors_at, broken_note, good_frames, limits, positions_of
+from ropewalk.plots.tensions import colour_scale, line_map, reach
+from ropewalk.plots.torn import broken_note
+from ropewalk.plots.view import anchors_at, good_frames, limits, positions_of
+from ropewalk.prefixes import prefixed
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -61,7 +64,7 @@ def forces(result: Result, *, plane: str | None = None) -> Figure:
     bar = figure.colorbar(
         ScalarMappable(scale, line_map(colours)), ax=above, extend=extend, pad=0.015, aspect=16
     )
-    bar.set_label(f"{result.tension_name} [N]")
+    scaled_axis(bar.ax, result.tension_name, "N", reach(scale))
     _draw_profile(below, result, frame)
     when, about = f"forces at t = {result.time[frame]:.4g} s", describe(result)
     if result.status == "at rest":
@@ -126,7 +129,7 @@ def _draw_forces(axes: Axes, result: Result, seen: Stage, frame: int) -> None:
         )
         side = "left" if way[0] >= 0.0 else "right"
         axes.annotate(
-            f" {size:.4g} N ",
+            f" {prefixed(float(size), 'N')} ",
             xy=tuple(tip),
             ha=side if abs(way[0]) > 0.2 * size else "center",
             va="bottom" if way[1] >= -0.2 * size else "top",
@@ -163,6 +166,6 @@ def _draw_profile(axes: Axes, result: Result, frame: int) -> None:
     axes.set_ylim(min(low, 0.0) if low < 0.5 * high else low, high)
     axes.set_xlim(0.0, most or 1.0)
     axes.set_xlabel("unstretched arc length [m]")
-    axes.set_ylabel(f"{result.tension_name} [N]")
+    scaled_axis(axes, result.tension_name, "N", max(map(abs, axes.get_ylim())))
     if 1 < len(curves) <= 8:
         axes.legend(ncols=4, loc="lower left", bbox_to_anchor=(0.0, 1.0))

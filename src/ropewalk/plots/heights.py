@@ -5,7 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
 
 from ropewalk.plots.curves import drawable, mark_break, set_limits, time_limits
 from ropewalk.plots.style import (
@@ -17,10 +20,12 @@ from ropewalk.plots.style import (
     set_title,
     styled,
 )
+from ropewalk.plots.torn import BROKEN, PAST, Torn, broken_note, torn
 from ropewalk.plots.view import (
+    Floats,
     along,
-    broken_note,
     good_frames,
+    limits,
     node_index,
     node_name,
     telling_nodes,
@@ -48,8 +53,12 @@ def height(result: Result, nodes: Sequence[int | str | tuple[str, int]] | None =
         raise ValueError("nodes: () - must be at least one node")
     up, name = up_label(result)
     good = good_frames(result)
-    figure = new_figure(7.2, 3.7)
-    axes = figure.add_subplot()
+    past = torn(result)
+    figure = new_figure(7.2 if past is None else 8.4, 3.7)
+    axes, beside = figure.add_subplot(), None
+    if past is not None:
+        figure.clear()
+        axes, beside = figure.subplots(1, 2, width_ratios=(2.6, 1.0))
     ground = result.scene.ground
     if ground is not None:
         axes.axhline(ground.height, color=EARTH, linewidth=1.2, label="ground")
@@ -65,6 +74,9 @@ def height(result: Result, nodes: Sequence[int | str | tuple[str, int]] | None =
     mark_break(axes, result, good)
     axes.set_xlabel("time [s]")
     axes.set_ylabel("height [m]" if name == "height" else f"height {name} [m]")
+    if past is not None and beside is not None:
+        extra = [] if nodes is not None else [_jumping(result, past, up)]
+        _draw_break(beside, result, past, chosen, [n for n in extra if n not in chosen], up)
     figure.legend(loc="outside right upper")
     set_title(figure, f"{result.scene.name}: height of nodes", describe(result))
     notes = broken_note(result, good)
@@ -73,3 +85,34 @@ def height(result: Result, nodes: Sequence[int | str | tuple[str, int]] | None =
         notes.append(f"One node of each of the first {_MOST} of {ropes} ropes is shown.")
     set_note(figure, notes)
     return figure
+
+
+def _jumping(result: Result, past: Torn, up: Floats) -> int:
+    """Return the node whose height changes most in the last step past the break that is drawn."""
+    before = past.positions[-2] if len(past.time) > 1 else result.positions[-1]
+    return int(np.argmax(np.abs(along(past.positions[-1] - before, up))))
+
+
+def _draw_break(
+    axes: Axes, result: Result, past: Torn, nodes: list[int], more: list[int], up: Floats
+) -> None:
+    """Draw how the run broke: its last frames, and the single steps past them in orange."""
+    span = float(past.time[-1] - result.time[-1])
+    from_frame = int(np.searchsorted(result.time, result.time[-1] - 2.0 * span))
+    start = max(0, min(from_frame, result.frames - 3))
+    curves = []
+    for number, index in enumerate([*nodes, *more]):
+        before = along(result.positions[start:, index], up)
+        after = np.concatenate([before[-1:], along(past.positions[:, index], up)])
+        time = np.concatenate([result.time[-1:], past.time])
+        name = node_name(result, index) if index in more else "_"  # the others have their names
+        axes.plot(result.time[start:], before, label=name, **line_style(number))
+        few = {"marker": ".", "markersize": 4.0} if len(time) < 40 else {}
+        axes.plot(time, after, color=BROKEN, linewidth=1.0, **few)  # type: ignore[arg-type]
+        curves += [before, after]
+    axes.axvspan(float(result.time[-1]), float(past.time[-1]), facecolor=BROKEN, alpha=0.08, lw=0.0)
+    axes.set_xlim(float(result.time[start]), float(past.time[-1]))
+    axes.set_ylim(*limits(curves))
+    axes.xaxis.set_major_locator(MaxNLocator(3))
+    axes.set_xlabel("time [s]")
+    axes.set_title(PAST, loc="left", fontsize=8.5, pad=3.0, color=BROKEN)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -12,7 +13,7 @@ import matplotlib
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import LineCollection
-from matplotlib.colors import Normalize
+from matplotlib.colors import Normalize, to_rgb
 from matplotlib.figure import Figure
 from PIL import Image
 
@@ -29,9 +30,17 @@ from ropewalk.plots.canvas import (
 )
 from ropewalk.plots.ffmpeg import MovieError, Mp4Writer
 from ropewalk.plots.gif import GifWriter, make_palette
-from ropewalk.plots.style import method_and_step, set_margins, set_note, set_title, styled
-from ropewalk.plots.tensions import colour_scale, line_map
-from ropewalk.plots.view import Floats, broken_note, held_nodes, load_nodes, tame
+from ropewalk.plots.style import (
+    method_and_step,
+    scaled_axis,
+    set_margins,
+    set_note,
+    set_title,
+    styled,
+)
+from ropewalk.plots.tensions import colour_scale, line_map, reach
+from ropewalk.plots.torn import BROKEN, broken_note, torn
+from ropewalk.plots.view import Floats, held_nodes, load_nodes, tame
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -39,6 +48,7 @@ if TYPE_CHECKING:
 _DPI = 100
 _SAMPLED = 200  # frames from which the colour scale is taken
 _BROKEN = 1.0  # seconds shown of a break
+_STEP_SHOWN = 0.1  # seconds of the movie that a single step past a break is seen, at least
 KINDS = (".gif", ".mp4")
 
 __all__ = ["MovieError", "movie", "movie_times"]
@@ -73,6 +83,8 @@ def movie(
     _check(path, fps, size, speed)
     seen = stage(result, plane)
     times = movie_times(result, fps, speed, seen.good)
+    past = _past(result, fps)
+    count = len(times) + len(past)
     painter = _Painter(result, seen, size, speed)
     part = path.with_name(f".{path.name}.part")
     writer: GifWriter | Mp4Writer
@@ -82,10 +94,11 @@ def movie(
         else:
             writer = Mp4Writer(part, size, fps)
         try:
-            for number, moment in enumerate(_moments(result, times, seen.good)):
+            moments = chain(_moments(result, times, seen.good), past)
+            for number, moment in enumerate(moments):
                 writer.add(painter.paint(moment))
                 if progress is not None:
-                    progress(number + 1, len(times))
+                    progress(number + 1, count)
         except BaseException:
             writer.abort()
             raise
@@ -123,6 +136,20 @@ class _Moment(NamedTuple):
     points: Floats  # (n, 3) [m]
     tension: Floats  # (s,) [N]
     broken: bool
+
+
+def _past(result: Result, fps: float) -> list[_Moment]:
+    """Return the single steps past a break, each as often as it takes to be seen; about a second in all."""
+    found = torn(result)
+    if found is None:
+        return []
+    each = max(1, round(fps * max(_STEP_SHOWN, _BROKEN / len(found.time))))
+    none = np.zeros(result.layout.segments)
+    return [
+        _Moment(float(time), points, none, True)
+        for time, points in zip(found.time, found.positions, strict=True)
+        for _ in range(each)
+    ]
 
 
 def _moments(result: Result, times: Floats, good: int) -> Iterator[_Moment]:
@@ -169,9 +196,8 @@ class _Painter:
         draw_ground(axes, seen.ground, seen.box)
         self._rope = LineCollection([], cmap=self.colours, norm=self._scale, linewidths=2.2)
         axes.add_collection(self._rope)
-        figure.colorbar(
-            self._rope, ax=axes, label=f"{result.tension_name} [N]", pad=0.02, shrink=0.9
-        )
+        bar = figure.colorbar(self._rope, ax=axes, pad=0.02, shrink=0.9)
+        scaled_axis(bar.ax, result.tension_name, "N", reach(self._scale))
         self._loads = axes.plot([], [], **LOAD)[0]  # type: ignore[arg-type]
         self._anchors = axes.plot([], [], **ANCHOR)[0]  # type: ignore[arg-type]
         self._stamp = axes.text(
@@ -206,12 +232,16 @@ class _Painter:
             points = np.stack([x, tame(points[:, 1], box.low, box.high)], axis=1)
         pieces = np.stack([points[:-1], points[1:]], axis=1)[self._live]
         self._rope.set_segments(list(pieces))
-        with np.errstate(all="ignore"):
-            self._rope.set_array(np.clip(moment.tension[self._live], -1e30, 1e30))
+        if moment.broken:
+            self._rope.set_array(None)
+            self._rope.set_color(BROKEN)
+        else:
+            self._rope.set_array(moment.tension[self._live])
         holds = held_nodes(self._result, moment.time)
         self._anchors.set_data(points[holds, 0], points[holds, 1])
         self._loads.set_data(points[self._load_nodes, 0], points[self._load_nodes, 1])
-        self._stamp.set_text(f"t = {moment.time:.2f} s" + (" (broken)" if moment.broken else ""))
+        stamp = f"{moment.time:.6g} s (broken)" if moment.broken else f"{moment.time:.2f} s"
+        self._stamp.set_text(f"t = {stamp}")
         self._canvas.restore_region(self._still)  # type: ignore[no-untyped-call]
         for artist in self._moving:
             self._axes.draw_artist(artist)
@@ -255,6 +285,8 @@ def _palette(colours: matplotlib.colors.Colormap) -> Image.Image:
     greys = [(level, level, level) for level in np.linspace(0, 255, 26).round().astype(int)]
     earth = [(239, 234, 228), (140, 123, 104), (189, 178, 166), (214, 206, 197)]
     found = [*greys, *earth, *tones, *pale]
+    red, green, blue = to_rgb(BROKEN)
+    found += [_mixed(tuple(round(255 * p) for p in (red, green, blue)), s) for s in (1.0, 0.5)]
     return make_palette([(int(r), int(g), int(b)) for r, g, b in found])
 
 

@@ -11,11 +11,11 @@ from matplotlib.figure import Figure
 
 from ropewalk.plots.curves import drawable
 from ropewalk.plots.style import describe, new_figure, set_note, set_title, styled, times_map
+from ropewalk.plots.torn import broken_note
 from ropewalk.plots.view import (
     AXES,
     Floats,
     along,
-    broken_note,
     good_frames,
     limits,
     node_index,

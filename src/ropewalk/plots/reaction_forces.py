@@ -21,7 +21,8 @@ from ropewalk.plots.style import (
     set_title,
     styled,
 )
-from ropewalk.plots.view import AXES, Floats, broken_note, good_frames
+from ropewalk.plots.torn import broken_note
+from ropewalk.plots.view import AXES, Floats, good_frames
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result

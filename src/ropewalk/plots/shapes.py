@@ -24,7 +24,6 @@ from ropewalk.plots.canvas import (
     stage,
 )
 from ropewalk.plots.style import (
-    COLOURS,
     describe,
     new_figure,
     set_note,
@@ -32,10 +31,9 @@ from ropewalk.plots.style import (
     styled,
     times_map,
 )
+from ropewalk.plots.torn import BROKEN, broken_note, broken_shapes
 from ropewalk.plots.view import (
     Floats,
-    broken_note,
-    broken_shapes,
     frame_at,
     held_nodes,
     load_nodes,
@@ -110,7 +108,7 @@ def _draw_over(axes: Axes, result: Result, seen: Stage, frames: list[int]) -> No
     if frames[-1] == result.frames - 1:
         for time, points in broken_shapes(result):
             name = f"{time:.6g} s (broken)"
-            draw_points(axes, result, seen, points, COLOURS[1], name, broken=True)
+            draw_points(axes, result, seen, points, BROKEN, name, broken=True)
     figure = axes.figure
     mappable = ScalarMappable(scale, colours)
     if len(frames) > _FEW:

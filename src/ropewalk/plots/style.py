@@ -14,6 +14,8 @@ from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.ticker import FuncFormatter, MaxNLocator
 
+from ropewalk.prefixes import prefix_of
+
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
 
@@ -195,27 +197,13 @@ def times_map() -> LinearSegmentedColormap:
     return LinearSegmentedColormap.from_list("times", [viridis(0.9 * i / 63) for i in range(64)])
 
 
-_PREFIXES = (
-    (1e9, "G"),
-    (1e6, "M"),
-    (1e3, "k"),
-    (1.0, ""),
-    (1e-3, "m"),
-    (1e-6, "µ"),
-    (1e-9, "n"),
-    (1e-12, "p"),
-)
-
-
 def scaled_axis(axes: Axes, what: str, unit: str, largest: float) -> None:
     """Label the y axis `what [unit]` with the SI prefix that suits; the data stay in `unit`."""
     if largest < 1e-12:  # round-off, or nothing: powers of ten say it best
         axes.set_ylabel(f"{what} [{unit}]")
         axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:.1e}"))
         return
-    factor, prefix = next((p for p in _PREFIXES if largest >= p[0]), _PREFIXES[-1])
-    if prefix == "k" and largest < 1e4:
-        factor, prefix = 1.0, ""
+    factor, prefix = prefix_of(largest)
     axes.set_ylabel(f"{what} [{prefix}{unit}]")
     axes.yaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 2.5, 5, 10]))
     axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: _plain(value / factor)))

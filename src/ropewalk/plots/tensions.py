@@ -12,16 +12,20 @@ from matplotlib.figure import Figure
 
 from ropewalk.plots.curves import mark_break, time_limits
 from ropewalk.plots.style import (
+    COLOURS,
+    DASHES,
     describe,
     escape,
     line_style,
     new_figure,
+    scaled_axis,
     set_note,
     set_title,
     styled,
     times_map,
 )
-from ropewalk.plots.view import Floats, broken_note, frame_at, good_frames, limits
+from ropewalk.plots.torn import BROKEN, Torn, broken_note, torn
+from ropewalk.plots.view import Floats, frame_at, good_frames, limits
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -58,7 +62,10 @@ def tension(
     maps = [tension_map(result, number) for number in shown]
     scale, colours, extend = colour_scale([m.values[:good] for m in maps])
     frames = frame_at(result, times) if times is not None else []
-    rows = len(shown) + bool(frames)
+    past = torn(result)
+    if past is not None and past.tension is None:
+        past = None
+    rows = len(shown) + bool(frames) + (past is not None)
     figure = new_figure(7.2, min(1.3 + max(1.35, 2.9 - 0.5 * len(shown)) * rows, 10.0))
     grid = figure.subplots(rows, 1, squeeze=False)[:, 0]
     for number, axes, found in zip(shown, grid, maps, strict=False):
@@ -74,9 +81,11 @@ def tension(
     bar = figure.colorbar(
         image, ax=list(grid[: len(shown)]), extend=extend, pad=0.015, aspect=18 * min(len(shown), 3)
     )
-    bar.set_label(f"{result.tension_name} [N]")
+    scaled_axis(bar.ax, result.tension_name, "N", reach(scale))
     if frames:
-        _draw_profiles(grid[-1], result, maps, shown, frames)
+        _draw_profiles(grid[len(shown)], result, maps, shown, frames)
+    if past is not None:
+        _draw_break(grid[-1], result, past, shown)
     set_title(figure, f"{result.scene.name}: {result.tension_name}", describe(result))
     set_note(figure, broken_note(result, good) + notes)
     return figure
@@ -152,6 +161,11 @@ def colour_scale(values: list[Floats]) -> tuple[Normalize, str, str]:
     return scale, colours, names.get(beyond, "both")
 
 
+def reach(scale: Normalize) -> float:
+    """Return the largest size of a number on a scale."""
+    return max(abs(float(scale.vmin or 0.0)), abs(float(scale.vmax or 0.0)))
+
+
 def line_map(name: str) -> Colormap:
     """Return a colour map for lines on white; the diverging one is dark at zero, not white."""
     if name == "RdBu_r":
@@ -215,5 +229,33 @@ def _draw_profiles(
     axes.set_ylim(*limits(curves))
     axes.set_xlim(0.0, max(found.length for found in maps))
     axes.set_xlabel(f"{maps[0].origin} [m]")
-    axes.set_ylabel(f"{result.tension_name} [N]")
+    scaled_axis(axes, result.tension_name, "N", max(map(abs, axes.get_ylim())))
     axes.legend(ncols=min(number, 6), fontsize=8.0, loc="lower left", bbox_to_anchor=(0.0, 1.0))
+
+
+def _draw_break(axes: Axes, result: Result, past: Torn, shown: list[int]) -> None:
+    """Draw the tension along the rope that broke: the last good frame, and in orange steps past it."""
+    assert past.tension is not None
+    last = result.frames - 1
+    with np.errstate(all="ignore"):
+        after = np.clip(past.tension[past.shapes], -1e30, 1e30)
+        jump = np.abs(after - result.tension[last])
+    spans = [result.layout.ropes[rope] for rope in shown]
+    span = max(spans, key=lambda one: float(jump[:, one.first : one.last].max()))
+    rope = result.rope(span.name)
+    live, lengths = rope.live[last], rope.rest_length[last]
+    arc = (np.cumsum(lengths) - 0.5 * lengths if lengths.any() else np.arange(len(live)))[live]
+    curves = [rope.tension[last][live], *after[:, span.first : span.last][:, live]]
+    times = [result.time[last], *past.time[past.shapes]]
+    for number, (time, curve) in enumerate(zip(times, curves, strict=True)):
+        broken = (
+            {"color": BROKEN, "linestyle": DASHES[number - 1]} if number else {"color": COLOURS[0]}
+        )
+        axes.plot(arc, curve, label=f"{time:.6g} s{' (broken)' if number else ''}", **broken)  # type: ignore[arg-type]
+    axes.set_xlim(float(arc[0]), float(arc[-1]) if arc[-1] > arc[0] else float(arc[0]) + 1.0)
+    low, high = limits(curves)
+    axes.set_ylim(low, high)
+    axes.set_xlabel("unstretched arc length [m]")
+    name = f" of {escape(span.name)}" if len(result.layout.ropes) > 1 else ""
+    scaled_axis(axes, f"{result.tension_name}{name}", "N", max(abs(low), abs(high)))
+    axes.legend(ncols=3, fontsize=8.0, loc="lower left", bbox_to_anchor=(0.0, 1.0))

@@ -19,7 +19,6 @@ if TYPE_CHECKING:
 Floats = NDArray[np.float64]
 AXES = ("x", "y", "z")
 _MOTION = 0.6  # [1] how much motion rather than time decides which frames are shown
-_TORN = (1.5, 3.0)  # [1] longest segment of a broken shape that is drawn, over that before
 _LOOKS = 400  # frames from which motion is judged
 _CHUNK = 4_000_000  # coordinates looked at in one go
 
@@ -155,43 +154,6 @@ def spread(good: int, count: int) -> list[int]:
     """Return at most `count` frames spread evenly over the first `good`, the ends included."""
     chosen = np.unique(np.linspace(0, good - 1, min(count, good)).round().astype(int))
     return [int(frame) for frame in chosen]
-
-
-def broken_note(
-    result: Result, good: int, *, clipped: str = "axes show the part before"
-) -> list[str]:
-    """Say that a run broke, and what of it is drawn; empty for a sound run."""
-    time = result.time
-    if good < len(time):
-        return [f"The run broke after t = {time[good - 1]:.4g} s: {clipped}."]
-    if result.beyond is not None:
-        end = f"{time[-1]:.6g} s, the last good frame"
-        return [f"The run broke after t = {end}. Orange, where drawn: single steps past it."]
-    if result.status == "broke":
-        return [f"The run broke after t = {time[-1]:.4g} s, the last frame here."]
-    return []
-
-
-def broken_shapes(result: Result) -> list[tuple[float, Floats]]:
-    """Return up to two steps past the last good frame, time [s] and points [m] (n, 3), that show the break.
-
-    The last ones in which no segment is longer than one and a half and three times the longest before.
-    """
-    beyond = result.beyond
-    if beyond is None:
-        return []
-    before = float(_longest(positions_of(result, slice(result.frames - 1, result.frames)))[0])
-    longest = _longest(beyond.positions)
-    chosen = [np.flatnonzero(longest <= factor * before) for factor in _TORN]
-    rows = sorted({int(found[-1]) if found.size else 0 for found in chosen})
-    return [(float(beyond.time[row]), beyond.positions[row]) for row in rows]
-
-
-def _longest(positions: Floats) -> Floats:
-    """Return the longest distance of two neighbours [m], (f,)."""
-    with np.errstate(all="ignore"):
-        size: Floats = np.linalg.norm(np.diff(positions, axis=1), axis=2).max(axis=1)
-    return size
 
 
 # -- choosing ---------------------------------------------------------------------------

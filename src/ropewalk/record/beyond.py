@@ -32,6 +32,7 @@ class Beyond:
 
     time: Floats  # (k,) [s]
     positions: Floats  # (k, n, 3) [m], finite
+    tension: Floats | None = None  # (k, s) [N], as large as it got; None in folders that lack it
 
 
 def look_beyond(simulation: Simulation) -> Beyond | None:
@@ -41,7 +42,7 @@ def look_beyond(simulation: Simulation) -> Beyond | None:
     """
     here, plan, failure = simulation.state, simulation.plan, simulation.failure
     most = max(2, min(_KEPT, _NUMBERS // (3 * simulation.layout.nodes)))
-    seen: deque[tuple[float, Floats]] = deque(maxlen=most)
+    seen: deque[tuple[float, Floats, Floats]] = deque(maxlen=most)
     for _ in range(min(_FRAMES * plan.steps_per_frame, _STEPS)):
         if simulation.slices.is_asked():
             break
@@ -49,20 +50,26 @@ def look_beyond(simulation: Simulation) -> Beyond | None:
         positions = simulation.positions.copy()
         if not np.isfinite(positions).all():
             break
-        seen.append((simulation.time, positions))
+        with np.errstate(all="ignore"):
+            tension = simulation.recording().recording.tension[0].copy()
+        seen.append((simulation.time, positions, tension))
         if status != OK:
             break
     simulation.restore(here)
     simulation.failure = failure
     if not seen:
         return None
-    return Beyond(np.array([time for time, _ in seen]), np.array([x for _, x in seen]))
+    time, x, tensions = (np.array(part) for part in zip(*seen, strict=True))
+    return Beyond(time, x, tensions)
 
 
 def save(folder: Path, beyond: Beyond) -> None:
     """Write it into a run folder. Raises OSError."""
     data = io.BytesIO()
-    np.savez(data, allow_pickle=False, time=beyond.time, positions=beyond.positions)
+    parts = {"time": beyond.time, "positions": beyond.positions}
+    if beyond.tension is not None:
+        parts["tension"] = beyond.tension
+    np.savez(data, allow_pickle=False, **parts)
     write(folder / NAME, data.getvalue())
 
 
@@ -75,6 +82,7 @@ def load(folder: Path) -> Beyond | None:
         data = path.read_bytes()
     try:
         with np.load(io.BytesIO(data), allow_pickle=False) as archive:
-            return Beyond(archive["time"], archive["positions"])
+            tension = archive.get("tension")
+            return Beyond(archive["time"], archive["positions"], tension)
     except (KeyError, ValueError, OSError, EOFError, zipfile.BadZipFile) as error:
         raise RunError(path, f"is damaged: {error}") from None

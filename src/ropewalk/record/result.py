@@ -12,6 +12,7 @@ import numpy as np
 
 from ropewalk.build import Layout, Plan
 from ropewalk.core.arrays import Floats
+from ropewalk.prefixes import prefixed
 from ropewalk.record.beyond import Beyond
 from ropewalk.record.beyond import load as load_beyond
 from ropewalk.record.facts import AT_REST, Facts
@@ -309,7 +310,7 @@ class Result(Outlets):
         if self.status == AT_REST:
             return (
                 f"Equilibrium of {self.scene.name!r}{where}: {ropes} with {segments} segments, "
-                f"largest tension {self.table[f'largest {self.tension_name} [N]']:.6g} N, "
+                f"largest tension {prefixed(self.table[f'largest {self.tension_name} [N]'], 'N', 6)}, "
                 f"at most {self.residual:.2g} N left on a node."
             )
         said = (

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from ropewalk.build import Model, build
 from ropewalk.core.arrays import Floats
+from ropewalk.prefixes import prefixed
 from ropewalk.scene import Scene
 from ropewalk.statics.balance import Balance
 from ropewalk.statics.hung import hung
@@ -55,7 +56,7 @@ class Statics:
 
     def __repr__(self) -> str:
         spans = "; ".join(str(span) for span in self.spans) or "nothing is held"
-        return f"Statics: {spans}; largest tension {self.largest_tension:.4g} N."
+        return f"Statics: {spans}; largest tension {prefixed(self.largest_tension, 'N')}."
 
 
 def static_shape(source: Scene | Model, *, strict: bool = True) -> Statics:

@@ -13,6 +13,7 @@ from ropewalk.cli.progress import telling_of_compiling
 from ropewalk.cli.sources import json_option, load_scene, set_option
 from ropewalk.cli.startup import without_scipy
 from ropewalk.cli.summary import print_results
+from ropewalk.prefixes import prefix_of, prefixed
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -76,8 +77,8 @@ def _print_spans(spans: tuple[RestSpan, ...]) -> None:
             f"{span.length:.6g} m",
             f"{span.distance:.6g} m",
             f"{span.sag:.6g} m" if span.kind == "span" else "",
-            f"{span.horizontal:.6g} N" if span.kind == "span" else "",
-            f"{span.largest_tension:.6g} N",
+            prefixed(span.horizontal, "N", 6) if span.kind == "span" else "",
+            prefixed(span.largest_tension, "N", 6),
         )
         for span in spans
     ]
@@ -87,12 +88,13 @@ def _print_spans(spans: tuple[RestSpan, ...]) -> None:
 
 def _print_anchors(result: Result) -> None:
     rows = []
-    for name, force in zip(result.layout.anchor_names, result.reactions[0], strict=True):
-        x, y, z = (f"{part:.6g}" for part in force)
-        size = float((force @ force) ** 0.5)
-        rows.append((name, x, y, z, f"{size:.6g}"))
+    forces = result.reactions[0]
+    sizes = (forces**2).sum(axis=1) ** 0.5
+    factor, prefix = prefix_of(float(sizes.max(initial=1.0)))
+    for name, force, size in zip(result.layout.anchor_names, forces, sizes, strict=True):
+        rows.append((name, *(f"{part / factor:.6g}" for part in (*force, size))))
     if rows:
-        columns = ("anchor's force [N]", "x", "y", "z", "size")
+        columns = (f"anchor's force [{prefix}N]", "x", "y", "z", "size")
         print_table(columns, rows, right=range(1, 5))
 
 
