@@ -3,6 +3,8 @@
 `scene-format`   every table of a scene file, from the models
 `methods-table`  the methods of time integration, from the registry
 `presets-table`  the presets
+`ropes-table`    the rope library
+`rope-sources`   its sources
 `commands`       the command line, from its commands and options
 """
 
@@ -19,6 +21,7 @@ from sphinx.util.docutils import SphinxDirective
 from sphinx.util.nodes import nested_parse_with_titles
 
 from ropewalk.cli import main
+from ropewalk.library import names, rope, sources
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import Scene, presets
 from ropewalk.scene.paths import keys, kind_of, sections, tag
@@ -105,6 +108,25 @@ def presets_table() -> Iterator[str]:
         yield f"| `{name}` | {presets.preset(name).description} |"
 
 
+def ropes_table() -> Iterator[str]:
+    """Yield the table of the rope library."""
+    yield "| rope | | diameter mm | mass kg/m | EA N | breaking load N |"
+    yield "|---|---|---|---|---|---|"
+    columns = {"diameter": 1e3, "mass_per_length": 1.0, "EA": 1.0, "breaking_load": 1.0}
+    for name in names():
+        one, cells = rope(name), []
+        for key, factor in columns.items():
+            number = one.numbers[key]
+            cells.append(f"{'~' if number.guessed else ''}{factor * number.value:.4g}")
+        yield f"| `{name}` | {one.title} | {' | '.join(cells)} |"
+
+
+def rope_sources() -> Iterator[str]:
+    """Yield the list of the library's sources."""
+    for name, text in sources().items():
+        yield f"* **{name}**: {text}"
+
+
 def commands() -> Iterator[str]:
     """Yield a section for every command."""
     context = click.Context(main, info_name="ropewalk")
@@ -140,6 +162,6 @@ def directive(lines: Callable[[], Iterator[str]]) -> type[SphinxDirective]:
 
 def setup(app: Any) -> dict[str, Any]:
     """Register the directives."""
-    for make in (scene_format, methods_table, presets_table, commands):
+    for make in (scene_format, methods_table, presets_table, ropes_table, rope_sources, commands):
         app.add_directive(make.__name__.replace("_", "-"), directive(make))
     return {"parallel_read_safe": True}

@@ -23,6 +23,9 @@ if TYPE_CHECKING:  # what type checkers and editors see; `_HOMES` loads the same
     from ropewalk.api import resume as resume
     from ropewalk.api import run as run
     from ropewalk.api import simulate as simulate
+    from ropewalk.library import LibraryRope as LibraryRope
+    from ropewalk.library import UnknownRope as UnknownRope
+    from ropewalk.library import rope as rope
     from ropewalk.record.errors import RunError as RunError
     from ropewalk.record.result import Result as Result
     from ropewalk.scene import Air as Air
@@ -79,6 +82,9 @@ _HOMES = {
     "dumps": "scene",
     "save": "scene",
     "preset": "scene.presets",
+    "rope": "library",
+    "LibraryRope": "library",
+    "UnknownRope": "library",
     "Simulation": "simulation",
     "Broken": "simulation",
     "BrokenRun": "api",

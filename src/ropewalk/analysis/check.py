@@ -21,6 +21,7 @@ from ropewalk.core.arrays import Floats
 from ropewalk.prefixes import prefixed
 from ropewalk.record.rest import as_result
 from ropewalk.scene import Scene, Springs
+from ropewalk.scene.from_library import origin_words
 from ropewalk.start import started
 from ropewalk.statics import Statics, static_shape
 
@@ -49,12 +50,14 @@ class RopeCheck:
     )  # at rest, length over rest length less 1 [1]; None without a rest length
     slack: int  # segments without tension at rest
     short: int  # segments that start more than 1 % shorter than their rest length
+    made_of: str = ""  # which rope of the library it is, and what was changed
 
     def lines(self) -> list[str]:
         """What it is, and what it carries at rest; one fact a line."""
         text = [
             f"rope {self.name!r}: {self.segments} segments, {self.length:.6g} m, {self.mass:.6g} kg"
         ]
+        text += [f"  {self.made_of}"] if self.made_of else []
         strain = "" if self.largest_strain is None else f", strain {_percent(self.largest_strain)}"
         text.append(f"  at rest: largest tension {prefixed(self.largest_tension, 'N', 5)}{strain}")
         if self.slack or self.short:
@@ -270,6 +273,7 @@ def _rope(model: Model, statics: Statics, name: str) -> RopeCheck:
         largest_strain=_strain(rest, statics.stretch[segments]),
         slack=int(statics.slack[segments].sum()),
         short=int((size < rest * (1.0 - _SHORT)).sum()),
+        made_of=origin_words(rope.made_of),
     )
 
 

@@ -28,6 +28,7 @@ from ropewalk.cli.commands.plot import plot
 from ropewalk.cli.commands.presets import presets
 from ropewalk.cli.commands.report import report
 from ropewalk.cli.commands.resume import resume
+from ropewalk.cli.commands.ropes import ropes
 from ropewalk.cli.commands.run import run
 from ropewalk.cli.commands.schema import schema
 from ropewalk.cli.commands.settle import settle
@@ -118,8 +119,8 @@ def main() -> None:
 
 
 for _command in (
-    demo, view, presets, new, check, settle, modes, run, sweep, resume, info, plot, movie, share, compare,
-    export, report, schema,
+    demo, view, presets, ropes, new, check, settle, modes, run, sweep, resume, info, plot, movie, share,
+    compare, export, report, schema,
 ):  # fmt: skip
     main.add_command(_command)
 main.params.append(debug_option())

@@ -152,7 +152,10 @@ def _is_refusal(error: Exception) -> bool:
 
     if isinstance(error, SceneError):
         return True
-    known = sys.modules.get("ropewalk.record.errors")  # not loaded: not raised
+    library = sys.modules.get("ropewalk.library")  # not loaded: not raised
+    if library is not None and isinstance(error, library.UnknownRope):
+        return True
+    known = sys.modules.get("ropewalk.record.errors")
     return known is not None and isinstance(error, (known.RunError, known.InputError))
 
 

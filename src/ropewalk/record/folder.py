@@ -31,6 +31,7 @@ from ropewalk.record.reader import Stored, reads
 from ropewalk.record.result import Result
 from ropewalk.record.store import CHECKED, FORMAT, READABLE, Writer
 from ropewalk.scene import Scene, SceneError, dumps, load
+from ropewalk.scene.from_library import origin
 
 PACKING_STEPS = 130  # explicit steps that take ten times as long as compressing the frame
 
@@ -40,6 +41,8 @@ def begin(folder: Path, scene: Scene, layout: Layout, facts: Facts, chunk: int) 
     text = dumps(scene).encode()
     write(folder / SCENE, text, sync=True)
     provenance = {**facts.provenance, "format": FORMAT, "scene_hash": _hash(text)}
+    if ropes := {rope.name: about for rope in scene.ropes if (about := origin(rope.made_of))}:
+        provenance["ropes_of_the_library"] = ropes
     write_json(folder / PROVENANCE, provenance, sync=True)
     writer = Writer(folder / DATA, scene, layout, chunk, is_packed(facts.plan))
     writer.create(provenance)

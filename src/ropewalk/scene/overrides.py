@@ -328,6 +328,11 @@ def _set(target: _Target, value: Any) -> None:
         return
     if key == "kind" and value != owner.get("kind"):
         _change_kind(owner, model, value)
+    if key == "library":  # its numbers take the place of those that are there
+        for other in set(owner) - {"kind"}:
+            del owner[other]
+    if key == "made_of" and isinstance(value, str):
+        owner.pop("diameter", None)
     owner[key] = value
 
 

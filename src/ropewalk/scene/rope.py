@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 from pydantic import Field, model_validator
 
+from ropewalk.library import names
 from ropewalk.scene.base import (
     MOST_SEGMENTS,
     Flag,
@@ -27,6 +28,7 @@ from ropewalk.scene.base import (
     vector,
 )
 from ropewalk.scene.errors import MISSING, Fault
+from ropewalk.scene.from_library import filled, with_diameter
 from ropewalk.scene.shapes import Points, Shape, Slack, Straight
 
 NAME = r"^[^\W\d_][\w-]*$"
@@ -83,6 +85,28 @@ class Material(Model):
     )
     friction: Friction = Field(default="axial", description=_FRICTION)
     tension_only: Flag = Field(default=False, description=_TENSION_ONLY)
+    breaking_load: Number | None = positive(
+        "Tension at which it breaks, for utilisation and safety factor; it does not part there",
+        "N",
+        default=None,
+    )
+    library: Text = Field(
+        default="",
+        max_length=100,
+        description="Rope of the library that gives what is left out, EA or mass_per_length with it; "
+        "else says where the numbers came from",
+    )
+
+    @model_validator(mode="before")
+    @classmethod
+    def _fill(cls, data: Any) -> Any:
+        return filled(data)
+
+    @classmethod
+    def __get_pydantic_json_schema__(cls, core_schema: Any, handler: Any) -> Any:
+        made = super().__get_pydantic_json_schema__(core_schema, handler)
+        needed = made.pop("required")
+        return made | {"anyOf": [{"required": needed}, {"required": ["library"]}]}
 
     @model_validator(mode="after")
     def _check(self) -> Material:
@@ -126,7 +150,7 @@ class Rope(Model):
         ge=1, le=MOST_SEGMENTS, description="Number of segments", json_schema_extra={"unit": "1"}
     )
     made_of: Annotated[Springs | Material, Field(discriminator="kind")] = Field(
-        description="Springs or a material"
+        description="Springs, a material, or the name of a rope of the library"
     )
     length: Number | None = positive(
         "Unstretched length; only with a material (springs have segments x segment_length)",
@@ -145,6 +169,20 @@ class Rope(Model):
         "N/m",
         default=None,
     )
+
+    @model_validator(mode="before")
+    @classmethod
+    def _from_library(cls, data: Any) -> Any:
+        return with_diameter(data)
+
+    @classmethod
+    def __get_pydantic_json_schema__(cls, core_schema: Any, handler: Any) -> Any:
+        made = super().__get_pydantic_json_schema__(core_schema, handler)
+        tables = made["properties"]["made_of"]
+        about = {"description": tables.pop("description")}
+        named = {"type": "string", "examples": names()}
+        made["properties"]["made_of"] = about | {"anyOf": [tables, named]}
+        return made
 
     @property
     def nodes(self) -> int:

@@ -22,10 +22,12 @@ from ropewalk.theory.chain_modes import (
     chain_shape,
 )
 from ropewalk.theory.elastic_catenary import elastic_catenary
+from ropewalk.theory.fall import Fall, rope_fall, rope_from_fall
 from ropewalk.theory.parabola import Parabola, parabola
 
 __all__ = [
     "Cable",
+    "Fall",
     "Hung",
     "Parabola",
     "cable_frequencies",
@@ -41,5 +43,7 @@ __all__ = [
     "lumped_chain",
     "parabola",
     "rigid_chain_frequencies",
+    "rope_fall",
+    "rope_from_fall",
     "string_frequencies",
 ]
