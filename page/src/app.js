@@ -68,7 +68,7 @@ export class App {
     this.meter = new Meter(session, this.meterHost);
     this.controls = new Controls(session, this.footer, () => this.graphs.toggle());
     this.tweak = new Tweak(session, this.panel);
-    this.broken = new BrokenCard(session, this.scene);
+    this.broken = new BrokenCard(session, this.scene, (...what) => this.stage.showInstead(...what));
     this.tour = new Tour(session, this.scene);
     this.scenes = new Scenes(session, root);
     this.compare = new Compare(this.stage, root, this.scene, (many) => this.compareColours(many));

@@ -1,7 +1,7 @@
 // What stands beside the ropes: anchors, loads, reactions, the hand, trails, and labels in newtons.
 
 import { ROPES, fromHex } from "./view/colours.js";
-import { figures, quantity } from "./view/range.js";
+import { quantity } from "./view/range.js";
 import { plus, vector } from "./view/vector.js";
 import { Trails } from "./render/trails.js";
 
@@ -181,6 +181,6 @@ export class Marks {
 
   /** What the longest arrow means. */
   get scale() {
-    return `${figures(this.strongest)} N`;
+    return quantity(this.strongest, "N");
   }
 }

@@ -9,7 +9,7 @@ import { boxOf, firstLook, groundOf, tame } from "./view/room.js";
 import { readTheme } from "./view/theme.js";
 import { dot, vector } from "./view/vector.js";
 import { textureSize } from "./render/webgl/texture_size.js";
-import { PLAYING } from "./source/frame.js";
+import { BROKEN, PLAYING } from "./source/frame.js";
 import { gather } from "./source/gather.js";
 import { Marks } from "./marks.js";
 
@@ -135,12 +135,29 @@ export class Stage {
     const nodes = this.nodes.next(now, jump);
     const extremes = gather(frame, layout, this.colouring, this.shifts, nodes);
     tame(nodes, nodesOf(layout), layout.view);
-    this.range.follow(extremes.low, extremes.high, Math.min(0.2, (now - this.lastPush) / 1000));
+    if (!(frame.flags & BROKEN)) {
+      this.range.follow(extremes.low, extremes.high, Math.min(0.2, (now - this.lastPush) / 1000));
+    }
     this.lastPush = now;
     this.gatherAnchors(frame, this.anchors.next(now, jump));
     if (this.lookPending) this.look(layout);
     if (this.marks.trails) this.marks.trails.push(this.nodes.to);
     this.dirty = true;
+  }
+
+  /** Show other places of one variant's nodes than the newest frame's; null: that frame again.
+   * @param {number[][] | null} positions [m] @param {number} [variant] */
+  showInstead(positions, variant = 0) {
+    const { frame } = this.session;
+    if (!frame) return;
+    if (!positions) return this.takeFrame(frame, true);
+    const other = Float32Array.from(positions.flat());
+    const parts = frame.parts.map((part, v) =>
+      v === variant && other.length === part.positions.length
+        ? { ...part, positions: other }
+        : part,
+    );
+    this.takeFrame({ ...frame, parts, flags: frame.flags | BROKEN }, true);
   }
 
   /** @param {Frame} frame @param {Float32Array} out */

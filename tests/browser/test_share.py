@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import ropewalk as rw
+import runs
 from browser.window import Window
 from live.drive import slack_rope
 from ropewalk.record.result import Result
@@ -101,6 +102,26 @@ def test_plays_to_the_end_and_again(window: Window) -> None:
     window.page.locator("#view").focus()
     window.page.keyboard.press("Space")
     window.until("r.state === 'playing' && r.time < 1")
+
+
+def test_a_broken_run_ends_in_its_break_marked_as_such(tmp_path: Path, open_window: Open) -> None:
+    broken = rw.simulate(runs.breaking(), on_failure="return")
+    assert broken.beyond is not None
+    page = broken.share(tmp_path / "page.html")
+    window = open_window(page.as_uri(), offline=True).ready()
+    card = window.page.locator("#broken")
+    window.until(f"r.time > {broken.time[-1] + 1e-3}")
+    card.wait_for()
+    text = card.inner_text()
+    assert "The run broke" in text
+    assert broken.diagnosis[:40] in text
+    assert "past the last good frame" in text
+    there = np.array([window.node(node) for node in range(11)])
+    assert np.abs(there - broken.beyond.positions[0]).max() < 1e-3
+    assert window.ask("r.app.graphs.history.last") <= broken.time[-1] + 1e-6
+    window.page.locator("#seek").fill("0.05")
+    window.until("r.time < 0.06")
+    card.wait_for(state="hidden")
 
 
 def test_a_damaged_page_says_so(result: Result, tmp_path: Path, open_window: Open) -> None:

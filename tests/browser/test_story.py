@@ -43,6 +43,23 @@ def _break(window: Window) -> None:
     window.page.locator("#broken", has_text="above the largest").wait_for()
 
 
+def test_the_break_can_be_watched(window: Window) -> None:
+    _break(window)
+    button = window.page.locator("#see-break")
+    button.wait_for()
+    [*_, last] = window.ask("r.session.broken.past")
+    button.click()
+    places = "[...r.stage.nodes.to.subarray(0, 164)]"
+    window.page.locator("#past", has_text=f"{last['time']:.5f} s").wait_for()
+    shown = np.array(window.ask(places)).reshape(41, 4)[:, :3]
+    assert np.abs(shown - np.array(last["positions"])).max() < 1e-3
+    window.until("document.querySelector('#past').textContent === ''")
+    frozen = np.array(window.ask("[...r.session.frame.parts[0].positions]")).reshape(41, 3)
+    shown = np.array(window.ask(places)).reshape(41, 4)[:, :3]
+    assert np.abs(shown - frozen).max() < 1e-6
+    assert np.abs(frozen - np.array(last["positions"])).max() > 0.01  # the twin
+
+
 def test_the_meter_goes_from_green_over_amber_to_red(window: Window) -> None:
     largest = window.until("r.session.stability[0]?.largest_spring_constant")
     colours = []

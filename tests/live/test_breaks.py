@@ -39,6 +39,29 @@ def test_a_break_is_frozen_and_explained() -> None:
     assert session.time == said["time"]
 
 
+def test_the_page_is_told_the_steps_past_the_break() -> None:
+    session = broken()
+    last = session.main.simulation.positions
+    [*_, end] = past = breaks.explain(session)["past"]
+    assert [one["time"] for one in past] == sorted(one["time"] for one in past)
+    assert past[0]["time"] > session.time
+    torn = np.array(end["positions"])
+    assert torn.shape == last.shape
+
+    def longest(places: np.ndarray) -> float:
+        return float(np.linalg.norm(np.diff(places, axis=0), axis=1).max())
+
+    assert 1.2 * longest(last) < longest(torn) < 3.0 * longest(last) + 1e-4
+
+
+def test_what_a_hand_broke_has_no_steps_past_it() -> None:
+    """From the last good state the rope goes on whole, so that nothing of the break can be shown."""
+    session = r4()
+    session.advance(1000)
+    session.broken = Break(0, 9, session.revision)
+    assert breaks.explain(session)["past"] == []
+
+
 def test_back_to_before() -> None:
     session = broken()
     do(session, "back")

@@ -2,7 +2,7 @@
 
 import { ROPES } from "../view/colours.js";
 import { h } from "../panels/dom.js";
-import { PLAYING } from "../source/frame.js";
+import { BROKEN, PLAYING } from "../source/frame.js";
 import { History } from "./history.js";
 import { PhasePlane } from "./phase.js";
 import { Plot } from "./plot.js";
@@ -115,6 +115,10 @@ export class Graphs {
   take(frame) {
     const { layout } = this.stage.session;
     if (!layout) return;
+    if (frame.flags & BROKEN && this.stage.session.hello?.mode === "replay") {
+      this.drawSoon(); // no number is taken from beyond a break
+      return;
+    }
     this.history.add(frame.time, samplesOf(layout, frame, this.stage.marks.followed));
     if (!this.open) return;
     if (!(frame.flags & PLAYING)) {

@@ -1,5 +1,6 @@
 // What the graphs of a replay show of the time before a jump: all of it in coarse steps, the last seconds in fine ones.
 
+import { BROKEN } from "../source/frame.js";
 import { samplesOf } from "./samples.js";
 
 /** @typedef {import("../app.js").App} App */
@@ -60,6 +61,7 @@ export class Past {
     const every = Math.max(1, Math.ceil(count / most));
     const nodes = [...this.app.stage.marks.followed];
     const frames = await this.read(first, Math.ceil(count / every), every);
-    return frames.map((frame) => ({ time: frame.time, values: samplesOf(layout, frame, nodes) }));
+    const sound = frames.filter((frame) => !(frame.flags & BROKEN));
+    return sound.map((frame) => ({ time: frame.time, values: samplesOf(layout, frame, nodes) }));
   }
 }

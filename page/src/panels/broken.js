@@ -1,10 +1,14 @@
 // A broken run: what happened in words, and one button for each way out.
 
+import { BROKEN } from "../source/frame.js";
+import { figures } from "../view/range.js";
 import { h } from "./dom.js";
 
 /** @typedef {import("../session.js").Session} Session */
 /** @typedef {import("../source/protocol.js").Broken} Broken */
 
+const STEP = 300; // ms that a step past a break is seen
+const REST = 3; // times that long the last one stays
 const SIGNS = /** @type {Record<string, string>} */ ({
   back: "Back to before",
   step: "Use the suggested step",
@@ -13,9 +17,12 @@ const SIGNS = /** @type {Record<string, string>} */ ({
 });
 
 export class BrokenCard {
-  /** @param {Session} session @param {HTMLElement} host */
-  constructor(session, host) {
+  /** @param {Session} session @param {HTMLElement} host
+   * @param {(positions: number[][] | null, variant: number) => void} draw shows places of nodes; null: the frame */
+  constructor(session, host, draw) {
     this.session = session;
+    this.draw = draw;
+    this.timer = 0;
     this.card = h("section", {
       className: "card broken",
       hidden: true,
@@ -24,11 +31,30 @@ export class BrokenCard {
     });
     host.append(this.card);
     session.on("broken", (broken) => this.show(broken));
+    session.on("frame", ({ flags }) => this.tellReplay((flags & BROKEN) !== 0));
+  }
+
+  /** In a replay: say that what is shown is past the break. @param {boolean} past */
+  tellReplay(past) {
+    const { hello, layout } = this.session;
+    if (hello?.mode !== "replay" || this.card.hidden !== past) return;
+    this.card.hidden = !past;
+    if (!past || !layout?.broke) return;
+    this.card.replaceChildren(
+      h("h2", {}, "The run broke"),
+      h("p", {}, layout.broke.text || `It broke after t = ${figures(layout.broke.time)} s.`),
+      h(
+        "p",
+        { className: "faint" },
+        "Shown: steps past the last good frame. No number counts them.",
+      ),
+    );
   }
 
   /** @param {Broken | null} broken */
   show(broken) {
     this.card.hidden = broken === null;
+    clearTimeout(this.timer);
     if (!broken) return;
     const buttons = broken.remedies.map((remedy, i) =>
       h(
@@ -45,7 +71,33 @@ export class BrokenCard {
     this.card.replaceChildren(
       h("h2", {}, "The simulation broke"),
       h("p", {}, broken.text),
-      h("div", { className: "row" }, ...buttons),
+      h("div", { className: "row" }, ...buttons, ...this.look(broken)),
     );
+  }
+
+  /** A button that shows the steps past the last good frame. @param {Broken} broken */
+  look(broken) {
+    const { past } = broken;
+    if (!past?.length) return [];
+    const line = h("span", { className: "faint", id: "past" });
+    const play = (/** @type {number} */ i) => {
+      const step = past[Math.min(i, past.length - 1)];
+      const over = i === past.length + REST;
+      this.draw(over ? null : step.positions, broken.variant);
+      line.textContent = over ? "" : `${step.time.toFixed(5)} s: past the last good state`;
+      if (!over) this.timer = window.setTimeout(() => play(i + 1), STEP);
+    };
+    const onclick = () => {
+      clearTimeout(this.timer);
+      play(0);
+    };
+    return [
+      h(
+        "button",
+        { type: "button", className: "second", id: "see-break", onclick },
+        "See it break",
+      ),
+      line,
+    ];
   }
 }

@@ -5,6 +5,7 @@
 
 export const MAGIC = 0x46505752;
 export const PLAYING = 1;
+export const BROKEN = 2;
 export const AT_END = 16;
 
 /** @typedef {{scalars: Float32Array, positions: Float32Array, tension: Uint16Array, speed: Uint16Array,

@@ -17,7 +17,7 @@
 /** @typedef {{type: "layout", layout: number, bytes: number,
  *   scene: {name: string, description: string, preset: string | null}, up: number[], gravity: number[],
  *   ground: {height: number} | null, view: {center: number[], radius: number}, scalars: string[],
- *   variants: Variant[]}} Layout */
+ *   variants: Variant[], broke?: {time: number, text: string} | null}} Layout */
 /** @typedef {{name: string, label: string, group: string, unit: string,
  *   kind: "number" | "whole" | "vector" | "choice" | "flag", value: any, default: any,
  *   low: number, high: number, scale: "linear" | "log", minimum: number, maximum: number,
@@ -35,7 +35,8 @@
  *   remedies: string[], steps: Record<string, number>}} Stability */
 /** @typedef {{id: string, label: string, value?: any}} Remedy */
 /** @typedef {{type: "broken", variant: number, time: number, step: number, rope: string, node: number,
- *   index: number, text: string, sign: string, remedies: Remedy[]}} Broken */
+ *   index: number, text: string, sign: string, remedies: Remedy[],
+ *   past?: {time: number, positions: number[][]}[]}} Broken */
 /** @typedef {{type: "error", id?: number, command?: string, text: string,
  *   faults?: {path: string, value: any, rule: string, low: number | null, high: number | null}[]}} Fault */
 /** @typedef {{type: "done", id: number, command: string, step: number, frame: number}} Done */

@@ -1,6 +1,6 @@
 // A run inside the page: plays it as the server would, with frames written as the protocol says.
 
-import { AT_END, MAGIC, PLAYING } from "./frame.js";
+import { AT_END, BROKEN, MAGIC, PLAYING } from "./frame.js";
 import { fromBase64, inflate, rowOf, unpack } from "./unpack.js";
 
 /** @typedef {import("./protocol.js").Source} Source */
@@ -8,13 +8,15 @@ import { fromBase64, inflate, rowOf, unpack } from "./unpack.js";
 /** @typedef {import("./protocol.js").Layout} Layout */
 /** @typedef {import("./unpack.js").Stream} Stream */
 /** @typedef {import("./unpack.js").Numbers} Numbers */
-/** @typedef {{layout: Layout, frames: number, streams: Stream[]}} PackedPart */
+/** @typedef {{layout: Layout, frames: number, good: number, streams: Stream[]}} PackedPart */
 /** @typedef {{ropewalk: string, title: string, duration: number, method: string, dt: number, about: string,
- *   times: Stream, parts: PackedPart[]}} Header */
-/** @typedef {{layout: Layout, first: number, frames: number, numbers: Record<string, Numbers>}} Part */
+ *   times: Stream, parts: PackedPart[], single: number}} Header */
+/** @typedef {{layout: Layout, first: number, frames: number, good: number,
+ *   numbers: Record<string, Numbers>}} Part */
 
 const HEADER = 48; // bytes
 const STATUS = 250; // ms
+const STEP_SHOWN = 0.1; // s that a single step past a break is seen
 const CAN = ["play", "pause", "step", "speed", "seek", "reset"];
 
 /** The recording in this page, if there is one. @returns {RecordingSource | null} */
@@ -90,7 +92,8 @@ export class RecordingSource {
     for (const part of parts) {
       /** @type {Record<string, Numbers>} */ const numbers = {};
       for (const stream of part.streams) numbers[stream.name] = await next(stream, part.frames);
-      this.parts.push({ layout: part.layout, first, frames: part.frames, numbers });
+      const { layout, good } = part;
+      this.parts.push({ layout, first, frames: part.frames, good, numbers });
       first += part.frames;
     }
   }
@@ -181,11 +184,23 @@ export class RecordingSource {
     const elapsed = Math.min(0.25, Math.max(0, (now - this.last) / 1000));
     this.last = now;
     if (this.playing) {
-      this.time = Math.min(this.time + elapsed * this.speed, this.header.duration);
+      this.time = this.later(elapsed * this.speed);
       this.playing = this.time < this.header.duration;
       if (!this.playing || now - this.lastStatus > STATUS) this.tellStatus();
     }
     this.show();
+  }
+
+  /** The time in the run when so much has passed [s]; steps past a break go by slowly.
+   * @param {number} passed */
+  later(passed) {
+    const { duration, single } = this.header;
+    const { time } = this;
+    const broke = this.times[this.times.length - 1 - single];
+    if (!single || time + passed < broke) return Math.min(time + passed, duration);
+    if (time < broke) return broke;
+    const slowly = Math.min(1, (duration - broke) / (single * STEP_SHOWN));
+    return Math.min(time + passed * slowly, duration);
   }
 
   show() {
@@ -233,13 +248,16 @@ export class RecordingSource {
 
   /** A frame in the bytes of the protocol. @param {number} index */
   frame(index) {
-    const { layout, first, numbers } = this.parts[this.partOf(index)];
+    const { layout, first, good, numbers } = this.parts[this.partOf(index)];
     const row = index - first;
     const [variant] = layout.variants;
     const { offsets, nodes, anchors } = variant;
     const buffer = new ArrayBuffer(layout.bytes);
     const head = new DataView(buffer, 0, HEADER);
-    const flags = (this.playing ? PLAYING : 0) | (index === this.times.length - 1 ? AT_END : 0);
+    const flags =
+      (this.playing ? PLAYING : 0) |
+      (index === this.times.length - 1 ? AT_END : 0) |
+      (row >= good ? BROKEN : 0);
     [MAGIC, layout.layout, this.number, flags].forEach((value, i) =>
       head.setUint32(4 * i, value, true),
     );

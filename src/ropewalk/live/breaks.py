@@ -17,9 +17,11 @@ from ropewalk.core.arrays import Floats
 from ropewalk.live.remedies import as_messages
 from ropewalk.live.session import Break, Session
 from ropewalk.live.track import Saved, Track
+from ropewalk.record.beyond import cut, look_beyond
 from ropewalk.simulation import Simulation, Snapshot
 
 _HISTORY = 400  # steps to look at
+_STEPS_SENT, _MOST_SENT = 8, 6000  # steps past the break, and nodes of them all, told to the page
 _MOST_WORK = 3_000_000  # steps times nodes taken again
 
 
@@ -69,6 +71,7 @@ class Question:
             "text": f"Broke after t = {self.time:.6g} s. The steps before it are being looked at.",
             "sign": "",
             "remedies": as_messages(None, self.changed),
+            "past": [],
         }
 
     def remedies(self) -> list[dict[str, Any]]:
@@ -85,7 +88,28 @@ class Question:
             "text": self.failure or found.text,
             "sign": "" if self.failure else found.sign,
             "remedies": self.remedies(),
+            "past": self._past(),
         }
+
+    def _past(self) -> list[dict[str, Any]]:
+        """Return the first steps from the last good state into the break, as far as they can be drawn.
+
+        None where the rope does not break from there by itself (a hand did it), or is too large to send.
+        """
+        again = Simulation(self.simulation.model)
+        again.restore(self.here)
+        before = again.positions.copy()
+        if self.failure or 2 * len(before) > _MOST_SENT:
+            return []
+        found = look_beyond(again)
+        if found is None:
+            return []
+        shown = cut(found, before)
+        if len(shown.time) == len(found.time):
+            return []
+        most = min(_STEPS_SENT, _MOST_SENT // len(before))
+        steps = zip(shown.time[-most:], shown.positions[-most:], strict=True)
+        return [{"time": float(t), "positions": x.round(5).tolist()} for t, x in steps]
 
     def _diagnosis(self) -> Diagnosis:
         model, layout = self.simulation.model, self.simulation.layout

@@ -50,7 +50,9 @@ def record(run: Path | Result, rate: float = 60.0) -> Recording:
     """
     stage = ReplayStage(run, playing=False)
     where = run if isinstance(run, Path) else (run.folder or "result")
-    indices = _thinned(stage.times, rate)
+    frames = len(stage.times)
+    usual = _thinned(stage.times[: frames - stage.single], rate)
+    indices = np.union1d(usual, np.arange(frames - stage.single, frames))
     packed: list[Packed] = []
     parts: list[dict[str, Any]] = []
     kept: list[Floats] = []
@@ -59,6 +61,8 @@ def record(run: Path | Result, rate: float = 60.0) -> Recording:
         first, end = int(stage.first[number]), int(stage.first[number + 1])
         own = indices[(indices >= first) & (indices < end)]
         pictures = [part.picture(int(index) - first) for index in own]
+        good = int(np.searchsorted(own, stage.sound))
+        pictures = _within(pictures, good)
         longest = max(rope.length_unstretched for rope in part.result.scene.ropes)
         step = min(_OF_LENGTH * longest, _METRES) if longest > 0.0 else _METRES
         count = _showable(pictures, step)
@@ -72,6 +76,7 @@ def record(run: Path | Result, rate: float = 60.0) -> Recording:
             {
                 "layout": stage._layout_message(number),
                 "frames": count,
+                "good": min(good, count),
                 "streams": [one.header() for one in streams],
             }
         )
@@ -88,7 +93,8 @@ def record(run: Path | Result, rate: float = 60.0) -> Recording:
         "dt": part.result.plan.dt,
         "times": clock.header(),
         "parts": parts,
-        "about": _about(times, left_out, errors),
+        "single": max(0, stage.single - left_out),
+        "about": _about(times, left_out, errors, max(0, stage.single - left_out)),
     }
     data = b"".join(one.data for one in (clock, *packed))
     return Recording(header, data, len(times), left_out, errors["positions"], errors["tension"])
@@ -111,6 +117,20 @@ def _showable(pictures: list[Picture], step: float) -> int:
         if not (far < 0.4 * LARGEST * step and np.isfinite(picture.tension).all()):
             return count
     return len(pictures)
+
+
+def _within(pictures: list[Picture], good: int) -> list[Picture]:
+    """Keep tension and speed past a break to the range before it, whose digits they would cost."""
+    if not 0 < good < len(pictures):
+        return pictures
+    pulls = [value for one in pictures[:good] for value in (one.tension.min(), one.tension.max())]
+    fast = max(float(one.speed.max()) for one in pictures[:good])
+    return pictures[:good] + [
+        one._replace(
+            tension=np.clip(one.tension, min(pulls), max(pulls)), speed=np.minimum(one.speed, fast)
+        )
+        for one in pictures[good:]
+    ]
 
 
 def _streams(pictures: list[Picture], step: float) -> list[Packed]:
@@ -143,8 +163,9 @@ def _step(values: Floats) -> float:
     return max(span, 1e-6 * largest) / _LEVELS or 1.0
 
 
-def _about(times: Floats, left_out: int, errors: dict[str, float]) -> str:
+def _about(times: Floats, left_out: int, errors: dict[str, float], single: int) -> str:
     """Return a sentence on what the page holds and how true it is."""
+    times = times[: len(times) - single]
     duration = float(times[-1] - times[0])
     rate = (len(times) - 1) / duration if duration > 0.0 else 0.0
     text = (
@@ -153,6 +174,8 @@ def _about(times: Floats, left_out: int, errors: dict[str, float]) -> str:
         + f"; positions are rounded to within {_length(errors['positions'])}, "
         f"tension to within {_figures(errors['tension'])} N."
     )
+    if single:
+        text += f" It broke; past the last good frame the page has single steps, {single} of them."
     if left_out:
         text += f" The last {left_out} frames, after it broke, lie too far away to be shown."
     return text

@@ -14,16 +14,28 @@ from ropewalk.core.arrays import Floats
 from ropewalk.live.audience import Audience, Nobody
 from ropewalk.live.commands import Command, Seek, Speed, Step
 from ropewalk.live.describe import anchor_list, load_list, rope_list, view_box
-from ropewalk.live.frame import END, HEADER, PLAYING, SCALARS, Clockwork, Picture, Shape, encode
+from ropewalk.live.frame import (
+    BROKEN,
+    END,
+    HEADER,
+    PLAYING,
+    SCALARS,
+    Clockwork,
+    Picture,
+    Shape,
+    encode,
+)
 from ropewalk.live.inbox import Reply
 from ropewalk.live.keep import parts
 from ropewalk.live.messages import error_message
 from ropewalk.live.parameters import refusal
 from ropewalk.live.stage import STATUS_SECONDS
 from ropewalk.live.track import losses_and_gifts
+from ropewalk.record.beyond import until_torn
 from ropewalk.record.result import Result
 from ropewalk.scene import Scene, SceneError
 
+STEP_SHOWN = 0.1  # [s] that a step past a break is seen
 _PIECE = 64  # frames read at once
 _NAMES = ("time", "positions", "velocities", "tension", "energy", "work")
 _MORE = ("elastic_tension", "reactions")
@@ -34,17 +46,31 @@ class Recorded:
 
     def __init__(self, result: Result) -> None:
         self.result = result
+        self.past = until_torn(result)
         self.first_energy = float(result.read("energy", 0, 1)[0].sum())
         self._piece = -1
         self._data: dict[str, Floats] = {}
 
     @property
     def frames(self) -> int:
-        """Number of frames."""
-        return self.result.frames
+        """Number of frames, the single steps past a break included."""
+        return self.result.frames + (0 if self.past is None else len(self.past.time))
+
+    @property
+    def good(self) -> int:
+        """Number of frames before a break."""
+        return self.result.good_frames
+
+    @property
+    def time(self) -> Floats:
+        """Time of every frame [s]."""
+        own = self.result.time
+        return own if self.past is None else np.concatenate([own, self.past.time])
 
     def picture(self, frame: int) -> Picture:
-        """Return what a frame shows."""
+        """Return what a frame shows; of a step past a break only shape, tension and speed are its own."""
+        if frame >= self.result.frames:
+            return self._broken(frame - self.result.frames)
         data, row = self._read(frame)
         result = self.result
         positions, velocities = data["positions"][row], data["velocities"][row]
@@ -69,13 +95,26 @@ class Recorded:
             "high": float(heights.max()),
             "touching": float(np.count_nonzero(heights < ground.height)) if ground else 0.0,
         }
-        speed = np.linalg.norm(velocities, axis=1)
+        with np.errstate(over="ignore", invalid="ignore"):  # recorded on into a break
+            speed = np.linalg.norm(velocities, axis=1)
         nodes = list(result.layout.anchor_nodes)
         anchors = np.zeros((len(nodes), 10))
         anchors[:, :3], anchors[:, 3:6], anchors[:, 9] = positions[nodes], velocities[nodes], 1.0
         if "reactions" in data:
             anchors[:, 6:9] = data["reactions"][row]
         return Picture(scalars, positions, tension, speed, anchors, [])
+
+    def _broken(self, step: int) -> Picture:
+        assert self.past is not None
+        last = self.picture(self.result.frames - 1)
+        positions = self.past.positions[step]
+        before = self.past.positions[step - 1] if step else last.positions
+        speed = np.linalg.norm(positions - before, axis=1) / self.result.plan.dt
+        tension = last.tension if self.past.tension is None else self.past.tension[step]
+        anchors = last.anchors.copy()
+        anchors[:, 3:9] = 0.0  # neither velocity nor force is known
+        anchors[:, :3] = positions[list(self.result.layout.anchor_nodes)]
+        return last._replace(positions=positions, tension=tension, speed=speed, anchors=anchors)
 
     def _strain(self, tension: Floats) -> float:
         found = 0.0
@@ -106,9 +145,15 @@ class ReplayStage:
         """Take a result, or open a run folder. Raises RunError."""
         results = [run] if isinstance(run, Result) else [Result.open(one) for one in parts(run)]
         self.parts = [Recorded(result) for result in results]
+        for part in self.parts[:-1]:
+            part.past = None  # it was gone on from
         self.first = np.cumsum([0, *(part.frames for part in self.parts)])
         self.times = _timeline(self.parts)
         self.duration = float(self.times[-1])
+        last = self.parts[-1]
+        self.single = last.frames - last.result.frames  # steps past a break, at the end
+        self.sound = int(self.first[-2]) + last.good  # frames before it
+        self.broke_at = float(self.times[self.sound - 1])
         self.playing, self.speed, self.time = playing, 1.0, 0.0
         self.audience: Audience = Nobody()
         self.waiting: queue.SimpleQueue[tuple[Any, int, Reply]] = queue.SimpleQueue()
@@ -153,7 +198,7 @@ class ReplayStage:
         now = time.perf_counter()
         elapsed, self._last = min(now - self._last, 0.25), now
         if self.playing:
-            self.time = min(self.time + elapsed * self.speed, self.duration)
+            self.time = self._later(elapsed * self.speed)
             self.playing = self.time < self.duration
         told = (self.playing, self.speed)
         if told != self._told or (self.playing and now - self._last_status > STATUS_SECONDS):
@@ -161,6 +206,15 @@ class ReplayStage:
             self.audience.tell(self.status())
         if self.index != self._shown and self.audience.size > 0:
             self._show()
+
+    def _later(self, passed: float) -> float:
+        """Return the time in the run when so much has passed [s]; steps past a break go by slowly."""
+        if self.single == 0 or self.time + passed < self.broke_at:
+            return min(self.time + passed, self.duration)
+        if self.time < self.broke_at:
+            return self.broke_at
+        slowly = (self.duration - self.broke_at) / max(self.single * STEP_SHOWN, 1e-9)
+        return min(self.time + passed * min(slowly, 1.0), self.duration)
 
     def _handle(self) -> None:
         while not self.waiting.empty():
@@ -215,6 +269,7 @@ class ReplayStage:
         part = self._part(index)
         picture = self.parts[part].picture(index - int(self.first[part]))
         flags = PLAYING * self.playing + END * (index == len(self.times) - 1)
+        flags += BROKEN * (index >= self.sound)
         when = float(self.times[index])
         realtime = self.speed if self.playing else 0.0
         head = Clockwork(part + 1, number, flags, when, index, realtime, self.speed, 0.0)
@@ -264,6 +319,7 @@ class ReplayStage:
             "gravity": list(scene.gravity),
             "ground": None if scene.ground is None else {"height": scene.ground.height},
             "view": {"center": center, "radius": radius},
+            "broke": self._break(part),
             "scalars": list(SCALARS),
             "variants": [
                 {
@@ -279,12 +335,18 @@ class ReplayStage:
             ],
         }
 
+    def _break(self, part: int) -> dict[str, Any] | None:
+        """When the last part broke and why, where frames past that are shown."""
+        if part != len(self.parts) - 1 or self.sound == len(self.times):
+            return None
+        return {"time": self.broke_at, "text": self.parts[part].result.diagnosis}
+
 
 def _timeline(parts: list[Recorded]) -> Floats:
     """Return the time of every frame [s], counted from the first one on, over all parts."""
     times, start = [], 0.0
     for part in parts:
-        own = part.result.time - part.result.time[0]
+        own = part.time - part.time[0]
         times.append(own + start)
         start = float(times[-1][-1])
     return np.concatenate(times)

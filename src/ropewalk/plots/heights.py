@@ -20,7 +20,7 @@ from ropewalk.plots.style import (
     set_title,
     styled,
 )
-from ropewalk.plots.torn import BROKEN, PAST, Torn, broken_note, torn
+from ropewalk.plots.torn import BROKEN, PAST, broken_note
 from ropewalk.plots.view import (
     Floats,
     along,
@@ -31,6 +31,7 @@ from ropewalk.plots.view import (
     telling_nodes,
     up_label,
 )
+from ropewalk.record.beyond import Torn, until_torn
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -53,7 +54,7 @@ def height(result: Result, nodes: Sequence[int | str | tuple[str, int]] | None =
         raise ValueError("nodes: () - must be at least one node")
     up, name = up_label(result)
     good = good_frames(result)
-    past = torn(result)
+    past = until_torn(result)
     figure = new_figure(7.2 if past is None else 8.4, 3.7)
     axes, beside = figure.add_subplot(), None
     if past is not None:

@@ -39,8 +39,9 @@ from ropewalk.plots.style import (
     styled,
 )
 from ropewalk.plots.tensions import colour_scale, line_map, reach
-from ropewalk.plots.torn import BROKEN, broken_note, torn
+from ropewalk.plots.torn import BROKEN, broken_note
 from ropewalk.plots.view import Floats, held_nodes, load_nodes, tame
+from ropewalk.record.beyond import until_torn
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -140,7 +141,7 @@ class _Moment(NamedTuple):
 
 def _past(result: Result, fps: float) -> list[_Moment]:
     """Return the single steps past a break, each as often as it takes to be seen; about a second in all."""
-    found = torn(result)
+    found = until_torn(result)
     if found is None:
         return []
     each = max(1, round(fps * max(_STEP_SHOWN, _BROKEN / len(found.time))))

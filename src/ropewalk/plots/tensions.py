@@ -24,8 +24,9 @@ from ropewalk.plots.style import (
     styled,
     times_map,
 )
-from ropewalk.plots.torn import BROKEN, Torn, broken_note, torn
+from ropewalk.plots.torn import BROKEN, broken_note
 from ropewalk.plots.view import Floats, frame_at, good_frames, limits
+from ropewalk.record.beyond import Torn, until_torn
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -62,7 +63,7 @@ def tension(
     maps = [tension_map(result, number) for number in shown]
     scale, colours, extend = colour_scale([m.values[:good] for m in maps])
     frames = frame_at(result, times) if times is not None else []
-    past = torn(result)
+    past = until_torn(result)
     if past is not None and past.tension is None:
         past = None
     rows = len(shown) + bool(frames) + (past is not None)

@@ -7,6 +7,7 @@ import zipfile
 from collections import deque
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -17,10 +18,14 @@ from ropewalk.record.files import reading, write
 from ropewalk.record.place import BEYOND as NAME
 from ropewalk.simulation import Simulation
 
+if TYPE_CHECKING:
+    from ropewalk.record.result import Result
+
 _FRAMES = 10  # so many at most are looked at past the last good one ...
 _STEPS = 20_000  # ... and so many steps
 _KEPT = 64  # steps, the last before the rope is torn apart
 _NUMBERS = 3_000_000  # coordinates kept
+_TORN = (1.5, 3.0)  # [1] longest segment of a broken shape that is drawn, over that before
 
 
 @dataclass(frozen=True)
@@ -33,6 +38,45 @@ class Beyond:
     time: Floats  # (k,) [s]
     positions: Floats  # (k, n, 3) [m], finite
     tension: Floats | None = None  # (k, s) [N], as large as it got; None in folders that lack it
+
+
+class Torn(NamedTuple):
+    """Single steps past the last good frame of a run, as far as the rope is not torn apart."""
+
+    time: Floats  # (k,) [s]
+    positions: Floats  # (k, n, 3) [m]
+    tension: Floats | None  # (k, s) [N]; None in run folders that did not keep it
+    shapes: list[int]  # one or two of the steps, those that show the break best
+
+
+def until_torn(result: Result) -> Torn | None:
+    """Return the steps past a result's break that can be drawn; None where it has none.
+
+    They end with the last one in which no segment is longer than three times the longest before; of the
+    `shapes` the first is the last one below one and a half times. Raises RunError when the run folder's
+    copy is damaged.
+    """
+    beyond = result.beyond
+    if beyond is None:
+        return None
+    return cut(beyond, result.read("positions", result.frames - 1)[0])
+
+
+def cut(beyond: Beyond, before: Floats) -> Torn:
+    """Return the steps that can be drawn, of a rope that lay at `before` [m], (n, 3), when it broke."""
+    usual, longest = float(_longest(before[None])[0]), _longest(beyond.positions)
+    chosen = [np.flatnonzero(longest <= factor * usual) for factor in _TORN]
+    rows = sorted({int(found[-1]) if found.size else 0 for found in chosen})
+    end = rows[-1] + 1
+    tension = None if beyond.tension is None else beyond.tension[:end]
+    return Torn(beyond.time[:end], beyond.positions[:end], tension, rows)
+
+
+def _longest(positions: Floats) -> Floats:
+    """Return the longest distance of two neighbours [m], (f,)."""
+    with np.errstate(all="ignore"):
+        size: Floats = np.linalg.norm(np.diff(positions, axis=1), axis=2).max(axis=1)
+    return size
 
 
 def look_beyond(simulation: Simulation) -> Beyond | None:

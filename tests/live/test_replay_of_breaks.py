@@ -1,0 +1,76 @@
+"""A replay of a run that broke ends in the single steps past its last good frame, marked as such."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+
+import ropewalk as rw
+import runs
+from ropewalk.live.frame import BROKEN, END, HEADER
+from ropewalk.live.recording import record
+from ropewalk.live.replay import ReplayStage
+from ropewalk.record.beyond import until_torn
+from ropewalk.record.result import Result
+
+
+@pytest.fixture(scope="module")
+def broken() -> Iterator[Result]:
+    return rw.simulate(runs.breaking(), on_failure="return")
+
+
+def flags(stage: ReplayStage) -> list[int]:
+    return [HEADER.unpack_from(stage._frame(i, i))[3] for i in range(len(stage.times))]
+
+
+def test_the_last_frames_are_steps_past_the_break(broken: Result) -> None:
+    past = until_torn(broken)
+    assert past is not None
+    stage = ReplayStage(broken, playing=False)
+    told = [bool(flag & BROKEN) for flag in flags(stage)]
+    assert told == [False] * broken.frames + [True] * len(past.time)
+    assert flags(stage)[-1] & END
+    np.testing.assert_array_equal(stage.times[broken.frames :], past.time)
+    last = stage.parts[0].picture(stage.parts[0].frames - 1)
+    np.testing.assert_array_equal(last.positions, past.positions[-1])
+    assert not last.anchors[:, 3:9].any()  # no force is claimed there
+    assert last.scalars["kinetic"] == broken.energy["kinetic"][-1]
+    broke = stage._layout_message(0)["broke"]
+    assert broke == {"time": broken.time[-1], "text": broken.diagnosis}
+
+
+def test_a_sound_run_has_no_such_frames() -> None:
+    stage = ReplayStage(rw.simulate(runs.hanging(duration=0.2)), playing=False)
+    assert not any(flag & BROKEN for flag in flags(stage))
+    assert stage._layout_message(0)["broke"] is None
+
+
+def test_frames_recorded_into_a_break_are_marked_too() -> None:
+    result = rw.simulate(runs.breaking(), on_failure="return", keep_going=True)
+    told = [bool(flag & BROKEN) for flag in flags(ReplayStage(result, playing=False))]
+    assert told == [frame >= result.good_frames for frame in range(result.frames)]
+
+
+def test_steps_past_the_break_go_by_slowly(broken: Result) -> None:
+    stage = ReplayStage(broken, playing=False)
+    stage.time = stage.broke_at - 0.01
+    assert stage._later(0.02) == stage.broke_at  # however fast, it stops there first
+    stage.time = stage.broke_at
+    assert 0.0 < stage._later(0.01) - stage.time < 0.01
+    assert stage._later(1e9) == stage.duration
+
+
+def test_a_page_to_share_has_them_and_keeps_its_digits(broken: Result) -> None:
+    past = until_torn(broken)
+    assert past is not None
+    page = record(broken)
+    [part] = page.header["parts"]
+    assert (part["frames"], part["good"]) == (broken.frames + len(past.time), broken.frames)
+    assert page.header["single"] == len(past.time)
+    assert "It broke" in page.header["about"]
+    # The huge tensions past the break cost the others none of their digits.
+    assert page.tension_error < np.ptp(broken.tension) / 4000
+    assert past.tension is not None
+    assert np.ptp(past.tension) > 2 * np.ptp(broken.tension)
