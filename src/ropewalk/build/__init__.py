@@ -5,12 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from ropewalk.build.layout import Layout, Span, make_layout
+from ropewalk.build.pieces import Pieces
 from ropewalk.build.plan import Plan, make_plan
 from ropewalk.build.tables import make_tables
 from ropewalk.core.arrays import State, System
 from ropewalk.scene import Scene
 
-__all__ = ["Layout", "Model", "Plan", "Span", "build"]
+__all__ = ["Layout", "Model", "Pieces", "Plan", "Span", "build"]
 
 
 @dataclass(frozen=True)
@@ -28,10 +29,20 @@ class Model:
     started: bool = False  # whether `state` is that in which the run starts; see `ropewalk.start`
 
 
-def build(scene: Scene) -> Model:
-    """Build a scene. Raises SceneError when it cannot be planned."""
-    layout = make_layout(scene)
-    system, state = make_tables(scene, layout)
+def build(scene: Scene, pieces: Pieces | None = None) -> Model:
+    """Build a scene. Raises SceneError when it cannot be planned.
+
+    `pieces` of earlier builds save those that are the same again; the model has the same bits.
+    """
+    keep = Pieces() if pieces is None else pieces
+    keep.made.clear()
+    layout = keep("layout", _itself, make_layout(scene))
+    system, state = make_tables(scene, layout, keep)
     plan = make_plan(scene, system, state)
     zero = -float(system.gravity @ (state.x * state.mass).sum(axis=1))
     return Model(scene, system, state, layout, plan, zero)
+
+
+def _itself(layout: Layout) -> Layout:
+    """An equal layout is the same one from then on."""
+    return layout

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from typing import Any
+
 import numpy as np
 
 from ropewalk.build.layout import Layout
+from ropewalk.build.pieces import Pieces
 from ropewalk.core.arrays import BENDING, Bending, Floats, State, System
 from ropewalk.scene import Anchor, Clamp, Material, Rope, Scene
 
@@ -17,23 +21,21 @@ def no_bending() -> Bending:
     return Bending(zero, zero, np.zeros((3, 0)), none, pairs, pairs, natural, rows, rows, rows)
 
 
-def add_bending(scene: Scene, layout: Layout, system: System, state: State) -> tuple[System, State]:
+def add_bending(
+    scene: Scene, layout: Layout, system: System, state: State, keep: Pieces
+) -> tuple[System, State]:
     """Return system and state with their bending; as they are where no rope has any."""
     if not layout.bends:
         return system, state
     n, count = layout.nodes, len(scene.anchors) if layout.clamped else 0
-    stiffness, damping, natural = np.zeros(n), np.zeros(n), np.zeros((3, n))
-    for rope, span in zip(scene.ropes, layout.ropes, strict=True):
-        if isinstance(rope.made_of, Material):
-            inner = slice(span.start + 1, span.end)
-            stiffness[inner] = rope.made_of.EI / rope.segment_length
-            damping[inner] = rope.made_of.bending_damping / rope.segment_length
-            natural[:, inner] = binormal(rope, rope.segment_length)[:, None]
+    stiffness, damping, natural = keep("bends", _bends, layout, tuple(map(_bend, scene.ropes)))
+    clamps: tuple[np.ndarray, ...] = no_bending()[3:]
+    if count:
+        ropes = tuple(scene.rope_named(anchor.rope) for anchor in scene.anchors)
+        clamps = keep("clamps", _clamps, scene.anchors, ropes)
     system = system._replace(
         flags=system.flags.copy(),
-        bending=Bending(
-            stiffness, damping, natural, *(_clamps(scene) if count else no_bending()[3:])
-        ),
+        bending=Bending(stiffness, damping, natural, *clamps),
     )
     system.flags[BENDING] = 1
     free = np.ones(n)
@@ -51,34 +53,54 @@ def add_bending(scene: Scene, layout: Layout, system: System, state: State) -> t
     return system, state
 
 
-def binormal(rope: Rope, length: float) -> Floats:
+def _bend(rope: Rope) -> tuple[Any, ...] | None:
+    """What a rope's bends follow from: stiffness and damping of one, curvature, segment length."""
+    if not isinstance(rope.made_of, Material):
+        return None
+    length, made_of = rope.segment_length, rope.made_of
+    return made_of.EI / length, made_of.bending_damping / length, made_of.curvature, length
+
+
+def _bends(
+    layout: Layout, ropes: tuple[tuple[Any, ...] | None, ...]
+) -> tuple[Floats, Floats, Floats]:
+    """Return stiffness, damping (n,) and natural binormal (3, n) of the bends at all nodes."""
+    n = layout.nodes
+    stiffness, damping, natural = np.zeros(n), np.zeros(n), np.zeros((3, n))
+    for rope, span in zip(ropes, layout.ropes, strict=True):
+        if rope is not None:
+            inner = slice(span.start + 1, span.end)
+            stiffness[inner], damping[inner], curvature, length = rope
+            natural[:, inner] = binormal(curvature, length)[:, None]
+    return stiffness, damping, natural
+
+
+def binormal(bent: Sequence[float], length: float) -> Floats:
     """Return the curvature binormal of the unloaded rope where it turns along `length` [m], (3,).
 
     2 tan(curvature * length / 2) about the axis, so that a rope of length 2 pi / curvature closes.
     """
-    assert isinstance(rope.made_of, Material)
-    curvature = np.array(rope.made_of.curvature, dtype=np.float64)
+    curvature = np.array(bent, dtype=np.float64)
     size = float(np.linalg.norm(curvature))
     return curvature * (2.0 * np.tan(0.5 * size * length) / size) if size > 0.0 else curvature
 
 
-def _clamps(scene: Scene) -> tuple[np.ndarray, ...]:
-    """Return the clamps' tables in the order of `Bending`, one row per anchor."""
-    a = len(scene.anchors)
+def _clamps(anchors: tuple[Anchor, ...], ropes: tuple[Rope, ...]) -> tuple[np.ndarray, ...]:
+    """Return the clamps' tables in the order of `Bending`, one row per anchor with its rope."""
+    a = len(anchors)
     clamped, stiffness, damping = np.zeros(a, np.int64), np.zeros((a, 2)), np.zeros((a, 2))
     natural, turn = np.zeros((a, 6)), np.zeros((a, 3))
     direction, axis = np.zeros((a, 3)), np.zeros((a, 3))
-    for row, anchor in enumerate(scene.anchors):
+    for row, (anchor, rope) in enumerate(zip(anchors, ropes, strict=True)):
         if anchor.clamp is None:
             continue
         clamped[row] = 1
-        rope = scene.rope_named(anchor.rope)
-        made_of = rope.made_of
+        made_of, half = rope.made_of, 0.5 * rope.segment_length
         assert isinstance(made_of, Material)
         for side in _sides(rope, anchor):
             stiffness[row, side] = 2.0 * made_of.EI / rope.segment_length
             damping[row, side] = 2.0 * made_of.bending_damping / rope.segment_length
-            natural[row, 3 * side : 3 * side + 3] = binormal(rope, 0.5 * rope.segment_length)
+            natural[row, 3 * side : 3 * side + 3] = binormal(made_of.curvature, half)
         direction[row], axis[row] = _unit(anchor.clamp.direction), _unit(anchor.clamp.turn_axis)
         turn[row] = _turn(anchor.clamp)
     return clamped, stiffness, damping, natural, direction, axis, turn

@@ -8,18 +8,18 @@ import numpy as np
 
 from ropewalk.core.arrays import Anchors, Floats, Ints
 from ropewalk.motions.table import CODES
-from ropewalk.scene import Orbit, Scene, Shake, Table, Velocity
+from ropewalk.scene import Anchor, Orbit, Shake, Table, Velocity
 
 PARAMETERS = 16
 
 
-def anchor_tables(scene: Scene, origins: Floats, nodes: Ints) -> Anchors:
+def anchor_tables(anchors: tuple[Anchor, ...], origins: Floats, nodes: Ints) -> Anchors:
     """Return the anchors' tables; `origins` are the held nodes' initial places (a, 3) [m]."""
-    count = len(scene.anchors)
+    count = len(anchors)
     params = np.zeros((count, PARAMETERS))
     start, rows = np.zeros(count, np.int64), np.zeros(count, np.int64)
     tables = [np.zeros((0, 13))]
-    for row, anchor in enumerate(scene.anchors):
+    for row, anchor in enumerate(anchors):
         params[row, :3] = origins[row]
         match anchor.motion:
             case Velocity() as motion:
@@ -37,12 +37,12 @@ def anchor_tables(scene: Scene, origins: Floats, nodes: Ints) -> Anchors:
                 start[row] = sum(len(table) for table in tables)
                 tables.append(cubic_rows(motion))
                 rows[row] = len(tables[-1])
-    release = [math.inf if a.release_time is None else a.release_time for a in scene.anchors]
+    release = [math.inf if a.release_time is None else a.release_time for a in anchors]
     return Anchors(
         release=np.array(release, dtype=np.float64),
         first_release=min(release, default=math.inf),
-        above_ground=np.array([a.above_ground for a in scene.anchors], dtype=np.int64),
-        kind=np.array([CODES[a.motion.kind] for a in scene.anchors], dtype=np.int64),
+        above_ground=np.array([a.above_ground for a in anchors], dtype=np.int64),
+        kind=np.array([CODES[a.motion.kind] for a in anchors], dtype=np.int64),
         params=params,
         table_start=start,
         table_rows=rows,

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from functools import partial
+from typing import Any
 
 import numpy as np
 
@@ -11,11 +13,14 @@ from ropewalk.build.curve import initial_points
 from ropewalk.build.layout import Layout, Span
 from ropewalk.build.limiter_order import limiter_order
 from ropewalk.build.motion_rows import anchor_tables
+from ropewalk.build.pieces import Pieces
 from ropewalk.core.arrays import (
     Air,
+    Anchors,
     Floats,
     Forces,
     Ground,
+    Ints,
     Limiter,
     State,
     System,
@@ -25,16 +30,19 @@ from ropewalk.core.arrays import (
 from ropewalk.core.status import BREAK_STRETCH
 from ropewalk.laws.anchors import start_of_anchor
 from ropewalk.methods.kinks import kink_times
+from ropewalk.scene import Air as AirInScene
+from ropewalk.scene import Ground as GroundInScene
+from ropewalk.scene import Limiter as LimiterInScene
 from ropewalk.scene import Material, Rope, Scene, Springs
 
 
-def make_tables(scene: Scene, layout: Layout) -> tuple[System, State]:
-    """Return the constant tables and the state at time zero."""
-    state = _ropes(scene, layout)
-    system = _system(scene, layout, state)
-    system, state = add_bending(scene, layout, system, state)
-    system = system._replace(kinks=kink_times(system.anchors, system.bending))
-    _hold(system, state)
+def make_tables(scene: Scene, layout: Layout, keep: Pieces) -> tuple[System, State]:
+    """Return the constant tables and the state at time zero; `keep` has their pieces."""
+    state = _ropes(scene, layout, keep)
+    system = _system(scene, layout, state, keep)
+    system, state = add_bending(scene, layout, system, state, keep)
+    system = system._replace(kinks=keep("kinks", kink_times, system.anchors, system.bending))
+    _hold(system, state, keep)
     return system, state
 
 
@@ -46,58 +54,107 @@ def line_density(rope: Rope) -> float:
     return rope.made_of.node_mass / length if length > 0.0 else 0.0
 
 
-def _node_masses(rope: Rope) -> Floats:
-    """Return the mass of every node of the rope as described, loads included [kg], (nodes,)."""
-    if isinstance(rope.made_of, Springs):
-        mass = np.full(rope.nodes, rope.made_of.node_mass)
-    else:
-        mass = np.full(rope.nodes, rope.made_of.mass_per_length * rope.segment_length)
-        mass[0] *= 0.5
-        mass[-1] *= 0.5
-    for load in rope.loads:
-        mass[rope.node_index(load.node)] += load.mass
-    return mass
+def _line(rope: Rope) -> tuple[Any, ...]:
+    """What the masses of a rope's nodes follow from: that of a node, whether halved at the ends, loads."""
+    made_of, nodes = rope.made_of, rope.nodes
+    loads = tuple((load.node % nodes, load.mass) for load in rope.loads)
+    if isinstance(made_of, Springs):
+        return made_of.node_mass, False, loads
+    return made_of.mass_per_length * rope.segment_length, True, loads
 
 
-def _add_forces(scene: Scene, rope: Rope, applied: Floats) -> None:
-    """Add the constant forces on a rope's nodes [N], (3, nodes): those given, and the water's lift."""
+def _masses(layout: Layout, lines: tuple[tuple[Any, ...], ...]) -> tuple[Floats, Floats]:
+    """Return the mass of every node, loads included [kg], and one over it, (n,) each."""
+    mass = np.zeros(layout.nodes)
+    for span, (own, halved, loads) in zip(layout.ropes, lines, strict=True):
+        part = mass[span.start : span.end + 1]
+        part[:] = own
+        if halved:
+            part[0] *= 0.5
+            part[-1] *= 0.5
+        for node, more in loads:
+            part[node] += more
+    return mass, np.divide(1.0, mass, out=np.zeros_like(mass), where=mass > 0.0)
+
+
+def _applied(layout: Layout, ropes: tuple[Rope | None, ...], gravity: float, up: Any) -> Floats:
+    """Return the constant forces on all nodes [N], (3, n): those given, and the water's lift.
+
+    `gravity` is its size [m/s^2].
+    """
+    applied = np.zeros((3, layout.nodes))
+    for rope, span in zip(ropes, layout.ropes, strict=True):
+        if rope is not None:
+            _add_forces(rope, gravity, up, applied[:, span.start : span.end + 1])
+    return applied
+
+
+def _add_forces(rope: Rope, gravity: float, up: Any, applied: Floats) -> None:
+    """Add a rope's forces [N], (3, nodes); gravity's size [m/s^2]."""
     for force in rope.forces:
         applied[:, rope.node_index(force.node)] += force.force
     if rope.submerged_weight is None:
         return
-    size = math.hypot(*scene.gravity)
     share = np.full(rope.nodes, rope.segment_length)
     share[[0, -1]] *= 0.5
     weight = line_density(rope) * share
     if isinstance(rope.made_of, Springs):
         weight = np.full(rope.nodes, rope.made_of.node_mass)
         share[:] = rope.length_unstretched / rope.nodes
-    applied += np.outer(scene.up, weight * size - rope.submerged_weight * share)
+    applied += np.outer(up, weight * gravity - rope.submerged_weight * share)
 
 
-def _ropes(scene: Scene, layout: Layout) -> State:
-    n, s = layout.nodes, layout.segments
-    a, w = len(scene.anchors), len(scene.winches)
-    x, v, mass = np.zeros((3, n)), np.zeros((3, n)), np.zeros(n)
-    lengths, stiffness = np.zeros(s), np.zeros(s)
-    vector, axial = np.zeros(s), np.zeros(s)
-    applied = np.zeros((3, n))
-    for rope, span in zip(scene.ropes, layout.ropes, strict=True):
-        nodes, segments = slice(span.start, span.end + 1), slice(span.start, span.end)
-        x[:, nodes] = initial_points(scene, rope).T
+def _places(layout: Layout, forms: tuple[tuple[Any, ...], ...], up: Any) -> Floats:
+    """Return the places of all nodes [m], (3, n); rope on a drum waits where the drum is."""
+    x = np.zeros((3, layout.nodes))
+    for (shape, segments, length, one), span in zip(forms, layout.ropes, strict=True):
+        x[:, span.start : span.end + 1] = initial_points(shape, segments, length, one, up).T
         x[:, span.first : span.start] = x[:, span.start, None]
         x[:, span.end + 1 : span.last + 1] = x[:, span.end, None]
-        v[:, nodes] = np.array(rope.shape.velocity)[:, None]
-        for kick in rope.kicks:
-            v[:, span.start + rope.node_index(kick.node)] = kick.velocity
-        mass[nodes] = _node_masses(rope)
-        _add_forces(scene, rope, applied[:, nodes])
-        lengths[segments] = rope.segment_length
-        stiffness[segments] = rope.segment_stiffness
-        form = vector if rope.made_of.friction == "vector" else axial
-        if rope.made_of.friction == "vector" or not rope.rigid:  # no length changes, nothing rubs
-            form[segments] = rope.segment_friction
-    inverse = np.divide(1.0, mass, out=np.zeros(n), where=mass > 0.0)
+    return x
+
+
+def _velocities(layout: Layout, ropes: tuple[tuple[Any, ...], ...]) -> Floats:
+    """Return the velocities of all nodes [m/s], (3, n), from those of the ropes and their kicks."""
+    v = np.zeros((3, layout.nodes))
+    for (whole, kicks), span in zip(ropes, layout.ropes, strict=True):
+        v[:, span.start : span.end + 1] = np.array(whole)[:, None]
+        for kick in kicks:
+            v[:, span.start + kick.node % (span.end - span.start + 1)] = kick.velocity
+    return v
+
+
+def _along(layout: Layout, values: tuple[float, ...]) -> Floats:
+    """Return a number per segment, (s,): the same all along a rope, 0 between ropes and on drums."""
+    out = np.zeros(layout.segments)
+    for value, span in zip(values, layout.ropes, strict=True):
+        out[span.start : span.end] = value
+    return out
+
+
+def _rubs(rope: Rope, form: str) -> float:
+    """Return the friction of a rope's segments where it is of that form [N s/m]."""
+    if rope.made_of.friction != form or (form != "vector" and rope.rigid):
+        return 0.0  # no length changes, nothing rubs along it
+    return rope.segment_friction
+
+
+def _ropes(scene: Scene, layout: Layout, keep: Pieces) -> State:
+    n, s = layout.nodes, layout.segments
+    a, w = len(scene.anchors), len(scene.winches)
+    ropes, up = scene.ropes, scene.up
+    forms = tuple((r.shape, r.segments, r.length_unstretched, r.segment_length) for r in ropes)
+    x = keep("places", _places, layout, forms, up).copy()
+    kicked = tuple((rope.shape.velocity, rope.kicks) for rope in ropes)
+    v = keep("velocities", _velocities, layout, kicked).copy()
+    mass, inverse = keep("masses", _masses, layout, tuple(map(_line, ropes)))
+    pushed = tuple(r if r.forces or r.submerged_weight is not None else None for r in ropes)
+    upward = (math.hypot(*scene.gravity), up) if any(pushed) else (0.0, ())
+    applied = keep("applied", _applied, layout, pushed, *upward)
+    lengths = keep("lengths", _along, layout, tuple(rope.segment_length for rope in ropes))
+    stiffness = keep("stiffness", _along, layout, tuple(rope.segment_stiffness for rope in ropes))
+    vector = keep("vector", _along, layout, tuple(_rubs(rope, "vector") for rope in ropes))
+    axial = keep("axial", _along, layout, tuple(_rubs(rope, "axial") for rope in ropes))
     segment, node, none = (3, n + 1), (3, n), (3, 0)
     channels = segment, segment, node, node, node, none, segment if scene.limiter else none
     exits = [_exit(layout.span(winch.rope), winch.end) for winch in scene.winches]
@@ -106,7 +163,7 @@ def _ropes(scene: Scene, layout: Layout) -> State:
         v=v,
         acceleration=np.zeros(node),
         mass=mass,
-        inverse_mass=inverse,
+        inverse_mass=inverse.copy(),  # held nodes get 0
         tension=np.zeros(s),
         limited=np.zeros(s if scene.limiter else 0),
         drift=np.zeros(node),
@@ -138,51 +195,63 @@ def _exit(span: Span, end: str) -> int:
     return span.start if end == "start" else span.end
 
 
-def _system(scene: Scene, layout: Layout, state: State) -> System:
-    floor = np.full(layout.segments, -math.inf)
-    for rope, span in zip(scene.ropes, layout.ropes, strict=True):
-        if rope.made_of.tension_only:
-            floor[span.first : span.last] = 0.0
+def _system(scene: Scene, layout: Layout, state: State, keep: Pieces) -> System:
+    ropes, applied = scene.ropes, state.forces.applied
+    one_way = tuple(rope.made_of.tension_only for rope in ropes)
+    floor = keep("slack floor", _slack_floor, layout, one_way)
     origins = state.x[:, state.anchor_node].T.copy()
-    pushed = state.forces.applied.any()
+    thick = tuple(rope.diameter for rope in ropes)
+    stretch = state.mass, applied, state.stiffness, state.rest_length
+    limiter = scene.limiter
+    order = keep("limiter order", limiter_order, layout) if limiter is not None else None
     return System(
         gravity=np.array(scene.gravity, dtype=np.float64),
-        flags=np.array(
-            [pushed, state.damping_axial.any(), (floor == 0.0).any(), 0], dtype=np.int64
-        ),
-        break_stretch=_break_stretch(scene, state),
+        flags=keep("flags", _flags, applied, state.damping_axial, floor),
+        break_stretch=keep("break stretch", _break_stretch, scene.gravity, *stretch),
         slack_floor=floor,
-        air=_air(scene, layout),
-        ground=_ground(scene),
-        limiter=_limiter(scene, layout),
-        anchors=anchor_tables(scene, origins, state.anchor_node),
+        air=keep("air", _air, layout, scene.air, thick),
+        ground=keep("ground", _ground, scene.ground, scene.up),
+        limiter=keep("limiter", _limiter, limiter, order),
+        anchors=keep("anchors", anchor_tables, scene.anchors, origins, state.anchor_node),
         winches=_winches(scene, layout),
         bending=no_bending(),
         kinks=np.zeros(0),
     )
 
 
-def _break_stretch(scene: Scene, state: State) -> float:
+def _slack_floor(layout: Layout, one_way: tuple[bool, ...]) -> Floats:
+    floor = np.full(layout.segments, -math.inf)
+    for tension_only, span in zip(one_way, layout.ropes, strict=True):
+        if tension_only:
+            floor[span.first : span.last] = 0.0
+    return floor
+
+
+def _flags(applied: Floats, axial: Floats, floor: Floats) -> Ints:
+    return np.array([applied.any(), axial.any(), (floor == 0.0).any(), 0], dtype=np.int64)
+
+
+def _break_stretch(
+    gravity: Any, mass: Floats, applied: Floats, stiffness: Floats, rest_length: Floats
+) -> float:
     """The stretch that tells a broken simulation from a soft rope under all its weight [1]."""
-    weight = math.hypot(*scene.gravity) * float(state.mass.sum())
-    weight += float(np.linalg.norm(state.forces.applied, axis=0).sum())
-    softest = state.stiffness * state.rest_length
+    weight = math.hypot(*gravity) * float(mass.sum())
+    weight += float(np.linalg.norm(applied, axis=0).sum())
+    softest = stiffness * rest_length
     softest = softest[(softest > 0.0) & np.isfinite(softest)]
     return BREAK_STRETCH + (3.0 * weight / float(softest.min()) if len(softest) else 0.0)
 
 
-def _air(scene: Scene, layout: Layout) -> Air:
-    air, n = scene.air, layout.nodes
+def _air(layout: Layout, air: AirInScene | None, thick: tuple[float, ...]) -> Air:
+    n = layout.nodes
     normal, tangential = np.zeros(layout.segments), np.zeros(layout.segments)
     drag, quadratic = np.zeros(n), np.zeros(n)
     if air is None:
         return Air(0, 0, drag, quadratic, normal, tangential, np.zeros(3))
-    for rope, span in zip(scene.ropes, layout.ropes, strict=True):
+    for diameter, span in zip(thick, layout.ropes, strict=True):
         segments = slice(span.first, span.last)
-        normal[segments] = 0.5 * air.density * air.normal_coefficient * rope.diameter
-        tangential[segments] = (
-            0.5 * math.pi * air.density * air.tangential_coefficient * rope.diameter
-        )
+        normal[segments] = 0.5 * air.density * air.normal_coefficient * diameter
+        tangential[segments] = 0.5 * math.pi * air.density * air.tangential_coefficient * diameter
         nodes = slice(span.first, span.last + 1)  # those still on a drum, too
         drag[nodes], quadratic[nodes] = air.node_drag, air.node_drag_quadratic
     curved = bool(quadratic.any() or normal.any() or tangential.any())
@@ -191,21 +260,18 @@ def _air(scene: Scene, layout: Layout) -> Air:
     return Air(linear, int(curved), drag, quadratic, normal, tangential, wind)
 
 
-def _ground(scene: Scene) -> Ground:
-    up = np.array(scene.up)
-    ground = scene.ground
+def _ground(ground: GroundInScene | None, upward: Any) -> Ground:
+    up = np.array(upward)
     if ground is None:
         return Ground(0, up, 0.0, 0.0, 0.0, 0.0, 0.0)
     numbers = ground.height, ground.repulsion, ground.friction, ground.absorption
     return Ground(1, up, *numbers, ground.damping_ratio)
 
 
-def _limiter(scene: Scene, layout: Layout) -> Limiter:
-    limiter = scene.limiter
-    if limiter is None:
+def _limiter(limiter: LimiterInScene | None, order: tuple[Ints, Floats] | None) -> Limiter:
+    if limiter is None or order is None:
         return Limiter(0, 0.0, math.inf, 0, np.zeros(0, np.int64), np.zeros(0))
-    order, share = limiter_order(layout)
-    return Limiter(1, limiter.min_stretch, limiter.max_stretch, limiter.passes, order, share)
+    return Limiter(1, limiter.min_stretch, limiter.max_stretch, limiter.passes, *order)
 
 
 def _winches(scene: Scene, layout: Layout) -> Winches:
@@ -241,15 +307,28 @@ def _winches(scene: Scene, layout: Layout) -> Winches:
     return Winches(anchor, first, last, step, *rest)
 
 
-def _hold(system: System, state: State) -> None:
+def _hold(system: System, state: State, keep: Pieces) -> None:
     """Put the held nodes where their anchors are at time zero, with the anchors' velocities."""
-    for row, node in enumerate(state.anchor_node):
-        state.anchor_x[row] = state.x[:, node]
-        point, speed = np.zeros(3), np.zeros(3)
-        start_of_anchor(system, state, row, point, speed)
-        if system.anchors.release[row] <= 0.0:
-            state.held[row] = 0
-            continue
-        state.anchor_x[row], state.anchor_v[row] = point, speed
-        state.x[:, node], state.v[:, node] = point, speed
-        state.inverse_mass[node] = 0.0
+    nodes = state.anchor_node
+    if not len(nodes):
+        return
+    state.anchor_x[:] = state.x[:, nodes].T
+    # what the kernel reads of system and state
+    read = system.anchors, system.ground, state.anchor_x.copy()
+    points, speeds = keep("starts", partial(_starts, system, state), *read)
+    held = system.anchors.release > 0.0
+    state.held[:] = held
+    state.anchor_x[held], state.anchor_v[held] = points[held], speeds[held]
+    nodes = nodes[held]
+    state.x[:, nodes], state.v[:, nodes] = points[held].T, speeds[held].T
+    state.inverse_mass[nodes] = 0.0
+
+
+def _starts(
+    system: System, state: State, anchors: Anchors, ground: Ground, origins: Floats
+) -> tuple[Floats, Floats]:
+    """Return where the anchors are at time zero [m] and their velocities [m/s], (a, 3) each."""
+    points, speeds = np.zeros_like(origins), np.zeros_like(origins)
+    for row in range(len(origins)):
+        start_of_anchor(system, state, row, points[row], speeds[row])
+    return points, speeds

@@ -84,8 +84,12 @@ class Places:
     `scene(values)` is `apply_overrides` with the same paths, and values as they are instead of text.
     """
 
-    def __init__(self, scene: Scene, paths: Iterable[str]) -> None:
-        """Find the places. Raises SceneError with every path that leads nowhere."""
+    def __init__(self, scene: Scene, paths: Iterable[str], whole: bool = False) -> None:
+        """Find the places. Raises SceneError with every path that leads nowhere.
+
+        The parts of the scene that no path leads into are taken over as they are, checked already, unless
+        the `whole` scene is to be made each time.
+        """
         self.paths = tuple(paths)
         self._table = scene_table(scene)
         faults: list[Fault] = []
@@ -98,9 +102,13 @@ class Places:
         if faults:
             raise SceneError(faults)
         self._places = places
-        # A kind takes keys away, which must be there again for the next value.
-        self._renewed = any(target.key == "kind" for found in places for target in found)
-        self._scene = scene
+        targets = [target for found in places for target in found]
+        # These take keys away, which must be there again for the next value.
+        self._renewed = any(target.key in ("kind", "library", "made_of") for target in targets)
+        self._scene, self._whole = scene, whole
+        if not whole and not any(target.key == "name" for target in targets):  # others tell names
+            owners = {id(target.owner) for target in targets}
+            _take_over(self._table, scene, owners, {(id(t.owner), t.key) for t in targets})
 
     def field(self, number: int) -> tuple[FieldInfo, str]:
         """Return the field that path `number` leads to (to the first of many) and its whole path."""
@@ -127,14 +135,48 @@ class Places:
         if self._renewed or any(
             isinstance(v, str) and v == "none" for v in values
         ):  # which takes the key away
-            return Places(self._scene, self.paths)._written(values)
-        return self._written(values)
+            return Places(self._scene, self.paths, whole=True)._written(values)
+        try:
+            return self._written(values)
+        except SceneError:
+            if self._whole:
+                raise
+            return Places(self._scene, self.paths, whole=True)._written(values)  # all faults
 
     def _written(self, values: Sequence[Any]) -> Scene:
         for targets, value in zip(self._places, values, strict=True):
             for target in targets:
                 _set(target, value)
         return Scene.model_validate(self._table)
+
+
+def _take_over(
+    table: dict[str, Any], model: Model, owners: set[int], targets: set[tuple[int, str]]
+) -> bool:
+    """Put the model's own parts in place of the tables below which nothing is to be changed.
+
+    `owners` are the ids of tables in which something is; returns whether this is one, or any below it.
+    """
+    names = {toml_name(name, field): name for name, field in type(model).model_fields.items()}
+    changed = id(table) in owners
+    for key, value in table.items():
+        if (id(table), key) in targets:
+            continue
+        part = getattr(model, names[key])
+        if isinstance(value, dict) and isinstance(part, Model):
+            below = _take_over(value, part, owners, targets)
+            table[key] = value if below else part
+            changed |= below
+        elif isinstance(value, dict):  # a table that a path has begun
+            changed = True
+        elif isinstance(value, list) and part and isinstance(part[0], Model):
+            pairs = list(zip(value, part, strict=True))
+            below_each = [_take_over(item, one, owners, targets) for item, one in pairs]
+            table[key] = [
+                item if below else one for (item, one), below in zip(pairs, below_each, strict=True)
+            ]
+            changed |= any(below_each)
+    return changed
 
 
 def _fault(path: str, rule: str) -> SceneError:

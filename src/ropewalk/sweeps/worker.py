@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import threading
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
@@ -19,9 +20,13 @@ from ropewalk.sweeps.store import SweepFolder
 STORED, CARRIED, REFUSED = "stored", "carried", "refused"
 
 
-@lru_cache(maxsize=8)
 def batcher_of(recipe: str) -> Batcher:
-    """Return what makes the runs of a recipe, given as JSON; kept for the next batch."""
+    """Return what makes the runs of a recipe, given as JSON; kept for this thread's next batch."""
+    return _batcher_of(recipe, threading.get_ident())
+
+
+@lru_cache(maxsize=64)
+def _batcher_of(recipe: str, thread: int) -> Batcher:
     return Batcher(Recipe.of(json.loads(recipe)))
 
 
