@@ -175,7 +175,7 @@ def test_a_second_vtk_export_leaves_no_old_frames(result: Result, tmp_path: Path
         ({"times": [float("nan")]}, "must be from 0 to 2 s"),
         ({"times": [1.0], "every": 2}, "cannot be combined"),
         ({"every": 0}, "at least 1"),
-        ({"layout": "tall"}, "there is long, wide"),
+        ({"layout": "tall"}, "known: long, wide"),
         ({"out": "one.csv"}, "holds one table"),
     ],
 )

@@ -8,7 +8,7 @@ import pytest
 
 import ropewalk as rw
 from ropewalk.cli.summary import results_rows
-from ropewalk.prefixes import prefix_of, prefixed
+from ropewalk.words.prefixes import prefix_of, prefixed
 
 
 @pytest.mark.parametrize(

@@ -18,12 +18,12 @@ from ropewalk.analysis.stability import Stability, milliseconds, rounded_down, s
 from ropewalk.analysis.units import unit_slips
 from ropewalk.build import Model, build
 from ropewalk.core.arrays import Floats
-from ropewalk.prefixes import prefixed
 from ropewalk.record.rest import as_result
 from ropewalk.scene import Scene, Springs
 from ropewalk.scene.from_library import origin_words
 from ropewalk.start import started
 from ropewalk.statics import Statics, static_shape
+from ropewalk.words.prefixes import prefixed
 
 __all__ = ["Check", "RopeCheck", "check", "milliseconds"]
 

@@ -35,6 +35,7 @@ from ropewalk.cli.commands.settle import settle
 from ropewalk.cli.commands.share import share
 from ropewalk.cli.commands.sweep import sweep
 from ropewalk.cli.commands.view import view
+from ropewalk.words.nearest import nearest
 
 
 def _set_debug(context: click.Context, _: click.Parameter, value: bool) -> None:
@@ -66,7 +67,7 @@ class RopewalkGroup(click.Group):
     ) -> tuple[str | None, click.Command | None, list[str]]:
         name = args[0]
         if self.get_command(ctx, name) is None and not name.startswith("-"):
-            hint = errors.nearest_name(name, self.list_commands(ctx))
+            hint = nearest(name, self.list_commands(ctx))
             raise click.UsageError(f'there is no command "{name}"; {hint}', ctx)
         return super().resolve_command(ctx, args)
 

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import difflib
 import os
 import signal
 import sys
 import tempfile
 import traceback
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -71,18 +70,6 @@ class Refusal(click.ClickException):
     """Something given cannot be used; the message says what, why and what is allowed."""
 
     exit_code = BAD_INPUT
-
-
-def nearest_name(name: str, known: Iterable[str]) -> str:
-    """Return what to say of a name that is not known."""
-    names = list(known)
-    close = close_name(name, names)
-    return f'did you mean "{close}"?' if close else "known: " + ", ".join(names)
-
-
-def close_name(name: str, known: Iterable[str], cutoff: float = 0.5) -> str:
-    """Return the known name that is most like `name`, or "" when none is; `cutoff` is from 0 to 1."""
-    return next(iter(difflib.get_close_matches(name.lower(), known, n=1, cutoff=cutoff)), "")
 
 
 def refuse_closed_stdout() -> None:

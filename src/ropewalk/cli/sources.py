@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
-from ropewalk.cli.errors import Refusal, nearest_name
+from ropewalk.cli.errors import Refusal
+from ropewalk.words.nearest import nearest
 
 if TYPE_CHECKING:
     from ropewalk.scene import Scene
@@ -97,7 +98,7 @@ def _unknown(source: str, names: Sequence[str]) -> str:
         return 'SCENE: "" - must be a scene file or the name of a preset'
     shown = source if len(source) <= 60 else f"{source[:57]}..."
     return (
-        f"{shown}: no such file, and no preset of that name; {nearest_name(source, names)} "
+        f"{shown}: no such file, and no preset of that name; {nearest(source, names)} "
         "(see: ropewalk presets)"
     )
 

@@ -6,7 +6,7 @@ import re
 from typing import TYPE_CHECKING, Any
 
 from ropewalk.cli.console import print_json, print_table
-from ropewalk.prefixes import prefixed
+from ropewalk.words.prefixes import prefixed
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result

@@ -372,7 +372,7 @@ PARAMETERS = {parameter.name: parameter for parameter in _TABLE}
 def named(name: str) -> Parameter:
     """Return a parameter. Raises SceneError for an unknown name."""
     if name not in PARAMETERS:
-        from ropewalk.scene.checks import nearest
+        from ropewalk.words.nearest import nearest
 
         raise refusal(name, name, f"no such parameter; {nearest(name, list(PARAMETERS))}")
     return PARAMETERS[name]

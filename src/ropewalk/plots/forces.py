@@ -35,7 +35,7 @@ from ropewalk.plots.style import (
 from ropewalk.plots.tensions import colour_scale, line_map, reach
 from ropewalk.plots.torn import broken_note
 from ropewalk.plots.view import anchors_at, good_frames, limits, positions_of
-from ropewalk.prefixes import prefixed
+from ropewalk.words.prefixes import prefixed
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result

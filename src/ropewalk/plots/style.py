@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.ticker import FuncFormatter, MaxNLocator
 
-from ropewalk.prefixes import prefix_of
+from ropewalk.words.prefixes import prefix_of
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result

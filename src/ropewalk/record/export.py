@@ -14,9 +14,10 @@ from ropewalk.record.errors import InputError, RunError
 from ropewalk.record.files import PARTIAL, writing
 from ropewalk.record.npz import write_npz
 from ropewalk.record.result import Result
-from ropewalk.record.selection import DEFAULT, nearest, select
+from ropewalk.record.selection import DEFAULT, select
 from ropewalk.record.tables import Table, tables
 from ropewalk.record.vtk import write_vtk
+from ropewalk.words.nearest import nearest
 
 FORMATS = ("csv", "parquet", "npz", "vtk")
 LAYOUTS = ("long", "wide")

@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ropewalk.record.errors import InputError, RunError
-from ropewalk.record.selection import EXPORTED, nearest, select
+from ropewalk.record.selection import EXPORTED, select
 from ropewalk.record.tables import tables
+from ropewalk.words.nearest import nearest
 
 if TYPE_CHECKING:
     import pandas as pd

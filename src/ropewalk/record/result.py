@@ -12,7 +12,6 @@ import numpy as np
 
 from ropewalk.build import Layout, Plan
 from ropewalk.core.arrays import Floats
-from ropewalk.prefixes import prefixed
 from ropewalk.record.beyond import Beyond
 from ropewalk.record.beyond import load as load_beyond
 from ropewalk.record.facts import AT_REST, Facts
@@ -24,6 +23,7 @@ from ropewalk.record.rope_view import RopeView
 from ropewalk.record.source import Source
 from ropewalk.record.summary import summary
 from ropewalk.scene import Scene
+from ropewalk.words.prefixes import prefixed
 
 Bools = np.ndarray[Any, np.dtype[np.bool_]]
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
@@ -13,6 +12,7 @@ from numpy.typing import NDArray
 
 from ropewalk.record.errors import InputError
 from ropewalk.record.quantities import QUANTITIES
+from ropewalk.words.nearest import nearest
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -72,13 +72,6 @@ def select(
     found_nodes, found_segments = _places(result, nodes, rope)
     frames = _frames(result, times, every)
     return Selection(chosen, frames, found_nodes, found_segments)
-
-
-def nearest(name: str, known: Iterable[str]) -> str:
-    """Return what to say of a name that is not known."""
-    names = list(known)
-    close = difflib.get_close_matches(str(name).lower(), names, n=1, cutoff=0.5)
-    return f'did you mean "{close[0]}"?' if close else "there is " + ", ".join(names)
 
 
 def _frames(result: Result, times: Sequence[float] | None, every: int | None) -> Indices:

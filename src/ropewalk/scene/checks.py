@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import difflib
 import math
 from collections.abc import Iterator, Sequence
+from itertools import chain, islice
 
 from ropewalk.scene.anchor import Anchor
 from ropewalk.scene.base import MOST_ON_DRUM, MOST_SEGMENTS
@@ -13,17 +13,11 @@ from ropewalk.scene.errors import MISSING, NO_VALUE, Fault
 from ropewalk.scene.rope import Rope, node_range
 from ropewalk.scene.shapes import Slack
 from ropewalk.scene.winch import Winch
+from ropewalk.words.nearest import nearest
 
 #: A catenary's ends must be apart across gravity by this fraction of the rope's length.
 _LEAST_WIDTH = 1e-6
-
-
-def nearest(name: str, known: Sequence[str]) -> str:
-    """What to say of a name that is not known: the nearest one, else all of them."""
-    close = difflib.get_close_matches(name.lower(), known, n=1, cutoff=0.5)
-    if close:
-        return f'did you mean "{close[0]}"?'
-    return "known: " + ", ".join(known) if known else "there is none"
+MOST_TOLD = 200  # faults told one by one; a scene with more of them is something else
 
 
 def scene_faults(
@@ -33,14 +27,18 @@ def scene_faults(
     winches: Sequence[Winch | None],
     limiter: Limiter | None,
 ) -> list[Fault]:
-    """Every fault between the parts; None stands for a part that is faulty in itself."""
-    return [
-        *_ropes(ropes, limiter),
-        *(_slack(gravity, ropes) if gravity is not None else ()),
-        *_anchors(ropes, anchors),
-        *_winches(ropes, anchors, winches),
-        *_weights(gravity, ropes, winches),
-    ]
+    """The faults between the parts, of very many the first; None is a part that is faulty in itself."""
+    found = chain(
+        _ropes(ropes, limiter),
+        (_slack(gravity, ropes) if gravity is not None else ()),
+        _anchors(ropes, anchors),
+        _winches(ropes, anchors, winches),
+        _weights(gravity, ropes, winches),
+    )
+    told = list(islice(found, MOST_TOLD))
+    if next(found, None) is not None:
+        told.append(Fault("", NO_VALUE, "and more faults, not told here"))
+    return told
 
 
 def _weights(
@@ -97,30 +95,40 @@ def _slack(gravity: Sequence[float], ropes: Sequence[Rope | None]) -> Iterator[F
             yield Fault(f"rope[{i}].shape.end", shape.end, rule)
 
 
-def _rope_of(part: Anchor | Winch, ropes: Sequence[Rope | None]) -> int | Fault:
-    """The index of the rope that an anchor or winch names, or what is wrong with the name."""
-    if not part.rope:
-        if len(ropes) == 1:
-            return 0
-        return Fault("rope", MISSING, "with several ropes, the name of one is needed")
-    names = [rope.name if rope is not None else None for rope in ropes]
-    if part.rope in names:
-        return names.index(part.rope)
-    if None in names:  # it may name the faulty one
-        return -1
-    return Fault("rope", part.rope, f"no such rope; {nearest(part.rope, [n for n in names if n])}")
+class _Names:
+    """The ropes by name, for what names them."""
+
+    def __init__(self, ropes: Sequence[Rope | None]) -> None:
+        self._count, self._any_faulty = len(ropes), None in ropes
+        self._index: dict[str, int] = {}
+        for i, rope in enumerate(ropes):
+            if rope is not None:
+                self._index.setdefault(rope.name, i)
+
+    def of(self, part: Anchor | Winch) -> int | Fault:
+        """The index of the rope that an anchor or winch names, or what is wrong with the name."""
+        if not part.rope:
+            if self._count == 1:
+                return 0
+            return Fault("rope", MISSING, "with several ropes, the name of one is needed")
+        if part.rope in self._index:
+            return self._index[part.rope]
+        if self._any_faulty:  # it may name the faulty one
+            return -1
+        return Fault("rope", part.rope, f"no such rope; {nearest(part.rope, self._index)}")
 
 
 def _anchors(ropes: Sequence[Rope | None], anchors: Sequence[Anchor | None]) -> Iterator[Fault]:
     names: dict[str, int] = {}
     held: dict[tuple[int, int], int] = {}
+    known = _Names(ropes)
     for i, anchor in enumerate(anchors):
         if anchor is None:
             continue
         name = anchor.name or f"anchor{i}"
         if names.setdefault(name, i) != i:
             yield Fault(f"anchor[{i}].name", name, f"is the name of anchor[{names[name]}] already")
-        index = _rope_of(anchor, ropes)
+        index = known.of(anchor)
         if isinstance(index, Fault):
             yield index.below(f"anchor[{i}]")
             continue
@@ -143,6 +151,7 @@ def _winches(
 ) -> Iterator[Fault]:
     first: dict[tuple[int, str], int] = {}
     names: dict[str, int] = {}
+    known, held = _Names(ropes), _held(ropes, anchors)
     for i, winch in enumerate(winches):
         if winch is None:
             continue
@@ -150,7 +159,7 @@ def _winches(
         name = winch.name or f"winch{i}"
         if names.setdefault(name, i) != i:
             yield Fault(f"{path}.name", name, f"is the name of winch[{names[name]}] already")
-        index = _rope_of(winch, ropes)
+        index = known.of(winch)
         if isinstance(index, Fault):
             yield index.below(path)
             continue
@@ -160,7 +169,8 @@ def _winches(
         earlier = first.setdefault((index, winch.end), i)
         if earlier != i:
             yield Fault(f"{path}.end", winch.end, f"has winch[{earlier}] already")
-        if not _end_is_held(winch, index, rope, ropes, anchors):
+        end = 0 if winch.end == "start" else rope.segments
+        if held is not None and (index, end) not in held:
             node = 0 if winch.end == "start" else -1
             yield Fault(
                 f"{path}.end", winch.end, f"needs an anchor at node {node} of {rope.name!r}"
@@ -168,20 +178,19 @@ def _winches(
         yield from (fault.below(path) for fault in _winch_lengths(winch, rope))
 
 
-def _end_is_held(
-    winch: Winch,
-    index: int,
-    rope: Rope,
-    ropes: Sequence[Rope | None],
-    anchors: Sequence[Anchor | None],
-) -> bool:
-    node = 0 if winch.end == "start" else rope.segments
+def _held(
+    ropes: Sequence[Rope | None], anchors: Sequence[Anchor | None]
+) -> set[tuple[int, int]] | None:
+    """The ropes' nodes that anchors hold; None where a faulty anchor may hold any."""
+    known, held = _Names(ropes), set()
     for anchor in anchors:
-        if anchor is None:  # it may be the one
-            return True
-        if _rope_of(anchor, ropes) == index and anchor.node in (node, node - rope.nodes):
-            return True
-    return False
+        if anchor is None:
+            return None
+        index = known.of(anchor)
+        rope = ropes[index] if isinstance(index, int) and index >= 0 else None
+        if isinstance(index, int) and rope is not None:
+            held.add((index, anchor.node + rope.nodes if anchor.node < 0 else anchor.node))
+    return held
 
 
 def _winch_lengths(winch: Winch, rope: Rope) -> Iterator[Fault]:

@@ -10,16 +10,22 @@ from typing import Any
 from pydantic import ValidationError
 
 from ropewalk.scene.base import TINY
-from ropewalk.scene.checks import nearest
+from ropewalk.scene.checks import MOST_TOLD
 from ropewalk.scene.errors import MISSING, NO_VALUE, Fault, join
 from ropewalk.scene.paths import ModelType, Place, by_tag, keys, kind_of, place, sections, tag
+from ropewalk.words.nearest import nearest
 
 
 def faults_of(model: ModelType, error: ValidationError) -> list[Fault]:
-    """Every fault that pydantic found in a model, in the order of the fields."""
+    """The faults that pydantic found in a model, in the order of the fields; of very many the first."""
     faults: list[Fault] = []
-    for item in error.errors(include_url=False):
+    items = error.errors(include_url=False)
+    for item in items[:MOST_TOLD]:
         faults += _faults(model, item)
+    if len(items) > MOST_TOLD:
+        faults.append(
+            Fault("", NO_VALUE, f"and {len(items) - MOST_TOLD} more faults, not told here")
+        )
     meant = {_meant(fault) for fault in faults}
     return [fault for fault in faults if fault.value is not MISSING or fault.path not in meant]
 

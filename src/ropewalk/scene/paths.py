@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import types
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cache
 from typing import Annotated, Any, Union, get_args, get_origin
 
 from pydantic import AliasChoices, BaseModel
@@ -30,6 +31,7 @@ def toml_name(name: str, field: FieldInfo) -> str:
     return str(alias.choices[0]) if isinstance(alias, AliasChoices) else name
 
 
+@cache
 def keys(model: ModelType) -> dict[str, FieldInfo]:
     """The fields of a model by their keys in TOML."""
     return {toml_name(name, field): field for name, field in model.model_fields.items()}
@@ -124,9 +126,11 @@ def place(root: ModelType, location: Sequence[int | str]) -> Place:
     return Place(path, field, owner)
 
 
-def sections(root: ModelType, prefix: str = "") -> Iterator[tuple[str, ModelType]]:
+@cache
+def sections(root: ModelType, prefix: str = "") -> tuple[tuple[str, ModelType], ...]:
     """Every model below the root with its path in TOML, lists written as ``rope``."""
-    yield prefix, root
+    found = [(prefix, root)]
     for key, field in keys(root).items():
         for model in kind_of(field).models:
-            yield from sections(model, join(prefix, key))
+            found += sections(model, join(prefix, key))
+    return tuple(found)

@@ -6,10 +6,10 @@ import re
 from importlib.resources import files
 from pathlib import Path
 
-from ropewalk.scene.checks import nearest
 from ropewalk.scene.errors import Fault, SceneError
 from ropewalk.scene.files import loads
 from ropewalk.scene.scene import Scene
+from ropewalk.words.nearest import nearest
 
 #: The report's scenes first, then NeHe's and Habrador's, then all others.
 _GROUPS = (r"r\d", r"n\d", r"h\d", r"")

@@ -9,13 +9,13 @@ from numpy.typing import NDArray
 
 from ropewalk.build import Model, build
 from ropewalk.core.arrays import Floats
-from ropewalk.prefixes import prefixed
 from ropewalk.scene import Scene
 from ropewalk.statics.balance import Balance
 from ropewalk.statics.hung import hung
 from ropewalk.statics.newton import Found, settle
 from ropewalk.statics.refusal import refuse_impossible, undetermined_ropes, unheld_ropes
 from ropewalk.statics.spans import RestSpan, rest_spans
+from ropewalk.words.prefixes import prefixed
 
 _SOFT = 1e-6  # compliance of rigid links on the way to their shape, in the model's units [1]
 _PUSHED = 1e-7  # of the unit of force: what counts as compression [1]

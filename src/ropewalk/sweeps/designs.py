@@ -12,9 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ropewalk.scene import SceneError
-from ropewalk.scene.checks import nearest
 from ropewalk.scene.errors import NO_VALUE, Fault
 from ropewalk.sweeps.parameters import FLOAT, INT, Parameter
+from ropewalk.words.nearest import nearest
 
 DESIGNS = ("sobol", "lhs", "halton", "random")
 GRID, GIVEN = "grid", "given"

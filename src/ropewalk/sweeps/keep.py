@@ -19,8 +19,8 @@ from ropewalk.core.arrays import Floats
 from ropewalk.record.quantities import BY_NAME, labels
 from ropewalk.record.result import Result
 from ropewalk.scene import SceneError
-from ropewalk.scene.checks import nearest
 from ropewalk.scene.errors import NO_VALUE, Fault
+from ropewalk.words.nearest import nearest
 
 DEFAULT = ("tension.max", "reactions.max", "positions[-1]")
 _FORM = re.compile(r"(\w+)\s*(?:\[([^\[\]]*)\])?\s*(?:\.\s*(\w+)\s*(?:\[([^\[\]]*)\])?)?")

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from ropewalk.record.errors import InputError
-from ropewalk.scene.checks import nearest
 from ropewalk.scene.overrides import as_value
+from ropewalk.words.nearest import nearest
 
 #: Distributions by their names in scipy.stats, with what they take.
 DISTRIBUTIONS = {

@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from ropewalk.cli.console import say
-from ropewalk.cli.errors import Refusal, nearest_name
+from ropewalk.cli.errors import Refusal
 from ropewalk.cli.files import refuse_existing
 from ropewalk.cli.runs import is_sweep, open_run, parse_node, run_argument
+from ropewalk.words.nearest import nearest
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -166,7 +167,7 @@ def _refuse_times(times: Sequence[float], result: Result) -> None:
 def _chosen(kinds: Sequence[str], known: list[str]) -> list[str]:
     for kind in kinds:
         if kind not in known:
-            raise Refusal(f'KIND: "{kind}" - there is no such figure; {nearest_name(kind, known)}')
+            raise Refusal(f'KIND: "{kind}" - there is no such figure; {nearest(kind, known)}')
     return list(dict.fromkeys(kinds)) or known
 
 

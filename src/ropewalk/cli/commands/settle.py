@@ -13,7 +13,7 @@ from ropewalk.cli.progress import telling_of_compiling
 from ropewalk.cli.sources import json_option, load_scene, set_option
 from ropewalk.cli.startup import without_scipy
 from ropewalk.cli.summary import print_results
-from ropewalk.prefixes import prefix_of, prefixed
+from ropewalk.words.prefixes import prefix_of, prefixed
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result

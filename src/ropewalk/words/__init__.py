@@ -1,0 +1,1 @@
+"""How numbers and names are said to people; used on every floor."""
