@@ -28,6 +28,9 @@ if TYPE_CHECKING:  # what type checkers and editors see; `_HOMES` loads the same
     from ropewalk.library import rope as rope
     from ropewalk.record.errors import RunError as RunError
     from ropewalk.record.result import Result as Result
+    from ropewalk.rigging import Line as Line
+    from ropewalk.rigging import Rolling as Rolling
+    from ropewalk.rigging import line as line
     from ropewalk.scene import Air as Air
     from ropewalk.scene import Anchor as Anchor
     from ropewalk.scene import Clamp as Clamp
@@ -85,6 +88,9 @@ _HOMES = {
     "rope": "library",
     "LibraryRope": "library",
     "UnknownRope": "library",
+    "line": "rigging",
+    "Line": "rigging",
+    "Rolling": "rigging",
     "Simulation": "simulation",
     "Broken": "simulation",
     "BrokenRun": "api",

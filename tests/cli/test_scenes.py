@@ -16,8 +16,8 @@ from ropewalk.cli.commands.new import starter
 from ropewalk.scene import Springs, load, loads, presets, schema
 
 COMMANDS = [
-    "demo", "view", "presets", "ropes", "new", "check", "settle", "modes", "run", "sweep", "resume", "info",
-    "plot", "movie", "share", "compare", "export", "report", "schema",
+    "demo", "view", "presets", "ropes", "line", "new", "check", "settle", "modes", "run", "sweep", "resume",
+    "info", "plot", "movie", "share", "compare", "export", "report", "schema",
 ]  # fmt: skip
 
 

@@ -24,6 +24,7 @@ from ropewalk.plots.mode_shapes import mode_shapes
 from ropewalk.plots.movies import MovieError, movie
 from ropewalk.plots.phases import phase
 from ropewalk.plots.reaction_forces import reactions
+from ropewalk.plots.rolling import rolling
 from ropewalk.plots.shapes import shape
 from ropewalk.plots.sweeps import sweep
 from ropewalk.plots.tensions import tension
@@ -63,6 +64,7 @@ __all__ = [
     "movie",
     "phase",
     "reactions",
+    "rolling",
     "save",
     "shape",
     "sweep",

@@ -27,6 +27,7 @@ from ropewalk.scene.base import (
     stiffness,
     vector,
 )
+from ropewalk.scene.data_sheet import FromDataSheet
 from ropewalk.scene.errors import MISSING, Fault
 from ropewalk.scene.from_library import filled, with_diameter
 from ropewalk.scene.shapes import Points, Shape, Slack, Straight
@@ -60,7 +61,7 @@ class Springs(Model):
     tension_only: Flag = Field(default=False, description=_TENSION_ONLY)
 
 
-class Material(Model):
+class Material(FromDataSheet, Model):
     """A rope as a continuum: it stays the same rope however many segments it is cut into."""
 
     kind: Literal["material"] = "material"
@@ -318,8 +319,9 @@ def _shape_faults(rope: Rope) -> list[Fault]:
     if isinstance(shape, Points) and len(shape.points) != rope.nodes:
         rule = f"must be {rope.nodes} points, one per node (segments + 1)"
         return [Fault("shape.points", f"{len(shape.points)} points", rule)]
-    if isinstance(shape, Slack) and length < shape.span * (1 - 1e-9):
+    if isinstance(shape, Slack) and rope.rigid and length < shape.span * (1 - 1e-9):
         rule = f"the rope of {length:g} m is shorter than the {shape.span:g} m from start to end"
+        rule += ", and does not stretch"
         return [Fault("shape.end", shape.end, rule)]
     if length == 0.0 and shape.kind == "hanging":
         rule = "needs a rope that has a length; give a straight shape with start and end"

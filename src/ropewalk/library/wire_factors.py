@@ -1,0 +1,46 @@
+"""Steel wire rope from its construction and diameter.
+
+    mass per length W d^2 (kg per 100 m, d in mm),   breaking load K d^2 R (N, d in mm, R in N/mm^2)
+    EA = 100 d^2 / G (lbf, d in inches, G the stretch factor in % per lbf/in^2)
+
+Sources: factors W and K of EN 12385-4 (tag F1 of the library), stretch factors of new rope (F2), and for
+fibre cores coefficients of the kind that mooring programs have (D3).
+"""
+
+from __future__ import annotations
+
+import re
+from typing import NamedTuple
+
+
+class WireFactors(NamedTuple):
+    """Factors of a construction: `W` [kg/100 m/mm^2], `K` [1], `EA` over the diameter squared [Pa]."""
+
+    W: float
+    K: float
+    EA: float
+
+
+WIRE = {
+    "6x7 FC": WireFactors(0.345, 0.332, 36.7e9),
+    "7x7": WireFactors(0.384, 0.388, 64.4e9),
+    "6x19 FC": WireFactors(0.359, 0.330, 36.7e9),
+    "6x19 IWRC": WireFactors(0.400, 0.356, 50.7e9),
+    "6x36 FC": WireFactors(0.367, 0.330, 36.7e9),
+    "6x36 IWRC": WireFactors(0.409, 0.356, 47.9e9),
+}
+
+
+def wire_factors(construction: str) -> WireFactors:
+    """Return the factors of a construction such as "6x36 IWRC"; case, space and dashes do not matter.
+
+    Raises ValueError with those that are known.
+    """
+
+    def bare(text: str) -> str:
+        return re.sub(r"[\s_-]", "", text).lower().replace("×", "x")
+
+    found = {bare(name): factors for name, factors in WIRE.items()}.get(bare(str(construction)))
+    if found is None:
+        raise ValueError(f"construction: {construction!r} - must be one of {', '.join(WIRE)}")
+    return found

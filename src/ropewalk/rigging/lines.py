@@ -1,0 +1,299 @@
+"""A line between two points, set up by its sag, its pretension, or its length."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ropewalk.library import LibraryRope
+from ropewalk.rigging.words import force, margins
+from ropewalk.scene import (
+    Anchor,
+    Fault,
+    Material,
+    Rope,
+    RunSettings,
+    Scene,
+    SceneError,
+    Slack,
+    Straight,
+)
+from ropewalk.scene.errors import MISSING, NO_VALUE
+from ropewalk.scene.from_library import entry
+from ropewalk.scene.units import WrongUnit, in_unit
+from ropewalk.theory import Cable, elastic_catenary
+
+if TYPE_CHECKING:
+    from ropewalk.rigging.rolling import Rolling
+
+    Quantity = float | str
+
+_LONGEST = 0.9  # strain up to which a line may be pulled [1]; no rope bears more
+_SLACKEST = 20.0  # lengths of the chord up to which a line may be long [1]
+_HALVINGS = 200
+
+
+@dataclass(frozen=True)
+class Line:
+    """A line at rest under its own weight: an elastic catenary between two fixed points.
+
+    The first point is at the origin, the second one `span` away and `height_difference` higher.
+    """
+
+    cable: Cable  # its shape and forces: the closed form
+    material: Material
+    diameter: float  # [m]
+    gravity: float  # [m/s^2]
+    given: str  # what it was set up by, in words
+
+    @property
+    def span(self) -> float:
+        """Horizontal distance of the ends [m]."""
+        return self.cable.across
+
+    @property
+    def height_difference(self) -> float:
+        """How much higher the second end is [m]."""
+        return self.cable.rise
+
+    @property
+    def length(self) -> float:
+        """Length to cut, without tension [m]."""
+        return self.cable.length
+
+    @property
+    def sag(self) -> float:
+        """Largest drop below the straight line between the ends [m]."""
+        return self.cable.sag
+
+    @property
+    def tensions(self) -> tuple[float, float]:
+        """Tension at the first and at the second end [N]."""
+        first, last = self.cable.tension([0.0, self.cable.length])
+        return float(first), float(last)
+
+    @property
+    def anchor_forces(self) -> tuple[tuple[float, float], tuple[float, float]]:
+        """Force of the first and of the second anchor on the line, each across and up [N]."""
+        return self.cable.start_force, self.cable.end_force
+
+    @property
+    def utilisation(self) -> float | None:
+        """Largest tension over the breaking load [1]; None where that is not known."""
+        load = self.material.breaking_load
+        return None if load is None else max(self.tensions) / load
+
+    @property
+    def safety_factor(self) -> float | None:
+        """Breaking load over the largest tension [1]; None where that is not known."""
+        load = self.material.breaking_load
+        return None if load is None else load / max(self.tensions)
+
+    def rolling(
+        self, mass: Quantity, *, held: bool = False, places: int = 41, at: Any = None
+    ) -> Rolling:
+        """Return what a load does to the line at rest, at places from one end to the other.
+
+        Args:
+            mass: of the load [kg].
+            held: the trolley grips the rope, as a clamp does, and hangs straight down; else the rope runs
+                through it with the same tension on both sides, and something holds it along the span.
+            places: how many [1], evenly spread over the span without its ends.
+            at: places of your own [m], (n,), in place of these.
+
+        Raises SceneError for a mass that is none, ValueError for places that are not inside the span.
+        """
+        from ropewalk.rigging.rolling import roll
+
+        found = quantity("mass", mass, "kg")
+        if at is None:
+            if places < 1:
+                raise ValueError(f"places: {places} - must be 1 or more")
+            at = self.span * np.arange(1, places + 1) / (places + 1)
+        return roll(self, found, held, np.atleast_1d(np.asarray(at, dtype=np.float64)))
+
+    def scene(self, segments: int = 60, *, name: str = "line", **fields: Any) -> Scene:
+        """Return a scene of this line that starts at rest.
+
+        Args:
+            segments: how many [1].
+            name: of the scene.
+            fields: others of its rope, such as `loads`.
+
+        Raises SceneError for fields that are faulty.
+        """
+        end = (self.span, 0.0, self.height_difference)
+        distance = math.hypot(self.span, self.height_difference)
+        taut = self.length <= distance * (1.0 + 1e-9)
+        shape = Straight(end=end) if taut else Slack(start=(0.0, 0.0, 0.0), end=end)
+        given = {"diameter": self.diameter, "shape": shape, "made_of": self.material} | fields
+        rope = Rope(length=self.length, segments=segments, **given)
+        anchors = [Anchor(name="first", node=0), Anchor(name="last", node=-1)]
+        run = RunSettings(duration=5.0, frame_rate=100.0, start="at-rest")
+        pull = (0.0, 0.0, -self.gravity)
+        return Scene(name=name, ropes=[rope], anchors=anchors, run=run, gravity=pull)
+
+    def lines(self) -> list[str]:
+        """Text, one fact a line."""
+        first, last = self.tensions
+        made_of = self.material.library or f"EA {self.material.EA:.4g} N"
+        chord = math.hypot(self.span, self.height_difference)
+        text = [
+            f"line of {made_of} over {self.span:.6g} m, {self.height_difference:+.4g} m; {self.given}",
+            f"length to cut {self.length:.6g} m without tension, {self.length - chord:+.4g} m to the chord",
+            f"sag {self.sag:.4g} m, {100.0 * self.sag / self.span:.3g} % of the span",
+            f"tension {force(first)} at the first end, {force(last)} at the second one",
+        ]
+        for noun, (across, up) in zip(("first", "second"), self.anchor_forces, strict=True):
+            text.append(f"the {noun} anchor pulls {force(across)} across and {force(up)} up")
+        return text + margins(max(first, last), self.material.breaking_load)
+
+    def __str__(self) -> str:
+        return "\n".join(self.lines())
+
+    def __repr__(self) -> str:
+        return (
+            f"Line over {self.span:.6g} m: length {self.length:.6g} m, sag {self.sag:.4g} m, "
+            f"tension {force(max(self.tensions))}."
+        )
+
+
+def line(
+    span: Quantity,
+    height_difference: Quantity,
+    rope: str | LibraryRope | Material,
+    *,
+    sag: Quantity | None = None,
+    pretension: Quantity | None = None,
+    length: Quantity | None = None,
+    diameter: Quantity | None = None,
+    gravity: float = 9.81,
+) -> Line:
+    """Return a line between two points, set up by its sag, its pretension or its length.
+
+    A taut line may be shorter than the distance of its ends: it is stretched between them.
+
+    Args:
+        span: horizontal distance of the ends [m].
+        height_difference: how much higher the second end is [m].
+        rope: the name of a rope of the library, such a rope, or a material.
+        sag: largest drop below the straight line between the ends [m], or a share of the span, "2 %".
+        pretension: tension at the first end, nothing hung on it [N].
+        length: without tension [m].
+        diameter: [m]; a rope of the library has its own.
+        gravity: [m/s^2].
+
+    Raises SceneError for quantities that cannot be, and unless exactly one of sag, pretension and length is
+    given; UnknownRope for a name that the library has not.
+    """
+    material, own = _made_of(rope)
+    across = quantity("span", span, "m")
+    rise = quantity("height_difference", height_difference, "m", any_sign=True)
+    d = quantity("diameter", diameter, "m") if diameter is not None else own
+    g = quantity("gravity", gravity, "m/s^2")
+    weight = material.mass_per_length * g
+
+    def hung(size: float) -> Cable:
+        return elastic_catenary(size, across, rise, weight, material.EA)
+
+    chord = math.hypot(across, rise)
+    shortest = chord / (1.0 + _LONGEST) if math.isfinite(material.EA) else chord * (1.0 + 1e-10)
+    ways = {"sag": sag, "pretension": pretension, "length": length}
+    known = {name: value for name, value in ways.items() if value is not None}
+    if len(known) != 1:
+        rule = "give one of sag, pretension and length"
+        named = ", ".join(known) or "sag, pretension, length"
+        raise SceneError([Fault(named, NO_VALUE if known else MISSING, rule)])
+    if length is not None:
+        size = quantity("length", length, "m")
+        _refuse_length(size, shortest, chord, math.isinf(material.EA))
+        return Line(hung(size), material, d, g, f"length {size:.6g} m")
+    if sag is not None:
+        share = isinstance(sag, str) and "%" in sag
+        drop = quantity("sag", sag, "1") * across if share else quantity("sag", sag, "m")
+        size = _bisected("sag", drop, lambda size: hung(size).sag, shortest, _SLACKEST * chord, "m")
+        return Line(hung(size), material, d, g, f"sag {drop:.4g} m")
+    assert pretension is not None
+    pull = quantity("pretension", pretension, "N")
+    slackest = _slackest(hung, shortest, chord)
+    size = _bisected(
+        "pretension", pull, lambda size: float(hung(size).tension(0.0)), shortest, slackest, "N"
+    )
+    return Line(hung(size), material, d, g, f"pretension {force(pull)} at the first end")
+
+
+def _made_of(rope: Any) -> tuple[Material, float]:
+    """Return material and diameter [m] of what stands for a rope."""
+    if isinstance(rope, Material):
+        return rope, 0.01
+    if isinstance(rope, LibraryRope):
+        return rope.material(), rope.diameter
+    if not isinstance(rope, str):
+        raise SceneError([Fault("rope", rope, "must be a name of the library, or a material")])
+    try:
+        found, use = entry(rope)
+    except ValueError as error:
+        raise SceneError([Fault("rope", rope, str(error).partition(" - ")[2])]) from None
+    return Material(**found.material_numbers(use)), found.diameter
+
+
+def quantity(name: str, value: Any, unit: str, *, any_sign: bool = False) -> float:
+    """Return a number, or a text with a unit, as a number of `unit`. Raises SceneError for others."""
+    number = in_unit(value, unit)
+    if isinstance(number, WrongUnit):
+        raise SceneError([Fault(name, number.given, number.rule)])
+    rule = (
+        f"must be a number of {unit}" if any_sign else f"must be a number of {unit} greater than 0"
+    )
+    if isinstance(number, bool) or not isinstance(number, int | float) or not abs(number) < 1e12:
+        raise SceneError([Fault(name, value, rule)])
+    if not any_sign and number <= 0.0:
+        raise SceneError([Fault(name, value, rule)])
+    return float(number)
+
+
+def _refuse_length(size: float, shortest: float, chord: float, rigid: bool) -> None:
+    if size < shortest:
+        rule = f"must be more than {shortest:.6g} m: the ends are {chord:.6g} m apart"
+        rule += ", and this rope does not stretch" if rigid else ", and no rope stretches that far"
+        raise SceneError([Fault("length", size, rule)])
+    if size > _SLACKEST * chord:
+        raise SceneError([Fault("length", size, f"must be at most {_SLACKEST * chord:.6g} m")])
+
+
+def _slackest(hung: Callable[[float], Cable], shortest: float, chord: float) -> float:
+    """Return the length of least tension at the first end [m]: a longer line weighs more."""
+    low, high = shortest, _SLACKEST * chord
+    golden = 0.5 * (math.sqrt(5.0) - 1.0)
+    for _ in range(80):
+        a, b = high - golden * (high - low), low + golden * (high - low)
+        if float(hung(a).tension(0.0)) < float(hung(b).tension(0.0)):
+            high = b
+        else:
+            low = a
+    return 0.5 * (low + high)
+
+
+def _bisected(
+    name: str, wanted: float, of: Callable[[float], float], low: float, high: float, unit: str
+) -> float:
+    """Return the length at which a quantity that only grows, or only falls, has a value."""
+    at_low, at_high = of(low), of(high)
+    least, most = sorted((at_low, at_high))
+    if not least <= wanted <= most:
+        rule = f"must be from {least:.4g} to {most:.4g} {unit} for this rope and these ends"
+        raise SceneError([Fault(name, wanted, rule)])
+    rising = at_high > at_low
+    for _ in range(_HALVINGS):
+        middle = 0.5 * (low + high)
+        if middle in (low, high):
+            break
+        if (of(middle) < wanted) == rising:
+            low = middle
+        else:
+            high = middle
+    return 0.5 * (low + high)

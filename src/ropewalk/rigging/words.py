@@ -1,0 +1,24 @@
+"""Forces, and how near to breaking, in words."""
+
+from __future__ import annotations
+
+
+def force(newtons: float) -> str:
+    """Return a force as people write it: 12.3 kN."""
+    for size, unit in ((1e6, "MN"), (1e3, "kN")):
+        if abs(newtons) >= size:
+            return f"{newtons / size:.4g} {unit}"
+    return f"{newtons:.4g} N"
+
+
+def margins(tension: float, breaking_load: float | None) -> list[str]:
+    """Return utilisation and safety factor in words: nothing where no breaking load is known."""
+    if breaking_load is None:
+        return []
+    share = tension / breaking_load
+    text = f"utilisation {100.0 * share:.3g} % of the breaking load of {force(breaking_load)}"
+    if tension > 0.0:
+        text += f", safety factor {breaking_load / tension:.3g}"
+    if share > 1.0:
+        text += ": it would have parted"
+    return [text]

@@ -1,0 +1,146 @@
+"""Materials from what data sheets say. Each way says its formula."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from ropewalk.library.wire_factors import wire_factors
+from ropewalk.scene.errors import Fault, SceneError
+from ropewalk.scene.units import WrongUnit, in_unit
+from ropewalk.theory.fall import rope_from_fall
+
+if TYPE_CHECKING:
+    from typing import Self
+
+    Quantity = float | str
+
+
+class FromDataSheet:
+    """The ways from a data sheet to a material. Numbers may have units, as "8.8 kN" or "32 %"."""
+
+    @classmethod
+    def from_elongation(
+        cls, force: Quantity, elongation: Quantity, mass_per_length: Quantity, **others: Any
+    ) -> Self:
+        """Return the material that stretches by a share under a force at rest: EA = force / elongation.
+
+        For loads at rest. A climbing rope in a fall is some three times as stiff: take `from_fall`.
+
+        Args:
+            force: that the elongation is given for [N].
+            elongation: share of the unloaded length [1], such as 0.08 or "8 %".
+            mass_per_length: [kg/m].
+            others: fields of the material.
+
+        Raises SceneError for what is no number greater than zero, or a quantity of another kind.
+        """
+        F, share = _given("force", force, "N"), _given("elongation", elongation, "1")
+        return cls(
+            **({"EA": F / share, "mass_per_length": mass_per_length, "tension_only": True} | others)
+        )
+
+    @classmethod
+    def from_fall(
+        cls,
+        impact_force: Quantity,
+        dynamic_elongation: Quantity,
+        mass_per_length: Quantity,
+        *,
+        falling_mass: Quantity = 80.0,
+        factor: float = 1.77,
+        length: Quantity = 2.8,
+        **others: Any,
+    ) -> Self:
+        """Return the climbing rope whose standard fall has its label's force and stretch.
+
+        EA and axial_damping are solved for together in a fall of the mass into the rope, spring and damper
+        side by side (`theory.rope_from_fall`), without the friction at the edge of the test rig: what they
+        give with another mass or length is an estimate. The force is that on the anchor, in the first fall.
+
+        Args:
+            impact_force: of the label [N].
+            dynamic_elongation: of the label [1], such as 0.32 or "32 %".
+            mass_per_length: [kg/m].
+            falling_mass: 80 kg for a single rope, 55 kg for one strand of a half rope [kg].
+            factor: free fall over length of rope [1]; the standard's by default.
+            length: of the rope [m]; the standard's by default.
+            others: fields of the material.
+
+        Raises SceneError for what is no number greater than zero; ValueError for a force and a stretch that
+        do not go together, with the forces that would.
+        """
+        EA, damping = rope_from_fall(
+            _given("impact_force", impact_force, "N"),
+            _given("dynamic_elongation", dynamic_elongation, "1"),
+            _given("falling_mass", falling_mass, "kg"),
+            factor=factor,
+            length=_given("length", length, "m"),
+        )
+        made = {"EA": EA, "axial_damping": damping, "mass_per_length": mass_per_length}
+        return cls(**(made | {"tension_only": True} | others))
+
+    @classmethod
+    def from_break(
+        cls,
+        breaking_load: Quantity,
+        elongation_at_break: Quantity,
+        mass_per_length: Quantity,
+        **others: Any,
+    ) -> Self:
+        """Return the material of a straight line to the break: EA = breaking_load / elongation_at_break.
+
+        Fibre ropes are softer than that at first and stiffer near the break; the line is the mean.
+
+        Args:
+            breaking_load: [N]; it becomes the material's.
+            elongation_at_break: share of the unloaded length [1], such as 0.04 or "4 %".
+            mass_per_length: [kg/m].
+            others: fields of the material.
+
+        Raises SceneError for what is no number greater than zero, or a quantity of another kind.
+        """
+        F = _given("breaking_load", breaking_load, "N")
+        share = _given("elongation_at_break", elongation_at_break, "1")
+        made = {"EA": F / share, "mass_per_length": mass_per_length, "breaking_load": F}
+        return cls(**(made | {"tension_only": True} | others))
+
+    @classmethod
+    def of_wire(
+        cls, construction: str, diameter: Quantity, *, grade: float = 1770.0, **others: Any
+    ) -> Self:
+        """Return a steel wire rope: mass W d^2, breaking load K d^2 R, EA from the stretch factor.
+
+        W and K of EN 12385-4 and stretch factors as in `library.wire_factors`; EA is that of new rope
+        after it has bedded in, within some 15 %.
+
+        Args:
+            construction: "6x36 IWRC", "6x19 FC", "7x7" ...
+            diameter: nominal [m], such as 0.012 or "12 mm".
+            grade: strength of the wires, R [N/mm^2].
+            others: fields of the material.
+
+        Raises SceneError for what is no number greater than zero; ValueError for another construction.
+        """
+        factors = wire_factors(construction)
+        d = _given("diameter", diameter, "m")
+        R = _given("grade", grade, "N/mm^2")
+        made = {
+            "EA": factors.EA * d**2,
+            "mass_per_length": factors.W * 1e4 * d**2,
+            "breaking_load": factors.K * R * 1e6 * d**2,
+        }
+        return cls(**(made | {"tension_only": True} | others))
+
+
+def _given(name: str, value: Any, unit: str) -> float:
+    """Return a quantity as a number of `unit`. Raises SceneError unless it is greater than zero."""
+    number = in_unit(value, unit)
+    if isinstance(number, WrongUnit):
+        raise SceneError([Fault(name, number.given, number.rule)])
+    if isinstance(number, bool) or not isinstance(number, int | float) or not 0.0 < number < 1e15:
+        raise SceneError([Fault(name, value, f"must be a number greater than 0{_in(unit)}")])
+    return float(number)
+
+
+def _in(unit: str) -> str:
+    return f", in {unit}" if unit != "1" else ', a share such as 0.08 or "8 %"'
