@@ -8,15 +8,20 @@ from typing import NamedTuple
 from ropewalk.scene.presets import names
 
 OTHERS = "More scenes"
-_PLAY, _REAL, _LESSONS, _REPORT = (
+_PLAY, _REAL, _RIGGING, _LESSONS, _REPORT = (
     "Look and play",
     "Ropes at work",
+    "Rigging",
     "Ropes of game lessons",
     "The student report: why simulations break",
 )
 _THEMES: dict[str, tuple[str, ...]] = {
     _PLAY: ("skipping-rope", "whip", "wave-on-a-string", "hanging-rope", "falling-chain"),
     _REAL: ("h3", "fishing-rod", "wire-arch"),
+    _RIGGING: (
+        *("climbing-fall", "zip-line", "highline", "rescue-lower", "tow"),
+        *("crane-snap", "hoist-stop", "guyed-mast", "suspension-cable", "power-line-in-wind"),
+    ),
     OTHERS: (),
     _LESSONS: ("n40", "h1", "h2", "n39-spring", "n39-gravity", "n39-constant-velocity"),
     _REPORT: ("r4", "r3", "r2", "r1", "r5", "r6", "r7", "r8", "r9"),

@@ -68,7 +68,7 @@ class Rolling:
 
     @property
     def table(self) -> list[dict[str, float]]:
-        """One row for each place, names with units."""
+        """One row for each place; names have the units, [m], [N] or [1]."""
         columns = {
             "place [m]": self.place,
             "height [m]": self.height,

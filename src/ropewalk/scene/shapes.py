@@ -70,7 +70,7 @@ class Hanging(Model):
 
 
 class Slack(Model):
-    """A smooth sagging curve (catenary) of the rope's own length between two points."""
+    """A smooth sagging curve (catenary) of the rope's own length between two points; straight if shorter."""
 
     kind: Literal["slack"] = "slack"
     start: Vector = vector("Place of the first node", "m", default=_ZERO)

@@ -1,0 +1,154 @@
+"""Lines set up by what one knows, loads along them, and materials from data sheets."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import ropewalk as rw
+from ropewalk.scene import SceneError
+
+
+@pytest.mark.parametrize("rise", [0.0, -12.0, 40.0])
+def test_a_line_has_what_it_was_set_up_by(rise: float) -> None:
+    by_sag = rw.line("300 m", rise, "wire-7x19-12", sag="2 %")
+    assert by_sag.sag == pytest.approx(6.0, rel=1e-9)
+    assert rw.line(300.0, rise, "wire-7x19-12", sag=6.0).length == by_sag.length
+    by_pull = rw.line(300.0, rise, "wire-7x19-12", pretension="15 kN")
+    assert by_pull.tensions[0] == pytest.approx(15e3, rel=1e-9)
+    again = rw.line(300.0, rise, "wire-7x19-12", length=by_pull.length)
+    assert again.cable == by_pull.cable
+    forces = np.array(by_pull.anchor_forces)
+    weight = by_pull.cable.weight * by_pull.length
+    assert forces.sum(axis=0) == pytest.approx([0.0, weight], abs=1e-6 * 15e3)
+    assert by_pull.utilisation == pytest.approx(max(by_pull.tensions) / 98.78e3, rel=1e-3)
+    assert by_pull.safety_factor == pytest.approx(1.0 / (by_pull.utilisation or math.nan))
+
+
+def test_a_taut_line_is_shorter_than_its_span_and_runs() -> None:
+    line = rw.line(300.0, 0.0, "wire-7x19-12", sag=2.0)
+    assert line.length < 300.0
+    rest = rw.equilibrium(line.scene(60))
+    assert float(rest.tension.max()) == pytest.approx(line.tensions[0], rel=1e-3)
+    assert -float(rest.positions[0, :, 2].min()) == pytest.approx(2.0, rel=1e-3)
+
+
+def test_a_line_of_what_does_not_stretch() -> None:
+    rigid = rw.Material(EA=math.inf, mass_per_length=0.5)
+    assert rw.line(100.0, 10.0, rigid, sag=3.0).sag == pytest.approx(3.0, rel=1e-6)
+    with pytest.raises(SceneError, match="does not stretch"):
+        rw.line(100.0, 10.0, rigid, length=100.0)
+
+
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        ({}, "give one of sag, pretension and length"),
+        ({"sag": 1.0, "length": 301.0}, "sag, length"),
+        ({"sag": "3 kg"}, "of another kind"),
+        ({"sag": -1.0}, "greater than 0"),
+        ({"pretension": 10.0}, "must be from 1217"),
+        ({"length": 10.0}, "no rope stretches that far"),
+        ({"length": 1e5}, "must be at most"),
+        ({"sag": "x"}, "must be a number of m"),
+    ],
+)
+def test_what_cannot_be_is_refused(given: dict[str, object], words: str) -> None:
+    with pytest.raises(SceneError, match=words):
+        rw.line(300.0, 0.0, "wire-7x19-12", **given)  # type: ignore[arg-type]
+
+
+def test_an_unknown_rope_and_none() -> None:
+    with pytest.raises(rw.UnknownRope, match="did you mean"):
+        rw.line(300.0, 0.0, "wire-7x19-13", sag=3.0)
+    with pytest.raises(SceneError, match="must be a name of the library"):
+        rw.line(300.0, 0.0, 3, sag=3.0)  # type: ignore[arg-type]
+    with pytest.raises(SceneError, match="one EA only"):
+        rw.line(300.0, 0.0, "wire-7x19-12:static", sag=3.0)
+
+
+@pytest.mark.parametrize("held", [False, True])
+@pytest.mark.parametrize("length", [99.5, 100.2, 110.0])
+def test_forces_on_a_rolling_load_balance(length: float, held: bool) -> None:
+    line = rw.line(100.0, -5.0, "wire-7x19-8", length=length)
+    found = line.rolling(80.0, held=held, places=9)
+    total = found.anchor_start + found.anchor_end
+    weight = line.cable.weight * line.length + 80.0 * 9.81
+    assert total[:, 1] == pytest.approx(np.full(9, weight), rel=1e-6)
+    # Across, what holds the load is all that is left.
+    assert total[:, 0] == pytest.approx(-found.holding, abs=1e-5 * weight)
+    if held:
+        assert np.abs(found.holding).max() == 0.0
+    else:
+        assert found.tension_left == pytest.approx(found.tension_right, rel=1e-6)
+    assert (found.sag >= 0.0).all()
+
+
+def test_a_rolling_load_is_where_statics_has_it() -> None:
+    """A load held by the rope, against a chain of masses and springs with the load at a node."""
+    line = rw.line(100.0, -5.0, "wire-7x19-8", sag="2 %")
+    scene = line.scene(200, loads=[{"node": 60, "mass": 80.0}])
+    rest = rw.equilibrium(scene)
+    found = line.rolling(80.0, held=True, at=float(rest.positions[0, 60, 0]))
+    assert found.height[0] == pytest.approx(float(rest.positions[0, 60, 2]), abs=1e-3)
+    assert found.largest_tension[0] == pytest.approx(float(rest.tension.max()), rel=1e-3)
+    assert np.linalg.norm(rest.reactions[0, 0]) == pytest.approx(found.tension_start[0], rel=1e-3)
+
+
+def test_a_rolling_load_s_table_and_figure() -> None:
+    found = rw.line(100.0, -5.0, "wire-7x19-8", sag="2 %").rolling("80 kg", places=5)
+    assert len(found.table) == 5
+    assert found.table[2]["place [m]"] == pytest.approx(50.0)
+    assert found.utilisation is not None
+    assert found.table[2]["utilisation [1]"] == float(found.utilisation[2])
+    figure = found.figure()
+    labels = [axes.get_ylabel() for axes in figure.axes]
+    assert "tension [kN]" in labels
+    assert "force on the rope [kN]" in labels
+    with pytest.raises(ValueError, match="places between 0 and 100"):
+        rw.line(100.0, 0.0, "wire-7x19-8", sag=2.0).rolling(80.0, at=[120.0])
+
+
+def test_materials_from_data_sheets() -> None:
+    M = rw.Material
+    assert pytest.approx(80 * 9.80665 / 0.08) == M.from_elongation("80 kgf", "8 %", 0.063).EA
+    broken = M.from_break("50 kN", 0.04, "45 g/m", EI=0.1)
+    assert (broken.EA, broken.breaking_load, broken.EI) == (pytest.approx(1.25e6), 5e4, 0.1)
+    wire, known = M.of_wire("6X36-iwrc", "16 mm"), rw.rope("wire-6x36-iwrc-16")
+    assert pytest.approx(known.EA, rel=1e-3) == wire.EA
+    assert wire.mass_per_length == pytest.approx(known.mass_per_length, rel=1e-3)
+    assert wire.breaking_load == pytest.approx(known.breaking_load, rel=1e-3)
+    mean = M.from_fall(8464.0, 0.3315, 0.0649)
+    assert (mean.EA, mean.axial_damping) == (
+        pytest.approx(25370, rel=1e-3),
+        pytest.approx(282, rel=2e-3),
+    )
+
+
+def test_data_sheets_that_cannot_be() -> None:
+    M = rw.Material
+    with pytest.raises(SceneError, match="weight is written in kgf"):
+        M.from_fall("8.8 kg", "32 %", 0.06)
+    with pytest.raises(SceneError, match='such as 0.08 or "8 %"'):
+        M.from_elongation(800.0, "8", 0.06)
+    with pytest.raises(ValueError, match=r"must be from 5339 to 1.025e\+04 N"):
+        M.from_fall(20e3, 0.32, 0.06)
+    with pytest.raises(ValueError, match="6x36 IWRC"):
+        M.of_wire("5x5", 0.01)
+
+
+def test_what_hoists_and_tows_pull_with() -> None:
+    """v sqrt(k m) on top of the weight, and some more by the rope's own mass and damping."""
+    for name, weight, speed, mass in (
+        ("crane-snap", 2000 * 9.81, 0.5, 2000.0),
+        ("hoist-stop", 2000 * 9.81, 1.0, 2000.0),
+        ("tow", 0.0, 1.5, 1500.0),
+    ):
+        scene = rw.preset(name)
+        rope = scene.ropes[0]
+        k = rope.made_of.EA / (rope.length or math.nan)
+        done = rw.simulate(scene)
+        largest = float(np.linalg.norm(done.reactions, axis=2).max())
+        assert largest == pytest.approx(weight + speed * math.sqrt(k * mass), rel=0.05), name
