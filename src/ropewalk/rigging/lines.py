@@ -195,35 +195,43 @@ def line(
     rise = quantity("height_difference", height_difference, "m", any_sign=True)
     d = quantity("diameter", diameter, "m") if diameter is not None else own
     g = quantity("gravity", gravity, "m/s^2")
-    weight = material.mass_per_length * g
-
-    def hung(size: float) -> Cable:
-        return elastic_catenary(size, across, rise, weight, material.EA)
-
-    chord = math.hypot(across, rise)
-    shortest = chord / (1.0 + _LONGEST) if math.isfinite(material.EA) else chord * (1.0 + 1e-10)
     ways = {"sag": sag, "pretension": pretension, "length": length}
     known = {name: value for name, value in ways.items() if value is not None}
     if len(known) != 1:
         rule = "give one of sag, pretension and length"
         named = ", ".join(known) or "sag, pretension, length"
         raise SceneError([Fault(named, NO_VALUE if known else MISSING, rule)])
-    if length is not None:
-        size = quantity("length", length, "m")
+    ((way, value),) = known.items()
+    cable, words = _hung(across, rise, material, g, way, value)
+    return Line(cable, material, d, g, words)
+
+
+def _hung(
+    across: float, rise: float, material: Material, gravity: float, way: str, value: Any
+) -> tuple[Cable, str]:
+    """Return the cable that has the sag, the pretension or the length, and in words what it has."""
+    weight = material.mass_per_length * gravity
+
+    def hung(size: float) -> Cable:
+        return elastic_catenary(size, across, rise, weight, material.EA)
+
+    def pull(size: float) -> float:
+        return float(hung(size).tension(0.0))
+
+    chord = math.hypot(across, rise)
+    shortest = chord / (1.0 + _LONGEST) if math.isfinite(material.EA) else chord * (1.0 + 1e-10)
+    if way == "length":
+        size = quantity("length", value, "m")
         _refuse_length(size, shortest, chord, math.isinf(material.EA))
-        return Line(hung(size), material, d, g, f"length {size:.6g} m")
-    if sag is not None:
-        share = isinstance(sag, str) and "%" in sag
-        drop = quantity("sag", sag, "1") * across if share else quantity("sag", sag, "m")
+        return hung(size), f"length {size:.6g} m"
+    if way == "sag":
+        share = isinstance(value, str) and "%" in value
+        drop = quantity("sag", value, "1") * across if share else quantity("sag", value, "m")
         size = _bisected("sag", drop, lambda size: hung(size).sag, shortest, _SLACKEST * chord, "m")
-        return Line(hung(size), material, d, g, f"sag {drop:.4g} m")
-    assert pretension is not None
-    pull = quantity("pretension", pretension, "N")
-    slackest = _slackest(hung, shortest, chord)
-    size = _bisected(
-        "pretension", pull, lambda size: float(hung(size).tension(0.0)), shortest, slackest, "N"
-    )
-    return Line(hung(size), material, d, g, f"pretension {force(pull)} at the first end")
+        return hung(size), f"sag {drop:.4g} m"
+    wanted = quantity("pretension", value, "N")
+    size = _bisected("pretension", wanted, pull, shortest, _slackest(pull, shortest, chord), "N")
+    return hung(size), f"pretension {force(wanted)} at the first end"
 
 
 def _made_of(rope: Any) -> tuple[Material, float]:
@@ -265,13 +273,13 @@ def _refuse_length(size: float, shortest: float, chord: float, rigid: bool) -> N
         raise SceneError([Fault("length", size, f"must be at most {_SLACKEST * chord:.6g} m")])
 
 
-def _slackest(hung: Callable[[float], Cable], shortest: float, chord: float) -> float:
+def _slackest(pull: Callable[[float], float], shortest: float, chord: float) -> float:
     """Return the length of least tension at the first end [m]: a longer line weighs more."""
     low, high = shortest, _SLACKEST * chord
     golden = 0.5 * (math.sqrt(5.0) - 1.0)
     for _ in range(80):
         a, b = high - golden * (high - low), low + golden * (high - low)
-        if float(hung(a).tension(0.0)) < float(hung(b).tension(0.0)):
+        if pull(a) < pull(b):
             high = b
         else:
             low = a
