@@ -18,6 +18,7 @@ from ropewalk.analysis.stability import Stability, milliseconds, rounded_down, s
 from ropewalk.analysis.units import unit_slips
 from ropewalk.build import Model, build
 from ropewalk.core.arrays import Floats
+from ropewalk.record.margins import breaking_load, margin_words
 from ropewalk.record.rest import as_result
 from ropewalk.scene import Scene, Springs
 from ropewalk.scene.from_library import origin_words
@@ -51,6 +52,7 @@ class RopeCheck:
     slack: int  # segments without tension at rest
     short: int  # segments that start more than 1 % shorter than their rest length
     made_of: str = ""  # which rope of the library it is, and what was changed
+    utilisation: float | None = None  # at rest, tension over breaking load [1]; None if not known
 
     def lines(self) -> list[str]:
         """What it is, and what it carries at rest; one fact a line."""
@@ -60,6 +62,8 @@ class RopeCheck:
         text += [f"  {self.made_of}"] if self.made_of else []
         strain = "" if self.largest_strain is None else f", strain {_percent(self.largest_strain)}"
         text.append(f"  at rest: largest tension {prefixed(self.largest_tension, 'N', 5)}{strain}")
+        if self.utilisation is not None:
+            text.append(f"  at rest: {margin_words(self.utilisation)}")
         if self.slack or self.short:
             text.append(f"  segments slack at rest {self.slack}, started too short {self.short}")
         return text
@@ -255,6 +259,7 @@ def _rope(model: Model, statics: Statics, name: str) -> RopeCheck:
     state = model.state
     own = rope.own_mass / max(rope.nodes - (0 if rope.made_of.kind == "springs" else 1), 1)
     rest, tension = state.rest_length[segments], statics.tension[segments]
+    load = breaking_load(rope)
     size = np.linalg.norm(np.diff(state.x[:, span.start : span.end + 1], axis=1), axis=0)
     taut = tension > 0.0
     # A sideways wave runs sqrt(T l / m), l the stretched length of a segment and m a node's mass.
@@ -274,6 +279,7 @@ def _rope(model: Model, statics: Statics, name: str) -> RopeCheck:
         slack=int(statics.slack[segments].sum()),
         short=int((size < rest * (1.0 - _SHORT)).sum()),
         made_of=origin_words(rope.made_of),
+        utilisation=None if load is None else float(tension.max(initial=0.0)) / load,
     )
 
 
@@ -288,6 +294,11 @@ def _warnings(
 ) -> list[str]:
     warnings = _stability_warnings(found)
     for rope in ropes:
+        if rope.utilisation is not None and rope.utilisation > 1.0:
+            warnings.append(
+                f"rope {rope.name!r}: at rest it carries {rope.utilisation:.3g} times its breaking load; "
+                "in the run it does not part"
+            )
         if rope.short:
             warnings.append(
                 f"rope {rope.name!r}: {rope.short} of {rope.segments} segments start shorter than "

@@ -21,6 +21,7 @@ from ropewalk.plots.canvas import (
     prepare,
     stage,
 )
+from ropewalk.plots.margins import margin_notes
 from ropewalk.plots.style import (
     COLOURS,
     describe,
@@ -73,6 +74,7 @@ def forces(result: Result, *, plane: str | None = None) -> Figure:
     set_title(figure, f"{result.scene.name}: {when}", about)
     clipped = "the last good frame is drawn"
     notes = broken_note(result, good, clipped=clipped) + magnification_note(box)
+    notes += margin_notes(result, frame, frame + 1)
     if len(result.layout.anchor_names):
         notes.append("Arrows: the anchors' forces on the ropes.")
     set_note(figure, notes)

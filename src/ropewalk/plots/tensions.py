@@ -11,6 +11,7 @@ from matplotlib.colors import Colormap, LinearSegmentedColormap, Normalize
 from matplotlib.figure import Figure
 
 from ropewalk.plots.curves import mark_break, time_limits
+from ropewalk.plots.margins import margin_notes
 from ropewalk.plots.style import (
     COLOURS,
     DASHES,
@@ -88,7 +89,7 @@ def tension(
     if past is not None:
         _draw_break(grid[-1], result, past, shown)
     set_title(figure, f"{result.scene.name}: {result.tension_name}", describe(result))
-    set_note(figure, broken_note(result, good) + notes)
+    set_note(figure, broken_note(result, good) + notes + margin_notes(result, 0, good))
     return figure
 
 

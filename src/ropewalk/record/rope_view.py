@@ -8,6 +8,7 @@ import numpy as np
 
 from ropewalk.build import Span
 from ropewalk.core.arrays import Floats
+from ropewalk.record.margins import breaking_load
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -57,6 +58,12 @@ class RopeView:
         See `Result.tension`.
         """
         return self._result.tension[:, self._segments]
+
+    @property
+    def utilisation(self) -> Floats:
+        """Tension over the breaking load [1], (frames, segments); NaN where that is not known."""
+        load = breaking_load(self._result.scene.rope_named(self.name))
+        return self.tension / (np.nan if load is None else load)
 
     @property
     def elastic_tension(self) -> Floats:

@@ -11,6 +11,7 @@ import numpy as np
 from ropewalk.core.arrays import Floats
 from ropewalk.record.facts import AT_REST
 from ropewalk.record.ledger import turned_over
+from ropewalk.record.margins import breaking_loads, margin_rows, utilisations
 from ropewalk.record.quantities import has_rope, rest_length_at_start
 
 if TYPE_CHECKING:
@@ -50,6 +51,7 @@ def summary(result: Result) -> dict[str, Any]:
         f"largest {result.tension_name} at": _place(
             layout, segment, "segment", time[frame], tension
         ),
+        **_margins(layout, found, time),
         "largest stretch [1]": stretch,
         "largest stretch at": _place(
             layout, stretch_segment, "segment", time[stretch_frame], stretch
@@ -68,6 +70,19 @@ def summary(result: Result) -> dict[str, Any]:
         "wall time [s]": seconds,
         "simulated time over wall time [1]": float(time[-1]) / seconds if seconds > 0 else math.nan,
     }
+
+
+def _margins(
+    layout: Any, found: dict[str, tuple[float, int, int]], time: Floats | None
+) -> dict[str, Any]:
+    """Return how near to breaking it comes; nothing where no breaking load is known."""
+    if "utilisation" not in found:
+        return {}
+    value, frame, segment = found["utilisation"]
+    if time is not None:
+        return margin_rows(value, _place(layout, segment, "segment", time[frame], value))
+    rope, number = layout.rope_of(segment)
+    return margin_rows(value, f"segment {number} of rope {rope!r}")
 
 
 def _steps(result: Result) -> dict[str, Any]:
@@ -100,25 +115,40 @@ def _at_rest(result: Result, found: dict[str, tuple[float, int, int]]) -> dict[s
         table[title] = sign * value
         place = f"{noun} {number} of rope {rope!r}" if math.isfinite(value) else ""
         table[f"{title.partition(' [')[0]} at"] = place
-    return table | {
-        "potential energy [J]": float(result.energy["total"][0]),
-        "potential energy at": ZERO if any(result.scene.gravity) else "",
-        "largest force left [N]": result.residual,
-        "largest gap left [m]": float(about["gap"]),
-        "Newton steps": int(about["steps"]),
-        "wall time [s]": result.facts.seconds,
-    }
+    return (
+        table
+        | _margins(layout, found, None)
+        | {
+            "potential energy [J]": float(result.energy["total"][0]),
+            "potential energy at": ZERO if any(result.scene.gravity) else "",
+            "largest force left [N]": result.residual,
+            "largest gap left [m]": float(about["gap"]),
+            "Newton steps": int(about["steps"]),
+            "wall time [s]": result.facts.seconds,
+        }
+    )
 
 
 def _extremes(result: Result) -> dict[str, tuple[float, int, int]]:
     """Return the largest value, its frame and its column, of tension, stretch, speed and depth."""
-    best = dict.fromkeys(("tension", "stretch", "speed", "lowest"), (-math.inf, 0, 0))
+    loads = breaking_loads(result.scene, result.layout)
+    names = [
+        "tension",
+        "stretch",
+        "speed",
+        "lowest",
+        *(["utilisation"] if loads is not None else []),
+    ]
+    best = dict.fromkeys(names, (-math.inf, 0, 0))
     step = max(1, _VALUES // (3 * result.nodes))
     if result.source.chunk < result.frames:
         step = max(1, step // result.source.chunk) * result.source.chunk
     for start in range(0, result.good_frames, step):
         stop = min(start + step, result.good_frames)
-        for name, values in _measures(result, start, stop).items():
+        measures = _measures(result, start, stop)
+        if loads is not None:
+            measures["utilisation"] = utilisations(measures["tension"], loads)
+        for name, values in measures.items():
             values = np.where(np.isfinite(values), values, -np.inf)
             at = int(np.argmax(values))
             frame, column = divmod(at, values.shape[1])

@@ -1,0 +1,29 @@
+"""How near to breaking, as a note below a figure of tensions."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ropewalk.plots.style import escape
+from ropewalk.record.margins import breaking_load, margin_words
+
+if TYPE_CHECKING:
+    from ropewalk.record.result import Result
+
+
+def margin_notes(result: Result, first: int, stop: int) -> list[str]:
+    """Return a sentence on the rope that comes nearest to breaking in these frames; none if not known."""
+    found = []
+    for rope in result.scene.ropes:
+        load = breaking_load(rope)
+        if load is not None:
+            pull = result.rope(rope.name).tension[first:stop]
+            largest = float(np.nanmax(np.where(np.isfinite(pull), pull, 0.0), initial=0.0))
+            found.append((largest / load, rope.name))
+    if not found:
+        return []
+    utilisation, name = max(found)
+    whose = f"Rope {escape(name)}: " if len(result.scene.ropes) > 1 else ""
+    return [f"{whose}at most {margin_words(utilisation)}."]

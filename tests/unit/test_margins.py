@@ -1,0 +1,77 @@
+"""Utilisation and safety factor: in the tables of runs and equilibria, in check, in figures."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import ropewalk as rw
+
+
+def hung(mass: float, breaking_load: float | None) -> rw.Scene:
+    """A rope that carries a mass at its end, at rest."""
+    made_of = rw.Material(EA=1e5, mass_per_length=0.1, breaking_load=breaking_load)
+    rope = rw.Rope(
+        segments=5,
+        length=2.0,
+        made_of=made_of,
+        shape={"kind": "hanging"},
+        loads=[rw.Load(node=-1, mass=mass)],
+    )
+    run = rw.RunSettings(duration=0.1, frame_rate=50.0, start="at-rest")
+    return rw.Scene(ropes=[rope], anchors=[rw.Anchor(node=0)], run=run)
+
+
+def top(mass: float) -> float:
+    """Tension of the first segment [N]: all but the first node's half of a segment hangs below it."""
+    return 9.81 * (mass + 0.1 * 2.0 * (1.0 - 0.5 / 5))
+
+
+def test_the_tables_of_a_run_and_of_its_rest() -> None:
+    scene = hung(50.0, 2000.0)
+    share = top(50.0) / 2000.0
+    for result in (rw.simulate(scene), rw.equilibrium(scene)):
+        table = result.table
+        assert table["largest utilisation of the breaking load [%]"] == pytest.approx(100 * share)
+        assert table["least safety factor [1]"] == pytest.approx(1.0 / share)
+        assert "segment 0" in table["largest utilisation of the breaking load at"]
+        assert result.rope("rope").utilisation[0, 0] == pytest.approx(share)
+
+
+def test_nothing_is_said_where_no_breaking_load_is_known() -> None:
+    scene = hung(50.0, None)
+    result = rw.simulate(scene)
+    assert not any("utilisation" in name or "safety" in name for name in result.table)
+    assert np.isnan(result.rope("rope").utilisation).all()
+    assert "breaking" not in str(rw.check(scene, measure=False))
+    texts = [text.get_text() for text in result.plot.tension().texts]
+    assert not any("breaking" in text for text in texts)
+
+
+def test_the_rope_that_is_nearest_to_breaking_counts_not_the_one_with_the_largest_tension() -> None:
+    strong, weak = hung(50.0, 1e5).ropes[0], hung(10.0, 200.0).ropes[0]
+    ropes = [
+        strong.replace(name="strong"),
+        weak.replace(name="weak", shape={"kind": "hanging", "start": [1, 0, 0]}),
+    ]
+    anchors = [rw.Anchor(rope="strong", node=0), rw.Anchor(rope="weak", node=0)]
+    table = rw.equilibrium(rw.Scene(ropes=ropes, anchors=anchors)).table
+    assert "strong" in table["largest tension at"]
+    assert "weak" in table["largest utilisation of the breaking load at"]
+    assert table["largest utilisation of the breaking load [%]"] == pytest.approx(
+        100 * top(10.0) / 200.0
+    )
+
+
+def test_check_and_figures_say_it_and_warn() -> None:
+    calm, torn = hung(50.0, 2000.0), hung(50.0, 400.0)
+    lines = str(rw.check(calm, measure=False))
+    assert "24.6 % of the breaking load, safety factor 4.06" in lines
+    found = rw.check(torn, measure=False)
+    assert any("1.23 times its breaking load" in warning for warning in found.warnings)
+    assert not any("breaking" in warning for warning in rw.check(calm, measure=False).warnings)
+    assert found.as_dict()["ropes"][0]["utilisation"] == pytest.approx(top(50.0) / 400.0)  # type: ignore[index]
+    result = rw.simulate(torn)
+    for figure in (result.plot.tension(), result.plot.forces()):
+        texts = " ".join(text.get_text() for text in figure.texts)
+        assert "it would have parted" in texts
