@@ -29,8 +29,9 @@ def breaking_loads(scene: Scene, layout: Layout) -> Floats | None:
 
 def utilisations(tension: Floats, loads: Floats) -> Floats:
     """Return tensions over breaking loads, (frames, segments) [1]; -inf where no load is known."""
-    nothing = np.full(tension.shape, -math.inf)
-    return np.divide(tension, loads, out=nothing, where=np.isfinite(loads))
+    found = np.full(tension.shape, -math.inf)
+    np.divide(tension, loads, out=found, where=np.isfinite(loads))
+    return found
 
 
 def breaking_load(rope: Any) -> float | None:
