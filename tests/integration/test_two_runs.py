@@ -6,6 +6,7 @@ import os
 import subprocess
 import sys
 from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -14,9 +15,11 @@ import pytest
 
 import ropewalk as rw
 import runs
+from deaths import Disk, Killed
 from ropewalk.record import place
 from ropewalk.record.errors import RunError
 from ropewalk.record.lock import is_locked, locked
+from ropewalk.record.place import is_run
 from ropewalk.record.result import Result
 from ropewalk.record.resume import resume_run
 from ropewalk.record.run import record_run
@@ -110,26 +113,109 @@ class locked_run:  # noqa: N801 - used like a function
         self._lock.__exit__(None, None, None)
 
 
-def test_the_place_is_taken_while_an_old_run_is_moved_away(
+def test_nobody_takes_the_place_while_an_old_run_is_replaced(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     folder = tmp_path / "run"
     record_run(OTHER, folder)
     (folder / "notes.txt").write_text("mine")
-    real, others = os.rename, []
+    real, refused = os.rename, []
 
     def rename(source: Any, target: Any) -> None:
         real(source, target)
-        if str(target).endswith(".old") and not others:
-            others.append(source)
-            record_run(OTHER, folder)
+        if Path(source).parent == folder and not refused:
+            with pytest.raises(RunError, match="is being written by another process") as raised:
+                record_run(OTHER, folder, overwrite=True)
+            refused.append(raised.value)
+        assert (folder / "notes.txt").read_text() == "mine"  # never moved, at no time
 
     monkeypatch.setattr(os, "rename", rename)
-    with pytest.raises(RunError, match="holds a run already"):
-        record_run(SCENE, folder, overwrite=True)
-    assert Result.open(folder).nodes == 5
+    record_run(SCENE, folder, overwrite=True)
+    assert refused
+    assert Result.open(folder).nodes == 11
     assert (folder / "notes.txt").read_text() == "mine"
     assert [path.name for path in tmp_path.iterdir()] == ["run"]
+    assert not [path.name for path in folder.iterdir() if path.name.startswith(".replaced")]
+
+
+def test_a_system_that_renames_no_folder_with_a_lock_in_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Windows: a new run, one in an empty folder, one over another, and one that is refused."""
+    monkeypatch.setattr(place, "_RENAMES_LOCKED", False)
+    real = os.rename
+
+    def rename(source: Any, target: Any) -> None:
+        assert not Path(source, ".lock").exists(), "this system would refuse"
+        real(source, target)
+
+    monkeypatch.setattr(os, "rename", rename)
+    folder, empty = tmp_path / "run", tmp_path / "empty"
+    empty.mkdir()
+    record_run(OTHER, folder)
+    record_run(OTHER, empty)
+    with pytest.raises(RunError, match="holds a run already"):
+        record_run(SCENE, folder)
+    assert Result.open(folder).nodes == Result.open(empty).nodes == 5
+    record_run(SCENE, folder, overwrite=True)
+    assert Result.open(folder).nodes == 11
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["empty", "run"]
+
+
+def lay(folder: Path, name: str, *, overwrite: bool = True) -> None:
+    """Put what looks like a run in place, as a run does."""
+    with place.new_folder(folder, overwrite) as made:
+        (made / "data.zarr").mkdir()
+        for part in ("scene.toml", "status.json", "data.zarr/zarr.json", "provenance.json"):
+            (made / part).write_text(name)
+
+
+def test_a_death_while_an_old_run_is_replaced_leaves_what_others_put_there(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """At every operation: the notes lie where they were, and the folder can be overwritten again."""
+    monkeypatch.setattr(place, "_LEFT_ALONE", -1.0)
+    died, last, whole = 0, 1, False
+    while not whole:
+        room = tmp_path / f"room{last}"
+        folder = room / "run"
+        lay(folder, "old")
+        (folder / "figures").mkdir()
+        (folder / "figures" / "mine.txt").write_text("mine")
+        with monkeypatch.context() as patch, suppress(Killed):
+            Disk(room, last).install(patch)
+            lay(folder, "new")
+            whole = True
+        assert (folder / "figures" / "mine.txt").read_text() == "mine", last
+        if is_run(folder):
+            assert len({(folder / part).read_text() for part in ("scene.toml", "status.json")}) == 1
+        else:
+            died += 1
+            with pytest.raises(RunError, match="holds a run already"):
+                lay(folder, "new", overwrite=False)
+        lay(folder, "newest")
+        parts = ("scene.toml", "status.json", "data.zarr/zarr.json", "provenance.json")
+        assert {(folder / part).read_text() for part in parts} == {"newest"}
+        assert (folder / "figures" / "mine.txt").read_text() == "mine"
+        assert [path.name for path in room.iterdir()] == ["run"], "leftovers are swept up"
+        assert not [path.name for path in folder.iterdir() if path.name.startswith(".replaced")]
+        last += 1
+    assert died > 3
+
+
+def test_foreign_folders_of_a_like_name_are_not_swept_up(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(place, "_LEFT_ALONE", -1.0)
+    kept = [".run.0123456789ab.new", ".run.0123456789ab.old", ".other.0123456789ab.new"]
+    for name in kept:
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "notes.txt").write_text("mine")
+    left = tmp_path / ".run.ba9876543210.new"
+    left.mkdir()
+    (left / "scene.toml").write_text("")
+    record_run(SCENE, tmp_path / "run")
+    assert sorted(path.name for path in tmp_path.iterdir()) == sorted([*kept, "run"])
 
 
 def test_a_disk_that_is_full_while_an_old_run_is_replaced(
@@ -140,7 +226,7 @@ def test_a_disk_that_is_full_while_an_old_run_is_replaced(
     real = os.rename
 
     def rename(source: Any, target: Any) -> None:
-        if str(source).endswith(".new"):
+        if ".new" in str(source) and str(source).endswith("data.zarr"):
             raise OSError(28, "No space left on device", str(source))
         real(source, target)
 
