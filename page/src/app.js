@@ -65,6 +65,7 @@ export class App {
       menu: (hit, x, y) => this.tools.menu(hit, x, y),
     });
     this.tools.pointer = this.pointer;
+    this.stage.held = () => this.pointer.down.size > 0;
     this.meter = new Meter(session, this.meterHost);
     this.controls = new Controls(session, this.footer, () => this.graphs.toggle());
     this.tweak = new Tweak(session, this.panel);

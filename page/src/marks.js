@@ -2,7 +2,7 @@
 
 import { ROPES, fromHex } from "./view/colours.js";
 import { quantity } from "./view/range.js";
-import { plus, vector } from "./view/vector.js";
+import { dot, plus, vector } from "./view/vector.js";
 import { Trails } from "./render/trails.js";
 
 /** @typedef {import("./stage.js").Stage} Stage */
@@ -15,6 +15,9 @@ import { Trails } from "./render/trails.js";
 
 const REACTION = 84; // length of the longest arrow [CSS pixels]
 const MOST_LABELS = 8;
+const MOST_POSTS = 24;
+const STILL = new Set(["fixed", "velocity", "table"]); // motions of anchors that may stand on a post
+const FOOT = 5; // height of a post's foot [CSS pixels]
 
 export class Marks {
   /** @param {Stage} stage */
@@ -29,6 +32,8 @@ export class Marks {
     this.kick = null;
     this.strongest = 0; // the force that has the longest arrow [N]
     /** @type {Label[]} */ this.labels = [];
+    /** What anchors stand on, on the floor. @type {Arrow[]} */ this.posts = [];
+    this.standing = true; // whether they are shown
   }
 
   /** @param {Layout} layout */
@@ -59,6 +64,7 @@ export class Marks {
     /** @type {Marker[]} */ const markers = [];
     /** @type {Arrow[]} */ const arrows = [];
     this.labels = [];
+    this.posts = [];
     const { session } = this.stage;
     if (session.layout && session.frame) {
       this.addAnchors(markers, arrows);
@@ -92,8 +98,9 @@ export class Marks {
           : anchor.motion === "hand"
             ? theme.hand
             : theme.anchor;
-        const pixels = anchor.pinned ? 12 : 17;
-        markers.push({ x, y, z, kind: "square", colour, size: 0, pixels });
+        const pixels = anchor.pinned ? 14 : 19;
+        markers.push({ x, y, z, kind: "eye", colour, size: 0, pixels });
+        if (STILL.has(anchor.motion)) this.addPost(place);
         const force = [...part.anchors.subarray(10 * a + 6, 10 * a + 9)];
         const size = Math.hypot(...force);
         if (!Number.isFinite(size)) return;
@@ -111,6 +118,19 @@ export class Marks {
         this.labels.push({ from: place, at: to, text: quantity(size, "N"), kind: "reaction" });
       }
     }
+  }
+
+  /** A post from the floor to an anchor. @param {Vector} place */
+  addPost(place) {
+    const { camera, theme, groundHeight } = this.stage;
+    const above = dot(place, camera.up) - groundHeight;
+    const foot = (FOOT * camera.pose.distance) / camera.focal;
+    if (!this.standing || above < 2 * foot || this.posts.length >= 2 * MOST_POSTS) return;
+    const to = plus(place, camera.up, -above);
+    this.posts.push(
+      { from: place, to, colour: theme.post, pixels: 4.5, head: false },
+      { from: plus(to, camera.up, foot), to, colour: theme.post, pixels: 16, head: false },
+    );
   }
 
   /** @param {Marker[]} markers */

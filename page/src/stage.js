@@ -2,10 +2,11 @@
 
 import { Blend } from "./view/blend.js";
 import { Camera } from "./view/camera.js";
-import { Flight } from "./view/flight.js";
+import { CALM, Flight } from "./view/flight.js";
+import { Follow, lowest } from "./view/follow.js";
 import { Range } from "./view/range.js";
-import { nodesOf, shapeOf, shiftsOf, starts } from "./view/copies.js";
-import { boxOf, firstLook, groundOf, tame } from "./view/room.js";
+import { cornersOf, nodesOf, shapeOf, shiftsOf, starts } from "./view/copies.js";
+import { boxOf, firstAngles, flatAxis, groundOf, tame } from "./view/room.js";
 import { readTheme } from "./view/theme.js";
 import { dot, vector } from "./view/vector.js";
 import { textureSize } from "./render/webgl/texture_size.js";
@@ -39,13 +40,20 @@ export class Stage {
     this.apart = false;
     /** @type {number[][]} */ this.shifts = [[0, 0, 0]];
     /** @type {number[]} */ this.starts = [0];
+    this.corners = new Uint8Array(0);
     /** @type {Theme} */ this.theme = readTheme();
     this.marks = new Marks(this);
     this.dirty = true;
     this.drawn = 0;
     this.spacing = 1; // of the grid's lines [m]
     this.floor = 0; // height of the grid where there is no ground
+    this.floorTo = 0; // where it goes
     /** @type {Flight | null} */ this.flight = null;
+    this.follower = new Follow();
+    this.following = true; // until the user moves the camera
+    this.ownVersion = -1; // of the camera, as the stage has set it
+    /** The axis that a flat scene has no extent along (0, 1, 2), else -1. */
+    this.axis = -1;
     this.lookPending = true;
     this.layoutNumber = -1;
     /** @type {number[]} */ this.up = [0, 0, 1];
@@ -86,6 +94,7 @@ export class Stage {
     this.up = layout.up;
     this.camera.setUp(layout.up);
     this.renderer.setShape(shapeOf(layout));
+    this.corners = cornersOf(layout);
     this.marks.setLayout(layout);
     const key = `${layout.scene.name} ${layout.scene.preset} ${layout.variants.length > 1 && this.apart}`;
     if (key !== this.sceneKey) {
@@ -141,6 +150,7 @@ export class Stage {
     this.lastPush = now;
     this.gatherAnchors(frame, this.anchors.next(now, jump));
     if (this.lookPending) this.look(layout);
+    else this.keepInView(layout, now);
     if (this.marks.trails) this.marks.trails.push(this.nodes.to);
     this.dirty = true;
   }
@@ -173,39 +183,124 @@ export class Stage {
   /** The first look at a scene. @param {Layout} layout */
   look(layout) {
     this.lookPending = false;
-    const count = nodesOf(layout);
-    const box = boxOf(this.nodes.to, count);
-    this.camera.set(this.firstPose(layout));
-    const lowest = Math.min(...[box.low, box.high].map((corner) => dot(corner, this.camera.up)));
-    const bottom = dot(layout.view.center, this.camera.up) - layout.view.radius;
-    this.floor = Math.min(lowest, bottom);
+    const box = boxOf(this.nodes.to, nodesOf(layout));
+    this.axis = flatAxis(box, this.camera.up, layout.view.radius);
+    this.floor = this.floorTo = this.floorUnder(layout, box);
+    this.follower.clear();
+    this.setPose(this.firstPose(layout));
+    this.following = true;
     this.flight = null;
+  }
+
+  /** The height of the floor where there is no ground: below all that ropes can reach. @param {Layout} layout
+   * @param {import("./view/camera.js").Box} box of the ropes */
+  floorUnder(layout, box) {
+    const { up } = this.camera;
+    const placeOf = (/** @type {number} */ node) =>
+      vector(this.nodes.to.subarray(4 * node, 4 * node + 3));
+    const levels = layout.variants.flatMap(({ ropes, anchors }, v) =>
+      ropes.map((rope) => lowest(anchors, rope, (node) => placeOf(this.starts[v] + node), up)),
+    );
+    const size = Math.hypot(...box.high.map((value, k) => value - box.low[k]));
+    const now = Math.min(...[box.low, box.high].map((corner) => dot(corner, up)));
+    return Math.min(...levels, now) - 0.12 * size;
+  }
+
+  /** Let the camera follow the ropes, and the floor give way. @param {Layout} layout @param {number} now ms */
+  keepInView(layout, now) {
+    if (this.session.broken) return;
+    const { camera, follower } = this;
+    const count = nodesOf(layout);
+    const seconds = Math.min(0.2, (now - this.lastLook) / 1000);
+    this.lastLook = now;
+    follower.take(camera, this.nodes.to, count, seconds);
+    const least = this.lowestNow(count);
+    if (!layout.ground && least < this.floor) {
+      this.floorTo = Math.min(this.floorTo, least - 0.1 * layout.view.radius);
+    }
+    if (camera.version !== this.ownVersion && !this.flight) this.following = false;
+    if (!this.following || this.flight || this.held()) return;
+    const wanted = follower.wanted(camera, this.strips());
+    if (wanted) this.fly(wanted, CALM);
+  }
+
+  /** The least width of a rope [CSS pixels]. */
+  get leastWidth() {
+    return this.session.layout && nodesOf(this.session.layout) > 4000 ? 4 : 8;
+  }
+
+  /** How many times thicker than it is the thickest rope is drawn in the middle of the scene. */
+  thickness() {
+    const { camera, session } = this;
+    const ropes = session.layout?.variants.flatMap((variant) => variant.ropes) ?? [];
+    const diameter = Math.max(1e-9, ...ropes.map((rope) => rope.diameter));
+    return Math.max(1, (this.leastWidth * camera.pose.distance) / camera.focal / diameter);
+  }
+
+  /** The height of the ground, or of the floor where there is none [m]. */
+  get groundHeight() {
+    return this.session.layout?.ground?.height ?? this.floor;
+  }
+
+  /** Let the floor go where it should be, in a moment. */
+  lowerFloor() {
+    const away = this.floorTo - this.floor;
+    if (away === 0 || !this.session.layout) return;
+    const near = Math.abs(away) < 0.003 * this.session.layout.view.radius;
+    this.floor += near ? away : 0.08 * away;
+    this.dirty = true;
+  }
+
+  /** Whether a pointer is down on the scene; then the camera stays. @type {() => boolean} */
+  held = () => false;
+
+  lastLook = 0;
+
+  /** @param {number} count */
+  lowestNow(count) {
+    const { up } = this.camera;
+    const { to } = this.nodes;
+    let least = Infinity;
+    for (let i = 0; i < 4 * count; i += 4) {
+      least = Math.min(least, to[i] * up[0] + to[i + 1] * up[1] + to[i + 2] * up[2]);
+    }
+    return least;
+  }
+
+  /** @param {Pose} pose */
+  setPose(pose) {
+    this.camera.set(pose);
+    this.ownVersion = this.camera.version;
   }
 
   /** The pose for the first look; if a card would cover a rope there, one beside the card.
    * @param {Layout} layout @returns {Pose} */
   firstPose(layout) {
-    const pose = firstLook(this.camera, layout, boxOf(this.nodes.to, nodesOf(layout)));
-    return this.covered(pose) ? this.wholePose(layout, pose) : pose;
+    const angles = firstAngles(this.camera, this.axis);
+    const pose = this.camera.framed(this.places(layout), angles);
+    return this.covered(pose) ? this.wholePose(layout, angles) : pose;
   }
 
   /** The pose that shows all ropes, beside the card. @param {Layout} layout
    * @param {{azimuth?: number, elevation?: number}} from @returns {Pose} */
   wholePose(layout, from) {
-    const box = boxOf(this.nodes.to, nodesOf(layout));
-    const margin = 0.06 * layout.view.radius;
-    for (let k = 0; k < 3; k++) {
-      box.low[k] -= margin;
-      box.high[k] += margin;
-    }
-    return this.camera.fitted(box, from, this.strips());
+    return this.camera.framed(this.places(layout), from, this.strips());
+  }
+
+  /** Where the nodes are. @param {Layout} layout */
+  *places(layout) {
+    const { to } = this.nodes;
+    for (let i = 0; i < nodesOf(layout); i++) yield vector(to.subarray(4 * i, 4 * i + 3));
   }
 
   /** Show all ropes, from here or from other angles.
    * @param {{azimuth?: number, elevation?: number}} [from] */
   fit(from = {}) {
     const { layout } = this.session;
-    if (layout && !this.nodes.empty) this.fly(this.wholePose(layout, from));
+    if (!layout || this.nodes.empty) return;
+    this.following = true;
+    this.follower.clear();
+    this.fly(this.wholePose(layout, from));
   }
 
   /** Show all ropes if the card covers one. */
@@ -234,10 +329,11 @@ export class Stage {
     return card.bottom < below ? { top: card.bottom, bottom: 0 } : { top: TOOLS, bottom: below };
   }
 
-  /** @param {Pose} pose */
-  fly(pose) {
-    if (matchMedia("(prefers-reduced-motion: reduce)").matches) this.camera.set(pose);
-    else this.flight = new Flight(this.camera.pose, pose, performance.now());
+  /** @param {Pose} pose @param {number} [duration] ms */
+  fly(pose, duration) {
+    this.ownVersion = this.camera.version;
+    if (matchMedia("(prefers-reduced-motion: reduce)").matches) this.setPose(pose);
+    else this.flight = new Flight(this.camera.pose, pose, performance.now(), duration);
   }
 
   /** @param {Colouring} colouring */
@@ -257,9 +353,11 @@ export class Stage {
   /** @param {number} width @param {number} height CSS pixels */
   resize(width, height) {
     const before = this.camera.width / this.camera.height;
+    const own = this.camera.version === this.ownVersion;
     this.camera.resize(width, height);
+    if (own) this.ownVersion = this.camera.version;
     this.renderer.resize(width, height, Math.min(2, devicePixelRatio || 1));
-    if (Math.abs(width / height / before - 1) > 0.3) this.lookPending = true;
+    if (this.following && Math.abs(width / height / before - 1) > 0.3) this.lookPending = true;
     const { layout, frame } = this.session;
     if (layout && frame && this.lookPending) this.look(layout);
     this.renderer.clear(); // at once: a canvas of another size is empty, which is black
@@ -270,9 +368,10 @@ export class Stage {
   tick(now) {
     if (this.flight) {
       const { pose, over } = this.flight.at(now);
-      this.camera.set(pose);
+      this.setPose(pose);
       if (over) this.flight = null;
     }
+    this.lowerFloor();
     const moved = this.nodes.advance(performance.now());
     this.anchors.advance(performance.now());
     const turned = this.camera.version !== this.cameraVersion;
@@ -296,9 +395,12 @@ export class Stage {
       range: this.range,
       plain: this.colouring === "plain",
       dots: this.dots,
-      pixels: nodesOf(layout) > 4000 ? 4 : 5.5,
+      pixels: this.leastWidth,
+      smooth: !this.session.broken,
+      corners: this.corners,
       markers,
       arrows,
+      posts: this.marks.posts,
       trails: this.marks.trails,
       ground,
     });

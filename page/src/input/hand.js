@@ -25,7 +25,7 @@ export class Hand {
   /** @param {number} px @param {number} py */
   moveTo(px, py) {
     const { stage, hit } = this;
-    this.place = stage.camera.inPlane(px, py, hit.place);
+    this.place = stage.camera.onPlane(px, py, hit.place, stage.axis);
     if (this.way === "kick") {
       const text = `${figures(length(this.velocity()))} m/s`;
       stage.marks.kick = { from: hit.place, to: this.place, text };

@@ -9,7 +9,10 @@ import { h } from "./dom.js";
 /** @typedef {import("../view/places.js").Box} Box */
 
 const LETTER = 7.4; // of the labels' font, wide [CSS pixels]
-const HEIGHT = 20;
+const HEIGHT = 22;
+const FRAME = 18; // beside the letters
+const TIP = 2.5; // half of an arrow's, that stays free
+const STAY = 600; // ms a label keeps its place while a better one is free
 const PLATE = 10; // half of an anchor's
 const BEADS = 90; // nodes that are looked at, at most
 const CARDS = ".toolbar, .legend, .difference, .tour, .broken, .slow-note, .banner";
@@ -24,6 +27,7 @@ export class Labels {
     this.box = h("div", { className: "labels", "aria-hidden": "true" });
     /** @type {HTMLElement[]} */ this.pool = [];
     /** @type {number[]} which place each label took */ this.taken = [];
+    /** @type {number[]} and since when [ms] */ this.since = [];
     /** @type {Box[]} */ this.cards = [];
     /** @type {Set<Element>} */ this.watched = new Set();
     this.looked = this.worded = -Infinity;
@@ -43,7 +47,7 @@ export class Labels {
       this.pool.push(label);
       this.box.append(label);
     }
-    const plates = labels.map((label) => this.plate(label));
+    const plates = labels.flatMap(({ from, at }) => [this.plate(from, PLATE), this.plate(at, TIP)]);
     const blocked = labels.length ? [...this.cardsNow(), ...plates] : [];
     const beads = labels.length ? this.beads() : [];
     const now = performance.now();
@@ -71,22 +75,26 @@ export class Labels {
     const [x, y, depth] = camera.project(...at);
     if (!(depth > 0)) return null;
     const [fx, fy] = camera.project(...from);
-    const size = [LETTER * text.length + 14, HEIGHT];
+    const size = [LETTER * text.length + FRAME, HEIGHT];
     const room = [camera.width, camera.height];
     const places = placesFor([x, y], [x - fx, y - fy], size, room);
     const before = this.taken[i] ?? 0;
-    const order = [before, ...places.keys()];
+    const now = performance.now();
+    const order =
+      now - (this.since[i] ?? -Infinity) < STAY ? [before, ...places.keys()] : [...places.keys()];
     const clear = order.find((k) => free(places[k], blocked, beads));
     const found = clear ?? order.find((k) => free(places[k], blocked, []));
     if (found === undefined) return null;
-    this.taken[i] = clear === undefined ? 0 : found;
+    if (found !== before) this.since[i] = now;
+    this.taken[i] = found;
     return places[found];
   }
 
-  /** What an arrow starts from. @param {Label} label @returns {Box} */
-  plate({ from }) {
-    const [x, y] = this.stage.camera.project(...from);
-    return { x: x - PLATE, y: y - PLATE, width: 2 * PLATE, height: 2 * PLATE };
+  /** What an arrow starts from, or its tip. @param {import("../view/vector.js").Vector} place
+   * @param {number} half [CSS pixels] @returns {Box} */
+  plate(place, half) {
+    const [x, y] = this.stage.camera.project(...place);
+    return { x: x - half, y: y - half, width: 2 * half, height: 2 * half };
   }
 
   /** Where some of the nodes are on the screen. */

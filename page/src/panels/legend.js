@@ -34,11 +34,7 @@ export class Legend {
       h("option", { value: "plain" }, "Plain colours"),
     );
     this.bar = h("div", { className: "map" });
-    const map = uniformMap();
-    const stops = Array.from({ length: 17 }, (_, i) =>
-      css(map[Math.round((i / 16) * (map.length - 1))]),
-    );
-    this.bar.style.backgroundImage = `linear-gradient(to right, ${stops.join(", ")})`;
+    /** @type {boolean | null} the theme the bar is painted for */ this.dark = null;
     this.low = h("span", {});
     this.middle = h("span", {});
     this.high = h("span", {});
@@ -52,7 +48,10 @@ export class Legend {
     this.ropes = h("div", { className: "rope-names" });
     this.arrows = this.check("Forces", "show-forces", true, (on) => (stage.marks.reactions = on));
     this.dots = this.check("Nodes", "show-nodes", false, (on) => (stage.dots = on));
-    this.grid = h("span", { className: "faint grid-size" });
+    this.posts = this.check("Posts", "show-posts", true, (on) => (stage.marks.standing = on));
+    this.posts.className = "posts";
+    this.grid = h("span", {});
+    this.thick = h("span", {});
     host.append(
       h(
         "div",
@@ -61,7 +60,8 @@ export class Legend {
         this.bar,
         this.numbers,
         this.ropes,
-        h("div", { className: "row" }, this.arrows, this.dots, this.grid),
+        h("div", { className: "row" }, this.arrows, this.dots, this.posts),
+        h("div", { className: "numbers drawn-as" }, this.grid, this.thick),
       ),
     );
     stage.session.on("layout", () => this.names());
@@ -118,7 +118,20 @@ export class Legend {
       this.ropes.append(h("span", { className: "faint" }, `and ${entries.length - 6} more`));
   }
 
+  /** Paint the bar in the map's colours. */
+  paint() {
+    const { dark } = this.stage.theme;
+    if (dark === this.dark) return;
+    this.dark = dark;
+    const map = uniformMap(dark);
+    const stops = Array.from({ length: 17 }, (_, i) =>
+      css(map[Math.round((i / 16) * (map.length - 1))]),
+    );
+    this.bar.style.backgroundImage = `linear-gradient(to right, ${stops.join(", ")})`;
+  }
+
   refresh() {
+    this.paint();
     this.written = performance.now();
     const { range, colouring } = this.stage;
     const { low, high } = range;
@@ -138,6 +151,13 @@ export class Legend {
 
   showGrid() {
     write(this.grid, `Grid ${quantity(this.stage.spacing, "m")}`);
+    const times = this.stage.thickness();
+    write(
+      this.thick,
+      times > 1.05
+        ? `Rope drawn ${figures(Number(times.toPrecision(2)))}× thick`
+        : "True thickness",
+    );
   }
 }
 

@@ -5,15 +5,15 @@
 /** @typedef {import("./trails.js").Trails} Trails */
 
 /** One rope of one copy,
- *   its segments `spacing` metres long: nodes `first` to `first + count - 1` of the view.
+ *   its segments `spacing` metres long: nodes `first` to `first + count - 1` of the view; which ends are loose.
  * @typedef {{name: string, first: number, count: number, radius: number, spacing: number,
- *   colour: Colour}} RopeSpan */
+ *   colour: Colour, loose: [boolean, boolean]}} RopeSpan */
 
 /** The constant part: which nodes make ropes.
  * @typedef {{nodes: number, ropes: RopeSpan[]}} Shape */
 
-/** @typedef {"round" | "square" | "ring"} MarkerKind */
-/** A ball, plate or ring: size in metres and the least in pixels (diameters).
+/** @typedef {"round" | "eye" | "ring"} MarkerKind */
+/** A ball, eye bolt or ring: size in metres and the least in pixels (diameters).
  * @typedef {{x: number, y: number, z: number, kind: MarkerKind, colour: Colour, size: number,
  *   pixels: number}} Marker */
 /** @typedef {{from: ArrayLike<number>, to: ArrayLike<number>, colour: Colour, pixels: number,
@@ -21,9 +21,9 @@
 /** @typedef {{height: number, solid: boolean, spacing: number, radius: number, center: [number, number,
  *   number]}} Ground */
 
-/** @typedef {{background: Colour, grid: Colour, shadow: Colour, ground: Colour, anchor: Colour,
- *   hand: Colour, load: Colour, arrow: Colour, grab: Colour, pin: Colour, hover: Colour, node: Colour,
- *   dark: boolean}} Theme */
+/** @typedef {{background: Colour, horizon: Colour, grid: Colour, shadow: Colour, ground: Colour, anchor: Colour,
+ *   hand: Colour, load: Colour, arrow: Colour, grab: Colour, pin: Colour, hover: Colour, node: Colour, post: Colour,
+ *   rim: number, dark: boolean}} Theme */
 
 /** What is drawn in one frame.
  * @typedef {Object} View
@@ -34,10 +34,13 @@
  * @property {boolean} plain each rope in its own colour
  * @property {boolean} dots whether nodes are shown as dots
  * @property {number} pixels least width of a rope
+ * @property {boolean} smooth whether ropes are curves through their nodes, not polylines
+ * @property {Uint8Array} corners 1 for nodes where a rope may have a kink
  * @property {Marker[]} markers
  * @property {Arrow[]} arrows
+ * @property {Arrow[]} posts that anchors stand on: no part of the model
  * @property {Trails | null} trails
- * @property {Ground | null} ground
+ * @property {Ground} ground
  */
 
 /** @typedef {Object} Renderer

@@ -1,13 +1,15 @@
 // The camera of both renderers: it looks at a target from a direction given by two angles around "up".
 
-import { cross, dot, minus, plus, times, unit } from "./vector.js";
+import { cross, dot, minus, plus, times, unit, vector } from "./vector.js";
 
 /** @typedef {import("./vector.js").Vector} Vector */
 /** @typedef {{low: Vector, high: Vector}} Box a box of the scene [m] */
 /** @typedef {{target: Vector, distance: number, azimuth: number, elevation: number}} Pose */
 
-const FIELD = (34 * Math.PI) / 180; // vertical field of view [rad]
-const SIDE = 80; // pixels kept free on each side when all is shown
+const FIELD = (28 * Math.PI) / 180; // vertical field of view [rad]
+const WIDE = 0.72; // of the picture's width, which ropes fill when all is shown
+const EDGE = 0.35; // of a plane, seen from there: too little of it to be drawn about on
+const HIGH = 0.68; // of its height
 const HALF_TURN = Math.PI / 2;
 
 export class Camera {
@@ -23,6 +25,7 @@ export class Camera {
     /** @type {Vector} */ this.up = [0, 0, 1];
     /** @type {Vector} */ this.first = [1, 0, 0];
     /** @type {Vector} */ this.second = [0, 1, 0];
+    /** To the light: from the front left, above. @type {Vector} */ this.light = [0, 0, 1];
     /** @type {Vector} */ this.eye = [0, 0, 0];
     /** @type {Vector} */ this.right = [1, 0, 0];
     /** @type {Vector} */ this.top = [0, 0, 1];
@@ -36,6 +39,8 @@ export class Camera {
     const along = Math.abs(this.up[0]) < 0.9 ? [1, 0, 0] : [0, 0, 1];
     this.first = unit(minus(along, times(this.up, dot(along, this.up))));
     this.second = cross(this.up, this.first);
+    const level = plus(times(this.first, -0.45), this.second, -0.55);
+    this.light = unit(plus(level, this.up));
     this.update();
   }
 
@@ -104,6 +109,11 @@ export class Camera {
     ];
   }
 
+  /** How far the eye is above a level [m]. @param {number} level */
+  eyeHeight(level) {
+    return dot(this.eye, this.up) - level;
+  }
+
   /** The direction (length 1 along the view) from the eye through a pixel.
    * @param {number} px @param {number} py @returns {Vector} */
   ray(px, py) {
@@ -117,6 +127,16 @@ export class Camera {
   inPlane(px, py, point) {
     const depth = dot(minus(this.eye, point), this.toward);
     return plus(this.eye, this.ray(px, py), depth);
+  }
+
+  /** The point under a pixel in the plane through `point` at a right angle to an axis of the scene (0, 1, 2), or
+   * parallel to the screen where that plane is seen too much from its edge.
+   * @param {number} px @param {number} py @param {ArrayLike<number>} point @param {number} axis or -1
+   * @returns {Vector} */
+  onPlane(px, py, point, axis) {
+    const ray = this.ray(px, py);
+    if (axis < 0 || Math.abs(ray[axis]) < EDGE) return this.inPlane(px, py, point);
+    return plus(this.eye, ray, (point[axis] - this.eye[axis]) / ray[axis]);
   }
 
   /** Turn around the target. @param {number} dx @param {number} dy pixels */
@@ -156,26 +176,44 @@ export class Camera {
   /** The pose that shows a whole box from the present direction, or from another one.
    * @param {Box} box @param {{azimuth?: number, elevation?: number}} [from]
    * @param {{top: number, bottom: number}} [strips] to be kept free [pixels] @returns {Pose} */
-  fitted(box, from = {}, { top, bottom } = { top: 0, bottom: 0 }) {
-    const target = times(plus(box.low, box.high), 0.5);
-    const probe = this.at({ ...from, target, distance: 1 });
-    const half = Math.tan(FIELD / 2); // less a margin; at the sides there are tool bars
+  fitted(box, from = {}, strips) {
+    const corners = Array.from({ length: 8 }, (_, corner) =>
+      vector([0, 1, 2].map((i) => ((corner >> i) & 1 ? box.high[i] : box.low[i]))),
+    );
+    return this.framed(corners, from, strips);
+  }
+
+  /** The pose that lets points fill the picture, up to a margin, from the present direction or another one: along
+   * each side of the view the point that needs the most room says where the eye must be.
+   * @param {Iterable<Vector>} points @param {{azimuth?: number, elevation?: number}} [from]
+   * @param {{top: number, bottom: number}} [strips] to be kept free [pixels] @returns {Pose} */
+  framed(points, from = {}, { top, bottom } = { top: 0, bottom: 0 }) {
+    const probe = this.at({ ...from, target: [0, 0, 0], distance: 1 });
+    const half = Math.tan(FIELD / 2);
     const free = Math.max(0.3, 1 - (top + bottom) / this.height);
-    const halfHeight = half * 0.86 * free;
-    const halfWidth = (half * Math.max(0.7 * this.width, this.width - 2 * SIDE)) / this.height;
-    let distance = 1e-3;
-    for (let corner = 0; corner < 8; corner++) {
-      const point = [0, 1, 2].map((i) => ((corner >> i) & 1 ? box.high[i] : box.low[i]));
-      const offset = minus(point, target);
-      const near = dot(offset, probe.toward);
-      distance = Math.max(
-        distance,
-        near + Math.abs(dot(offset, probe.right)) / halfWidth,
-        near + Math.abs(dot(offset, probe.top)) / halfHeight,
-      );
+    const high = half * HIGH * free;
+    const wide = (half * WIDE * this.width) / this.height;
+    let [right, left, above, below] = [-Infinity, -Infinity, -Infinity, -Infinity];
+    let [nearest, farthest] = [-Infinity, Infinity];
+    for (const point of points) {
+      const [r, t, n] = [probe.right, probe.top, probe.toward].map((axis) => dot(point, axis));
+      right = Math.max(right, r + wide * n);
+      left = Math.max(left, wide * n - r);
+      above = Math.max(above, t + high * n);
+      below = Math.max(below, high * n - t);
+      nearest = Math.max(nearest, n);
+      farthest = Math.min(farthest, n);
     }
+    const eye = Math.max((right + left) / (2 * wide), (above + below) / (2 * high), nearest + 1e-3);
+    const middle = (nearest + farthest) / 2;
+    const distance = eye - middle;
     const shift = ((top - bottom) / 2) * (distance / this.focal);
-    return { ...probe.pose, target: plus(target, probe.top, shift), distance };
+    const target = plus(
+      plus(times(probe.right, (right - left) / 2), probe.top, (above - below) / 2 + shift),
+      probe.toward,
+      middle,
+    );
+    return { ...probe.pose, target, distance };
   }
 
   /** The angles from which an axis of the scene (0, 1, 2 for x, y, z) points at the viewer.

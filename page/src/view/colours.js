@@ -7,16 +7,29 @@ export const ROPES = ["#3b8bc4", "#d9652b", "#1f9e77", "#c879a7", "#d99a1c", "#5
 
 export const SHADES = 256;
 
-// The map runs along a smooth way through OKLab (Ottosson 2020), whose distances are those of the
-// eye: lightness rises evenly, the hue goes from blue over red to yellow. [lightness, chroma, hue]
-const WAY = [
-  [0.46, 0.15, 268],
-  [0.53, 0.17, 305],
-  [0.6, 0.19, 350],
-  [0.68, 0.17, 30],
-  [0.76, 0.155, 62],
-  [0.84, 0.155, 88],
+// Each map runs along a smooth way through OKLab (Ottosson 2020), whose distances are those of the
+// eye: the hue goes from blue over red to yellow, and the lightness rises all the way, also for those who
+// see two kinds of colour only (Machado, Oliveira and Fernandes 2009). [lightness, chroma, hue]
+// The dark theme's keeps a contrast of 3 with its floor; in the light one a darker rim does that.
+const DARK = [
+  [0.555, 0.159, 276],
+  [0.628, 0.114, 307],
+  [0.719, 0.116, 356],
+  [0.776, 0.105, 32],
+  [0.828, 0.11, 60],
+  [0.915, 0.142, 103],
 ];
+const LIGHT = [
+  [0.346, 0.12, 275],
+  [0.475, 0.135, 315],
+  [0.555, 0.14, 352],
+  [0.63, 0.165, 22],
+  [0.7, 0.135, 48],
+  [0.765, 0.15, 82],
+];
+
+/** What is left of the light (linear) at a rope's edge. @param {boolean} dark */
+export const rimOf = (dark) => (dark ? 1 : 0.42);
 
 /** @type {(lightness: number, chroma: number, hue: number) => number[]} */
 const lab = (lightness, chroma, hue) => {
@@ -58,15 +71,17 @@ const shown = (value) => {
 export const unshown = (value) =>
   value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;
 
-/** The map as `SHADES` colours with even distances in OKLab. @returns {Colour[]} */
-export function uniformMap() {
+/** The map of a theme as `SHADES` colours with even distances in OKLab. @param {boolean} dark
+ * @returns {Colour[]} */
+export function uniformMap(dark) {
+  const way = dark ? DARK : LIGHT;
   const fine = [];
-  const pieces = WAY.length - 1;
+  const pieces = way.length - 1;
   for (let i = 0; i <= 4000; i++) {
     const at = (i / 4000) * pieces;
     const piece = Math.min(pieces - 1, Math.floor(at));
     const part = at - piece;
-    const [from, to] = [WAY[piece], WAY[piece + 1]];
+    const [from, to] = [way[piece], way[piece + 1]];
     let turn = to[2] - from[2];
     if (turn < -180) turn += 360;
     const hue = from[2] + part * turn;

@@ -41,10 +41,28 @@ export function shapeOf(layout) {
         radius: rope.diameter / 2,
         spacing: rope.length / Math.max(1, rope.segments),
         colour: colourOf(layout, v, r),
+        loose: looseEnds(variant, rope),
       });
     });
   });
   return { nodes: nodesOf(layout), ropes };
+}
+
+/** Whether the first and the last node of a rope hang free. @param {Layout["variants"][0]} variant
+ * @param {{first: number, nodes: number}} rope @returns {[boolean, boolean]} */
+function looseEnds({ anchors, loads }, { first, nodes }) {
+  const held = new Set([...anchors, ...loads].map(({ index }) => index));
+  return [!held.has(first), !held.has(first + nodes - 1)];
+}
+
+/** Where a rope may have a kink: at what holds it and at loads. @param {Layout} layout */
+export function cornersOf(layout) {
+  const first = starts(layout);
+  const corners = new Uint8Array(nodesOf(layout));
+  layout.variants.forEach(({ anchors, loads }, v) => {
+    for (const { index } of [...anchors, ...loads]) corners[first[v] + index] = 1;
+  });
+  return corners;
 }
 
 /** Shifts of the copies [m]: none, or side by side along a level direction.

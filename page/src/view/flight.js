@@ -4,11 +4,13 @@ import { minus, plus } from "./vector.js";
 
 /** @typedef {import("./camera.js").Pose} Pose */
 
-const DURATION = 320; // ms
+const DURATION = 320; // ms, when asked for
+export const CALM = 1600; // ms, when the camera moves by itself
 
 export class Flight {
-  /** @param {Pose} from @param {Pose} to @param {number} now ms */
-  constructor(from, to, now) {
+  /** @param {Pose} from @param {Pose} to @param {number} now ms @param {number} [duration] ms */
+  constructor(from, to, now, duration = DURATION) {
+    this.duration = duration;
     const turn = to.azimuth - from.azimuth;
     this.from = from;
     this.to = to;
@@ -19,7 +21,7 @@ export class Flight {
   /** The pose at a time, and whether the flight is over.
    * @param {number} now ms @returns {{pose: Pose, over: boolean}} */
   at(now) {
-    const part = Math.min(1, Math.max(0, (now - this.start) / DURATION));
+    const part = Math.min(1, Math.max(0, (now - this.start) / this.duration));
     const s = part * part * (3 - 2 * part);
     const { from, to } = this;
     return {

@@ -1,17 +1,17 @@
 // The room around the ropes: the first look at a scene, boxes to fit, the ground and its grid.
 
-import { cross, dot, minus, plus, times, vector } from "./vector.js";
+import { cross, dot, plus, times, vector } from "./vector.js";
 import { round } from "./range.js";
 
 /** @typedef {import("./camera.js").Camera} Camera */
 /** @typedef {import("./camera.js").Box} Box */
-/** @typedef {import("./camera.js").Pose} Pose */
 /** @typedef {import("./vector.js").Vector} Vector */
 /** @typedef {import("../source/protocol.js").Layout} Layout */
 /** @typedef {import("../render/view.js").Ground} Ground */
 
 /** @typedef {Layout["view"]} Surroundings */
 
+const ASIDE = 0.28; // rad, so that a flat scene has depth
 const FAR = 1e4; // radii of a scene beyond which nothing of a rope is shown: it broke
 
 /** Put nodes that are nowhere (NaN), or absurdly far away, where the one before them is (or the next one), so
@@ -64,32 +64,16 @@ export function flatAxis(box, up, radius) {
   return level.length ? level[0] : thin[0];
 }
 
-/** The pose for the first look: across the plane of a flat scene, else from the side and above.
- * @param {Camera} camera @param {Layout} layout @param {Box} box of the nodes now @returns {Pose} */
-export function firstLook(camera, layout, box) {
-  const { center, radius } = layout.view;
-  const axis = flatAxis(box, camera.up, radius);
-  const upright = axis >= 0 && Math.abs(camera.up[axis]) > 0.9;
-  let angles = { azimuth: -Math.PI / 2 + 0.55, elevation: 0.3 };
-  if (upright) angles = { azimuth: -Math.PI / 2, elevation: Math.PI / 2 };
-  else if (axis >= 0) {
-    const normal = vector([0, 0, 0]);
-    normal[axis] = 1;
-    const sign = dot(cross(camera.up, normal), [1, 1, 1]) >= 0 ? 1 : -1; // x to the right
-    angles = { ...camera.along(/** @type {0 | 1 | 2} */ (axis), sign), elevation: 0.07 };
-  }
-  const sides = times([1, 1, 1], radius);
-  if (axis >= 0) sides[axis] = 0;
-  const room = { low: minus(center, sides), high: plus(center, sides) };
-  return camera.fitted(merged(room, box), angles);
-}
-
-/** @param {Box} a @param {Box} b @returns {Box} */
-function merged(a, b) {
-  return {
-    low: vector([0, 1, 2].map((k) => Math.min(a.low[k], b.low[k]))),
-    high: vector([0, 1, 2].map((k) => Math.max(a.high[k], b.high[k]))),
-  };
+/** The angles of the first look: at a flat scene a little from the side and above, else more so.
+ * @param {Camera} camera @param {number} axis of a flat scene, or -1 */
+export function firstAngles(camera, axis) {
+  if (axis < 0) return { azimuth: -Math.PI / 2 + 0.55, elevation: 0.3 };
+  if (Math.abs(camera.up[axis]) > 0.9) return { azimuth: -Math.PI / 2, elevation: Math.PI / 2 };
+  const normal = vector([0, 0, 0]);
+  normal[axis] = 1;
+  const sign = dot(cross(camera.up, normal), [1, 1, 1]) >= 0 ? 1 : -1; // x to the right
+  const { azimuth } = camera.along(/** @type {0 | 1 | 2} */ (axis), sign);
+  return { azimuth: azimuth - ASIDE, elevation: 0.14 };
 }
 
 /** The ground under the scene, or a grid below it where it has none.
@@ -97,7 +81,7 @@ function merged(a, b) {
  * @returns {Ground} */
 export function groundOf(camera, layout, fallback) {
   const height = layout.ground ? layout.ground.height : fallback;
-  const spacing = round(Math.max(layout.view.radius, camera.pose.distance * 0.25) / 5);
+  const spacing = round((camera.pose.distance * 0.28) / 5);
   const { target } = camera.pose;
   const a = Math.round(dot(target, camera.first) / spacing) * spacing;
   const b = Math.round(dot(target, camera.second) / spacing) * spacing;

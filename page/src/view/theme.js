@@ -1,11 +1,12 @@
 // Light and dark: the colours of the scene are read from the style sheet, so that they are kept once.
 
-import { fromHex } from "./colours.js";
+import { fromHex, rimOf } from "./colours.js";
 
 /** @typedef {import("../render/view.js").Theme} Theme */
 
 const NAMES = /** @type {const} */ ([
   "background",
+  "horizon",
   "grid",
   "shadow",
   "ground",
@@ -17,6 +18,7 @@ const NAMES = /** @type {const} */ ([
   "pin",
   "hover",
   "node",
+  "post",
 ]);
 const KEY = "ropewalk-theme";
 
@@ -48,6 +50,7 @@ export function applyTheme(name, keep = false) {
 
 /** The scene's colours in the theme that is on. @returns {Theme} */
 export function readTheme() {
+  const dark = document.documentElement.dataset.theme === "dark";
   const style = getComputedStyle(document.documentElement);
   const colours = Object.fromEntries(
     NAMES.map((name) => [
@@ -57,6 +60,7 @@ export function readTheme() {
   );
   return /** @type {Theme} */ ({
     ...colours,
-    dark: document.documentElement.dataset.theme === "dark",
+    rim: rimOf(dark),
+    dark,
   });
 }

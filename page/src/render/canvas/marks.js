@@ -1,4 +1,4 @@
-// Balls, plates, rings and arrows on Canvas 2D.
+// Balls, eye bolts, rings and arrows on Canvas 2D.
 
 import { css } from "../../view/colours.js";
 
@@ -20,12 +20,19 @@ export function drawMarker(context, camera, marker) {
     context.stroke();
     return;
   }
-  if (marker.kind === "square") {
-    const side = 1.68 * radius;
-    context.roundRect(x - side / 2, y - side / 2, side, side, 0.22 * radius);
-  } else {
-    context.arc(x, y, radius, 0, 2 * Math.PI);
+  if (marker.kind === "eye") {
+    context.arc(x, y, 0.7 * radius, 0, 2 * Math.PI);
+    for (const [width, colour] of /** @type {const} */ ([
+      [0.65, dark],
+      [0.4, marker.colour],
+    ])) {
+      context.lineWidth = width * radius;
+      context.strokeStyle = css(colour);
+      context.stroke();
+    }
+    return;
   }
+  context.arc(x, y, radius, 0, 2 * Math.PI);
   context.fillStyle = css(marker.colour);
   context.fill();
   context.lineWidth = 1.5;

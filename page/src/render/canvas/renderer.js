@@ -1,8 +1,10 @@
 // Draws with Canvas 2D where there is no WebGL: the same camera, colours in a few batches.
 
 import { css, uniformMap } from "../../view/colours.js";
+import { Line } from "../line.js";
 import { TRAIL_POINTS } from "../trails.js";
 import { drawFloor, drawGrid } from "./floor.js";
+import { dot, plus } from "../../view/vector.js";
 import { drawArrow, drawMarker } from "./marks.js";
 
 /** @typedef {import("../view.js").Renderer} Renderer */
@@ -12,6 +14,7 @@ import { drawArrow, drawMarker } from "./marks.js";
 /** @typedef {import("../view.js").RopeSpan} RopeSpan */
 
 const BATCHES = 32;
+const POINTS = 1200; // of the ropes' lines, at most
 const TRAIL_BATCHES = 6;
 
 /** @implements {Renderer} */
@@ -24,10 +27,9 @@ export class CanvasRenderer {
     this.name = "canvas";
     this.canvas = canvas;
     this.context = context;
-    const map = uniformMap();
-    this.colours = Array.from({ length: BATCHES }, (_, i) =>
-      css(map[Math.round((i / (BATCHES - 1)) * (map.length - 1))]),
-    );
+    /** @type {string[]} */
+    this.colours = [];
+    this.line = new Line(POINTS, 0);
     /** @type {Shape} */
     this.shape = { nodes: 0, ropes: [] };
     this.seen = new Float32Array(0); // x, y [CSS pixels], depth [m] of each node
@@ -39,14 +41,16 @@ export class CanvasRenderer {
 
   /** @param {Shape} shape */
   setShape(shape) {
-    this.shape = shape;
-    this.seen = new Float32Array(3 * shape.nodes);
-    this.batch = new Uint8Array(shape.nodes);
+    this.line.setShape(shape);
   }
 
   /** @param {Theme} theme */
   setTheme(theme) {
     this.theme = theme;
+    const map = uniformMap(theme.dark);
+    this.colours = Array.from({ length: BATCHES }, (_, i) =>
+      css(map[Math.round((i / (BATCHES - 1)) * (map.length - 1))]),
+    );
   }
 
   /** @param {number} width @param {number} height @param {number} ratio */
@@ -63,26 +67,27 @@ export class CanvasRenderer {
     context.fillRect(0, 0, canvas.width, canvas.height);
   }
 
+  /** Take over the line of the ropes. @param {View} view */
+  follow(view) {
+    if (!this.line.update(view)) return;
+    this.shape = this.line.shape;
+    this.seen = new Float32Array(3 * this.shape.nodes);
+    this.batch = new Uint8Array(this.shape.nodes);
+  }
+
   /** @param {View} view */
   draw(view) {
     const { context, theme } = this;
     if (!theme) return;
+    this.follow(view);
     this.clear();
     context.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
     context.lineJoin = "round";
     context.lineCap = "round";
-    if (view.ground) {
-      if (view.ground.solid) drawFloor(context, view.camera, view.ground, theme);
-      drawGrid(context, view.camera, view.ground, theme);
-      this.project(view, view.ground.height);
-      context.strokeStyle = css(theme.shadow, theme.dark ? 0.5 : 0.16);
-      for (const rope of this.shape.ropes) {
-        context.lineWidth = this.width(rope, view) * 1.2;
-        context.beginPath();
-        this.path(rope);
-        context.stroke();
-      }
-    }
+    drawFloor(context, view.camera, view.ground, theme);
+    drawGrid(context, view.camera, view.ground, theme);
+    this.shadows(view, theme);
+    for (const post of view.posts) drawArrow(context, view.camera, post);
     this.project(view, null);
     if (view.trails && !view.trails.empty) this.trails(view);
     this.ropes(view);
@@ -91,20 +96,36 @@ export class CanvasRenderer {
     for (const arrow of view.arrows) drawArrow(context, view.camera, arrow);
   }
 
+  /** @param {View} view @param {Theme} theme */
+  shadows(view, theme) {
+    const { context } = this;
+    this.project(view, view.ground.height);
+    context.strokeStyle = css(theme.shadow, theme.dark ? 0.5 : 0.16);
+    for (const rope of this.shape.ropes) {
+      context.lineWidth = this.width(rope, view) * 1.2;
+      context.beginPath();
+      this.path(rope);
+      context.stroke();
+    }
+  }
+
   /** Places on the screen, or those of the shadows. @param {View} view @param {number | null} ground */
   project(view, ground) {
     const { seen } = this;
-    const { camera, nodes } = view;
+    const { camera } = view;
+    const { points } = this.line;
     const v = camera.view;
     const [ux, uy, uz] = camera.up;
+    const slant = plus(camera.light, camera.up, -dot(camera.light, camera.up));
+    const [lx, ly, lz] = plus(camera.up, slant, 0.75 / dot(camera.light, camera.up));
     const [left, top, focal] = [camera.width / 2, camera.height / 2, camera.focal];
     for (let i = 0; i < this.shape.nodes; i++) {
-      let [x, y, z] = [nodes[4 * i], nodes[4 * i + 1], nodes[4 * i + 2]];
+      let [x, y, z] = [points[4 * i], points[4 * i + 1], points[4 * i + 2]];
       if (ground !== null) {
         const height = x * ux + y * uy + z * uz - ground;
-        x -= height * ux;
-        y -= height * uy;
-        z -= height * uz;
+        x -= height * lx;
+        y -= height * ly;
+        z -= height * lz;
       }
       const depth = -(v[2] * x + v[6] * y + v[10] * z + v[14]);
       const scale = focal / Math.max(depth, 1e-9);
@@ -162,11 +183,12 @@ export class CanvasRenderer {
    * @param {number} width */
   coloured(rope, view, width) {
     const { context, seen, batch } = this;
+    const { points } = this.line;
     const { low, high } = view.range;
     const scale = BATCHES / Math.max(high - low, 1e-30);
     const last = rope.first + rope.count - 1;
     for (let i = rope.first; i < last; i++) {
-      const value = 0.5 * (view.nodes[4 * i + 3] + view.nodes[4 * i + 7]);
+      const value = 0.5 * (points[4 * i + 3] + points[4 * i + 7]);
       batch[i] = Math.min(BATCHES - 1, Math.max(0, Math.floor((value - low) * scale)));
     }
     context.lineWidth = width;
@@ -195,10 +217,12 @@ export class CanvasRenderer {
     const { context, seen } = this;
     context.fillStyle = css(theme.node);
     context.beginPath();
-    for (let i = 0; i < this.shape.nodes; i++) {
-      if (seen[3 * i + 2] <= 0) continue;
-      context.moveTo(seen[3 * i] + 2.2, seen[3 * i + 1]);
-      context.arc(seen[3 * i], seen[3 * i + 1], 2.2, 0, 2 * Math.PI);
+    for (const { first, count } of this.shape.ropes) {
+      for (let i = first; i < first + count; i += this.line.steps) {
+        if (seen[3 * i + 2] <= 0) continue;
+        context.moveTo(seen[3 * i] + 2.2, seen[3 * i + 1]);
+        context.arc(seen[3 * i], seen[3 * i + 1], 2.2, 0, 2 * Math.PI);
+      }
     }
     context.fill();
   }

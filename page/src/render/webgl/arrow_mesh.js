@@ -12,8 +12,8 @@ const CORNERS = 7; // a shaft of four corners, a head of three
 const INDEX = [0, 1, 2, 1, 3, 2, 4, 5, 6];
 
 export class ArrowMesh {
-  /** @param {Record<string, THREE.IUniform>} shared */
-  constructor(shared) {
+  /** @param {Record<string, THREE.IUniform>} shared @param {boolean} [round] bars that stand in the scene */
+  constructor(shared, round = false) {
     const geometry = new THREE.BufferGeometry();
     for (const [name, size] of /** @type {[string, number][]} */ ([
       ["position", 3],
@@ -28,9 +28,17 @@ export class ArrowMesh {
     const index = [];
     for (let i = 0; i < ROOM; i++) index.push(...INDEX.map((corner) => corner + CORNERS * i));
     geometry.setIndex(index);
-    this.mesh = new THREE.Mesh(geometry, material(ARROW_VERTEX, ARROW_FRAGMENT, shared, false));
+    this.mesh = new THREE.Mesh(
+      geometry,
+      material(
+        ARROW_VERTEX,
+        ARROW_FRAGMENT,
+        { ...shared, round_: { value: Number(round) } },
+        round,
+      ),
+    );
     this.mesh.frustumCulled = false;
-    this.mesh.renderOrder = 2.5;
+    this.mesh.renderOrder = round ? 0.5 : 2.5;
   }
 
   /** @param {Arrow[]} arrows @param {number} perPixel metres per pixel near them */

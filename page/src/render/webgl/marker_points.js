@@ -1,4 +1,4 @@
-// Anchors, loads, pins and the ring under the pointer: points drawn as lit balls, plates and rings.
+// Anchors, loads, pins and the ring under the pointer: points drawn as lit balls, eye bolts and rings.
 
 import * as THREE from "three";
 
@@ -7,7 +7,7 @@ import { MARKER_FRAGMENT, MARKER_VERTEX } from "./shaders.js";
 
 /** @typedef {import("../view.js").Marker} Marker */
 
-const KINDS = { round: 0, square: 1, ring: 2 };
+const KINDS = { round: 0, eye: 1, ring: 2 };
 
 export class MarkerPoints {
   /** @param {Record<string, THREE.IUniform>} shared */

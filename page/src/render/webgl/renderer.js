@@ -3,7 +3,8 @@
 import * as THREE from "three";
 
 import { ArrowMesh } from "./arrow_mesh.js";
-import { Floor } from "./floor.js";
+import { Line } from "../line.js";
+import { Backdrop } from "./backdrop.js";
 import { MarkerPoints } from "./marker_points.js";
 import { Ribbons } from "./ribbons.js";
 import { TrailRibbons } from "./trail_ribbons.js";
@@ -12,6 +13,12 @@ import { TrailRibbons } from "./trail_ribbons.js";
 /** @typedef {import("../view.js").Theme} Theme */
 
 /** @typedef {import("../view.js").Renderer} Renderer */
+
+/** Points of the ropes' lines, at most; and with strands, at most. @type {[number, number]} */
+const POINTS = [24_000, 40_000];
+/** The same where the processor draws. @type {[number, number]} */
+const SOFT_POINTS = [2_400, 2_600];
+const LAY_CHANGE = 0.65; // powers of two by which the drawn width changes before the drawn lay does
 
 /** @implements {Renderer} */
 export class WebglRenderer {
@@ -34,42 +41,44 @@ export class WebglRenderer {
       eye: { value: new THREE.Vector3() },
       up: { value: new THREE.Vector3() },
       right: { value: new THREE.Vector3() },
+      key: { value: new THREE.Vector3(0, 0, 1) },
       pixel: { value: 0.001 },
       ratio: { value: 1 },
     };
     this.scene = new THREE.Scene();
     this.scene.matrixWorldAutoUpdate = false;
     this.camera = new THREE.Camera(); // unused by our shaders, which take the shared uniforms
-    this.ribbons = new Ribbons(this.shared);
-    this.floor = new Floor(this.shared);
+    this.soft = drawnInSoftware(context);
+    this.line = new Line(...(this.soft ? SOFT_POINTS : POINTS));
+    this.backdrop = new Backdrop(this.shared);
+    this.ribbons = new Ribbons(this.shared, this.backdrop.texture);
     this.markers = new MarkerPoints(this.shared);
     this.arrows = new ArrowMesh(this.shared);
+    this.posts = new ArrowMesh(this.shared, true);
     this.trails = new TrailRibbons(this.shared);
     this.scene.add(
-      this.floor.disc,
-      this.floor.grid,
+      this.backdrop.mesh,
       this.ribbons.shadow,
       this.trails.mesh,
       this.ribbons.ropes,
       this.ribbons.dots,
       this.markers.points,
       this.arrows.mesh,
+      this.posts.mesh,
     );
   }
 
   /** @param {import("../view.js").Shape} shape */
   setShape(shape) {
-    this.ribbons.setShape(shape);
+    this.line.setShape(shape);
   }
 
   /** @param {Theme} theme */
   setTheme(theme) {
     const background = new THREE.Color().setRGB(...theme.background, THREE.LinearSRGBColorSpace);
     this.three.setClearColor(background, 1);
-    this.floor.setTheme(theme);
-    this.ribbons.shadowInk.value.set(...theme.shadow, theme.dark ? 0.85 : 0.3);
-    this.ribbons.dotInk.value.set(...theme.node);
-    this.ribbons.uniforms.night.value = theme.dark ? 1 : 0;
+    this.backdrop.setTheme(theme);
+    this.ribbons.setTheme(theme);
   }
 
   /** @param {number} width @param {number} height @param {number} ratio */
@@ -77,6 +86,7 @@ export class WebglRenderer {
     this.three.setPixelRatio(ratio);
     this.three.setSize(width, height, false);
     this.shared.ratio.value = ratio;
+    this.backdrop.resize(this.canvas.width, this.canvas.height);
   }
 
   /** @param {View} view */
@@ -88,18 +98,23 @@ export class WebglRenderer {
     this.shared.up.value.set(...camera.up);
     this.shared.right.value.set(...camera.right);
     this.shared.pixel.value = 1 / camera.focal;
-    this.ribbons.use(view.nodes);
-    if (view.moved && this.ribbons.texture) this.ribbons.texture.needsUpdate = true;
+    this.shared.key.value.set(...camera.light);
+    if (this.line.update(view)) this.ribbons.setLine(this.line);
+    else if (view.moved) this.ribbons.moved();
     const uniforms = this.ribbons.uniforms;
+    const thick = (0.5 * view.pixels * camera.pose.distance) / camera.focal;
+    if (Math.abs(Math.log2(thick / uniforms.thick.value)) > LAY_CHANGE)
+      uniforms.thick.value = thick;
     uniforms.range.value.set(view.range.low, view.range.high);
     uniforms.plain.value = view.plain;
     uniforms.least.value = view.pixels;
-    uniforms.height.value = view.ground?.height ?? 0;
-    this.ribbons.shadow.visible = view.ground !== null;
+    uniforms.height.value = view.ground.height;
+    this.ribbons.shadow.visible = camera.eyeHeight(view.ground.height) > 0;
     this.ribbons.dots.visible = view.dots;
-    this.floor.update(view.ground, camera);
+    this.backdrop.update(this.three, this.camera, view.ground, camera);
     this.markers.update(view.markers);
     this.arrows.update(view.arrows, camera.pose.distance / camera.focal);
+    this.posts.update(view.posts, camera.pose.distance / camera.focal);
     this.trails.update(view.trails);
     this.three.render(this.scene, this.camera);
   }
@@ -110,6 +125,14 @@ export class WebglRenderer {
 
   dispose() {
     this.ribbons.dispose();
+    this.backdrop.dispose();
     this.three.dispose();
   }
+}
+
+/** Whether the processor does a graphics card's work. @param {WebGL2RenderingContext} context */
+function drawnInSoftware(context) {
+  const info = context.getExtension("WEBGL_debug_renderer_info");
+  const name = info ? String(context.getParameter(info.UNMASKED_RENDERER_WEBGL)) : "";
+  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
 }

@@ -1,41 +1,42 @@
-// The ropes of all copies: one static index buffer, positions from a texture, one draw call.
+// The ropes of all copies: one index buffer, points from a texture, one draw call; their shadows likewise.
 
 import * as THREE from "three";
 
 import { SHADES, uniformMap } from "../../view/colours.js";
-import { material } from "./material.js";
-import {
-  DOT_FRAGMENT,
-  DOT_VERTEX,
-  ROPE_FRAGMENT,
-  ROPE_VERTEX,
-  SHADOW_FRAGMENT,
-  SHADOW_VERTEX,
-} from "./shaders.js";
+import { flatMaterial, material } from "./material.js";
+import { ROPE_FRAGMENT, ROPE_VERTEX, SHADOW_FRAGMENT, SHADOW_VERTEX } from "./rope_shaders.js";
+import { DOT_FRAGMENT, DOT_VERTEX } from "./shaders.js";
 import { textureSize } from "./texture_size.js";
 
 /** @typedef {import("../view.js").Shape} Shape */
+/** @typedef {import("../view.js").Theme} Theme */
+/** @typedef {import("../line.js").Line} Line */
+
+const FAR = 1e6; // m: no free end near
 
 export class Ribbons {
-  /** @param {Record<string, THREE.IUniform>} shared */
-  constructor(shared) {
+  /** @param {Record<string, THREE.IUniform>} shared @param {THREE.IUniform} backdrop texture */
+  constructor(shared, backdrop) {
     this.uniforms = {
-      nodes: { value: /** @type {THREE.DataTexture | null} */ (null) },
+      points: { value: /** @type {THREE.DataTexture | null} */ (null) },
+      normals: { value: /** @type {THREE.DataTexture | null} */ (null) },
       columns: { value: 1 },
       least: { value: 4 },
-      map: { value: mapTexture() },
+      thick: { value: 1 },
+      laid: { value: 1 },
+      map: { value: /** @type {THREE.DataTexture | null} */ (null) },
       range: { value: new THREE.Vector2(0, 1) },
       plain: { value: false },
-      night: { value: 0 },
+      rim: { value: 1 },
       height: { value: 0 },
     };
-    this.shadowInk = { value: new THREE.Vector4(0, 0, 0, 0.2) };
+    this.shadowInk = { value: 0.3 };
     this.dotInk = { value: new THREE.Vector3(0, 0, 0) };
     const all = { ...shared, ...this.uniforms };
     this.ropes = new THREE.Mesh(undefined, material(ROPE_VERTEX, ROPE_FRAGMENT, all, true));
     this.shadow = new THREE.Mesh(
       undefined,
-      material(SHADOW_VERTEX, SHADOW_FRAGMENT, { ...all, ink: this.shadowInk }, false),
+      flatMaterial(SHADOW_VERTEX, SHADOW_FRAGMENT, { ...all, backdrop, ink: this.shadowInk }, true),
     );
     this.dots = new THREE.Points(
       undefined,
@@ -45,44 +46,61 @@ export class Ribbons {
     this.ropes.renderOrder = 1;
     this.dots.renderOrder = 2;
     for (const part of [this.ropes, this.shadow, this.dots]) part.frustumCulled = false;
-    /** @type {THREE.DataTexture | null} */
-    this.texture = null;
   }
 
-  /** Build buffers for other ropes or cuts. @param {Shape} shape */
-  setShape(shape) {
-    const geometry = ribbonGeometry(shape);
+  /** @param {Theme} theme */
+  setTheme(theme) {
+    this.uniforms.map.value?.dispose();
+    this.uniforms.map.value = mapTexture(theme.dark);
+    this.uniforms.rim.value = theme.rim;
+    this.shadowInk.value = theme.dark ? 0.75 : 0.42;
+    this.dotInk.value.set(...theme.node);
+  }
+
+  /** Build buffers for another number of points. @param {Line} line */
+  setLine(line) {
+    const geometry = ribbonGeometry(line.shape);
     this.ropes.geometry.dispose();
     this.ropes.geometry = geometry;
     this.shadow.geometry = geometry;
     const dots = new THREE.BufferGeometry();
-    dots.setIndex(
-      new THREE.BufferAttribute(
-        Uint32Array.from({ length: shape.nodes }, (_, i) => i),
-        1,
-      ),
+    const nodes = line.shape.ropes.flatMap(({ first, count }) =>
+      Array.from({ length: Math.ceil(count / line.steps) }, (_, i) => first + i * line.steps),
     );
+    dots.setIndex(new THREE.BufferAttribute(new Uint32Array(nodes), 1));
     this.dots.geometry.dispose();
     this.dots.geometry = dots;
+    for (const name of /** @type {const} */ (["points", "normals"])) {
+      this.uniforms[name].value?.dispose();
+      this.uniforms[name].value = texture(line[name]);
+    }
+    this.uniforms.columns.value = textureSize(line.points.length / 4)[0];
+    this.uniforms.laid.value = line.framed ? 1 : 0;
   }
 
-  /** Use these values, which are written in place from now on. @param {Float32Array} values */
-  use(values) {
-    if (this.texture?.image.data === values) return;
-    this.texture?.dispose();
-    const [width, height] = textureSize(values.length / 4);
-    this.texture = new THREE.DataTexture(values, width, height, THREE.RGBAFormat, THREE.FloatType);
-    this.texture.internalFormat = "RGBA32F";
-    this.uniforms.nodes.value = this.texture;
-    this.uniforms.columns.value = width;
-    this.texture.needsUpdate = true;
+  /** The points were moved. */
+  moved() {
+    const { points, normals, laid } = this.uniforms;
+    if (points.value) points.value.needsUpdate = true;
+    if (normals.value && laid.value) normals.value.needsUpdate = true;
   }
 
   dispose() {
-    this.texture?.dispose();
+    this.uniforms.points.value?.dispose();
+    this.uniforms.normals.value?.dispose();
+    this.uniforms.map.value?.dispose();
     this.ropes.geometry.dispose();
     this.dots.geometry.dispose();
   }
+}
+
+/** @param {Float32Array} values four of each point */
+function texture(values) {
+  const [width, height] = textureSize(values.length / 4);
+  const made = new THREE.DataTexture(values, width, height, THREE.RGBAFormat, THREE.FloatType);
+  made.internalFormat = "RGBA32F";
+  made.needsUpdate = true;
+  return made;
 }
 
 /** @param {Shape} shape */
@@ -95,8 +113,12 @@ function ribbonGeometry(shape) {
       const node = rope.first + i;
       const before = i > 0;
       const after = i < rope.count - 1;
+      const end = Math.min(
+        rope.loose[0] ? i * rope.spacing : FAR,
+        rope.loose[1] ? (rope.count - 1 - i) * rope.spacing : FAR,
+      );
       for (const v of [2 * node, 2 * node + 1]) {
-        look.set([rope.radius, i * rope.spacing, Number(before), Number(after)], 4 * v);
+        look.set([rope.radius, Number(before), Number(after), end], 4 * v);
         tint.set(rope.colour, 3 * v);
       }
       if (after) {
@@ -112,14 +134,15 @@ function ribbonGeometry(shape) {
   return geometry;
 }
 
-function mapTexture() {
+/** @param {boolean} dark */
+function mapTexture(dark) {
   const bytes = new Uint8Array(4 * SHADES);
-  uniformMap().forEach((colour, i) =>
+  uniformMap(dark).forEach((colour, i) =>
     bytes.set([...colour.map((c) => Math.round(255 * c)), 255], 4 * i),
   );
-  const texture = new THREE.DataTexture(bytes, SHADES, 1);
-  texture.minFilter = THREE.LinearFilter;
-  texture.magFilter = THREE.LinearFilter;
-  texture.needsUpdate = true;
-  return texture;
+  const made = new THREE.DataTexture(bytes, SHADES, 1);
+  made.minFilter = THREE.LinearFilter;
+  made.magFilter = THREE.LinearFilter;
+  made.needsUpdate = true;
+  return made;
 }
