@@ -3,6 +3,7 @@
 import { ROPES, fromHex } from "./view/colours.js";
 import { quantity } from "./view/range.js";
 import { dot, plus, vector } from "./view/vector.js";
+import { placeOf } from "./input/pick.js";
 import { Trails } from "./render/trails.js";
 
 /** @typedef {import("./stage.js").Stage} Stage */
@@ -10,6 +11,7 @@ import { Trails } from "./render/trails.js";
 /** @typedef {import("./render/view.js").Marker} Marker */
 /** @typedef {import("./render/view.js").Arrow} Arrow */
 /** @typedef {import("./view/vector.js").Vector} Vector */
+/** @typedef {import("./input/pick.js").Hit} Hit */
 /** @typedef {{from: Vector, at: Vector, text: string, kind: "reaction" | "grab" | "kick"}} Label
  *   beside the tip of an arrow */
 
@@ -27,7 +29,8 @@ export class Marks {
     this.reactions = true;
     /** @type {Trails | null} */ this.trails = null;
     /** @type {Set<number>} nodes of the first variant */ this.followed = new Set();
-    /** A ring under the pointer. @type {Vector | null} */ this.hover = null;
+    /** What has a ring: what lies under the pointer, or where the hand is. @type {Hit | Vector | null} */
+    this.hover = null;
     /** A kick that is being drawn. @type {{from: Vector, to: Vector, text: string} | null} */
     this.kick = null;
     this.strongest = 0; // the force that has the longest arrow [N]
@@ -189,14 +192,22 @@ export class Marks {
   /** The ring under the pointer and a kick's arrow. @param {Marker[]} markers @param {Arrow[]} arrows */
   addHand(markers, arrows) {
     const { theme } = this.stage;
-    if (this.hover) {
-      const [x, y, z] = this.hover;
+    const ring = this.ringPlace();
+    if (ring) {
+      const [x, y, z] = ring;
       markers.push({ x, y, z, kind: "ring", colour: theme.hover, size: 0, pixels: 24 });
     }
     if (!this.kick) return;
     const { from, to, text } = this.kick;
     arrows.push({ from, to, colour: theme.grab, pixels: 3, head: true });
     this.labels.push({ from, at: to, text, kind: "kick" });
+  }
+
+  /** Where the ring is now: it goes with the rope. @returns {Vector | null} */
+  ringPlace() {
+    const { hover, stage } = this;
+    if (hover === null || Array.isArray(hover)) return hover;
+    return placeOf(stage, hover);
   }
 
   /** What the longest arrow means. */

@@ -63,6 +63,7 @@ export class Stage {
     this.cameraVersion = -1;
     /** The card that is in the way, if there is one. @type {() => DOMRect | null} */
     this.card = () => null;
+    /** @type {(() => void)[]} */ this.beforeDraw = [];
     /** @type {(() => void)[]} */ this.afterDraw = [];
     session.on("layout", (layout) => this.takeLayout(layout));
     session.on("frame", (frame) => this.takeFrame(frame));
@@ -213,9 +214,10 @@ export class Stage {
     const count = nodesOf(layout);
     const seconds = Math.min(0.2, (now - this.lastLook) / 1000);
     this.lastLook = now;
-    follower.take(camera, this.nodes.to, count, seconds);
+    follower.take(camera, this.nodes.to, count, seconds, layout.view);
     const least = this.lowestNow(count);
-    if (!layout.ground && least < this.floor) {
+    const bottom = dot(layout.view.center, camera.up) - 4 * layout.view.radius;
+    if (!layout.ground && least < this.floor && least > bottom) {
       this.floorTo = Math.min(this.floorTo, least - 0.1 * layout.view.radius);
     }
     if (camera.version !== this.ownVersion && !this.flight) this.following = false;
@@ -383,6 +385,7 @@ export class Stage {
   draw(moved) {
     const { layout } = this.session;
     if (!layout || this.nodes.empty) return;
+    if (moved) for (const hook of this.beforeDraw) hook();
     this.dirty = this.marks.dirty = false;
     this.cameraVersion = this.camera.version;
     const { markers, arrows } = this.marks.collect();

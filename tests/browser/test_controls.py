@@ -184,7 +184,7 @@ def test_every_view_looks_its_way(window: Window) -> None:
     far = window.ask("r.stage.camera.pose.distance")
     window.click("#view-fit")
     window.settled()
-    assert window.ask("r.stage.camera.pose.distance") < 0.8 * far
+    assert window.ask("r.stage.camera.pose.distance") < 0.9 * far
     assert window.at_rope(range(2, 39)) > 0.9
 
 

@@ -80,6 +80,14 @@ function pickNode(stage, px, py, reach) {
   return best;
 }
 
+/** Where what was hit is now. @param {Stage} stage @param {Hit} hit @returns {Vector | null} null if it is gone */
+export function placeOf(stage, hit) {
+  const variant = stage.session.layout?.variants[hit.variant];
+  if (!variant || hit.node >= variant.nodes) return null;
+  const at = 4 * (stage.starts[hit.variant] + hit.node);
+  return vector(stage.nodes.shown.subarray(at, at + 3));
+}
+
 /** Distance of a point from a segment, and where along it (0 to 1) the nearest point is.
  * @param {number} px @param {number} py @param {number} x0 @param {number} y0 @param {number} x1
  * @param {number} y1

@@ -7,6 +7,9 @@ import { pick } from "./pick.js";
 /** @typedef {import("./pick.js").Hit} Hit */
 /** @typedef {"hand" | "pin" | "cut" | "load" | "kick" | "follow"} Tool */
 
+const MOUSE = 18; // pixels from a rope that still take hold of it
+const FINGER = 30;
+const NEAR = 2.2; // times as far: a near miss
 const CLICK = 5; // pixels a click may move
 const LONG = 550; // ms of a long press, which opens the menu on a touch screen
 const DOUBLE = 350; // ms
@@ -22,7 +25,10 @@ export class Pointer {
     /** @type {Tool} */ this.tool = "hand";
     this.keep = false; // grabs stay when the pointer is up
     /** @type {Map<number, {x: number, y: number}>} */ this.down = new Map();
-    /** @type {Hand | null} */ this.hand = null;
+    /** The hand of each pointer: on a touch screen there may be several. @type {Map<number, Hand>} */
+    this.hands = new Map();
+    this.near = false; // the press just missed a rope: it is not meant to turn the scene
+    /** Where the mouse rests. @type {{x: number, y: number} | null} */ this.resting = null;
     /** @type {Hit | null} */ this.hit = null;
     /** @type {{x: number, y: number, button: number, shift: boolean} | null} */ this.start = null;
     this.moved = false;
@@ -37,7 +43,11 @@ export class Pointer {
     );
     element.addEventListener("pointerup", (event) => this.lift(event));
     element.addEventListener("pointercancel", (event) => this.lift(event));
-    element.addEventListener("pointerleave", () => this.hover(null));
+    element.addEventListener("pointerleave", () => {
+      this.resting = null;
+      this.hover(null);
+    });
+    stage.beforeDraw.push(() => this.look());
     element.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
     element.addEventListener("contextmenu", (event) => event.preventDefault());
   }
@@ -50,7 +60,7 @@ export class Pointer {
 
   /** @param {PointerEvent} event */
   reach(event) {
-    return event.pointerType === "mouse" ? 11 : 24;
+    return event.pointerType === "mouse" ? MOUSE : FINGER;
   }
 
   /** @param {PointerEvent} event */
@@ -60,24 +70,32 @@ export class Pointer {
     this.down.set(event.pointerId, { x, y });
     this.stage.flight = null;
     if (this.down.size > 1) {
-      // a second finger: pinch
       clearTimeout(this.longPress);
-      this.dropHand(false);
+      const other = this.hands.size > 0 ? pick(this.stage, x, y, this.reach(event)) : null;
+      if (other && this.hold(event.pointerId, other)) return; // a second hand
+      this.dropHands(false); // a second finger: pinch
       this.moved = true;
       return;
     }
     this.start = { x, y, button: event.button, shift: event.shiftKey };
     this.moved = this.menuOpened = false;
     this.hit = pick(this.stage, x, y, this.reach(event));
-    if (event.button === 0 && this.hit && !(event.ctrlKey || event.metaKey)) {
-      if (this.tool === "hand") {
-        const way = this.hit.kind === "anchor" ? "drag" : "grab";
-        if (this.stage.session.can(way)) this.hand = new Hand(this.stage, this.hit, way);
-      } else if (this.tool === "kick") this.hand = new Hand(this.stage, this.hit, "kick");
-    }
+    this.near = !this.hit && pick(this.stage, x, y, NEAR * this.reach(event)) !== null;
+    if (event.button === 0 && this.hit && !(event.ctrlKey || event.metaKey))
+      this.hold(event.pointerId, this.hit);
     if (event.pointerType !== "mouse") {
       this.longPress = window.setTimeout(() => this.openMenu(x, y), LONG);
     }
+  }
+
+  /** Take hold of something; tells whether there is anything to do with it. @param {number} id of the pointer
+   * @param {Hit} hit */
+  hold(id, hit) {
+    const way = this.tool === "kick" ? "kick" : hit.kind === "anchor" ? "drag" : "grab";
+    if (this.tool !== "hand" && this.tool !== "kick") return false;
+    if (way !== "kick" && !this.stage.session.can(way)) return false;
+    this.hands.set(id, new Hand(this.stage, hit, way));
+    return true;
   }
 
   /** @param {PointerEvent} event */
@@ -85,10 +103,11 @@ export class Pointer {
     const { x, y } = this.at(event);
     const before = this.down.get(event.pointerId);
     if (!before) {
-      if (event.pointerType === "mouse") this.hover(pick(this.stage, x, y, 11));
+      this.resting = event.pointerType === "mouse" ? { x, y } : null;
+      this.look();
       return;
     }
-    if (this.down.size === 2) {
+    if (this.down.size === 2 && this.hands.size < 2) {
       this.pinch(event.pointerId, x, y);
       return;
     }
@@ -100,20 +119,23 @@ export class Pointer {
     const [dx, dy] = [x - before.x, y - before.y];
     this.down.set(event.pointerId, { x, y });
     if (this.menuOpened) return;
-    if (this.hand) {
-      this.hand.moveTo(x, y);
-      this.stage.marks.hover = this.hand.way === "kick" ? null : this.hand.ring;
+    const hand = this.hands.get(event.pointerId);
+    if (hand) {
+      hand.moveTo(x, y);
+      this.stage.marks.hover = hand.way === "kick" ? null : hand.ring;
       this.stage.marks.dirty = true;
-    } else if (start.button !== 0 || start.shift) this.stage.camera.pan(dx, dy);
+    } else if (this.hands.size) return;
+    else if (start.button !== 0 || start.shift || this.near) this.stage.camera.pan(dx, dy);
     else this.stage.camera.orbit(dx, dy);
   }
 
   /** The same before the next animation frame, where the browser tells: the hand need not wait for it.
    * @param {PointerEvent} event */
   drag(event) {
-    if (!this.hand || !this.moved || this.menuOpened || this.down.size !== 1) return;
+    const hand = this.hands.get(event.pointerId);
+    if (!hand || !this.moved || this.menuOpened) return;
     const { x, y } = this.at(event);
-    this.hand.moveTo(x, y);
+    hand.moveTo(x, y);
   }
 
   /** @param {PointerEvent} event */
@@ -121,9 +143,10 @@ export class Pointer {
     if (!this.down.delete(event.pointerId)) return;
     clearTimeout(this.longPress);
     const { x, y } = this.at(event);
-    if (this.hand && this.moved) this.hand.moveTo(x, y);
-    const hadHand = this.hand !== null && this.moved;
-    this.dropHand(event.shiftKey || this.keep, this.moved);
+    const hand = this.hands.get(event.pointerId);
+    if (hand && this.moved) hand.moveTo(x, y);
+    const hadHand = hand !== undefined && this.moved;
+    this.dropHand(event.pointerId, event.shiftKey || this.keep, this.moved);
     if (this.moved || this.menuOpened || hadHand || this.down.size) return;
     if (event.button === 2) this.openMenu(x, y);
     else if (event.button === 0) this.click(event.timeStamp);
@@ -148,16 +171,30 @@ export class Pointer {
   /** @param {number} x @param {number} y */
   openMenu(x, y) {
     this.menuOpened = true;
-    this.dropHand(false, false);
+    this.dropHands(false, false);
     this.actions.menu(this.hit, x, y);
   }
 
-  /** @param {boolean} keep @param {boolean} [used] whether the hand did anything */
-  dropHand(keep, used = true) {
-    const { hand } = this;
-    this.hand = null;
-    if (hand && used) hand.release(keep);
-    if (hand) this.hover(null);
+  /** @param {number} id of the pointer @param {boolean} keep @param {boolean} [used] whether the hand did
+   * anything */
+  dropHand(id, keep, used = true) {
+    const hand = this.hands.get(id);
+    if (!hand) return;
+    this.hands.delete(id);
+    if (used) hand.release(keep);
+    this.hover(null);
+  }
+
+  /** @param {boolean} keep @param {boolean} [used] */
+  dropHands(keep, used = true) {
+    for (const id of [...this.hands.keys()]) this.dropHand(id, keep, used);
+  }
+
+  /** Ring what lies under the resting mouse now: ropes move under it. */
+  look() {
+    if (this.down.size) return;
+    const { resting } = this;
+    this.hover(resting ? pick(this.stage, resting.x, resting.y, MOUSE) : null);
   }
 
   /** @param {number} id @param {number} x @param {number} y */
@@ -187,10 +224,9 @@ export class Pointer {
   /** @param {Hit | null} hit */
   hover(hit) {
     const { marks } = this.stage;
-    const place = hit?.place ?? null;
-    if (place === null && marks.hover === null) return;
-    marks.hover = place;
+    if (hit === null && marks.hover === null) return;
+    marks.hover = hit;
     marks.dirty = true;
-    this.element.classList.toggle("over", place !== null);
+    this.element.classList.toggle("over", hit !== null);
   }
 }

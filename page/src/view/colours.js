@@ -31,6 +31,9 @@ const LIGHT = [
 /** What is left of the light (linear) at a rope's edge. @param {boolean} dark */
 export const rimOf = (dark) => (dark ? 1 : 0.42);
 
+/** How much lighter the floor's middle is, as shown. @param {boolean} dark */
+export const poolOf = (dark) => (dark ? 0.022 : 0.04);
+
 /** @type {(lightness: number, chroma: number, hue: number) => number[]} */
 const lab = (lightness, chroma, hue) => {
   const angle = (hue * Math.PI) / 180;

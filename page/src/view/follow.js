@@ -9,6 +9,7 @@ import { dot } from "./vector.js";
 /** @typedef {{top: number, bottom: number}} Strips */
 
 const SHRINK = 4; // s in which the envelope forgets
+const ROOMS = 4; // radii of the scene
 const LOOKED_AT = 300; // nodes, at most
 const OUTER = 0.95; // of the picture's half: what leaves this is followed
 const SMALL = 0.75; // of the distance: nearer than this the ropes would fit as well
@@ -29,8 +30,9 @@ export class Follow {
 
   /** Take over where the ropes are now: the envelope grows at once and shrinks slowly.
    * @param {Camera} camera @param {Float32Array} nodes x, y, z, value @param {number} count
-   * @param {number} seconds since the last time */
-  take(camera, nodes, count, seconds) {
+   * @param {number} seconds since the last time @param {{center: number[], radius: number}} room what is far
+   * outside of it is not followed: it breaks, or was cut off and falls */
+  take(camera, nodes, count, seconds, { center, radius }) {
     const angles = `${camera.pose.azimuth} ${camera.pose.elevation}`;
     if (angles !== this.angles) this.clear();
     this.angles = angles;
@@ -38,9 +40,11 @@ export class Follow {
     const every = Math.max(1, Math.ceil(count / LOOKED_AT));
     const ease = 1 - Math.exp(-seconds / SHRINK);
     axes.forEach(([x, y, z], k) => {
+      const middle = center[0] * x + center[1] * y + center[2] * z;
       let [low, high] = [Infinity, -Infinity];
       for (let i = 0; i < count; i += every) {
         const value = nodes[4 * i] * x + nodes[4 * i + 1] * y + nodes[4 * i + 2] * z;
+        if (Math.abs(value - middle) > ROOMS * radius) continue;
         if (value < low) low = value;
         if (value > high) high = value;
       }

@@ -14,8 +14,11 @@ import { round } from "./range.js";
 const ASIDE = 0.28; // rad, so that a flat scene has depth
 const FAR = 1e4; // radii of a scene beyond which nothing of a rope is shown: it broke
 
-/** Put nodes that are nowhere (NaN), or absurdly far away, where the one before them is (or the next one), so
- * that nothing is drawn to them. @param {Float32Array} nodes x, y, z, value, written in place
+/** The value of a node that is nowhere: no rope is drawn to it. */
+export const GONE = 3e38;
+
+/** Put nodes that are nowhere (NaN), or absurdly far away, where the one before them is (or the next one), and
+ * mark them, so that nothing is drawn to them. @param {Float32Array} nodes x, y, z, value, written in place
  * @param {number} count @param {Surroundings} view */
 export function tame(nodes, count, { center, radius }) {
   const [cx, cy, cz] = center;
@@ -36,7 +39,7 @@ export function tame(nodes, count, { center, radius }) {
       before = next < count ? nodes.slice(4 * next, 4 * next + 3) : center;
     }
     nodes.set(before, q);
-    if (!Number.isFinite(nodes[q + 3])) nodes[q + 3] = 0;
+    nodes[q + 3] = GONE;
   }
 }
 

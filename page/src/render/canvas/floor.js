@@ -1,4 +1,4 @@
-// The ground on Canvas 2D: a soft disc and a grid that fades out.
+// The surroundings on Canvas 2D: sky, floor, and a grid that fades out.
 
 import { plus } from "../../view/vector.js";
 import { css } from "../../view/colours.js";
@@ -10,27 +10,18 @@ import { css } from "../../view/colours.js";
 const HALF = 14;
 const PIECES = 8;
 
-/** @param {CanvasRenderingContext2D} context @param {Camera} camera @param {Ground} ground
+/** Sky and floor, which meet at the horizon. @param {CanvasRenderingContext2D} context @param {Camera} camera
  * @param {Theme} theme */
-export function drawFloor(context, camera, ground, theme) {
-  for (const [part, alpha] of [
-    [1, 0.25],
-    [0.75, 0.35],
-    [0.5, 0.5],
-  ]) {
-    const radius = ground.spacing * HALF * part;
-    context.beginPath();
-    for (let i = 0; i < 48; i++) {
-      const angle = (2 * Math.PI * i) / 48;
-      const across = plus(ground.center, camera.first, radius * Math.cos(angle));
-      const [x, y, depth] = camera.project(
-        ...plus(across, camera.second, radius * Math.sin(angle)),
-      );
-      if (depth > 0.02 * camera.pose.distance) context.lineTo(x, y);
-    }
-    context.fillStyle = css(theme.ground, alpha);
-    context.fill();
-  }
+export function drawSky(context, camera, theme) {
+  const { width, height, focal } = camera;
+  const level = height / 2 - focal * Math.tan(Math.min(1.5, camera.pose.elevation));
+  const at = (/** @type {number} */ y) => Math.min(1, Math.max(0, y / height));
+  const sheet = context.createLinearGradient(0, 0, 0, height);
+  sheet.addColorStop(0, css(level > 0 ? theme.background : theme.ground));
+  sheet.addColorStop(at(level), css(level > 0 ? theme.horizon : theme.ground));
+  sheet.addColorStop(at(level + 0.35 * height), css(theme.ground));
+  context.fillStyle = sheet;
+  context.fillRect(0, 0, width, height);
 }
 
 /** @param {CanvasRenderingContext2D} context @param {Camera} camera @param {Ground} ground

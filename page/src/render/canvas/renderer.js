@@ -3,7 +3,7 @@
 import { css, uniformMap } from "../../view/colours.js";
 import { Line } from "../line.js";
 import { TRAIL_POINTS } from "../trails.js";
-import { drawFloor, drawGrid } from "./floor.js";
+import { drawGrid, drawSky } from "./floor.js";
 import { dot, plus } from "../../view/vector.js";
 import { drawArrow, drawMarker } from "./marks.js";
 
@@ -84,7 +84,7 @@ export class CanvasRenderer {
     context.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
     context.lineJoin = "round";
     context.lineCap = "round";
-    drawFloor(context, view.camera, view.ground, theme);
+    drawSky(context, view.camera, theme);
     drawGrid(context, view.camera, view.ground, theme);
     this.shadows(view, theme);
     for (const post of view.posts) drawArrow(context, view.camera, post);
@@ -131,7 +131,7 @@ export class CanvasRenderer {
       const scale = focal / Math.max(depth, 1e-9);
       seen[3 * i] = left + (v[0] * x + v[4] * y + v[8] * z + v[12]) * scale;
       seen[3 * i + 1] = top - (v[1] * x + v[5] * y + v[9] * z + v[13]) * scale;
-      seen[3 * i + 2] = depth;
+      seen[3 * i + 2] = points[4 * i + 3] > 1e37 ? -1 : depth; // as if behind: not drawn
     }
   }
 
@@ -197,7 +197,7 @@ export class CanvasRenderer {
       let used = false;
       for (let i = rope.first; i < last; i++) {
         const shown = batch[i] === shade;
-        if (!shown || seen[3 * i + 2] <= 0 || seen[3 * i + 5] <= 0) {
+        if (!shown || !(seen[3 * i + 2] > 0 && seen[3 * i + 5] > 0)) {
           joined = false;
           continue;
         }

@@ -2,6 +2,7 @@
 
 import * as THREE from "three";
 
+import { poolOf } from "../../view/colours.js";
 import { flatMaterial } from "./material.js";
 import { COMMON } from "./shaders.js";
 
@@ -117,7 +118,7 @@ export class Backdrop {
     horizon.value.set(...theme.horizon);
     ground.value.set(...theme.ground);
     grid.value.set(...theme.grid);
-    pool.value = theme.dark ? 0.03 : 0.04;
+    pool.value = poolOf(theme.dark);
     this.key = "";
   }
 

@@ -121,11 +121,11 @@ uniform highp sampler2D points;
 uniform int columns;
 uniform float dot_;    // CSS pixels
 void main() {
-  vec3 here = texelFetch(points, ivec2(gl_VertexID % columns, gl_VertexID / columns), 0).xyz;
-  vec4 seen = view * vec4(here, 1.0);
+  vec4 here = texelFetch(points, ivec2(gl_VertexID % columns, gl_VertexID / columns), 0);
+  vec4 seen = view * vec4(here.xyz, 1.0);
   seen.z += 0.02 * -seen.z;
   gl_Position = projection * seen;
-  gl_PointSize = dot_ * ratio;
+  gl_PointSize = here.w > 1e37 ? 0.0 : dot_ * ratio;
 }
 `;
 

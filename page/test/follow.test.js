@@ -1,0 +1,107 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { Camera } from "../src/view/camera.js";
+import { Follow, lowest } from "../src/view/follow.js";
+
+const STRIPS = { top: 0, bottom: 0 };
+const ROOM = { center: [0, 0, 0], radius: 10 };
+
+function camera(width = 900, height = 600) {
+  const made = new Camera();
+  made.resize(width, height);
+  return made;
+}
+
+/** A hanging rope. @param {number} sag */
+const rope = (sag, size = 10) =>
+  Array.from({ length: 41 }, (_, i) => [
+    (size * (i - 20)) / 20,
+    0,
+    sag * (((i - 20) / 20) ** 2 - 1),
+  ]);
+const nodesOf = (/** @type {number[][]} */ places) =>
+  Float32Array.from(places.flatMap((place) => [...place, 0]));
+
+/** How much of the room it may take a rope takes. @param {Camera} made @param {number[][]} places */
+function share(made, places) {
+  const seen = places.map(([x, y, z]) => made.project(x, y, z));
+  const spread = (/** @type {number} */ k) =>
+    Math.max(...seen.map((p) => p[k])) - Math.min(...seen.map((p) => p[k]));
+  return Math.max(spread(0) / made.width / 0.72, spread(1) / made.height / 0.68);
+}
+
+test("what is framed fills the picture to its margin, from any side and in any shape", () => {
+  for (const [width, height] of [
+    [900, 600],
+    [390, 640],
+    [700, 200],
+  ]) {
+    for (const [azimuth, elevation] of [
+      [-1.85, 0.14],
+      [0.3, 0.6],
+      [2, -0.4],
+      [-Math.PI / 2, Math.PI / 2],
+    ]) {
+      const made = camera(width, height);
+      const places = rope(6);
+      made.set(made.framed(places, { azimuth, elevation }));
+      const part = share(made, places);
+      assert.ok(part > 0.93 && part < 1.001, `${part} at ${width} x ${height}, ${azimuth}`);
+    }
+  }
+});
+
+test("the camera rests while the rope swings inside the picture", () => {
+  const made = camera();
+  const follow = new Follow();
+  made.set(made.framed(rope(6), { azimuth: -1.85, elevation: 0.14 }));
+  for (let i = 0; i < 200; i++) {
+    const places = rope(6 + 0.8 * Math.sin(i / 7));
+    follow.take(made, nodesOf(places), 41, 1 / 60, ROOM);
+    assert.equal(follow.wanted(made, STRIPS), null);
+  }
+});
+
+test("it follows a rope that leaves the picture, and one that has become small, but that late", () => {
+  const made = camera();
+  const follow = new Follow();
+  made.set(made.framed(rope(6), { azimuth: -1.85, elevation: 0.14 }));
+  follow.take(made, nodesOf(rope(6)), 41, 1 / 60, ROOM);
+  follow.take(made, nodesOf(rope(20)), 41, 1 / 60, ROOM);
+  const pose = follow.wanted(made, STRIPS);
+  assert.ok(pose && pose.distance > made.pose.distance);
+  made.set(pose);
+  assert.equal(follow.wanted(made, STRIPS), null);
+  assert.ok(share(made, rope(20)) <= 1.001);
+  let waited = 0;
+  for (; waited < 20 && !follow.wanted(made, STRIPS); waited += 1 / 10)
+    follow.take(made, nodesOf(rope(3, 4)), 41, 1 / 10, ROOM);
+  assert.ok(waited > 1 && waited < 10, `${waited} s`);
+});
+
+test("what flies off is not followed", () => {
+  const made = camera();
+  const follow = new Follow();
+  made.set(made.framed(rope(6), { azimuth: -1.85, elevation: 0.14 }));
+  const places = rope(6);
+  places[7] = [0, 0, -500];
+  follow.take(made, nodesOf(places), 41, 1 / 60, ROOM);
+  assert.equal(follow.wanted(made, STRIPS), null);
+});
+
+test("ropes can come as low as their length between what holds them lets them", () => {
+  const up = /** @type {[number, number, number]} */ ([0, 0, 1]);
+  const places = new Map([
+    [0, [0, 0, 5]],
+    [10, [6, 0, 5]],
+    [20, [12, 0, 5]],
+  ]);
+  const at = (/** @type {number} */ i) =>
+    /** @type {[number, number, number]} */ (places.get(i) ?? [0, 0, 0]);
+  const line = { first: 0, nodes: 21, length: 20, segments: 20 };
+  const held = (/** @type {number[]} */ ...list) => list.map((index) => ({ index }));
+  assert.ok(Math.abs(lowest(held(0, 10, 20), line, at, up) - 1) < 1e-9); // 10 m over 6 m
+  assert.equal(lowest(held(0), line, at, up), -15); // a loose end hangs down
+  assert.equal(lowest(held(), line, at, up), Infinity);
+});
