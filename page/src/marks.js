@@ -125,14 +125,15 @@ export class Marks {
 
   /** A post from the floor to an anchor. @param {Vector} place */
   addPost(place) {
-    const { camera, theme, groundHeight } = this.stage;
-    const above = dot(place, camera.up) - groundHeight;
+    const { camera, theme, floor } = this.stage;
+    const above = dot(place, camera.up) - floor.level;
     const foot = (FOOT * camera.pose.distance) / camera.focal;
     if (!this.standing || above < 2 * foot || this.posts.length >= 2 * MOST_POSTS) return;
     const to = plus(place, camera.up, -above);
+    const near = plus(to, camera.toward, 0.3 * foot); // so that the foot hides the post
     this.posts.push(
       { from: place, to, colour: theme.post, pixels: 4.5, head: false },
-      { from: plus(to, camera.up, foot), to, colour: theme.post, pixels: 16, head: false },
+      { from: plus(near, camera.up, foot), to: near, colour: theme.post, pixels: 16, head: false },
     );
   }
 

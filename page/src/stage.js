@@ -3,15 +3,16 @@
 import { Blend } from "./view/blend.js";
 import { Camera } from "./view/camera.js";
 import { CALM, Flight } from "./view/flight.js";
-import { Follow, lowest } from "./view/follow.js";
+import { Follow } from "./view/follow.js";
 import { Range } from "./view/range.js";
 import { cornersOf, nodesOf, shapeOf, shiftsOf, starts } from "./view/copies.js";
 import { boxOf, firstAngles, flatAxis, groundOf, tame } from "./view/room.js";
 import { readTheme } from "./view/theme.js";
-import { dot, vector } from "./view/vector.js";
+import { vector } from "./view/vector.js";
 import { textureSize } from "./render/webgl/texture_size.js";
 import { BROKEN, PLAYING } from "./source/frame.js";
 import { gather } from "./source/gather.js";
+import { Floor } from "./floor.js";
 import { Marks } from "./marks.js";
 
 /** @typedef {import("./session.js").Session} Session */
@@ -46,8 +47,7 @@ export class Stage {
     this.dirty = true;
     this.drawn = 0;
     this.spacing = 1; // of the grid's lines [m]
-    this.floor = 0; // height of the grid where there is no ground
-    this.floorTo = 0; // where it goes
+    this.floor = new Floor(this);
     /** @type {Flight | null} */ this.flight = null;
     this.follower = new Follow();
     this.following = true; // until the user moves the camera
@@ -186,40 +186,21 @@ export class Stage {
     this.lookPending = false;
     const box = boxOf(this.nodes.to, nodesOf(layout));
     this.axis = flatAxis(box, this.camera.up, layout.view.radius);
-    this.floor = this.floorTo = this.floorUnder(layout, box);
+    this.floor.put(layout, box);
     this.follower.clear();
     this.setPose(this.firstPose(layout));
     this.following = true;
     this.flight = null;
   }
 
-  /** The height of the floor where there is no ground: below all that ropes can reach. @param {Layout} layout
-   * @param {import("./view/camera.js").Box} box of the ropes */
-  floorUnder(layout, box) {
-    const { up } = this.camera;
-    const placeOf = (/** @type {number} */ node) =>
-      vector(this.nodes.to.subarray(4 * node, 4 * node + 3));
-    const levels = layout.variants.flatMap(({ ropes, anchors }, v) =>
-      ropes.map((rope) => lowest(anchors, rope, (node) => placeOf(this.starts[v] + node), up)),
-    );
-    const size = Math.hypot(...box.high.map((value, k) => value - box.low[k]));
-    const now = Math.min(...[box.low, box.high].map((corner) => dot(corner, up)));
-    return Math.min(...levels, now) - 0.12 * size;
-  }
-
   /** Let the camera follow the ropes, and the floor give way. @param {Layout} layout @param {number} now ms */
   keepInView(layout, now) {
     if (this.session.broken) return;
     const { camera, follower } = this;
-    const count = nodesOf(layout);
     const seconds = Math.min(0.2, (now - this.lastLook) / 1000);
     this.lastLook = now;
-    follower.take(camera, this.nodes.to, count, seconds, layout.view);
-    const least = this.lowestNow(count);
-    const bottom = dot(layout.view.center, camera.up) - 4 * layout.view.radius;
-    if (!layout.ground && least < this.floor && least > bottom) {
-      this.floorTo = Math.min(this.floorTo, least - 0.1 * layout.view.radius);
-    }
+    follower.take(camera, this.nodes.to, nodesOf(layout), seconds, layout.view);
+    this.floor.giveWay(layout);
     if (camera.version !== this.ownVersion && !this.flight) this.following = false;
     if (!this.following || this.flight || this.held()) return;
     const wanted = follower.wanted(camera, this.strips());
@@ -239,35 +220,10 @@ export class Stage {
     return Math.max(1, (this.leastWidth * camera.pose.distance) / camera.focal / diameter);
   }
 
-  /** The height of the ground, or of the floor where there is none [m]. */
-  get groundHeight() {
-    return this.session.layout?.ground?.height ?? this.floor;
-  }
-
-  /** Let the floor go where it should be, in a moment. */
-  lowerFloor() {
-    const away = this.floorTo - this.floor;
-    if (away === 0 || !this.session.layout) return;
-    const near = Math.abs(away) < 0.003 * this.session.layout.view.radius;
-    this.floor += near ? away : 0.08 * away;
-    this.dirty = true;
-  }
-
   /** Whether a pointer is down on the scene; then the camera stays. @type {() => boolean} */
   held = () => false;
 
   lastLook = 0;
-
-  /** @param {number} count */
-  lowestNow(count) {
-    const { up } = this.camera;
-    const { to } = this.nodes;
-    let least = Infinity;
-    for (let i = 0; i < 4 * count; i += 4) {
-      least = Math.min(least, to[i] * up[0] + to[i + 1] * up[1] + to[i + 2] * up[2]);
-    }
-    return least;
-  }
 
   /** @param {Pose} pose */
   setPose(pose) {
@@ -373,7 +329,7 @@ export class Stage {
       this.setPose(pose);
       if (over) this.flight = null;
     }
-    this.lowerFloor();
+    this.floor.advance();
     const moved = this.nodes.advance(performance.now());
     this.anchors.advance(performance.now());
     const turned = this.camera.version !== this.cameraVersion;
@@ -389,7 +345,7 @@ export class Stage {
     this.dirty = this.marks.dirty = false;
     this.cameraVersion = this.camera.version;
     const { markers, arrows } = this.marks.collect();
-    const ground = groundOf(this.camera, layout, this.floor);
+    const ground = groundOf(this.camera, layout, this.floor.height);
     this.spacing = ground.spacing;
     this.renderer.draw({
       camera: this.camera,

@@ -31,7 +31,10 @@ export function tame(nodes, count, { center, radius }) {
     );
   /** @type {ArrayLike<number> | null} */ let before = null;
   for (let i = 0, q = 0; i < count; i++, q += 4) {
-    if (!wild(q)) continue;
+    if (!wild(q)) {
+      if (!Number.isFinite(nodes[q + 3])) nodes[q + 3] = 0;
+      continue;
+    }
     if (i > 0) before = nodes.subarray(q - 4, q - 1);
     else {
       let next = 0;

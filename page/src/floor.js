@@ -1,0 +1,65 @@
+// The floor of a scene that has no ground: below all that its ropes can reach, and it gives way.
+
+import { nodesOf } from "./view/copies.js";
+import { lowest } from "./view/follow.js";
+import { dot, vector } from "./view/vector.js";
+
+/** @typedef {import("./stage.js").Stage} Stage */
+/** @typedef {import("./source/protocol.js").Layout} Layout */
+
+const BELOW = 0.12; // of the ropes' extent, below the lowest place they can reach
+const STEP = 0.1; // radii of the scene, by which it goes below what came through it
+const DEEPEST = 4; // radii of the scene: what is lower fell off
+
+export class Floor {
+  /** @param {Stage} stage */
+  constructor(stage) {
+    this.stage = stage;
+    this.height = 0; // along up [m]
+    this.goal = 0; // where it goes
+  }
+
+  /** The height of the ground, or of the floor where there is none [m]. */
+  get level() {
+    return this.stage.session.layout?.ground?.height ?? this.height;
+  }
+
+  /** Put it below all that ropes can reach. @param {Layout} layout @param {import("./view/camera.js").Box} box
+   * of the ropes */
+  put(layout, box) {
+    const { camera, nodes, starts } = this.stage;
+    const { up } = camera;
+    const placeOf = (/** @type {number} */ node) =>
+      vector(nodes.to.subarray(4 * node, 4 * node + 3));
+    const levels = layout.variants.flatMap(({ ropes, anchors }, v) =>
+      ropes.map((rope) => lowest(anchors, rope, (node) => placeOf(starts[v] + node), up)),
+    );
+    const size = Math.hypot(...box.high.map((value, k) => value - box.low[k]));
+    const now = Math.min(...[box.low, box.high].map((corner) => dot(corner, up)));
+    const height = Math.min(...levels, now) - BELOW * size;
+    if (Number.isFinite(height)) this.height = this.goal = height;
+  }
+
+  /** Let it give way to ropes that came through. @param {Layout} layout */
+  giveWay(layout) {
+    if (layout.ground) return;
+    const { up } = this.stage.camera;
+    const { to } = this.stage.nodes;
+    const { center, radius } = layout.view;
+    let least = Infinity;
+    for (let i = 0; i < 4 * nodesOf(layout); i += 4) {
+      least = Math.min(least, to[i] * up[0] + to[i + 1] * up[1] + to[i + 2] * up[2]);
+    }
+    if (least >= this.height || least < dot(center, up) - DEEPEST * radius) return;
+    this.goal = Math.min(this.goal, least - STEP * radius);
+  }
+
+  /** Once per animation frame. */
+  advance() {
+    const away = this.goal - this.height;
+    const { layout } = this.stage.session;
+    if (away === 0 || !layout) return;
+    this.height += Math.abs(away) < 0.003 * layout.view.radius ? away : 0.08 * away;
+    this.stage.dirty = true;
+  }
+}
