@@ -54,6 +54,7 @@ export class Stage {
     this.ownVersion = -1; // of the camera, as the stage has set it
     /** The axis that a flat scene has no extent along (0, 1, 2), else -1. */
     this.axis = -1;
+    this.past = false; // what is shown is past a break
     this.lookPending = true;
     this.layoutNumber = -1;
     /** @type {number[]} */ this.up = [0, 0, 1];
@@ -67,7 +68,10 @@ export class Stage {
     /** @type {(() => void)[]} */ this.afterDraw = [];
     session.on("layout", (layout) => this.takeLayout(layout));
     session.on("frame", (frame) => this.takeFrame(frame));
-    session.on("broken", () => (this.range.fresh = true)); // what broke must not rule the colours
+    session.on("broken", () => {
+      this.range.fresh = true; // what broke must not rule the colours
+      this.past = session.broken !== null;
+    });
     renderer.setTheme(this.theme);
     renderer.canvas.addEventListener("webglcontextrestored", () => this.setTheme()); // it is black
     const tick = (/** @type {number} */ now) => {
@@ -145,6 +149,7 @@ export class Stage {
     const nodes = this.nodes.next(now, jump);
     const extremes = gather(frame, layout, this.colouring, this.shifts, nodes);
     tame(nodes, nodesOf(layout), layout.view);
+    this.past = this.session.broken !== null || (frame.flags & BROKEN) !== 0;
     if (!(frame.flags & BROKEN)) {
       this.range.follow(extremes.low, extremes.high, Math.min(0.2, (now - this.lastPush) / 1000));
     }
@@ -195,7 +200,7 @@ export class Stage {
 
   /** Let the camera follow the ropes, and the floor give way. @param {Layout} layout @param {number} now ms */
   keepInView(layout, now) {
-    if (this.session.broken) return;
+    if (this.past) return;
     const { camera, follower } = this;
     const seconds = Math.min(0.2, (now - this.lastLook) / 1000);
     this.lastLook = now;
@@ -355,7 +360,7 @@ export class Stage {
       plain: this.colouring === "plain",
       dots: this.dots,
       pixels: this.leastWidth,
-      smooth: !this.session.broken,
+      smooth: !this.past,
       corners: this.corners,
       markers,
       arrows,
