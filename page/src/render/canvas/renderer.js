@@ -131,7 +131,7 @@ export class CanvasRenderer {
       const scale = focal / Math.max(depth, 1e-9);
       seen[3 * i] = left + (v[0] * x + v[4] * y + v[8] * z + v[12]) * scale;
       seen[3 * i + 1] = top - (v[1] * x + v[5] * y + v[9] * z + v[13]) * scale;
-      seen[3 * i + 2] = points[4 * i + 3] > 1e37 ? -1 : depth; // as if behind: not drawn
+      seen[3 * i + 2] = points[4 * i + 3] > 1e30 ? -1 : depth; // as if behind: not drawn
     }
   }
 

@@ -79,7 +79,7 @@ in float behind;       // > 0: a part of a segment that ends behind the eye
 out vec4 colour;
 const float CENTRE = 0.5359, STRAND = 0.4641; // of three strands in a rope of radius 1
 void main() {
-  if (behind > 0.0 || value > 1e37) discard;
+  if (behind > 0.0 || value > 1e30) discard;
   float w = across * (halfWidth + 1.0);
   float u = clamp(w / halfWidth, -1.0, 1.0);
   vec3 n = vec3(u, sqrt(1.0 - u * u), 0.0); // to the side, towards the eye, along
@@ -156,7 +156,7 @@ void main() {
   float blur = 0.11 * max(above, 0.0);
   float wide = sqrt(radius * radius + blur * blur);
   strength = above < -radius ? 0.0 : radius / (radius + 0.38 * blur);
-  if (point(i).w > 1e37) strength = 0.0;
+  if (point(i).w > 1e30) strength = 0.0;
   strength *= min(look.y, look.z); // it fades out at the ends
   sharp = radius / wide;
   gl_Position = projection * view * vec4(here + side * across * 1.7 * wide, 1.0);

@@ -125,7 +125,7 @@ void main() {
   vec4 seen = view * vec4(here.xyz, 1.0);
   seen.z += 0.02 * -seen.z;
   gl_Position = projection * seen;
-  gl_PointSize = here.w > 1e37 ? 0.0 : dot_ * ratio;
+  gl_PointSize = here.w > 1e30 ? 0.0 : dot_ * ratio;
 }
 `;
 
