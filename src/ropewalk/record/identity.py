@@ -25,6 +25,7 @@ FOLDERS = (
     "motions",
     "theory",
     "scene",
+    "library",
     "build",
     "statics",
     "vibration",
