@@ -41,6 +41,7 @@ TWO_ROPES_AND_A_WINCH = """
 name = "two ropes, a winch"
 [run]
 duration = {duration}
+method = "semi-implicit-euler"
 time_step = 0.0005
 [[rope]]
 name = "line"

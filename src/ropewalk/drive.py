@@ -41,6 +41,7 @@ class Driven:
     _due: float  # [s] time at which the goals are reached
     _first: Snapshot | None  # the beginning, once `reset` was asked for
     failure: str
+    reason: str
 
     if TYPE_CHECKING:
 
@@ -62,7 +63,7 @@ class Driven:
         if self._first is None:
             self._first = type(self)(self.model, ledger=self.ledger).state
         self.restore(self._first)
-        self.failure = ""
+        self.failure = self.reason = ""
 
     # -- forces --------------------------------------------------------------------------
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 import numpy as np
 
-from ropewalk import unsolved
+from ropewalk import broken, unsolved
 from ropewalk.block import Block
 from ropewalk.build import Model, build
 from ropewalk.build.links import has_links
@@ -22,20 +22,15 @@ from ropewalk.drive import Driven, Goal
 from ropewalk.drum import WinchHandle
 from ropewalk.hand import AnchorHandle
 from ropewalk.laws.clamps import start_clamps
+from ropewalk.laws.ledger import gravity_energy
 from ropewalk.methods import adaptive
 from ropewalk.methods.adaptive import Walk
 from ropewalk.methods.controller import BEGUN
-from ropewalk.methods.loop import close_frame, prepare, prepare_links
-from ropewalk.methods.recording import (
-    CONSERVATIVE,
-    ENERGIES,
-    Recording,
-    bends,
-    make_recording,
-    work_names,
-)
+from ropewalk.methods.loop import prepare, prepare_links
+from ropewalk.methods.recording import ENERGIES, Recording, bends, make_recording, record_frame
 from ropewalk.methods.registry import METHODS
 from ropewalk.methods.scratch import make_sums
+from ropewalk.methods.verdict import HONEST, LAST, ZERO, energy_now
 from ropewalk.motions.table import HAND
 from ropewalk.scene import Scene
 from ropewalk.slices import Slices
@@ -44,8 +39,6 @@ from ropewalk.start import started
 if TYPE_CHECKING:
     from ropewalk.live.view import View
 
-# The energy error that tells a broken simulation, over all energy that can honestly be turned over [1].
-MADE_UP = 3.0
 GRAVITY = ENERGIES.index("gravity")
 _ROUNDING = 1e-12  # [1]
 _VIEW = "ropewalk.live.view"  # a layer above this one, so it is looked up when it is needed
@@ -123,9 +116,8 @@ class Simulation(Driven):
         self._set_first_reactions()
         self._gravity_zero = 0.0
         self._gravity_zero = self._zero_of_gravity()
-        energy = self.recording().recording.energy[0]
-        self._energy = float(energy.sum())
-        self._turnover = float(energy[0] + energy[2:].sum()) + self._energy_scale()
+        self.reason = ""  # set by a break: what is broken, and where
+        self._set_balance()
         self.anchors = {
             name: AnchorHandle(self, row) for row, name in enumerate(self.layout.anchor_names)
         }
@@ -154,6 +146,14 @@ class Simulation(Driven):
             total = total + state.mass[i] * self.system.gravity
             state.reaction[row] = -total if state.held[row] else 0.0
         start_clamps(self.system, state)
+
+    def _set_balance(self) -> None:
+        """Write the energy at the start, from which gains count, and what of it may turn into motion."""
+        balance = self._state.balance
+        balance[ZERO] = balance[LAST] = energy_now(self.system, self._state)
+        state = self._state
+        weight = gravity_energy(state.x, state.mass, self.system.gravity)
+        balance[HONEST] = balance[ZERO] - weight + self._energy_scale()
 
     def _energy_scale(self) -> float:
         """Weight times length of all ropes [J], and a little elastic energy where nothing weighs."""
@@ -223,7 +223,7 @@ class Simulation(Driven):
     def recording(self) -> Block:
         """Return the present state as one frame."""
         out = make_recording(self._state, 1, self._winches)
-        close_frame(self.system, self._state, self.ledger, make_sums(), 0, out)
+        record_frame(self.system, self._state, self.ledger, make_sums(), 0, out)
         out.energy[:, GRAVITY] -= self._gravity_zero
         return Block(np.array([self.time]), out)
 
@@ -244,11 +244,12 @@ class Simulation(Driven):
             count, dt = divide(duration, self.plan.dt, "divide")
         if dt != self._dt:
             self._start, self._dt, self._step = self.time, dt, 0
-        self.failure = ""
+        self.failure = self.reason = ""
         self._set_off(count * dt)
         status, _ = self._advance(count, 1, make_recording(self._state, 0, False))
         if status != OK:
-            raise Broken(self.failure or f"the simulation broke before t = {self.time:g} s")
+            text = f"the simulation broke before t = {self.time:g} s: {self.reason}"
+            raise Broken(self.failure or text)
         self._arrive()
 
     def advance_steps(self, steps: int) -> int:
@@ -256,7 +257,7 @@ class Simulation(Driven):
 
         `failure` then says where an implicit method found no solution; the state is that before.
         """
-        self.failure = ""
+        self.failure = self.reason = ""
         self._set_off(steps * self._dt)
         status = self._advance(steps, 1, make_recording(self._state, 0, False))[0]
         self._arrive()
@@ -273,13 +274,11 @@ class Simulation(Driven):
         if self._dt != self.plan.dt:  # after a step of another length
             self._start, self._dt, self._step = self.time, self.plan.dt, 0
         self._set_off(frames * self.plan.frame_interval)
-        before, self.failure = self.state if not keep_going else None, ""
+        before = self.state if not keep_going else None
+        self.failure = self.reason = ""
         out = out or make_recording(self._state, frames, self._winches)
         start, first = self._start, self._step
         status, good = self._advance(self.plan.steps_per_frame, frames, out, not keep_going)
-        if before is not None and self.ledger:
-            sane = self._sane_frames(out, good)
-            status, good = (BROKEN, sane) if sane < good else (status, good)
         steps = first + self.plan.steps_per_frame * np.arange(1, frames + 1)
         block = Block(np.asarray(start + steps * self._dt, dtype=np.float64), out, status)
         if status == OK or (before is None and status == BROKEN):
@@ -292,22 +291,6 @@ class Simulation(Driven):
             with self.slices.unasked():  # the state must come to the frames that are returned
                 self._advance(self.plan.steps_per_frame, good, out.part(0, 0))
         return block.head(good)
-
-    def _sane_frames(self, out: Recording, frames: int) -> int:
-        """Count the frames before the first one whose energy the method has made up.
-
-        The method's own energy error is then far beyond all energy that the scene can turn over: its
-        weight falling through the ropes' length, what it had at first, and all work done since.
-        """
-        laws = work_names(bends(self._state))
-        stored = [laws.index(law) for law in CONSERVATIVE if law in laws]
-        inner = [column for column in stored if laws[column] != "weight"]
-        others = np.delete(out.work[:frames], stored, axis=1)
-        turned = np.delete(out.work[:frames], inner, axis=1)
-        gain = out.energy[:frames].sum(axis=1) - self._energy - others.sum(axis=1)
-        honest = self._turnover + np.abs(turned).sum(axis=1)
-        broken = np.flatnonzero(~(np.abs(gain) <= MADE_UP * honest))  # NaN is broken, too
-        return int(broken[0]) if len(broken) else frames
 
     def frames(self, frames: int | None = None, *, keep_going: bool = False) -> Iterator[Block]:
         """Yield blocks of frames, `frames` in all (default: the rest of the plan), until one breaks.
@@ -359,6 +342,8 @@ class Simulation(Driven):
         if status == UNSOLVED:
             self.failure = unsolved.describe(self.model, self._state, self.clock, self._scratch)
             self._start, self._step = unsolved.standing(self.clock, self._scratch)
+        if status == BROKEN:
+            self.reason = broken.reason(self.system, self._state, self.layout)
         return status, good, taken
 
     # -- hands --------------------------------------------------------------------------

@@ -29,7 +29,7 @@ def slack_rope(segments: int = 40, **more: Any) -> Scene:
     return Scene(
         ropes=[rope],
         anchors=[Anchor(name="left", node=0), Anchor(name="right", node=-1)],
-        run=RunSettings(duration=5.0, time_step=2e-4),
+        run=RunSettings(duration=5.0, time_step=2e-4, method="semi-implicit-euler"),
         **more,
     )
 

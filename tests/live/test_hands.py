@@ -24,7 +24,7 @@ def free_node(mass_per_length: float = 0.2, gravity: float = 0.0, air: float = 0
         ropes=[rope],
         anchors=[Anchor(node=0)],
         air=Air(node_drag=air),
-        run=RunSettings(time_step=5e-4),
+        run=RunSettings(time_step=5e-4, method="semi-implicit-euler"),
     )
     return Session(scene)
 

@@ -25,7 +25,9 @@ def breaking(**run: object) -> Scene:
         shape=Straight(start=(0, 0, 0)),
     )
     return Scene(
-        run=RunSettings(**({"time_step": 1 / 60, "duration": 4.0} | run)),
+        run=RunSettings(
+            **({"time_step": 1 / 60, "duration": 4.0, "method": "semi-implicit-euler"} | run)
+        ),
         ropes=(rope,),
         anchors=(Anchor(node=0), Anchor(node=-1)),
         air=Air(node_drag=0.01, wind=(2.0, 1.0, 0.0)),

@@ -49,7 +49,9 @@ def scene(**changes: object) -> Scene:
         else:
             whole[key] = value
     rope.setdefault("made_of", Springs(**springs))
-    return Scene(run=RunSettings(**run), ropes=(Rope(**rope),), **whole)
+    return Scene(
+        run=RunSettings(**({"method": "semi-implicit-euler"} | run)), ropes=(Rope(**rope),), **whole
+    )
 
 
 def warnings(**changes: object) -> str:

@@ -11,7 +11,8 @@ import pytest
 import ropewalk as rw
 from ropewalk.build import build
 from ropewalk.build.choice import AIM, ERROR, candidates
-from ropewalk.build.plan import Plan, predicted_step
+from ropewalk.build.plan import Plan
+from ropewalk.build.steps import predicted_step
 from ropewalk.methods.registry import METHODS
 from ropewalk.record.facts import provenance
 from ropewalk.scene import Anchor, Limiter, Material, Rope, RunSettings, Scene, Winch
@@ -48,7 +49,8 @@ def test_it_is_the_cheapest() -> None:
     for EA in (20.0, 1e3, 1e5, 1e7):
         model = build(rope(EA))
         found = candidates(model.scene, model.system, model.state, math.inf)
-        assert {one.method for one in found} == set(ERROR)
+        # so soft a rope may be pressed together by its own fall, which symplectic methods do not stand
+        assert {one.method for one in found} == ({"rk4", "esdirk3"} if EA == 20.0 else set(ERROR))
         cost = {one.method: one.cost for one in found}
         assert min(cost, key=lambda name: cost[name]) == model.plan.method
         for one in found:
@@ -62,13 +64,14 @@ def test_accuracy_shortens_the_step() -> None:
 
 
 def test_what_a_scene_limits() -> None:
-    """A limiter goes with methods that hold rigid links; a winch winds little in a step; a given step is the
+    """A limiter goes with methods that solve for it; a winch winds little in a step; a given step is the
     longest.
     """
     for EA in (1e3, 1e7):
         limited = METHODS[plan(rope(EA).replace(limiter=Limiter(max_stretch=1.1))).method]
-        assert limited.implicit == (EA == 1e7)
-        assert limited.holds_links or not limited.implicit
+        assert limited.implicit
+        assert limited.holds_links
+    assert not METHODS[plan(rope(1e3)).method].implicit  # the twin
     winch = Winch(end="start", speed=10.0)
     wound = plan(rope(1e7).replace(winches=[winch]))
     assert wound.dt <= 0.2 * 0.5 / 10.0

@@ -10,6 +10,7 @@ import pytest
 
 from ropewalk.analysis.diagnosis import Diagnosis, diagnose, explain, retrace
 from ropewalk.analysis.stability import stability
+from ropewalk.broken import ACCOUNTED
 from ropewalk.build import build
 from ropewalk.core.status import OK
 from ropewalk.scene import Anchor, Rope, RunSettings, Scene, Springs, Straight
@@ -133,8 +134,12 @@ def test_a_stable_step_is_not_blamed() -> None:
     found = stability(model)
     assert found.stable
     x = history(np.linspace(0, 1, 21) * 1e9, 1.2)
-    text = str(diagnose(found, model.layout, x, 0.1, 6))
+    why = f"segment 3 of rope 'rope' is 12 times its rest length; {ACCOUNTED}"
+    text = str(diagnose(found, model.layout, x, 0.1, 6, why))
     assert "not the method" in text
+    assert why in text
+    made_up = str(diagnose(found, model.layout, x, 0.1, 6, "the ropes have 7 J more than"))
+    assert "not the method" not in made_up  # the twin: energy that nothing gave is the method's
     assert "no zigzag" in text or "energy grows" in text
     assert "time_step <=" not in text
 

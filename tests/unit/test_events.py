@@ -29,7 +29,9 @@ def wound(*winches: Winch, release: float | None = None, duration: float = 2.0) 
         ropes=[Rope(segments=8, length=4.0, made_of=cord, shape={"kind": "hanging"})],
         anchors=[Anchor(name="drum", node=0, release_time=release)],
         winches=winches,
-        run=RunSettings(duration=duration, frame_rate=50.0, time_step=1e-3),
+        run=RunSettings(
+            duration=duration, frame_rate=50.0, time_step=1e-3, method="semi-implicit-euler"
+        ),
     )
 
 

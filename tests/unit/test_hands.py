@@ -25,7 +25,13 @@ def wound(
             ropes=[Rope(segments=8, length=4.0, made_of=cord, shape={"kind": "hanging"})],
             anchors=[anchor or Anchor(node=0)],
             winches=[Winch(name="hoist", end="start", speed=speed, **more)],
-            run=RunSettings(duration=duration, frame_rate=100.0, time_step=1e-3, steps="exact"),
+            run=RunSettings(
+                duration=duration,
+                frame_rate=100.0,
+                time_step=1e-3,
+                steps="exact",
+                method="semi-implicit-euler",
+            ),
         )
     )
 
@@ -163,7 +169,13 @@ def test_an_anchor_that_let_go_follows_its_node() -> None:
 
     def after(release: float | None) -> Simulation:
         anchor = Anchor(name="hook", node=0, release_time=release)
-        run = RunSettings(duration=1.0, frame_rate=100.0, time_step=1e-2, steps="exact")
+        run = RunSettings(
+            duration=1.0,
+            frame_rate=100.0,
+            time_step=1e-2,
+            steps="exact",
+            method="semi-implicit-euler",
+        )
         sim = Simulation(Scene(ropes=[rope], anchors=[anchor, Anchor(name="far", node=1)], run=run))
         sim.step(0.3)
         return sim

@@ -21,7 +21,7 @@ def high(**run: object) -> Scene:
         made_of=rw.Material(EA=2000.0, mass_per_length=0.2, axial_damping=5.0),
         shape=Straight(start=(0, 0, 1000.0), direction=(1, 0, 0)),
     )
-    settings = RunSettings(**({"duration": 0.4} | run))
+    settings = RunSettings(**({"duration": 0.4, "method": "semi-implicit-euler"} | run))
     return Scene(run=settings, ropes=(rope,), anchors=(Anchor(node=0),))
 
 

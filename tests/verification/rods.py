@@ -88,7 +88,12 @@ def rod(
     given = {} if shape is None else {"shape": shape}
     rope = Rope(segments=segments, length=length, made_of=made_of, **given)
     held = [clamped()] if anchors is None else anchors
-    return Scene(ropes=rope, anchors=held, gravity=gravity, run=run or RunSettings())
+    return Scene(
+        ropes=rope,
+        anchors=held,
+        gravity=gravity,
+        run=run or RunSettings(method="semi-implicit-euler"),
+    )
 
 
 def clamped(node: int = 0, direction: tuple[float, float, float] = X, **more: Any) -> Anchor:

@@ -37,7 +37,7 @@ def pair(limiter: Limiter | None = None) -> Scene:
             )
         ],
         limiter=limiter,
-        run=RunSettings(duration=1.0, time_step=0.01),
+        run=RunSettings(duration=1.0, time_step=0.01, method="semi-implicit-euler"),
     )
 
 
@@ -48,7 +48,7 @@ def hanging(min_stretch: float = 0.9, max_stretch: float = 1.1) -> Scene:
         ropes=[Rope(segments=6, length=6.0, made_of=soft, shape=Hanging())],
         anchors=[Anchor(node=0)],
         limiter=Limiter(min_stretch=min_stretch, max_stretch=max_stretch),
-        run=RunSettings(duration=20.0, time_step=0.005),
+        run=RunSettings(duration=20.0, time_step=0.005, method="semi-implicit-euler"),
     )
 
 

@@ -323,6 +323,7 @@ def test_a_run_that_rings_has_the_frequency(mode: int) -> None:
     dt, periods = 2e-4, 12
     run = rw.RunSettings(
         start="at-rest",
+        method="semi-implicit-euler",
         ring=rw.Ring(mode=mode, speed=1e-5),
         time_step=dt,
         steps="exact",

@@ -45,7 +45,12 @@ def long_scene(segments: int, laws: str, ropes: int = 1) -> Scene:
             for k, node in reversed(list(enumerate(nodes)))
             if node <= segments
         ],
-        run=RunSettings(duration=1.0, frame_rate=25.0, time_step=0.04 / (DEPTH + 9)),
+        run=RunSettings(
+            duration=1.0,
+            frame_rate=25.0,
+            time_step=0.04 / (DEPTH + 9),
+            method="semi-implicit-euler",
+        ),
         **more,
     )
 

@@ -31,7 +31,9 @@ def winched(*winches: Winch, step: float = 1e-3, duration: float = 2.0, nodes=(0
         ropes=[Rope(segments=16, length=8.0, made_of=CORD, shape=Straight(end=(6.0, 0.0, 0.0)))],
         anchors=[Anchor(node=node) for node in nodes],
         winches=winches,
-        run=RunSettings(duration=duration, time_step=step, steps="exact"),
+        run=RunSettings(
+            duration=duration, time_step=step, steps="exact", method="semi-implicit-euler"
+        ),
     )
 
 
@@ -82,7 +84,7 @@ def test_a_soft_rope_under_its_weight_is_not_broken() -> None:
         Scene(
             ropes=[Rope(segments=5, made_of=springs, shape=Hanging())],
             anchors=[Anchor(node=0)],
-            run=RunSettings(duration=40.0, time_step=1 / 240),
+            run=RunSettings(duration=40.0, time_step=1 / 240, method="semi-implicit-euler"),
         )
     )
     for block in simulation.frames():

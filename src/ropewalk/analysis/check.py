@@ -326,6 +326,11 @@ def _stability_warnings(found: Stability) -> list[str]:
         return [f"the run {found.verdict}, first at {where}. Change to: {remedies}"]
     if not found.stable:
         return [f"the run {found.verdict}. Change to: {remedies}"]
+    if found.uncovered:
+        return [
+            f"no bound holds for {found.method} here: {found.uncovered}. Take method = auto, or look at the "
+            "energy error"
+        ]
     if found.margin < _SMALL_MARGIN:
         lower = rounded_down(found.bound / (1.0 + _SMALL_MARGIN))
         return [

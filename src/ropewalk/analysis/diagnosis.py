@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 
 from ropewalk.analysis.json_values import plain
 from ropewalk.analysis.stability import Stability, milliseconds, stability
+from ropewalk.broken import ACCOUNTED
 from ropewalk.build import Layout
 from ropewalk.core.status import OK
 from ropewalk.simulation import Broken, Simulation
@@ -72,6 +73,7 @@ def diagnose(
     positions: Floats,
     time: float,
     step: int,
+    reason: str = "",
 ) -> Diagnosis:
     """Say why a run broke, in one or two sentences.
 
@@ -82,6 +84,7 @@ def diagnose(
             the last ones may be infinite or NaN. Fewer than three finite ones show no sign.
         time: of the last good frame [s].
         step: number of steps from the start of the run to the last good frame.
+        reason: what the simulation found broken, `Simulation.reason`.
     """
     finite = np.isfinite(positions).all(axis=(1, 2))
     good = int(np.argmin(finite)) if not finite.all() else len(positions)
@@ -110,7 +113,7 @@ def diagnose(
     advice = theory.remedies
     if theory.stable and theory.rings:
         advice = f"method = {CALMER}", "a shorter time_step"
-    text = _text(theory, rope, node, time, zigzag, flip, growth)
+    text = _text(theory, rope, node, time, zigzag, flip, growth, reason)
     return Diagnosis(
         time=time,
         step=step,
@@ -158,7 +161,7 @@ def explain(simulation: Simulation) -> Diagnosis:
     one more run; where that would take too long, or the second one comes out elsewhere (it was moved by
     hand), only the steps after the last good frame are looked at.
     """
-    model, plan = simulation.model, simulation.plan
+    model, plan, reason = simulation.model, simulation.plan, simulation.reason
     step = round(simulation.time / plan.dt)
     frames = step // plan.steps_per_frame
     back = min(frames, -(-_HISTORY // plan.steps_per_frame))
@@ -175,7 +178,8 @@ def explain(simulation: Simulation) -> Diagnosis:
         here = simulation.state
         positions = retrace(simulation, plan.steps_per_frame)
         simulation.restore(here)
-    return diagnose(stability(model), simulation.layout, positions, simulation.time, step)
+    theory, layout = stability(model), simulation.layout
+    return diagnose(theory, layout, positions, simulation.time, step, reason)
 
 
 def _skip(simulation: Simulation, frames: int) -> None:
@@ -291,6 +295,7 @@ def _text(
     zigzag: float,
     flip: float,
     growth: float,
+    reason: str,
 ) -> str:
     sign = _sign(zigzag, flip, growth, not theory.stable)
     head = f"Broke after t = {time:.6g} s at node {node} of rope {rope!r}: {sign}."
@@ -308,16 +313,25 @@ def _text(
             f"{head} {theory.method} has no limit for small motions only: it keeps stiff segments "
             f"ringing; change to {CALMER}, or a shorter step."
         )
-    lower = 0.5 * theory.step
+    found = f": {reason}" if reason else ""
+    shorter = f"time_step = {0.5 * theory.step:.3g} s"
+    if theory.uncovered:
+        return (
+            f"{head} No bound holds for {theory.method} here{found}: {theory.uncovered}. Change to method = "
+            f"auto or {CALMER}, or to {shorter}."
+        )
     if zigzag < _CLEAR and growth > 1.0:
         return (
             f"{head} The step is {100 * theory.margin:.2g} % below the bound for ropes at "
-            f"their length, so a segment was pressed or thrown far from it; "
-            f"try time_step = {lower:.3g} s."
+            f"their length, so a segment was pressed or thrown far from it{found}; try {shorter}."
+        )
+    stable = f"The step is stable ({milliseconds(theory.step)} of {milliseconds(theory.bound)})"
+    if reason.endswith(ACCOUNTED):
+        return (
+            f"{head} {stable} and {reason}, so this is not the method; look for anchors that move apart, a "
+            "rope too soft for its load, or places and lengths in different units."
         )
     return (
-        f"{head} The step is stable ({milliseconds(theory.step)} of "
-        f"{milliseconds(theory.bound)}), so this is not the method: a segment was pulled beyond "
-        "ten times its length; look for anchors that move apart, a rope too soft for its load, or "
-        "places and lengths in different units."
+        f"{head} {stable} for ropes at their length{found}; try {shorter}, or look for jerked anchors, "
+        "a rope too soft for its load, or places and lengths in different units."
     )

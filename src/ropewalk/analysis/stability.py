@@ -12,9 +12,11 @@ import numpy as np
 
 from ropewalk.analysis.json_values import plain
 from ropewalk.build import Model, build
-from ropewalk.build.chains import chains, speed_scale
+from ropewalk.build.bounce import bounce_growth
+from ropewalk.build.chains import chains
 from ropewalk.build.links import has_links
 from ropewalk.build.plan import bounds_stretch
+from ropewalk.build.steps import step_cases, uncovered
 from ropewalk.methods.bound import (
     Chain,
     growth_per_step,
@@ -37,6 +39,7 @@ _RESOLVED = 2.0  # [1] frequency times step up to which a mode is followed, if r
 # A swinging rope carries up to about three times its weight at rest.
 _SWING = 3.0
 _WEAK = 1e-100  # [N/m] or [N m]: far below all that is a spring
+_SLACK = "where segments go slack"
 
 
 @dataclass(frozen=True)
@@ -62,6 +65,7 @@ class Stability:
     tolerance: float | None = (
         None  # [m], where the method chooses its steps and `step` is the frame
     )
+    uncovered: str = ""  # why no bound holds for this method in this scene, where none does
 
     @property
     def bound(self) -> float:
@@ -102,9 +106,10 @@ class Stability:
         found = []
         if self.bound > 0.0:
             found.append(f"time_step <= {rounded_down(self.bound)} s")
-        if self.largest_spring_constant:
+        softer = self.largest_spring_factor < 1.0
+        if softer and self.largest_spring_constant:
             found.append(f"spring_constant <= {rounded_down(self.largest_spring_constant)} N/m")
-        elif self.largest_axial_stiffness:
+        elif softer and self.largest_axial_stiffness:
             found.append(f"EA <= {rounded_down(self.largest_axial_stiffness)} N")
         if self.largest_bending_stiffness:
             found.append(f"EI <= {rounded_down(self.largest_bending_stiffness)} N m^2")
@@ -129,11 +134,15 @@ class Stability:
             tolerance = f"{1e3 * self.tolerance:.4g} mm"
             return f"stable at any step; {self.method} chooses steps to a tolerance of {tolerance}"
         at = f"{milliseconds(self.step)} a step"
+        if self.stable and self.uncovered:
+            return f"no bound holds for {self.method} here: {self.uncovered}"
         if self.stable:
             margin = f"margin {100 * self.margin:.3g} %"
             if math.isinf(self.margin):
                 margin = "no limit" + (", for small motions only" if self.rings else "")
             return f"stable at {at} ({bound}, {margin})"
+        if self.breaks and self.case.startswith(_SLACK):
+            return f"may break at {at} {self.case}: up to x{self.growth_per_step:.4g} per step ({bound})"
         if self.breaks:
             return f"will break at {at}: x{self.growth_per_step:.4g} per step ({bound})"
         return f"grows slowly at {at}: x{self.growth_over_run:.3g} over the run ({bound})"
@@ -143,7 +152,7 @@ class Stability:
         names = (
             "method step steps largest_step highest_frequency stable breaks margin "
             "growth_per_step meter largest_spring_factor largest_spring_constant "
-            "largest_axial_stiffness largest_bending_stiffness case cases rope node"
+            "largest_axial_stiffness largest_bending_stiffness case cases rope node uncovered"
         )
         return {name: plain(getattr(self, name)) for name in names.split()} | {
             "notes": list(self.notes)
@@ -171,30 +180,31 @@ def milliseconds(seconds: float) -> str:
 def stability(source: Scene | Model, statics: Statics | None = None) -> Stability:
     """Return the stability of a scene or a built model at its own step and method.
 
-    Quadratic drag is linearised at `build.chains.speed_scale`. `statics`, when it is already
+    Quadratic drag is linearised at `build.chains.fastest`. `statics`, when it is already
     known, saves solving for the tension that makes sideways motion stiff.
     """
     model = source if isinstance(source, Model) else build(source)
     if has_links(model.state):
         return _rigid(model)
     plan, method, dt = model.plan, model.plan.method, model.plan.dt
-    cases = chains(model.system, model.state, speed_scale(model.system, model.state))
-    steps = {
-        name: {known: largest_step(known, chain) for known in METHODS}
-        for name, chain in cases.items()
-    }
-    own = {name: found[method] for name, found in steps.items()}
+    all_cases = step_cases(model.system, model.state, plan.duration)
+    cases, steps = all_cases.chains, {known: all_cases.largest(known) for known in METHODS}
+    own = steps[method]
     case = min(own, key=lambda name: own[name])
+    linear = min(cases, key=lambda name: own[name])
     share = sideways_share(model, statics)
     growth = max(growth_per_step(method, chain, dt, share) for chain in cases.values())
-    if dt <= own[case]:
-        growth = growth_per_step(method, cases[case], dt, share)
+    if dt <= own[linear]:
+        growth = growth_per_step(method, cases[linear], dt, share)
+    if dt > own[case]:
+        bounces = all_cases.bounces.values()
+        growth = max([growth, *(bounce_growth(method, bounce, dt) for bounce in bounces)])
     friction = 4.0 if method == "verlet" else 2.0
     factor, unit = largest_factor(method, list(cases.values()), dt)
-    shape = worst_mode(cases[case], min(dt, own[case]) or dt)
+    shape = worst_mode(cases[linear], min(dt, own[linear]) or dt)
     rope, node = model.layout.rope_of(int(np.argmax(np.abs(shape))))
     constant, material = _uniform(model.scene)
-    largest = {known: min(found[known] for found in steps.values()) for known in METHODS}
+    largest = {known: min(found.values()) for known, found in steps.items()}
     if model.scene.limiter is not None:
         largest |= {name: 0.0 for name in METHODS if not bounds_stretch(name)}
     return Stability(
@@ -215,6 +225,7 @@ def stability(source: Scene | Model, statics: Statics | None = None) -> Stabilit
         node=node,
         notes=_notes(model, cases, largest, share),
         tolerance=plan.tolerance,
+        uncovered=uncovered(model.system, model.state, method),
     )
 
 

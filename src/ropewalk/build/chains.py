@@ -145,7 +145,7 @@ def _paid_out(base: Chain, system: System, state: State) -> Chain:
 
 
 def speed_scale(system: System, state: State) -> float:
-    """Return the speed at which quadratic drag is linearised [m/s].
+    """Return the speed of what a scene sets going [m/s].
 
     The fastest of: initial velocities against the wind, anchors, and a fall through the rope's length.
     """
@@ -158,6 +158,24 @@ def speed_scale(system: System, state: State) -> float:
     fall = math.sqrt(2.0 * pull * float(state.rest_length.sum()))
     moved = max((_anchor_speed(system, row) for row in range(len(state.held))), default=0.0)
     return max(start, fall + float(np.linalg.norm(wind)), moved + float(np.linalg.norm(wind)))
+
+
+def recoil(state: State) -> float:
+    """Return the speed at which a rope that starts stretched flies back [m/s].
+
+    A wave of recoil moves what it has passed at strain times the speed of waves, a free end at twice that.
+    """
+    size = np.linalg.norm(np.diff(state.x, axis=1), axis=0)
+    lightest = np.maximum(state.inverse_mass[:-1], state.inverse_mass[1:])
+    stretched = np.maximum(size - state.rest_length, 0.0) * (state.rest_length > 0.0)
+    soft = np.where(np.isfinite(state.stiffness), state.stiffness, 0.0)
+    return float((2.0 * stretched * np.sqrt(soft * lightest)).max(initial=0.0))
+
+
+def fastest(system: System, state: State) -> float:
+    """Return the largest speed to reckon with, `recoil` included, against the wind [m/s]."""
+    wind = float(np.linalg.norm(system.air.wind))
+    return max(speed_scale(system, state), recoil(state) + wind)
 
 
 def _anchor_speed(system: System, row: int) -> float:

@@ -14,9 +14,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ropewalk.build.chains import chains, speed_scale
+from ropewalk.build.chains import speed_scale
+from ropewalk.build.steps import step_cases, uncovered
 from ropewalk.core.arrays import State, System
-from ropewalk.methods.bound import largest_step
 from ropewalk.methods.registry import METHODS
 from ropewalk.motions.table import ORBIT, SHAKE
 from ropewalk.scene import Scene, SceneError
@@ -51,13 +51,15 @@ def choose(scene: Scene, system: System, state: State, most: float) -> list[Cand
 def candidates(scene: Scene, system: System, state: State, most: float) -> list[Candidate]:
     """Return every method that can run the scene, at its longest step; none longer than `most` [s]."""
     run = scene.run
-    cases = chains(system, state, speed_scale(system, state)).values()
+    cases = step_cases(system, state, run.duration)
     found = []
     for name in ERROR:
         method = METHODS[name]
         if not method.holds_links and np.isinf(state.stiffness).any():
             continue
-        bound = run.auto_fraction * min(largest_step(name, chain) for chain in cases)
+        if uncovered(system, state, name):
+            continue
+        bound = run.auto_fraction * min(cases.largest(name).values())
         step = min(bound, accurate_step(name, scene, system, state), run.frame_interval, most)
         if step > 0.0:
             twice = 2.0 if name == "verlet" and (scene.limiter or scene.winches) else 1.0

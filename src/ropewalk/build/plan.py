@@ -7,11 +7,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ropewalk.build.chains import chains, speed_scale
 from ropewalk.build.choice import Candidate, choose, reason
+from ropewalk.build.steps import BEYOND, predicted_step, uncovered
 from ropewalk.core.arrays import State, System
 from ropewalk.laws.winch import WINCH_SHARE
-from ropewalk.methods.bound import largest_step
 from ropewalk.methods.controller import LONGEST_STEP
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import RunSettings, Scene, SceneError
@@ -56,17 +55,6 @@ class Plan:
     def duration(self) -> float:
         """Simulated time of the whole run [s]."""
         return self.steps * self.dt
-
-
-def predicted_step(system: System, state: State, method: str) -> float:
-    """Return the largest stable step of `method` for this system [s], over all its cases.
-
-    Rigid links have no frequency: methods that hold them have no largest step, and no other is run.
-    """
-    if np.isinf(state.stiffness).any():
-        return math.inf
-    cases = chains(system, state, speed_scale(system, state))
-    return min(largest_step(method, chain) for chain in cases.values())
 
 
 def make_plan(scene: Scene, system: System, state: State) -> Plan:
@@ -150,14 +138,15 @@ def _winch_step(system: System) -> float:
 
 def auto_step(run: RunSettings, system: System, state: State) -> float:
     """Return the stated fraction of the largest stable step, at most one frame [s]."""
-    bound = predicted_step(system, state, run.method)
+    bound = predicted_step(system, state, run.method, run.duration)
     if bound <= 0.0:
         rule = (
             f"no step of {run.method} is stable here: nothing damps some of the motion; "
             "take semi-implicit-euler, verlet or rk4, or give a step yourself"
         )
         raise SceneError([Fault("run.time_step", "auto", rule)])
-    return min(run.auto_fraction * bound, run.frame_interval)
+    share = BEYOND if uncovered(system, state, run.method) else 1.0
+    return min(share * run.auto_fraction * bound, run.frame_interval)
 
 
 def divide(interval: float, step: float, rule: str) -> tuple[int, float]:

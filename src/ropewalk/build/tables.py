@@ -188,6 +188,8 @@ def _ropes(scene: Scene, layout: Layout, keep: Pieces) -> State:
         moment=np.zeros((0, 6)),
         forces=Forces(*(np.zeros(shape) for shape in channels))._replace(applied=applied),
         work=Work(*(np.zeros(size) for size in (s, s, n, n, n, n, a, 2, 2, 0, 0))),
+        most=np.zeros(a + 1),
+        balance=np.zeros(4),
     )
 
 

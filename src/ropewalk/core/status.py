@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 OK = 0
-BROKEN = 1  # a coordinate is not finite, or a segment is stretched beyond BREAK_STRETCH
+BROKEN = 1  # not finite, stretched beyond BREAK_STRETCH, or with energy that was MADE_UP
 UNSOLVED = 2  # an implicit method found no solution of a step
 PAUSED = 3  # the adaptive method has taken as many steps as one call may
 
 # A segment this many times its rest length [1] counts as broken simulation, not as rope; three times
 # what all weight would stretch the softest segment by comes on top of it.
 BREAK_STRETCH = 10.0
+# Energy that nothing gave the ropes, over all that they can honestly have [1], which tells a broken one.
+MADE_UP = 3.0

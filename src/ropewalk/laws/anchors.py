@@ -81,7 +81,7 @@ def place_stage(system, state, t, ahead, x, v, point, speed):
 
 
 @part
-def move_anchors(system, state, forces, t, dt, middle, ledger, point, speed, lo=0, hi=ALL):
+def move_anchors(system, state, forces, t, dt, middle, point, speed, lo=0, hi=ALL):
     """Move the held nodes to the end of the step at time `t`; book reaction and work."""
     order = system.anchors.order
     for index in range(first_index(order, state, lo), last_index(order, state, hi)):
@@ -104,9 +104,9 @@ def move_anchors(system, state, forces, t, dt, middle, ledger, point, speed, lo=
             state.anchor_v[row, k] = speed[k]
             state.x[k, i] = point[k]
             state.v[k, i] = speed[k]
-        if ledger:
-            state.work.anchors[row] += done
-    close_clamps(system, state, t, dt, ledger)
+        state.work.anchors[row] += done
+        state.most[row] = max(state.most[row], abs(state.work.anchors[row]))
+    close_clamps(system, state, t, dt)
 
 
 @part

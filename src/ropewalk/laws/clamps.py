@@ -194,20 +194,23 @@ def measure_clamps(system, state):
 
 
 @part
-def close_clamps(system, state, t, dt, ledger):
+def close_clamps(system, state, t, dt):
     """Turn all clamps to the end of the step at time `t`; write their moments, book their work."""
     if state.moment.shape[0] > 0:
-        book_turns(system.bending, state.moment, state.held, t, dt, ledger, state.work.clamps)
+        book_turns(system.bending, state.moment, state.held, t, dt, state.work.clamps)
         turn_clamps(system, state, t)
         measure_clamps(system, state)
-        book_turns(system.bending, state.moment, state.held, t, dt, ledger, state.work.clamps)
+        book_turns(system.bending, state.moment, state.held, t, dt, state.work.clamps)
+        for row in range(state.held.shape[0]):
+            done = abs(state.work.anchors[row]) + abs(state.work.clamps[row])
+            state.most[row] = max(state.most[row], done)
 
 
 @kernel
-def book_turns(bending, moment, held, t, dt, ledger, work):
+def book_turns(bending, moment, held, t, dt, work):
     """Add half of what the present moments do during the turn of the step that ends at `t` [J]."""
     for row in range(held.shape[0]):
-        if ledger and bending.clamped[row] == 1 and held[row] == 1:
+        if bending.clamped[row] == 1 and held[row] == 1:
             turned = clamp_angle(bending.turn, row, t) - clamp_angle(bending.turn, row, t - dt)
             for k in range(3):
                 work[row] += 0.5 * turned * bending.axis[row, k] * moment[row, k]

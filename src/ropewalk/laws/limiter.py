@@ -42,7 +42,7 @@ def limit_stretch(system, state, work, dt, ledger):
         sweep(system, state)
     stop_segments(system.limiter, state, work)
     note_pulls(work, dt, state.limited)
-    anchors = give_to_anchors(state, work, dt, ledger)
+    anchors = give_to_anchors(state, work, dt)
     if ledger:
         state.work.limiter[0] += kinetic_energy(state.v, state.mass) - kinetic - anchors
         state.work.limiter[1] += _potential(system, state) - potential
@@ -179,7 +179,7 @@ def note_pulls(work, dt, limited):
 
 
 @kernel
-def give_to_anchors(state, work, dt, ledger):
+def give_to_anchors(state, work, dt):
     """Add what the held nodes would have taken to their anchors' reactions; return its work [J]."""
     total = 0.0
     segments = state.rest_length.shape[0]
@@ -197,6 +197,6 @@ def give_to_anchors(state, work, dt, ledger):
             state.reaction[row, k] += impulse / dt
             done += impulse * state.v[k, i]
         total += done
-        if ledger:
-            state.work.anchors[row] += done
+        state.work.anchors[row] += done
+        state.most[row] = max(state.most[row], abs(state.work.anchors[row]))
     return total

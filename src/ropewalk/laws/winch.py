@@ -22,22 +22,21 @@ WINCH_SHARE = 0.2  # a winch winds at most this part of a segment in a step [1]
 
 
 @kernel
-def run_winches(system, state, t, dt, ledger):
+def run_winches(system, state, t, dt):
     """Turn all winches by one step that starts at `t` [s], and book their work."""
     if state.winch_exit.shape[0] == 0:
         return
-    kinetic, potential = 0.0, 0.0
-    if ledger:
-        kinetic = kinetic_energy(state.v, state.mass)
-        potential = _potential(system, state)
+    kinetic = kinetic_energy(state.v, state.mass)
+    potential = _potential(system, state)
     for row in range(state.winch_exit.shape[0]):
         state.winch_rate[row] = 0.0
         if state.held[system.winches.anchor[row]] == 1:  # a drum that was let go does not turn
             turn(system.winches, state, row, t, dt)
         follow_drum(system.winches, state, row)
-    if ledger:
-        state.work.winch[0] += kinetic_energy(state.v, state.mass) - kinetic
-        state.work.winch[1] += _potential(system, state) - potential
+    state.work.winch[0] += kinetic_energy(state.v, state.mass) - kinetic
+    state.work.winch[1] += _potential(system, state) - potential
+    last = state.most.shape[0] - 1
+    state.most[last] = max(state.most[last], abs(state.work.winch[0] + state.work.winch[1]))
 
 
 @kernel

@@ -38,6 +38,7 @@ class Question:
     step: int  # of the session
     steps: int  # of the variant
     failure: str
+    reason: str
 
     @classmethod
     def of(cls, session: Session) -> Question:
@@ -54,6 +55,7 @@ class Question:
             session.count,
             track.count,
             track.simulation.failure,
+            track.simulation.reason,
         )
 
     def at_once(self) -> dict[str, Any]:
@@ -118,7 +120,8 @@ class Question:
             again = Simulation(model)
             again.restore(self.here)
             positions = retrace(again, max(self.broken.chunk, 1) + 1)
-        return diagnose(stability(model), layout, positions, self.time, self.steps)
+        theory, when = stability(model), (self.time, self.steps)
+        return diagnose(theory, layout, positions, *when, self.reason)
 
     def _from_history(self) -> Floats | None:
         """Return the steps from an earlier moment up to the break, or None when they end otherwise.

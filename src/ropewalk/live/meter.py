@@ -14,9 +14,9 @@ from ropewalk.analysis.stability import (
     stability,
 )
 from ropewalk.build import Model
-from ropewalk.build.chains import chains, speed_scale
 from ropewalk.build.links import has_links
-from ropewalk.methods.bound import largest_step, meter
+from ropewalk.build.steps import step_cases
+from ropewalk.methods.bound import meter
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import Springs
 from ropewalk.unsolved import RINGING
@@ -34,11 +34,11 @@ def measure(model: Model) -> dict[str, Any]:
     method, dt = plan.method, plan.dt
     if has_links(model.state):
         return _rigid(stability(model))
-    cases = chains(model.system, model.state, speed_scale(model.system, model.state))
-    own = {name: largest_step(method, chain) for name, chain in cases.items()}
+    found_cases = step_cases(model.system, model.state, plan.duration)
+    cases, own = found_cases.chains, found_cases.largest(method)
     case = min(own, key=lambda name: own[name])
     bound = own[case]
-    steps = {name: min(largest_step(name, chain) for chain in cases.values()) for name in METHODS}
+    steps = {name: min(found_cases.largest(name).values()) for name in METHODS}
     scaled, unit = largest_factor(method, list(cases.values()), dt)
     factor = scaled * unit
     constant, material = _constants(model)

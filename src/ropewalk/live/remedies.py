@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from ropewalk.analysis.stability import STIFF
 from ropewalk.build import Layout
-from ropewalk.build.plan import predicted_step
+from ropewalk.build.steps import predicted_step
 from ropewalk.live.history import Moment
 from ropewalk.simulation import Simulation
 
@@ -20,8 +20,8 @@ _MARGIN = 0.9  # of the largest stable step
 
 def largest_step(simulation: Simulation) -> float:
     """Return the largest stable step of a simulation's method [s]."""
-    model = simulation.model
-    return predicted_step(model.system, model.state, simulation.plan.method)
+    model, plan = simulation.model, simulation.plan
+    return predicted_step(model.system, model.state, plan.method, plan.duration)
 
 
 def suggested_step(simulation: Simulation) -> float:

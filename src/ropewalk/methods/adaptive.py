@@ -56,6 +56,7 @@ from ropewalk.methods.kinks import JUST_BELOW, next_break, take_up_rates
 from ropewalk.methods.loop import close_frame, prepare_links
 from ropewalk.methods.stage import Stage
 from ropewalk.methods.tableaus import ESDIRK3
+from ropewalk.methods.verdict import note_changes
 
 SNAP = 1e-9  # [1] a frame this close to an end of a step, over its length, is at that end
 
@@ -135,10 +136,10 @@ def begin_walk(state, scratch, t):
 
 
 @part
-def open_step(system, state, t, solver, ledger):
+def open_step(system, state, t, solver):
     """Let go of anchors and take up all rates after time `t` [s]; a jump is booked as work."""
     unclamped = release_anchors(system, state, t, 0.0)
-    return take_up_rates(system, state, t, solver.point, solver.speed, ledger) > 0 or unclamped
+    return take_up_rates(system, state, t, solver.point, solver.speed) > 0 or unclamped
 
 
 @kernel
@@ -171,7 +172,7 @@ def stride(system, scratch, extras, ledger, tableau):
         scratch.walk.control,
     )
     t = control[END]
-    if open_step(system, state, t, solver, ledger) or control[WISH] == 0.0:
+    if open_step(system, state, t, solver) or control[WISH] == 0.0:
         prepare_links(system, state, t, solver.stage.saddle)
     put_row(scratch.walk.ahead, scratch.walk.begin)
     mark_sides(system, state, solver.stage.saddle.band)
@@ -202,7 +203,7 @@ def stride(system, scratch, extras, ledger, tableau):
             control[WISH], retried, cut = again, True, False
         dt = again
     if extras is not None:
-        run_winches(system, state, t, dt, ledger)
+        run_winches(system, state, t, dt)
     if extras is not None or changes > 0:
         prepare_links(system, state, end, solver.stage.saddle)
     control[BEGIN], control[END] = t, end
@@ -241,7 +242,7 @@ def go_to(system, state, scratch, extras, time, ledger, tableau):
     if status != OK:
         walk.control[ERROR] = np.inf
     if extras is not None:
-        run_winches(system, state, begin, dt, ledger)
+        run_winches(system, state, begin, dt)
         prepare_links(system, state, time, scratch.stage.saddle)
     return status
 
@@ -255,6 +256,7 @@ def advance(system, state, scratch, extras, clock, frames, ledger, out, stop_at_
     """
     control, walk = scratch.walk.control, scratch.walk
     done = int(clock[2])
+    note_changes(system, state)
     if control[BEGUN] == 0.0 or differ(scratch.here, walk.shown):
         begin_walk(state, scratch, clock[0] + done * clock[1])
     for frame in range(frames):
@@ -271,9 +273,12 @@ def advance(system, state, scratch, extras, clock, frames, ledger, out, stop_at_
         scratch.strides[0] -= 1.0
         status = show(system, state, scratch, extras, time, ledger, tableau)
         if status == OK:
-            put_row(scratch.here, walk.shown)
+            sums = scratch.solver.sums
             clock[2] = done
-            status = close_frame(system, state, ledger, scratch.solver.sums, frame, out)
+            status = close_frame(system, state, ledger, time, stop_at_break, sums, frame, out)
+            put_row(state.balance, scratch.begin.balance)
+            put_row(state.balance, scratch.ahead.balance)
+            put_row(scratch.here, walk.shown)
         if status != OK and (stop_at_break or status == UNSOLVED):
             return status, frame
     return OK, frames

@@ -264,7 +264,7 @@ def take_step(system, state, scratch, t, after, dt, ledger, watch, kind, A, b, c
         return UNSOLVED
     middle = scratch.middle
     half_way(state.x, state.v, stage.x, stage.v, state.inverse_mass, middle, state.drift)
-    move_anchors(system, state, mean, after, dt, middle, ledger, scratch.point, scratch.speed)
+    move_anchors(system, state, mean, after, dt, middle, scratch.point, scratch.speed)
     if ledger:
         account(system, state, mean, middle, dt)
     put_row(stage.tension, state.tension)

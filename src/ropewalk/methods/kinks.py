@@ -81,7 +81,7 @@ def next_kink(kinks, begin, after, dt):
 
 
 @part
-def take_up_rates(system, state, t, point, speed, ledger):
+def take_up_rates(system, state, t, point, speed):
     """Give held nodes and clamps their rates just after time `t` [s]; return how many numbers jumped.
 
     The jump of a node's kinetic energy is booked as its anchor's work.
@@ -96,8 +96,8 @@ def take_up_rates(system, state, t, point, speed, ledger):
             old, new = state.anchor_v[row, k], speed[k]
             if old != new:
                 jumps += 1
-                if ledger:
-                    state.work.anchors[row] += 0.5 * state.mass[i] * (new * new - old * old)
+                state.work.anchors[row] += 0.5 * state.mass[i] * (new * new - old * old)
+                state.most[row] = max(state.most[row], abs(state.work.anchors[row]))
                 state.anchor_v[row, k] = new
                 state.v[k, i] = new
     if state.moment.shape[0] > 0:
@@ -110,7 +110,7 @@ def take_up_rates(system, state, t, point, speed, ledger):
 
 
 @part
-def next_piece(system, state, t, begin, after, dt, point, speed, ledger):
+def next_piece(system, state, t, begin, after, dt, point, speed):
     """Begin a piece of the step from `t` to `after` [s] at `begin`, with the rates after a kink there.
 
     Returns its length, the time just before which it ends where there is a kink, its end, and how many
@@ -120,7 +120,7 @@ def next_piece(system, state, t, begin, after, dt, point, speed, ledger):
     if system.kinks.shape[0] > 0:
         here, kink = next_kink(system.kinks, begin, after, dt)
         if here > -np.inf:
-            jumps = take_up_rates(system, state, max(begin, here), point, speed, ledger)
+            jumps = take_up_rates(system, state, max(begin, here), point, speed)
         if kink < np.inf:
             stop = kink if kink < after - near(after, dt) else after
             end = min(after, kink * JUST_BELOW)

@@ -13,9 +13,10 @@ from ropewalk.laws.stretch import segment_tension
 from ropewalk.laws.table import accelerate, evaluate
 from ropewalk.laws.winch import run_winches
 from ropewalk.methods.kinks import next_piece
-from ropewalk.methods.recording import check_state, record_frame
+from ropewalk.methods.recording import record_frame
 from ropewalk.methods.scratch import clear
 from ropewalk.methods.tableaus import BDF2
+from ropewalk.methods.verdict import judge, note_changes, note_energy
 
 
 @kernel
@@ -65,22 +66,28 @@ def _renew_other(system, state, t, scratch, tableau):
 @part
 def _wind(system, state, scratch, t, dt, ledger):
     """Let winches act on the end of a step; a method that solves has the limiter in its equations."""
-    run_winches(system, state, t, dt, ledger)
+    run_winches(system, state, t, dt)
 
 
 @part
 def wind_and_limit(system, state, scratch, t, dt, ledger):
     """Let winches and limiter act on the end of a step."""
-    run_winches(system, state, t, dt, ledger)
+    run_winches(system, state, t, dt)
     limit_stretch(system, state, scratch.limiter, dt, ledger)
 
 
 @kernel
-def close_frame(system, state, ledger, sums, frame, out):
-    """Record the frame where `out` has it; return the state's status. `sums` is working space."""
+def close_frame(system, state, ledger, time, stop_at_break, sums, frame, out):
+    """Record the frame at `time` [s] where `out` has it; return the state's status. `sums` is working space.
+
+    Part of a frame, which is neither recorded nor to stop, is not judged: where calls end changes nothing.
+    """
     if out.x.shape[0] > frame:
         record_frame(system, state, ledger, sums, frame, out)
-    return check_state(state, system.break_stretch)
+    elif not stop_at_break:
+        note_energy(system, state)
+        return OK
+    return judge(system, state, time)
 
 
 def _module(step: Any) -> str:
@@ -109,6 +116,7 @@ def make_advance(step: Any, *, carries: bool = False, solves: bool = False) -> A
         dt = clock[1]
         done, steps = int(clock[2]), int(clock[3])
         point, speed = scratch.point, scratch.speed
+        note_changes(system, state)
         for frame in range(frames):
             for s in range(done, done + steps):
                 t, after = clock[0] + s * dt, clock[0] + (s + 1) * dt
@@ -117,7 +125,7 @@ def make_advance(step: Any, *, carries: bool = False, solves: bool = False) -> A
                 begin = t
                 while begin < after:  # once, but for kinks
                     h, end, stop, jumps = next_piece(
-                        system, state, t, begin, after, dt, point, speed, ledger
+                        system, state, t, begin, after, dt, point, speed
                     )
                     if jumps > 0 and carries:
                         begin_anew(system, state, begin, scratch)
@@ -134,7 +142,8 @@ def make_advance(step: Any, *, carries: bool = False, solves: bool = False) -> A
                     begin = stop
             done += steps
             clock[2] = done
-            status = close_frame(system, state, ledger, scratch.sums, frame, out)
+            time, sums = clock[0] + done * dt, scratch.sums
+            status = close_frame(system, state, ledger, time, stop_at_break, sums, frame, out)
             if status != OK and stop_at_break:
                 return status, frame
         return OK, frames

@@ -11,7 +11,6 @@ import numpy as np
 from ropewalk.core.arrays import BENDING, Floats, State
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.ranges import rows
-from ropewalk.core.status import BROKEN, OK
 from ropewalk.laws.clamps import bent_energy
 from ropewalk.methods.scratch import LANES, clear_row, put
 
@@ -92,7 +91,6 @@ def work_names(bending: bool) -> tuple[str, ...]:
 
 SOLVED = 1e-13  # [1] length error of a segment that is as long as its tension makes it ...
 ROUNDING = 2e-15  # [1] ... and this share of its place
-LARGEST = 1e154  # [m] the square of a longer one is infinite
 
 
 @kernel
@@ -280,23 +278,3 @@ def record_works(system, work, sums, total, jump):
     for row in range(anchors):
         total[total.shape[0] - anchors + row] = work.anchors[row]
     jump[0], jump[1] = work.limiter[0], work.winch[0]
-
-
-@kernel
-def check_state(state, break_stretch):
-    """Return BROKEN when anything is not finite or a live segment is stretched beyond reason."""
-    x0, x1, x2 = state.x[0], state.x[1], state.x[2]
-    v0, v1, v2 = state.v[0], state.v[1], state.v[2]
-    lengths, stiffness = state.rest_length, state.stiffness
-    bad = 0
-    for i in range(v0.shape[0]):
-        speed = v0[i] + v1[i] + v2[i]
-        bad += 0 if speed - speed == 0.0 else 1  # neither infinite nor NaN
-    for j in range(lengths.shape[0]):
-        dx, dy, dz = x0[j + 1] - x0[j], x1[j + 1] - x1[j], x2[j + 1] - x2[j]
-        length = lengths[j]
-        live = length > 0.0 and stiffness[j] > 0.0
-        longest = break_stretch * length if live else LARGEST
-        square = dx * dx + dy * dy + dz * dz
-        bad += 0 if square <= longest * longest and length - length == 0.0 else 1
-    return OK if bad == 0 else BROKEN

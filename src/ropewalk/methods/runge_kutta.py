@@ -50,7 +50,7 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
     add(dx, 1.0, state.x)
     axpy(state.v, 0.5, dv, middle)
     add(dv, 1.0, state.v)
-    move_anchors(system, state, mean, after, dt, middle, ledger, scratch.point, scratch.speed)
+    move_anchors(system, state, mean, after, dt, middle, scratch.point, scratch.speed)
     if ledger:
         account(system, state, mean, middle, dt)
 

@@ -87,7 +87,7 @@ def step(system, state, scratch, t, after, dt, ledger, tableau, lo, hi):
     bending, limiter = state.forces.bending, state.forces.limiter
     forces = Forces(elastic, friction, air, ground, applied, bending, limiter)
     point, speed = scratch.point, scratch.speed
-    move_anchors(system, state, forces, after, dt, middle, ledger, point, speed, lo, hi)
+    move_anchors(system, state, forces, after, dt, middle, point, speed, lo, hi)
     if ledger:
         account(system, state, forces, middle, dt, lo, hi)
 

@@ -8,6 +8,7 @@ from ropewalk.core.status import OK
 from ropewalk.laws.anchors import release_anchors
 from ropewalk.laws.table import reaches_neighbours_only
 from ropewalk.methods.loop import close_frame, named, wind_and_limit
+from ropewalk.methods.verdict import note_changes
 
 TILE = 1024  # nodes; about 250 kB of all their arrays
 DEPTH = 32  # steps
@@ -28,6 +29,7 @@ def make_tiled_advance(step: Any) -> Any:
         dt = clock[1]
         done, steps = int(clock[2]), int(clock[3])
         n = state.mass.shape[0]
+        note_changes(system, state)
         width = TILE if extras is None and reaches_neighbours_only(system) else n
         for frame in range(frames):
             for start in range(done, done + steps, DEPTH):
@@ -45,7 +47,8 @@ def make_tiled_advance(step: Any) -> Any:
                     first = last
             done += steps
             clock[2] = done
-            status = close_frame(system, state, ledger, scratch.sums, frame, out)
+            time, sums = clock[0] + done * dt, scratch.sums
+            status = close_frame(system, state, ledger, time, stop_at_break, sums, frame, out)
             if status != OK and stop_at_break:
                 return status, frame
         return OK, frames

@@ -34,7 +34,7 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
     add(a, 1.0, old)
     axpy(v, 0.25 * dt, old, middle)
     add(old, 0.5 * dt, v)
-    move_anchors(system, state, mean, after, dt, middle, ledger, scratch.point, scratch.speed)
+    move_anchors(system, state, mean, after, dt, middle, scratch.point, scratch.speed)
     if ledger:
         account(system, state, mean, middle, dt)
 

@@ -84,7 +84,8 @@ def look_beyond(simulation: Simulation) -> Beyond | None:
 
     Ends early where the simulation's slices are asked to.
     """
-    here, plan, failure = simulation.state, simulation.plan, simulation.failure
+    here, plan = simulation.state, simulation.plan
+    told = simulation.failure, simulation.reason
     most = max(2, min(_KEPT, _NUMBERS // (3 * simulation.layout.nodes)))
     seen: deque[tuple[float, Floats, Floats]] = deque(maxlen=most)
     for _ in range(min(_FRAMES * plan.steps_per_frame, _STEPS)):
@@ -100,7 +101,7 @@ def look_beyond(simulation: Simulation) -> Beyond | None:
         if status != OK:
             break
     simulation.restore(here)
-    simulation.failure = failure
+    simulation.failure, simulation.reason = told
     if not seen:
         return None
     time, x, tensions = (np.array(part) for part in zip(*seen, strict=True))

@@ -11,8 +11,8 @@ from ropewalk.block import Block
 from ropewalk.build import Model, build
 from ropewalk.core import arrays
 from ropewalk.laws.clamps import start_clamps
-from ropewalk.methods.loop import close_frame, prepare
-from ropewalk.methods.recording import ENERGIES, Recording, make_recording
+from ropewalk.methods.loop import prepare
+from ropewalk.methods.recording import ENERGIES, Recording, make_recording, record_frame
 from ropewalk.methods.scratch import make_sums
 from ropewalk.record.facts import AT_REST, Facts, provenance
 from ropewalk.record.quantities import recorded
@@ -63,7 +63,7 @@ def _frame(model: Model, statics: Statics) -> Recording:
     prepare(model.system, state)
     start_clamps(model.system, state)
     state.clamp_spin[...] = 0.0
-    close_frame(model.system, state, True, make_sums(), 0, out)
+    record_frame(model.system, state, True, make_sums(), 0, out)
     k = state.stiffness
     stored = np.divide(statics.tension**2, 2.0 * k, out=np.zeros_like(k), where=k > 0.0)
     out.tension[0] = out.elastic_tension[0] = statics.tension

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ropewalk.core.arrays import Floats
+from ropewalk.record.energy_note import energy_note
 from ropewalk.record.facts import AT_REST
 from ropewalk.record.ledger import turned_over
 from ropewalk.record.margins import breaking_loads, margin_rows, utilisations
@@ -62,6 +63,7 @@ def summary(result: Result) -> dict[str, Any]:
         "lowest point at": _place(layout, low_node, "node", time[low_frame], lowest),
         "largest energy error [J]": _largest(error),
         "largest energy error, share of the energy turned over [%]": _share(energy, error),
+        **({"about the energy": note} if (note := energy_note(result, error)) else {}),
         "final energy error [J]": float(error[-1]),
         "largest balance residual [J]": _largest(result.balance_residual[:good]),
         "final kinetic energy [J]": float(energy["kinetic"][-1]),

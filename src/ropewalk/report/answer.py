@@ -27,7 +27,7 @@ def answer() -> Answer:
     base = changed("r6")
     fine = record(changed(base, "method=esdirk3", f"time_step={FINE!r}"))
     broken = record(changed(base, "duration=0.2"), keep_going=True)
-    stopped = record(base, ledger=True).time[-1]
+    stopped = record(base, verdict=True).time[-1]
     limit = stability(base).largest_spring_constant
     small = record(changed(base, "time_step=0.002"))
     found = {name: record(changed(base, f"method={name}")) for name in METHODS}

@@ -37,7 +37,7 @@ def breaks_after_swings(k: float = 200.0) -> Outcome:
     fewest = next((n for n, b in zip(SECTIONS, broke, strict=True) if b), 0)
     predicted = next((n for n, b in zip(SECTIONS, foreseen, strict=True) if b), 0)
     count = {n: t / p for n, t, p in zip(SECTIONS, times, swings, strict=True)}
-    stops = record(section_scene(k, 20), ledger=True).time[-1]
+    stops = record(section_scene(k, 20), verdict=True).time[-1]
     run = record(section_scene(k, 20, 0.6), keep_going=True)
     growth, theory = _zigzag_growth(run), stability(section_scene(k, 20)).growth_per_step
     figure, (left, right) = draw.axes(2, 1, 3.2)

@@ -65,14 +65,22 @@ def changed(scene: Scene | str, *overrides: str) -> Scene:
     return apply_overrides(preset(scene) if isinstance(scene, str) else scene, overrides)
 
 
-def record(scene: Scene, *, keep_going: bool = False, ledger: bool = False) -> Run:
+def record(scene: Scene, *, keep_going: bool = False, verdict: bool = False) -> Run:
     """Run a scene to its end, or to its last good frame when it breaks.
 
-    A run breaks when a spring is ten times its length; with `ledger` also when its energy is made up, as
+    A run breaks when a spring is ten times its length; with `verdict` also when its energy is made up, as
     every run does that people start.
     """
-    sim = Simulation(scene, ledger=ledger)
-    block = join([sim.recording(), *sim.frames(keep_going=keep_going)])
+    sim = Simulation(scene, ledger=False)
+    block = join([sim.recording(), *sim.frames(keep_going=keep_going or not verdict)])
+    broke = block.status != OK
+    if not (keep_going or verdict):
+        rest = sim.model.state.rest_length
+        with np.errstate(over="ignore", invalid="ignore"):
+            length = np.linalg.norm(np.diff(block.recording.x, axis=2), axis=1)
+        sound = ((length <= sim.system.break_stretch * rest) | (rest == 0.0)).all(axis=1)
+        broke = not sound.all()
+        block = block.head(int(np.argmin(sound)) if broke else block.frames)
     out = block.recording
     return Run(
         scene=scene,
@@ -84,7 +92,7 @@ def record(scene: Scene, *, keep_going: bool = False, ledger: bool = False) -> R
         energy=out.energy,
         mass=sim.model.state.mass.copy(),
         rest=sim.model.state.rest_length.copy(),
-        broke=block.status != OK,
+        broke=broke,
     )
 
 

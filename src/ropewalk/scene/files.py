@@ -14,7 +14,7 @@ from ropewalk.scene.paths import keys
 from ropewalk.scene.scene import Scene
 
 #: Written even when they have their default value: without them a table says too little.
-_ALWAYS = {"kind", "name", "schema_version"}
+_ALWAYS = {"kind", "name", "schema_version", "method"}
 #: A list of three numbers, which tomli_w writes on five lines. Texts hold no line breaks there.
 _NUMBERS = re.compile(r"\[\n((?:\s*[-+.\w]+,\n){3})\s*\]")
 #: No scene is larger; a file that is, is something else.

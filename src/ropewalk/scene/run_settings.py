@@ -66,9 +66,9 @@ class RunSettings(Model):
         "nehe: int(frame / time_step) + 1 equal steps a frame",
     )
     method: Method = Field(
-        default="semi-implicit-euler",
+        default="auto",
         description='Time integration method; "auto" takes the cheapest that is stable and accurate '
-        "enough, and says why",
+        'enough, and says why. Default: "auto" for materials, "semi-implicit-euler" for springs alone',
     )
     tolerance: Annotated[Number, Field(ge=1e-9)] = positive(
         "Largest estimated error of any node's place in a step of adaptive; auto aims at 100 times it",

@@ -15,7 +15,7 @@ from ropewalk.scene.base import Many, Model, Text, Vector, Whole, listed, refuse
 from ropewalk.scene.checks import scene_faults
 from ropewalk.scene.environment import Air, Ground, Limiter
 from ropewalk.scene.errors import Fault, SceneError
-from ropewalk.scene.rope import Rope
+from ropewalk.scene.rope import Rope, Springs
 from ropewalk.scene.run_settings import RunSettings
 from ropewalk.scene.winch import Winch
 
@@ -130,7 +130,18 @@ class Scene(Model):
         refuse(scene_faults(self.gravity, self.ropes, self.anchors, self.winches, self.limiter))
         refuse(_start_faults(self.run, self.ropes))
         self._fill_in_names()
+        self._fill_in_method()
         return self
+
+    def _fill_in_method(self) -> None:
+        """Give ropes of springs alone the method of their report where none is said."""
+        springs = all(isinstance(rope.made_of, Springs) for rope in self.ropes)
+        if springs and "method" not in self.run.model_fields_set:
+            run = self.run.model_copy()
+            run.__dict__["method"] = (
+                "semi-implicit-euler"  # still not said, so that `replace` asks anew
+            )
+            self.__dict__["run"] = run
 
     def _fill_in_names(self) -> None:
         """Give every anchor its name and every anchor and winch its rope's name."""

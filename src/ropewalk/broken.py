@@ -1,0 +1,39 @@
+"""What is broken about a state: in words, with the place and the numbers."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ropewalk.build import Layout
+from ropewalk.core.arrays import State, System
+from ropewalk.methods.verdict import HONEST, ZERO, energy_now
+
+#: Ends a reason where the numbers are right: a rope was stretched beyond what is one.
+ACCOUNTED = "its energy is accounted for"
+
+
+_DOUBT = 1.5  # [1] energy over what was there to turn over that is called made up
+
+
+def reason(system: System, state: State, layout: Layout) -> str:
+    """Say what `methods.verdict` found wrong with a state."""
+    bad = np.flatnonzero(~(np.isfinite(state.x) & np.isfinite(state.v)).all(axis=0))
+    if bad.size:
+        rope, node = layout.rope_of(int(bad[0]))
+        return f"node {node} of rope {rope!r} has no finite place or speed any more"
+    size = np.sqrt((np.diff(state.x, axis=1) ** 2).sum(axis=0))
+    live = (state.rest_length > 0.0) & (state.stiffness > 0.0)
+    stretch = np.divide(size, state.rest_length, out=np.zeros_like(size), where=live)
+    longest = int(np.argmax(stretch))
+    balance = state.balance
+    gain = energy_now(system, state) - float(balance[ZERO])
+    given = float(balance[HONEST] + state.most.sum())
+    energy = (
+        f"the ropes have {gain:.4g} J more than at the start, and all that was there to turn over, what "
+        f"anchors and winches gave included, is {given:.4g} J"
+    )
+    if stretch[longest] > system.break_stretch:
+        rope, segment = layout.rope_of(longest)
+        made_up = f"; {energy}" if gain > _DOUBT * given else f"; {ACCOUNTED}"
+        return f"segment {segment} of rope {rope!r} is {stretch[longest]:.4g} times its rest length{made_up}"
+    return energy

@@ -1,0 +1,115 @@
+"""The largest stable step of a model: by linear theory for ropes about their length, and beyond.
+
+Linear theory (`methods.bound`) has a case for every place a rope may be in, and covers all shapes in which no
+segment is pressed below half its length. Beyond it, for explicit methods:
+
+* segments that go slack and taut gain energy from the steps themselves (`build.bounce`);
+* two-way springs that something can press below half their length, as it can where speeds come near to that
+  of waves along the rope, are not what the theorem speaks of. Methods that neither lose nor gain energy
+  cannot turn such springs over without making some up; `rk4` loses more;
+* a stretch limiter acts after the step, moves nodes and has no bound at all.
+
+`uncovered` says the last two in words. `method = "auto"` leaves out what they concern; where such a method is
+asked for, an automatic step is `BEYOND` of what it would be.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from ropewalk.build.bounce import Bounce, bounce_of, largest_bounce_step
+from ropewalk.build.chains import chains, fastest, recoil
+from ropewalk.core.arrays import State, System
+from ropewalk.methods.bound import Chain, largest_step
+from ropewalk.methods.registry import METHODS
+
+#: Methods that keep the energy of springs, and have no friction of their own.
+KEEPING = ("semi-implicit-euler", "verlet")
+#: Speed over that of waves along the rope [1] from which an impact may press segments below half.
+_MACH = 0.7
+_FREE = 1e3  # [1] springs this slow do not change the motion
+BEYOND = 0.5
+
+
+class Cases(NamedTuple):
+    """Where a rope may be, each with its own largest step."""
+
+    chains: dict[str, Chain]
+    bounces: dict[str, Bounce]
+    duration: float  # [s]
+
+    def largest(self, method: str) -> dict[str, float]:
+        """Return the largest stable step of a method in every case [s]."""
+        found = {name: largest_step(method, chain) for name, chain in self.chains.items()}
+        for name, bounce in self.bounces.items():
+            found[name] = largest_bounce_step(method, bounce, self.duration)
+        return found
+
+
+def step_cases(system: System, state: State, duration: float) -> Cases:
+    """Return the cases of a run of so many seconds; 0 s leaves out what adds up over a run."""
+    found = chains(system, state, fastest(system, state))
+    one_way = system.slack_floor == 0.0
+    bounces = {}
+    if one_way.any() and duration > 0.0:
+        for name, chain in found.items():
+            if name.endswith("the ground") or ", " in name:
+                continue  # the segments are those of the same case in the air
+            if (bounce := bounce_of(chain, one_way)) is not None:
+                where = "" if name == "in the air" else f", {name}"
+                bounces[f"where segments go slack and taut{where}"] = bounce
+    return Cases(found, bounces, duration)
+
+
+def predicted_step(system: System, state: State, method: str, duration: float = 0.0) -> float:
+    """Return the largest stable step of `method` in a run of `duration` [s], over all cases [s].
+
+    Rigid links have no frequency: methods that hold them have no largest step, and no other is run.
+    """
+    if np.isinf(state.stiffness).any():
+        return math.inf
+    return min(step_cases(system, state, duration).largest(method).values())
+
+
+def is_pressed(system: System, state: State) -> bool:
+    """Tell whether a two-way spring may be pressed below half its length: one that is hit too fast.
+
+    Two nodes that meet at the speed u press the segment between them by u / omega, omega its own frequency.
+    """
+    two_way = (system.slack_floor != 0.0) & (state.stiffness > 0.0) & np.isfinite(state.stiffness)
+    inverse = state.inverse_mass[:-1] + state.inverse_mass[1:]
+    two_way &= (inverse > 0.0) & (state.rest_length > 0.0)
+    if not two_way.any():
+        return False
+    waves = state.rest_length[two_way] * np.sqrt(state.stiffness[two_way] * inverse[two_way])
+    ratio = _impact(system, state) / waves
+    return bool(((ratio > _MACH) & (ratio < _FREE)).any())
+
+
+def _impact(system: System, state: State) -> float:
+    """Return the largest speed at which nodes may meet [m/s]: nothing brakes what flies as one."""
+    alive = state.mass > 0.0
+    v = state.v[:, alive]
+    apart = 2.0 * float(np.linalg.norm(v - v.mean(axis=1, keepdims=True), axis=0).max())
+    stops = len(state.held) > 0 or system.ground.active or system.air.linear or system.air.quadratic
+    return max(apart, recoil(state), fastest(system, state) if stops else 0.0)
+
+
+def uncovered(system: System, state: State, method: str) -> str:
+    """Return why no bound holds for a method, or "" where one does."""
+    if METHODS[method].implicit:
+        return ""
+    if system.limiter.active:
+        return (
+            "a stretch limiter acts after the steps of explicit methods, moves nodes and may give energy; "
+            "implicit methods solve for it"
+        )
+    if method in KEEPING and is_pressed(system, state):
+        return (
+            "something moves so fast that it may press springs below half their length, where the bound "
+            "does not reach; rk4 loses energy there rather than making it up"
+        )
+    return ""
