@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ropewalk import cells
+from ropewalk.analysis.apart import Torn, jerks, torn_apart
 from ropewalk.analysis.bending import bending_warnings
 from ropewalk.analysis.cost import seconds_per_step
 from ropewalk.analysis.json_values import plain
@@ -98,11 +99,12 @@ class Check:
     tolerance: float | None = None  # [m] of steps of varying length
     model: Model | None = field(default=None, repr=False, compare=False)  # what was checked
     why: str = ""  # why the method was chosen, where it was not given
+    torn: tuple[Torn, ...] = ()  # ropes that their anchors pull apart, with any method
 
     @property
     def ok(self) -> bool:
         """Whether the run is not expected to break."""
-        return not self.stability.breaks
+        return not self.stability.breaks and not self.torn
 
     @property
     def pace(self) -> str:
@@ -218,6 +220,7 @@ def check(source: Scene | Model, *, measure: bool = True) -> Check:
     statics = static_shape(model, strict=False)
     found = stability(model, statics)
     ropes = tuple(_rope(model, statics, name.name) for name in model.layout.ropes)
+    torn = tuple(torn_apart(model))
     cost, measured = seconds_per_step(model, measure)
     plan = model.plan
     return Check(
@@ -231,11 +234,12 @@ def check(source: Scene | Model, *, measure: bool = True) -> Check:
         duration=plan.duration,
         seconds=cost * plan.steps,
         seconds_measured=measured,
-        warnings=tuple(_warnings(model, found, statics, ropes)),
+        warnings=(*map(str, torn), *jerks(model), *_warnings(model, found, statics, ropes)),
         highest_at_rest=_highest_at_rest(model, statics) if measure else None,
         tolerance=plan.tolerance,
         why=plan.why,
         model=model,
+        torn=torn,
     )
 
 

@@ -56,7 +56,7 @@ def bends(system: System, state: State) -> tuple[Floats, Floats]:
 def _factors(a: Floats, b: Floats, natural: Floats) -> tuple[Floats, Floats]:
     """Return how much stiffer and rougher bends are than straight ones [1], from unit vectors (m, 3)."""
     chi = np.maximum(1.0 + (a * b).sum(axis=1), FOLD)
-    square = 2.0 / chi - 1.0  # tan^2(angle / 2)
+    square = np.maximum(2.0 / chi - 1.0, 0.0)  # tan^2(angle / 2); a straight one may round below
     excess = np.linalg.norm(2.0 * np.cross(a, b) / chi[:, None] - natural, axis=1)
     grown = 1.0 + square
     more = np.minimum(0.25 * excess**2, 0.5 * excess)

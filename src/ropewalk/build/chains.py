@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from ropewalk.build.apart import recoil_of_releases
 from ropewalk.build.bends import bends
 from ropewalk.core.arrays import Floats, State, System
 from ropewalk.laws.winch import MERGE, SPLIT
@@ -156,7 +157,7 @@ def speed_scale(system: System, state: State) -> float:
         whole = np.linalg.norm(state.forces.applied, axis=0).sum() / state.mass.sum()
         pull += float(whole)
     fall = math.sqrt(2.0 * pull * float(state.rest_length.sum()))
-    moved = max((_anchor_speed(system, row) for row in range(len(state.held))), default=0.0)
+    moved = max((anchor_speed(system, row) for row in range(len(state.held))), default=0.0)
     return max(start, fall + float(np.linalg.norm(wind)), moved + float(np.linalg.norm(wind)))
 
 
@@ -175,10 +176,11 @@ def recoil(state: State) -> float:
 def fastest(system: System, state: State) -> float:
     """Return the largest speed to reckon with, `recoil` included, against the wind [m/s]."""
     wind = float(np.linalg.norm(system.air.wind))
-    return max(speed_scale(system, state), recoil(state) + wind)
+    back = max(recoil(state), recoil_of_releases(system, state))
+    return max(speed_scale(system, state), back + wind)
 
 
-def _anchor_speed(system: System, row: int) -> float:
+def anchor_speed(system: System, row: int) -> float:
     """Return the largest speed of an anchor's motion [m/s]."""
     anchors = system.anchors
     p, kind = anchors.params[row], anchors.kind[row]

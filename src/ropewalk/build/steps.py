@@ -20,6 +20,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ropewalk.build.apart import recoil_of_releases
 from ropewalk.build.bounce import Bounce, bounce_of, largest_bounce_step
 from ropewalk.build.chains import chains, fastest, recoil
 from ropewalk.core.arrays import State, System
@@ -29,7 +30,7 @@ from ropewalk.methods.registry import METHODS
 #: Methods that keep the energy of springs, and have no friction of their own.
 KEEPING = ("semi-implicit-euler", "verlet")
 #: Speed over that of waves along the rope [1] from which an impact may press segments below half.
-_MACH = 0.7
+_MACH = 0.5
 _FREE = 1e3  # [1] springs this slow do not change the motion
 BEYOND = 0.5
 
@@ -95,7 +96,8 @@ def _impact(system: System, state: State) -> float:
     v = state.v[:, alive]
     apart = 2.0 * float(np.linalg.norm(v - v.mean(axis=1, keepdims=True), axis=0).max())
     stops = len(state.held) > 0 or system.ground.active or system.air.linear or system.air.quadratic
-    return max(apart, recoil(state), fastest(system, state) if stops else 0.0)
+    back = max(recoil(state), recoil_of_releases(system, state))
+    return max(apart, back, fastest(system, state) if stops else 0.0)
 
 
 def uncovered(system: System, state: State, method: str) -> str:

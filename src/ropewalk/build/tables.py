@@ -28,7 +28,7 @@ from ropewalk.core.arrays import (
     Work,
 )
 from ropewalk.core.status import BREAK_STRETCH
-from ropewalk.laws.anchors import start_of_anchor
+from ropewalk.laws.anchors import anchor_places
 from ropewalk.methods.kinks import kink_times
 from ropewalk.scene import Air as AirInScene
 from ropewalk.scene import Ground as GroundInScene
@@ -332,5 +332,7 @@ def _starts(
     """Return where the anchors are at time zero [m] and their velocities [m/s], (a, 3) each."""
     points, speeds = np.zeros_like(origins), np.zeros_like(origins)
     for row in range(len(origins)):
-        start_of_anchor(system, state, row, points[row], speeds[row])
+        anchor_places(
+            system, state, row, np.zeros(1), points[row], speeds[row], np.zeros((1, 3))
+        )
     return points, speeds

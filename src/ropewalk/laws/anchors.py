@@ -62,9 +62,12 @@ def anchor_target(system, state, row, t, ahead, x, v):
 
 
 @kernel
-def start_of_anchor(system, state, row, x, v):
-    """Write where anchor `row` is at time zero (for the host)."""
-    anchor_target(system, state, row, 0.0, 0.0, x, v)
+def anchor_places(system, state, row, times, x, v, places):
+    """Write where anchor `row` is at these times [s], (t, 3) [m], and its last place and velocity."""
+    for index in range(times.shape[0]):
+        anchor_target(system, state, row, times[index], 0.0, x, v)
+        for k in range(3):
+            places[index, k] = x[k]
 
 
 @part
