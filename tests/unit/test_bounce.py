@@ -23,6 +23,7 @@ from ropewalk.scene import (
     Slack,
     Springs,
     Straight,
+    Velocity,
 )
 from ropewalk.simulation import Simulation
 
@@ -128,6 +129,45 @@ def test_where_no_bound_holds() -> None:
     assert model.plan.dt <= 0.4 * linear * (1.0 + 1e-12)
     calm = build(dropped("verlet", two_way=True))
     assert uncovered(calm.system, calm.state, "verlet") == ""  # the twin
+
+
+def let_go(release: float | None) -> Scene:
+    """A light chain of stiff springs that is pulled to one and a half times its length, and then let go."""
+    springs = Springs(spring_constant=7760.0, node_mass=0.0072, segment_length=0.0376)
+    shape = Straight(start=(0, 0, 0), end=(1.128, 0, 0))
+    motion = Velocity(velocity=(0.564, 0, 0), stop=1.0)
+    free = {} if release is None else {"release_time": release}
+    return Scene(
+        ropes=[Rope(segments=30, made_of=springs, shape=shape)],
+        anchors=[Anchor(node=0, **free), Anchor(node=-1, motion=motion)],
+        gravity=(0, 0, 0),
+        run=RunSettings(method="semi-implicit-euler", duration=5.0),
+    )
+
+
+def test_what_is_let_go_stretched_flies_back() -> None:
+    """It is pressed by as much as it was stretched: half a length. Twins: it stays held, is let go early."""
+    beyond = [build(let_go(release)) for release in (1.0, None, 0.1)]
+    found = [uncovered(one.system, one.state, "semi-implicit-euler") for one in beyond]
+    assert [bool(text) for text in found] == [True, False, False]
+    assert build(let_go(1.0).replace(run=RunSettings(method="auto"))).plan.method in (
+        "rk4",
+        "esdirk3",
+    )
+
+
+def test_a_straight_rod_in_any_direction_has_a_bound() -> None:
+    """The cosine of its bends rounds to above one, of which a square root was taken: no step was found."""
+    for seed in range(40):
+        towards = np.random.default_rng(seed).normal(size=3)
+        rod = Rope(
+            segments=3,
+            length=2.0,
+            made_of=Material(EA=1e5, mass_per_length=0.1, EI=100.0),
+            shape=Straight(start=(0, 0, 0), end=tuple(2.0 * towards / np.linalg.norm(towards))),
+        )
+        model = build(Scene(ropes=[rod], anchors=[Anchor(node=0)]))
+        assert predicted_step(model.system, model.state, "verlet") > 0.0
 
 
 def test_quadratic_drag_reckons_with_recoil() -> None:

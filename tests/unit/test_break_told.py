@@ -47,7 +47,7 @@ def test_a_scene_without_rest_shape_breaks_as_any_other(monkeypatch: pytest.Monk
 
 def test_an_explanation_that_fails_loses_no_result() -> None:
     def unlucky(simulation: Simulation) -> str:
-        simulation.step()
+        simulation.advance_steps(1)
         raise NoRest("no shape of rest was found")
 
     found = simulate_in_memory(breaking(), explain=unlucky)
