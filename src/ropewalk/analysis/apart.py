@@ -80,7 +80,7 @@ def _stretches(model: Model, span: Span) -> tuple[Floats, Floats]:
     """Return times of frames while two anchors hold [s], and their distance over the rope's length [1]."""
     plan = model.plan
     frames = np.arange(0, plan.frames + 1, max(1, plan.frames // _MOST_TIMES))
-    times: Floats = frames * plan.frame_interval
+    times: Floats = np.asarray(frames * plan.frame_interval, dtype=np.float64)
     times = times[times < span.end]
     return times, stretch_of(model.system, model.state, span, times)
 

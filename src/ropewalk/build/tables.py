@@ -332,7 +332,5 @@ def _starts(
     """Return where the anchors are at time zero [m] and their velocities [m/s], (a, 3) each."""
     points, speeds = np.zeros_like(origins), np.zeros_like(origins)
     for row in range(len(origins)):
-        anchor_places(
-            system, state, row, np.zeros(1), points[row], speeds[row], np.zeros((1, 3))
-        )
+        anchor_places(system, state, row, np.zeros(1), points[row], speeds[row], np.zeros((1, 3)))
     return points, speeds
