@@ -26,6 +26,7 @@ FOLDERS = (
     "theory",
     "scene",
     "library",
+    "words",
     "build",
     "statics",
     "vibration",
