@@ -1,6 +1,7 @@
 // The page: puts stage, hand, panels and graphs together over one session.
 
 import { Keys } from "./input/keys.js";
+import { Walk } from "./input/walk.js";
 import { Pointer } from "./input/pointer.js";
 import { Graphs } from "./graphs/graphs.js";
 import { Bar } from "./panels/bar.js";
@@ -65,6 +66,11 @@ export class App {
       menu: (hit, x, y) => this.tools.menu(hit, x, y),
     });
     this.tools.pointer = this.pointer;
+    const voice = h("div", { className: "unseen", role: "status", id: "voice" });
+    this.scene.append(voice);
+    this.walk = new Walk(this.stage, this.stage.renderer.canvas, voice, (hit, x, y) =>
+      this.tools.menu(hit, x, y),
+    );
     this.stage.held = () => this.pointer.down.size > 0;
     this.meter = new Meter(session, this.meterHost);
     this.controls = new Controls(session, this.footer, () => this.graphs.toggle());

@@ -31,6 +31,7 @@ export class Marks {
     /** @type {Set<number>} nodes of the first variant */ this.followed = new Set();
     /** What has a ring: what lies under the pointer, or where the hand is. @type {Hit | Vector | null} */
     this.hover = null;
+    /** What the keyboard has chosen. @type {Hit | null} */ this.chosen = null;
     /** A kick that is being drawn. @type {{from: Vector, to: Vector, text: string} | null} */
     this.kick = null;
     this.strongest = 0; // the force that has the longest arrow [N]
@@ -45,7 +46,7 @@ export class Marks {
     for (const node of this.followed) if (node >= most) this.followed.delete(node);
     this.resetTrails();
     this.strongest = 0;
-    this.hover = this.kick = null;
+    this.hover = this.kick = this.chosen = null;
   }
 
   /** Start or stop a trail. @param {number} node of the first variant */
@@ -193,8 +194,9 @@ export class Marks {
   /** The ring under the pointer and a kick's arrow. @param {Marker[]} markers @param {Arrow[]} arrows */
   addHand(markers, arrows) {
     const { theme } = this.stage;
-    const ring = this.ringPlace();
-    if (ring) {
+    const chosen = this.chosen && placeOf(this.stage, this.chosen);
+    for (const ring of [this.ringPlace(), chosen]) {
+      if (!ring) continue;
       const [x, y, z] = ring;
       markers.push({ x, y, z, kind: "ring", colour: theme.hover, size: 0, pixels: 24 });
     }

@@ -199,3 +199,69 @@ class _Fingers:
 
     def up(self) -> None:
         self._send("touchEnd", [])
+
+
+def test_the_ring_goes_with_a_rope_that_falls(open_window: Open, serve: Serve) -> None:
+    window = open_window(serve(playing=True).address).ready()
+    window.until("r.time > 0.3")
+    away = """(() => {
+        const { marks, nodes, starts } = r.stage;
+        if (marks.hover === null) return null;
+        const at = 4 * (starts[0] + marks.hover.node);
+        const place = marks.ringPlace();
+        return Math.hypot(...[0, 1, 2].map((k) => place[k] - nodes.shown[at + k]));
+    })()"""
+    seen = []
+    for node in (6, 8, 10, 12, 14, 16):
+        window.page.mouse.move(*window.screen(node))
+        for _ in range(5):
+            seen.append(window.ask(away))
+            window.page.wait_for_timeout(20)
+    assert len([one for one in seen if one is not None]) > 5
+    assert max(one for one in seen if one is not None) < 1e-9
+
+
+def test_a_near_miss_shifts_the_view_and_does_not_turn_it(open_window: Open, serve: Serve) -> None:
+    window = open_window(serve().address).ready()
+    window.settled()
+    x, y = window.screen(10)
+    pose = (
+        "(({azimuth, elevation, target}) => [azimuth, elevation, ...target])(r.stage.camera.pose)"
+    )
+    before = np.array(window.ask(pose))
+    window.drag((x, y + 30), (40.0, 30.0))
+    window.page.mouse.up()
+    shifted = np.array(window.ask(pose))
+    assert (shifted[:2] == before[:2]).all()
+    assert np.abs(shifted[2:] - before[2:]).max() > 0.1
+    x, y = window.screen(10)
+    window.drag((x, y + 120), (40.0, 30.0))  # the twin: far from the rope the view turns
+    window.page.mouse.up()
+    assert np.abs(np.array(window.ask(pose))[:2] - shifted[:2]).max() > 0.05
+
+
+def test_tab_goes_from_place_to_place_and_enter_opens_the_menu(
+    open_window: Open, serve: Serve
+) -> None:
+    window = open_window(serve().address).ready()
+    window.settled()
+    words = "document.querySelector('#view').getAttribute('aria-valuetext')"
+    window.page.locator("#view").focus()
+    found = []
+    for _ in range(40):
+        window.press("Tab")
+        if window.ask("document.activeElement.id") != "view":
+            break
+        found.append(window.ask(words))
+    else:
+        raise AssertionError("Tab never leaves the scene")
+    anchors = [one for one in found if one.startswith("Anchor ")]
+    assert len(anchors) == 3
+    assert len(set(found)) == len(found) > 8
+    assert all(" N" in one for one in found)
+    window.page.locator("#view").focus()
+    window.press("Tab", "Tab", "Enter")
+    assert "Node " in window.page.locator(".popup .popup-title").inner_text()
+    window.press("Escape")
+    assert "paused" in window.page.locator("#voice").inner_text()
+    assert "3 anchors hold" in window.page.locator("#voice").inner_text()

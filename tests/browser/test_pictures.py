@@ -69,8 +69,8 @@ def test_the_rope_is_where_the_data_says(open_window: Open, serve: Serve, render
     window.press("t")
     window.settled()
     assert window.at_rope(range(2, 39)) > 0.9
-    # The twin: 12 pixels below the rope there is none of it.
-    assert window.at_rope(range(2, 39), down=12) < 0.1
+    # The twin: 16 pixels below the rope, which is 8 wide, there is none of it.
+    assert window.at_rope(range(2, 39), down=16) < 0.1
 
 
 @pytest.mark.parametrize("renderer", ["webgl", "canvas"])
@@ -145,7 +145,7 @@ def test_the_card_of_copies_covers_no_rope(open_window: Open, serve: Serve, shap
     window.page.evaluate(  # the rope to where the card will come
         """() => {
             const { camera } = ropewalk.stage;
-            camera.pan(0.2 * camera.width, (camera.height > 400 ? -0.25 : 0.25) * camera.height);
+            camera.pan(0.12 * camera.width, (camera.height > 400 ? -0.25 : 0.25) * camera.height);
         }"""
     )
     before = window.screen(20)

@@ -105,7 +105,12 @@ def test_a_break_stays_while_the_slider_is_dragged_on(window: Window) -> None:
 def test_a_break_freezes_says_why_and_goes_back(window: Window) -> None:
     _break(window)
     words = window.page.locator("#broken").inner_text()
+    assert "Each step was too long for so stiff and light a rope" in words
+    assert "zigzag" not in words  # the theory is a click away
+    window.click("#broken summary")
+    words = window.page.locator("#broken").inner_text()
     assert "Broke after t = " in words
+    assert "a + 2b = " in words
     assert "zigzag" in words
     assert "above the largest stable one" in words
     assert window.page.locator("#play").is_disabled()

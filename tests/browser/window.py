@@ -107,7 +107,7 @@ class Window:
         return np.asarray(Image.open(io.BytesIO(self.page.screenshot())).convert("RGB")).astype(int)
 
     def painted(self) -> bool:
-        """Tell whether the canvas is painted: at its upper edge there is its paper."""
+        """Tell whether the canvas is painted: at its upper edge there is sky or floor."""
         box = self.page.locator("#view").bounding_box()
         ratio = self.page.evaluate("() => devicePixelRatio")
         row, first, last = (
@@ -118,8 +118,11 @@ class Window:
                 box["x"] + 0.7 * box["width"],
             )
         )
-        paper = 255.0 * np.array(self.ask("[...r.stage.theme.background]"))
-        return bool(np.abs(self.picture()[row, first:last] - paper).max(axis=1).min() < 12)
+        inks = "['background', 'horizon', 'ground'].map((name) => [...r.stage.theme[name]])"
+        papers = 255.0 * np.array(self.ask(inks))  # where the camera looks down there is floor
+        seen = self.picture()[row, first:last]
+        away = np.abs(seen[:, None] - papers[None]).max(axis=2)
+        return bool(away.min() < 12)
 
     def press(self, *keys: str) -> None:
         """Press keys, one after another."""

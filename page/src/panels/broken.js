@@ -2,6 +2,7 @@
 
 import { BROKEN } from "../source/frame.js";
 import { figures } from "../view/range.js";
+import { theoryOf, whyItBroke } from "../view/why.js";
 import { h } from "./dom.js";
 
 /** @typedef {import("../session.js").Session} Session */
@@ -68,9 +69,16 @@ export class BrokenCard {
         remedy.label || SIGNS[remedy.id],
       ),
     );
+    const stability = this.session.stability[broken.variant];
     this.card.replaceChildren(
       h("h2", {}, "The simulation broke"),
-      h("p", {}, broken.text),
+      h("p", { className: "why" }, whyItBroke(stability)),
+      h(
+        "details",
+        {},
+        h("summary", {}, "The theory, in numbers"),
+        h("p", {}, `${broken.text} ${theoryOf(stability)}`),
+      ),
       h("div", { className: "row" }, ...buttons, ...this.look(broken)),
     );
   }

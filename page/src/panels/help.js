@@ -3,11 +3,14 @@
 import { dialog, h } from "./dom.js";
 
 const HAND = [
-  ["Drag an anchor (square)", "it follows the hand, in the plane parallel to the screen"],
+  [
+    "Drag an anchor (a ring)",
+    "it follows the hand, in the plane of a flat scene, else parallel to the screen",
+  ],
   ["Drag the rope", "by a soft spring; its force is shown in newtons"],
   ["Hold Shift at the end of a drag", "the spring stays; double-click on empty space lets go"],
   ["Right-click, or a long press", "pin, cut, load, kick, follow"],
-  ["Drag empty space", "turn the view; with Shift or the right button: shift it"],
+  ["Drag empty space", "turn the view; with Shift, the right button or near a rope: shift it"],
   ["Wheel, or two fingers", "zoom"],
 ];
 const KEYS = [
@@ -15,6 +18,7 @@ const KEYS = [
   ["Home, End", "move it away from you, towards you"],
   ["A D W S Q E", "the same for the second anchor"],
   ["J L I K U O", "the same for the third anchor"],
+  ["Tab, Enter", "on the scene: the next place on the ropes, its menu"],
   ["Space", "play or pause"],
   [".", "one step"],
   ["R", "reset to time zero"],

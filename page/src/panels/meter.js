@@ -62,7 +62,7 @@ export class Meter {
     }
     return h(
       "div",
-      { className: `meter-row ${zone}`, title: theory(one), data: { zone } },
+      { className: `meter-row ${zone}`, title: one.verdict, data: { zone } },
       h("span", { className: "meter-name" }, many && label ? label : "Stability"),
       bar,
       h(
@@ -73,12 +73,6 @@ export class Meter {
       ...facts.map(([fact, kind]) => h("span", { className: `meter-fact ${kind}` }, fact)),
     );
   }
-}
-
-/** What is behind the bar, in words and with the theory's sum. @param {Stability} one */
-function theory({ verdict, meter, meter_name, meter_limit }) {
-  if (meter === null || meter_limit === null) return verdict;
-  return `${verdict} (${meter_name} = ${figures(meter)} of ${figures(meter_limit)})`;
 }
 
 /** @param {number} ratio */

@@ -1,0 +1,147 @@
+// The keyboard's way to the ropes: Tab goes from place to place, Enter opens the menu there, and what is there is said.
+
+import { scalar, tensionOf } from "../source/frame.js";
+import { quantity } from "../view/range.js";
+import { placeOf } from "./pick.js";
+
+/** @typedef {import("../stage.js").Stage} Stage */
+/** @typedef {import("../source/protocol.js").Layout} Layout */
+/** @typedef {import("../source/frame.js").Frame} Frame */
+/** @typedef {import("./pick.js").Hit} Hit */
+
+const BETWEEN = 8; // places on a rope, its ends not counted
+const MOST = 40;
+
+/** Where Tab stops: anchors that hold, loads, and some nodes of each rope, from end to end.
+ * @param {Layout} layout @param {Frame} frame @returns {Hit[]} */
+export function stopsOf(layout, frame) {
+  const [variant] = layout.variants;
+  const { anchors } = frame.parts[0];
+  const held = new Map(
+    variant.anchors
+      .filter((_, a) => anchors[10 * a + 9] > 0.5)
+      .map((anchor) => [anchor.index, anchor.name]),
+  );
+  const loads = variant.loads.map(({ index }) => index);
+  const between = variant.ropes.length > 4 ? 0 : BETWEEN;
+  return variant.ropes
+    .flatMap((rope) => {
+      const last = rope.nodes - 1;
+      const some = Array.from({ length: between + 2 }, (_, i) =>
+        Math.round((i * last) / (between + 1)),
+      ).map((node) => rope.first + node);
+      const inside = [...held.keys(), ...loads].filter(
+        (node) => node >= rope.first && node <= rope.first + last,
+      );
+      const nodes = [...new Set([...some, ...inside])].sort((a, b) => a - b);
+      return nodes.map((node) => {
+        const segment = Math.min(node, rope.first + last - 1);
+        const common = { variant: 0, node, segment, place: /** @type {any} */ ([0, 0, 0]) };
+        const anchor = held.get(node);
+        return /** @type {Hit} */ (
+          anchor === undefined
+            ? { kind: "node", rope: rope.name, ...common }
+            : { kind: "anchor", anchor, ...common }
+        );
+      });
+    })
+    .slice(0, MOST);
+}
+
+/** What is at a place, in words. @param {Layout} layout @param {Frame} frame @param {Hit} hit */
+export function said(layout, frame, hit) {
+  const [variant] = layout.variants;
+  const [part] = frame.parts;
+  if (hit.kind === "anchor") {
+    const a = variant.anchors.findIndex(({ name }) => name === hit.anchor);
+    const force = Math.hypot(...part.anchors.subarray(10 * a + 6, 10 * a + 9));
+    return `Anchor ${hit.anchor}, force ${quantity(force, "N")}`;
+  }
+  const rope = variant.ropes.find(({ name }) => name === hit.rope);
+  const of = rope ? `Node ${hit.node - rope.zero} of ${rope.name}` : `Node ${hit.node}`;
+  const mass = variant.loads
+    .filter(({ index }) => index === hit.node)
+    .reduce((sum, load) => sum + load.mass, 0);
+  const load = mass > 0 ? `, load ${quantity(mass, "kg")}` : "";
+  return `${of}, tension ${quantity(tensionOf(layout, part, hit.segment), "N")}${load}`;
+}
+
+/** The state in one sentence. @param {Layout} layout @param {Frame} frame @param {string} state */
+export function sentence(layout, frame, state) {
+  const [part] = frame.parts;
+  const holding = layout.variants[0].anchors.filter(
+    (_, a) => part.anchors[10 * a + 9] > 0.5,
+  ).length;
+  const anchors = holding === 1 ? "one anchor holds" : `${holding} anchors hold`;
+  const most = quantity(scalar(layout, part, "tension_high"), "N");
+  return `${layout.scene.name}: ${state} at ${quantity(frame.time, "s")}, ${anchors}, greatest tension ${most}.`;
+}
+
+export class Walk {
+  /** @param {Stage} stage @param {HTMLElement} canvas @param {HTMLElement} voice what is read out
+   * @param {(hit: Hit, x: number, y: number) => void} menu */
+  constructor(stage, canvas, voice, menu) {
+    this.stage = stage;
+    this.canvas = canvas;
+    this.voice = voice;
+    this.menu = menu;
+    this.at = -1; // of the stops
+    this.state = "";
+    canvas.setAttribute("role", "slider");
+    canvas.setAttribute("aria-label", "Places on the ropes");
+    canvas.setAttribute("aria-valuemin", "1");
+    canvas.addEventListener("keydown", (event) => this.press(event));
+    canvas.addEventListener("blur", () => this.go(-1));
+    canvas.addEventListener("pointerdown", () => this.go(-1));
+    for (const name of /** @type {const} */ (["status", "broken", "frame"]))
+      stage.session.on(name, () => this.tell());
+  }
+
+  get stops() {
+    const { layout, frame } = this.stage.session;
+    return layout && frame ? stopsOf(layout, frame) : [];
+  }
+
+  /** @param {KeyboardEvent} event */
+  press(event) {
+    const { stops } = this;
+    if (event.key === "Tab") {
+      const next = this.at < 0 && event.shiftKey ? -1 : this.at + (event.shiftKey ? -1 : 1);
+      if (next < 0 || next >= stops.length) return this.go(-1); // on to what is beside the scene
+      event.preventDefault();
+      this.go(next);
+    } else if (event.key === "Enter" && stops[this.at]) {
+      event.preventDefault();
+      const place = placeOf(this.stage, stops[this.at]);
+      if (!place) return;
+      const [x, y] = this.stage.camera.project(...place);
+      this.menu(stops[this.at], x, y);
+    }
+  }
+
+  /** @param {number} at */
+  go(at) {
+    const { stage, canvas } = this;
+    const { layout, frame } = stage.session;
+    const { stops } = this;
+    const hit = stops[at] ?? null;
+    this.at = hit ? at : -1;
+    if (stage.marks.chosen !== hit) stage.marks.dirty = true;
+    stage.marks.chosen = hit;
+    canvas.setAttribute("aria-valuemax", String(stops.length));
+    canvas.setAttribute("aria-valuenow", String(this.at + 1));
+    const words = hit && layout && frame ? said(layout, frame, hit) : "None: Tab goes to the next";
+    canvas.setAttribute("aria-valuetext", words);
+  }
+
+  /** Say what state the simulation is in, when that has changed. */
+  tell() {
+    const { layout, frame, status, broken } = this.stage.session;
+    if (!layout || !frame) return;
+    const state = broken ? "broken" : status?.playing ? "playing" : "paused";
+    const key = `${layout.scene.name} ${state}`;
+    if (key === this.state) return;
+    this.state = key;
+    this.voice.textContent = sentence(layout, frame, state);
+  }
+}

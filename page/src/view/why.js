@@ -1,0 +1,30 @@
+// Why a simulation broke, as one would tell somebody who does not know the theory.
+
+import { figures } from "./range.js";
+
+/** @typedef {import("../source/protocol.js").Stability} Stability */
+
+/** @param {Stability | undefined} stability of the variant that broke */
+export function whyItBroke(stability) {
+  if (!stability || stability.bound === null) {
+    return "The rope was moved farther in one step than the computation can follow. Try a shorter step.";
+  }
+  if (stability.stable) {
+    return (
+      "The step is short enough for a rope at its length, so something pulled or threw a piece of it too far: a hand, " +
+      "a fast anchor, a heavy load. Be gentler, or take a shorter step."
+    );
+  }
+  return (
+    "Each step was too long for so stiff and light a rope: within one step a piece of it flew past where its " +
+    "neighbours pull it back to, then farther past on the other side, and so on. A real rope would not do this; " +
+    "the computation did. A shorter step, softer springs or more mass keep it together."
+  );
+}
+
+/** The theory's sum, for those who know it. @param {Stability | undefined} stability */
+export function theoryOf(stability) {
+  if (!stability || stability.meter === null || stability.meter_limit === null) return "";
+  const { meter, meter_limit, meter_name } = stability;
+  return `The meter: ${meter_name} = ${figures(meter)}, at most ${figures(meter_limit)}.`;
+}
