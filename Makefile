@@ -7,7 +7,7 @@ PYTEST := $(BIN)/python -m pytest
 SPREAD := -n logical --dist loadfile
 
 .DEFAULT_GOAL := help
-.PHONY: help venv runtime dev demo view test test-browser test-slow lint locks format bench work-precision docs report page page-check clean distclean
+.PHONY: help venv runtime dev demo view test test-browser test-slow test-uncompiled lint locks format bench work-precision docs report page page-check clean distclean
 
 help:  ## list the targets
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | \
@@ -65,6 +65,14 @@ test-browser: dev  ## drive the live page and shared pages in a real Chromium
 
 test-slow: dev  ## run the slow tests
 	$(PYTEST) $(SPREAD) -m "slow and not browser"
+
+# Numba reads the option, so nothing is compiled and no cache is asked.
+UNCOMPILED := tests/verification/test_tangent.py tests/verification/test_bending_tangent.py \
+  tests/unit/test_saddle.py tests/verification/test_constant_forces.py tests/verification/test_laws.py \
+  tests/verification/test_free_fall.py
+test-uncompiled: dev  ## run tests of laws, tangents and the solver as plain Python, with coverage of the kernels
+	NUMBA_DISABLE_JIT=1 $(PYTEST) -q -n logical -m "not slow" $(UNCOMPILED) --cov-report=term:skip-covered \
+	  --cov=ropewalk.core --cov=ropewalk.laws --cov=ropewalk.methods
 
 lint: dev  ## check style, format, types and the import contracts
 	$(BIN)/ruff check .

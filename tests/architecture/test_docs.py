@@ -15,7 +15,7 @@ from ropewalk.cli import main
 from ropewalk.scene import Scene, SceneError
 
 ROOT = Path(__file__).resolve().parents[2]
-PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
+PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").rglob("*.md"))]
 BLOCK = re.compile(r"^```(\w+)\n(.*?)^```", re.MULTILINE | re.DOTALL)
 INLINE = re.compile(r"`(ropewalk [^`]+)`")
 BASE = """
@@ -118,6 +118,18 @@ def test_python_runs(page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
     names: dict[str, Any] = {"__name__": "page"}
     for block in blocks(page, "python"):
         exec(compile(block, str(page), "exec"), names)
+
+
+def test_contributing_names_files_and_targets_that_are_there() -> None:
+    text = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
+    named = re.findall(r"(?:src|tests|docs)/[\w/.*-]+", text)
+    assert len(named) > 40
+    for name in named:
+        if "NAME" not in name:
+            assert list(ROOT.glob(name.rstrip("."))), name
+    targets = re.findall(r"^([a-z-]+):", (ROOT / "Makefile").read_text(), re.MULTILINE)
+    for target in re.findall(r"make ([a-z-]+)[`\s]", text):
+        assert target in targets, target
 
 
 def test_every_command_is_documented() -> None:
