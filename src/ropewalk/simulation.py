@@ -16,8 +16,9 @@ from ropewalk.build import Model, build
 from ropewalk.build.links import has_links
 from ropewalk.build.plan import divide
 from ropewalk.core import arrays
-from ropewalk.core.arrays import APPLIED, Floats, Ints, State
+from ropewalk.core.arrays import APPLIED, TENSION_ONLY, Floats, Ints, State
 from ropewalk.core.status import BROKEN, OK, UNSOLVED
+from ropewalk.crawl import Crawl
 from ropewalk.drive import Driven, Goal
 from ropewalk.drum import WinchHandle
 from ropewalk.hand import AnchorHandle
@@ -25,7 +26,7 @@ from ropewalk.laws.clamps import start_clamps
 from ropewalk.laws.ledger import gravity_energy
 from ropewalk.methods import adaptive
 from ropewalk.methods.adaptive import Walk
-from ropewalk.methods.controller import BEGUN
+from ropewalk.methods.controller import BEGUN, END
 from ropewalk.methods.loop import prepare, prepare_links
 from ropewalk.methods.recording import ENERGIES, Recording, bends, make_recording, record_frame
 from ropewalk.methods.registry import METHODS
@@ -109,6 +110,7 @@ class Simulation(Driven):
             self._walk = self._scratch.walk
         self.failure = ""  # set where an implicit method finds no solution of a step
         self.slices = Slices(self.layout.nodes, self._method.cost, self._method.fixed)
+        self.crawl = Crawl(self.plan.tolerance, self.system.flags[TENSION_ONLY] == 1)
         self._winches = len(self.scene.winches) > 0
         self._extras = 1 if self._winches or (limited and not self._method.implicit) else None
         self._start, self._dt, self._step = 0.0, self.plan.dt, 0
@@ -339,6 +341,8 @@ class Simulation(Driven):
         finally:  # a signal's handler may raise as soon as the kernel is back
             self._step = int(clock[2])
         taken = steps * good if fixed else self.slices.most - int(self._scratch.strides[0])
+        if not fixed:
+            self.crawl.note(taken, float(self._walk.control[END]))
         if status == UNSOLVED:
             self.failure = unsolved.describe(self.model, self._state, self.clock, self._scratch)
             self._start, self._step = unsolved.standing(self.clock, self._scratch)
