@@ -49,6 +49,10 @@ table: "pd.DataFrame" = result.to_pandas("segments")
 data: "xr.Dataset" = result.datasets["nodes"]
 sim.anchors["left"].velocity = (0.0, 1.0, 0.0)
 sim.step(1 / 60)
+assert_type(rw.rope("dynamic-single-9.8").cut(12.0, segments=48), rw.Rope)
+assert_type(rw.rope("wire-7x19-6").material(guesses=True), rw.Material)
+assert_type(rw.Material.from_fall("8.8 kN", "32 %", 0.061), rw.Material)
+assert_type(rw.line("300 m", 0.0, "wire-7x19-12", sag="2 %").rolling("80 kg"), rw.Rolling)
 
 rw.Material(EA=1e4)  # Missing named argument "mass_per_length"
 rw.Springs(spring_constant=1e4, node_mas=0.1, segment_length=0.1)  # Unexpected keyword argument "node_mas"
@@ -70,6 +74,8 @@ text: str = result.frames  # expression has type "int"
 scene.gravity = (0.0, 0.0, 0.0)  # read-only
 sim.stepp()  # "Simulation" has no attribute "stepp"
 sim.anchors["left"].velocty  # "AnchorHandle" has no attribute "velocty"
+rw.rope("x").material(use="wet")  # incompatible type "Literal['wet']"
+rw.line(300.0, 0.0, "x", sagg=2.0)  # Unexpected keyword argument "sagg"
 rw.modes(scene).plot.mode_shape()  # "ModePlots" has no attribute "mode_shape"
 '''  # fmt: skip
 
@@ -113,6 +119,11 @@ def completions(source: str) -> set[str]:
         ("rw.open('x').plot.", set(plots.PLOTS)),
         ("sim = rw.Simulation(rw.preset('r4'))\nsim.", {"step", "anchors", "positions", "restore"}),
         ("rw.modes('r4').plot.", {"mode_shapes"}),
+        (
+            "rw.rope('dynamic-single').",
+            {"EA", "EA_static", "numbers", "material", "cut", "guesses"},
+        ),
+        ("rw.line(9.0, 0.0, 'x', sag=1.0).", {"sag", "tensions", "rolling", "scene"}),
         ("rw.check('r4').", {"warnings", "stability", "seconds", "ok"}),
         ("rw.preset('r4').", {"ropes", "anchors", "replace", "gravity"}),
     ],

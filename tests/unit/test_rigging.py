@@ -135,6 +135,8 @@ def test_data_sheets_that_cannot_be() -> None:
         M.from_elongation(800.0, "8", 0.06)
     with pytest.raises(ValueError, match=r"must be from 5339 to 1.025e\+04 N"):
         M.from_fall(20e3, 0.32, 0.06)
+    with pytest.raises(SceneError, match="32 - must be a share such as"):
+        M.from_fall(8800.0, 32, 0.06)
     with pytest.raises(ValueError, match="6x36 IWRC"):
         M.of_wire("5x5", 0.01)
 

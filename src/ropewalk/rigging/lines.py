@@ -105,7 +105,8 @@ class Line:
             places: how many [1], evenly spread over the span without its ends.
             at: places of your own [m], (n,), in place of these.
 
-        Raises SceneError for a mass that is none, ValueError for places that are not inside the span.
+        Raises SceneError for a mass that is none, ValueError for places that are not inside the span,
+        ArithmeticError where no rest is found, as within a hair of an end.
         """
         from ropewalk.rigging.rolling import roll
 

@@ -69,9 +69,14 @@ class FromDataSheet:
         Raises SceneError for what is no number greater than zero; ValueError for a force and a stretch that
         do not go together, with the forces that would.
         """
+        share = _given("dynamic_elongation", dynamic_elongation, "1")
+        if share > 1.0:  # no climbing rope doubles its length: per cent were meant
+            raise SceneError(
+                [Fault("dynamic_elongation", dynamic_elongation, f"must be{_in('1')[1:]}")]
+            )
         EA, damping = rope_from_fall(
             _given("impact_force", impact_force, "N"),
-            _given("dynamic_elongation", dynamic_elongation, "1"),
+            share,
             _given("falling_mass", falling_mass, "kg"),
             factor=factor,
             length=_given("length", length, "m"),
