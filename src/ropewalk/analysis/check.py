@@ -16,12 +16,13 @@ from ropewalk.analysis.cost import seconds_per_step
 from ropewalk.analysis.json_values import plain
 from ropewalk.analysis.plan_notes import plan_notes
 from ropewalk.analysis.stability import Stability, milliseconds, rounded_down, stability
+from ropewalk.analysis.strains import breaking_warnings, percent, strain_warnings
 from ropewalk.analysis.units import unit_slips
 from ropewalk.build import Model, build
 from ropewalk.core.arrays import Floats
 from ropewalk.record.margins import breaking_load, margin_words
 from ropewalk.record.rest import as_result
-from ropewalk.scene import Scene, Springs
+from ropewalk.scene import Scene
 from ropewalk.scene.from_library import origin_words
 from ropewalk.start import started
 from ropewalk.statics import Statics, static_shape
@@ -32,7 +33,6 @@ __all__ = ["Check", "RopeCheck", "check", "milliseconds"]
 _SMALL_MARGIN = 0.1
 _ROUNDING = 1e-9
 _AFFORDABLE = 20_000  # nodes up to which the highest frequency at rest is computed
-_STRAINED = 0.1  # [1] strain at rest that few ropes bear
 _SHORT = 0.01  # a curve's chords are a little shorter than its arcs
 
 
@@ -61,7 +61,7 @@ class RopeCheck:
             f"rope {self.name!r}: {self.segments} segments, {self.length:.6g} m, {self.mass:.6g} kg"
         ]
         text += [f"  {self.made_of}"] if self.made_of else []
-        strain = "" if self.largest_strain is None else f", strain {_percent(self.largest_strain)}"
+        strain = "" if self.largest_strain is None else f", strain {percent(self.largest_strain)}"
         text.append(f"  at rest: largest tension {prefixed(self.largest_tension, 'N', 5)}{strain}")
         if self.utilisation is not None:
             text.append(f"  at rest: {margin_words(self.utilisation)}")
@@ -253,10 +253,6 @@ def _highest_at_rest(model: Model, statics: Statics) -> float | None:
     return None if found == math.inf else found  # of rigid links
 
 
-def _percent(strain: float) -> str:
-    return f"{100.0 * strain:.3g} %"
-
-
 def _rope(model: Model, statics: Statics, name: str) -> RopeCheck:
     rope, span = model.scene.rope_named(name), model.layout.span(name)
     segments = slice(span.start, span.end)
@@ -298,11 +294,6 @@ def _warnings(
 ) -> list[str]:
     warnings = _stability_warnings(found)
     for rope in ropes:
-        if rope.utilisation is not None and rope.utilisation > 1.0:
-            warnings.append(
-                f"rope {rope.name!r}: at rest it carries {rope.utilisation:.3g} times its breaking load; "
-                "in the run it does not part"
-            )
         if rope.short:
             warnings.append(
                 f"rope {rope.name!r}: {rope.short} of {rope.segments} segments start shorter than "
@@ -317,7 +308,7 @@ def _warnings(
         f"rope {name!r}: nothing holds it" + ("; it falls" if np.any(model.system.gravity) else "")
         for name in statics.unheld
     ]
-    warnings += _strain_warnings(model, statics, ropes)
+    warnings += strain_warnings(model, statics, ropes) + breaking_warnings(ropes)
     warnings += _limiter_warnings(model, statics) + _rest_warnings(statics)
     warnings += bending_warnings(model)
     return warnings + plan_notes(model) + unit_slips(model)
@@ -342,30 +333,6 @@ def _stability_warnings(found: Stability) -> list[str]:
             f"time_step <= {lower} s leaves 10 %"
         ]
     return []
-
-
-def _strain_warnings(model: Model, statics: Statics, ropes: tuple[RopeCheck, ...]) -> list[str]:
-    """Ropes that stretch at rest as no rope does: kN typed as N, or springs weak for their load."""
-    if model.system.limiter.active or not statics.solved:
-        return []
-    found = []
-    for i, rope in enumerate(ropes):
-        if rope.largest_strain is None or rope.largest_strain <= _STRAINED:
-            continue
-        made_of = model.scene.ropes[i].made_of
-        if isinstance(made_of, Springs):
-            what = f"spring_constant of {made_of.spring_constant:g} N/m"
-            slip = "kN/m typed as N/m, or springs that are weak for what they carry?"
-        else:
-            what, slip = (
-                f"EA of {made_of.EA:g} N",
-                "kN typed as N, or a rope too soft for its load?",
-            )
-        found.append(
-            f"rope {rope.name!r}: at rest it is stretched by {_percent(rope.largest_strain)}, under "
-            f"{prefixed(rope.largest_tension, 'N')} by its {what}: {slip}"
-        )
-    return found
 
 
 def _limiter_warnings(model: Model, statics: Statics) -> list[str]:

@@ -1,0 +1,54 @@
+"""Ropes that stretch too much at rest, or carry more than they can."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ropewalk.build import Model
+from ropewalk.scene import Springs
+from ropewalk.statics import Statics
+from ropewalk.words.prefixes import prefixed
+
+if TYPE_CHECKING:
+    from ropewalk.analysis.check import RopeCheck
+
+_STRAINED = 0.1  # [1] strain at rest that few ropes bear
+
+
+def percent(strain: float) -> str:
+    """Return a strain in per cent."""
+    return f"{100.0 * strain:.3g} %"
+
+
+def strain_warnings(model: Model, statics: Statics, ropes: tuple[RopeCheck, ...]) -> list[str]:
+    """Return warnings of ropes that stretch at rest as no rope does: kN as N, or weak springs."""
+    if model.system.limiter.active or not statics.solved:
+        return []
+    found = []
+    for i, rope in enumerate(ropes):
+        if rope.largest_strain is None or rope.largest_strain <= _STRAINED:
+            continue
+        made_of = model.scene.ropes[i].made_of
+        if isinstance(made_of, Springs):
+            what = f"spring_constant of {made_of.spring_constant:g} N/m"
+            slip = "kN/m typed as N/m, or springs that are weak for what they carry?"
+        else:
+            what, slip = (
+                f"EA of {made_of.EA:g} N",
+                "kN typed as N, or a rope too soft for its load?",
+            )
+        found.append(
+            f"rope {rope.name!r}: at rest it is stretched by {percent(rope.largest_strain)}, under "
+            f"{prefixed(rope.largest_tension, 'N')} by its {what}: {slip}"
+        )
+    return found
+
+
+def breaking_warnings(ropes: tuple[RopeCheck, ...]) -> list[str]:
+    """Return warnings of ropes that carry more than their breaking load at rest."""
+    return [
+        f"rope {rope.name!r}: at rest it carries {rope.utilisation:.3g} times its breaking load; "
+        "in the run it does not part"
+        for rope in ropes
+        if rope.utilisation is not None and rope.utilisation > 1.0
+    ]
