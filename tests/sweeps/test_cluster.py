@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shutil
 import subprocess
 import sys
 import time
@@ -16,6 +17,7 @@ import pytest
 
 import ropewalk as rw
 from ropewalk.record.errors import RunError
+from ropewalk.sweeps.store import SweepFolder
 from sweeps.scenes import EA, STIFF, same, store_bytes, swing
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -39,7 +41,7 @@ VARY = {EA: STIFF, "rope.length": np.linspace(1.9, 2.1, 24).tolist()}
 class Cluster:
     """A scheduler and workers as processes."""
 
-    def __init__(self, folder: Path) -> None:
+    def __init__(self, folder: Path, *more: object) -> None:
         self.made = folder / "made.txt"
         self.made.touch()
         (folder / "preload.py").write_text(PRELOAD)
@@ -52,7 +54,7 @@ class Cluster:
         file = folder / "scheduler.json"
         self.scheduler = self._start(
             "scheduler", "--host", "127.0.0.1", "--port", "0", "--no-dashboard",
-            "--scheduler-file", file,
+            "--scheduler-file", file, *more,
         )  # fmt: skip
         while not file.exists():
             assert self.scheduler.poll() is None
@@ -65,7 +67,7 @@ class Cluster:
             self._start(
                 "worker", self.address, "--nthreads", "1", "--no-nanny", "--no-dashboard",
                 "--host", "127.0.0.1", "--preload", folder / "preload.py",
-                "--local-directory", folder / f"scratch{i}",
+                "--local-directory", folder / f"scratch{i}", *more,
             )
             for i in range(2)
         ]  # fmt: skip
@@ -113,14 +115,24 @@ def once(process: subprocess.Popen[bytes], after: int) -> Any:
 @pytest.mark.slow
 def test_a_worker_is_killed(tmp_path: Path, cluster: Cluster, here: dict[str, bytes]) -> None:
     folder = tmp_path / "s"
+    finished: set[int] = set()
     kill = once(cluster.workers[0], 20)
-    ds = rw.sweep(swing(0.04), VARY, store=folder, batch=2, on=cluster.address, progress=kill)
+
+    def told(standing: Any) -> None:
+        if standing.done >= 20 and not finished:
+            finished.update(SweepFolder.open(folder).standing()[0])
+        kill(standing)
+
+    ds = rw.sweep(swing(0.04), VARY, store=folder, batch=2, on=cluster.address, progress=told)
     assert store_bytes(folder) == here
     assert (ds.status != "").all()
     made = Counter(line.partition(" ")[2] for line in cluster.made.read_text().splitlines())
     assert len(made) == 35  # and the first one, here
     # A batch may be made again that its worker had not yet marked; a finished one never.
     assert sum(made.values()) <= len(made) + 1
+    rows = [str(SweepFolder.open(folder).row(2 * number)) for number in finished - {0}]
+    assert len(rows) >= 8
+    assert [made[row] for row in rows] == [1] * len(rows)
     assert len({line.split()[0] for line in cluster.made.read_text().splitlines()}) == 2
 
 
@@ -134,6 +146,53 @@ def test_the_scheduler_is_killed(tmp_path: Path, cluster: Cluster, here: dict[st
     assert 0 < (begun.status == "finished").sum() < 48
     rw.sweep.resume(folder, on="here")
     assert store_bytes(folder) == here
+
+
+@pytest.mark.slow
+def test_what_a_dead_worker_carried_here_is_not_made_again(cluster: Cluster) -> None:
+    kill = once(cluster.workers[0], 20)
+    ds = rw.sweep(swing(0.04), VARY, batch=2, on=cluster.address, progress=kill)
+    assert (ds.status != "").all()
+    made = Counter(line.partition(" ")[2] for line in cluster.made.read_text().splitlines())
+    assert len(made) == 35
+    # The batch in its hands, and one whose result may have been on its way.
+    assert sum(made.values()) <= len(made) + 2
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(not shutil.which("openssl"), reason="needs openssl to make a certificate")
+def test_a_cluster_over_tls(tmp_path: Path, here: dict[str, bytes]) -> None:
+    import dask
+    import distributed  # brings its settings
+
+    assert distributed
+
+    key, certificate = tmp_path / "key.pem", tmp_path / "certificate.pem"
+    subprocess.run(
+        ["openssl", "req", "-x509", "-newkey", "rsa:2048", "-nodes", "-days", "2", "-subj", "/CN=x",
+         "-keyout", key, "-out", certificate],
+        check=True, capture_output=True,
+    )  # fmt: skip
+    words = ("--tls-ca-file", certificate, "--tls-cert", certificate, "--tls-key", key)
+    made = Cluster(tmp_path, *words, "--protocol", "tls")
+    settings = {
+        "distributed.comm.tls.ca-file": str(certificate),
+        "distributed.comm.tls.client.cert": str(certificate),
+        "distributed.comm.tls.client.key": str(key),
+        "distributed.comm.require-encryption": True,
+    }
+    try:
+        assert made.address.startswith("tls://127.0.0.1")
+        with dask.config.set(settings):
+            rw.sweep(swing(0.04), VARY, store=tmp_path / "s", batch=2, on=made.address)
+        assert store_bytes(tmp_path / "s") == here
+        with pytest.raises(RunError, match="no Dask scheduler answers there"):
+            rw.sweep(swing(0.04), VARY, batch=2, on=made.address)  # without the certificate
+        plain = made.address.replace("tls://", "tcp://")
+        with pytest.raises(RunError, match="no Dask scheduler answers there"):
+            rw.sweep(swing(0.04), VARY, batch=2, on=plain)
+    finally:
+        made.end()
 
 
 @pytest.mark.slow

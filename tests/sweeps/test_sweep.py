@@ -336,3 +336,32 @@ def test_a_function_of_a_matrix(tmp_path: Path) -> None:
     assert made[2, 0] == own.tension.max()
     with pytest.raises(InputError, match="N x 2"):
         f([1.0, 2.0, 3.0])
+
+
+def test_a_large_grid_stays_a_table_on_disk(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    grid = {EA: [1e3, 2e3, 3e3], "rope.length": [1.9, 2.1]}
+    rw.sweep(swing(0.02), grid, keep="tension.max", store=tmp_path / "s", on="here")
+    small = rw.sweep.open(tmp_path / "s")
+    monkeypatch.setattr("ropewalk.sweeps.answer.MOST_BYTES", 0)
+    large = rw.sweep.open(tmp_path / "s")
+    assert large.tension_max.dims == ("run",)
+    made = large.set_index(run=["EA", "length"]).unstack("run")
+    np.testing.assert_array_equal(made.tension_max, small.tension_max)
+
+
+@pytest.mark.parametrize("design", ["grid", "sample"])
+def test_damaged_data_are_told_with_the_remedy(tmp_path: Path, design: str) -> None:
+    vary = {EA: [1e3, 2e3]} if design == "grid" else {EA: (1e3, 2e3)}
+    asked = {} if design == "grid" else {"samples": 2, "seed": 1}
+    rw.sweep(swing(0.02), vary, store=tmp_path / "s", on="here", **asked)
+    chunk = tmp_path / "s" / "data.zarr" / "tension_max" / "c.0"
+    chunk = chunk if chunk.exists() else next((chunk.parent).rglob("0"))
+    chunk.write_bytes(chunk.read_bytes()[:-3])
+    if design == "grid":
+        with pytest.raises(RunError, match="damaged.*ropewalk resume"):
+            rw.sweep.open(tmp_path / "s")
+    with pytest.warns(UserWarning, match="damaged and are made again"):
+        rw.sweep.resume(tmp_path / "s", on="here")
+    assert np.isfinite(rw.sweep.open(tmp_path / "s").tension_max).all()

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import json
 import math
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ropewalk.record.errors import RunError
 from ropewalk.sweeps.designs import GRID
 from ropewalk.sweeps.memory import SweepMemory
 from ropewalk.sweeps.plan import SweepPlan
@@ -17,16 +20,17 @@ from ropewalk.sweeps.store import DATA, DONE, SweepFolder
 if TYPE_CHECKING:
     import xarray as xr
 
-#: A grid of more numbers than this stays a table of runs on disk [bytes].
-MOST_BYTES = 1_000_000_000
+#: A grid on disk that would take more memory than this stays a table of runs there [bytes].
+MOST_BYTES = 100_000_000
+_TEXT_BYTES = 100  # that status and reason of a run take in memory
 
 
 def open_sweep(folder: str | Path) -> xr.Dataset:
     """Open a sweep's folder, finished or not.
 
-    Of a grid every parameter is a dimension; of other designs (and of grids of more than 1 GB) there is
-    one dimension `run` with the parameters along it, read from disk as it is used. Runs that are not made
-    yet have the status "".
+    Of a grid every parameter is a dimension; of other designs (and of grids of more than 100 MB) there is
+    one dimension `run` with the parameters along it, read from disk as it is used: `set_index(run=[...])`
+    and `unstack` make a grid of it. Runs that are not made yet have the status "".
 
     Raises RunError when it is none, or damaged.
     """
@@ -34,7 +38,24 @@ def open_sweep(folder: str | Path) -> xr.Dataset:
 
 
 def stored(sweep: SweepFolder) -> xr.Dataset:
-    """Return the dataset of a sweep on disk."""
+    """Return the dataset of a sweep on disk. Raises RunError when it is damaged."""
+    with _told_of_damage(sweep):
+        return _stored(sweep)
+
+
+@contextmanager
+def _told_of_damage(sweep: SweepFolder) -> Iterator[None]:
+    try:
+        yield
+    except (ValueError, KeyError, OSError, RuntimeError) as error:
+        rule = (
+            f"cannot be read, some of its data are damaged ({error or type(error).__name__}); "
+            "`ropewalk info --verify` names the batches, `ropewalk resume` makes them again"
+        )
+        raise RunError(sweep.folder, rule) from None
+
+
+def _stored(sweep: SweepFolder) -> xr.Dataset:
     import xarray as xr
 
     found: xr.Dataset = xr.open_zarr(sweep.folder / DATA, chunks=None).drop_vars(DONE)
@@ -45,7 +66,7 @@ def stored(sweep: SweepFolder) -> xr.Dataset:
         for rows in unmarked:
             status.values[rows] = ""
         found["status"] = status
-    if plan.design != GRID or plan.runs * plan.run_bytes > MOST_BYTES:
+    if plan.design != GRID or plan.runs * (plan.run_bytes + _TEXT_BYTES) > MOST_BYTES:
         return found
     return as_grid(found.load(), plan)
 

@@ -15,13 +15,24 @@ from typing import Any, Protocol
 from ropewalk.record.errors import InputError, RunError
 from ropewalk.sweeps.batch import Batch
 from ropewalk.sweeps.plan import SweepPlan
-from ropewalk.sweeps.worker import CARRIED, REFUSED, batcher_of, job_of, make_batch, unpacked
+from ropewalk.sweeps.worker import (
+    CARRIED,
+    REFUSED,
+    batcher_of,
+    job_of,
+    make_batch,
+    packed_rows,
+    unpacked,
+    warm_up,
+)
 
 #: Less work than this is done here: a cluster of this machine's cores takes seconds to start [s].
 WORTH_A_CLUSTER = 10.0
 #: Times a batch is given to another worker after one died with it.
 _TRIES = 4
 _AHEAD = 3  # batches in hand per worker's thread
+#: Messages that Dask keeps for its own diagnosis, with the values of a batch each; by default 1000.
+_LOGGED = {"distributed.admin.low-level-log-length": 50}
 
 Told = Callable[[int, int], None]  # number of a batch that is done, broken runs in it
 
@@ -59,6 +70,7 @@ def client_of(on: Any, workers: int | None, say: Callable[[str], None]) -> Itera
 
     What was started here is shut down. Raises InputError, RunError.
     """
+    import dask
     from distributed import Client
 
     if isinstance(on, Client):
@@ -66,7 +78,8 @@ def client_of(on: Any, workers: int | None, say: Callable[[str], None]) -> Itera
         return
     if isinstance(on, str) and on != "local":
         try:
-            client = Client(on, timeout="10s", set_as_default=False)
+            with dask.config.set(_LOGGED):
+                client = Client(on, timeout="10s", set_as_default=False)
         except (OSError, ValueError, TypeError) as error:
             raise RunError(on, f"no Dask scheduler answers there: {error}") from None
         with client:
@@ -76,7 +89,11 @@ def client_of(on: Any, workers: int | None, say: Callable[[str], None]) -> Itera
     if on not in (None, "local"):
         rule = 'must be a Dask client, the address of a scheduler, "local" or "here"'
         raise InputError("on", on, rule)
-    with _local_cluster(workers) as cluster, Client(cluster, set_as_default=False) as client:
+    with (
+        _local_cluster(workers) as cluster,
+        dask.config.set(_LOGGED),
+        Client(cluster, set_as_default=False) as client,
+    ):
         say(f"{len(cluster.workers)} workers; dashboard: {cluster.dashboard_link}")
         yield client
 
@@ -90,6 +107,7 @@ def _local_cluster(workers: int | None) -> Iterator[Any]:
     settings = {
         "distributed.scheduler.allowed-failures": _TRIES,
         "distributed.worker.daemon": True,
+        **_LOGGED,
     }
     with dask.config.set(settings), _without_main(), warnings.catch_warnings():
         warnings.simplefilter("ignore")  # of a port that is taken
@@ -162,19 +180,15 @@ def _warm_up(client: Any, sink: Sink, job: dict[str, Any]) -> None:
     if not workers:
         client.wait_for_workers(1, timeout=120)
         return
-    row = sink.rows(0)[:1]
+    row = packed_rows(sink.rows(0)[:1])
     calls = [
-        client.submit(_first_run, job["recipe"], row, workers=[address], pure=False)
+        client.submit(warm_up, job["recipe"], row, workers=[address], pure=False)
         for address in first.values()
     ]
     for call in calls:
         with suppress(Exception):  # what is wrong shows with the first batch
             call.result()
         call.release()
-
-
-def _first_run(recipe: str, rows: list[list[Any]]) -> int:
-    return batcher_of(recipe).make(rows).broken
 
 
 class _Hand:
@@ -203,7 +217,7 @@ class _Hand:
 
     def _give(self, number: int) -> None:
         key = f"ropewalk-{self._job['id'][:8]}-{number}-{uuid.uuid4().hex[:8]}"
-        rows = self._sink.rows(number)
+        rows = packed_rows(self._sink.rows(number))
         future = self._client.submit(make_batch, self._job, number, rows, key=key, pure=False)
         self._given[future.key] = number, future
         self.coming.add(future)
@@ -226,6 +240,9 @@ class _Hand:
         except (FutureCancelledError, OSError) as error:
             rule = f"lost: {error or type(error).__name__}; what is stored is kept"
             raise RunError("scheduler", rule) from None
+        except Exception as error:  # before `make_batch`: no ropewalk there, or another one
+            rule = f"cannot make batch {number}: {type(error).__name__}: {error}"
+            raise RunError("worker", rule) from None
         finally:
             future.release()  # or the death of its worker would have it made again
         return number, outcome
@@ -245,7 +262,10 @@ def map_rows(client: Any, recipe: str, source: str, rows: list[list[Any]]) -> Ba
     job = {"recipe": recipe, "source": source, "folder": "", "id": ""}
     size = max(1, -(-len(rows) // (2 * threads)))
     parts = [rows[start : start + size] for start in range(0, len(rows), size)]
-    futures = [client.submit(make_batch, job, i, part, pure=False) for i, part in enumerate(parts)]
+    futures = [
+        client.submit(make_batch, job, i, packed_rows(part), pure=False)
+        for i, part in enumerate(parts)
+    ]
     made = Batch()
     for outcome in client.gather(futures):
         if outcome["what"] == REFUSED:

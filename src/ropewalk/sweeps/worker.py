@@ -40,25 +40,40 @@ def _folder_of(folder: str, name: str) -> SweepFolder | None:
     return found if found.plan.id == name else None
 
 
-def make_batch(job: dict[str, Any], number: int, rows: list[list[Any]]) -> dict[str, Any]:
+def make_batch(job: dict[str, Any], number: int, columns: list[Any]) -> dict[str, Any]:
     """Make a batch and store it, or carry it to the client where the store is out of reach.
 
-    A batch that is stored already is not made again.
+    A batch that is stored already is not made again. Whatever goes wrong is told in words: an error of a
+    class that the client cannot read would make it wait for ever.
     """
+    try:
+        return _made(job, number, columns)
+    except Exception as error:
+        why = str(error) if isinstance(error, RunError) else f"{type(error).__name__}: {error}"
+        return {"number": number, "what": REFUSED, "why": why}
+
+
+def _made(job: dict[str, Any], number: int, columns: list[Any]) -> dict[str, Any]:
     if job["source"] != sweep_hash():
         text = "it has other sources of ropewalk, or another numpy or numba, and would not make the same bits"
         return {"number": number, "what": REFUSED, "why": text}
     store = _folder_of(job["folder"], job["id"]) if job["folder"] else None
     if store is not None and store.is_done(number):
         return {"number": number, "what": STORED, "broken": None}
-    batch = batcher_of(job["recipe"]).make(rows)
+    batch = batcher_of(job["recipe"]).make(unpacked_rows(columns))
     if store is None:
         return {"number": number, "what": CARRIED, "broken": batch.broken, "batch": packed(batch)}
-    try:
-        store.write(number, batch)
-    except RunError as error:
-        return {"number": number, "what": REFUSED, "why": str(error)}
+    store.write(number, batch)
     return {"number": number, "what": STORED, "broken": batch.broken}
+
+
+def warm_up(recipe: str, columns: list[Any]) -> str:
+    """Make some runs so that their kernels are compiled; return what went wrong, if anything."""
+    try:
+        batcher_of(recipe).make(unpacked_rows(columns))
+    except Exception as error:
+        return f"{type(error).__name__}: {error}"
+    return ""
 
 
 def job_of(plan: SweepPlan, folder: Path | None) -> dict[str, Any]:
@@ -69,6 +84,29 @@ def job_of(plan: SweepPlan, folder: Path | None) -> dict[str, Any]:
         "folder": str(folder.resolve()) if folder is not None else "",
         "id": plan.id,
     }
+
+
+def packed_rows(rows: list[list[Any]]) -> list[Any]:
+    """Return the values of runs as columns: bytes of numbers, lists of texts."""
+    return [_packed(list(column)) for column in zip(*rows, strict=True)]
+
+
+def _packed(column: list[Any]) -> Any:
+    for code, kind in (("<f8", float), ("<i8", int)):
+        if all(type(value) is kind for value in column):
+            return {"kind": code, "data": np.array(column, dtype=code).tobytes()}
+    return column
+
+
+def unpacked_rows(columns: list[Any]) -> list[list[Any]]:
+    """Return the rows that `packed_rows` gave."""
+    lists = [
+        np.frombuffer(column["data"], dtype=column["kind"]).tolist()
+        if isinstance(column, dict)
+        else column
+        for column in columns
+    ]
+    return [list(row) for row in zip(*lists, strict=True)]
 
 
 def packed(batch: Batch) -> dict[str, Any]:
