@@ -154,9 +154,7 @@ export class Legend {
     const times = this.stage.thickness();
     write(
       this.thick,
-      times > 1.05
-        ? `Rope drawn ${figures(Number(times.toPrecision(2)))}× thick`
-        : "True thickness",
+      times > 1.05 ? `Drawn ${figures(Number(times.toPrecision(2)))}× thick` : "True thickness",
     );
   }
 }

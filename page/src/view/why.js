@@ -11,8 +11,8 @@ export function whyItBroke(stability) {
   }
   if (stability.stable) {
     return (
-      "The step is short enough for a rope at its length, so something pulled or threw a piece of it too far: a hand, " +
-      "a fast anchor, a heavy load. Be gentler, or take a shorter step."
+      "The step is short enough for a rope at its length, so something pulled or threw a piece of it too far: " +
+      "a hand, a fast anchor, a heavy load. Be gentler, or take a shorter step."
     );
   }
   return (
