@@ -8,7 +8,8 @@ import math
 import numpy as np
 import pytest
 
-from ropewalk.analysis.stability import Stability, rounded_down, sideways_share, stability
+from ropewalk.analysis.linear import sideways_share
+from ropewalk.analysis.stability import Stability, rounded_down, stability
 from ropewalk.build import build
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import (
@@ -277,3 +278,36 @@ def test_rods_of_next_to_no_stiffness(weak: float) -> None:
         return stability(build(scene)).largest_bending_stiffness
 
     assert largest(weak) == pytest.approx(largest(1e-6), rel=1e-3)
+
+
+def test_only_what_is_asked_for_is_computed(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A verdict on one method asks for no other bound, no rest shape, no largest stiffness."""
+    from ropewalk.analysis import linear
+    from ropewalk.build.steps import Cases
+
+    asked: list[str] = []
+    real = Cases.largest
+    monkeypatch.setattr(
+        Cases, "largest", lambda self, method: asked.append(method) or real(self, method)
+    )
+    for name in ("static_shape", "largest_stiffness_factor", "growth_per_step", "worst_mode"):
+        real_one = getattr(linear, name)
+
+        def seen(*args: object, name: str = name, real_one: object = real_one, **more: object):
+            asked.append(name)
+            return real_one(*args, **more)
+
+        monkeypatch.setattr(linear, name, seen)
+    made = build(preset("r4"))
+    asked.clear()
+    found = stability(made)
+    assert found.stable
+    assert found.verdict
+    assert found.margin > 0.0
+    assert asked == [made.plan.method]
+    assert found.largest_step["rk4"] > 0.0
+    assert found.growth_per_step <= 1.0
+    assert found.node >= 0
+    assert {"rk4", "growth_per_step", "worst_mode"} <= set(asked)  # the twin
+    assert "euler" not in asked
+    assert dict(found.largest_step).keys() >= {"euler", "bdf2"}

@@ -163,7 +163,8 @@ class Check:
         text += [self.why] if self.why else []
         if all_methods:
             text += self._of_the_step() + [rope.waves() for rope in self.ropes]
-        text += [f"note: {note}" for note in self.stability.notes]
+        notes = [*self.stability.notes, *(self.stability.notes_on_others if all_methods else ())]
+        text += [f"note: {note}" for note in notes]
         text += [f"warning: {warning}" for warning in self.warnings]
         return text
 

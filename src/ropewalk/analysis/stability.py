@@ -6,29 +6,29 @@ Linear theory for any shape of the ropes: see `methods.bound` for the derivation
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-import numpy as np
-
 from ropewalk.analysis.json_values import plain
+from ropewalk.analysis.linear import (
+    NEED_DAMPING,
+    LargestSteps,
+    RigidTheory,
+    Theory,
+    why_none,
+)
 from ropewalk.build import Model, build
-from ropewalk.build.bounce import bounce_growth
 from ropewalk.build.chains import chains
 from ropewalk.build.links import has_links
 from ropewalk.build.plan import bounds_stretch
 from ropewalk.build.steps import step_cases, uncovered
 from ropewalk.methods.bound import (
-    Chain,
     growth_per_step,
-    highest_frequency,
     largest_step,
-    largest_stiffness_factor,
-    meter,
-    worst_mode,
 )
 from ropewalk.methods.registry import METHODS
-from ropewalk.scene import Scene, Springs
-from ropewalk.statics import Statics, static_shape
+from ropewalk.scene import Scene
+from ropewalk.statics import Statics
 from ropewalk.unsolved import CALMER, RINGING
 
 # Of the implicit methods, the one to recommend: true tensions, one solve, and from any start (ADR 0011).
@@ -36,9 +36,6 @@ STIFF = "bdf2"
 # Weak growth that multiplies a motion by less than this over the whole run does not break it.
 _HARMLESS = 10.0
 _RESOLVED = 2.0  # [1] frequency times step up to which a mode is followed, if roughly
-# A swinging rope carries up to about three times its weight at rest.
-_SWING = 3.0
-_WEAK = 1e-100  # [N/m] or [N m]: far below all that is a spring
 _SLACK = "where segments go slack"
 
 
@@ -49,23 +46,65 @@ class Stability:
     method: str
     step: float  # dt [s]
     steps: int  # of the whole run
-    largest_step: dict[str, float]  # by method [s]; 0: every step grows, inf: no limit
-    highest_frequency: float  # [rad/s]
-    growth_per_step: float  # of the worst mode at `step` [1]
-    meter: float  # worst a + 2 b at `step`; semi-implicit Euler is stable below 4 (Verlet: a + 4 b)
-    largest_spring_factor: float  # on all springs, at `step` and `method` [1]
-    largest_spring_constant: float | None  # [N/m], where all springs are alike
-    largest_axial_stiffness: float | None  # [N], where all ropes are of one material
-    largest_bending_stiffness: float | None  # [N m^2], where all ropes have one EI, not 0
+    largest_step: Mapping[str, float]  # by method [s]; 0: every step grows, inf: no limit
     case: str  # where the bound comes from, e.g. "in the air"
     cases: dict[str, float]  # largest step of `method` by case [s]
-    rope: str  # where the fastest mode is largest ...
-    node: int  # ... its node in that rope
-    notes: tuple[str, ...] = field(default=())
+    notes: tuple[str, ...]
+    theory: Theory | RigidTheory = field(repr=False, compare=False)
     tolerance: float | None = (
         None  # [m], where the method chooses its steps and `step` is the frame
     )
     uncovered: str = ""  # why no bound holds for this method in this scene, where none does
+
+    @property
+    def highest_frequency(self) -> float:
+        """Highest angular frequency of any case, undamped [rad/s]."""
+        return self.theory.highest_frequency
+
+    @property
+    def growth_per_step(self) -> float:
+        """Factor of the worst mode at `step` [1]."""
+        return self.theory.growth_per_step
+
+    @property
+    def meter(self) -> float:
+        """Worst a + 2 b at `step`; semi-implicit Euler is stable below 4 (Verlet: a + 4 b)."""
+        return self.theory.meter
+
+    @property
+    def largest_spring_factor(self) -> float:
+        """Largest factor on all springs, at `step` and `method` [1]."""
+        return self.theory.largest.factor
+
+    @property
+    def largest_spring_constant(self) -> float | None:
+        """Largest spring constant [N/m], where all springs are alike."""
+        return self.theory.largest.spring_constant
+
+    @property
+    def largest_axial_stiffness(self) -> float | None:
+        """Largest EA [N], where all ropes are of one material."""
+        return self.theory.largest.axial_stiffness
+
+    @property
+    def largest_bending_stiffness(self) -> float | None:
+        """Largest EI [N m^2], where all ropes have one EI, not 0."""
+        return self.theory.largest_bending_stiffness
+
+    @property
+    def rope(self) -> str:
+        """The rope where the fastest mode is largest."""
+        return self.theory.place[0]
+
+    @property
+    def node(self) -> int:
+        """The node of `rope` where the fastest mode is largest."""
+        return self.theory.place[1]
+
+    @property
+    def notes_on_others(self) -> tuple[str, ...]:
+        """What the bounds of the methods that were not chosen mean."""
+        return self.theory.notes_on_others
 
     @property
     def bound(self) -> float:
@@ -154,8 +193,10 @@ class Stability:
             "growth_per_step meter largest_spring_factor largest_spring_constant "
             "largest_axial_stiffness largest_bending_stiffness case cases rope node uncovered"
         )
-        return {name: plain(getattr(self, name)) for name in names.split()} | {
-            "notes": list(self.notes)
+        found = {name: getattr(self, name) for name in names.split()}
+        found["largest_step"] = dict(self.largest_step)
+        return {name: plain(value) for name, value in found.items()} | {
+            "notes": [*self.notes, *self.notes_on_others]
         }
 
     def __repr__(self) -> str:
@@ -186,44 +227,20 @@ def stability(source: Scene | Model, statics: Statics | None = None) -> Stabilit
     model = source if isinstance(source, Model) else build(source)
     if has_links(model.state):
         return _rigid(model)
-    plan, method, dt = model.plan, model.plan.method, model.plan.dt
-    all_cases = step_cases(model.system, model.state, plan.duration)
-    cases, steps = all_cases.chains, {known: all_cases.largest(known) for known in METHODS}
-    own = steps[method]
-    case = min(own, key=lambda name: own[name])
-    linear = min(cases, key=lambda name: own[name])
-    share = sideways_share(model, statics)
-    growth = max(growth_per_step(method, chain, dt, share) for chain in cases.values())
-    if dt <= own[linear]:
-        growth = growth_per_step(method, cases[linear], dt, share)
-    if dt > own[case]:
-        bounces = all_cases.bounces.values()
-        growth = max([growth, *(bounce_growth(method, bounce, dt) for bounce in bounces)])
-    friction = 4.0 if method == "verlet" else 2.0
-    factor, unit = largest_factor(method, list(cases.values()), dt)
-    shape = worst_mode(cases[linear], min(dt, own[linear]) or dt)
-    rope, node = model.layout.rope_of(int(np.argmax(np.abs(shape))))
-    constant, material = _uniform(model.scene)
-    largest = {known: min(found.values()) for known, found in steps.items()}
-    if model.scene.limiter is not None:
-        largest |= {name: 0.0 for name in METHODS if not bounds_stretch(name)}
+    plan, method = model.plan, model.plan.method
+    cases = step_cases(model.system, model.state, plan.duration)
+    steps = LargestSteps(model, cases)
+    own = steps.by_case(method)
+    theory = Theory(model, cases, steps, statics)
     return Stability(
         method=method,
-        step=dt,
+        step=plan.dt,
         steps=plan.steps,
-        largest_step=largest,
-        highest_frequency=max(highest_frequency(chain) for chain in cases.values()),
-        growth_per_step=growth,
-        meter=max(meter(chain, dt, friction) for chain in cases.values()),
-        largest_spring_factor=factor * unit,
-        largest_spring_constant=None if constant is None else factor * (unit * constant),
-        largest_axial_stiffness=None if material is None else factor * (unit * material),
-        largest_bending_stiffness=_largest_bending(model.scene, cases, method, dt),
-        case=case,
+        largest_step=steps,
+        case=min(own, key=lambda name: own[name]),
         cases=own,
-        rope=rope,
-        node=node,
-        notes=_notes(model, cases, largest, share),
+        notes=_notes(model, theory, steps),
+        theory=theory,
         tolerance=plan.tolerance,
         uncovered=uncovered(model.system, model.state, method),
     )
@@ -240,103 +257,30 @@ def _rigid(model: Model) -> Stability:
         step=model.plan.dt,
         steps=model.plan.steps,
         largest_step=bounds,
-        highest_frequency=math.inf,
-        growth_per_step=1.0,
-        meter=math.inf,
-        largest_spring_factor=math.inf,
-        largest_spring_constant=None,
-        largest_axial_stiffness=None,
-        largest_bending_stiffness=None,
         case="of rigid links",
         cases={"of rigid links": bounds[model.plan.method]},
-        rope=rigid[0],
-        node=0,
         notes=(note,),
+        theory=RigidTheory((rigid[0], 0)),
     )
 
 
-def sideways_share(model: Model, statics: Statics | None = None) -> float:
-    """Return the share of a spring's stiffness that acts across it in this scene, 1 - L/r [1].
-
-    The larger of its initial and three times its static share (a swing triples the tension),
-    held to what a limiter allows; 1 where a spring has no rest length.
-    """
-    state, rest = model.state, model.state.rest_length
-    alive = state.stiffness > 0.0
-    if np.any(rest[alive] == 0.0) or not alive.any():
-        return 1.0
-    statics = statics or static_shape(model, strict=False)
-    size = np.linalg.norm(np.diff(state.x, axis=1), axis=0)
-    stretch = max(float((size[alive] / rest[alive]).max()), 1.0)
-    resting = max(float(statics.stretch[alive].max()), 1.0)
-    share = max(1.0 - 1.0 / stretch, min(_SWING * (1.0 - 1.0 / resting), 1.0))
-    if model.system.limiter.active:
-        share = min(share, max(1.0 - 1.0 / max(model.system.limiter.longest, 1.0), 0.0))
-    return share
-
-
-def _uniform(scene: Scene) -> tuple[float | None, float | None]:
-    """Return the spring constant [N/m] or the EA [N] that all ropes share, if they do."""
-    constants = {
-        rope.made_of.spring_constant for rope in scene.ropes if isinstance(rope.made_of, Springs)
-    }
-    materials = {rope.made_of.EA for rope in scene.ropes if not isinstance(rope.made_of, Springs)}
-    if len(constants) + len(materials) != 1:
-        return None, None
-    return (constants.pop(), None) if constants else (None, materials.pop())
-
-
-def _largest_bending(scene: Scene, cases: dict[str, Chain], method: str, dt: float) -> float | None:
-    """Return the largest EI [N m^2] that all ropes, of one EI now, could have at `dt`; 0: none."""
-    shared = {rope.bending_stiffness for rope in scene.ropes}
-    if len(shared) != 1 or 0.0 in shared:
-        return None
-    swapped = [  # the factor is on what stands in the springs' place
-        chain._replace(stiffness=np.asarray(chain.bending), bending=chain.stiffness)
-        for chain in cases.values()
-    ]
-    factor, unit = largest_factor(method, swapped, dt)
-    return factor * (unit * shared.pop())
-
-
-def largest_factor(method: str, chains: list[Chain], dt: float) -> tuple[float, float]:
-    """Return the largest factor on all springs stable at dt [1], as a number and its unit.
-
-    The unit is 1 but for springs so weak or so stiff that the factor itself may be no number.
-    """
-    top = max(float(np.max(chain.stiffness, initial=0.0)) for chain in chains)
-    unit = 1.0
-    if math.isfinite(top) and top > 0.0 and not _WEAK < top < 1.0 / _WEAK:
-        unit = 2.0 ** min(-math.frexp(top)[1], 1023)
-    scaled = (chain._replace(stiffness=chain.stiffness * unit) for chain in chains)
-    return min(largest_stiffness_factor(method, chain, dt) for chain in scaled), unit
-
-
-def _notes(
-    model: Model, cases: dict[str, Chain], largest: dict[str, float], share: float
-) -> tuple[str, ...]:
+def _notes(model: Model, theory: Theory, largest: LargestSteps) -> tuple[str, ...]:
     """Say in words what a bound of 0 means, and what still air would do."""
     notes = []
     method, dt = model.plan.method, model.plan.dt
-    highest = max(highest_frequency(chain) for chain in cases.values())
-    if method in RINGING and dt * highest > _RESOLVED:
+    if method in RINGING and dt * theory.highest_frequency > _RESOLVED:
         notes.append(
             f"{method} has no limit for small motions only: segments that go slack and taut may feed the "
             f"modes that this step does not resolve until the run breaks; then take {CALMER}, or a "
             "shorter step"
         )
-    for name in ("euler", "heun"):
-        if largest[name] > 0.0:
-            continue
-        axial = any(np.any(chain.damping_axial) for chain in cases.values())
-        why = "nothing damps some of the motion"
-        if axial:
-            why = "axial friction does not damp sideways motion"
-        words = f"{name} has no stable step: {why}"
-        if name == method:
-            rate = "y^2/2" if name == "euler" else "y^4/8"
-            words += f"; it grows by {rate} per step, y = frequency [rad/s] x step [s]"
-        notes.append(words)
+    if method in NEED_DAMPING and largest[method] == 0.0:
+        rate = "y^2/2" if method == "euler" else "y^4/8"
+        why = why_none(theory.all_chains)
+        notes.append(
+            f"{method} has no stable step: {why}; it grows by {rate} per step, "
+            "y = frequency [rad/s] x step [s]"
+        )
     if model.scene.limiter is not None:
         unfit = [name for name in METHODS if not bounds_stretch(name)]
         notes.append(f"{', '.join(unfit)} cannot work with a stretch limiter")
@@ -344,7 +288,9 @@ def _notes(
     if largest[method] >= dt and air.quadratic:
         still = chains(model.system, model.state, 0.0)
         if min(largest_step(method, chain) for chain in still.values()) < dt:
-            growth = max(growth_per_step(method, chain, dt, share) for chain in still.values())
+            growth = max(
+                growth_per_step(method, chain, dt, theory.share) for chain in still.values()
+            )
             rate_per_second = math.log(growth) / dt
             notes.append(
                 f"at rest, where quadratic drag vanishes, motion grows by {rate_per_second:.2g} /s "

@@ -6,9 +6,9 @@ import math
 from typing import Any
 
 from ropewalk.analysis.json_values import plain
+from ropewalk.analysis.linear import largest_factor
 from ropewalk.analysis.stability import (
     Stability,
-    largest_factor,
     milliseconds,
     rounded_down,
     stability,
