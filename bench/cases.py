@@ -14,6 +14,7 @@ from pathlib import Path
 from bench.clock import Timing, take_turns
 from bench.implicit import newton
 from bench.live import live_server
+from bench.many import many
 from bench.page import page, page_memory
 from bench.row import Row
 from bench.yardsticks import bare_loop, numpy_loop
@@ -194,6 +195,7 @@ CASES = (
     recording,
     methods,
     newton,
+    many,
     start_up,
     live_server,
     page,

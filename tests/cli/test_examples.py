@@ -21,7 +21,7 @@ def test_example(script: Path, capsys: pytest.CaptureFixture[str]) -> None:
 
 def test_every_example_is_listed() -> None:
     page = (FOLDER / "README.md").read_text(encoding="utf-8")
-    assert len(SCRIPTS) == 6
+    assert len(SCRIPTS) == 10
     for script in SCRIPTS:
         assert f"[`{script.name}`]({script.name})" in page
 

@@ -1,0 +1,194 @@
+"""Many ropes at once: a sweep, a plain process pool of `simulate`, whole-array numpy, and MuJoCo's rollout.
+
+All run the same springs from the same places with the same steps, each rope with another spring constant, and
+are compared in what they give. MuJoCo is the extra `ropewalk[bench]`; without it its rows are left out.
+"""
+
+from __future__ import annotations
+
+import os
+import time
+from collections.abc import Callable
+from concurrent.futures import ProcessPoolExecutor
+from importlib.util import find_spec
+from itertools import pairwise
+
+import numpy as np
+
+import ropewalk as rw
+from bench.row import Row
+from ropewalk import Anchor, Rope, RunSettings, Scene, Springs
+from ropewalk.build import build
+from ropewalk.record.simulate import simulate_in_memory
+
+RUNS, SEGMENTS, DT, STEPS = 256, 20, 1e-3, 1000
+MASS, FRICTION, LENGTH, GRAVITY = 0.05, 0.05, 0.1, 9.81
+PATH = "rope.made_of.spring_constant"
+ROUNDS = 3
+
+
+def scene() -> Scene:
+    """A rope of springs, level at first and held at one end; 1 s, two frames of results."""
+    springs = Springs(
+        spring_constant=1000.0, node_mass=MASS, spring_friction=FRICTION, segment_length=LENGTH,
+        friction="axial",
+    )  # fmt: skip
+    settings = RunSettings(time_step=DT, frame_rate=1.0 / (DT * STEPS), duration=DT * STEPS)
+    rope = Rope(segments=SEGMENTS, made_of=springs)
+    return Scene(ropes=[rope], anchors=[Anchor(node=0)], run=settings)
+
+
+def stiffness() -> np.ndarray:
+    """The spring constants [N/m], (runs,)."""
+    return np.linspace(800.0, 1200.0, RUNS)
+
+
+def numpy_ropes(k: np.ndarray) -> np.ndarray:
+    """Where the last nodes end (runs, 3) [m]: semi-implicit Euler on arrays of all ropes."""
+    x = np.zeros((len(k), SEGMENTS + 1, 3))
+    x[:, :, 0] = LENGTH * np.arange(SEGMENTS + 1)
+    v, k = np.zeros_like(x), k[:, None, None]
+    for _ in range(STEPS):
+        d = x[:, 1:] - x[:, :-1]
+        r = np.sqrt((d * d).sum(axis=2, keepdims=True))
+        along = ((v[:, 1:] - v[:, :-1]) * d).sum(axis=2, keepdims=True) / r
+        f = (k * (r - LENGTH) + FRICTION * along) * d / r
+        total = np.zeros_like(x)
+        total[:, :-1] += f
+        total[:, 1:] -= f
+        v[:, 1:] += DT / MASS * total[:, 1:]
+        v[:, 1:, 2] -= DT * GRAVITY
+        x[:, 1:] += DT * v[:, 1:]
+    return np.asarray(x[:, -1])
+
+
+def rollout() -> Callable[[np.ndarray], np.ndarray]:
+    """The same by MuJoCo: point masses on three slides, tendons as springs, a thread per core."""
+    import mujoco
+    from mujoco import rollout as mj
+
+    slides = "".join(f'<joint type="slide" axis="{axis}"/>' for axis in ("1 0 0", "0 1 0", "0 0 1"))
+    bodies = "".join(
+        f'<body pos="{LENGTH * i} 0 0">{slides}<inertial pos="0 0 0" mass="{MASS}" '
+        f'diaginertia="1e-6 1e-6 1e-6"/><site name="s{i}"/></body>'
+        for i in range(1, SEGMENTS + 1)
+    )
+    tendons = "".join(
+        f'<spatial springlength="{LENGTH}" stiffness="1000" damping="{FRICTION}">'
+        f'<site site="s{i}"/><site site="s{j}"/></spatial>'
+        for i, j in pairwise(range(SEGMENTS + 1))
+    )
+    text = (
+        f'<mujoco><option timestep="{DT}" gravity="0 0 {-GRAVITY}" integrator="Euler">'
+        '<flag contact="disable" eulerdamp="disable"/></option>'
+        f'<worldbody><site name="s0"/>{bodies}</worldbody><tendon>{tendons}</tendon></mujoco>'
+    )
+    threads = os.cpu_count() or 1
+
+    def run(k: np.ndarray) -> np.ndarray:
+        models = []
+        for value in k:
+            models.append(
+                mujoco.MjModel.from_xml_string(text) if not models else models[0].__copy__()
+            )
+            models[-1].tendon_stiffness[:] = value
+        data = [mujoco.MjData(models[0]) for _ in range(threads)]
+        state = np.zeros(mujoco.mj_stateSize(models[0], mujoco.mjtState.mjSTATE_FULLPHYSICS))
+        states, _ = mj.rollout(models, data, np.tile(state, (len(k), 1)), nstep=STEPS)
+        last = states[:, -1, 1 + 3 * (SEGMENTS - 1) : 1 + 3 * SEGMENTS]
+        return np.asarray(last + np.array([LENGTH * SEGMENTS, 0.0, 0.0]))
+
+    return run
+
+
+def _alone(k: float) -> np.ndarray:
+    """What a user's own loop does for each run."""
+    return np.array(rw.simulate(scene().replace(**{PATH: k})).positions[-1, -1])
+
+
+def contestants(pool: ProcessPoolExecutor, client: object) -> dict[str, Callable[[], np.ndarray]]:
+    """The ways to run them all, each giving where the last nodes end (runs, 3) [m]."""
+    k, base = stiffness(), scene()
+
+    def sweep(on: object) -> np.ndarray:
+        ask = {"keep": "positions[-1, -1]", "progress": False, "on": on}
+        return np.asarray(rw.sweep(base, {PATH: k}, **ask).positions_last_last.values)
+
+    models = [build(base.replace(**{PATH: value})) for value in k]
+    found = {
+        "bare runs of built models": lambda: np.array(
+            [simulate_in_memory(model).positions[-1, -1] for model in models]
+        ),
+        "loop of simulate": lambda: np.array([_alone(value) for value in k]),
+        "rw.sweep in this process": lambda: sweep("here"),
+        "rw.sweep on all cores": lambda: sweep(client),
+        "process pool of simulate": lambda: np.array(list(pool.map(_alone, k, chunksize=16))),
+        "numpy, all ropes at once": lambda: numpy_ropes(k),
+    }
+    if find_spec("mujoco") is not None:
+        mujoco = rollout()
+        found["MuJoCo rollout"] = lambda: mujoco(k)
+    return found
+
+
+def many() -> list[Row]:
+    """256 ropes of 20 springs, 1000 steps each: ropes per second, and the overhead of a sweep."""
+    from distributed import Client, LocalCluster
+
+    cores = os.cpu_count() or 1
+    with (
+        ProcessPoolExecutor(cores) as pool,
+        LocalCluster(n_workers=cores, threads_per_worker=1, dashboard_address=None) as cluster,
+        Client(cluster, set_as_default=False) as client,
+    ):
+        ways = contestants(pool, client)
+        ends = {name: way() for name, way in ways.items()}  # and compiles
+        seconds: dict[str, list[float]] = {name: [] for name in ways}
+        here: dict[str, list[float]] = {name: [] for name in ways}  # processor time of this process
+        for _ in range(ROUNDS):
+            for name, way in ways.items():
+                begun, worked = time.perf_counter(), time.process_time()
+                way()
+                seconds[name].append(time.perf_counter() - begun)
+                here[name].append(time.process_time() - worked)
+    exact = ends["loop of simulate"]
+    best = {name: min(spent) for name, spent in seconds.items()}
+    rows = [Row(f"many: {name}", RUNS / spent, "ropes/s", "") for name, spent in best.items()]
+    bare, own = "bare runs of built models", "rw.sweep in this process"
+    ratio = min(here[own]) / min(here[bare])
+    rows.append(Row("many: one bare run", 1e3 * min(here[bare]) / RUNS, "ms", ""))
+    rows.append(Row("many: sweep in this process / bare runs", ratio, "1", "<= 1.05"))
+    loop = min(here[own]) / min(here["loop of simulate"])
+    rows.append(Row("many: sweep in this process / loop of simulate", loop, "1", "<= 1.05"))
+    both = cores * best["rw.sweep on all cores"] / best[bare]
+    rows.append(Row("many: sweep on all cores, core seconds / bare runs", both, "1", ""))
+    rows += [
+        Row(f"many: end of {name} off by", float(np.abs(end - exact).max()), "m", "")
+        for name, end in ends.items()
+        if name not in ("loop of simulate", "bare runs of built models")
+    ]
+    _store(rows, best)
+    return rows
+
+
+def _store(rows: list[Row], best: dict[str, float]) -> None:
+    """Write table and figure into the folder of results."""
+    import csv
+    import datetime
+
+    from matplotlib.figure import Figure
+
+    from bench.__main__ import RESULTS, processor
+
+    with (RESULTS / f"many-{datetime.date.today().isoformat()}.csv").open("w", newline="") as file:
+        lines = [[row.case, f"{row.value:.4g}", row.unit, row.target, processor()] for row in rows]
+        csv.writer(file).writerows([["case", "value", "unit", "target", "processor"], *lines])
+    figure = Figure(figsize=(7.0, 3.4), layout="constrained")
+    axes = figure.subplots()
+    names = sorted(best, key=lambda name: -best[name])
+    bars = axes.barh(names, [RUNS / best[name] for name in names], color="#1f6f8b")
+    axes.bar_label(bars, fmt="%.0f", padding=3)
+    axes.margins(x=0.12)
+    axes.set_xlabel(f"ropes per second ({SEGMENTS} segments, {STEPS} steps each)")
+    axes.spines[["top", "right"]].set_visible(False)
+    figure.savefig(RESULTS / f"many-{datetime.date.today().isoformat()}.png", dpi=150)
