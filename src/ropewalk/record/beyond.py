@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from ropewalk.core.arrays import Floats
-from ropewalk.core.status import OK
+from ropewalk.core.status import UNSOLVED
 from ropewalk.record.errors import RunError
 from ropewalk.record.files import reading, write
 from ropewalk.record.place import BEYOND as NAME
@@ -21,6 +21,7 @@ from ropewalk.simulation import Simulation
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
 
+_APART = 10.0  # [1] times the longest segment: torn, though made-up energy was found before
 _FRAMES = 10  # so many at most are looked at past the last good one ...
 _STEPS = 20_000  # ... and so many steps
 _KEPT = 64  # steps, the last before the rope is torn apart
@@ -87,6 +88,7 @@ def look_beyond(simulation: Simulation) -> Beyond | None:
     here, plan = simulation.state, simulation.plan
     told = simulation.failure, simulation.reason
     most = max(2, min(_KEPT, _NUMBERS // (3 * simulation.layout.nodes)))
+    apart = _APART * float(_longest(simulation.positions[None])[0])
     seen: deque[tuple[float, Floats, Floats]] = deque(maxlen=most)
     for _ in range(min(_FRAMES * plan.steps_per_frame, _STEPS)):
         if simulation.slices.is_asked():
@@ -98,7 +100,7 @@ def look_beyond(simulation: Simulation) -> Beyond | None:
         with np.errstate(all="ignore"):
             tension = simulation.recording().recording.tension[0].copy()
         seen.append((simulation.time, positions, tension))
-        if status != OK:
+        if status == UNSOLVED or not _longest(positions[None])[0] <= apart:
             break
     simulation.restore(here)
     simulation.failure, simulation.reason = told
