@@ -22,20 +22,20 @@ from ropewalk.crawl import Crawl
 from ropewalk.drive import Driven, Goal
 from ropewalk.drum import WinchHandle
 from ropewalk.hand import AnchorHandle
-from ropewalk.laws.clamps import start_clamps
 from ropewalk.laws.ledger import gravity_energy
 from ropewalk.methods import adaptive
 from ropewalk.methods.adaptive import Walk
 from ropewalk.methods.controller import BEGUN, END
 from ropewalk.methods.loop import prepare, prepare_links
-from ropewalk.methods.recording import ENERGIES, Recording, bends, make_recording, record_frame
+from ropewalk.methods.recording import ENERGIES, Recording, make_recording, record_frame
 from ropewalk.methods.registry import METHODS
 from ropewalk.methods.scratch import make_sums
 from ropewalk.methods.verdict import HONEST, LAST, ZERO, energy_now
+from ropewalk.methods.watch import begin_interval, watch
 from ropewalk.motions.table import HAND
 from ropewalk.scene import Scene
-from ropewalk.slices import Slices
-from ropewalk.start import started
+from ropewalk.slices import Edges, Slices
+from ropewalk.start import set_first_reactions, started
 
 if TYPE_CHECKING:
     from ropewalk.live.view import View
@@ -115,7 +115,8 @@ class Simulation(Driven):
         self._extras = 1 if self._winches or (limited and not self._method.implicit) else None
         self._start, self._dt, self._step = 0.0, self.plan.dt, 0
         self._prepare()
-        self._set_first_reactions()
+        set_first_reactions(self.system, self._state)
+        begin_interval(self.system, self._state, *self._looking(), 0.0)
         self._gravity_zero = 0.0
         self._gravity_zero = self._zero_of_gravity()
         self.reason = ""  # set by a break: what is broken, and where
@@ -133,21 +134,6 @@ class Simulation(Driven):
             prepare_links(self.system, self._state, self.time, self._scratch.stage.saddle)
         else:
             prepare(self.system, self._state)
-
-    def _set_first_reactions(self) -> None:
-        """At time zero an anchor's reaction balances the forces on its node."""
-        state, forces = self._state, self._state.forces
-        for row, i in enumerate(state.anchor_node):
-            total = forces.elastic[:, i + 1] - forces.elastic[:, i]
-            total = total + forces.friction[:, i + 1] - forces.friction[:, i]
-            if bends(state):
-                total = total + forces.bending[:, i + 1] - forces.bending[:, i]
-            if self.scene.limiter is not None:
-                total = total + forces.limiter[:, i + 1] - forces.limiter[:, i]
-            total = total + forces.air[:, i] + forces.ground[:, i] + forces.applied[:, i]
-            total = total + state.mass[i] * self.system.gravity
-            state.reaction[row] = -total if state.held[row] else 0.0
-        start_clamps(self.system, state)
 
     def _set_balance(self) -> None:
         """Write the energy at the start, from which gains count, and what of it may turn into motion."""
@@ -222,9 +208,14 @@ class Simulation(Driven):
         arrays.assign(self._walk, snapshot.walk)
         self.system.flags[APPLIED] = int(self._state.forces.applied.any())
 
+    def _looking(self) -> tuple[Floats, Floats]:
+        """Return working space for a look at the state."""
+        return np.zeros((2, self.layout.segments)), make_sums()
+
     def recording(self) -> Block:
-        """Return the present state as one frame."""
+        """Return the present state as one frame, extremes since the last call that moved it on included."""
         out = make_recording(self._state, 1, self._winches)
+        watch(self.system, self._state, *self._looking(), self.time)
         record_frame(self.system, self._state, self.ledger, make_sums(), 0, out)
         out.energy[:, GRAVITY] -= self._gravity_zero
         return Block(np.array([self.time]), out)
@@ -329,9 +320,11 @@ class Simulation(Driven):
         out.energy[:, GRAVITY] -= self._gravity_zero
         return found
 
-    def _call(self, steps: int, frames: int, out: Recording, stop: bool) -> tuple[int, int, int]:
+    def _call(
+        self, steps: int, frames: int, out: Recording, stop: bool, edges: Edges
+    ) -> tuple[int, int, int]:
         """Call the kernel once; return its status, the number of good frames and the steps taken."""
-        clock = np.array([self._start, self._dt, self._step, steps], dtype=np.float64)
+        clock = np.array([self._start, self._dt, self._step, steps, *edges], dtype=np.float64)
         common = (self.system, self._state, self._scratch, self._extras, clock, frames)
         fixed = self._method.fixed
         if not fixed:

@@ -17,8 +17,11 @@ SLICE = 0.05  # [s] about so long a kernel runs without returning
 NODE_STEP = 4e-9  # [s] rough cost of one node, step and evaluation of the forces
 GROWTH = 4.0  # [1] a slice has at most so many times the steps of the one before
 
-#: Takes steps per frame, frames, buffers and whether a break ends it; returns status, good frames and steps.
-Call = Callable[[int, int, Recording, bool], tuple[int, int, int]]
+#: Whether the first frame of a call is begun already, and whether its last one is not ended.
+Edges = tuple[bool, bool]
+#: Takes steps per frame, frames, buffers, whether a break ends it, and edges.
+#: Returns status, good frames and steps.
+Call = Callable[[int, int, Recording, bool, Edges], tuple[int, int, int]]
 #: Returns what brings back the present state.
 Keep = Callable[[], Callable[[], None]]
 
@@ -48,15 +51,17 @@ class Slices:
 
         Fewer than `frames` with status OK: `asked` said so.
         """
-        good = 0
+        good, begun = 0, False
         while True:
             left = frames - good
             count = min(self.most // steps, left) if self._fixed else left
             if count > 0 or left == 0:
-                status, done = self._timed(call, steps, count, out.part(good, good + count), stop)
+                room, edges = out.part(good, good + count), (begun, False)
+                status, done = self._timed(call, steps, count, room, stop, edges)
             else:
                 status, done = self._cut_frame(call, keep, steps, out.part(good, good + 1), stop)
             good += done
+            begun = status == PAUSED
             if status not in (OK, PAUSED) or good >= frames:
                 return status, good
             if self.is_asked():
@@ -68,22 +73,24 @@ class Slices:
         """Advance by one frame in several calls; whether it is broken is told at its end, as ever."""
         nothing = out.part(0, 0)
         back = keep() if self.asked is not None else None
+        begun = False
         while steps > self.most:
             taken = self.most
-            status, _ = self._timed(call, taken, 1, nothing, False)
+            status, _ = self._timed(call, taken, 1, nothing, False, (begun, True))
             if status != OK:
                 return status, 0
+            begun = True
             steps -= taken
             if back is not None and self.is_asked():
                 back()
                 return OK, 0
-        return self._timed(call, steps, 1, out, stop)
+        return self._timed(call, steps, 1, out, stop, (begun, False))
 
     def _timed(
-        self, call: Call, steps: int, frames: int, out: Recording, stop: bool
+        self, call: Call, steps: int, frames: int, out: Recording, stop: bool, edges: Edges
     ) -> tuple[int, int]:
         begun = self._clock()
-        status, good, taken = call(steps, frames, out, stop)
+        status, good, taken = call(steps, frames, out, stop, edges)
         self.note(taken, self._clock() - begun)
         return status, good
 

@@ -10,7 +10,9 @@ from ropewalk.build import Model
 from ropewalk.build.bounds import with_bounds
 from ropewalk.build.links import with_links
 from ropewalk.core import arrays
-from ropewalk.core.arrays import Floats
+from ropewalk.core.arrays import Floats, State, System
+from ropewalk.laws.clamps import start_clamps
+from ropewalk.methods.recording import bends
 from ropewalk.scene import SceneError
 from ropewalk.scene.errors import Fault
 from ropewalk.scene.ring import Ring
@@ -56,3 +58,19 @@ def _velocity(model: Model, ring: Ring) -> Floats:
     shape = found.shapes[ring.mode - 1].real
     largest = float(np.sqrt((shape**2).sum(axis=1)).max())
     return np.ascontiguousarray(shape.T / largest)
+
+
+def set_first_reactions(system: System, state: State) -> None:
+    """At time zero an anchor's reaction balances the forces on its node, which are evaluated already."""
+    forces = state.forces
+    for row, i in enumerate(state.anchor_node):
+        total = forces.elastic[:, i + 1] - forces.elastic[:, i]
+        total = total + forces.friction[:, i + 1] - forces.friction[:, i]
+        if bends(state):
+            total = total + forces.bending[:, i + 1] - forces.bending[:, i]
+        if system.limiter.active:
+            total = total + forces.limiter[:, i + 1] - forces.limiter[:, i]
+        total = total + forces.air[:, i] + forces.ground[:, i] + forces.applied[:, i]
+        total = total + state.mass[i] * system.gravity
+        state.reaction[row] = -total if state.held[row] else 0.0
+    start_clamps(system, state)

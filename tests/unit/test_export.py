@@ -34,7 +34,8 @@ def test_long_tables(result: Result, tmp_path: Path) -> None:
     assert [path.name for path in files] == ["nodes.csv", "segments.csv", "anchors.csv", "run.csv"]
     nodes = pd.read_csv(files[0])
     assert list(nodes)[:6] == ["time [s]", "rope", "node", "x [m]", "y [m]", "z [m]"]
-    assert list(nodes)[6:] == ["vx [m/s]", "vy [m/s]", "vz [m/s]"]
+    heights = ["least height [m]", "greatest height [m]"]
+    assert list(nodes)[6:] == ["vx [m/s]", "vy [m/s]", "vz [m/s]", "greatest speed [m/s]", *heights]
     end = nodes[(nodes["rope"] == "line") & (nodes["node"] == 8)]
     series = result.node(8, "line")
     np.testing.assert_array_equal(end["time [s]"], result.time)

@@ -123,26 +123,27 @@ def test_segments_without_rope_are_dead(winched: Result) -> None:
 
 def test_the_table_names_the_extremes(result: Result) -> None:
     table = result.table
-    frame, segment = np.unravel_index(np.argmax(result.tension), result.tension.shape)
-    assert table["largest tension [N]"] == result.tension[frame, segment]
-    assert f"segment {segment} of rope 'rope'" in table["largest tension at"]
-    assert f"t = {result.time[frame]:.6g} s" in table["largest tension at"]
+    greatest = result.greatest_tension
+    frame, segment = np.unravel_index(np.argmax(greatest), greatest.shape)
+    assert table["largest tension [N]"] == greatest[frame, segment] >= result.tension.max()
+    place, when = table["largest tension at"].split(", ")
+    assert place == f"segment {segment} of rope 'rope'"
+    said = [float(word) for word in when.split() if word[0].isdigit()]
+    assert result.time[frame - 1] - 1e-5 <= said[0] <= said[-1] <= result.time[frame] + 1e-5
     for name in ("largest tension", "largest stretch", "largest speed", "lowest point"):
-        assert table[f"{name} at"].endswith(
-            ", of the recorded frames"
-        )  # steps between may reach more
+        assert "recorded frames" not in table[f"{name} at"]
     speed = np.linalg.norm(result.velocities, axis=2)
-    assert table["largest speed [m/s]"] == pytest.approx(speed.max(), rel=1e-14)
-    assert table["lowest point [m]"] == pytest.approx(result.positions[..., 2].min(), rel=1e-14)
+    assert 1.0 <= table["largest speed [m/s]"] / speed.max() < 1.05
+    assert table["lowest point [m]"] <= result.positions[..., 2].min()
     assert table["steps"] == 120 * 9
 
 
 def test_the_table_is_the_same_in_pieces(result: Result, monkeypatch: pytest.MonkeyPatch) -> None:
-    from ropewalk.record import summary
+    from ropewalk.record import extremes
 
-    whole = summary.summary(result)
-    monkeypatch.setattr(summary, "_VALUES", 100)
-    assert summary.summary(result) == whole
+    whole = extremes._of_frames(result)
+    monkeypatch.setattr(extremes, "_VALUES", 100)
+    assert str(extremes._of_frames(result)) == str(whole)  # NaN is not equal to itself
 
 
 def test_repr_is_a_sentence(result: Result) -> None:

@@ -65,8 +65,9 @@ class Comparison:
         """One row of numbers per run, SI units in the names; nan where something is not defined."""
         rows = []
         elastic = not all(result.has_total_tension for result in self.results)
+        frames = not all(result.has_extremes for result in self.results)
         for number, (result, label) in enumerate(zip(self.results, self.labels, strict=True)):
-            row = {"run": label, **key_numbers(result, elastic=elastic)}
+            row = {"run": label, **key_numbers(result, elastic=elastic, frames=frames)}
             distance = self.distances[number - 1] if number else None
             row["largest distance [m]"] = distance.worst if distance else 0.0
             row["at time [s]"] = distance.when if distance else float("nan")
@@ -102,16 +103,19 @@ def default_labels(results: Sequence[Result]) -> tuple[str, ...]:
     return tuple(f"{result.scene.name} {i + 1}" for i, result in enumerate(results))
 
 
-def key_numbers(result: Result, *, elastic: bool = False) -> dict[str, Any]:
+def key_numbers(result: Result, *, elastic: bool = False, frames: bool = False) -> dict[str, Any]:
     """Return what people compare first, over the good part of a run.
 
-    With `elastic` the elastic tension, which run folders of format 2 have alone, in place of the tension.
+    With `elastic` the elastic tension, which run folders of format 2 have alone, in place of the tension;
+    with `frames` the largest of the recorded frames, where not all runs have kept that of every step.
     """
     good = good_part(result)
     with np.errstate(all="ignore"):
         error = np.asarray(result.energy_error)[:good]
         total = np.asarray(result.energy["total"])[:good]
-    pull = "elastic_tension" if elastic and result.has_total_tension else "tension"
+    pull = "tension" if frames or not result.has_extremes else "greatest_tension"
+    if elastic:
+        pull = "elastic_tension" if result.has_total_tension else "tension"
     highest = [_largest(result, pull, part, good) for part in range(0, good, _CHUNK)]
     return {
         "method": result.plan.method,
@@ -120,10 +124,15 @@ def key_numbers(result: Result, *, elastic: bool = False) -> dict[str, Any]:
         "frames": good,
         "end [s]": float(result.time[good - 1]),
         "status": result.status,
-        f"largest {'elastic ' if elastic else ''}tension [N]": max(highest),
+        f"largest {'elastic ' if elastic else ''}tension{_SEEN if frames else ''} [N]": max(
+            highest
+        ),
         "energy change [J]": float(total[-1] - total[0]),
         "largest energy error [J]": float(np.abs(error).max()),
     }
+
+
+_SEEN = " of the recorded frames"
 
 
 def _largest(result: Result, name: str, start: int, good: int) -> float:

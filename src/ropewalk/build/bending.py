@@ -49,6 +49,7 @@ def add_bending(
         moment=np.zeros((count, 6)),
         forces=state.forces._replace(bending=np.zeros((3, n + 1))),
         work=state.work._replace(bending=np.zeros(layout.segments), clamps=np.zeros(count)),
+        peaks=state.peaks._replace(moment=np.full(count if scene.run.extremes else 0, -np.inf)),
     )
     return system, state
 

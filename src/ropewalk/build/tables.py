@@ -27,6 +27,7 @@ from ropewalk.core.arrays import (
     Winches,
     Work,
 )
+from ropewalk.core.peaks import no_peaks
 from ropewalk.core.status import BREAK_STRETCH
 from ropewalk.laws.anchors import anchor_places
 from ropewalk.methods.kinks import kink_times
@@ -190,6 +191,7 @@ def _ropes(scene: Scene, layout: Layout, keep: Pieces) -> State:
         work=Work(*(np.zeros(size) for size in (s, s, n, n, n, n, a, 2, 2, 0, 0))),
         most=np.zeros(a + 1),
         balance=np.zeros(4),
+        peaks=no_peaks(s, n, a) if scene.run.extremes else no_peaks(0, 0, 0),
     )
 
 

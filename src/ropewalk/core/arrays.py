@@ -13,6 +13,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from ropewalk.core.peaks import Peaks
+
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
@@ -188,6 +190,7 @@ class State(NamedTuple):
     balance: (
         Floats  # (4,) energy from which gains count, what ropes can have, last energy [J], time [s]
     )
+    peaks: Peaks
 
 
 def copy(value: Any) -> Any:
@@ -220,9 +223,9 @@ def flatten(value: Any, prefix: str = "") -> dict[str, Floats]:
 def pooled(state: State) -> tuple[State, Floats]:
     """Return a copy of `state` whose arrays lie in one, and that one, (m,): a single loop copies it all.
 
-    Whole numbers lie there by their bits.
+    Whole numbers lie there by their bits. What the steps were looked at for stays in the arrays it is in.
     """
-    parts = flatten(state)
+    parts = {key: part for key, part in flatten(state).items() if not key.startswith("peaks.")}
     starts = np.cumsum([0] + [-(-part.size // 8) * 8 for part in parts.values()])
     pool = np.zeros(int(starts[-1]))
     views = {}
@@ -238,7 +241,7 @@ def _nested(like: Any, views: dict[str, Floats], prefix: str) -> Any:
     found = (
         _nested(item, views, f"{prefix}{name}.")
         if isinstance(item, tuple)
-        else views[prefix + name]
+        else views.get(prefix + name, item)
         for name, item in zip(like._fields, like, strict=True)
     )
     return type(like)(*found)

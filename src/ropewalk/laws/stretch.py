@@ -69,17 +69,23 @@ def axial_friction(x, v, coefficient, friction, lo=0, hi=ALL):
 
 
 @small
-def spring_forces(x, v, rest_length, stiffness, floor, vector, axial, total, lo, hi):
+def spring_forces(
+    x, v, rest_length, stiffness, floor, vector, axial, total, length, over, carried, lo, hi
+):
     """Write the sum of elastic force and friction of every segment [N], (3, n + 1).
 
     The arithmetic of the three kernels above, for who needs no shares of the work; `axial` may be None.
+    Besides the square of the `length` (s,) and, unless None, what the segment carries, (s,): with `over`,
+    1 / (k L), friction along the segment takes no division, for 1 / r = (k - T / r) / (k L).
     """
     x0, x1, x2 = rows(x, lo, hi + 1)
     v0, v1, v2 = rows(v, lo, hi + 1)
     f0, f1, f2 = rows(total, lo, hi + 1)
     rest_length, stiffness, floor = rest_length[lo:hi], stiffness[lo:hi], floor[lo:hi]
-    vector = vector[lo:hi]
+    vector, length = vector[lo:hi], length[lo:hi]
     along = vector if axial is None else axial[lo:hi]
+    inverse = vector if carried is None else over[lo:hi]
+    tensions = length if carried is None else carried[lo:hi]
     for j in range(rest_length.shape[0]):
         dx, dy, dz = x0[j + 1] - x0[j], x1[j + 1] - x1[j], x2[j + 1] - x2[j]
         ux, uy, uz = v0[j + 1] - v0[j], v1[j + 1] - v1[j], v2[j + 1] - v2[j]
@@ -95,6 +101,10 @@ def spring_forces(x, v, rest_length, stiffness, floor, vector, axial, total, lo,
         f0[j + 1] = pull * dx + cx
         f1[j + 1] = pull * dy + cy
         f2[j + 1] = pull * dz + cz
+        length[j] = square
+        if carried is not None:
+            rubs = cx * dx + cy * dy + cz * dz
+            tensions[j] = tension + rubs * ((stiffness[j] - pull) * inverse[j])
 
 
 @kernel

@@ -163,14 +163,26 @@ def has_plain_springs(system, state):
 
 
 @part
-def add_up_springs(system, state, x, v, total, lo, hi):
-    """Write elastic force and friction of every segment in one sum, (3, n + 1) [N]."""
-    length, k, floor = state.rest_length, state.stiffness, system.slack_floor
+def add_up_springs(system, state, x, v, total, rubs, seen, over, lo, hi):
+    """Write elastic force and friction of every segment in one sum, (3, n + 1) [N].
+
+    Writes into `seen` (2, s) the squares of the lengths and, if any segment `rubs`, what they carry, see
+    `spring_forces`.
+    """
+    length, k, floor, c = (
+        state.rest_length,
+        state.stiffness,
+        system.slack_floor,
+        state.damping_vector,
+    )
+    squares, carried = seen[0], seen[1]
     if system.flags[AXIAL] == 1:
         axial = state.damping_axial
-        spring_forces(x, v, length, k, floor, state.damping_vector, axial, total, lo, hi)
+        spring_forces(x, v, length, k, floor, c, axial, total, squares, over, carried, lo, hi)
+    elif rubs:
+        spring_forces(x, v, length, k, floor, c, None, total, squares, over, carried, lo, hi)
     else:
-        spring_forces(x, v, length, k, floor, state.damping_vector, None, total, lo, hi)
+        spring_forces(x, v, length, k, floor, c, None, total, squares, None, None, lo, hi)
 
 
 @part

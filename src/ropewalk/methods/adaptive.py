@@ -57,6 +57,7 @@ from ropewalk.methods.loop import close_frame, prepare_links
 from ropewalk.methods.stage import Stage
 from ropewalk.methods.tableaus import ESDIRK3
 from ropewalk.methods.verdict import note_changes
+from ropewalk.methods.watch import close_interval, open_interval, watch
 
 SNAP = 1e-9  # [1] a frame this close to an end of a step, over its length, is at that end
 
@@ -255,16 +256,20 @@ def advance(system, state, scratch, extras, clock, frames, ledger, out, stop_at_
     as many tries as `scratch.strides` says: the walk may then be part of the way to the next frame.
     """
     control, walk = scratch.walk.control, scratch.walk
+    pull, sums = scratch.solver.pull, scratch.solver.sums
     done = int(clock[2])
     note_changes(system, state)
     if control[BEGUN] == 0.0 or differ(scratch.here, walk.shown):
         begin_walk(state, scratch, clock[0] + done * clock[1])
     for frame in range(frames):
+        if frame > 0 or clock[4] == 0.0:
+            open_interval(system, state, pull, sums, clock[0] + done * clock[1])
         done += int(clock[3])
         time = clock[0] + done * clock[1]
         while control[END] < time:
             if scratch.strides[0] <= 0.0:
                 return PAUSED, frame
+            watch(system, scratch.ahead, pull, sums, control[END])
             status = stride(system, scratch, extras, ledger, tableau)
             if status != OK:
                 return status, frame
@@ -273,8 +278,8 @@ def advance(system, state, scratch, extras, clock, frames, ledger, out, stop_at_
         scratch.strides[0] -= 1.0
         status = show(system, state, scratch, extras, time, ledger, tableau)
         if status == OK:
-            sums = scratch.solver.sums
             clock[2] = done
+            close_interval(system, state, pull, sums, time, time)
             status = close_frame(system, state, ledger, time, stop_at_break, sums, frame, out)
             put_row(state.balance, scratch.begin.balance)
             put_row(state.balance, scratch.ahead.balance)

@@ -53,6 +53,7 @@ class ImplicitScratch(NamedTuple):
     reaction: Floats  # (a, 3) sum over the parts of a step [N s]
     limiter: Floats  # (7, n)
     sums: Floats
+    pull: Floats  # (2, s) tensions, see `watch`
     rescue: Tableau  # of the method that takes the parts of a step without solution
 
 
@@ -72,6 +73,7 @@ def make_implicit_scratch(state: State, tableau: Tableau) -> ImplicitScratch:
         reaction=np.zeros_like(state.reaction),
         limiter=np.zeros((7, state.x.shape[1])),
         sums=make_sums(),
+        pull=np.zeros((2, state.rest_length.shape[0])),
         rescue=tableaus.IMPLICIT_EULER,
     )
 

@@ -13,10 +13,12 @@ from ropewalk.laws.stretch import segment_tension
 from ropewalk.laws.table import accelerate, evaluate
 from ropewalk.laws.winch import run_winches
 from ropewalk.methods.kinks import next_piece
+from ropewalk.methods.peaks import any_rubs, keep_step, wanted
 from ropewalk.methods.recording import record_frame
 from ropewalk.methods.scratch import clear
 from ropewalk.methods.tableaus import BDF2
 from ropewalk.methods.verdict import judge, note_changes, note_energy
+from ropewalk.methods.watch import close_interval, open_interval, watch
 
 
 @kernel
@@ -110,14 +112,16 @@ def make_advance(step: Any, *, carries: bool = False, solves: bool = False) -> A
 
         `clock` holds t0, dt, steps done and steps per frame, so that t = t0 + step dt, never a sum. What is
         done is counted there, so that it fits the state even where the call ends with a raised signal.
-        `extras` is None or 1: with None winches and limiter are left out of the machine code.
-        `tableau` holds the method's coefficients, if it has any.
+        Besides 1 where the first frame is begun already, and 1 where the last one is not ended.
+        `extras` is None or 1: with None winches and limiter are left out. `tableau`: the coefficients.
         """
-        dt = clock[1]
-        done, steps = int(clock[2]), int(clock[3])
-        point, speed = scratch.point, scratch.speed
+        dt, done, steps = clock[1], int(clock[2]), int(clock[3])
+        point, speed, pull, sums = scratch.point, scratch.speed, scratch.pull, scratch.sums
+        rubs = any_rubs(state.damping_vector, state.damping_axial)
         note_changes(system, state)
         for frame in range(frames):
+            if frame > 0 or clock[4] == 0.0:
+                open_interval(system, state, pull, sums, clock[0] + done * dt)
             for s in range(done, done + steps):
                 t, after = clock[0] + s * dt, clock[0] + (s + 1) * dt
                 if release_anchors(system, state, t, dt) and carries:
@@ -140,9 +144,15 @@ def make_advance(step: Any, *, carries: bool = False, solves: bool = False) -> A
                         if carries:
                             renew(system, state, end, scratch, tableau)
                     begin = stop
+                if solves or extras is not None:
+                    watch(system, state, pull, sums, after)
+                elif wanted(state):
+                    keep_step(system, state, rubs, s + 1, after)
             done += steps
             clock[2] = done
-            time, sums = clock[0] + done * dt, scratch.sums
+            if frame + 1 < frames or clock[5] == 0.0:
+                close_interval(system, state, pull, sums, after, after)
+            time = clock[0] + done * dt
             status = close_frame(system, state, ledger, time, stop_at_break, sums, frame, out)
             if status != OK and stop_at_break:
                 return status, frame

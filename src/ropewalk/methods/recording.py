@@ -12,6 +12,7 @@ from ropewalk.core.arrays import BENDING, Floats, State
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.ranges import rows
 from ropewalk.laws.clamps import bent_energy
+from ropewalk.methods.peaks import record_peaks
 from ropewalk.methods.scratch import LANES, clear_row, put
 
 ENERGIES = ("kinetic", "gravity", "elastic")
@@ -29,6 +30,14 @@ class Recording(NamedTuple):
     v: Floats  # (f, 3, n) [m/s]
     tension: Floats  # (f, s) what the segment carries along itself, see `carried_tension` [N]
     elastic_tension: Floats  # (f, s) its spring's share [N]
+    tension_low: (
+        Floats  # (f, s) least tension of all steps since the frame before, both frames included
+    )
+    tension_high: Floats  # (f, s) greatest; these six (f, 0) where extremes are not wanted
+    stretch_high: Floats  # (f, s) greatest stretch [1], 0 where there is no rope
+    speed_high: Floats  # (f, n) greatest speed [m/s]
+    lowest: Floats  # (f, n) least height along up [m]
+    highest: Floats  # (f, n) greatest
     rest_length: Floats  # (f, s) [m]; (f, 0) without a winch
     energy: Floats  # (f, 3 or 4) kinetic, gravity, elastic and, where there is any, bending [J]
     work: Floats  # (f, 8 or 10 + a) work by law, then by anchor [J]
@@ -37,13 +46,21 @@ class Recording(NamedTuple):
     momentum: Floats  # (f, 3) [kg m/s]
     angular_momentum: Floats  # (f, 3) about the origin [kg m^2/s]
     moment: Floats  # (f, a, 3) of the clamps on the rope [N m]; (f, 0, 3) without a clamp
+    extremes: (
+        Floats  # (f, 8) since the frame before, over all ropes: see `core.peaks`; as wide as wanted
+    )
+    extreme_places: Floats  # (f, 8) their segments, nodes and anchors; -1: there is none
+    extreme_since: Floats  # (f, 8) not before this time [s] ...
+    extreme_until: Floats  # (f, 8) ... nor after this one
+    reaction_high: Floats  # (f, a) greatest force of each anchor since the frame before [N]
+    moment_high: Floats  # (f, a) greatest moment of each clamp [N m]; (f, 0) without a clamp
 
     def part(self, start: int, stop: int) -> Recording:
         """Return the frames from `start` to `stop`, views."""
         return Recording(*(array[start:stop] for array in self))
 
 
-LARGE = Recording._fields[:4]  # by node or segment in every frame
+LARGE = Recording._fields[:10]  # by node or segment in every frame
 
 
 def make_recording(
@@ -59,17 +76,12 @@ def make_recording(
     """
     n, s, a = state.x.shape[1], state.rest_length.shape[0], state.held.shape[0]
     energies, laws = len(energy_names(bends(state))), len(work_names(bends(state)))
-    shapes = (
-        (3, n),
-        (3, n),
-        (s,),
-        (s,),
-        (s if with_lengths else 0,),
-        (energies,),
-        (laws + a,),
-        (2,),
-    )
-    shapes += ((a, 3), (3,), (3,), (state.moment.shape[0], 3))  # type: ignore[assignment]
+    peaks, clamps = state.peaks, state.moment.shape[0]
+    wide = peaks.found.shape[1] if peaks.speed.size else 0
+    shapes: list[tuple[int, ...]] = [(3, n), (3, n), (s,), (s,)]
+    shapes += [peaks.stretch.shape] * 3 + [peaks.speed.shape] * 3
+    shapes += [(s if with_lengths else 0,), (energies,), (laws + a,), (2,), (a, 3), (3,), (3,)]
+    shapes += [(clamps, 3), *[(wide,)] * 4, peaks.reaction.shape, peaks.moment.shape]
     large = [empty((frames, *shape)) for shape in shapes[: len(LARGE)]]
     return Recording(*large, *(np.zeros((frames, *shape)) for shape in shapes[len(LARGE) :]))
 
@@ -256,6 +268,7 @@ def record_frame(system, state, ledger, sums, frame, out):
             out.reaction[frame, row, k] = state.reaction[row, k]
     p, spin = out.momentum[frame], out.angular_momentum[frame]
     record_motion(state.x, state.v, state.mass, system.gravity, sums, energy, p, spin)
+    record_peaks(state.peaks, frame, out)
     if ledger:
         record_works(system, state.work, sums, out.work[frame], out.jump[frame])
 

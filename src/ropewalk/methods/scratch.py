@@ -27,6 +27,9 @@ class Scratch(NamedTuple):
     mean: Forces
     limiter: Floats  # (7, n) rows of the limiter's equations
     sums: Floats  # see `make_sums`
+    pull: Floats  # (2, s) what a look at the segments needs, see `watch` and `add_up_springs`
+    over: Floats  # (s,) 1 / (k L), see `spring_forces`
+    about: Floats  # (2,) whether any segment has friction, and whether `over` will do, see `look_ahead`
 
 
 def make_scratch(state: State) -> Scratch:
@@ -34,7 +37,10 @@ def make_scratch(state: State) -> Scratch:
     middle, x, v, dx, dv = (np.zeros_like(state.x) for _ in range(5))
     mean = Forces(*(np.zeros_like(channel) for channel in state.forces))
     limiter = np.zeros((7, state.x.shape[1]))
-    return Scratch(middle, x, v, dx, dv, np.zeros(3), np.zeros(3), mean, limiter, make_sums())
+    s = state.rest_length.shape[0]
+    looks = np.zeros((2, s)), np.zeros(s), np.zeros(2)
+    ends = np.zeros(3), np.zeros(3)
+    return Scratch(middle, x, v, dx, dv, *ends, mean, limiter, make_sums(), *looks)
 
 
 def make_sums() -> Floats:

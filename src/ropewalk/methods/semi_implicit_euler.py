@@ -8,7 +8,7 @@ Source: Hairer, Lubich & Wanner, Geometric Numerical Integration, I.1.2.
 from __future__ import annotations
 
 from ropewalk.core.arrays import Forces
-from ropewalk.core.jit import part, small
+from ropewalk.core.jit import kernel, part, small
 from ropewalk.core.ranges import rows
 from ropewalk.laws.anchors import move_anchors
 from ropewalk.laws.ledger import account
@@ -18,6 +18,14 @@ from ropewalk.laws.table import (
     evaluate,
     has_plain_forces,
     has_plain_springs,
+)
+from ropewalk.methods.peaks import (
+    adds_to_springs,
+    keep_anchors,
+    keep_between,
+    keep_nodes,
+    keep_springs,
+    wanted,
 )
 from ropewalk.methods.scratch import axpy, push
 from ropewalk.methods.tiles import make_tiled_advance
@@ -59,22 +67,55 @@ def _swing(x, v, e, c, inverse_mass, g, dt, middle):
         x[i] += dt * new
 
 
+@kernel
+def look_ahead(state, over, about):
+    """Write 1 / (k L) of every segment, (s,), and whether any has friction, and that needs no more, (2,)."""
+    rub, more = 0, 0
+    for j in range(over.shape[0]):
+        rubs = state.damping_vector[j] + state.damping_axial[j] > 0.0
+        product = state.stiffness[j] * state.rest_length[j]
+        over[j] = 1.0 / product if product > 0.0 else 0.0
+        rub += 1 if rubs else 0
+        more += 1 if rubs and not product > 0.0 else 0
+    about[0], about[1] = (1.0 if rub > 0 else 0.0), (1.0 if more == 0 else 0.0)
+
+
+@part
+def prepare(state, scratch):
+    """Prepare for steps."""
+    look_ahead(state, scratch.over, scratch.about)
+
+
 @part
 def step(system, state, scratch, t, after, dt, ledger, tableau, lo, hi):
     """Advance nodes `lo` to `hi - 1` by one step of `dt` from time `t` [s].
 
     Most ropes have springs, friction and weight alone. For them the sweeps over the nodes are fewer;
-    without a ledger both forces of a segment are one sum, in the place of the elastic ones.
+    without a ledger both forces of a segment are one sum, in the place of the elastic ones. What the step
+    begins with is looked at by the way, where `watch` does not.
     """
     x, v, a, middle = state.x, state.v, state.acceleration, scratch.middle
     elastic, friction = state.forces.elastic, state.forces.friction
     w, g = state.inverse_mass, system.gravity
-    plain = has_plain_forces(system)
+    plain, looks = has_plain_forces(system), wanted(state) and not adds_to_springs(system, state)
+    rubs, quick = scratch.about[0] == 1.0, scratch.about[1] == 1.0
     if plain and not ledger and has_plain_springs(system, state):
-        add_up_springs(system, state, x, v, elastic, lo, hi)
+        if looks:
+            keep_nodes(system, state, lo, hi)
+        add_up_springs(system, state, x, v, elastic, rubs, scratch.pull, scratch.over, lo, hi)
+        if looks and (quick or not rubs):
+            high, low = state.peaks.tension_high, state.peaks.tension_low
+            keep_between(scratch.pull[0], state.peaks.square_high, state.peaks.square_low, lo, hi)
+            if rubs:
+                keep_between(scratch.pull[1], high, low, lo, hi)
+        elif looks:
+            keep_springs(system, state, rubs, lo, hi)
         swing(x, v, elastic, None, w, g, dt, None, lo, hi)
         friction = scratch.mean.friction  # zero
     else:
+        if looks:
+            keep_nodes(system, state, lo, hi)
+            keep_springs(system, state, rubs, lo, hi)
         evaluate(system, state, x, v, state.forces, lo, hi)
         if plain and ledger:
             swing(x, v, elastic, friction, w, g, dt, middle, lo, hi)
@@ -88,8 +129,10 @@ def step(system, state, scratch, t, after, dt, ledger, tableau, lo, hi):
     forces = Forces(elastic, friction, air, ground, applied, bending, limiter)
     point, speed = scratch.point, scratch.speed
     move_anchors(system, state, forces, after, dt, middle, point, speed, lo, hi)
+    if looks:
+        keep_anchors(system, state, lo, hi)
     if ledger:
         account(system, state, forces, middle, dt, lo, hi)
 
 
-advance = make_tiled_advance(step)
+advance = make_tiled_advance(step, prepare)

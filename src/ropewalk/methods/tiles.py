@@ -8,13 +8,14 @@ from ropewalk.core.status import OK
 from ropewalk.laws.anchors import release_anchors
 from ropewalk.laws.table import reaches_neighbours_only
 from ropewalk.methods.loop import close_frame, named, wind_and_limit
+from ropewalk.methods.peaks import DEPTH, search_all, wanted
 from ropewalk.methods.verdict import note_changes
+from ropewalk.methods.watch import close_interval, open_interval, watch
 
 TILE = 1024  # nodes; about 250 kB of all their arrays
-DEPTH = 32  # steps
 
 
-def make_tiled_advance(step: Any) -> Any:
+def make_tiled_advance(step: Any, before: Any) -> Any:
     """Return the kernel that advances by a method's `step`, a part compiled into it.
 
     A long rope is cut into tiles that fit the cache, and a tile goes through up to DEPTH steps
@@ -22,21 +23,26 @@ def make_tiled_advance(step: Any) -> Any:
     they are needed and every node goes through the same arithmetic as in one sweep, to the same bits.
     What a tile needs of the segment before it is in the force arrays: written by the tile before it in the
     same step, and reached by none of the later ones. Steps are not cut at kinks: the order is one.
+    `step` looks itself at what it begins with, see `peaks`; `before` is called before the first one.
     """
 
     def advance(system, state, scratch, extras, clock, frames, ledger, out, stop_at_break, tableau):
         """Advance `frames` frames; return the status and the number of good frames. See `make_advance`."""
         dt = clock[1]
         done, steps = int(clock[2]), int(clock[3])
-        n = state.mass.shape[0]
+        n, pull, sums = state.mass.shape[0], scratch.pull, scratch.sums
+        before(state, scratch)
         note_changes(system, state)
         width = TILE if extras is None and reaches_neighbours_only(system) else n
         for frame in range(frames):
-            for start in range(done, done + steps, DEPTH):
-                first = 0
+            if frame > 0 or clock[4] == 0.0:
+                open_interval(system, state, pull, sums, clock[0] + done * dt)
+            start, end = done, done + steps
+            while start < end:
+                first, stop = 0, min(start + DEPTH - start % DEPTH, end)
                 while first < n:
                     last = first + width if n - first >= 2 * width else n
-                    for s in range(start, min(start + DEPTH, done + steps)):
+                    for s in range(start, stop):
                         lo = first - (s - start) if first > 0 else 0
                         hi = last - (s - start) if last < n else n
                         t, after = clock[0] + s * dt, clock[0] + (s + 1) * dt
@@ -44,10 +50,16 @@ def make_tiled_advance(step: Any) -> Any:
                         step(system, state, scratch, t, after, dt, ledger, tableau, lo, hi)
                         if extras is not None:
                             wind_and_limit(system, state, scratch, t, dt, ledger)
+                            watch(system, state, pull, sums, after)
                     first = last
+                if extras is None and stop % DEPTH == 0 and wanted(state):
+                    search_all(system, state, clock[0] + (stop - 1) * dt)
+                start = stop
             done += steps
             clock[2] = done
-            time, sums = clock[0] + done * dt, scratch.sums
+            last_look, time = clock[0] + (done - 1) * dt, clock[0] + done * dt
+            if frame + 1 < frames or clock[5] == 0.0:
+                close_interval(system, state, pull, sums, last_look, time)
             status = close_frame(system, state, ledger, time, stop_at_break, sums, frame, out)
             if status != OK and stop_at_break:
                 return status, frame

@@ -12,6 +12,8 @@ from matplotlib.ticker import MaxNLocator
 
 from ropewalk.plots.curves import drawable, mark_break, set_limits, time_limits
 from ropewalk.plots.style import (
+    ALL_STEPS,
+    BAND,
     EARTH,
     describe,
     line_style,
@@ -43,6 +45,8 @@ _MOST = 6
 def height(result: Result, nodes: Sequence[int | str | tuple[str, int]] | None = None) -> Figure:
     """Draw the height of nodes over time (default: free ends and middles between anchors).
 
+    Behind a curve lies the band between least and greatest of all steps since the frame before.
+
     A node is a number (negative: from the end) of the first rope, ("rope", 5) or "rope:5".
 
     Raises ValueError for a node that is not there.
@@ -69,6 +73,7 @@ def height(result: Result, nodes: Sequence[int | str | tuple[str, int]] | None =
         curves.append(values)
     for number, (index, values) in enumerate(zip(chosen, curves, strict=True)):
         curve = drawable(values, good, curves)
+        _draw_band(axes, result, index, good, "_" if number else ALL_STEPS)
         axes.plot(result.time, curve, label=node_name(result, index), **line_style(number))
     axes.set_xlim(*time_limits(result, good))
     set_limits(axes, curves, good)
@@ -86,6 +91,13 @@ def height(result: Result, nodes: Sequence[int | str | tuple[str, int]] | None =
         notes.append(f"One node of each of the first {_MOST} of {ropes} ropes is shown.")
     set_note(figure, notes)
     return figure
+
+
+def _draw_band(axes: Axes, result: Result, index: int, good: int, label: str) -> None:
+    """Draw between which heights a node was in the steps between frames."""
+    if result.has_extremes:
+        low, high = (array[:good, index] for array in (result.least_height, result.greatest_height))
+        axes.fill_between(result.time[:good], low, high, step="pre", label=label, **BAND)  # type: ignore[arg-type]
 
 
 def _jumping(result: Result, past: Torn, up: Floats) -> int:

@@ -14,12 +14,16 @@ if TYPE_CHECKING:
 
 
 def margin_notes(result: Result, first: int, stop: int) -> list[str]:
-    """Return a sentence on the rope that comes nearest to breaking in these frames; none if not known."""
+    """Return a sentence on the rope that comes nearest to breaking in these frames; none if not known.
+
+    One frame is an instant; with several, what steps between them reach counts, too.
+    """
     found = []
     for rope in result.scene.ropes:
         load = breaking_load(rope)
         if load is not None:
-            pull = result.rope(rope.name).tension[first:stop]
+            view = result.rope(rope.name)
+            pull = (view.tension if stop == first + 1 else view.greatest_tension)[first:stop]
             largest = float(np.nanmax(np.where(np.isfinite(pull), pull, 0.0), initial=0.0))
             found.append((largest / load, rope.name))
     if not found:

@@ -25,6 +25,8 @@ _R = TypeVar("_R")
 # Okabe and Ito, "Color Universal Design" (2008): told apart by colour-blind readers; no yellow,
 # which is lost on white paper.
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000")
+BAND = {"color": "0.86", "linewidth": 0.0, "zorder": 0.5}  # between least and greatest of all steps
+ALL_STEPS = "least to greatest of all steps"
 DASHES = ("-", "--", "-.", ":")
 GREY, FAINT, EARTH = "#5A5A5A", "#D9D9D9", "#8C7B68"
 

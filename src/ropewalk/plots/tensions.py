@@ -13,6 +13,8 @@ from matplotlib.figure import Figure
 from ropewalk.plots.curves import mark_break, time_limits
 from ropewalk.plots.margins import margin_notes
 from ropewalk.plots.style import (
+    ALL_STEPS,
+    BAND,
     COLOURS,
     DASHES,
     describe,
@@ -38,9 +40,11 @@ _TAIL = 0.2  # percent of the values that may lie beyond the colours, on either 
 
 
 class Map(NamedTuple):
-    """Tension of one rope: `values` (f, s) [N] at equally long pieces of the arc from 0 to `length`."""
+    """Tension of one rope at equally long pieces of the arc from 0 to `length`."""
 
-    values: Floats
+    values: Floats  # (f, s) [N] in the frames
+    least: Floats  # (f, s) [N] of all steps since the frame before; of the frame where no more is known
+    greatest: Floats  # (f, s) [N]
     length: float  # [m]
     origin: str  # what arc length is counted from
 
@@ -54,6 +58,8 @@ def tension(
 ) -> Figure:
     """Draw the tension of every rope over arc length and time, with profiles at some times [s].
 
+    The colours are of what was farthest from zero since the frame before, so that no peak between frames is
+    missed. Behind the profiles lies the band between the least and the greatest of the whole run.
     The colours reach over all but the last few thousandths of the values, so that a spike does not
     bleach the rest; a triangle at the colour bar says that values lie beyond.
 
@@ -62,7 +68,7 @@ def tension(
     shown, notes = _shown(result, ropes)
     good = good_frames(result)
     maps = [tension_map(result, number) for number in shown]
-    scale, colours, extend = colour_scale([m.values[:good] for m in maps])
+    scale, colours, extend = colour_scale([farthest(m)[:good] for m in maps])
     frames = frame_at(result, times) if times is not None else []
     past = until_torn(result)
     if past is not None and past.tension is None:
@@ -83,9 +89,10 @@ def tension(
     bar = figure.colorbar(
         image, ax=list(grid[: len(shown)]), extend=extend, pad=0.015, aspect=18 * min(len(shown), 3)
     )
-    scaled_axis(bar.ax, result.tension_name, "N", reach(scale))
+    since = ", largest since the frame before" if result.has_extremes else ""
+    scaled_axis(bar.ax, result.tension_name + since, "N", reach(scale))
     if frames:
-        _draw_profiles(grid[len(shown)], result, maps, shown, frames)
+        _draw_profiles(grid[len(shown)], result, maps, shown, frames, good)
     if past is not None:
         _draw_break(grid[-1], result, past, shown)
     set_title(figure, f"{result.scene.name}: {result.tension_name}", describe(result))
@@ -113,24 +120,34 @@ def tension_map(result: Result, rope: int) -> Map:
     each piece takes the tension of the segment at its middle.
     """
     span = result.layout.ropes[rope]
-    values = result.tension[:, span.first : span.last]
+    view = result.rope(span.name)
+    layers = [view.tension, view.least_tension, view.greatest_tension]
     winches = {w.end for w in result.scene.winches if w.rope == span.name}
     if not winches:
         length = result.scene.ropes[rope].length_unstretched
-        return Map(values, length or 1.0, "arc length" if length else "segments")
+        origin = "arc length" if length else "segments"
+        return Map(layers[0], layers[1], layers[2], length or 1.0, origin)
     rest = result.rest_length[:, span.first : span.last]
     turned = "start" in winches
     if turned:
-        values, rest = values[:, ::-1], rest[:, ::-1]
+        layers, rest = [values[:, ::-1] for values in layers], rest[:, ::-1]
     total = rest.sum(axis=1)
     length = float(total.max())
     middle = (np.arange(_pieces(length, rest)) + 0.5) * length / _pieces(length, rest)
-    out = np.full((len(values), len(middle)), np.nan)
-    for frame in range(len(values)):
-        ends = np.cumsum(rest[frame])
+    out = [np.full((len(rest), len(middle)), np.nan) for _ in layers]
+    for frame in range(len(rest)):
         here = middle < total[frame]
-        out[frame, here] = values[frame, np.searchsorted(ends, middle[here], side="right")]
-    return Map(out, length, "arc length from end" if turned else "arc length")
+        at = np.searchsorted(np.cumsum(rest[frame]), middle[here], side="right")
+        for layer, values in zip(out, layers, strict=True):
+            layer[frame, here] = values[frame, at]
+    origin = "arc length from end" if turned else "arc length"
+    return Map(out[0], out[1], out[2], length, origin)
+
+
+def farthest(found: Map) -> Floats:
+    """Return what was farthest from zero since the frame before [N], (f, s)."""
+    with np.errstate(invalid="ignore"):
+        return np.where(np.abs(found.least) > np.abs(found.greatest), found.least, found.greatest)
 
 
 def _pieces(length: float, rest: Floats) -> int:
@@ -180,7 +197,7 @@ def draw_map(
     axes: Axes, result: Result, found: Map, scale: Normalize, colours: str, good: int
 ) -> Any:
     """Draw a tension map as an image; rope that is not there stays white."""
-    time, values = result.time, thinned(found.values)
+    time, values = result.time, thinned(farthest(found))
     with np.errstate(all="ignore"):
         values = np.clip(values, -1e30, 1e30)
     half = 0.5 * float(time[-1] - time[0]) / max(len(time) - 1, 1) or 0.5
@@ -214,15 +231,19 @@ def thinned(values: Floats) -> Floats:
 
 
 def _draw_profiles(
-    axes: Axes, result: Result, maps: list[Map], shown: list[int], frames: list[int]
+    axes: Axes, result: Result, maps: list[Map], shown: list[int], frames: list[int], good: int
 ) -> None:
-    """Draw tension over arc length at some frames."""
+    """Draw tension over arc length at some frames, before the band that all steps of the run fill."""
     number = 0
     curves = []
     for rope, found in zip(shown, maps, strict=True):
         pieces = found.values.shape[1]
         middle = (np.arange(pieces) + 0.5) * found.length / pieces
         name = f"{escape(result.layout.ropes[rope].name)}, " if len(shown) > 1 else ""
+        if result.has_extremes:
+            low, high = envelope(found, good)
+            curves += [low, high]
+            axes.fill_between(middle, low, high, **BAND, label="_" if number else ALL_STEPS)  # type: ignore[arg-type]
         for frame in frames:
             curves.append(found.values[frame])
             label = f"{name}{result.time[frame]:.4g} s"
@@ -232,7 +253,16 @@ def _draw_profiles(
     axes.set_xlim(0.0, max(found.length for found in maps))
     axes.set_xlabel(f"{maps[0].origin} [m]")
     scaled_axis(axes, result.tension_name, "N", max(map(abs, axes.get_ylim())))
-    axes.legend(ncols=min(number, 6), fontsize=8.0, loc="lower left", bbox_to_anchor=(0.0, 1.0))
+    axes.legend(ncols=min(number + 1, 6), fontsize=8.0, loc="lower left", bbox_to_anchor=(0.0, 1.0))
+
+
+def envelope(found: Map, good: int) -> tuple[Floats, Floats]:
+    """Return least and greatest of a whole run [N], (s,) each; NaN where no rope ever was."""
+    with np.errstate(invalid="ignore"):
+        low = np.where(np.isnan(found.least[:good]), np.inf, found.least[:good]).min(axis=0)
+        high = np.where(np.isnan(found.greatest[:good]), -np.inf, found.greatest[:good]).max(axis=0)
+    none = low > high
+    return np.where(none, np.nan, low), np.where(none, np.nan, high)
 
 
 def _draw_break(axes: Axes, result: Result, past: Torn, shown: list[int]) -> None:

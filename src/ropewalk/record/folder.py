@@ -164,10 +164,13 @@ def save_result(result: Result, folder: Path, overwrite: bool) -> Result:
             "is of an older format, whose tension is the elastic one only; copy its folder instead"
         )
         raise RunError(result.folder or folder, rule)
+    scene = result.scene
+    if not result.has_extremes:
+        scene = scene.replace(run=scene.run.replace(extremes=False))  # it has none to save
     step = max(1, min(result.frames, 4096, 4_000_000 // (48 * result.nodes)))
     facts = result.facts.but(provenance={**_about(result), "ended": now()})
     with new_folder(folder, overwrite) as made:
-        writer = begin(made, result.scene, result.layout, facts, step)
+        writer = begin(made, scene, result.layout, facts, step)
         for start in range(0, result.frames, step):
             arrays = [result.read("time", start, start + step)]
             for quantity in writer.quantities:

@@ -10,7 +10,9 @@ from numpy.typing import NDArray
 from ropewalk.block import Block
 from ropewalk.build import Layout
 from ropewalk.core.arrays import Floats
+from ropewalk.core.peaks import EXTREMES
 from ropewalk.methods.recording import energy_names, work_names
+from ropewalk.scene import Scene
 
 AXES = ("x", "y", "z")
 ENERGY = "energy; that of gravity is 0 in the scene's own shape"
@@ -29,6 +31,25 @@ class Quantity:
     swapped: bool = False  # kept in memory and on disk as (time, axis, node)
 
 
+_SINCE = "of all steps since the frame before"
+EXTREME_UNITS = ("N", "N", "1", "m/s", "m", "m", "N", "N m")
+_OF_INTERVALS = tuple(
+    Quantity(name, ("time", place), unit, f"{meaning} {_SINCE}", field)
+    for name, place, unit, meaning, field in (
+        ("least_tension", "segment", "N", "least tension", "tension_low"),
+        ("greatest_tension", "segment", "N", "greatest tension", "tension_high"),
+        ("greatest_stretch", "segment", "1", "greatest stretch", "stretch_high"),
+        ("greatest_speed", "node", "m/s", "greatest speed", "speed_high"),
+        ("least_height", "node", "m", "least height", "lowest"),
+        ("greatest_height", "node", "m", "greatest height", "highest"),
+        ("greatest_reactions", "anchor", "N", "greatest force", "reaction_high"),
+        ("greatest_moments", "anchor", "N m", "greatest moment", "moment_high"),
+        ("extremes", "extreme", ", ".join(EXTREME_UNITS), "greatest and least", "extremes"),
+        ("extreme_places", "extreme", "1", "place of the greatest and least", "extreme_places"),
+        ("extreme_since", "extreme", "s", "time after which came the extreme", "extreme_since"),
+        ("extreme_until", "extreme", "s", "time until which came the extreme", "extreme_until"),
+    )
+)
 QUANTITIES = (
     Quantity("positions", ("time", "node", "axis"), "m", "position", "x", True),
     Quantity("velocities", ("time", "node", "axis"), "m/s", "velocity", "v", True),
@@ -50,6 +71,7 @@ QUANTITIES = (
         "angular momentum about the origin",
         "angular_momentum",
     ),
+    *_OF_INTERVALS,
 )
 BY_NAME = {quantity.name: quantity for quantity in QUANTITIES}
 
@@ -67,30 +89,38 @@ def labels(layout: Layout) -> dict[str, tuple[str, ...]]:
         "law": law_names(layout),
         "cause": JUMPS,
         "anchor": layout.anchor_names,
+        "extreme": EXTREMES,
     }
 
 
 # Run folders of format 2 have no other tension than the elastic one, and call it `tension`.
 ELASTIC_ONLY = 2
+FRAMES_ONLY = 3  # until this one nothing was kept of the steps between frames
 _OLD_TENSION = Quantity("tension", ("time", "segment"), "N", "elastic tension", "tension")
 
 
-def stored(layout: Layout, with_lengths: bool, version: int) -> tuple[Quantity, ...]:
+def stored(layout: Layout, scene: Scene, version: int) -> tuple[Quantity, ...]:
     """Return the quantities in a run folder of a format."""
-    now = recorded(layout, with_lengths)
-    if version > ELASTIC_ONLY:
+    now = recorded(layout, scene)
+    if version > FRAMES_ONLY:
         return now
-    old = [q for q in now if q.name != "elastic_tension"]
-    return tuple(_OLD_TENSION if q.name == "tension" else q for q in old)
+    old = [q for q in now if q not in _OF_INTERVALS]
+    if version > ELASTIC_ONLY:
+        return tuple(old)
+    return tuple(
+        _OLD_TENSION if q.name == "tension" else q for q in old if q.name != "elastic_tension"
+    )
 
 
-def recorded(layout: Layout, with_lengths: bool) -> tuple[Quantity, ...]:
-    """Return the quantities that a run of this layout records (none of length zero)."""
-    left_out = set() if layout.anchor_names else {"reactions"}
+def recorded(layout: Layout, scene: Scene) -> tuple[Quantity, ...]:
+    """Return the quantities that a run of a scene records (none of length zero)."""
+    left_out = set() if layout.anchor_names else {"reactions", "greatest_reactions"}
     if not layout.clamped:
-        left_out.add("moments")
-    if not with_lengths:
+        left_out |= {"moments", "greatest_moments"}
+    if not scene.winches:
         left_out.add("rest_length")
+    if not scene.run.extremes:
+        left_out |= {quantity.name for quantity in _OF_INTERVALS}
     return tuple(quantity for quantity in QUANTITIES if quantity.name not in left_out)
 
 

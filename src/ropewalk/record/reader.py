@@ -21,7 +21,8 @@ from ropewalk.scene import Scene
 
 def reads() -> str:
     """Say which formats can be read."""
-    return f"this version of ropewalk reads {' and '.join(map(str, READABLE))}"
+    *others, last = map(str, READABLE)
+    return f"this version of ropewalk reads {', '.join(others)} and {last}"
 
 
 class Stored:
@@ -41,7 +42,7 @@ class Stored:
             raise RunError(folder / ROOT, "is damaged: it has no frames")
         self.shown = self._frames  # frames that the store's own metadata tell of
         self.checked = version >= CHECKED
-        quantities = stored(layout, bool(scene.winches), version)
+        quantities = stored(layout, scene, version)
         specs = array_specs(quantities, layout, self._chunk, self.checked)
         self._specs = {spec.name: spec for spec in specs}
         for spec in specs:

@@ -14,6 +14,7 @@ from ropewalk.laws.clamps import start_clamps
 from ropewalk.methods.loop import prepare
 from ropewalk.methods.recording import ENERGIES, Recording, make_recording, record_frame
 from ropewalk.methods.scratch import make_sums
+from ropewalk.methods.watch import begin_interval
 from ropewalk.record.facts import AT_REST, Facts, provenance
 from ropewalk.record.quantities import recorded
 from ropewalk.record.result import Result
@@ -49,7 +50,7 @@ def as_result(model: Model, statics: Statics, seconds: float) -> Result:
         provenance=about,
     )
     block = Block(np.zeros(1), _frame(model, statics))
-    names = tuple(q.name for q in recorded(model.layout, bool(model.scene.winches)))
+    names = tuple(q.name for q in recorded(model.layout, model.scene))
     return Result(model.scene, model.layout, Memory([block], names), facts)
 
 
@@ -63,10 +64,14 @@ def _frame(model: Model, statics: Statics) -> Recording:
     prepare(model.system, state)
     start_clamps(model.system, state)
     state.clamp_spin[...] = 0.0
-    record_frame(model.system, state, True, make_sums(), 0, out)
+    pull, sums = np.zeros((2, model.layout.segments)), make_sums()
+    begin_interval(model.system, state, pull, sums, 0.0)
+    record_frame(model.system, state, True, sums, 0, out)
     k = state.stiffness
     stored = np.divide(statics.tension**2, 2.0 * k, out=np.zeros_like(k), where=k > 0.0)
-    out.tension[0] = out.elastic_tension[0] = statics.tension
+    same = (out.tension, out.elastic_tension, out.tension_low, out.tension_high)
+    for tension in same if model.scene.run.extremes else same[:2]:
+        tension[0] = statics.tension
     out.energy[0, ENERGIES.index("gravity")] -= model.gravity_zero
     out.energy[0, ENERGIES.index("elastic")] = float(stored.sum())
     return out

@@ -132,6 +132,38 @@ class Result(Outlets):
         return "tension" if self.has_total_tension else "elastic tension"
 
     @property
+    def has_extremes(self) -> bool:
+        """Whether every step was looked at: unless `run.extremes` is off, or the folder older than that."""
+        return "extremes" in self.source.names
+
+    @property
+    def greatest_tension(self) -> Floats:
+        """Greatest tension of all steps since the frame before [N], (frames, segments); both frames count.
+
+        Of a run that kept no extremes the tension of the frame itself; so `least_tension`.
+        """
+        return self._all("greatest_tension" if self.has_extremes else "tension")
+
+    @property
+    def least_tension(self) -> Floats:
+        """Least tension of all steps since the frame before [N], (frames, segments)."""
+        return self._all("least_tension" if self.has_extremes else "tension")
+
+    @property
+    def greatest_height(self) -> Floats:
+        """Greatest height of all steps since the frame before [m], (frames, nodes).
+
+        Raises KeyError where a run kept no extremes, see `has_extremes`; so `least_height`, and
+        `greatest_speed` [m/s], `greatest_stretch` [1] in `read`.
+        """
+        return self._all("greatest_height")
+
+    @property
+    def least_height(self) -> Floats:
+        """Least height of all steps since the frame before [m], (frames, nodes)."""
+        return self._all("least_height")
+
+    @property
     def rest_length(self) -> Floats:
         """Unstretched length of the segments [m], (frames, segments); 0 where no rope is."""
         if "rest_length" in self.source.names:

@@ -71,6 +71,16 @@ class RopeView:
         return self._result.elastic_tension[:, self._segments]
 
     @property
+    def greatest_tension(self) -> Floats:
+        """Greatest tension of all steps since the frame before [N], (frames, segments)."""
+        return self._result.greatest_tension[:, self._segments]
+
+    @property
+    def least_tension(self) -> Floats:
+        """Least tension of all steps since the frame before [N], (frames, segments)."""
+        return self._result.least_tension[:, self._segments]
+
+    @property
     def rest_length(self) -> Floats:
         """Unstretched length of the segments [m], (frames, segments); 0 on the drum."""
         return self._result.rest_length[:, self._segments]

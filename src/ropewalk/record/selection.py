@@ -22,7 +22,17 @@ Indices = NDArray[np.int64]
 EXPORTED = tuple(quantity.name for quantity in QUANTITIES if quantity.name != "jump")
 DEFAULT = (
     *("positions", "velocities", "tension", "elastic_tension"),
-    *("energy", "work", "reactions", "moments"),
+    *("least_tension", "greatest_tension", "greatest_stretch"),
+    *("greatest_speed", "least_height", "greatest_height"),
+    *(
+        "energy",
+        "work",
+        "reactions",
+        "moments",
+        "greatest_reactions",
+        "greatest_moments",
+        "extremes",
+    ),
 )
 _VALUES = 500_000  # numbers handled together
 

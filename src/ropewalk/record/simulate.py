@@ -137,7 +137,6 @@ def simulate_in_memory(
         (*events, runner.ending(status, done + 1)),
         simulation.step_counts,
     )
-    with_lengths = bool(simulation.scene.winches)
-    names = tuple(q.name for q in recorded(simulation.layout, with_lengths))
+    names = tuple(q.name for q in recorded(simulation.layout, simulation.scene))
     source = Memory(blocks, names)
     return Result(simulation.scene, simulation.layout, source, facts, beyond=runner.beyond)

@@ -36,8 +36,8 @@ from ropewalk.scene import Scene
 if TYPE_CHECKING:
     from ropewalk.record.reader import Stored
 
-FORMAT = 3  # of the run folder
-READABLE = (2, FORMAT)
+FORMAT = 4  # of the run folder
+READABLE = (2, 3, FORMAT)
 CHECKED = 3  # from this format on every chunk has a checksum
 ROOT = "zarr.json"
 LEADING = "positions"  # the array whose chunks are the frames that are written at a time
@@ -79,7 +79,7 @@ class Writer:
         """Unless `packed`, full chunks of LARGE quantities are not compressed."""
         self.folder, self.chunk, self.packed = folder, chunk, packed
         self._scene, self._layout = scene, layout
-        self.quantities = recorded(layout, bool(scene.winches))
+        self.quantities = recorded(layout, scene)
         self._specs = array_specs(self.quantities, layout, chunk)
         self._fields = ["", *(quantity.field for quantity in self.quantities)]
         self._fixed: dict[str, dict[str, Any]] = {}

@@ -10,37 +10,31 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats
 from ropewalk.record.energy_note import energy_note
+from ropewalk.record.extremes import UTILISATION, Extreme, extremes, place_of
 from ropewalk.record.facts import AT_REST
 from ropewalk.record.ledger import turned_over
-from ropewalk.record.margins import breaking_loads, margin_rows, utilisations
-from ropewalk.record.quantities import has_rope, rest_length_at_start
+from ropewalk.record.margins import margin_rows
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
 
-SEEN = "of the recorded frames"  # between two of them there may be more
 ZERO = "gravity's is 0 in the scene's own shape"
-_VALUES = 2_000_000  # numbers of one quantity looked at together
 
 
 def summary(result: Result) -> dict[str, Any]:
     """Return the numbers that people want first, by name with unit.
 
-    Segments and nodes are named as `rope:number`. Extremes are those of the recorded frames, and say so:
-    what steps between two frames reach is not in them. Only frames before a break count. NaN stands for what
-    there is none of: a stretch where nothing has a rest length, an energy error without a ledger. Reads the
-    run in pieces, so that memory does not grow with its length.
+    Extremes are those of every step, with place and time; of a run that kept only those of its frames, they
+    say so. Only what came before a break counts. NaN stands for what there is none of: a stretch where
+    nothing has a rest length, an energy error without a ledger. Reads the run in pieces, so that memory does
+    not grow with its length.
     """
-    found = _extremes(result)
+    found = extremes(result)
     if result.status == AT_REST:
         return _at_rest(result, found)
-    layout, time, good = result.layout, result.time, result.good_frames
+    time, good = result.time, result.good_frames
     energy = {name: part[:good] for name, part in result.energy.items()}
     error = result.energy_error[:good]
-    tension, frame, segment = found["tension"]
-    stretch, stretch_frame, stretch_segment = found["stretch"]
-    speed, speed_frame, speed_node = found["speed"]
-    lowest, low_frame, low_node = found["lowest"]
     seconds = result.facts.seconds
     return {
         "status": result.status,
@@ -48,19 +42,8 @@ def summary(result: Result) -> dict[str, Any]:
         "frames": result.frames,
         **({"frames before the break": good} if good < result.frames else {}),
         **_steps(result),
-        f"largest {result.tension_name} [N]": tension,
-        f"largest {result.tension_name} at": _place(
-            layout, segment, "segment", time[frame], tension
-        ),
-        **_margins(layout, found, time),
-        "largest stretch [1]": stretch,
-        "largest stretch at": _place(
-            layout, stretch_segment, "segment", time[stretch_frame], stretch
-        ),
-        "largest speed [m/s]": speed,
-        "largest speed at": _place(layout, speed_node, "node", time[speed_frame], speed),
-        "lowest point [m]": -lowest,
-        "lowest point at": _place(layout, low_node, "node", time[low_frame], lowest),
+        **_told(result, found),
+        **_margins(result, found),
         "largest energy error [J]": _largest(error),
         "largest energy error, share of the energy turned over [%]": _share(energy, error),
         **({"about the energy": note} if (note := energy_note(result, error)) else {}),
@@ -74,17 +57,15 @@ def summary(result: Result) -> dict[str, Any]:
     }
 
 
-def _margins(
-    layout: Any, found: dict[str, tuple[float, int, int]], time: Floats | None
-) -> dict[str, Any]:
+def _margins(result: Result, found: dict[str, Extreme]) -> dict[str, Any]:
     """Return how near to breaking it comes; nothing where no breaking load is known."""
-    if "utilisation" not in found:
+    extreme = found.get(UTILISATION)
+    if extreme is None:
         return {}
-    value, frame, segment = found["utilisation"]
-    if time is not None:
-        return margin_rows(value, _place(layout, segment, "segment", time[frame], value))
-    rope, number = layout.rope_of(segment)
-    return margin_rows(value, f"segment {number} of rope {rope!r}")
+    place = place_of(result, UTILISATION, extreme)
+    return margin_rows(
+        extreme.value, place.partition(",")[0] if result.status == AT_REST else place
+    )
 
 
 def _steps(result: Result) -> dict[str, Any]:
@@ -102,24 +83,43 @@ def _steps(result: Result) -> dict[str, Any]:
     }
 
 
-def _at_rest(result: Result, found: dict[str, tuple[float, int, int]]) -> dict[str, Any]:
+def _told(result: Result, found: dict[str, Extreme]) -> dict[str, Any]:
+    """Return the extremes with their places and times, those of anchors and clamps where there are any."""
+    told: dict[str, Any] = {}
+    for name, title in _titles(result).items():
+        anchors = name in ("greatest anchor force", "greatest clamp moment")
+        if not (anchors and math.isnan(found[name].value)):
+            told[title] = found[name].value
+            told[f"{title.partition(' [')[0]} at"] = place_of(result, name, found[name])
+    return told
+
+
+def _titles(result: Result) -> dict[str, str]:
+    """Return what a table calls the extremes, by their names."""
+    return {
+        "greatest tension": f"largest {result.tension_name} [N]",
+        "least tension": f"least {result.tension_name} [N]",
+        "greatest stretch": "largest stretch [1]",
+        "greatest speed": "largest speed [m/s]",
+        "highest point": "highest point [m]",
+        "lowest point": "lowest point [m]",
+        "greatest anchor force": "largest anchor force [N]",
+        "greatest clamp moment": "largest clamp moment [N m]",
+    }
+
+
+def _at_rest(result: Result, found: dict[str, Extreme]) -> dict[str, Any]:
     """Return the numbers of an equilibrium, without those of a motion."""
-    layout = result.layout
     about = result.facts.provenance["statics"]
     table: dict[str, Any] = {"status": result.status}
-    for name, title, noun, sign in (
-        ("tension", f"largest {result.tension_name} [N]", "segment", 1.0),
-        ("stretch", "largest stretch [1]", "segment", 1.0),
-        ("lowest", "lowest point [m]", "node", -1.0),
-    ):
-        value, _, index = found[name]
-        rope, number = layout.rope_of(index)
-        table[title] = sign * value
-        place = f"{noun} {number} of rope {rope!r}" if math.isfinite(value) else ""
+    for name in ("greatest tension", "greatest stretch", "lowest point"):
+        title, extreme = _titles(result)[name], found[name]
+        table[title] = extreme.value
+        place = place_of(result, name, extreme).partition(",")[0]
         table[f"{title.partition(' [')[0]} at"] = place
     return (
         table
-        | _margins(layout, found, None)
+        | _margins(result, found)
         | {
             "potential energy [J]": float(result.energy["total"][0]),
             "potential energy at": ZERO if any(result.scene.gravity) else "",
@@ -131,54 +131,6 @@ def _at_rest(result: Result, found: dict[str, tuple[float, int, int]]) -> dict[s
     )
 
 
-def _extremes(result: Result) -> dict[str, tuple[float, int, int]]:
-    """Return the largest value, its frame and its column, of tension, stretch, speed and depth."""
-    loads = breaking_loads(result.scene, result.layout)
-    names = [
-        "tension",
-        "stretch",
-        "speed",
-        "lowest",
-        *(["utilisation"] if loads is not None else []),
-    ]
-    best = dict.fromkeys(names, (-math.inf, 0, 0))
-    step = max(1, _VALUES // (3 * result.nodes))
-    if result.source.chunk < result.frames:
-        step = max(1, step // result.source.chunk) * result.source.chunk
-    for start in range(0, result.good_frames, step):
-        stop = min(start + step, result.good_frames)
-        measures = _measures(result, start, stop)
-        if loads is not None:
-            measures["utilisation"] = utilisations(measures["tension"], loads)
-        for name, values in measures.items():
-            values = np.where(np.isfinite(values), values, -np.inf)
-            at = int(np.argmax(values))
-            frame, column = divmod(at, values.shape[1])
-            if values[frame, column] > best[name][0]:
-                best[name] = (float(values[frame, column]), start + frame, column)
-    none = [name for name, (value, _, _) in best.items() if value == -math.inf]
-    return best | dict.fromkeys(none, (math.nan, 0, 0))
-
-
-def _measures(result: Result, start: int, stop: int) -> dict[str, Floats]:
-    positions = result.read("positions", start, stop)
-    lengths = [rope.segment_length for rope in result.scene.ropes]
-    if "rest_length" in result.source.names:
-        rest = result.read("rest_length", start, stop)
-    else:
-        rest = rest_length_at_start(result.layout, lengths)
-    live = has_rope(result.layout, rest, lengths)
-    with np.errstate(invalid="ignore", over="ignore"):
-        length = np.linalg.norm(np.diff(positions, axis=1), axis=2)
-        stretch = np.divide(
-            length, rest, out=np.full(length.shape, -np.inf), where=live & (rest > 0.0)
-        )
-        speed = np.linalg.norm(result.read("velocities", start, stop), axis=2)
-        lowest = -(positions @ np.asarray(result.scene.up))
-    tension = np.where(live, result.read("tension", start, stop), -np.inf)
-    return {"tension": tension, "stretch": stretch, "speed": speed, "lowest": lowest}
-
-
 def _share(energy: Mapping[str, Floats], error: Floats) -> float:
     """Return the largest energy error over the largest change of one form of energy [%]."""
     turned = turned_over(energy)
@@ -188,10 +140,3 @@ def _share(energy: Mapping[str, Floats], error: Floats) -> float:
 def _largest(values: Floats) -> float:
     sound = np.abs(values[np.isfinite(values)])
     return float(sound.max()) if sound.size else math.nan
-
-
-def _place(layout: Any, index: int, noun: str, time: float, value: float) -> str:
-    if math.isnan(value):
-        return ""
-    rope, number = layout.rope_of(index)
-    return f"{noun} {number} of rope {rope!r}, t = {time:.6g} s, {SEEN}"

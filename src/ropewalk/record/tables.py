@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ropewalk.record.quantities import AXES, BY_NAME, law_names
+from ropewalk.core.peaks import EXTREMES
+from ropewalk.record.quantities import AXES, BY_NAME, EXTREME_UNITS, law_names
 from ropewalk.record.selection import Indices, Selection, take
 
 if TYPE_CHECKING:
@@ -39,9 +40,9 @@ def tables(result: Result, chosen: Selection, layout: str) -> list[Table]:
     at_segments = [f"{ropes[j]}[{numbers[j]}]" for j in chosen.segments]
     anchors = np.arange(len(result.layout.anchor_names))
     kinds = (
-        ("nodes", "node", chosen.nodes, at_nodes, ("positions", "velocities")),
+        ("nodes", "node", chosen.nodes, at_nodes, _OF_NODES),
         ("segments", "segment", chosen.segments, at_segments, _OF_SEGMENTS),
-        ("anchors", "anchor", anchors, list(result.layout.anchor_names), ("reactions", "moments")),
+        ("anchors", "anchor", anchors, list(result.layout.anchor_names), _OF_ANCHORS),
     )
     found = []
     for name, noun, places, shown, quantities in kinds:
@@ -69,7 +70,13 @@ def _node_labels(result: Result) -> tuple[NDArray[Any], Indices]:
 _SYMBOLS = {"positions": "", "velocities": "v", "reactions": "f", "moments": "m"}
 
 
-_OF_SEGMENTS = ("tension", "elastic_tension", "rest_length")
+_OF_NODES = ("positions", "velocities", "greatest_speed", "least_height", "greatest_height")
+_OF_SEGMENTS = (
+    *("tension", "elastic_tension", "least_tension", "greatest_tension", "greatest_stretch"),
+    "rest_length",
+)
+_OF_ANCHORS = ("reactions", "moments", "greatest_reactions", "greatest_moments")
+_GREATEST = {"greatest_reactions": "greatest force", "greatest_moments": "greatest moment"}
 
 
 def _components(result: Result, quantity: str) -> list[tuple[str, str]]:
@@ -79,7 +86,7 @@ def _components(result: Result, quantity: str) -> list[tuple[str, str]]:
         return [(result.tension_name, unit)]
     if quantity in _SYMBOLS:
         return [(_SYMBOLS[quantity] + axis, unit) for axis in AXES]
-    return [(quantity.replace("_", " "), unit)]
+    return [(_GREATEST.get(quantity, quantity.replace("_", " ")), unit)]
 
 
 def _values(result: Result, quantity: str, piece: Indices, places: Indices) -> NDArray[np.float64]:
@@ -149,11 +156,18 @@ def series(result: Result, quantity: str) -> dict[str, NDArray[np.float64]]:
         return {f"work of {name} [{unit}]": result.work[name] for name in names}
     symbol = quantity.replace("_", " ")
     array = result.read(quantity)
+    if quantity in OF_EXTREMES:  # but those that there are none of, as moments without a clamp
+        about, units = OF_EXTREMES[quantity], EXTREME_UNITS if quantity == "extremes" else None
+        return {
+            f"{about}{name} [{units[k] if units else unit}]": array[:, k]
+            for k, name in enumerate(EXTREMES)
+            if array.shape[0] == 0 or np.isfinite(array[:, k]).any()
+        }
     return {f"{symbol} {axis} [{unit}]": array[:, k] for k, axis in enumerate(AXES)}
 
 
 def _run_table(result: Result, chosen: Selection) -> Table | None:
-    whole = [q for q in chosen.quantities if q in OF_THE_RUN]
+    whole = [q for q in chosen.quantities if q in OF_THE_RUN and q in result.source.names]
     if not whole:
         return None
     columns = {"time [s]": result.time}
@@ -167,4 +181,10 @@ def _run_table(result: Result, chosen: Selection) -> Table | None:
     return Table("run", list(columns), pieces)
 
 
-OF_THE_RUN = ("energy", "work", "momentum", "angular_momentum")
+OF_EXTREMES = {
+    "extremes": "",
+    "extreme_places": "place of ",
+    "extreme_since": "time after which came ",
+    "extreme_until": "time until which came ",
+}
+OF_THE_RUN = ("energy", "work", "momentum", "angular_momentum", *OF_EXTREMES)

@@ -83,6 +83,11 @@ class RunSettings(Model):
         description="shape: as the ropes' shapes say; at-rest: from the equilibrium, with no velocity "
         "but kicks and ring (anchors move from there)",
     )
+    extremes: bool = Field(
+        default=True,
+        description="Whether every step is looked at for greatest and least values; without it tables "
+        "know those of the recorded frames alone",
+    )
     ring: Ring | None = Field(default=None, description='Mode to ring in; needs start = "at-rest"')
 
     @property

@@ -3,6 +3,8 @@
 QUANTITY[frame, ...]      some of it: a frame, then a place along each further dimension (`:` is all)
 QUANTITY.REDUCER          one number over time and along the rope; vectors count by their size
 QUANTITY.REDUCER[dims]    the same, but not over the dimensions named here
+
+Where runs keep what every step reached, `max` and `min` are of all steps, not of the recorded frames.
 """
 
 from __future__ import annotations
@@ -33,6 +35,19 @@ _REDUCERS: dict[str, tuple[str, Callable[..., Any]]] = {
     "mean": ("mean", np.nanmean),
     "std": ("standard deviation of the", np.nanstd),
     "range": ("largest less least", lambda a, axis: np.nanmax(a, axis) - np.nanmin(a, axis)),
+}
+
+
+#: What of the steps between two frames tells the largest or least of a quantity.
+_OF_STEPS = {
+    ("tension", "max"): "greatest_tension",
+    ("tension", "min"): "least_tension",
+    ("stretch", "max"): "greatest_stretch",
+    ("speed", "max"): "greatest_speed",
+    ("height", "max"): "greatest_height",
+    ("height", "min"): "least_height",
+    ("reactions", "max"): "greatest_reactions",
+    ("moments", "max"): "greatest_moments",
 }
 
 
@@ -112,7 +127,16 @@ class Kept:
             return words + (f" ({self.text})" if self.picks is not None else "")
         what = f"{_REDUCERS[self.reducer][0]} {words}"
         time_too = "time" not in self.but and self._frame() is None
-        return f"{what}, over the recorded frames" if time_too else what
+        seen = "over all steps" if self.of_steps is not None else "over the recorded frames"
+        return f"{what}, {seen}" if time_too else what
+
+    @property
+    def of_steps(self) -> str | None:
+        """The recorded quantity that has this of every step; None: there is none, or a frame is asked for."""
+        along = len(self.picks) < 3 or self.picks[2] is None if self.picks else True
+        if self.reducer is None or self._frame() is not None or not along:
+            return None
+        return _OF_STEPS.get((self.quantity, self.reducer))
 
     def _frame(self) -> Any:
         return self.picks[0] if self.picks else None
@@ -121,7 +145,9 @@ class Kept:
         """Return the value of one run and its dimensions. Raises LookupError for a place not there."""
         dims, _, _ = _about(self.quantity)
         derived = DERIVED.get(self.quantity)
-        if derived is not None:
+        if self.of_steps is not None and self.of_steps in result.source.names:
+            array, dims = result.read(self.of_steps), BY_NAME[self.of_steps].dims
+        elif derived is not None:
             array = derived.of(result)
         elif self.quantity in result.source.names:
             array = result.read(self.quantity)
@@ -134,6 +160,7 @@ class Kept:
         if self.quantity in (
             "tension",
             "elastic_tension",
+            "stretch",
         ):  # none where there is no rope
             live = result.live if self.picks is None else self._picked(result, result.live, dims)[0]
             array = np.where(live, array, np.nan)
@@ -144,7 +171,7 @@ class Kept:
     ) -> tuple[NDArray[Any], tuple[str, ...]]:
         assert self.picks is not None
         where: list[Any] = []
-        all_dims = _about(self.quantity)[0]
+        all_dims = dims
         names = labels(result.layout) | {"rope": tuple(s.name for s in result.layout.ropes)}
         for pick, dim, size in zip(self.picks, all_dims, array.shape, strict=False):
             if pick is None:

@@ -80,7 +80,7 @@ def sweep(
             frozen distribution of scipy.stats, or a range (low, high); or a pandas DataFrame or xarray
             Dataset with a column per path: the runs themselves.
         keep: what to keep of every run: "tension.max", "positions[-1]", "sag.max[time]", ...; by
-            default the largest tension and reactions over the recorded frames, and the last positions.
+            default the largest tension and reactions over all steps, and the last positions.
         samples: number of runs drawn from the ranges and distributions; without it lists make a grid.
         design: how they are drawn: "sobol", "lhs", "halton" or "random".
         seed: of the samples; by default a new one, which the answer tells.

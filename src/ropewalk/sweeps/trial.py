@@ -179,7 +179,7 @@ def _shapes(
         result, frames = rest_result(model), 1
     else:
         simulation = Simulation(model)
-        names = tuple(q.name for q in recorded(model.layout, bool(model.scene.winches)))
+        names = tuple(q.name for q in recorded(model.layout, model.scene))
         source = Memory([simulation.recording()], names)
         result = Result(simulation.scene, model.layout, source, Facts(model.plan))
         frames = model.plan.frames + 1

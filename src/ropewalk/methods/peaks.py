@@ -1,0 +1,311 @@
+"""The greatest and least of every step since the last frame, per segment, node and anchor.
+
+Frames see nothing of what lies between: the force of a catch, the crack of a whip. So every step is looked
+at, element by element, in loops that vectorise. Elastic segments without friction keep the square of their
+length alone: tension and stretch never fall where it grows, nor do their roundings, so that the law is taken
+of the extremes, not of every step. Over a rope is searched once in DEPTH steps: an extreme is known to
+the step in value, and to so many steps in time; methods whose steps cost more know the step.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from ropewalk.core.jit import kernel, part, small
+from ropewalk.core.peaks import (
+    FORCE,
+    HIGHEST,
+    LEAST_TENSION,
+    LOWEST,
+    MOMENT,
+    PLACE,
+    SINCE,
+    SPEED,
+    STRETCH,
+    TENSION,
+    UNTIL,
+    VALUE,
+)
+from ropewalk.core.ranges import ALL, rows
+from ropewalk.laws.anchors import first_index, last_index
+
+DEPTH = 32  # steps
+
+
+@part
+def wanted(state):
+    """Tell whether extremes are kept."""
+    return state.peaks.speed.shape[0] > 0
+
+
+@part
+def adds_to_springs(system, state):
+    """Tell whether a winch or a bound adds to what springs and friction carry."""
+    return system.limiter.active == 1 or state.winch_exit.shape[0] > 0
+
+
+# `+ 0.0` keeps LLVM from writing a maximum as a masked store, which takes three times as long.
+
+
+@small
+def keep_between(values, high, low, lo, hi):
+    """Keep the greater and the lesser of each, arrays (m,)."""
+    values, high, low = values[lo:hi], high[lo:hi], low[lo:hi]
+    for j in range(high.shape[0]):
+        new, most, least = values[j], high[j], low[j]
+        high[j] = (new if new > most else most) + 0.0
+        low[j] = (new if new < least else least) + 0.0
+
+
+@small
+def keep_squares(x, high, low, lo, hi):
+    """Keep greatest and least square of the length of every segment [m^2]."""
+    x0, x1, x2 = rows(x, lo, hi + 1)
+    high, low = high[lo:hi], low[lo:hi]
+    for j in range(high.shape[0]):
+        dx, dy, dz = x0[j + 1] - x0[j], x1[j + 1] - x1[j], x2[j + 1] - x2[j]
+        new, most, least = dx * dx + dy * dy + dz * dz, high[j], low[j]
+        high[j] = (new if new > most else most) + 0.0
+        low[j] = (new if new < least else least) + 0.0
+
+
+@kernel
+def keep_tension(x, v, rest_length, stiffness, floor, vector, axial, high, low, lo, hi):
+    """Keep greatest and least tension of elastic segments, friction along them included."""
+    x0, x1, x2 = rows(x, lo, hi + 1)
+    v0, v1, v2 = rows(v, lo, hi + 1)
+    rest_length, stiffness, floor = rest_length[lo:hi], stiffness[lo:hi], floor[lo:hi]
+    vector, axial, high, low = vector[lo:hi], axial[lo:hi], high[lo:hi], low[lo:hi]
+    for j in range(rest_length.shape[0]):
+        dx, dy, dz = x0[j + 1] - x0[j], x1[j + 1] - x1[j], x2[j + 1] - x2[j]
+        ux, uy, uz = v0[j + 1] - v0[j], v1[j + 1] - v1[j], v2[j + 1] - v2[j]
+        r = math.sqrt(dx * dx + dy * dy + dz * dz)
+        rubs = vector[j] + axial[j] if floor[j] != 0.0 or r >= rest_length[j] else 0.0
+        along = (ux * dx + uy * dy + uz * dz) / r if r > 0.0 else 0.0
+        new = max(stiffness[j] * (r - rest_length[j]), floor[j]) + rubs * along
+        most, least = high[j], low[j]
+        high[j] = (new if new > most else most) + 0.0
+        low[j] = (new if new < least else least) + 0.0
+
+
+@small
+def keep_speed(v, kept, lo, hi):
+    """Keep the greatest square of the speed of every node [m^2/s^2]."""
+    v0, v1, v2 = rows(v, lo, hi)
+    kept = kept[lo:hi]
+    for i in range(kept.shape[0]):
+        new, most = v0[i] * v0[i] + v1[i] * v1[i] + v2[i] * v2[i], kept[i]
+        kept[i] = (new if new > most else most) + 0.0
+
+
+@small
+def keep_heights(x, up, high, low, lo, hi):
+    """Keep the highest and lowest place of every node along `up` [m]."""
+    if up[2] == 1.0:
+        keep_between(x[2], high, low, lo, hi)
+    elif up[1] == 1.0:
+        keep_between(x[1], high, low, lo, hi)
+    else:
+        x0, x1, x2 = rows(x, lo, hi)
+        high, low = high[lo:hi], low[lo:hi]
+        a, b, c = up[0], up[1], up[2]
+        for i in range(high.shape[0]):
+            new, most, least = a * x0[i] + b * x1[i] + c * x2[i], high[i], low[i]
+            high[i] = (new if new > most else most) + 0.0
+            low[i] = (new if new < least else least) + 0.0
+
+
+@part
+def keep_nodes(system, state, lo=0, hi=ALL):
+    """Look at speed and height of nodes `lo` to `hi - 1`."""
+    peaks = state.peaks
+    keep_speed(state.v, peaks.speed, lo, hi)
+    keep_heights(state.x, system.ground.up, peaks.high, peaks.low, lo, hi)
+
+
+@part
+def keep_anchors(system, state, lo=0, hi=ALL):
+    """Look at the force of every anchor that holds one of these nodes, and at the moments of all clamps."""
+    order, kept = system.anchors.order, state.peaks.reaction
+    for index in range(first_index(order, state, lo), last_index(order, state, hi)):
+        row = max(order[index], 0)
+        a, b, c = state.reaction[row, 0], state.reaction[row, 1], state.reaction[row, 2]
+        new = a * a + b * b + c * c
+        if new > kept[row]:
+            kept[row] = new
+    for row in range(state.moment.shape[0]):
+        new = 0.0
+        for k in range(3):
+            size = state.moment[row, k] + state.moment[row, k + 3]
+            new += size * size
+        if new > state.peaks.moment[row]:
+            state.peaks.moment[row] = new
+
+
+@part
+def keep_springs(system, state, rubs, lo=0, hi=ALL):
+    """Look at elastic segments without bounds and winches; `rubs` tells whether any has friction."""
+    peaks = state.peaks
+    keep_squares(state.x, peaks.square_high, peaks.square_low, lo, hi)
+    if rubs:
+        lengths, k, floor = state.rest_length, state.stiffness, system.slack_floor
+        vector, axial = state.damping_vector, state.damping_axial
+        high, low = peaks.tension_high, peaks.tension_low
+        keep_tension(state.x, state.v, lengths, k, floor, vector, axial, high, low, lo, hi)
+
+
+@part
+def keep_step(system, state, rubs, count, t):
+    """Look at the end of a step, the `count`-th, at time `t` [s], where `watch` does not."""
+    keep_springs(system, state, rubs)
+    keep_nodes(system, state)
+    keep_anchors(system, state)
+    if count % DEPTH == 0:
+        search_all(system, state, t)
+
+
+@kernel
+def any_rubs(vector, axial):
+    """Tell whether any segment has friction."""
+    total = 0.0
+    for j in range(vector.shape[0]):
+        total += vector[j] + axial[j]
+    return total > 0.0
+
+
+@kernel
+def keep_stretch(x, rest_length, kept):
+    """Keep the greatest stretch of every segment that has a rest length [1]."""
+    x0, x1, x2 = x[0], x[1], x[2]
+    for j in range(rest_length.shape[0]):
+        dx, dy, dz = x0[j + 1] - x0[j], x1[j + 1] - x1[j], x2[j + 1] - x2[j]
+        length = rest_length[j]
+        new = math.sqrt(dx * dx + dy * dy + dz * dz) / length if length > 0.0 else -np.inf
+        kept[j] = new if new > kept[j] else kept[j]
+
+
+@kernel
+def settle(peaks, rest_length, stiffness, floor, vector, axial):
+    """Take tension and stretch from the squares of the lengths that were kept."""
+    for j in range(rest_length.shape[0]):
+        if peaks.square_high[j] < 0.0:
+            continue
+        length, k = rest_length[j], stiffness[j]
+        longest, shortest = math.sqrt(peaks.square_high[j]), math.sqrt(peaks.square_low[j])
+        if length > 0.0:
+            peaks.stretch[j] = max(peaks.stretch[j], longest / length)
+        if vector[j] + axial[j] == 0.0:
+            high, low = (
+                max(k * (longest - length), floor[j]),
+                max(k * (shortest - length), floor[j]),
+            )
+            peaks.tension_high[j] = max(peaks.tension_high[j], high)
+            peaks.tension_low[j] = min(peaks.tension_low[j], low)
+
+
+@kernel
+def search(values, sign, which, found, since, until):
+    """Note the farthest finite one of `values` (m,) with its time [s] if it is beyond the best so far."""
+    best, more = sign * found[VALUE, which], 0
+    for j in range(values.shape[0]):
+        more += 1 if sign * values[j] > best else 0
+    if more == 0:
+        return
+    for j in range(values.shape[0]):
+        value = values[j]
+        if value - value == 0.0 and sign * value > sign * found[VALUE, which]:
+            found[VALUE, which], found[PLACE, which] = value, j
+            found[SINCE, which], found[UNTIL, which] = since, until
+
+
+@kernel
+def search_live(values, rest_length, stiffness, sign, which, found, since, until):
+    """As `search`, over real segments only: not between two ropes, nor on a drum."""
+    best, more = sign * found[VALUE, which], 0
+    for j in range(values.shape[0]):
+        more += 1 if sign * values[j] > best else 0
+    if more == 0:
+        return
+    for j in range(values.shape[0]):
+        value, live = values[j], rest_length[j] > 0.0 or stiffness[j] > 0.0
+        if live and value - value == 0.0 and sign * value > sign * found[VALUE, which]:
+            found[VALUE, which], found[PLACE, which] = value, j
+            found[SINCE, which], found[UNTIL, which] = since, until
+
+
+@part
+def search_all(system, state, until):
+    """Note what is beyond the best of the interval so far, of steps that end at `until` [s] at the latest."""
+    peaks, lengths, k, since = (
+        state.peaks,
+        state.rest_length,
+        state.stiffness,
+        state.peaks.looked[0],
+    )
+    vector, axial, found = state.damping_vector, state.damping_axial, state.peaks.found
+    settle(peaks, lengths, k, system.slack_floor, vector, axial)
+    search_live(peaks.tension_high, lengths, k, 1.0, TENSION, found, since, until)
+    search_live(peaks.tension_low, lengths, k, -1.0, LEAST_TENSION, found, since, until)
+    search(peaks.stretch, 1.0, STRETCH, found, since, until)
+    search(peaks.speed, 1.0, SPEED, found, since, until)
+    search(peaks.high, 1.0, HIGHEST, found, since, until)
+    search(peaks.low, -1.0, LOWEST, found, since, until)
+    search(peaks.reaction, 1.0, FORCE, found, since, until)
+    search(peaks.moment, 1.0, MOMENT, found, since, until)
+    peaks.looked[0] = until
+
+
+@kernel
+def fill(row, value):
+    """Write one value everywhere, (m,)."""
+    for j in range(row.shape[0]):
+        row[j] = value
+
+
+@part
+def clear_peaks(peaks):
+    """Begin an interval: nothing was seen yet."""
+    fill(peaks.tension_high, -np.inf)
+    fill(peaks.tension_low, np.inf)
+    fill(peaks.square_high, -np.inf)
+    fill(peaks.square_low, np.inf)
+    fill(peaks.stretch, -np.inf)
+    fill(peaks.speed, -np.inf)
+    fill(peaks.high, -np.inf)
+    fill(peaks.low, np.inf)
+    fill(peaks.reaction, -np.inf)
+    fill(peaks.moment, -np.inf)
+    for which in range(peaks.found.shape[1]):
+        least = which == LEAST_TENSION or which == LOWEST
+        peaks.found[VALUE, which] = np.inf if least else -np.inf
+        peaks.found[PLACE, which] = -1.0
+        peaks.found[SINCE, which] = peaks.found[UNTIL, which] = np.nan
+
+
+@kernel
+def record_peaks(peaks, frame, out):
+    """Write the interval that ends with frame `frame`."""
+    for j in range(out.tension_high.shape[1]):
+        out.tension_high[frame, j] = peaks.tension_high[j]
+        out.tension_low[frame, j] = peaks.tension_low[j]
+        out.stretch_high[frame, j] = max(peaks.stretch[j], 0.0)  # 0: no rope, or of no length
+    for i in range(out.speed_high.shape[1]):
+        out.speed_high[frame, i] = math.sqrt(peaks.speed[i])
+        out.highest[frame, i] = peaks.high[i]
+        out.lowest[frame, i] = peaks.low[i]
+    for which in range(out.extremes.shape[1]):
+        value = peaks.found[VALUE, which]
+        if peaks.found[PLACE, which] < 0.0:
+            value = np.nan
+        elif which == SPEED or which == FORCE or which == MOMENT:
+            value = math.sqrt(value)
+        out.extremes[frame, which] = value
+        out.extreme_places[frame, which] = peaks.found[PLACE, which]
+        out.extreme_since[frame, which] = peaks.found[SINCE, which]
+        out.extreme_until[frame, which] = peaks.found[UNTIL, which]
+    for row in range(out.reaction_high.shape[1]):
+        out.reaction_high[frame, row] = math.sqrt(peaks.reaction[row])
+    for row in range(out.moment_high.shape[1]):
+        out.moment_high[frame, row] = math.sqrt(peaks.moment[row])

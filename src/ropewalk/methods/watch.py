@@ -1,0 +1,54 @@
+"""Looking at a state as a frame would record it; where intervals between frames begin and end."""
+
+from __future__ import annotations
+
+from ropewalk.core.jit import kernel, part
+from ropewalk.core.ranges import ALL
+from ropewalk.methods.peaks import (
+    clear_peaks,
+    keep_anchors,
+    keep_between,
+    keep_nodes,
+    keep_stretch,
+    search_all,
+    wanted,
+)
+from ropewalk.methods.recording import carried_tension, record_tension
+
+
+@kernel
+def watch(system, state, pull, sums, t):
+    """Look at the state of time `t` [s]. `pull` (2, s) and `sums` are working space."""
+    if not wanted(state):
+        return
+    peaks, lengths, stiffness = state.peaks, state.rest_length, state.stiffness
+    record_tension(state.x, lengths, stiffness, system.slack_floor, state.tension, sums, pull[0])
+    carried_tension(system, state, pull[0], pull[1])
+    keep_between(pull[1], peaks.tension_high, peaks.tension_low, 0, ALL)
+    keep_stretch(state.x, lengths, peaks.stretch)
+    keep_nodes(system, state)
+    keep_anchors(system, state)
+    peaks.looked[0] = t  # of an extreme that is found now the time is known
+    search_all(system, state, t)
+
+
+@part
+def open_interval(system, state, pull, sums, t):
+    """Begin an interval at time `t` [s], with the present state in it."""
+    if wanted(state):
+        clear_peaks(state.peaks)
+        watch(system, state, pull, sums, t)
+
+
+@kernel
+def begin_interval(system, state, pull, sums, t):
+    """As `open_interval`, for the host."""
+    open_interval(system, state, pull, sums, t)
+
+
+@part
+def close_interval(system, state, pull, sums, last, t):
+    """End an interval at time `t` [s] with the present state; steps until `last` [s] were looked at."""
+    if wanted(state):
+        search_all(system, state, last)
+        watch(system, state, pull, sums, t)

@@ -1,0 +1,161 @@
+"""The greatest and least of a whole run, with place and time."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from ropewalk.core.arrays import Floats
+from ropewalk.core.peaks import EXTREMES
+from ropewalk.record.margins import breaking_loads, utilisations
+from ropewalk.record.quantities import has_rope, rest_length_at_start
+
+if TYPE_CHECKING:
+    from ropewalk.record.result import Result
+
+SEEN = "of the recorded frames"  # between two of them there may be more
+_VALUES = 2_000_000  # numbers of one quantity looked at together
+UTILISATION = "greatest utilisation"  # of the breaking load [1]
+LEAST = ("least tension", "lowest point")
+_NOUNS = {"speed": "node", "point": "node", "force": "anchor", "moment": "anchor"}
+
+
+class Extreme(NamedTuple):
+    """One extreme of a run: NaN where there is none."""
+
+    value: float
+    place: int  # segment, node or anchor in the arrays
+    since: float  # [s] it was reached after this time (or at it, where both are one) ...
+    until: float  # [s] ... and not after this one
+    every_step: bool  # or of the recorded frames alone
+
+    @property
+    def when(self) -> str:
+        """The time in words: an instant, or after one and not after the other."""
+        if self.since == self.until:
+            return f"t = {self.until:.6g} s"
+        return f"t from {self.since:.6g} to {self.until:.6g} s"
+
+
+def place_of(result: Result, name: str, extreme: Extreme) -> str:
+    """Return place and time of an extreme in words, and of what it is one; empty where there is none."""
+    if math.isnan(extreme.value):
+        return ""
+    seen = "" if extreme.every_step else f", {SEEN}"
+    noun = _NOUNS.get(name.split()[-1], "segment")
+    if noun == "anchor":
+        return f"anchor {result.layout.anchor_names[extreme.place]!r}, {extreme.when}{seen}"
+    rope, number = result.layout.rope_of(extreme.place)
+    return f"{noun} {number} of rope {rope!r}, {extreme.when}{seen}"
+
+
+def extremes(result: Result) -> dict[str, Extreme]:
+    """Return the extremes before a break by their names in `core.peaks.EXTREMES`.
+
+    Of every step where the run has kept them, else of the recorded frames. Units: N, N, 1, m/s, m, m, N, N m.
+    Besides UTILISATION, where a breaking load is known.
+    """
+    found = _of_steps(result) if result.has_extremes else _of_frames(result)
+    return found | _utilisation(result, found["greatest tension"])
+
+
+def _of_steps(result: Result) -> dict[str, Extreme]:
+    """Return the extremes of every step."""
+    good, found = result.good_frames, {}
+    values, places = result.read("extremes", 0, good), result.read("extreme_places", 0, good)
+    since, until = result.read("extreme_since", 0, good), result.read("extreme_until", 0, good)
+    for column, name in enumerate(EXTREMES):
+        sign = -1.0 if name in LEAST else 1.0
+        sound = np.isfinite(values[:, column])
+        frame = int(np.argmax(np.where(sound, sign * values[:, column], -np.inf)))
+        if sound[frame]:
+            value, place = float(values[frame, column]), int(places[frame, column])
+            first, last = float(since[frame, column]), float(until[frame, column])
+            found[name] = Extreme(value, place, first, last, True)
+        else:
+            found[name] = Extreme(math.nan, 0, math.nan, math.nan, True)
+    return found
+
+
+def _utilisation(result: Result, pull: Extreme) -> dict[str, Extreme]:
+    """Return the greatest tension over breaking load; `pull` is the greatest tension, often the same."""
+    loads = breaking_loads(result.scene, result.layout)
+    if loads is None:
+        return {}
+    name = "greatest_tension" if result.has_extremes else "tension"
+    best, at, step = -math.inf, (0, 0), _pieces(result)
+    for start in range(0, result.good_frames, step):
+        tension = result.read(name, start, min(start + step, result.good_frames))
+        shares = utilisations(tension, loads)
+        shares = np.where(np.isfinite(shares), shares, -np.inf)
+        frame, column = divmod(int(np.argmax(shares)), shares.shape[1])
+        if shares[frame, column] > best:
+            best, at = float(shares[frame, column]), (start + frame, column)
+    if best == -math.inf:
+        return {UTILISATION: Extreme(math.nan, 0, math.nan, math.nan, result.has_extremes)}
+    if pull.place == at[1] and pull.value / loads[at[1]] == best:
+        return {UTILISATION: pull._replace(value=best)}
+    last = float(result.time[at[0]])
+    first = float(result.time[max(at[0] - 1, 0)]) if result.has_extremes else last
+    return {UTILISATION: Extreme(best, at[1], first, last, result.has_extremes)}
+
+
+def _pieces(result: Result) -> int:
+    """Return how many frames to look at together."""
+    step = max(1, _VALUES // (3 * result.nodes))
+    if result.source.chunk < result.frames:
+        step = max(1, step // result.source.chunk) * result.source.chunk
+    return step
+
+
+def _of_frames(result: Result) -> dict[str, Extreme]:
+    """Return the extremes of the recorded frames. Reads them in pieces."""
+    best: dict[str, tuple[float, int, int]] = {}
+    step = _pieces(result)
+    for start in range(0, result.good_frames, step):
+        stop = min(start + step, result.good_frames)
+        for name, values in _measures(result, start, stop).items():
+            sign = -1.0 if name in LEAST else 1.0
+            signed = np.where(np.isfinite(values), sign * values, -np.inf)
+            if not signed.size:
+                continue
+            frame, column = divmod(int(np.argmax(signed)), values.shape[1])
+            if signed[frame, column] > best.get(name, (-math.inf, 0, 0))[0]:
+                best[name] = (float(signed[frame, column]), start + frame, column)
+    found = {name: Extreme(math.nan, 0, math.nan, math.nan, False) for name in EXTREMES}
+    for name, (signed_value, frame, column) in best.items():
+        time, sign = float(result.time[frame]), -1.0 if name in LEAST else 1.0
+        found[name] = Extreme(sign * signed_value, column, time, time, False)
+    return found
+
+
+def _measures(result: Result, start: int, stop: int) -> dict[str, Floats]:
+    """Return what the frames themselves say by the name of its extreme; NaN where there is no rope."""
+    positions = result.read("positions", start, stop)
+    lengths = [rope.segment_length for rope in result.scene.ropes]
+    if "rest_length" in result.source.names:
+        rest = result.read("rest_length", start, stop)
+    else:
+        rest = rest_length_at_start(result.layout, lengths)
+    live = has_rope(result.layout, rest, lengths)
+    with np.errstate(invalid="ignore", over="ignore"):
+        length = np.linalg.norm(np.diff(positions, axis=1), axis=2)
+        stretch = np.divide(
+            length, rest, out=np.full(length.shape, np.nan), where=live & (rest > 0.0)
+        )
+        speed = np.linalg.norm(result.read("velocities", start, stop), axis=2)
+        heights = positions @ np.asarray(result.scene.up)
+        sizes = {
+            name: np.linalg.norm(result.read(name, start, stop), axis=2)
+            for name in ("reactions", "moments")
+            if name in result.source.names
+        }
+    tension = np.where(live, result.read("tension", start, stop), np.nan)
+    none = np.zeros((stop - start, 0))
+    values = (
+        *(tension, tension, stretch, speed, heights, heights),
+        *(sizes.get("reactions", none), sizes.get("moments", none)),
+    )
+    return dict(zip(EXTREMES, values, strict=True))
