@@ -57,7 +57,7 @@ def test_json_is_all_that_is_on_stdout(ropewalk: Any, scene: Path) -> None:
     assert found["status"] == "finished"
     assert found["diagnosis"] is None
     opened = Result.open(Path("here"))
-    assert found["results"]["largest tension [N]"] == opened.tension.max()
+    assert found["results"]["largest tension [N]"] == opened.greatest_tension.max()
     assert opened.nodes == 9
 
 

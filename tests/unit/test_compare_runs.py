@@ -108,7 +108,7 @@ def test_rows_hold_the_numbers_of_the_runs(reference):
     found = compare_runs([reference, other], ["little", "much"])
     first, second = found.rows
     assert (first["run"], second["run"]) == ("little", "much")
-    assert first["largest tension [N]"] == reference.tension.max()
+    assert first["largest tension [N]"] == reference.greatest_tension.max()
     assert second["energy change [J]"] == other.energy["total"][-1] - other.energy["total"][0]
     assert second["largest energy error [J]"] == np.abs(other.energy_error).max()
     assert second["largest distance [m]"] == found.distances[0].largest.max() > 0.0

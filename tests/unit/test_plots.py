@@ -175,12 +175,27 @@ def test_default_heights_are_middles_between_anchors(three_anchors):
 def test_tension_image_is_the_tension_over_arc_length(three_anchors):
     figure = plots.tension(three_anchors, times=[1.0])
     (image,) = figure.axes[0].images
-    np.testing.assert_array_equal(image.get_array(), three_anchors.tension.T)
+    peaks, lows = three_anchors.greatest_tension, three_anchors.least_tension
+    farthest = np.where(np.abs(lows) > np.abs(peaks), lows, peaks)
+    np.testing.assert_array_equal(image.get_array(), farthest.T)
     assert image.get_extent()[2:] == [0.0, 40.0]
     profile = figure.axes[1].lines[0]
     np.testing.assert_array_equal(profile.get_ydata(), three_anchors.tension[60])
     np.testing.assert_allclose(profile.get_xdata(), np.arange(40) + 0.5)
-    assert any(axes.get_ylabel() == "tension [N]" for axes in figure.axes)
+    labels = [axes.get_ylabel() for axes in figure.axes]
+    assert "tension, largest since the frame before [N]" in labels
+    assert "tension [N]" in labels
+    (band,) = figure.axes[1].collections
+    high = band.get_paths()[0].vertices[:, 1].max()
+    assert high == three_anchors.greatest_tension.max()
+
+
+def test_heights_lie_in_the_band_of_all_steps(three_anchors):
+    figure = plots.height(three_anchors, nodes=[20])
+    (band,) = figure.axes[0].collections
+    corners = band.get_paths()[0].vertices[:, 1]
+    assert corners.max() == three_anchors.greatest_height[:, 20].max()
+    assert corners.min() == three_anchors.least_height[:, 20].min()
 
 
 @pytest.mark.parametrize("kind", ["tension", "forces", "reactions"])

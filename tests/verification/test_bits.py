@@ -68,6 +68,19 @@ def blocks(scene: Scene, sizes: list[int], **more) -> Recording:
     return join([simulation.advance_frames(size) for size in sizes]).recording
 
 
+BETWEEN = (
+    *("tension_low", "tension_high", "stretch_high", "speed_high", "lowest", "highest"),
+    *(
+        "extremes",
+        "extreme_places",
+        "extreme_since",
+        "extreme_until",
+        "reaction_high",
+        "moment_high",
+    ),
+)
+
+
 @pytest.mark.parametrize("method", ALL)
 def test_blocks_of_any_size(method: str) -> None:
     """advance_frames(1) n times, advance_frames(n), and anything between; all of the recording.
@@ -82,12 +95,17 @@ def test_blocks_of_any_size(method: str) -> None:
     assert not same(whole, blocks(scene.replace(run=run), [30]))
 
 
+def frames_alone(out: Recording) -> Recording:
+    """A recording without what it says of the steps between frames."""
+    return out._replace(**{name: np.zeros(0) for name in BETWEEN})
+
+
 @pytest.mark.parametrize("method", ALL)
 def test_recording_rates_and_the_ledger_change_nothing(method: str) -> None:
     """Claim C18: the same steps recorded at other rates, by step(), or without a ledger."""
     often = blocks(everything(method), [30])
     seldom = blocks(everything(method, 20.0), [6])
-    assert same(Recording(*(a[4::5] for a in often)), seldom)
+    assert same(frames_alone(Recording(*(a[4::5] for a in often))), frames_alone(seldom))
     bare = blocks(everything(method), [30], ledger=False)
     assert np.array_equal(often.x, bare.x)
     assert np.array_equal(often.v, bare.v)

@@ -148,12 +148,10 @@ def make_advance(step: Any, *, carries: bool = False, solves: bool = False) -> A
                     watch(system, state, pull, sums, after)
                 elif wanted(state):
                     keep_step(system, state, rubs, s + 1, after)
-            done += steps
-            clock[2] = done
+            done, clock[2] = done + steps, done + steps
             if frame + 1 < frames or clock[5] == 0.0:
                 close_interval(system, state, pull, sums, after, after)
-            time = clock[0] + done * dt
-            status = close_frame(system, state, ledger, time, stop_at_break, sums, frame, out)
+            status = close_frame(system, state, ledger, after, stop_at_break, sums, frame, out)
             if status != OK and stop_at_break:
                 return status, frame
         return OK, frames
