@@ -10,32 +10,24 @@ from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 import numpy as np
 
-from ropewalk import broken, unsolved
 from ropewalk.block import Block
 from ropewalk.build import Model, build
-from ropewalk.build.links import has_links
 from ropewalk.build.plan import divide
 from ropewalk.core import arrays
-from ropewalk.core.arrays import APPLIED, TENSION_ONLY, Floats, Ints, State
+from ropewalk.core.arrays import APPLIED, Floats, Ints, State
 from ropewalk.core.status import BROKEN, OK, UNSOLVED
-from ropewalk.crawl import Crawl
 from ropewalk.drive import Driven, Goal
 from ropewalk.drum import WinchHandle
+from ropewalk.engine import counts
 from ropewalk.hand import AnchorHandle
-from ropewalk.laws.ledger import gravity_energy
-from ropewalk.methods import adaptive
+from ropewalk.islands import make_engine
 from ropewalk.methods.adaptive import Walk
-from ropewalk.methods.controller import BEGUN, END
-from ropewalk.methods.loop import prepare, prepare_links
 from ropewalk.methods.recording import ENERGIES, Recording, make_recording, record_frame
-from ropewalk.methods.registry import METHODS
 from ropewalk.methods.scratch import make_sums
-from ropewalk.methods.verdict import HONEST, LAST, ZERO, energy_now
-from ropewalk.methods.watch import begin_interval, watch
+from ropewalk.methods.watch import watch
 from ropewalk.motions.table import HAND
 from ropewalk.scene import Scene
-from ropewalk.slices import Edges, Slices
-from ropewalk.start import set_first_reactions, started
+from ropewalk.slices import Edges
 
 if TYPE_CHECKING:
     from ropewalk.live.view import View
@@ -62,6 +54,7 @@ class Snapshot(NamedTuple):
     winch_drive: Floats  # (3, w) speed [m/s], start and stop [s] of the winches
     walk: Walk  # of the adaptive method
     clamp_turns: Floats  # (3, a, 3) direction, axis and turn of the clamps, see `arrays.Bending`
+    inner: Floats  # (m,) what islands keep to themselves; (0,) where all is one
 
 
 class Simulation(Driven):
@@ -76,51 +69,23 @@ class Simulation(Driven):
 
         Raises SceneError when the scene cannot be planned, or starts at rest and has no rest shape.
         """
-        self.model = started(scene if isinstance(scene, Model) else build(scene))
+        self._engine = make_engine(scene if isinstance(scene, Model) else build(scene), ledger)
+        self.model = self._engine.model
         self.scene, self.layout, self.plan = self.model.scene, self.model.layout, self.model.plan
-        system = self.model.system
-        self._kinds = system.anchors.kind.copy()
-        winches = system.winches
-        self._drive = np.stack((winches.speed, winches.start, winches.stop))
-        speed, start, stop = self._drive
-        clamps = (system.bending.direction, system.bending.axis, system.bending.turn)
-        self._turns = np.stack(clamps)
-        directions, axes, turns = self._turns
+        self.system, self._state = self._engine.system, self._engine.state
+        self._kinds, self._drive, self._turns = self._engine.controls
         self._goals: dict[int, Goal] = {}
         self._due = 0.0
         self._first = None
-        self.system = system._replace(
-            bending=system.bending._replace(direction=directions, axis=axes, turn=turns),
-            flags=system.flags.copy(),
-            anchors=system.anchors._replace(kind=self._kinds),
-            winches=winches._replace(speed=speed, start=start, stop=stop),
-        )
-        self._state: State = arrays.copy(self.model.state)
         self.ledger = ledger
-        self._method = METHODS[self.plan.method]
-        limited = self.scene.limiter is not None
-        rigid = limited or has_links(self._state)
-        self._tableau = self._method.coefficients(self.scene.run.spectral_radius, rigid)
-        self._walk = adaptive.no_walk()
-        if self.plan.tolerance is None or self.plan.longest is None:
-            self._scratch = self._method.make_scratch(self._state)
-        else:
-            limits = self.plan.tolerance, self.plan.longest
-            self._state, self._scratch = adaptive.adapt(self.system, self._state, *limits)
-            self._walk = self._scratch.walk
         self.failure = ""  # set where an implicit method finds no solution of a step
-        self.slices = Slices(self.layout.nodes, self._method.cost, self._method.fixed)
-        self.crawl = Crawl(self.plan.tolerance, self.system.flags[TENSION_ONLY] == 1)
+        self.reason = ""  # set by a break: what is broken, and where
+        self.slices = self._engine.make_slices()
         self._winches = len(self.scene.winches) > 0
-        self._extras = 1 if self._winches or (limited and not self._method.implicit) else None
         self._start, self._dt, self._step = 0.0, self.plan.dt, 0
-        self._prepare()
-        set_first_reactions(self.system, self._state)
-        begin_interval(self.system, self._state, *self._looking(), 0.0)
+        self._engine.begin()
         self._gravity_zero = 0.0
         self._gravity_zero = self._zero_of_gravity()
-        self.reason = ""  # set by a break: what is broken, and where
-        self._set_balance()
         self.anchors = {
             name: AnchorHandle(self, row) for row, name in enumerate(self.layout.anchor_names)
         }
@@ -129,27 +94,7 @@ class Simulation(Driven):
         }
 
     def _prepare(self) -> None:
-        """Evaluate the forces at the state itself, tensions of rigid links included."""
-        if self._method.implicit:
-            prepare_links(self.system, self._state, self.time, self._scratch.stage.saddle)
-        else:
-            prepare(self.system, self._state)
-
-    def _set_balance(self) -> None:
-        """Write the energy at the start, from which gains count, and what of it may turn into motion."""
-        balance = self._state.balance
-        balance[ZERO] = balance[LAST] = energy_now(self.system, self._state)
-        state = self._state
-        weight = gravity_energy(state.x, state.mass, self.system.gravity)
-        balance[HONEST] = balance[ZERO] - weight + self._energy_scale()
-
-    def _energy_scale(self) -> float:
-        """Weight times length of all ropes [J], and a little elastic energy where nothing weighs."""
-        state = self._state
-        weight = float(np.linalg.norm(self.system.gravity) * state.mass.sum())
-        gives = np.isfinite(state.stiffness)
-        elastic = 0.5 * state.stiffness * state.rest_length**2
-        return weight * float(state.rest_length.sum()) + 1e-6 * float(elastic[gives].sum())
+        self._engine.prepare(self.time)
 
     def _zero_of_gravity(self) -> float:
         """Gravity's potential in the scene's own shape [J]: exactly the start's, where that is it."""
@@ -189,14 +134,15 @@ class Simulation(Driven):
     def state(self) -> Snapshot:
         """A copy of everything that evolves; `restore` goes back to it, to the same bits."""
         taken = (
-            self._kinds.copy(), self._drive.copy(), arrays.copy(self._walk), self._turns.copy()
+            self._kinds.copy(), self._drive.copy(), arrays.copy(self._engine.walk), self._turns.copy()
         )  # fmt: skip
-        return Snapshot(arrays.copy(self._state), self._start, self._dt, self._step, *taken)
+        state, inner = arrays.copy(self._state), self._engine.inner
+        return Snapshot(state, self._start, self._dt, self._step, *taken, inner)
 
     @property
     def step_counts(self) -> dict[str, float]:
         """Steps accepted and rejected so far, shortest and longest [s]; empty for fixed steps."""
-        return adaptive.counts(self._walk)
+        return counts(self._engine.walk)
 
     def restore(self, snapshot: Snapshot) -> None:
         """Go back (or forth) to a snapshot of this simulation; places still to go to are forgotten."""
@@ -205,7 +151,7 @@ class Simulation(Driven):
         self._start, self._dt, self._step = snapshot.start, snapshot.dt, snapshot.step
         self._kinds[:], self._drive[:] = snapshot.motion_kinds, snapshot.winch_drive
         self._turns[:] = snapshot.clamp_turns
-        arrays.assign(self._walk, snapshot.walk)
+        self._engine.restore(snapshot.inner, snapshot.walk)
         self.system.flags[APPLIED] = int(self._state.forces.applied.any())
 
     def _looking(self) -> tuple[Floats, Floats]:
@@ -324,24 +270,17 @@ class Simulation(Driven):
         self, steps: int, frames: int, out: Recording, stop: bool, edges: Edges
     ) -> tuple[int, int, int]:
         """Call the kernel once; return its status, the number of good frames and the steps taken."""
-        clock = np.array([self._start, self._dt, self._step, steps, *edges], dtype=np.float64)
-        common = (self.system, self._state, self._scratch, self._extras, clock, frames)
-        fixed = self._method.fixed
-        if not fixed:
-            self._scratch.strides[0] = self.slices.most
+        now = np.array([self._start, self._dt, self._step, steps, *edges], dtype=np.float64)
+        asked = self.slices.is_asked
         try:
-            status, good = self._method.advance(*common, self.ledger, out, stop, self._tableau)
+            moved = self._engine.call(now, frames, self.slices.most, out, stop, asked)
         finally:  # a signal's handler may raise as soon as the kernel is back
-            self._step = int(clock[2])
-        taken = steps * good if fixed else self.slices.most - int(self._scratch.strides[0])
-        if not fixed:
-            self.crawl.note(taken, float(self._walk.control[END]))
-        if status == UNSOLVED:
-            self.failure = unsolved.describe(self.model, self._state, self.clock, self._scratch)
-            self._start, self._step = unsolved.standing(self.clock, self._scratch)
-        if status == BROKEN:
-            self.reason = broken.reason(self.system, self._state, self.layout)
-        return status, good, taken
+            self._start, self._step = float(now[0]), int(now[2])
+        if moved.status == UNSOLVED:
+            self.failure = moved.why
+        elif moved.status == BROKEN:
+            self.reason = moved.why
+        return moved.status, moved.good, moved.taken
 
     # -- hands --------------------------------------------------------------------------
 
@@ -357,7 +296,7 @@ class Simulation(Driven):
 
     def _begin_anew(self) -> None:
         """Let the adaptive method walk on from the state that is shown."""
-        self._walk.control[BEGUN:] = 0.0
+        self._engine.begin_anew()
 
     def view(self, *, open_browser: bool = True, port: int | None = None) -> View:
         """Show the simulation in the browser, or here in a notebook, and return the view.

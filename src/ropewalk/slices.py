@@ -35,12 +35,14 @@ class Slices:
         cost: float,
         fixed: bool = True,
         clock: Callable[[], float] = time.perf_counter,
+        span: float = SLICE,
     ) -> None:
         """Begin with a guess for steps of so many nodes; `cost` of a step in force evaluations.
 
-        Without `fixed` steps the calls bound themselves to `most` steps.
+        Without `fixed` steps the calls bound themselves to `most` steps. A call takes about `span` [s].
         """
-        self.most = max(1, int(SLICE / (NODE_STEP * max(cost, 1.0) * max(nodes, 1))))
+        self._span = span
+        self.most = max(1, int(span / (NODE_STEP * max(cost, 1.0) * max(nodes, 1))))
         self.asked: Callable[[], bool] | None = None  # whether to stop at the last whole frame
         self._fixed, self._clock = fixed, clock
 
@@ -110,5 +112,5 @@ class Slices:
     def note(self, steps: int, seconds: float) -> None:
         """Take up that so many steps have taken so long [s]."""
         if steps > 0:
-            wish = SLICE * steps / max(seconds, 1e-9)
+            wish = self._span * steps / max(seconds, 1e-9)
             self.most = max(1, int(min(wish, GROWTH * max(self.most, steps))))

@@ -220,14 +220,15 @@ def flatten(value: Any, prefix: str = "") -> dict[str, Floats]:
     return found
 
 
-def pooled(state: State) -> tuple[State, Floats]:
+def pooled(state: State, pool: Floats | None = None) -> tuple[State, Floats]:
     """Return a copy of `state` whose arrays lie in one, and that one, (m,): a single loop copies it all.
 
     Whole numbers lie there by their bits. What the steps were looked at for stays in the arrays it is in.
+    `pool` is filled where one is given.
     """
     parts = {key: part for key, part in flatten(state).items() if not key.startswith("peaks.")}
     starts = np.cumsum([0] + [-(-part.size // 8) * 8 for part in parts.values()])
-    pool = np.zeros(int(starts[-1]))
+    pool = np.zeros(int(starts[-1])) if pool is None else pool
     views = {}
     for start, (name, part) in zip(starts, parts.items(), strict=False):
         room = pool[start : start + part.size]

@@ -23,16 +23,13 @@ from ropewalk.laws.anchors import release_anchors
 from ropewalk.laws.links import hold_links, note_reactions
 from ropewalk.laws.winch import run_winches
 from ropewalk.methods.controller import (
-    ACCEPTED,
     BEGIN,
     BEGUN,
     END,
     ERROR,
     EVENT_STEP,
-    LONGEST,
     NODE,
     REJECTED,
-    SHORTEST,
     SHORTEST_STEP,
     UNSOLVED_SHARE,
     WISH,
@@ -103,19 +100,6 @@ def adapt(
     breaks = break_times(system)
     rest = breaks, limits, np.zeros(1)
     return shown, AdaptiveScratch(solver, solver.stage, walk, here, begin, ahead, *rest)
-
-
-def counts(walk: Walk) -> dict[str, float]:
-    """Return how many steps were accepted and rejected, and the shortest and longest [s]."""
-    if not walk.control.size:
-        return {}
-    c = walk.control
-    return {
-        "accepted": int(c[ACCEPTED]),
-        "rejected": int(c[REJECTED]),
-        "shortest": float(c[SHORTEST]) if c[ACCEPTED] else 0.0,
-        "longest": float(c[LONGEST]),
-    }
 
 
 @kernel

@@ -16,7 +16,7 @@ from types import FrameType
 from ropewalk.block import Block
 from ropewalk.build import Model
 from ropewalk.core.status import OK
-from ropewalk.methods.adaptive import counts
+from ropewalk.engine import counts
 from ropewalk.methods.registry import METHODS
 from ropewalk.record import beyond, checkpoint
 from ropewalk.record.background import Background

@@ -1,0 +1,210 @@
+"""An engine: one set of arrays that moves together, and all that its method needs."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+
+from ropewalk import broken, unsolved
+from ropewalk.build import Model
+from ropewalk.build.links import has_links
+from ropewalk.core import arrays
+from ropewalk.core.arrays import Floats, Ints, State, System
+from ropewalk.core.status import BROKEN, UNSOLVED
+from ropewalk.laws.clamps import start_clamps
+from ropewalk.laws.ledger import gravity_energy
+from ropewalk.methods import adaptive
+from ropewalk.methods.adaptive import Walk
+from ropewalk.methods.controller import ACCEPTED, BEGUN, LONGEST, REJECTED, SHORTEST, make_control
+from ropewalk.methods.loop import prepare, prepare_links
+from ropewalk.methods.recording import Recording, bends
+from ropewalk.methods.registry import METHODS
+from ropewalk.methods.verdict import HONEST, LAST, ZERO, energy_now
+from ropewalk.slices import Slices
+
+#: Tells whether to stop at the last whole frame.
+Asked = Callable[[], bool]
+
+
+def never() -> bool:
+    """Do not stop."""
+    return False
+
+
+class Controls(NamedTuple):
+    """What hands change in the tables of anchors, winches and clamps."""
+
+    kinds: Ints  # (a,) kinds of motion
+    drive: Floats  # (3, w) speed [m/s], start and stop [s] of the winches
+    turns: Floats  # (3, a, 3) direction, axis and turn of the clamps; (3, 0, 3) without any
+
+
+class Moved(NamedTuple):
+    """How far a call has come."""
+
+    status: int
+    good: int  # frames
+    taken: int  # steps, or tries of one
+    why: str = ""  # what is broken, or where there is no solution
+
+
+def controls_of(system: System) -> Controls:
+    """Return a copy of what hands can change."""
+    winches, bending = system.winches, system.bending
+    drive = np.stack((winches.speed, winches.start, winches.stop))
+    turns = np.stack((bending.direction, bending.axis, bending.turn))
+    return Controls(system.anchors.kind.copy(), drive, turns)
+
+
+def controlled(system: System, controls: Controls) -> System:
+    """Return tables with these controls in them, and flags of their own."""
+    speed, start, stop = controls.drive
+    direction, axis, turn = controls.turns
+    return system._replace(
+        bending=system.bending._replace(direction=direction, axis=axis, turn=turn),
+        flags=system.flags.copy(),
+        anchors=system.anchors._replace(kind=controls.kinds),
+        winches=system.winches._replace(speed=speed, start=start, stop=stop),
+    )
+
+
+class Engine:
+    """A model in motion by its plan's method. The clock is the caller's."""
+
+    def __init__(
+        self,
+        model: Model,
+        controls: Controls,
+        *,
+        ledger: bool,
+        room: tuple[State, Floats] | None = None,
+    ) -> None:
+        """Take up a started model; `room` is a state to fill, whose arrays lie in one, and that one."""
+        self.model, self.ledger, self.controls = model, ledger, controls
+        self.system = controlled(model.system, controls)
+        self._method = METHODS[model.plan.method]
+        plan, limited = model.plan, model.scene.limiter is not None
+        rigid = limited or has_links(model.state)
+        self._tableau = self._method.coefficients(model.scene.run.spectral_radius, rigid)
+        self._extras = 1 if model.scene.winches or (limited and not self._method.implicit) else None
+        self.walk = adaptive.no_walk()
+        if plan.tolerance is None or plan.longest is None:
+            self.state = arrays.copy(model.state) if room is None else room[0]
+            self._scratch = self._method.make_scratch(model.state)
+        else:
+            limits = plan.tolerance, plan.longest
+            self.state, self._scratch = adaptive.adapt(self.system, model.state, *limits)
+            if room is not None:
+                self.state, self._scratch = room[0], self._scratch._replace(here=room[1])
+            self.walk = self._scratch.walk
+        arrays.assign(self.state, model.state)
+        self.inner = np.zeros(0)  # nothing but the state, the controls and the walk
+
+    # -- the beginning -------------------------------------------------------------------
+
+    def begin(self) -> None:
+        """Evaluate forces and reactions at time zero, and the energy from which gains count."""
+        self.prepare(0.0)
+        self._set_first_reactions()
+        self._set_balance()
+
+    def prepare(self, time: float) -> None:
+        """Evaluate the forces at the state itself, tensions of rigid links included."""
+        if self._method.implicit:
+            prepare_links(self.system, self.state, time, self._scratch.stage.saddle)
+        else:
+            prepare(self.system, self.state)
+
+    def _set_first_reactions(self) -> None:
+        """At time zero an anchor's reaction balances the forces on its node."""
+        state, forces = self.state, self.state.forces
+        for row, i in enumerate(state.anchor_node):
+            total = forces.elastic[:, i + 1] - forces.elastic[:, i]
+            total = total + forces.friction[:, i + 1] - forces.friction[:, i]
+            if bends(state):
+                total = total + forces.bending[:, i + 1] - forces.bending[:, i]
+            if self.model.scene.limiter is not None:
+                total = total + forces.limiter[:, i + 1] - forces.limiter[:, i]
+            total = total + forces.air[:, i] + forces.ground[:, i] + forces.applied[:, i]
+            total = total + state.mass[i] * self.system.gravity
+            state.reaction[row] = -total if state.held[row] else 0.0
+        start_clamps(self.system, state)
+
+    def _set_balance(self) -> None:
+        """Write the energy at the start, from which gains count, and what of it may turn into motion."""
+        state, balance = self.state, self.state.balance
+        balance[ZERO] = balance[LAST] = energy_now(self.system, state)
+        weight = gravity_energy(state.x, state.mass, self.system.gravity)
+        balance[HONEST] = balance[ZERO] - weight + self._energy_scale()
+
+    def _energy_scale(self) -> float:
+        """Weight times length of all ropes [J], and a little elastic energy where nothing weighs."""
+        state = self.state
+        weight = float(np.linalg.norm(self.system.gravity) * state.mass.sum())
+        gives = np.isfinite(state.stiffness)
+        elastic = 0.5 * state.stiffness * state.rest_length**2
+        return weight * float(state.rest_length.sum()) + 1e-6 * float(elastic[gives].sum())
+
+    # -- moving on -----------------------------------------------------------------------
+
+    def call(
+        self,
+        now: Floats,
+        frames: int,
+        most: int,
+        out: Recording,
+        stop: bool,
+        asked: Asked = never,
+    ) -> Moved:
+        """Call the kernel once, for `frames` frames or, where steps vary, `most` tries of one.
+
+        `now` holds start of the present step length [s], the step [s], steps since and steps per frame. It
+        is brought forward with the state, whatever is raised. Nobody is asked: a call is short.
+        """
+        common = (self.system, self.state, self._scratch, self._extras, now, frames)
+        fixed = self._method.fixed
+        if not fixed:
+            self._scratch.strides[0] = most
+        status, good = self._method.advance(*common, self.ledger, out, stop, self._tableau)
+        taken = int(now[3]) * good if fixed else most - int(self._scratch.strides[0])
+        if status == UNSOLVED:
+            clock = float(now[0]), float(now[1]), int(now[2])
+            why = unsolved.describe(self.model, self.state, clock, self._scratch)
+            now[0], now[2] = unsolved.standing(clock, self._scratch)
+            return Moved(status, good, taken, why)
+        if status == BROKEN:
+            return Moved(
+                status, good, taken, broken.reason(self.system, self.state, self.model.layout)
+            )
+        return Moved(status, good, taken)
+
+    def make_slices(self) -> Slices:
+        """Return how to cut long calls."""
+        return Slices(self.model.layout.nodes, self._method.cost, self._method.fixed)
+
+    def restore(self, inner: Floats, walk: Walk) -> None:
+        """Go back to a walk; the state is the caller's."""
+        arrays.assign(self.walk, walk)
+
+    def begin_anew(self) -> None:
+        """Let the adaptive method walk on from the state that is shown."""
+        self.walk.control[BEGUN:] = 0.0
+
+
+def counts(walk: Walk) -> dict[str, float]:
+    """Return how many steps were accepted and rejected, and the shortest and longest [s].
+
+    `walk` is that of one engine, or those of several one after another; {} for steps of one length.
+    """
+    if not walk.control.size:
+        return {}
+    control = walk.control.reshape(-1, make_control().size)
+    accepted = int(control[:, ACCEPTED].sum())
+    return {
+        "accepted": accepted,
+        "rejected": int(control[:, REJECTED].sum()),
+        "shortest": float(control[:, SHORTEST].min()) if accepted else 0.0,
+        "longest": float(control[:, LONGEST].max()),
+    }

@@ -1,0 +1,322 @@
+"""Islands: what is coupled is solved together, all else alone.
+
+Ropes that nothing ties to each other have no business in one set of equations: the halving of a step, the
+search along a line or the tolerance that one of them asks for would change the others. So every island of a
+scene has arrays of its own, those of a scene with nothing else in it, and moves by itself. Between two calls
+of the kernels all of it lies in the arrays of the whole scene, which everybody else sees and changes.
+
+A method that solves equations, or chooses its steps, has an island for every rope. The others treat every
+node by itself: ropes share an island there, but for those with kinks or releases, which cut steps, and with
+winches.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor, wait
+from dataclasses import replace
+from time import perf_counter
+from typing import NamedTuple
+
+import numpy as np
+
+from ropewalk.build import Model
+from ropewalk.core.arrays import APPLIED, Floats, Ints, State, flatten, pooled
+from ropewalk.core.status import BROKEN, OK, PAUSED
+from ropewalk.engine import Asked, Controls, Engine, Moved, controlled, controls_of, never
+from ropewalk.methods.adaptive import Walk
+from ropewalk.methods.recording import Recording, make_recording
+from ropewalk.methods.registry import METHODS
+from ropewalk.motions.table import TABLE, VELOCITY
+from ropewalk.shares import INDICES, SUMS, collect, shares_of
+from ropewalk.slices import Slices
+from ropewalk.start import started
+
+#: So many threads move islands side by side; set it to 1 where other processes keep the processors busy.
+threads = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+ROUND = 0.15  # [s] about so long are all islands moved before anybody is asked whether to stop
+LONG = 2e-3  # [s] a call that takes longer is worth threads
+
+
+class _Links(NamedTuple):
+    """Which numbers of the islands' arrays are which of the whole's."""
+
+    there: Ints  # places in the whole's pool
+    own: Ints  # places in the pool of all islands
+    indices: Ints  # which of these pairs are indices of nodes ...
+    moved: Ints  # ... and what is taken off those of the whole
+
+
+def partition(model: Model) -> list[list[int]]:
+    """Return the ropes of every island, by their numbers."""
+    method, count = METHODS[model.plan.method], len(model.scene.ropes)
+    if method.implicit or not method.fixed:
+        return [[i] for i in range(count)]
+    apart = {winch.rope for winch in model.scene.winches}
+    anchors, bending = model.system.anchors, model.system.bending
+    for row, anchor in enumerate(model.scene.anchors):
+        times = [anchors.release[row]]
+        if anchors.kind[row] == VELOCITY:
+            times += list(anchors.params[row, 6:8])
+        if len(bending.turn):
+            times += list(bending.turn[row, 1:])
+        if anchors.kind[row] == TABLE or any(0.0 < time < np.inf for time in times):
+            apart.add(anchor.rope)
+    together = [i for i, rope in enumerate(model.scene.ropes) if rope.name not in apart]
+    alone = [[i] for i, rope in enumerate(model.scene.ropes) if rope.name in apart]
+    return ([together] if together else []) + alone
+
+
+def make_engine(model: Model, ledger: bool) -> Engine | Islands:
+    """Return what moves a model as its run starts.
+
+    Raises SceneError and NoRest as `start.started` does.
+    """
+    groups = partition(model)
+    if len(groups) > 1:
+        return Islands(model, groups, ledger=ledger)
+    model = started(model)
+    return Engine(model, controls_of(model.system), ledger=ledger)
+
+
+class Islands:
+    """The engines of a scene's islands, and the arrays of the whole."""
+
+    def __init__(self, model: Model, groups: list[list[int]], *, ledger: bool) -> None:
+        """Take up a model whose ropes are grouped into islands, by their numbers.
+
+        Raises SceneError and NoRest as `start.started` does.
+        """
+        if model.scene.run.ring is not None:
+            model = started(model)  # its modes are those of the whole scene
+        self.shares = shares_of(model, groups)
+        parts = [started(share.cut(model)) for share in self.shares]
+        self.state, self._pool = pooled(model.state)
+        self.controls = controls_of(model.system)
+        self.system = controlled(model.system, self.controls)
+        self._make_controls(parts)
+        rooms = [pooled(part.state) for part in parts]
+        self._sea = np.concatenate([pool for _, pool in rooms])
+        self.engines, first = [], 0
+        for part, controls, (_, pool) in zip(parts, self._own_controls, rooms, strict=True):
+            room = self._sea[first : first + pool.size]
+            state, _ = pooled(part.state, room)
+            self.engines.append(Engine(part, controls, ledger=ledger, room=(state, room)))
+            first += pool.size
+        self._link()
+        self._gather()
+        self.model = replace(model, state=self.state, started=True)
+        self._seconds = 0.0
+        self._beside: ThreadPoolExecutor | None = None
+
+    def _make_controls(self, parts: list[Model]) -> None:
+        """Give every island its controls, parts of arrays that are filled at once."""
+        rows = np.concatenate([share.anchors for share in self.shares])
+        wound = np.concatenate([share.winches for share in self.shares])
+        clamped = [
+            share.anchors[: len(part.system.bending.turn)]
+            for share, part in zip(self.shares, parts, strict=True)
+        ]
+        self._rows = rows, wound, np.concatenate(clamped)
+        kinds, drive, turns = self.controls
+        self._own = Controls(kinds[rows], drive[:, wound], turns[:, self._rows[2]])
+        self._own_controls, a, w, c = [], 0, 0, 0
+        for share, held in zip(self.shares, clamped, strict=True):
+            to = a + len(share.anchors), w + len(share.winches), c + len(held)
+            own = (
+                self._own.kinds[a : to[0]],
+                self._own.drive[:, w : to[1]],
+                self._own.turns[:, c : to[2]],
+            )
+            self._own_controls.append(Controls(*own))
+            a, w, c = to
+
+    def _link(self) -> None:
+        """Find out which numbers of the islands are which of the whole."""
+        whole, all_own = _places(self.state, self._pool), []
+        found: list[list[Ints]] = [[], [], [], []]
+        count = 0
+        for share, engine in zip(self.shares, self.engines, strict=True):
+            own = _places(engine.state, self._sea)
+            all_own.append(flatten(own))
+            for name, there, at, here_in, here in share.pairs(whole, own):
+                one, other = there[at].ravel(), here_in[here].ravel()
+                if name in INDICES:
+                    found[2].append(count + np.arange(len(one)))
+                    found[3].append(share.moved[name])
+                found[0].append(one)
+                found[1].append(other)
+                count += len(one)
+        self._links = _Links(*(np.concatenate(parts) for parts in found))
+        self._sums = {name: np.array([own[name] for own in all_own]) for name in SUMS}
+        self._past = np.array([own["past"][0] for own in all_own])
+
+    # -- between the whole and its islands -------------------------------------------------
+
+    def _gather(self) -> None:
+        """Write what the islands have into the arrays of the whole."""
+        links, whole, sea = self._links, self._pool.view(np.int64), self._sea.view(np.int64)
+        values = sea[links.own]
+        values[links.indices] += links.moved
+        whole[links.there] = values
+        work = flatten(self.state)
+        for name, places in self._sums.items():
+            work[name][...] = self._sea[places].sum(axis=0)
+        self.state.past[0] = self._sea[self._past].max()
+
+    def _spread(self) -> None:
+        """Take up in the islands what the whole has, and what hands have changed there."""
+        links, whole, sea = self._links, self._pool.view(np.int64), self._sea.view(np.int64)
+        values = whole[links.there]
+        values[links.indices] -= links.moved
+        sea[links.own] = values
+        work = flatten(self.state)
+        for name, places in self._sums.items():
+            self._sea[places[0]] += work[name] - self._sea[places].sum(axis=0)
+        if self.state.past[0] == 0.0:  # a multistep method is to begin anew
+            self._sea[self._past] = 0.0
+        rows, wound, clamped = self._rows
+        self._own.kinds[:] = self.controls.kinds[rows]
+        self._own.drive[:] = self.controls.drive[:, wound]
+        self._own.turns[:] = self.controls.turns[:, clamped]
+        applied = self.state.forces.applied.any()
+        for engine in self.engines:
+            pushed = applied and engine.state.forces.applied.any()
+            engine.system.flags[APPLIED] = int(pushed)
+
+    # -- as an engine ----------------------------------------------------------------------
+
+    def make_slices(self) -> Slices:
+        """Return how to cut long calls: at frames, where steps vary."""
+        method = METHODS[self.model.plan.method]
+        return Slices(self.model.layout.nodes, method.cost, span=ROUND)
+
+    @property
+    def walk(self) -> Walk:
+        """The walks of all islands, one after another."""
+        return Walk(
+            *(np.concatenate(part) for part in zip(*(e.walk for e in self.engines), strict=True))
+        )
+
+    @property
+    def inner(self) -> Floats:
+        """A copy of all numbers of the islands' states, (m,)."""
+        return self._sea.copy()
+
+    def restore(self, inner: Floats, walk: Walk) -> None:
+        """Go back to the numbers of the islands and their walks; those of the whole are the caller's."""
+        self._sea[:] = inner
+        first = [0] * len(walk)
+        for engine in self.engines:
+            for k, (to, numbers) in enumerate(zip(engine.walk, walk, strict=True)):
+                to[:] = numbers[first[k] : first[k] + to.size]
+                first[k] += to.size
+
+    def begin(self) -> None:
+        """Evaluate forces and reactions at time zero, and the energies from which gains count."""
+        for engine in self.engines:
+            engine.begin()
+        self._gather()
+
+    def prepare(self, time: float) -> None:
+        """Evaluate the forces at the state itself, tensions of rigid links included."""
+        self._spread()
+        for engine in self.engines:
+            engine.prepare(time)
+        self._gather()
+
+    def begin_anew(self) -> None:
+        """Let the adaptive method walk on from the state that is shown."""
+        for engine in self.engines:
+            engine.begin_anew()
+
+    def call(
+        self, now: Floats, frames: int, most: int, out: Recording, stop: bool, asked: Asked
+    ) -> Moved:
+        """Move all islands by `frames` frames, see `Engine.call`; `taken` are steps, or frames.
+
+        All stand at the same time again: at the end of the first frame that is broken, or of the last one
+        before a step without solution; where `asked` says so in between, and when anything is raised, where
+        they stood.
+        """
+        inner, walk = self.inner, self.walk
+        try:
+            self._spread()
+            done = self._move(now, frames, out, stop, asked)
+            first = min(done, key=lambda moved: moved.good)
+            if first.status == PAUSED:
+                self.restore(inner, walk)
+                return Moved(OK, 0, 0)
+            together = frames if first.status == OK else first.good + (first.status == BROKEN)
+            if together < frames:
+                self.restore(inner, walk)
+                self._spread()
+                self._move(now, together, out, False, never)
+        except BaseException:
+            self.restore(inner, walk)
+            raise
+        self._gather()
+        now[2] += now[3] * together
+        return first._replace(taken=int(now[3]) * together)
+
+    def _move(
+        self, now: Floats, frames: int, out: Recording, stop: bool, asked: Asked
+    ) -> list[Moved]:
+        """Move every island from the same time and collect what they record."""
+        begun, rows = perf_counter(), min(frames, len(out.x))
+        lengths = out.rest_length.shape[1] > 0
+        outs = [make_recording(engine.state, rows, lengths) for engine in self.engines]
+
+        def go(k: int) -> Moved:
+            return _go(self.engines[k], now.copy(), frames, outs[k], stop, asked)
+
+        if threads > 1 and self._seconds * frames > LONG:
+            done = self._go_beside(go)
+        else:
+            done = [go(k) for k in range(len(self.engines))]
+        if frames:
+            self._seconds = (perf_counter() - begun) / frames
+        good = min(rows, min(moved.good for moved in done)) if stop else rows
+        states = (engine.state for engine in self.engines)
+        collect(out, good, self.state, list(zip(self.shares, states, outs, strict=True)))
+        return done
+
+    def _go_beside(self, go: Callable[[int], Moved]) -> list[Moved]:
+        """Let threads move the islands, each a run of neighbours; wait for all, whatever is raised."""
+        if self._beside is None:
+            self._beside = ThreadPoolExecutor(threads, thread_name_prefix="islands")
+        parts = np.array_split(np.arange(len(self.engines)), min(4 * threads, len(self.engines)))
+        beside = self._beside
+        jobs = [beside.submit(lambda part=part: [go(int(k)) for k in part]) for part in parts]
+        try:
+            return [moved for job in jobs for moved in job.result()]
+        finally:
+            wait(jobs)
+
+
+def _go(
+    engine: Engine, now: Floats, frames: int, out: Recording, stop: bool, asked: Asked
+) -> Moved:
+    """Move one island by so many frames; PAUSED where it was asked to stop."""
+    good, tries = 0, engine.make_slices().most
+    while True:
+        moved = engine.call(now, frames - good, tries, out.part(good, len(out.x)), stop)
+        good += moved.good
+        if moved.status != PAUSED:
+            return moved._replace(good=good)
+        if asked():
+            return moved
+
+
+def _places(state: State, pool: Floats) -> State:
+    """Return a state whose arrays hold, in place of each number, where in its pool that lies."""
+    start = pool.__array_interface__["data"][0]
+
+    def place(value: object) -> object:
+        if isinstance(value, tuple):
+            return type(value)(*(place(item) for item in value))
+        first = (value.__array_interface__["data"][0] - start) // 8
+        return np.arange(first, first + value.size).reshape(value.shape)
+
+    return place(state)

@@ -1,0 +1,185 @@
+"""What of a scene's arrays belongs to some of its ropes: cut out, and put together again."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from ropewalk.build import Model, Span
+from ropewalk.build.layout import make_layout
+from ropewalk.build.tables import make_tables
+from ropewalk.core.arrays import Ints, State, flatten
+from ropewalk.methods.recording import Recording, bends, energy_names, work_names
+from ropewalk.scene import Scene
+
+# What the last axis of an array of `State` counts, or the first of those by anchors and winches.
+NODES = (
+    *("x", "v", "acceleration", "mass", "inverse_mass", "drift"),
+    *("bending_stiffness", "bending_damping", "forces.air", "forces.ground", "forces.applied"),
+    *("work.weight", "work.air", "work.ground", "work.applied"),
+)
+SEGMENTS = (
+    *("tension", "limited", "rest_length", "stiffness", "damping_vector", "damping_axial"),
+    *("work.elastic", "work.friction", "work.bending"),
+)
+BETWEEN = ("forces.elastic", "forces.friction", "forces.bending", "forces.limiter")  # n + 1
+ANCHORS = (
+    *("held", "anchor_node", "anchor_x", "anchor_v", "reaction"),
+    *("clamp_direction", "clamp_spin", "moment", "work.anchors", "work.clamps"),
+)
+WINCHES = ("winch_exit", "winch_rate", "winch_debt", "winch_paid")
+# Of all ropes together; and what is each island's own: the verdict, a method's memory.
+SUMS = ("work.limiter", "work.winch")
+OWN = ("past", "most", "balance")
+SEGMENTS_RECORDED = ("tension", "elastic_tension", "rest_length")
+INDICES = ("anchor_node", "winch_exit")  # hold indices of nodes
+
+
+@dataclass(frozen=True)
+class Share:
+    """Some ropes of a scene, by where they lie in its arrays and in arrays of their own."""
+
+    scene: Scene  # with these ropes only
+    spans: tuple[tuple[Span, Span], ...]  # in the whole and in the share
+    anchors: Ints  # rows in the whole
+    winches: Ints  # rows in the whole
+    moved: dict[str, Ints]  # what to take from the whole's indices, by the name of their array
+
+    @cached_property
+    def nodes(self) -> Ints:
+        """Indices in the whole."""
+        return np.concatenate([np.arange(there.first, there.last + 1) for there, _ in self.spans])
+
+    @cached_property
+    def segments(self) -> Ints:
+        """Indices in the whole of the segments that are not between ropes."""
+        return np.concatenate([np.arange(there.first, there.last) for there, _ in self.spans])
+
+    @cached_property
+    def own_segments(self) -> Ints:
+        """Indices of the same in the share."""
+        return np.concatenate([np.arange(own.first, own.last) for _, own in self.spans])
+
+    def where(self, name: str) -> tuple[bool, Ints, Ints]:
+        """Return whether the last axis counts in an array of the state, and where its entries lie.
+
+        First in the whole, then in the share. Raises KeyError for an array that nobody has placed.
+        """
+        if name in NODES:
+            return True, self.nodes, np.arange(len(self.nodes))
+        if name in SEGMENTS:
+            return True, self.segments, self.own_segments
+        if name in BETWEEN:
+            return True, self.segments + 1, self.own_segments + 1
+        if name in ANCHORS:
+            return False, self.anchors, np.arange(len(self.anchors))
+        if name in WINCHES:
+            return False, self.winches, np.arange(len(self.winches))
+        raise KeyError(name)
+
+    def pairs(self, whole: State, own: State) -> Iterator[tuple[str, Any, Any, Any, Any]]:
+        """Yield name, array and place of what corresponds in the states of the whole and of the share."""
+        there = flatten(whole)
+        for name, array in flatten(own).items():
+            if array.size and name not in SUMS + OWN:
+                last, at, here = self.where(name)
+                yield (
+                    name,
+                    there[name],
+                    (..., at) if last else at,
+                    array,
+                    (..., here) if last else here,
+                )
+
+    def cut(self, model: Model) -> Model:
+        """Return the model of the share: tables of its own, with the state that `model` has."""
+        layout = make_layout(self.scene)
+        system, state = make_tables(self.scene, layout)
+        for name, there, at, own, here in self.pairs(model.state, state):
+            own[here] = there[at] - self.moved[name] if name in INDICES else there[at]
+        return replace(model, scene=self.scene, system=system, state=state, layout=layout)
+
+
+def shares_of(model: Model, groups: list[list[int]]) -> list[Share]:
+    """Return the share of every group of ropes, which are given by their numbers."""
+    scene, spans = model.scene, model.layout.ropes
+    anchors, winches = defaultdict(list), defaultdict(list)
+    for row, anchor in enumerate(scene.anchors):
+        anchors[anchor.rope].append(row)
+    for row, winch in enumerate(scene.winches):
+        winches[winch.rope].append(row)
+    shares = []
+    for group in groups:
+        names = [scene.ropes[i].name for i in group]
+        held = sorted(row for name in names for row in anchors[name])
+        wound = sorted(row for name in names for row in winches[name])
+        pairs, first = [], 0
+        for i in group:
+            pairs.append((spans[i], replace(spans[i], first=first)))
+            first += spans[i].nodes
+        back = {there.name: there.first - own.first for there, own in pairs}
+        moved = {
+            "anchor_node": [back[scene.anchors[row].rope] for row in held],
+            "winch_exit": [back[scene.winches[row].rope] for row in wound],
+        }
+        part = scene.model_copy(
+            update={
+                "ropes": tuple(scene.ropes[i] for i in group),
+                "anchors": tuple(scene.anchors[row] for row in held),
+                "winches": tuple(scene.winches[row] for row in wound),
+            }
+        )
+        rows = (np.array(held, np.int64), np.array(wound, np.int64))
+        shifts = {name: np.array(by, np.int64) for name, by in moved.items()}
+        shares.append(Share(part, tuple(pairs), *rows, shifts))
+    return shares
+
+
+def collect(
+    out: Recording, frames: int, state: State, parts: list[tuple[Share, State, Recording]]
+) -> None:
+    """Write the first `frames` frames of all shares, each with its state, into those of the whole."""
+    for array in (out.energy, out.work, out.jump, out.momentum, out.angular_momentum, out.moment):
+        array[:frames] = 0.0
+    ends = [there.last for share, _, _ in parts for there, _ in share.spans]
+    between = [end for end in ends if end < state.rest_length.size]
+    for name in SEGMENTS_RECORDED:
+        array = getattr(out, name)
+        if array.shape[1]:
+            array[:frames, between] = 0.0
+    names = _columns(state)
+    for share, own, found in parts:
+        _collect_lines(out, frames, share, found)
+        energies, works = _columns(own)
+        out.energy[:frames, [names[0].index(name) for name in energies]] += found.energy[:frames]
+        laws = [names[1].index(name) for name in works]
+        out.work[:frames, laws] += found.work[:frames, : len(works)]
+        out.work[:frames, len(names[1]) + share.anchors] = found.work[:frames, len(works) :]
+        out.reaction[:frames, share.anchors] = found.reaction[:frames]
+        if found.moment.shape[1]:
+            out.moment[:frames, share.anchors] = found.moment[:frames]
+        for name in ("jump", "momentum", "angular_momentum"):
+            getattr(out, name)[:frames] += getattr(found, name)[:frames]
+
+
+def _columns(state: State) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Return the columns of energies and of works of a state's recording."""
+    return energy_names(bends(state)), work_names(bends(state))
+
+
+def _collect_lines(out: Recording, frames: int, share: Share, found: Recording) -> None:
+    """Write what there is for every node and segment."""
+    for there, own in share.spans:
+        at, here = slice(there.first, there.last + 1), slice(own.first, own.last + 1)
+        out.x[:frames, :, at] = found.x[:frames, :, here]
+        out.v[:frames, :, at] = found.v[:frames, :, here]
+        at, here = slice(there.first, there.last), slice(own.first, own.last)
+        for name in SEGMENTS_RECORDED:
+            array = getattr(found, name)
+            if array.shape[1]:
+                getattr(out, name)[:frames, at] = array[:frames, here]
