@@ -53,7 +53,7 @@ class Driven:
         def restore(self, snapshot: Snapshot) -> None: ...
         def recording(self) -> Block: ...
         def take_in_hand(self, row: int) -> None: ...
-        def _begin_anew(self) -> None: ...
+        def _begin_anew(self, row: int) -> None: ...
         def _prepare(self) -> None: ...
 
     # -- again ---------------------------------------------------------------------------
@@ -159,7 +159,7 @@ class Driven:
         bending.turn[row] = rate, self.time, math.inf
         self._state.clamp_spin[row] = rate * axis
         self._prepare()  # the next step begins with this spin
-        self._begin_anew()
+        self._begin_anew(row)
 
     def _set_off(self, duration: float) -> None:
         """Give what is to be somewhere in `duration` [s] the velocity that leads there."""
@@ -192,8 +192,8 @@ class Driven:
             if goal.direction is not None:
                 state.clamp_direction[row] = goal.direction
                 self._turn(row, self.system.bending.axis[row].copy(), 0.0)
+            self._begin_anew(row)
         self._goals.clear()
-        self._begin_anew()
 
 
 def shortest_turn(old: Floats, new: Floats) -> tuple[Floats, float]:

@@ -11,7 +11,7 @@ from ropewalk import broken, unsolved
 from ropewalk.build import Model
 from ropewalk.build.links import has_links
 from ropewalk.core import arrays
-from ropewalk.core.arrays import Floats, Ints, State, System
+from ropewalk.core.arrays import Floats, Ints, State, System, pooled
 from ropewalk.core.status import BROKEN, UNSOLVED
 from ropewalk.laws.clamps import start_clamps
 from ropewalk.laws.ledger import gravity_energy
@@ -89,17 +89,14 @@ class Engine:
         rigid = limited or has_links(model.state)
         self._tableau = self._method.coefficients(model.scene.run.spectral_radius, rigid)
         self._extras = 1 if model.scene.winches or (limited and not self._method.implicit) else None
+        self.state, here = pooled(model.state) if room is None else room
         self.walk = adaptive.no_walk()
         if plan.tolerance is None or plan.longest is None:
-            self.state = arrays.copy(model.state) if room is None else room[0]
-            self._scratch = self._method.make_scratch(model.state)
+            self._scratch = self._method.make_scratch(self.state)
         else:
             limits = plan.tolerance, plan.longest
-            self.state, self._scratch = adaptive.adapt(self.system, model.state, *limits)
-            if room is not None:
-                self.state, self._scratch = room[0], self._scratch._replace(here=room[1])
+            self._scratch = adaptive.adapt(self.system, self.state, here, *limits)
             self.walk = self._scratch.walk
-        arrays.assign(self.state, model.state)
         self.inner = np.zeros(0)  # nothing but the state, the controls and the walk
 
     # -- the beginning -------------------------------------------------------------------
@@ -188,8 +185,8 @@ class Engine:
         """Go back to a walk; the state is the caller's."""
         arrays.assign(self.walk, walk)
 
-    def begin_anew(self) -> None:
-        """Let the adaptive method walk on from the state that is shown."""
+    def begin_anew(self, row: int) -> None:
+        """Let the adaptive method walk on from the state that is shown, as anchor `row` was taken in hand."""
         self.walk.control[BEGUN:] = 0.0
 
 

@@ -35,7 +35,7 @@ from ropewalk.start import started
 
 #: So many threads move islands side by side; set it to 1 where other processes keep the processors busy.
 threads = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-ROUND = 0.15  # [s] about so long are all islands moved before anybody is asked whether to stop
+ROUND = 2.0  # [s] about so long are all islands moved in one call; one that is stopped early is lost
 LONG = 2e-3  # [s] a call that takes longer is worth threads
 
 
@@ -98,15 +98,17 @@ class Islands:
         self._make_controls(parts)
         rooms = [pooled(part.state) for part in parts]
         self._sea = np.concatenate([pool for _, pool in rooms])
-        self.engines, first = [], 0
+        self.engines, self._rooms, first = [], list[slice](), 0
         for part, controls, (_, pool) in zip(parts, self._own_controls, rooms, strict=True):
             room = self._sea[first : first + pool.size]
             state, _ = pooled(part.state, room)
             self.engines.append(Engine(part, controls, ledger=ledger, room=(state, room)))
+            self._rooms.append(slice(first, first + pool.size))
             first += pool.size
         self._link()
         self._gather()
         self.model = replace(model, state=self.state, started=True)
+        self._slices = [engine.make_slices() for engine in self.engines]
         self._seconds = 0.0
         self._beside: ThreadPoolExecutor | None = None
 
@@ -135,7 +137,7 @@ class Islands:
     def _link(self) -> None:
         """Find out which numbers of the islands are which of the whole."""
         whole, all_own = _places(self.state, self._pool), []
-        found: list[list[Ints]] = [[], [], [], []]
+        found: list[list[Ints]] = [[np.zeros(0, np.int64)] for _ in _Links._fields]
         count = 0
         for share, engine in zip(self.shares, self.engines, strict=True):
             own = _places(engine.state, self._sea)
@@ -220,16 +222,20 @@ class Islands:
         self._gather()
 
     def prepare(self, time: float) -> None:
-        """Evaluate the forces at the state itself, tensions of rigid links included."""
+        """Evaluate the forces at the state itself, tensions of rigid links included, where it was changed."""
+        before = self._sea.view(np.int64).copy()
         self._spread()
-        for engine in self.engines:
-            engine.prepare(time)
+        changed = before != self._sea.view(np.int64)
+        for engine, room in zip(self.engines, self._rooms, strict=True):
+            if changed[room].any():
+                engine.prepare(time)
         self._gather()
 
-    def begin_anew(self) -> None:
-        """Let the adaptive method walk on from the state that is shown."""
-        for engine in self.engines:
-            engine.begin_anew()
+    def begin_anew(self, row: int) -> None:
+        """Let the adaptive method walk on from the state that is shown, in the island of anchor `row`."""
+        for share, engine in zip(self.shares, self.engines, strict=True):
+            if row in share.anchors:
+                engine.begin_anew(row)
 
     def call(
         self, now: Floats, frames: int, most: int, out: Recording, stop: bool, asked: Asked
@@ -267,9 +273,10 @@ class Islands:
         begun, rows = perf_counter(), min(frames, len(out.x))
         lengths = out.rest_length.shape[1] > 0
         outs = [make_recording(engine.state, rows, lengths) for engine in self.engines]
+        slices = self._slices
 
         def go(k: int) -> Moved:
-            return _go(self.engines[k], now.copy(), frames, outs[k], stop, asked)
+            return _go(self.engines[k], slices[k], now.copy(), frames, outs[k], stop, asked)
 
         if threads > 1 and self._seconds * frames > LONG:
             done = self._go_beside(go)
@@ -296,17 +303,27 @@ class Islands:
 
 
 def _go(
-    engine: Engine, now: Floats, frames: int, out: Recording, stop: bool, asked: Asked
+    engine: Engine,
+    slices: Slices,
+    now: Floats,
+    frames: int,
+    out: Recording,
+    stop: bool,
+    asked: Asked,
 ) -> Moved:
     """Move one island by so many frames; PAUSED where it was asked to stop."""
-    good, tries = 0, engine.make_slices().most
-    while True:
-        moved = engine.call(now, frames - good, tries, out.part(good, len(out.x)), stop)
-        good += moved.good
-        if moved.status != PAUSED:
-            return moved._replace(good=good)
-        if asked():
-            return moved
+    why = ""
+
+    def call(steps: int, count: int, found: Recording, halt: bool) -> tuple[int, int, int]:
+        nonlocal why
+        now[3] = steps
+        moved = engine.call(now, count, slices.most, found, halt)
+        why = moved.why
+        return moved.status, moved.good, moved.taken
+
+    slices.asked = asked
+    status, good = slices.run(call, lambda: lambda: None, int(now[3]), frames, out, stop)
+    return Moved(PAUSED if status == OK and good < frames else status, good, 0, why)
 
 
 def _places(state: State, pool: Floats) -> State:

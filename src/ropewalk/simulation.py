@@ -287,16 +287,16 @@ class Simulation(Driven):
     def take_in_hand(self, row: int) -> None:
         """Let the anchor in a `row` be moved by its velocity from now on, whatever its motion was."""
         self._kinds[row] = HAND
-        self._begin_anew()
+        self._begin_anew(row)
 
     def turn_by_hand(self, row: int, speed: float) -> None:
         """Let the winch in a `row` turn at `speed` [m/s] from now on, whatever the scene told it."""
         self._drive[:, row] = speed, -math.inf, math.inf
-        self._begin_anew()
+        self._begin_anew(int(self.system.winches.anchor[row]))
 
-    def _begin_anew(self) -> None:
-        """Let the adaptive method walk on from the state that is shown."""
-        self._engine.begin_anew()
+    def _begin_anew(self, row: int) -> None:
+        """Let the adaptive method walk on from the state that is shown, where anchor `row` holds a rope."""
+        self._engine.begin_anew(row)
 
     def view(self, *, open_browser: bool = True, port: int | None = None) -> View:
         """Show the simulation in the browser, or here in a notebook, and return the view.

@@ -100,8 +100,9 @@ def make_layout(scene: Scene) -> Layout:
         start, end = spare.get("start", 0), spare.get("end", 0)
         spans.append(Span(rope.name, first, rope.nodes + start + end, start, end))
         first += spans[-1].nodes
+    number = {rope.name: i for i, rope in enumerate(scene.ropes)}
     nodes = tuple(
-        spans[scene.rope_index(anchor.rope)].start + scene.anchor_node(anchor)
+        spans[number[anchor.rope]].start + scene.ropes[number[anchor.rope]].node_index(anchor.node)
         for anchor in scene.anchors
     )
     return Layout(

@@ -88,18 +88,20 @@ def no_walk() -> Walk:
 
 
 def adapt(
-    system: System, state: State, tolerance: float, longest: float
-) -> tuple[State, AdaptiveScratch]:
-    """Return a copy of `state` to show and working arrays for it; `tolerance` [m], `longest` step [s]."""
-    shown, here = pooled(state)
-    (begin, first), (ahead, second) = pooled(state), pooled(state)
+    system: System, shown: State, here: Floats, tolerance: float, longest: float
+) -> AdaptiveScratch:
+    """Return working arrays for a state to show, whose arrays lie in `here`, see `arrays.pooled`.
+
+    `tolerance` [m] and `longest` step [s] are the run's.
+    """
+    (begin, first), (ahead, second) = pooled(shown), pooled(shown)
     walk = Walk(first, second, here.copy(), make_control())
     solver = make_implicit_scratch(shown, ESDIRK3)
     solver.stage.saddle.band.frozen[0] = 1
     limits = np.array([tolerance, longest])
     breaks = break_times(system)
     rest = breaks, limits, np.zeros(1)
-    return shown, AdaptiveScratch(solver, solver.stage, walk, here, begin, ahead, *rest)
+    return AdaptiveScratch(solver, solver.stage, walk, here, begin, ahead, *rest)
 
 
 @kernel

@@ -1,0 +1,172 @@
+"""Ropes that nothing ties together: each moves to the same bits alone and beside any other."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, Phase, assume, given, settings
+
+from ropewalk import islands
+from ropewalk.block import Block, join
+from ropewalk.build import build
+from ropewalk.islands import partition
+from ropewalk.scene import Anchor, Material, Rope, Scene, SceneError, Slack, Velocity
+from ropewalk.simulation import Simulation
+from strategies import scenes
+
+RELAXED = settings(
+    max_examples=60,
+    deadline=None,
+    suppress_health_check=[HealthCheck.too_slow, HealthCheck.filter_too_much],
+    phases=(Phase.explicit, Phase.reuse, Phase.generate),  # shrinking whole runs takes minutes
+    derandomize=True,
+)
+MOST_STEPS = 5_000
+
+
+def alone(simulation: Simulation, rope: str) -> Simulation:
+    """A simulation of one rope of another's scene, with the same plan."""
+    scene = simulation.scene
+    part = scene.replace(
+        ropes=[one for one in scene.ropes if one.name == rope],
+        anchors=[anchor for anchor in scene.anchors if anchor.rope == rope],
+        winches=[winch for winch in scene.winches if winch.rope == rope],
+    )
+    return Simulation(replace(build(part), plan=simulation.plan))
+
+
+def whole(simulation: Simulation) -> Block:
+    return join([simulation.recording(), *simulation.frames()])
+
+
+def check_neighbours(scene: Scene) -> None:
+    """Compare every rope of a scene with itself alone, to the last bit of all that is recorded of it."""
+    try:
+        simulation = Simulation(scene)
+    except SceneError:
+        return
+    assume(simulation.plan.steps <= MOST_STEPS)
+    together = whole(simulation)
+    rows = {name: row for row, name in enumerate(simulation.layout.anchor_names)}
+    ends = []
+    for rope in scene.ropes:
+        one = alone(simulation, rope.name)
+        single = whole(one)
+        ends.append(single.frames)
+        span = simulation.layout.span(rope.name)
+        found, own = together.recording, single.recording
+        frames = min(single.frames, together.frames)
+        nodes, segments = slice(span.first, span.last + 1), slice(span.first, span.last)
+        held = [rows[name] for name in one.layout.anchor_names]
+        for name, places in (
+            ("x", nodes), ("v", nodes), ("tension", segments), ("elastic_tension", segments),
+            ("reaction", held),
+        ):  # fmt: skip
+            here, there = getattr(found, name), getattr(own, name)
+            here = here[:frames, held] if name == "reaction" else here[:frames, ..., places]
+            assert np.array_equal(here, there[:frames]), (rope.name, name)
+    assert together.frames == min(ends)  # the first that breaks ends the run of all
+
+
+@RELAXED
+@given(scenes(max_ropes=3, max_segments=5).filter(lambda scene: len(scene.ropes) > 1))
+def test_a_rope_moves_to_the_same_bits_alone_and_beside_others(scene: Scene) -> None:
+    assume(scene.run.ring is None)
+    check_neighbours(scene)
+
+
+@pytest.mark.slow
+@settings(RELAXED, max_examples=600)
+@given(scenes(max_ropes=4, max_segments=6).filter(lambda scene: len(scene.ropes) > 1))
+def test_many_ropes_move_to_the_same_bits_alone_and_beside_others(scene: Scene) -> None:
+    assume(scene.run.ring is None)
+    check_neighbours(scene)
+
+
+@RELAXED
+@given(scenes(max_ropes=3, max_segments=4).filter(lambda scene: len(scene.ropes) > 1))
+def test_threads_and_returns_change_no_bit(scene: Scene) -> None:
+    """Islands side by side, and a run that was taken back half way, end where one thread alone ends."""
+    try:
+        simulation = Simulation(scene)
+    except SceneError:
+        return
+    assume(simulation.plan.steps <= MOST_STEPS and simulation.plan.frames > 1)
+    half = simulation.plan.frames // 2
+    before = islands.threads, islands.LONG
+    try:
+        islands.threads = 1
+        first = simulation.advance_frames(half)
+        middle = simulation.state
+        last = simulation.advance_frames(simulation.plan.frames - half)
+        islands.threads, islands.LONG = 3, -1.0
+        simulation.restore(middle)
+        again = simulation.advance_frames(simulation.plan.frames - half)
+    finally:
+        islands.threads, islands.LONG = before
+    assume(first.status == 0)
+    assert again.status == last.status and again.frames == last.frames
+    for name, one, other in zip(
+        last.recording._fields, last.recording, again.recording, strict=True
+    ):
+        assert np.array_equal(one[: last.frames], other[: last.frames]), name
+
+
+def test_ropes_share_an_island_where_nothing_can_set_them_apart() -> None:
+    """The twin of the tests above: with one island for all of them they would compare too little."""
+    ropes = [
+        Rope(name=name, segments=3, length=1.0, made_of=Material(EA=1e3, mass_per_length=0.1),
+             shape=Slack(start=(0, k, 0), end=(0.9, k, 0)))
+        for k, name in enumerate("abcd")
+    ]  # fmt: skip
+    moved = Velocity(velocity=(0, 0, 1), start=0.1, stop=0.2)
+    anchors = [
+        Anchor(name="still", rope="a", node=0),
+        Anchor(name="moved", rope="b", node=0, motion=moved),
+        Anchor(name="let-go", rope="d", node=-1, release_time=0.1),
+    ]
+    for method, expected in (
+        ("verlet", [[0, 2], [1], [3]]),
+        ("sdirk2", [[0], [1], [2], [3]]),
+        ("adaptive", [[0], [1], [2], [3]]),
+    ):
+        scene = Scene(ropes=ropes, anchors=anchors, run={"method": method, "time_step": 1e-3})
+        assert partition(build(scene)) == expected
+
+
+@pytest.mark.parametrize("method", ["sdirk2", "bdf2", "adaptive"])
+def test_hands_on_one_rope_leave_the_others_as_they_are(method: str) -> None:
+    """Forces, hands on anchors and a pause in between reach the rope that they are for, and no other."""
+
+    def scene(names: str) -> Scene:
+        ropes = [
+            Rope(name=name, segments=4, length=1.0,
+                 made_of=Material(EA=1e3, mass_per_length=0.1, axial_damping=0.5),
+                 shape=Slack(start=(0, ord(name) - 97, 0), end=(0.9, ord(name) - 97, 0.1)))
+            for name in names
+        ]  # fmt: skip
+        anchors = [Anchor(name=f"hold-{name}", rope=name, node=0) for name in names]
+        run = {"method": method, "time_step": 0.01, "frame_rate": 50, "duration": 1.0}
+        return Scene(ropes=ropes, anchors=anchors, run=run)
+
+    def moved(names: str, touched: str) -> dict[str, np.ndarray]:
+        simulation = Simulation(scene(names))
+        for _ in range(3):
+            simulation.step()
+        if touched in names:
+            simulation.apply_force(2, (0.0, 0.3, 0.2), touched)
+            simulation.anchors[f"hold-{touched}"].velocity = (0.0, 0.5, 0.0)
+        for _ in range(3):
+            simulation.step()
+        spans = {name: simulation.layout.span(name) for name in names}
+        return {
+            name: simulation.positions[span.first : span.last + 1].copy()
+            for name, span in spans.items()
+        }
+
+    both, still = moved("ab", "a"), moved("ab", "-")
+    assert np.array_equal(both["a"], moved("a", "a")["a"])
+    assert not np.array_equal(both["a"], still["a"])
+    assert np.array_equal(both["b"], still["b"])
