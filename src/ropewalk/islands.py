@@ -17,7 +17,7 @@ from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor, wait
 from dataclasses import replace
 from time import perf_counter
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -33,9 +33,11 @@ from ropewalk.shares import INDICES, SUMS, collect, shares_of
 from ropewalk.slices import Slices
 from ropewalk.start import started
 
-#: So many threads move islands side by side; set it to 1 where other processes keep the processors busy.
+#: So many threads move islands side by side; 1 where other processes keep the processors busy.
 threads = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-ROUND = 2.0  # [s] about so long are all islands moved in one call; one that is stopped early is lost
+ROUND = (
+    2.0  # [s] about so long are all islands moved in one call; one that is stopped early is lost
+)
 LONG = 2e-3  # [s] a call that takes longer is worth threads
 
 
@@ -246,12 +248,12 @@ class Islands:
         before a step without solution; where `asked` says so in between, and when anything is raised, where
         they stood.
         """
-        inner, walk = self.inner, self.walk
+        inner, walk, pool = self.inner, self.walk, self._pool.copy()
         try:
             self._spread()
             done = self._move(now, frames, out, stop, asked)
             first = min(done, key=lambda moved: moved.good)
-            if first.status == PAUSED:
+            if any(moved.status == PAUSED for moved in done):
                 self.restore(inner, walk)
                 return Moved(OK, 0, 0)
             together = frames if first.status == OK else first.good + (first.status == BROKEN)
@@ -259,11 +261,12 @@ class Islands:
                 self.restore(inner, walk)
                 self._spread()
                 self._move(now, together, out, False, never)
+            self._gather()
+            now[2] += now[3] * together
         except BaseException:
             self.restore(inner, walk)
+            self._pool[:] = pool
             raise
-        self._gather()
-        now[2] += now[3] * together
         return first._replace(taken=int(now[3]) * together)
 
     def _move(
@@ -294,8 +297,11 @@ class Islands:
         if self._beside is None:
             self._beside = ThreadPoolExecutor(threads, thread_name_prefix="islands")
         parts = np.array_split(np.arange(len(self.engines)), min(4 * threads, len(self.engines)))
-        beside = self._beside
-        jobs = [beside.submit(lambda part=part: [go(int(k)) for k in part]) for part in parts]
+
+        def go_through(part: Ints) -> list[Moved]:
+            return [go(int(k)) for k in part]
+
+        jobs = [self._beside.submit(go_through, part) for part in parts]
         try:
             return [moved for job in jobs for moved in job.result()]
         finally:
@@ -330,10 +336,11 @@ def _places(state: State, pool: Floats) -> State:
     """Return a state whose arrays hold, in place of each number, where in its pool that lies."""
     start = pool.__array_interface__["data"][0]
 
-    def place(value: object) -> object:
+    def place(value: Any) -> Any:
         if isinstance(value, tuple):
             return type(value)(*(place(item) for item in value))
         first = (value.__array_interface__["data"][0] - start) // 8
         return np.arange(first, first + value.size).reshape(value.shape)
 
-    return place(state)
+    places: State = place(state)
+    return places

@@ -107,7 +107,8 @@ def test_threads_and_returns_change_no_bit(scene: Scene) -> None:
     finally:
         islands.threads, islands.LONG = before
     assume(first.status == 0)
-    assert again.status == last.status and again.frames == last.frames
+    assert again.status == last.status
+    assert again.frames == last.frames
     for name, one, other in zip(
         last.recording._fields, last.recording, again.recording, strict=True
     ):
