@@ -13,6 +13,7 @@ from pathlib import Path
 
 from bench.clock import Timing, take_turns
 from bench.implicit import newton
+from bench.islands import many_islands
 from bench.live import live_server
 from bench.many import many
 from bench.page import page, page_memory
@@ -195,6 +196,7 @@ CASES = (
     recording,
     methods,
     newton,
+    many_islands,
     many,
     start_up,
     live_server,

@@ -45,7 +45,7 @@ class Swing:
     @property
     def iterations(self) -> int:
         """Newton iterations of one run."""
-        report = self.simulation._scratch.stage.report
+        report = self.simulation._engine._scratch.stage.report
         self.restore()
         before = report[SOLVES]
         self.run()

@@ -172,7 +172,7 @@ def newton_orders(drag: float = 0.0) -> tuple[list[float], int]:
     rope = Rope(segments=40, length=4.0, made_of=bare, shape=Straight(end=(4, 0, 0)))
     simulation = Simulation(swing("implicit-euler", 0.1, ropes=rope))
     simulation.system.air.node_drag[...] = drag
-    report, orders, at_bound = simulation._scratch.stage.report, [], 0
+    report, orders, at_bound = simulation._engine._scratch.stage.report, [], 0
     for _ in range(20):
         simulation.step(0.1)
         at_bound += int(simulation.arrays.forces.limiter.any(axis=0).sum())

@@ -108,7 +108,7 @@ def test_a_step_that_makes_up_energy_is_taken_in_parts() -> None:
         what = hostile("coincident", EA, step, "sdirk2", 2)
         simulation = Simulation(what)
         assert simulation.advance_steps(40) == OK
-        assert simulation._scratch.stage.report[SPLITS] > 0
+        assert simulation._engine._scratch.stage.report[SPLITS] > 0
         assert largest_energy(what, 40) < MOST
 
 
@@ -122,12 +122,12 @@ def test_a_stiff_rod_s_step_that_makes_up_energy_is_taken_in_parts(
     what = hostile("coincident", EA, step, "bdf2", 2, EI=EI)
     simulation = Simulation(what)
     assert simulation.advance_steps(40) == OK
-    assert simulation._scratch.stage.report[SPLITS] > 0
+    assert simulation._engine._scratch.stage.report[SPLITS] > 0
     assert largest_energy(what, 40) < MOST
     one = Simulation(what)
-    A, b, c, numbers = one._tableau[1:4] + one._tableau[5:]
+    A, b, c, numbers = one._engine._tableau[1:4] + one._engine._tableau[5:]
     before = one.recording().recording.energy[0].sum()
-    arrays = one.system, one.arrays, one._scratch
+    arrays = one.system, one.arrays, one._engine._scratch
     assert take_step(*arrays, 0.0, step, step, True, False, DIRK, A, b, c, numbers) == OK
     assert one.recording().recording.energy[0].sum() > 5.0 * before
 

@@ -81,7 +81,7 @@ def newton_orders(drag: float = 0.0) -> list[float]:
     """
     simulation = Simulation(dropped("implicit-euler", 0.1, 1e6, 20))
     simulation.system.air.node_drag[...] = drag
-    report, orders = simulation._scratch.stage.report, []
+    report, orders = simulation._engine._scratch.stage.report, []
     for _ in range(10):
         simulation.step(0.1)
         merits = report[HISTORY : HISTORY + int(report[ITERATIONS]) + 1]
@@ -153,7 +153,7 @@ def test_an_unsolvable_step_is_said_with_time_and_node() -> None:
         one.arrays.v[1, 3] = 1e200
     with pytest.raises(Broken, match=r"sdirk2 found no solution of step 1 at t = .* node"):
         simulation.step()
-    assert simulation._scratch.stage.report[SOLVES] > 0
+    assert simulation._engine._scratch.stage.report[SOLVES] > 0
     assert kept.advance_frames(5).frames == 0
     assert "Try a shorter time_step" in kept.failure
 
@@ -197,12 +197,12 @@ def test_what_is_farthest_from_solved_is_named_first() -> None:
         simulation = Simulation(made)
         simulation.arrays.v[1, 3] = 1e200
         assert simulation.advance_steps(1) == UNSOLVED
-        stage = simulation._scratch.stage
+        stage = simulation._engine._scratch.stage
         stage.saddle.misfit[:] = 0.0
         stage.saddle.misfit[3] = 2e-3
         stage.report[[RESIDUAL, NODE, SCALE, MISFIT, ROUNDING]] = residual, 2, 1.0, 1e6, 0.0
         clock = simulation.model, simulation.arrays, simulation.clock
-        assert f" s: {first}" in describe(*clock, simulation._scratch)
+        assert f" s: {first}" in describe(*clock, simulation._engine._scratch)
 
 
 @pytest.mark.parametrize("method", ["implicit-midpoint", "generalized-alpha", "bdf2"])

@@ -58,7 +58,7 @@ def long_scene(segments: int, laws: str, ropes: int = 1) -> Scene:
 def run(scene: Scene, *, tiles: bool, ledger: bool) -> tuple[Simulation, np.ndarray]:
     simulation = Simulation(scene, ledger=ledger)
     if not tiles:
-        simulation._extras = 1  # as with winches and limiter: one tile
+        simulation._engine._extras = 1  # as with winches and limiter: one tile
     if "air" in scene.model_fields_set:
         simulation.apply_force(TILE + 2, (0.0, 0.5, 0.2), scene.ropes[-1].name)
     return simulation, simulation.advance_frames(FRAMES).recording.x
