@@ -13,16 +13,18 @@ from ropewalk.build.links import has_links
 from ropewalk.core import arrays
 from ropewalk.core.arrays import Floats, Ints, State, System, pooled
 from ropewalk.core.status import BROKEN, UNSOLVED
-from ropewalk.laws.clamps import start_clamps
 from ropewalk.laws.ledger import gravity_energy
 from ropewalk.methods import adaptive
 from ropewalk.methods.adaptive import Walk
 from ropewalk.methods.controller import ACCEPTED, BEGUN, LONGEST, REJECTED, SHORTEST, make_control
 from ropewalk.methods.loop import prepare, prepare_links
-from ropewalk.methods.recording import Recording, bends
+from ropewalk.methods.recording import Recording
 from ropewalk.methods.registry import METHODS
+from ropewalk.methods.scratch import make_sums
 from ropewalk.methods.verdict import HONEST, LAST, ZERO, energy_now
+from ropewalk.methods.watch import begin_interval
 from ropewalk.slices import Slices
+from ropewalk.start import set_first_reactions
 
 #: Tells whether to stop at the last whole frame.
 Asked = Callable[[], bool]
@@ -102,9 +104,10 @@ class Engine:
     # -- the beginning -------------------------------------------------------------------
 
     def begin(self) -> None:
-        """Evaluate forces and reactions at time zero, and the energy from which gains count."""
+        """Evaluate forces and reactions at time zero, take a first look, and note the energy."""
         self.prepare(0.0)
-        self._set_first_reactions()
+        set_first_reactions(self.system, self.state)
+        begin_interval(self.system, self.state, *working_space(self.state), 0.0)
         self._set_balance()
 
     def prepare(self, time: float) -> None:
@@ -113,21 +116,6 @@ class Engine:
             prepare_links(self.system, self.state, time, self._scratch.stage.saddle)
         else:
             prepare(self.system, self.state)
-
-    def _set_first_reactions(self) -> None:
-        """At time zero an anchor's reaction balances the forces on its node."""
-        state, forces = self.state, self.state.forces
-        for row, i in enumerate(state.anchor_node):
-            total = forces.elastic[:, i + 1] - forces.elastic[:, i]
-            total = total + forces.friction[:, i + 1] - forces.friction[:, i]
-            if bends(state):
-                total = total + forces.bending[:, i + 1] - forces.bending[:, i]
-            if self.model.scene.limiter is not None:
-                total = total + forces.limiter[:, i + 1] - forces.limiter[:, i]
-            total = total + forces.air[:, i] + forces.ground[:, i] + forces.applied[:, i]
-            total = total + state.mass[i] * self.system.gravity
-            state.reaction[row] = -total if state.held[row] else 0.0
-        start_clamps(self.system, state)
 
     def _set_balance(self) -> None:
         """Write the energy at the start, from which gains count, and what of it may turn into motion."""
@@ -157,8 +145,9 @@ class Engine:
     ) -> Moved:
         """Call the kernel once, for `frames` frames or, where steps vary, `most` tries of one.
 
-        `now` holds start of the present step length [s], the step [s], steps since and steps per frame. It
-        is brought forward with the state, whatever is raised. Nobody is asked: a call is short.
+        `now` holds start of the present step length [s], the step [s], steps since, steps per frame, and the
+        edges of `slices.Edges`. It is brought forward with the state, whatever is raised. Nobody is asked:
+        a call is short.
         """
         common = (self.system, self.state, self._scratch, self._extras, now, frames)
         fixed = self._method.fixed
@@ -177,6 +166,9 @@ class Engine:
             )
         return Moved(status, good, taken)
 
+    def show_peaks(self) -> None:
+        """What was seen is in the state already."""
+
     def make_slices(self) -> Slices:
         """Return how to cut long calls."""
         return Slices(self.model.layout.nodes, self._method.cost, self._method.fixed)
@@ -188,6 +180,11 @@ class Engine:
     def begin_anew(self, row: int) -> None:
         """Let the adaptive method walk on from the state that is shown, as anchor `row` was taken in hand."""
         self.walk.control[BEGUN:] = 0.0
+
+
+def working_space(state: State) -> tuple[Floats, Floats]:
+    """Return what a look at a state needs, see `methods.watch`."""
+    return np.zeros((2, state.rest_length.size)), make_sums()
 
 
 def counts(walk: Walk) -> dict[str, float]:

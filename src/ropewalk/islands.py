@@ -23,14 +23,15 @@ import numpy as np
 
 from ropewalk.build import Model
 from ropewalk.core.arrays import APPLIED, Floats, Ints, State, flatten, pooled
+from ropewalk.core.peaks import Peaks
 from ropewalk.core.status import BROKEN, OK, PAUSED
 from ropewalk.engine import Asked, Controls, Engine, Moved, controlled, controls_of, never
 from ropewalk.methods.adaptive import Walk
 from ropewalk.methods.recording import Recording, make_recording
 from ropewalk.methods.registry import METHODS
 from ropewalk.motions.table import TABLE, VELOCITY
-from ropewalk.shares import INDICES, SUMS, collect, shares_of
-from ropewalk.slices import Slices
+from ropewalk.shares import INDICES, SUMS, collect, gather_peaks, shares_of
+from ropewalk.slices import Edges, Slices
 from ropewalk.start import started
 
 #: So many threads move islands side by side; 1 where other processes keep the processors busy.
@@ -100,10 +101,13 @@ class Islands:
         self._make_controls(parts)
         rooms = [pooled(part.state) for part in parts]
         self._sea = np.concatenate([pool for _, pool in rooms])
-        self.engines, self._rooms, first = [], list[slice](), 0
+        self._shelf = np.zeros(sum(size_of(part.state.peaks) for part in parts))
+        self.engines, self._rooms, first, seen = [], list[slice](), 0, 0
         for part, controls, (_, pool) in zip(parts, self._own_controls, rooms, strict=True):
             room = self._sea[first : first + pool.size]
             state, _ = pooled(part.state, room)
+            state = state._replace(peaks=on_shelf(state.peaks, self._shelf[seen:]))
+            seen += size_of(state.peaks)
             self.engines.append(Engine(part, controls, ledger=ledger, room=(state, room)))
             self._rooms.append(slice(first, first + pool.size))
             first += pool.size
@@ -206,19 +210,23 @@ class Islands:
     @property
     def inner(self) -> Floats:
         """A copy of all numbers of the islands' states, (m,)."""
-        return self._sea.copy()
+        return np.concatenate([self._sea, self._shelf])
 
     def restore(self, inner: Floats, walk: Walk) -> None:
         """Go back to the numbers of the islands and their walks; those of the whole are the caller's."""
-        self._sea[:] = inner
+        self._sea[:], self._shelf[:] = np.split(inner, [self._sea.size])
         first = [0] * len(walk)
         for engine in self.engines:
             for k, (to, numbers) in enumerate(zip(engine.walk, walk, strict=True)):
                 to[:] = numbers[first[k] : first[k] + to.size]
                 first[k] += to.size
 
+    def show_peaks(self) -> None:
+        """Write what the islands have seen into the state of the whole."""
+        gather_peaks(self.shares, [engine.state for engine in self.engines], self.state)
+
     def begin(self) -> None:
-        """Evaluate forces and reactions at time zero, and the energies from which gains count."""
+        """Evaluate forces and reactions at time zero, take a first look, and note the energies."""
         for engine in self.engines:
             engine.begin()
         self._gather()
@@ -320,9 +328,13 @@ def _go(
     """Move one island by so many frames; PAUSED where it was asked to stop."""
     why = ""
 
-    def call(steps: int, count: int, found: Recording, halt: bool) -> tuple[int, int, int]:
+    begun, unfinished = now[4:]  # of the call for all islands
+
+    def call(
+        steps: int, count: int, found: Recording, halt: bool, edges: Edges
+    ) -> tuple[int, int, int]:
         nonlocal why
-        now[3] = steps
+        now[3:] = steps, begun or edges[0], unfinished or edges[1]
         moved = engine.call(now, count, slices.most, found, halt)
         why = moved.why
         return moved.status, moved.good, moved.taken
@@ -330,6 +342,21 @@ def _go(
     slices.asked = asked
     status, good = slices.run(call, lambda: lambda: None, int(now[3]), frames, out, stop)
     return Moved(PAUSED if status == OK and good < frames else status, good, 0, why)
+
+
+def size_of(peaks: Peaks) -> int:
+    """Count the numbers of what was seen."""
+    return sum(part.size for part in peaks)
+
+
+def on_shelf(peaks: Peaks, room: Floats) -> Peaks:
+    """Return the same numbers in the first part of an array."""
+    views, first = [], 0
+    for part in peaks:
+        views.append(room[first : first + part.size].reshape(part.shape))
+        views[-1][...] = part
+        first += part.size
+    return Peaks(*views)
 
 
 def _places(state: State, pool: Floats) -> State:

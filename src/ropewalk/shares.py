@@ -10,10 +10,11 @@ from typing import Any
 
 import numpy as np
 
-from ropewalk.build import Model, Span
+from ropewalk.build import Model, Pieces, Span
 from ropewalk.build.layout import make_layout
 from ropewalk.build.tables import make_tables
-from ropewalk.core.arrays import Ints, State, flatten
+from ropewalk.core.arrays import Floats, Ints, State, copy, flatten
+from ropewalk.core.peaks import EXTREMES, FORCE, LEAST_TENSION, LOWEST, PLACE, SINCE, UNTIL, VALUE
 from ropewalk.methods.recording import Recording, bends, energy_names, work_names
 from ropewalk.scene import Scene
 
@@ -36,7 +37,16 @@ WINCHES = ("winch_exit", "winch_rate", "winch_debt", "winch_paid")
 # Of all ropes together; and what is each island's own: the verdict, a method's memory.
 SUMS = ("work.limiter", "work.winch")
 OWN = ("past", "most", "balance")
-SEGMENTS_RECORDED = ("tension", "elastic_tension", "rest_length")
+PEAKS = "peaks."  # every island looks at its own steps
+SEGMENTS_RECORDED = (
+    *("tension", "elastic_tension", "rest_length"),
+    *("tension_low", "tension_high", "stretch_high"),
+)
+PEAKS_OF_SEGMENTS = ("tension_high", "tension_low", "square_high", "square_low", "stretch")
+LINES = slice(0, FORCE)  # the extremes that a segment or node has ...
+HOLDERS = slice(FORCE, None)  # ... and those of an anchor
+ADDED = ("energy", "work", "jump", "momentum", "angular_momentum", "moment", "moment_high")
+NODES_RECORDED = ("x", "v", "speed_high", "lowest", "highest")
 INDICES = ("anchor_node", "winch_exit")  # hold indices of nodes
 
 
@@ -86,7 +96,7 @@ class Share:
         """Yield name, array and place of what corresponds in the states of the whole and of the share."""
         there = flatten(whole)
         for name, array in flatten(own).items():
-            if array.size and name not in SUMS + OWN:
+            if array.size and name not in SUMS + OWN and not name.startswith(PEAKS):
                 last, at, here = self.where(name)
                 yield (
                     name,
@@ -99,7 +109,8 @@ class Share:
     def cut(self, model: Model) -> Model:
         """Return the model of the share: tables of its own, with the state that `model` has."""
         layout = make_layout(self.scene)
-        system, state = make_tables(self.scene, layout)
+        system, made = make_tables(self.scene, layout, Pieces())
+        state = copy(made)  # nobody writes to what is made
         for name, there, at, own, here in self.pairs(model.state, state):
             own[here] = there[at] - self.moved[name] if name in INDICES else there[at]
         return replace(model, scene=self.scene, system=system, state=state, layout=layout)
@@ -144,8 +155,8 @@ def collect(
     out: Recording, frames: int, state: State, parts: list[tuple[Share, State, Recording]]
 ) -> None:
     """Write the first `frames` frames of all shares, each with its state, into those of the whole."""
-    for array in (out.energy, out.work, out.jump, out.momentum, out.angular_momentum, out.moment):
-        array[:frames] = 0.0
+    for name in ADDED:
+        getattr(out, name)[:frames] = 0.0
     ends = [there.last for share, _, _ in parts for there, _ in share.spans]
     between = [end for end in ends if end < state.rest_length.size]
     for name in SEGMENTS_RECORDED:
@@ -161,10 +172,55 @@ def collect(
         out.work[:frames, laws] += found.work[:frames, : len(works)]
         out.work[:frames, len(names[1]) + share.anchors] = found.work[:frames, len(works) :]
         out.reaction[:frames, share.anchors] = found.reaction[:frames]
+        out.reaction_high[:frames, share.anchors] = found.reaction_high[:frames]
         if found.moment.shape[1]:
             out.moment[:frames, share.anchors] = found.moment[:frames]
+            out.moment_high[:frames, share.anchors] = found.moment_high[:frames]
         for name in ("jump", "momentum", "angular_momentum"):
             getattr(out, name)[:frames] += getattr(found, name)[:frames]
+    if out.extremes.shape[1]:
+        rows = [
+            np.stack([f.extremes, f.extreme_places, f.extreme_since, f.extreme_until])[:, :frames]
+            for _, _, f in parts
+        ]
+        best = best_of([share for share, _, _ in parts], np.stack(rows))
+        out.extremes[:frames], out.extreme_places[:frames] = best[VALUE], best[PLACE]
+        out.extreme_since[:frames], out.extreme_until[:frames] = best[SINCE], best[UNTIL]
+
+
+def best_of(shares: list[Share], found: Floats) -> Floats:
+    """Return the greatest and least of all shares, (4, ..., 8), of what each has `found`, (k, 4, ..., 8).
+
+    Rows are VALUE, PLACE, SINCE and UNTIL of `core.peaks`, columns its EXTREMES; places become the whole's.
+    """
+    values, places = found[:, VALUE], found[:, PLACE]
+    for share, place in zip(shares, places, strict=True):
+        for columns, rows in ((LINES, share.nodes), (HOLDERS, share.anchors)):
+            own = place[..., columns].astype(np.int64)
+            if len(rows):
+                place[..., columns] = np.where(own < 0, -1, rows[np.maximum(own, 0)])
+    sign = np.ones(len(EXTREMES))
+    sign[[LEAST_TENSION, LOWEST]] = -1.0
+    which = np.argmax(np.where(places < 0.0, -np.inf, sign * values), axis=0)
+    best: Floats = np.take_along_axis(found, which[None, None], axis=0)[0]
+    return best
+
+
+def gather_peaks(shares: list[Share], own: list[State], whole: State) -> None:
+    """Write into the whole's state what its shares have seen since their intervals began."""
+    peaks = whole.peaks
+    if not peaks.speed.size:
+        return
+    for share, state in zip(shares, own, strict=True):
+        for name in PEAKS_OF_SEGMENTS:
+            getattr(peaks, name)[share.segments] = getattr(state.peaks, name)[share.own_segments]
+        for name in ("speed", "high", "low"):
+            getattr(peaks, name)[share.nodes] = getattr(state.peaks, name)
+        peaks.reaction[share.anchors] = state.peaks.reaction
+        if state.peaks.moment.size:
+            peaks.moment[share.anchors] = state.peaks.moment
+    peaks.found[:] = best_of(shares, np.stack([state.peaks.found for state in own]))
+    peaks.looked[:] = own[0].peaks.looked
 
 
 def _columns(state: State) -> tuple[tuple[str, ...], tuple[str, ...]]:
@@ -175,11 +231,10 @@ def _columns(state: State) -> tuple[tuple[str, ...], tuple[str, ...]]:
 def _collect_lines(out: Recording, frames: int, share: Share, found: Recording) -> None:
     """Write what there is for every node and segment."""
     for there, own in share.spans:
-        at, here = slice(there.first, there.last + 1), slice(own.first, own.last + 1)
-        out.x[:frames, :, at] = found.x[:frames, :, here]
-        out.v[:frames, :, at] = found.v[:frames, :, here]
-        at, here = slice(there.first, there.last), slice(own.first, own.last)
-        for name in SEGMENTS_RECORDED:
-            array = getattr(found, name)
-            if array.shape[1]:
-                getattr(out, name)[:frames, at] = array[:frames, here]
+        for names, last in (NODES_RECORDED, 1), (SEGMENTS_RECORDED, 0):
+            at = slice(there.first, there.last + last)
+            here = slice(own.first, own.last + last)
+            for name in names:
+                array = getattr(found, name)
+                if array.shape[1]:
+                    getattr(out, name)[:frames, ..., at] = array[:frames, ..., here]

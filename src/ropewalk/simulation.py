@@ -18,7 +18,7 @@ from ropewalk.core.arrays import APPLIED, Floats, Ints, State
 from ropewalk.core.status import BROKEN, OK, UNSOLVED
 from ropewalk.drive import Driven, Goal
 from ropewalk.drum import WinchHandle
-from ropewalk.engine import counts
+from ropewalk.engine import counts, working_space
 from ropewalk.hand import AnchorHandle
 from ropewalk.islands import make_engine
 from ropewalk.methods.adaptive import Walk
@@ -154,14 +154,11 @@ class Simulation(Driven):
         self._engine.restore(snapshot.inner, snapshot.walk)
         self.system.flags[APPLIED] = int(self._state.forces.applied.any())
 
-    def _looking(self) -> tuple[Floats, Floats]:
-        """Return working space for a look at the state."""
-        return np.zeros((2, self.layout.segments)), make_sums()
-
     def recording(self) -> Block:
         """Return the present state as one frame, extremes since the last call that moved it on included."""
         out = make_recording(self._state, 1, self._winches)
-        watch(self.system, self._state, *self._looking(), self.time)
+        self._engine.show_peaks()
+        watch(self.system, self._state, *working_space(self._state), self.time)
         record_frame(self.system, self._state, self.ledger, make_sums(), 0, out)
         out.energy[:, GRAVITY] -= self._gravity_zero
         return Block(np.array([self.time]), out)
