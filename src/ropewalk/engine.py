@@ -11,12 +11,21 @@ from ropewalk import broken, unsolved
 from ropewalk.build import Model
 from ropewalk.build.links import has_links
 from ropewalk.core import arrays
-from ropewalk.core.arrays import Floats, Ints, State, System, pooled
+from ropewalk.core.arrays import TENSION_ONLY, Floats, Ints, State, System, pooled
 from ropewalk.core.status import BROKEN, UNSOLVED
+from ropewalk.crawl import Crawl
 from ropewalk.laws.ledger import gravity_energy
 from ropewalk.methods import adaptive
 from ropewalk.methods.adaptive import Walk
-from ropewalk.methods.controller import ACCEPTED, BEGUN, LONGEST, REJECTED, SHORTEST, make_control
+from ropewalk.methods.controller import (
+    ACCEPTED,
+    BEGUN,
+    END,
+    LONGEST,
+    REJECTED,
+    SHORTEST,
+    make_control,
+)
 from ropewalk.methods.loop import prepare, prepare_links
 from ropewalk.methods.recording import Recording
 from ropewalk.methods.registry import METHODS
@@ -99,6 +108,7 @@ class Engine:
             limits = plan.tolerance, plan.longest
             self._scratch = adaptive.adapt(self.system, self.state, here, *limits)
             self.walk = self._scratch.walk
+        self.crawl = Crawl(plan.tolerance, self.system.flags[TENSION_ONLY] == 1)
         self.inner = np.zeros(0)  # nothing but the state, the controls and the walk
 
     # -- the beginning -------------------------------------------------------------------
@@ -155,6 +165,8 @@ class Engine:
             self._scratch.strides[0] = most
         status, good = self._method.advance(*common, self.ledger, out, stop, self._tableau)
         taken = int(now[3]) * good if fixed else most - int(self._scratch.strides[0])
+        if not fixed:
+            self.crawl.note(taken, float(self.walk.control[END]))
         if status == UNSOLVED:
             clock = float(now[0]), float(now[1]), int(now[2])
             why = unsolved.describe(self.model, self.state, clock, self._scratch)

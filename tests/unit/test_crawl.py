@@ -22,7 +22,7 @@ def dropped(tolerance: float) -> Simulation:
 
 def go_on(simulation: Simulation, end: float) -> None:
     """Advance to a time [s], or until it crawls."""
-    while simulation.time < end and not simulation.crawl.told:
+    while simulation.time < end and not simulation._engine.crawl.told:
         simulation.advance_frames(1)
 
 
