@@ -29,7 +29,7 @@ def test_a_sweep_says_how_its_runs_ended(ropewalk: Call, scene: Path, tmp_path: 
     ds = rw.sweep.open(tmp_path / "s")
     own = rw.simulate(rw.load(scene).replace(ropes=[rw.load(scene).ropes[0].replace(
         made_of=rw.load(scene).ropes[0].made_of.replace(spring_constant=1000.0))]))  # fmt: skip
-    assert ds.tension_max.values[1] == own.tension.max()
+    assert ds.tension_max.values[1] == own.table["largest tension [N]"] >= own.tension.max()
 
 
 def test_an_interrupted_sweep_is_gone_on_with(

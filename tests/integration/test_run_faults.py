@@ -108,11 +108,11 @@ FAULTS: dict[str, tuple[Callable[[Path], object], str]] = {
     ),
     "another version": (
         lambda f: edit(f / "provenance.json", "format", 99),
-        "has the format 99; this version of ropewalk reads 2 and 3",
+        "has the format 99; this version of ropewalk reads 2, 3 and 4",
     ),
     "another store": (
-        lambda f: damage_root(f, lambda root: root["attributes"].update(ropewalk_format=4)),  # type: ignore[attr-defined]
-        "has the format 4",
+        lambda f: damage_root(f, lambda root: root["attributes"].update(ropewalk_format=5)),  # type: ignore[attr-defined]
+        "has the format 5",
     ),
     "no store": (lambda f: shutil.rmtree(f / "data.zarr"), "zarr.json: is missing"),
     "no root": (lambda f: (f / "data.zarr" / "zarr.json").unlink(), "zarr.json: is missing"),

@@ -72,7 +72,10 @@ def check_neighbours(scene: Scene) -> None:
                 here, there = getattr(found, name)[:frames], getattr(own, name)[:frames]
                 here = here[:, held] if places is held else here[..., places]
                 assert np.array_equal(here, there), (rope.name, name)
-    assert together.frames == min(ends)  # the first that breaks ends the run of all
+    if len(simulation.scene.ropes) == len(partition(simulation.model)):
+        assert together.frames == min(ends)  # the first that breaks ends the run of all
+    else:  # ropes in one island have one verdict, by the energy of all
+        assert together.frames >= min(ends)
 
 
 @RELAXED

@@ -72,7 +72,7 @@ def test_every_written_scene_follows_the_schema(scene: Scene) -> None:
 @settings(max_examples=150, deadline=None)
 def test_any_number_is_taken_or_refused_by_name(value: float, key: str) -> None:
     try:
-        scene = loads(dumps(PLAIN).replace("[[rope]]", f"[run]\n{key} = {value!r}\n[[rope]]"))
+        scene = loads(dumps(PLAIN).replace("[run]\n", f"[run]\n{key} = {value!r}\n"))
     except SceneError as error:
         paths = [fault.path for fault in error.faults]
         assert paths in ([f"run.{key}"], ["run.duration"])

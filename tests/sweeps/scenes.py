@@ -15,6 +15,7 @@ name = "swing"
 duration = {duration}
 time_step = 0.001
 frame_rate = 50.0
+method = "semi-implicit-euler"
 [[rope]]
 segments = 4
 length = 2.0

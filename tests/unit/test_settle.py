@@ -10,7 +10,6 @@ import pytest
 
 import ropewalk as rw
 from ropewalk.analysis.check import check
-from ropewalk.analysis.stability import stability
 from ropewalk.build import build
 from ropewalk.record.resume import resume_run
 from ropewalk.scene import Air, Anchor, Ground, Material, Rope, Scene, Springs, Straight
@@ -78,14 +77,14 @@ def test_a_rod_needs_no_weight_to_have_a_shape() -> None:
 
 
 def test_a_chain_that_does_not_close_is_said_by_check(monkeypatch: pytest.MonkeyPatch) -> None:
-    """`check`, `equilibrium` and `stability` name the rope and its anchors, never a traceback."""
+    """`check` and `equilibrium` name the rope and its anchors, never a traceback."""
 
     def hang(*_: object) -> None:
         raise ArithmeticError("the rest shape did not close: 1 m are left open")
 
     assert check(scene(), measure=False)
     monkeypatch.setattr("ropewalk.statics.hung.hang", hang)
-    for ask in (lambda one: check(one, measure=False), rw.equilibrium, stability):
+    for ask in (lambda one: check(one, measure=False), rw.equilibrium):
         with pytest.raises(rw.SceneError) as caught:
             ask(scene())
         said = "rope[0].length: 0.5 - the rest shape did not close: 1 m are left open (from anchor"
@@ -120,7 +119,8 @@ def test_the_result_of_one_frame(tmp_path: Path) -> None:
     assert repr(result).startswith("Equilibrium of 'scene': rope 'cord' with 10 segments, largest")
     assert not result.velocities.any()
     table = result.table
-    assert table["largest tension at"] == "segment 0 of rope 'cord'"
+    # both ends carry the same, to rounding
+    assert table["largest tension at"] in ("segment 0 of rope 'cord'", "segment 9 of rope 'cord'")
     assert table["largest force left [N]"] == result.residual
     saved = result.save(tmp_path / "rest")
     assert saved.residual == result.residual

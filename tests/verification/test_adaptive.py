@@ -201,9 +201,21 @@ def test_stiff_rope_and_its_tension() -> None:
     assert np.abs(1e7 / 0.05 * stretch).max() > scale
 
 
+BETWEEN = (  # what is of the interval since the frame before
+    *("tension_low", "tension_high", "stretch_high", "speed_high", "lowest", "highest"),
+    *("extremes", "extreme_places", "extreme_since", "extreme_until"),
+    *("reaction_high", "moment_high"),
+)
+
+
 def same(a: Block, b: Block, every: int = 1) -> bool:
-    pairs = zip(a.recording, b.recording, strict=True)
-    return all(np.array_equal(p[every - 1 :: every], q) for p, q in pairs)
+    """Compare what two blocks hold; what lies between two frames only where their intervals are the same."""
+    for name, p, q in zip(a.recording._fields, a.recording, b.recording, strict=True):
+        if every > 1 and name in BETWEEN:
+            continue
+        if not np.array_equal(p[every - 1 :: every], q, equal_nan=True):
+            return False
+    return True
 
 
 @pytest.mark.parametrize("make", [falling, landing, pulled])
@@ -309,7 +321,7 @@ def test_a_run_reports_and_resumes(tmp_path: Path) -> None:
     assert resumed.facts.step_counts == counts
     assert resumed.dataset.attrs["rejected_steps"] == counts["rejected"]
     for name in whole.source.names:
-        assert np.array_equal(whole.read(name), resumed.read(name))
+        assert np.array_equal(whole.read(name), resumed.read(name), equal_nan=True), name
 
 
 def test_a_violent_start_is_taken_in_small_steps() -> None:

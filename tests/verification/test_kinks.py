@@ -61,7 +61,8 @@ def end_state(case: str, method: str, steps: int, cut: bool = True) -> np.ndarra
     )
     simulation = Simulation(made)
     if not cut:
-        simulation.system = simulation.system._replace(kinks=np.zeros(0))
+        engine = simulation._engine
+        engine.system = engine.system._replace(kinks=np.zeros(0))
     assert simulation.advance_frames(1).status == 0
     return np.concatenate([simulation.positions.ravel(), simulation.velocities.ravel()])
 
