@@ -337,7 +337,7 @@ def test_a_function_of_a_matrix(tmp_path: Path) -> None:
     assert f([2000.0, 2.0]).shape == (4,)
     np.testing.assert_array_equal(made[0], f([2000.0, 2.0]))
     own = alone(swing(), **{EA: 1500.0, "rope.length": 2.1})
-    assert made[2, 0] == own.tension.max()
+    assert made[2, 0] == own.table["largest tension [N]"] >= own.tension.max()
     with pytest.raises(InputError, match="N x 2"):
         f([1.0, 2.0, 3.0])
 
