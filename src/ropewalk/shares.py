@@ -113,7 +113,9 @@ class Share:
         state = copy(made)  # nobody writes to what is made
         for name, there, at, own, here in self.pairs(model.state, state):
             own[here] = there[at] - self.moved[name] if name in INDICES else there[at]
-        params = model.system.anchors.params[self.anchors]  # of motions that may have begun elsewhere
+        params = model.system.anchors.params[
+            self.anchors
+        ]  # of motions that may have begun elsewhere
         system = system._replace(anchors=system.anchors._replace(params=params))
         return replace(model, scene=self.scene, system=system, state=state, layout=layout)
 
