@@ -86,11 +86,21 @@ def test_every_key_of_the_help_has_an_effect(window: Window) -> None:
         told = window.page.locator("dialog.help kbd").all_inner_texts()
         window.press("Escape")
         window.page.locator("dialog.help[open]").wait_for(state="detached")
-    done |= _press_hands(window)
+    done |= _press_hands(window) | _press_places(window)
     names = {"←": "ArrowLeft", "→": "ArrowRight", "↑": "ArrowUp", "↓": "ArrowDown", "Space": " "}
     keys = {key for text in told for key in text.replace(",", " ").split() if key != "or"}
     listed = {names.get(key, key.lower() if len(key) == 1 else key) for key in keys}
     assert listed == done  # no key is listed that was not pressed here, and none left out
+
+
+def _press_places(window: Window) -> set[str]:
+    """Go to a place on the ropes and open its menu."""
+    window.page.locator("#view").focus()
+    window.press("Tab", "Enter")
+    window.page.locator(".popup .popup-title").wait_for()
+    window.press("Escape")
+    window.page.locator(".popup").wait_for(state="hidden")
+    return {"Tab", "Enter"}
 
 
 def _press_steps(window: Window) -> None:
