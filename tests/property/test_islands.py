@@ -86,7 +86,7 @@ def test_a_rope_moves_to_the_same_bits_alone_and_beside_others(scene: Scene) -> 
 
 
 @pytest.mark.slow
-@settings(RELAXED, max_examples=600)
+@settings(RELAXED, max_examples=200)
 @given(scenes(max_ropes=4, max_segments=6).filter(lambda scene: len(scene.ropes) > 1))
 def test_many_ropes_move_to_the_same_bits_alone_and_beside_others(scene: Scene) -> None:
     assume(scene.run.ring is None)
