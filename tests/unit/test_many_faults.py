@@ -75,7 +75,8 @@ def test_what_is_told_is_bounded_and_the_time_linear(kind: str) -> None:
         assert len(told) == 201
         assert "more faults, not told here" in told[-1]
     short = least_time(lambda: faults(few))
-    assert least_time(lambda: faults(many)) < 10.0 * short  # four times as many: not sixteen times as long
+    # four times as many: not sixteen times as long
+    assert least_time(lambda: faults(many)) < 10.0 * short
 
 
 def test_winches_and_anchors_on_many_ropes_are_checked_in_linear_time() -> None:

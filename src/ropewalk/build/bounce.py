@@ -45,8 +45,8 @@ def bounce_of(chain: Chain, one_way: Floats) -> Bounce | None:
     """Return the bounce of a chain whose segments marked in `one_way` (s,) do not push, or None."""
     stiffness = np.where(one_way, chain.stiffness, 0.0)
     frequency = highest_frequency(chain._replace(stiffness=stiffness, bending=0.0))
-    if not frequency > 0.0:
-        return None
+    if not 0.0 < frequency < math.inf:
+        return None  # of links that nothing stretches explicit methods take none
     live = stiffness > 0.0
     friction = (chain.damping_vector + chain.damping_axial)[live]
     return Bounce(frequency, float((0.5 * frequency * friction / stiffness[live]).min()))
