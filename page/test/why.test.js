@@ -4,18 +4,19 @@ import { test } from "node:test";
 import { theoryOf, whyItBroke } from "../src/view/why.js";
 
 const ONE = { stable: false, bound: 0.002, meter: 5.31, meter_limit: 4, meter_name: "a + 2b" };
-const stability = (changes = {}) => /** @type {any} */ ({ ...ONE, ...changes });
+const cause = (changes = {}) => /** @type {any} */ ({ ...ONE, ...changes });
 
 test("a break is told without the theory's letters, differently for a long step and a hard pull", () => {
-  const words = [{}, { stable: true }, { bound: null }].map((one) => whyItBroke(stability(one)));
+  const words = [{}, { stable: true }, { bound: null }].map((one) => whyItBroke(cause(one)));
   assert.equal(new Set(words).size, 3);
   for (const text of words) assert.ok(!/[=²]|a \+|bound|zigzag/.test(text), text);
   assert.match(words[0], /too long/);
   assert.match(words[1], /too far/);
+  assert.doesNotMatch(whyItBroke(null), /step|hand/); // nothing is said that is not known
 });
 
 test("the theory is there for those who ask, where there is one", () => {
-  assert.equal(theoryOf(stability()), "The meter: a + 2b = 5.31, at most 4.");
-  assert.equal(theoryOf(stability({ meter: null })), "");
-  assert.equal(theoryOf(undefined), "");
+  assert.equal(theoryOf(cause()), "The meter: a + 2b = 5.31, at most 4.");
+  assert.equal(theoryOf(cause({ meter: null })), "");
+  assert.equal(theoryOf(null), "");
 });

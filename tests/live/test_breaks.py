@@ -39,6 +39,19 @@ def test_a_break_is_frozen_and_explained() -> None:
     assert session.time == said["time"]
 
 
+def test_the_message_has_its_own_cause() -> None:
+    session = broken()
+    meter = measure(session.main.simulation.model)
+    assert not meter["stable"]
+    do(session, "set", name="spring_constant", value=1000.0)
+    said = breaks.explain(session)  # asked late: the constants are others by now
+    assert said["cause"] == {name: meter[name] for name in said["cause"]}
+    assert not said["cause"]["stable"]
+    assert "above the largest stable one" in said["text"]
+    assert said["remedies"][0]["id"] == "on"
+    assert breaks.Question.of(session).at_once()["cause"] is None
+
+
 def test_the_page_is_told_the_steps_past_the_break() -> None:
     session = broken()
     last = session.main.simulation.positions

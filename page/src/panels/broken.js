@@ -69,15 +69,14 @@ export class BrokenCard {
         remedy.label || SIGNS[remedy.id],
       ),
     );
-    const stability = this.session.stability[broken.variant];
     this.card.replaceChildren(
       h("h2", {}, "The simulation broke"),
-      h("p", { className: "why" }, whyItBroke(stability)),
+      h("p", { className: "why" }, whyItBroke(broken.cause)),
       h(
         "details",
         {},
         h("summary", {}, "The theory, in numbers"),
-        h("p", {}, `${broken.text} ${theoryOf(stability)}`),
+        h("p", {}, `${broken.text} ${theoryOf(broken.cause)}`),
       ),
       h("div", { className: "row" }, ...buttons, ...this.look(broken)),
     );

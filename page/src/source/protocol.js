@@ -33,9 +33,11 @@
  *   largest_spring_constant: number | null, largest_axial_stiffness: number | null,
  *   spring_factor: number | null, case: string, rope: string, node: number, method: string, verdict: string,
  *   remedies: string[], steps: Record<string, number>}} Stability */
+/** What the meter says of the step that broke. @typedef {Pick<Stability, "stable" | "bound" | "meter" |
+ *   "meter_limit" | "meter_name">} Cause */
 /** @typedef {{id: string, label: string, value?: any}} Remedy */
 /** @typedef {{type: "broken", variant: number, time: number, step: number, rope: string, node: number,
- *   index: number, text: string, sign: string, remedies: Remedy[],
+ *   index: number, text: string, sign: string, cause: Cause | null, remedies: Remedy[],
  *   past?: {time: number, positions: number[][]}[]}} Broken */
 /** @typedef {{type: "error", id?: number, command?: string, text: string,
  *   faults?: {path: string, value: any, rule: string, low: number | null, high: number | null}[]}} Fault */

@@ -2,14 +2,15 @@
 
 import { figures } from "./range.js";
 
-/** @typedef {import("../source/protocol.js").Stability} Stability */
+/** @typedef {import("../source/protocol.js").Cause} Cause */
 
-/** @param {Stability | undefined} stability of the variant that broke */
-export function whyItBroke(stability) {
-  if (!stability || stability.bound === null) {
+/** @param {Cause | null} cause null: not found out yet */
+export function whyItBroke(cause) {
+  if (!cause) return "The rope has flown apart. Why is being looked at.";
+  if (cause.bound === null) {
     return "The rope was moved farther in one step than the computation can follow. Try a shorter step.";
   }
-  if (stability.stable) {
+  if (cause.stable) {
     return (
       "The step is short enough for a rope at its length, so something pulled or threw a piece of it too far: " +
       "a hand, a fast anchor, a heavy load. Be gentler, or take a shorter step."
@@ -22,9 +23,9 @@ export function whyItBroke(stability) {
   );
 }
 
-/** The theory's sum, for those who know it. @param {Stability | undefined} stability */
-export function theoryOf(stability) {
-  if (!stability || stability.meter === null || stability.meter_limit === null) return "";
-  const { meter, meter_limit, meter_name } = stability;
+/** The theory's sum, for those who know it. @param {Cause | null} cause */
+export function theoryOf(cause) {
+  if (!cause || cause.meter === null || cause.meter_limit === null) return "";
+  const { meter, meter_limit, meter_name } = cause;
   return `The meter: ${meter_name} = ${figures(meter)}, at most ${figures(meter_limit)}.`;
 }

@@ -14,6 +14,7 @@ import numpy as np
 from ropewalk.analysis.diagnosis import Diagnosis, diagnose, retrace
 from ropewalk.analysis.stability import stability
 from ropewalk.core.arrays import Floats
+from ropewalk.live.meter import measure
 from ropewalk.live.remedies import as_messages
 from ropewalk.live.session import Break, Session
 from ropewalk.live.track import Saved, Track
@@ -23,6 +24,7 @@ from ropewalk.simulation import Simulation, Snapshot
 _HISTORY = 400  # steps to look at
 _STEPS_SENT, _MOST_SENT = 8, 6000  # steps past the break, and nodes of them all, told to the page
 _MOST_WORK = 3_000_000  # steps times nodes taken again
+_CAUSE = ("stable", "bound", "meter", "meter_limit", "meter_name")  # of the meter at the break
 
 
 @dataclass(frozen=True)
@@ -31,7 +33,8 @@ class Question:
 
     broken: Break
     changed: bool  # whether constants were changed since
-    simulation: Simulation  # only its model, layout and plan are looked at
+    simulation: Simulation  # that broke; only its model, layout and plan are looked at
+    now: Simulation  # with the constants as they are now
     here: Snapshot
     start: Saved | None  # a moment before the break shows
     time: float
@@ -45,17 +48,19 @@ class Question:
         """Ask about a session that is broken."""
         assert session.broken is not None
         track = session.tracks[session.broken.variant]
+        simulation = session.broken.simulation or track.simulation
         return cls(
             session.broken,
             session.revision != session.broken.revision,
+            simulation,
             track.simulation,
-            track.simulation.state,
-            _start(session, track),
-            track.simulation.time,
+            simulation.state,
+            _start(session, track, simulation),
+            simulation.time,
             session.count,
             track.count,
-            track.simulation.failure,
-            track.simulation.reason,
+            simulation.failure,
+            simulation.reason,
         )
 
     def at_once(self) -> dict[str, Any]:
@@ -72,13 +77,14 @@ class Question:
             "index": index,
             "text": f"Broke after t = {self.time:.6g} s. The steps before it are being looked at.",
             "sign": "",
+            "cause": None,
             "remedies": as_messages(None, self.changed),
             "past": [],
         }
 
     def remedies(self) -> list[dict[str, Any]]:
         """Return the ways out."""
-        return as_messages(self.simulation, self.changed)
+        return as_messages(self.now, self.changed)
 
     def answer(self) -> dict[str, Any]:
         """Return the message about the break."""
@@ -89,9 +95,15 @@ class Question:
             "index": self.simulation.layout.node(found.node, found.rope),
             "text": self.failure or found.text,
             "sign": "" if self.failure else found.sign,
+            "cause": self._cause(),
             "remedies": self.remedies(),
             "past": self._past(),
         }
+
+    def _cause(self) -> dict[str, Any]:
+        """Return what the meter says of the step that broke; the page's own may be of before a change."""
+        found = measure(self.simulation.model)
+        return {name: found[name] for name in _CAUSE}
 
     def _past(self) -> list[dict[str, Any]]:
         """Return the first steps from the last good state into the break, as far as they can be drawn.
@@ -149,15 +161,15 @@ def explain(session: Session) -> dict[str, Any]:
     return Question.of(session).answer()
 
 
-def _start(session: Session, track: Track) -> Saved | None:
+def _start(session: Session, track: Track, simulation: Simulation) -> Saved | None:
     """The newest moment of the simulation that broke which lies well before the break, else its oldest."""
     known = [
         one
         for moment in session.history.newest_first()
         for one in moment.tracks
-        if one.simulation is track.simulation
+        if one.simulation is simulation
     ]
-    if track.begun.simulation is track.simulation:
+    if track.begun.simulation is simulation:
         known.append(track.begun)
     early = [one for one in known if track.count - one.steps >= _HISTORY // 4]
     return early[0] if early else (known[-1] if known else None)

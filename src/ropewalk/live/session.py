@@ -29,6 +29,9 @@ class Break:
     variant: int
     chunk: int  # steps in which it broke
     revision: int = 0  # of the session, when it broke
+    simulation: Simulation | None = (
+        None  # that broke; not that of the variant any more once it is changed
+    )
 
 
 class Session:
@@ -123,7 +126,7 @@ class Session:
             if broken is not None:
                 for track, saved in zip(self.tracks, before, strict=True):
                     track.restore(saved, undo=True)
-                self.broken = Break(broken, now, self.revision)
+                self.broken = Break(broken, now, self.revision, self.tracks[broken].simulation)
                 self.on_break(self.count, broken)
                 return BROKEN
             steps -= now
