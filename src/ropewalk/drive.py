@@ -35,6 +35,7 @@ class Driven:
     model: Model
     layout: Layout
     ledger: bool
+    apart: bool
     system: System
     _state: State
     _goals: dict[int, Goal]
@@ -45,7 +46,8 @@ class Driven:
 
     if TYPE_CHECKING:
 
-        def __init__(self, scene: Model, *, ledger: bool = True) -> None: ...
+        def __init__(self, scene: Model, *, ledger: bool = True, apart: bool = False) -> None: ...
+        def _forget_break(self) -> None: ...
         @property
         def time(self) -> float: ...
         @property
@@ -61,9 +63,10 @@ class Driven:
     def reset(self) -> None:
         """Go back to time zero, to the same bits as a new simulation of the scene."""
         if self._first is None:
-            self._first = type(self)(self.model, ledger=self.ledger).state
+            made = type(self)(self.model, ledger=self.ledger, apart=self.apart)
+            self._first = made.state
         self.restore(self._first)
-        self.failure = self.reason = ""
+        self._forget_break()
 
     # -- forces --------------------------------------------------------------------------
 

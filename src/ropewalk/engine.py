@@ -52,13 +52,27 @@ class Controls(NamedTuple):
     turns: Floats  # (3, a, 3) direction, axis and turn of the clamps; (3, 0, 3) without any
 
 
+class Fall(NamedTuple):
+    """An island that broke, or found no solution."""
+
+    island: int
+    ropes: tuple[str, ...]
+    status: int
+    why: str  # what is broken, or where there is no solution
+
+
 class Moved(NamedTuple):
     """How far a call has come."""
 
     status: int
     good: int  # frames
     taken: int  # steps, or tries of one
-    why: str = ""  # what is broken, or where there is no solution
+    falls: tuple[Fall, ...] = ()  # those that have ended the call
+
+    @property
+    def why(self) -> str:
+        """What is broken, or where there is no solution."""
+        return self.falls[0].why if self.falls else ""
 
 
 def controls_of(system: System) -> Controls:
@@ -171,12 +185,22 @@ class Engine:
             clock = float(now[0]), float(now[1]), int(now[2])
             why = unsolved.describe(self.model, self.state, clock, self._scratch)
             now[0], now[2] = unsolved.standing(clock, self._scratch)
-            return Moved(status, good, taken, why)
+            return Moved(status, good, taken, self._fall(status, why))
         if status == BROKEN:
-            return Moved(
-                status, good, taken, broken.reason(self.system, self.state, self.model.layout)
-            )
+            why = broken.reason(self.system, self.state, self.model.layout)
+            return Moved(status, good, taken, self._fall(status, why))
         return Moved(status, good, taken)
+
+    def _fall(self, status: int, why: str) -> tuple[Fall]:
+        return (Fall(0, tuple(span.name for span in self.model.layout.ropes), status, why),)
+
+    def island(self, number: int) -> Engine:
+        """Return the engine of an island: all is one here."""
+        return self
+
+    def end(self, numbers: list[int]) -> bool:
+        """End some islands where others go on, see `Islands.end`: here nothing would be left."""
+        return False
 
     def show_peaks(self) -> None:
         """What was seen is in the state already."""

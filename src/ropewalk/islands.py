@@ -6,8 +6,8 @@ scene has arrays of its own, those of a scene with nothing else in it, and moves
 of the kernels all of it lies in the arrays of the whole scene, which everybody else sees and changes.
 
 A method that solves equations, or chooses its steps, has an island for every rope. The others treat every
-node by itself: ropes share an island there, but for those with kinks or releases, which cut steps, and with
-winches.
+node by itself: ropes may share an island there, but for those with kinks or releases, which cut steps, and
+with winches. An island that broke can be ended: it stays as it is, and the others go on.
 """
 
 from __future__ import annotations
@@ -25,12 +25,12 @@ from ropewalk.build import Model
 from ropewalk.core.arrays import APPLIED, Floats, Ints, State, flatten, pooled
 from ropewalk.core.peaks import Peaks
 from ropewalk.core.status import BROKEN, OK, PAUSED
-from ropewalk.engine import Asked, Controls, Engine, Moved, controlled, controls_of, never
+from ropewalk.engine import Asked, Controls, Engine, Fall, Moved, controlled, controls_of, never
 from ropewalk.methods.adaptive import Walk
 from ropewalk.methods.recording import Recording, make_recording
 from ropewalk.methods.registry import METHODS
-from ropewalk.motions.table import TABLE, VELOCITY
-from ropewalk.shares import INDICES, SUMS, collect, gather_peaks, shares_of
+from ropewalk.partition import partition
+from ropewalk.shares import INDICES, SUMS, collect, gather_peaks, held_frames, shares_of
 from ropewalk.slices import Edges, Slices
 from ropewalk.start import started
 
@@ -51,32 +51,12 @@ class _Links(NamedTuple):
     moved: Ints  # ... and what is taken off those of the whole
 
 
-def partition(model: Model) -> list[list[int]]:
-    """Return the ropes of every island, by their numbers."""
-    method, count = METHODS[model.plan.method], len(model.scene.ropes)
-    if method.implicit or not method.fixed:
-        return [[i] for i in range(count)]
-    apart = {winch.rope for winch in model.scene.winches}
-    anchors, bending = model.system.anchors, model.system.bending
-    for row, anchor in enumerate(model.scene.anchors):
-        times = [anchors.release[row]]
-        if anchors.kind[row] == VELOCITY:
-            times += list(anchors.params[row, 6:8])
-        if len(bending.turn):
-            times += list(bending.turn[row, 1:])
-        if anchors.kind[row] == TABLE or any(0.0 < time < np.inf for time in times):
-            apart.add(anchor.rope)
-    together = [i for i, rope in enumerate(model.scene.ropes) if rope.name not in apart]
-    alone = [[i] for i, rope in enumerate(model.scene.ropes) if rope.name in apart]
-    return ([together] if together else []) + alone
-
-
-def make_engine(model: Model, ledger: bool) -> Engine | Islands:
-    """Return what moves a model as its run starts.
+def make_engine(model: Model, ledger: bool, apart: bool = False) -> Engine | Islands:
+    """Return what moves a model as its run starts; `apart`: see `partition`.
 
     Raises SceneError and NoRest as `start.started` does.
     """
-    groups = partition(model)
+    groups = partition(model, apart)
     if len(groups) > 1:
         return Islands(model, groups, ledger=ledger)
     model = started(model)
@@ -115,7 +95,8 @@ class Islands:
         self._gather()
         self.model = replace(model, state=self.state, started=True)
         self._slices = [engine.make_slices() for engine in self.engines]
-        self._seconds = 0.0
+        self._ended = np.zeros(len(self.engines))  # 1: it stays as it is
+        self._seconds, self._ledger = 0.0, ledger
         self._beside: ThreadPoolExecutor | None = None
 
     def _make_controls(self, parts: list[Model]) -> None:
@@ -209,12 +190,13 @@ class Islands:
 
     @property
     def inner(self) -> Floats:
-        """A copy of all numbers of the islands' states, (m,)."""
-        return np.concatenate([self._sea, self._shelf])
+        """A copy of all numbers of the islands' states, and which have ended, (m,)."""
+        return np.concatenate([self._sea, self._shelf, self._ended])
 
     def restore(self, inner: Floats, walk: Walk) -> None:
         """Go back to the numbers of the islands and their walks; those of the whole are the caller's."""
-        self._sea[:], self._shelf[:] = np.split(inner, [self._sea.size])
+        ends = np.cumsum([self._sea.size, self._shelf.size])
+        self._sea[:], self._shelf[:], self._ended[:] = np.split(inner, ends)
         first = [0] * len(walk)
         for engine in self.engines:
             for k, (to, numbers) in enumerate(zip(engine.walk, walk, strict=True)):
@@ -247,6 +229,19 @@ class Islands:
             if row in share.anchors:
                 engine.begin_anew(row)
 
+    def island(self, number: int) -> Engine:
+        """Return the engine of an island."""
+        return self.engines[number]
+
+    def end(self, numbers: list[int]) -> bool:
+        """Let some islands stay as they are from now on, where others go on; else change nothing."""
+        ended = self._ended.copy()
+        ended[numbers] = 1.0
+        if ended.all():
+            return False
+        self._ended[:] = ended
+        return True
+
     def call(
         self, now: Floats, frames: int, most: int, out: Recording, stop: bool, asked: Asked
     ) -> Moved:
@@ -275,7 +270,12 @@ class Islands:
             self.restore(inner, walk)
             self._pool[:] = pool
             raise
-        return first._replace(taken=int(now[3]) * together)
+        falls = tuple(
+            moved.falls[0]._replace(island=k)
+            for k, moved in enumerate(done)
+            if moved.falls and moved.good == first.good
+        )
+        return Moved(first.status, first.good, int(now[3]) * together, falls)
 
     def _move(
         self, now: Floats, frames: int, out: Recording, stop: bool, asked: Asked
@@ -283,10 +283,17 @@ class Islands:
         """Move every island from the same time and collect what they record."""
         begun, rows = perf_counter(), min(frames, len(out.x))
         lengths = out.rest_length.shape[1] > 0
-        outs = [make_recording(engine.state, rows, lengths) for engine in self.engines]
+        outs = [
+            held_frames(engine.system, engine.state, self._ledger, rows, lengths)
+            if self._ended[k]
+            else make_recording(engine.state, rows, lengths)
+            for k, engine in enumerate(self.engines)
+        ]
         slices = self._slices
 
         def go(k: int) -> Moved:
+            if self._ended[k]:
+                return Moved(OK, frames, 0)
             return _go(self.engines[k], slices[k], now.copy(), frames, outs[k], stop, asked)
 
         if threads > 1 and self._seconds * frames > LONG:
@@ -326,22 +333,21 @@ def _go(
     asked: Asked,
 ) -> Moved:
     """Move one island by so many frames; PAUSED where it was asked to stop."""
-    why = ""
-
+    falls: tuple[Fall, ...] = ()
     begun, unfinished = now[4:]  # of the call for all islands
 
     def call(
         steps: int, count: int, found: Recording, halt: bool, edges: Edges
     ) -> tuple[int, int, int]:
-        nonlocal why
+        nonlocal falls
         now[3:] = steps, begun or edges[0], unfinished or edges[1]
         moved = engine.call(now, count, slices.most, found, halt)
-        why = moved.why
+        falls = moved.falls
         return moved.status, moved.good, moved.taken
 
     slices.asked = asked
     status, good = slices.run(call, lambda: lambda: None, int(now[3]), frames, out, stop)
-    return Moved(PAUSED if status == OK and good < frames else status, good, 0, why)
+    return Moved(PAUSED if status == OK and good < frames else status, good, 0, falls)
 
 
 def size_of(peaks: Peaks) -> int:

@@ -13,9 +13,17 @@ import numpy as np
 from ropewalk.build import Model, Pieces, Span
 from ropewalk.build.layout import make_layout
 from ropewalk.build.tables import make_tables
-from ropewalk.core.arrays import Floats, Ints, State, copy, flatten
+from ropewalk.core.arrays import Floats, Ints, State, System, copy, flatten
 from ropewalk.core.peaks import EXTREMES, FORCE, LEAST_TENSION, LOWEST, PLACE, SINCE, UNTIL, VALUE
-from ropewalk.methods.recording import Recording, bends, energy_names, work_names
+from ropewalk.methods.recording import (
+    Recording,
+    bends,
+    energy_names,
+    make_recording,
+    record_frame,
+    work_names,
+)
+from ropewalk.methods.scratch import make_sums
 from ropewalk.scene import Scene
 
 # What the last axis of an array of `State` counts, or the first of those by anchors and winches.
@@ -190,6 +198,37 @@ def collect(
         best = best_of([share for share, _, _ in parts], np.stack(rows))
         out.extremes[:frames], out.extreme_places[:frames] = best[VALUE], best[PLACE]
         out.extreme_since[:frames], out.extreme_until[:frames] = best[SINCE], best[UNTIL]
+
+
+#: What of an island that has ended is not known any more, once it has broken.
+GONE = (
+    *(
+        "v",
+        "tension",
+        "elastic_tension",
+        "tension_low",
+        "tension_high",
+        "stretch_high",
+        "speed_high",
+    ),
+    *("lowest", "highest", "reaction", "reaction_high", "moment", "moment_high"),
+    *("extremes", "extreme_since", "extreme_until"),
+)
+
+
+def held_frames(
+    system: System, state: State, ledger: bool, frames: int, lengths: bool
+) -> Recording:
+    """Return frames, views, of an island that has ended: it lies where it broke, and all else is NaN.
+
+    But for what is added up over all ropes: there it counts as it was.
+    """
+    out = make_recording(state, 1, lengths)
+    record_frame(system, state, ledger, make_sums(), 0, out)
+    for name in GONE:
+        getattr(out, name)[...] = np.nan
+    out.extreme_places[...] = -1.0
+    return Recording(*(np.broadcast_to(array, (frames, *array.shape[1:])) for array in out))
 
 
 def best_of(shares: list[Share], found: Floats) -> Floats:

@@ -18,7 +18,7 @@ from ropewalk.core.arrays import APPLIED, Floats, Ints, State
 from ropewalk.core.status import BROKEN, OK, UNSOLVED
 from ropewalk.drive import Driven, Goal
 from ropewalk.drum import WinchHandle
-from ropewalk.engine import counts, working_space
+from ropewalk.engine import Fall, counts, working_space
 from ropewalk.hand import AnchorHandle
 from ropewalk.islands import make_engine
 from ropewalk.methods.adaptive import Walk
@@ -64,12 +64,15 @@ class Simulation(Driven):
     Positions are views, (nodes, 3) [m], of all ropes one after another (`layout` says where each is).
     """
 
-    def __init__(self, scene: Scene | Model, *, ledger: bool = True) -> None:
+    def __init__(self, scene: Scene | Model, *, ledger: bool = True, apart: bool = False) -> None:
         """Build the scene. With `ledger` the work of every law is added up in every step.
+
+        With `apart` every rope breaks by itself, in explicit methods, too; no motion depends on it.
 
         Raises SceneError when the scene cannot be planned, or starts at rest and has no rest shape.
         """
-        self._engine = make_engine(scene if isinstance(scene, Model) else build(scene), ledger)
+        model = scene if isinstance(scene, Model) else build(scene)
+        self._engine, self.apart = make_engine(model, ledger, apart), apart
         self.model = self._engine.model
         self.scene, self.layout, self.plan = self.model.scene, self.model.layout, self.model.plan
         self.system, self._state = self._engine.system, self._engine.state
@@ -80,6 +83,7 @@ class Simulation(Driven):
         self.ledger = ledger
         self.failure = ""  # set where an implicit method finds no solution of a step
         self.reason = ""  # set by a break: what is broken, and where
+        self.falls: tuple[Fall, ...] = ()  # the islands that have ended the last call
         self.slices = self._engine.make_slices()
         self._winches = len(self.scene.winches) > 0
         self._start, self._dt, self._step = 0.0, self.plan.dt, 0
@@ -180,7 +184,7 @@ class Simulation(Driven):
             count, dt = divide(duration, self.plan.dt, "divide")
         if dt != self._dt:
             self._start, self._dt, self._step = self.time, dt, 0
-        self.failure = self.reason = ""
+        self._forget_break()
         self._set_off(count * dt)
         status, _ = self._advance(count, 1, make_recording(self._state, 0, False))
         if status != OK:
@@ -193,7 +197,7 @@ class Simulation(Driven):
 
         `failure` then says where an implicit method found no solution; the state is that before.
         """
-        self.failure = self.reason = ""
+        self._forget_break()
         self._set_off(steps * self._dt)
         status = self._advance(steps, 1, make_recording(self._state, 0, False))[0]
         self._arrive()
@@ -211,7 +215,7 @@ class Simulation(Driven):
             self._start, self._dt, self._step = self.time, self.plan.dt, 0
         self._set_off(frames * self.plan.frame_interval)
         before = self.state if not keep_going else None
-        self.failure = self.reason = ""
+        self._forget_break()
         out = out or make_recording(self._state, frames, self._winches)
         start, first = self._start, self._step
         status, good = self._advance(self.plan.steps_per_frame, frames, out, not keep_going)
@@ -273,11 +277,35 @@ class Simulation(Driven):
             moved = self._engine.call(now, frames, self.slices.most, out, stop, asked)
         finally:  # a signal's handler may raise as soon as the kernel is back
             self._start, self._step = float(now[0]), int(now[2])
+        self.falls = moved.falls or self.falls
         if moved.status == UNSOLVED:
             self.failure = moved.why
         elif moved.status == BROKEN:
             self.reason = moved.why
         return moved.status, moved.good, moved.taken
+
+    def _forget_break(self) -> None:
+        self.failure, self.reason, self.falls = "", "", ()
+
+    def leave_behind(self) -> bool:
+        """Let the islands that have ended the last call stay as they are, where others can go on.
+
+        Of their frames all but places and sums is NaN from now on. Return False where none is left to go on.
+        """
+        return self._engine.end([fall.island for fall in self.falls])
+
+    def alone(self, island: int) -> Simulation:
+        """Return a simulation of nothing but an island, as it is now; this one where all is one island."""
+        engine = self._engine.island(island)
+        if engine is self._engine:
+            return self
+        found = Simulation(engine.model, ledger=self.ledger)
+        kinds, drive, turns = engine.controls
+        here = Snapshot(
+            engine.state, *self.clock, kinds, drive, engine.walk, turns, found.state.inner
+        )
+        found.restore(here)
+        return found
 
     # -- hands --------------------------------------------------------------------------
 

@@ -11,7 +11,7 @@ from hypothesis import HealthCheck, Phase, assume, given, settings
 from ropewalk import islands
 from ropewalk.block import Block, join
 from ropewalk.build import build
-from ropewalk.islands import partition
+from ropewalk.partition import partition
 from ropewalk.scene import Anchor, Material, Rope, Scene, SceneError, Slack, Velocity
 from ropewalk.simulation import Simulation
 from strategies import scenes

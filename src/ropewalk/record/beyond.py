@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from ropewalk.build import Layout
 from ropewalk.core.arrays import Floats
 from ropewalk.core.status import UNSOLVED
 from ropewalk.record.errors import RunError
@@ -37,7 +38,7 @@ class Beyond:
     """
 
     time: Floats  # (k,) [s]
-    positions: Floats  # (k, n, 3) [m], finite
+    positions: Floats  # (k, n, 3) [m]; finite, but NaN of ropes that went on
     tension: Floats | None = None  # (k, s) [N], as large as it got; None in folders that lack it
 
 
@@ -48,6 +49,7 @@ class Torn(NamedTuple):
     positions: Floats  # (k, n, 3) [m]
     tension: Floats | None  # (k, s) [N]; None in run folders that did not keep it
     shapes: list[int]  # one or two of the steps, those that show the break best
+    last: int  # the frame that they follow on
 
 
 def until_torn(result: Result) -> Torn | None:
@@ -60,38 +62,42 @@ def until_torn(result: Result) -> Torn | None:
     beyond = result.beyond
     if beyond is None:
         return None
-    return cut(beyond, result.read("positions", result.frames - 1)[0])
+    last = result.ends[0].frames - 1 if result.ends else result.frames - 1
+    return cut(beyond, result.read("positions", last, last + 1)[0], last)
 
 
-def cut(beyond: Beyond, before: Floats) -> Torn:
+def cut(beyond: Beyond, before: Floats, last: int = 0) -> Torn:
     """Return the steps that can be drawn, of a rope that lay at `before` [m], (n, 3), when it broke."""
+    before = np.where(np.isnan(beyond.positions[0]), np.nan, before)
     usual, longest = float(_longest(before[None])[0]), _longest(beyond.positions)
     chosen = [np.flatnonzero(longest <= factor * usual) for factor in _TORN]
     rows = sorted({int(found[-1]) if found.size else 0 for found in chosen})
     end = rows[-1] + 1
     tension = None if beyond.tension is None else beyond.tension[:end]
-    return Torn(beyond.time[:end], beyond.positions[:end], tension, rows)
+    return Torn(beyond.time[:end], beyond.positions[:end], tension, rows, last)
 
 
 def _longest(positions: Floats) -> Floats:
     """Return the longest distance of two neighbours [m], (f,)."""
     with np.errstate(all="ignore"):
-        size: Floats = np.linalg.norm(np.diff(positions, axis=1), axis=2).max(axis=1)
+        apart = np.linalg.norm(np.diff(positions, axis=1), axis=2)
+        size: Floats = np.nanmax(apart, axis=1)
     return size
 
 
-def look_beyond(simulation: Simulation) -> Beyond | None:
+def look_beyond(simulation: Simulation, whole: Simulation | None = None) -> Beyond | None:
     """Step a simulation that stands at its last good frame on into its break; leave it as it stands.
 
-    Ends early where the simulation's slices are asked to.
+    With a `whole` one it is that of some of its ropes; of the others everything is NaN then.
+    Ends early where the whole simulation's slices are asked to.
     """
-    here, plan = simulation.state, simulation.plan
+    here, plan, whole = simulation.state, simulation.plan, whole or simulation
     told = simulation.failure, simulation.reason
     most = max(2, min(_KEPT, _NUMBERS // (3 * simulation.layout.nodes)))
     apart = _APART * float(_longest(simulation.positions[None])[0])
     seen: deque[tuple[float, Floats, Floats]] = deque(maxlen=most)
     for _ in range(min(_FRAMES * plan.steps_per_frame, _STEPS)):
-        if simulation.slices.is_asked():
+        if whole.slices.is_asked():
             break
         status = simulation.advance_steps(1)
         positions = simulation.positions.copy()
@@ -107,7 +113,20 @@ def look_beyond(simulation: Simulation) -> Beyond | None:
     if not seen:
         return None
     time, x, tensions = (np.array(part) for part in zip(*seen, strict=True))
-    return Beyond(time, x, tensions)
+    return Beyond(time, *_in_whole(x, tensions, simulation.layout, whole.layout))
+
+
+def _in_whole(x: Floats, tension: Floats, own: Layout, whole: Layout) -> tuple[Floats, Floats]:
+    """Return positions and tensions of some ropes in arrays of all; NaN stands for the others."""
+    if own.nodes == whole.nodes:
+        return x, tension
+    places = np.full((len(x), whole.nodes, 3), np.nan)
+    pulls = np.full((len(x), whole.segments), np.nan)
+    for here in own.ropes:
+        there = whole.span(here.name)
+        places[:, there.first : there.last + 1] = x[:, here.first : here.last + 1]
+        pulls[:, there.first : there.last] = tension[:, here.first : here.last]
+    return places, pulls
 
 
 def save(folder: Path, beyond: Beyond) -> None:

@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 
 from ropewalk.core.arrays import Floats, flatten
+from ropewalk.record.ends import End, from_dicts
 from ropewalk.record.errors import RunError
 from ropewalk.record.files import PARTIAL, reading
 from ropewalk.record.place import CHECKPOINT as NAME
@@ -31,7 +32,7 @@ class Checkpoint:
     frames: int  # recorded up to the snapshot, the initial one included
     source_hash: str
     seconds: float  # wall time so far [s]
-    diagnosis: str  # of a run that broke and goes on
+    ends: tuple[End, ...]  # of ropes that broke, in a run that goes on
 
 
 def save(folder: Path, checkpoint: Checkpoint) -> None:
@@ -42,7 +43,7 @@ def save(folder: Path, checkpoint: Checkpoint) -> None:
         "frames": checkpoint.frames,
         "source_hash": checkpoint.source_hash,
         "seconds": checkpoint.seconds,
-        "diagnosis": checkpoint.diagnosis,
+        "ends": json.dumps([end.as_dict() for end in checkpoint.ends]),
     }
     arrays = _in_a_row(flatten(checkpoint.snapshot))
     arrays |= {f"run.{name}": value for name, value in about.items()}
@@ -70,7 +71,7 @@ def load(folder: Path, like: Snapshot) -> Checkpoint:
             int(found["run.frames"]),
             str(found["run.source_hash"]),
             float(found["run.seconds"]),
-            str(found["run.diagnosis"]),
+            from_dicts(json.loads(str(found["run.ends"]))),
         )
     except KeyError as error:
         rule = f"is damaged, or of another version: it lacks {error.args[0]}"

@@ -10,7 +10,7 @@ import os
 from pathlib import Path
 from typing import Any
 
-from ropewalk.record.facts import now
+from ropewalk.record.facts import ROPE_BROKE, now
 from ropewalk.record.place import EVENTS as NAME
 
 Event = dict[str, Any]
@@ -42,7 +42,7 @@ def read_events(folder: Path) -> tuple[Event, ...]:
             continue
         if not isinstance(event, dict) or not isinstance(event.get("event"), str):
             continue
-        if "anchor" in event or "winch" in event:
+        if "anchor" in event or "winch" in event or event["event"] == ROPE_BROKE:
             what = {key: value for key, value in event.items() if key != "at"}
             if what in told:
                 continue

@@ -9,9 +9,11 @@ from datetime import UTC, datetime
 from typing import Any
 
 from ropewalk.build import Plan
+from ropewalk.record.ends import End
 from ropewalk.record.identity import source_hash
 
 FINISHED, BROKE, INTERRUPTED, RUNNING = "finished", "broke", "interrupted", "running"
+ROPE_BROKE = "rope broke"  # an event: others went on
 AT_REST = "at rest"  # no run: the one frame of an equilibrium
 
 
@@ -30,6 +32,7 @@ class Facts:
     step_counts: dict[str, float] = field(
         default_factory=dict
     )  # of varying steps; see `Simulation`
+    ends: tuple[End, ...] = ()  # what broke, in this order
 
     def but(self, **changes: Any) -> Facts:
         """Return a copy with some facts changed."""

@@ -21,6 +21,7 @@ from ropewalk.build import Layout, Plan
 from ropewalk.build.layout import make_layout
 from ropewalk.methods.registry import METHODS
 from ropewalk.record import beyond
+from ropewalk.record.ends import from_dicts
 from ropewalk.record.errors import RunError
 from ropewalk.record.events import log, read_events
 from ropewalk.record.facts import INTERRUPTED, RUNNING, Facts, now
@@ -65,6 +66,8 @@ def write_status(folder: Path, facts: Facts, frames: int, time: float) -> None:
         "diagnosis": facts.diagnosis,
         "updated": now(),
     }
+    if facts.ends:
+        status["ends"] = [end.as_dict() for end in facts.ends]
     if facts.step_counts:
         status["steps"] = facts.step_counts
     write_json(folder / STATUS, status)
@@ -116,6 +119,7 @@ def read_facts(folder: Path) -> Facts:
             provenance,
             read_events(folder),
             dict(status.get("steps", {})),
+            from_dicts(status.get("ends", ())),
         )
     except (KeyError, TypeError, ValueError):
         raise RunError(folder / PROVENANCE, "is damaged: it does not describe a run") from None

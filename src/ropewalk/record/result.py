@@ -14,6 +14,7 @@ from ropewalk.build import Layout, Plan
 from ropewalk.core.arrays import Floats
 from ropewalk.record.beyond import Beyond
 from ropewalk.record.beyond import load as load_beyond
+from ropewalk.record.ends import End
 from ropewalk.record.facts import AT_REST, Facts
 from ropewalk.record.good import good_part
 from ropewalk.record.ledger import balance_residual, energy_error
@@ -285,6 +286,22 @@ class Result(Outlets):
     def diagnosis(self) -> str:
         """Why the run broke, in one or two sentences; empty otherwise."""
         return self.facts.diagnosis
+
+    @property
+    def ends(self) -> tuple[End, ...]:
+        """Which ropes broke, after which frame and why, in this order; () for a sound run.
+
+        Where others went on, a broken rope lies in later frames as it lay in its last good one; all other
+        numbers of it are NaN there, and in sums over all ropes (energy, work, momentum) it counts as it was.
+        """
+        return self.facts.ends
+
+    @property
+    def broke_at(self) -> float:
+        """Time of the last good frame before the first break [s]; NaN for a sound run."""
+        if self.ends:
+            return self.ends[0].time
+        return float(self.time[self.good_frames - 1]) if self.diagnosis else math.nan
 
     @property
     def events(self) -> tuple[dict[str, Any], ...]:

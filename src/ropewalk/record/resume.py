@@ -59,14 +59,16 @@ def _go_on(
     check_same(folder, facts.provenance, force)
     check_scene(folder, scene, facts)
     model = replace(build(scene), plan=facts.plan)
-    simulation = Simulation(model, ledger=facts.ledger)
+    simulation = Simulation(model, ledger=facts.ledger, apart=True)
     found = checkpoint.load(folder, simulation.state)
     check_same(folder, {**facts.provenance, "source_hash": found.source_hash}, force)
     simulation.restore(found.snapshot)
     with writing(folder):
         writer = _take_up(folder, simulation, found.frames)
         log(folder, "resumed", time=simulation.time, frames=found.frames)
-    runner = Runner(simulation, facts.keep_going, explain, resumed=True, diagnosis=found.diagnosis)
+    runner = Runner(
+        simulation, facts.keep_going, explain, resumed=True, ends=found.ends, frames=found.frames
+    )
     recorder = Recorder(simulation, folder, writer, facts, runner, commit_seconds)
     recorder.earlier = found.seconds
     return finish(recorder, progress)

@@ -21,6 +21,7 @@ from ropewalk.methods.registry import METHODS
 from ropewalk.record import beyond, checkpoint
 from ropewalk.record.background import Background
 from ropewalk.record.checkpoint import Checkpoint
+from ropewalk.record.ends import in_words
 from ropewalk.record.errors import RunError
 from ropewalk.record.events import Event, log
 from ropewalk.record.facts import BROKE, FINISHED, INTERRUPTED, RUNNING, Facts, provenance
@@ -114,8 +115,7 @@ class Recorder:
     def _checkpoint(self, frames: int) -> Checkpoint:
         """Return what it takes to go on from here, where `frames` frames have been recorded."""
         seconds = self.earlier + time.perf_counter() - self.begun
-        now, diagnosis = self.simulation.state, self.runner.diagnosis
-        return Checkpoint(now, frames, source_hash(), seconds, diagnosis)
+        return Checkpoint(self.simulation.state, frames, source_hash(), seconds, self.runner.ends)
 
     def _commit(self, status: str, made: Checkpoint) -> None:
         """Numbers first, then the checkpoint, then the new length of the store.
@@ -124,10 +124,14 @@ class Recorder:
         never has to write what readers have seen.
         """
         start = time.perf_counter()
-        diagnosis = made.diagnosis
+        diagnosis = in_words(made.ends, len(self.simulation.scene.ropes))
         taken = counts(made.snapshot.walk)
         self.facts = self.facts.but(
-            status=status, seconds=made.seconds, diagnosis=diagnosis, step_counts=taken
+            status=status,
+            seconds=made.seconds,
+            diagnosis=diagnosis,
+            step_counts=taken,
+            ends=made.ends,
         )
         self.writer.flush()
         checkpoint.save(self.folder, made)
@@ -154,7 +158,7 @@ def record_run(
 
     Raises SceneError when the scene cannot be planned, RunError when the folder cannot be written.
     """
-    simulation = Simulation(scene, ledger=ledger)
+    simulation = Simulation(scene, ledger=ledger, apart=True)
     plan = simulation.plan
     about = provenance(plan, ledger, keep_going)
     facts = Facts(plan, ledger, keep_going, RUNNING, provenance=about)

@@ -10,8 +10,9 @@ from ropewalk.build import Model
 from ropewalk.core.status import OK, UNSOLVED
 from ropewalk.methods.recording import Recording
 from ropewalk.record.beyond import Beyond, look_beyond
+from ropewalk.record.ends import End, in_words
 from ropewalk.record.events import Event
-from ropewalk.record.facts import BROKE, FINISHED, Facts, provenance
+from ropewalk.record.facts import BROKE, FINISHED, ROPE_BROKE, Facts, provenance
 from ropewalk.record.quantities import recorded
 from ropewalk.record.result import Result
 from ropewalk.record.source import Memory
@@ -40,14 +41,24 @@ class Runner:
         explain: Explain,
         *,
         resumed: bool = False,
-        diagnosis: str = "",
+        ends: tuple[End, ...] = (),
+        frames: int = 1,
     ) -> None:
+        """Take up a simulation after `frames` frames; `ends` are those of a run that is resumed."""
         self.simulation = simulation
         self._keep_going, self._explain = keep_going, explain
         self._watch = Watch(simulation, resumed=resumed)
+        for end in ends:
+            self._watch.leave(end.ropes)
         self._events: list[Event] = []
         self.beyond: Beyond | None = None  # set where it breaks and is not to go on
-        self.diagnosis = diagnosis  # set by a break; given when the run broke before it was resumed
+        self.ends = ends
+        self._frames = frames  # so far
+
+    @property
+    def diagnosis(self) -> str:
+        """Why what broke broke; "" as long as nothing has."""
+        return in_words(self.ends, len(self.simulation.scene.ropes))
 
     def advance(self, frames: int, out: Recording | None = None) -> Block:
         """Advance by so many frames, or up to the break, where the status is then BROKEN.
@@ -56,6 +67,7 @@ class Runner:
         """
         block = self._advance(frames, out)
         self._events += self._watch.look()
+        self._frames += block.frames
         return block
 
     def _advance(self, frames: int, out: Recording | None) -> Block:
@@ -65,26 +77,66 @@ class Runner:
         if block.status == OK:
             return block
         self._events += self._watch.look()
-        self.diagnosis = self.simulation.failure or self._why()
+        if self._keep_going:
+            return self._go_on_into(block, frames)
+        parts = [block]
+        while block.status != OK:
+            done = sum(part.frames for part in parts)
+            if not self._end(self._frames + done) or done == frames:
+                break
+            block = self.simulation.advance_frames(frames - done)
+            self._events += self._watch.look()
+            parts.append(block)
+            if block.status == OK and block.frames < frames - done:  # asked to stop
+                break
+        return parts[0] if len(parts) == 1 else join(parts)
+
+    def _go_on_into(self, block: Block, frames: int) -> Block:
+        """Go on into the break of all after `block`; not where there is no solution to go on with."""
+        time, names = self.simulation.time, self.simulation.layout.ropes
+        why = self.simulation.failure or self._why(self.simulation)
+        ropes = tuple(span.name for span in names)
+        self.ends = (*self.ends, End(ropes, time, self._frames + block.frames, why))
         if block.status == UNSOLVED:
             return block
-        if not self._keep_going:
-            self.beyond = look_beyond(self.simulation)
-            return block
-        told = {"event": BROKE, "time": self.simulation.time, "diagnosis": self.diagnosis}
-        self._events.append(told)
+        self._events.append({"event": BROKE, "time": time, "diagnosis": why})
         rest = self.simulation.advance_frames(frames - block.frames, keep_going=True)
         return join([block, rest])
 
-    def _why(self) -> str:
+    def _end(self, frames: int) -> bool:
+        """Note what broke after so many frames, and leave it behind; False where nothing is left."""
+        simulation, falls = self.simulation, self.simulation.falls
+        first, new = not self.ends, []
+        for number, fall in enumerate(falls):
+            alone = simulation.alone(fall.island)
+            alone.reason = fall.why
+            if fall.status == UNSOLVED:
+                why = fall.why
+            elif first and number == 0:
+                why = self._why(alone)
+            else:
+                why = f"Broke after t = {simulation.time:.6g} s: {fall.why}."
+            new.append(End(fall.ropes, simulation.time, frames, why))
+            if first and number == 0 and fall.status != UNSOLVED:
+                self.beyond = look_beyond(alone, simulation)
+        self.ends = (*self.ends, *new)
+        if not simulation.leave_behind():
+            return False
+        for end in new:
+            self._watch.leave(end.ropes)
+            about = {"ropes": list(end.ropes), "frames": end.frames, "diagnosis": end.why}
+            self._events.append({"event": ROPE_BROKE, "time": end.time, **about})
+        return True
+
+    def _why(self, simulation: Simulation) -> str:
         """Have the break explained; whatever goes wrong with that, the run and its result stand."""
-        here = self.simulation.state
+        here = simulation.state
         try:
-            return self._explain(self.simulation)
+            return self._explain(simulation)
         except Exception as error:
-            self.simulation.restore(here)
+            simulation.restore(here)
             why = f"{type(error).__name__}: {error}".rstrip(": .")
-            return f"{no_explanation(self.simulation)} Why could not be told ({why})."
+            return f"{no_explanation(simulation)} Why could not be told ({why})."
 
     def take_events(self) -> list[Event]:
         """Return what has happened since this was last asked."""
@@ -92,11 +144,12 @@ class Runner:
         return events
 
     def ending(self, status: str, frames: int) -> Event:
-        """Return the last event of a run: how it ended ("ended" after a break that went on)."""
+        """Return the last event of a run: how it ended ("ended" where something went on after a break)."""
         event = {"event": status, "time": self.simulation.time, "frames": frames}
-        if not self.diagnosis:
+        if status != BROKE:
             return event
-        return event | ({"event": "ended"} if self._keep_going else {"diagnosis": self.diagnosis})
+        went_on = self._keep_going or any(end.frames < frames for end in self.ends)
+        return event | ({"event": "ended"} if went_on else {"diagnosis": self.diagnosis})
 
 
 def simulate_in_memory(
@@ -111,7 +164,7 @@ def simulate_in_memory(
 
     Raises SceneError when the scene cannot be planned, MemoryError when the frames do not fit.
     """
-    simulation = Simulation(scene, ledger=ledger)
+    simulation = Simulation(scene, ledger=ledger, apart=True)
     runner = Runner(simulation, keep_going, explain)
     plan = simulation.plan
     simulation.advance_frames(0)  # compiles, where it is not done yet, outside the clock
@@ -136,6 +189,7 @@ def simulate_in_memory(
         provenance(plan, ledger, keep_going),
         (*events, runner.ending(status, done + 1)),
         simulation.step_counts,
+        runner.ends,
     )
     names = tuple(q.name for q in recorded(simulation.layout, simulation.scene))
     source = Memory(blocks, names)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ropewalk.core.arrays import Floats
+from ropewalk.record.ends import shortly
 from ropewalk.record.energy_note import energy_note
 from ropewalk.record.extremes import UTILISATION, Extreme, extremes, place_of
 from ropewalk.record.facts import AT_REST
@@ -41,6 +42,7 @@ def summary(result: Result) -> dict[str, Any]:
         "simulated time [s]": float(time[-1]),
         "frames": result.frames,
         **({"frames before the break": good} if good < result.frames else {}),
+        **_broken(result),
         **_steps(result),
         **_told(result, found),
         **_margins(result, found),
@@ -55,6 +57,15 @@ def summary(result: Result) -> dict[str, Any]:
         "wall time [s]": seconds,
         "simulated time over wall time [1]": float(time[-1]) / seconds if seconds > 0 else math.nan,
     }
+
+
+def _broken(result: Result) -> dict[str, Any]:
+    """Return which ropes broke and when, where others went on."""
+    went_on = len(result.scene.ropes) - sum(len(end.ropes) for end in result.ends)
+    last = max((end.frames for end in result.ends), default=result.frames)
+    if went_on == 0 and last == result.ends[0].frames:
+        return {}
+    return {"broken ropes": shortly(result.ends)} if result.ends else {}
 
 
 def _margins(result: Result, found: dict[str, Extreme]) -> dict[str, Any]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 
 import numpy as np
 
@@ -27,9 +28,14 @@ class Watch:
         self._simulation = simulation
         self._held: Ints = np.ones_like(simulation.arrays.held)
         self._told: set[tuple[int, str]] = set()
+        self._ended: set[str] = set()
         self._time, self._paid = simulation.time, simulation.arrays.winch_paid.copy()
         if resumed:
             self.look()
+
+    def leave(self, ropes: Iterable[str]) -> None:
+        """Tell no more of some ropes, which broke."""
+        self._ended |= set(ropes)
 
     def look(self) -> list[Event]:
         """Return what has happened, in order of time: `event`, `time` [s], and whom it concerns."""
@@ -52,7 +58,7 @@ class Watch:
         simulation, found = self._simulation, []
         for row, winch in enumerate(simulation.scene.winches):
             why, time = self._stop_of(row)
-            if why and (row, why) not in self._told:
+            if why and winch.rope not in self._ended and (row, why) not in self._told:
                 self._told.add((row, why))
                 event: Event = {"event": STOPPED, "time": time, "winch": winch.name, "by": why}
                 if why == EMPTY and winch.on_drum is None:

@@ -143,7 +143,7 @@ class Batcher:
                     value, _ = kept.of(result)
                     _put(out[kept.name][number, ...], value, kept)
                 return result.status, "", math.nan
-            return result.status, result.diagnosis, float(result.time[-1])
+            return result.status, result.diagnosis, result.broke_at
         except SceneError as error:
             return REFUSED, str(error), math.nan
         except NoRest as error:

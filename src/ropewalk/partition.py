@@ -1,0 +1,35 @@
+"""Which ropes of a scene make up an island."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ropewalk.build import Model
+from ropewalk.methods.registry import METHODS
+from ropewalk.motions.table import TABLE, VELOCITY
+
+#: Of more ropes than these the calls of their kernels would show in the time of a run.
+MOST_APART = 64
+
+
+def partition(model: Model, apart: bool = False) -> list[list[int]]:
+    """Return the ropes of every island, by their numbers.
+
+    With `apart` ropes of an explicit method have islands of their own, too, unless they are very many.
+    """
+    method, count = METHODS[model.plan.method], len(model.scene.ropes)
+    if method.implicit or not method.fixed or (apart and count <= MOST_APART):
+        return [[i] for i in range(count)]
+    single = {winch.rope for winch in model.scene.winches}
+    anchors, bending = model.system.anchors, model.system.bending
+    for row, anchor in enumerate(model.scene.anchors):
+        times = [anchors.release[row]]
+        if anchors.kind[row] == VELOCITY:
+            times += list(anchors.params[row, 6:8])
+        if len(bending.turn):
+            times += list(bending.turn[row, 1:])
+        if anchors.kind[row] == TABLE or any(0.0 < time < np.inf for time in times):
+            single.add(anchor.rope)
+    together = [i for i, rope in enumerate(model.scene.ropes) if rope.name not in single]
+    alone = [[i] for i, rope in enumerate(model.scene.ropes) if rope.name in single]
+    return ([together] if together else []) + alone
