@@ -12,6 +12,7 @@ from ropewalk import islands
 from ropewalk.block import Block, join
 from ropewalk.build import build
 from ropewalk.partition import partition
+from ropewalk.record.simulate import simulate_in_memory
 from ropewalk.scene import Anchor, Material, Rope, Scene, SceneError, Slack, Velocity
 from ropewalk.simulation import Simulation
 from strategies import scenes
@@ -91,6 +92,28 @@ def test_a_rope_moves_to_the_same_bits_alone_and_beside_others(scene: Scene) -> 
 def test_many_ropes_move_to_the_same_bits_alone_and_beside_others(scene: Scene) -> None:
     assume(scene.run.ring is None)
     check_neighbours(scene)
+
+
+@settings(RELAXED, max_examples=30)
+@given(scenes(max_ropes=3, max_segments=4).filter(lambda scene: len(scene.ropes) > 1))
+def test_a_recorded_rope_breaks_when_it_breaks_alone_and_ends_nobody_else(scene: Scene) -> None:
+    assume(scene.run.ring is None)
+    try:
+        simulation = Simulation(scene)
+    except SceneError:
+        return
+    assume(simulation.plan.steps <= MOST_STEPS)
+    together = simulate_in_memory(build(scene))
+    for rope in scene.ropes:
+        single = simulate_in_memory(alone(simulation, rope.name).model)
+        end = together.rope(rope.name).end
+        frames = together.frames if end is None else end.frames
+        assert single.frames == frames
+        assert [one.time for one in single.ends] == ([] if end is None else [end.time])
+        own = together.rope(rope.name)
+        for name in ("positions", "velocities", "tension"):
+            there = getattr(single.rope(), name)
+            assert np.array_equal(getattr(own, name)[:frames], there), (rope.name, name)
 
 
 @RELAXED

@@ -164,7 +164,7 @@ def test_saving_a_result_keeps_it(tmp_path: Path) -> None:
 def test_a_checkpoint_comes_back_to_the_bit(tmp_path: Path) -> None:
     simulation = rw.Simulation(runs.winched())
     simulation.advance_frames(30)
-    saved = Checkpoint(simulation.state, 31, "hash", 1.5, "")
+    saved = Checkpoint(simulation.state, 31, "hash", 1.5, ())
     checkpoint.save(tmp_path, saved)
     other = rw.Simulation(runs.winched())
     found = checkpoint.load(tmp_path, other.state)
@@ -179,7 +179,7 @@ def test_a_checkpoint_comes_back_to_the_bit(tmp_path: Path) -> None:
 
 def test_a_checkpoint_of_another_scene_is_refused(tmp_path: Path) -> None:
     simulation = rw.Simulation(runs.hanging())
-    checkpoint.save(tmp_path, Checkpoint(simulation.state, 1, "hash", 0.0, ""))
+    checkpoint.save(tmp_path, Checkpoint(simulation.state, 1, "hash", 0.0, ()))
     with pytest.raises(RunError, match=r"checkpoint.npz: is damaged: .* does not fit the scene"):
         checkpoint.load(tmp_path, rw.Simulation(runs.hanging(segments=11)).state)
 

@@ -46,7 +46,8 @@ class Recorded:
 
     def __init__(self, result: Result) -> None:
         self.result = result
-        self.past = until_torn(result)
+        past = until_torn(result)
+        self.past = past if past is not None and past.last == result.frames - 1 else None
         self.first_energy = float(result.read("energy", 0, 1)[0].sum())
         self._piece = -1
         self._data: dict[str, Floats] = {}
@@ -131,7 +132,11 @@ class Recorded:
             names = [*_NAMES]
             names += [name for name in _MORE if name in self.result.source.names]
             start, stop = piece * _PIECE, (piece + 1) * _PIECE
-            self._data = {name: self.result.source.read(name, start, stop) for name in names}
+            found = {name: self.result.source.read(name, start, stop) for name in names}
+            if self.result.ends:  # a rope that broke lies still, and carries nothing that is known
+                still = ("velocities", "tension", "elastic_tension", "reactions")
+                found |= {name: np.nan_to_num(found[name]) for name in still if name in found}
+            self._data = found
             self._piece = piece
         return self._data, frame - piece * _PIECE
 

@@ -17,6 +17,7 @@ from ropewalk.plots.view import (
     ground_height,
     load_nodes,
     positions_of,
+    shown_positions,
     sight,
     spread,
 )
@@ -116,7 +117,7 @@ def draw_loads(axes: Axes, result: Result, view: Sight, frame: int, **style: obj
     """Draw the extra masses."""
     nodes = load_nodes(result)
     if nodes:
-        at = view.project(positions_of(result, slice(frame, frame + 1))[0][nodes])
+        at = view.project(shown_positions(result, frame)[nodes])
         axes.plot(at[:, 0], at[:, 1], **{**LOAD, "zorder": 3.5, **style})  # type: ignore[arg-type]
 
 

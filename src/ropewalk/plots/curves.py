@@ -25,7 +25,10 @@ def time_limits(result: Result, good: int) -> tuple[float, float]:
 
 
 def mark_break(axes: Axes, result: Result, good: int) -> None:
-    """Mark the last good frame of a run that goes on into its break."""
+    """Mark the last good frame of a run that goes on into its break, or of ropes that others outlived."""
+    for end in result.ends:
+        if end.frames < good:
+            axes.axvline(end.time, color=BROKEN, linewidth=1.0, linestyle=(0, (1, 3)), label="_end")
     if good < len(result.time):
         at = float(result.time[good - 1])
         axes.axvline(at, color=BROKEN, linewidth=1.0, linestyle=(0, (4, 3)), label="_break")

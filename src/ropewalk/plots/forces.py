@@ -35,7 +35,7 @@ from ropewalk.plots.style import (
 )
 from ropewalk.plots.tensions import colour_scale, line_map, reach
 from ropewalk.plots.torn import broken_note
-from ropewalk.plots.view import anchors_at, good_frames, limits, positions_of
+from ropewalk.plots.view import anchors_at, good_frames, limits, shown_positions
 from ropewalk.words.prefixes import prefixed
 
 if TYPE_CHECKING:
@@ -84,7 +84,7 @@ def forces(result: Result, *, plane: str | None = None) -> Figure:
 def _draw_shape(
     axes: Axes, result: Result, seen: Stage, frame: int, scale: Normalize, colours: str
 ) -> None:
-    points = seen.view.project(positions_of(result, slice(frame, frame + 1))[0])
+    points = seen.view.project(shown_positions(result, frame))
     ends = np.stack([points[:-1], points[1:]], axis=1)
     live = result.live[frame]
     prepare(axes, seen.box)
@@ -108,7 +108,7 @@ def _draw_shape(
 
 def _draw_forces(axes: Axes, result: Result, seen: Stage, frame: int) -> None:
     """Draw the anchors' forces as arrows, and write their sizes beside them."""
-    forces = result.reactions[frame]
+    forces = np.nan_to_num(result.reactions[frame])  # NaN: of a rope that broke before
     sizes = np.linalg.norm(forces, axis=1)
     if not sizes.size or sizes.max() == 0.0:
         return

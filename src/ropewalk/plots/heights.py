@@ -69,7 +69,7 @@ def height(result: Result, nodes: Sequence[int | str | tuple[str, int]] | None =
         axes.axhline(ground.height, color=EARTH, linewidth=1.2, label="ground")
     curves = []
     for index in chosen:
-        values = along(result.positions[:, index], up)
+        values = _height_of(result, index, up)
         curves.append(values)
     for number, (index, values) in enumerate(zip(chosen, curves, strict=True)):
         curve = drawable(values, good, curves)
@@ -81,8 +81,11 @@ def height(result: Result, nodes: Sequence[int | str | tuple[str, int]] | None =
     axes.set_xlabel("time [s]")
     axes.set_ylabel("height [m]" if name == "height" else f"height {name} [m]")
     if past is not None and beside is not None:
-        extra = [] if nodes is not None else [_jumping(result, past, up)]
-        _draw_break(beside, result, past, chosen, [n for n in extra if n not in chosen], up)
+        seen = [n for n in chosen if np.isfinite(past.positions[0, n]).all()]  # of what broke
+        extra = [_jumping(result, past, up)] if nodes is None or not seen else []
+        more = [n for n in extra if n not in chosen]
+        numbers = {n: number for number, n in enumerate([*chosen, *more]) if n in [*seen, *more]}
+        _draw_break(beside, result, past, numbers, more, up)
     figure.legend(loc="outside right upper")
     set_title(figure, f"{result.scene.name}: height of nodes", describe(result))
     notes = broken_note(result, good)
@@ -91,6 +94,15 @@ def height(result: Result, nodes: Sequence[int | str | tuple[str, int]] | None =
         notes.append(f"One node of each of the first {_MOST} of {ropes} ropes is shown.")
     set_note(figure, notes)
     return figure
+
+
+def _height_of(result: Result, index: int, up: Floats) -> Floats:
+    """Return the height of a node [m], (frames,); NaN where its rope broke and others went on."""
+    values = np.array(along(result.positions[:, index], up))
+    for end in result.ends:
+        if end.frames < good_frames(result) and result.layout.rope_of(index)[0] in end.ropes:
+            values[end.frames :] = np.nan
+    return values
 
 
 def _draw_band(axes: Axes, result: Result, index: int, good: int, label: str) -> None:
@@ -102,29 +114,33 @@ def _draw_band(axes: Axes, result: Result, index: int, good: int, label: str) ->
 
 def _jumping(result: Result, past: Torn, up: Floats) -> int:
     """Return the node whose height changes most in the last step past the break that is drawn."""
-    before = past.positions[-2] if len(past.time) > 1 else result.positions[-1]
-    return int(np.argmax(np.abs(along(past.positions[-1] - before, up))))
+    before = past.positions[-2] if len(past.time) > 1 else result.positions[past.last]
+    return int(np.nanargmax(np.abs(along(past.positions[-1] - before, up))))
 
 
 def _draw_break(
-    axes: Axes, result: Result, past: Torn, nodes: list[int], more: list[int], up: Floats
+    axes: Axes, result: Result, past: Torn, nodes: dict[int, int], more: list[int], up: Floats
 ) -> None:
-    """Draw how the run broke: its last frames, and the single steps past them in orange."""
-    span = float(past.time[-1] - result.time[-1])
-    from_frame = int(np.searchsorted(result.time, result.time[-1] - 2.0 * span))
-    start = max(0, min(from_frame, result.frames - 3))
+    """Draw how the run broke: its last frames, and the single steps past them in orange.
+
+    `nodes` have the numbers of their lines' styles.
+    """
+    have = result.time[: past.last + 1]
+    span = float(past.time[-1] - have[-1])
+    from_frame = int(np.searchsorted(have, have[-1] - 2.0 * span))
+    start = max(0, min(from_frame, len(have) - 3))
     curves = []
-    for number, index in enumerate([*nodes, *more]):
-        before = along(result.positions[start:, index], up)
+    for index, number in nodes.items():
+        before = along(result.positions[start : len(have), index], up)
         after = np.concatenate([before[-1:], along(past.positions[:, index], up)])
-        time = np.concatenate([result.time[-1:], past.time])
+        time = np.concatenate([have[-1:], past.time])
         name = node_name(result, index) if index in more else "_"  # the others have their names
-        axes.plot(result.time[start:], before, label=name, **line_style(number))
+        axes.plot(have[start:], before, label=name, **line_style(number))
         few = {"marker": ".", "markersize": 4.0} if len(time) < 40 else {}
         axes.plot(time, after, color=BROKEN, linewidth=1.0, **few)  # type: ignore[arg-type]
         curves += [before, after]
-    axes.axvspan(float(result.time[-1]), float(past.time[-1]), facecolor=BROKEN, alpha=0.08, lw=0.0)
-    axes.set_xlim(float(result.time[start]), float(past.time[-1]))
+    axes.axvspan(float(have[-1]), float(past.time[-1]), facecolor=BROKEN, alpha=0.08, lw=0.0)
+    axes.set_xlim(float(have[start]), float(past.time[-1]))
     axes.set_ylim(*limits(curves))
     axes.xaxis.set_major_locator(MaxNLocator(3))
     axes.set_xlabel("time [s]")

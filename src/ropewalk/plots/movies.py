@@ -142,7 +142,7 @@ class _Moment(NamedTuple):
 def _past(result: Result, fps: float) -> list[_Moment]:
     """Return the single steps past a break, each as often as it takes to be seen; about a second in all."""
     found = until_torn(result)
-    if found is None:
+    if found is None or found.last < result.frames - 1:  # other ropes went on
         return []
     each = max(1, round(fps * max(_STEP_SHOWN, _BROKEN / len(found.time))))
     none = np.zeros(result.layout.segments)
@@ -186,7 +186,7 @@ class _Painter:
     def __init__(self, result: Result, seen: Stage, size: tuple[int, int], speed: float) -> None:
         self._result, self._size = result, size
         self._scale, name = _tension_scale(result, seen.good)
-        self.colours = line_map(name)
+        self.colours = line_map(name).with_extremes(bad=BROKEN)
         seen = self._seen = replace(seen, box=_filled(seen.box, size))
         figure = Figure((size[0] / _DPI, size[1] / _DPI), dpi=_DPI, layout="constrained")
         set_margins(figure)

@@ -39,6 +39,7 @@ from ropewalk.plots.view import (
     load_nodes,
     positions_of,
     rope_lines,
+    shown_positions,
     tame,
     telling_frames,
 )
@@ -120,7 +121,7 @@ def draw_ropes(
     axes: Axes, result: Result, seen: Stage, frame: int, colour: object, name: str
 ) -> None:
     """Draw all ropes at a frame; the first one's line carries the name."""
-    points = positions_of(result, slice(frame, frame + 1))[0]
+    points = shown_positions(result, frame)
     draw_points(axes, result, seen, points, colour, name, broken=frame >= seen.good)
 
 
@@ -197,7 +198,7 @@ def _draw_upright(axes: Axes, result: Result, seen: Stage, frames: list[int]) ->
     draw_ground(axes, seen.ground, seen.box)
     for column, frame in enumerate(good):
         colour = colours(column / max(len(good) - 1, 1))
-        points = view.project(positions_of(result, slice(frame, frame + 1))[0])
+        points = view.project(shown_positions(result, frame))
         middle = 0.5 * (points[:, 0].min() + points[:, 0].max())
         for line in rope_lines(result, points):
             axes.plot(

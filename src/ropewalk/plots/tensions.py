@@ -10,6 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.colors import Colormap, LinearSegmentedColormap, Normalize
 from matplotlib.figure import Figure
 
+from ropewalk.build import Span
 from ropewalk.plots.curves import mark_break, time_limits
 from ropewalk.plots.margins import margin_notes
 from ropewalk.plots.style import (
@@ -71,7 +72,7 @@ def tension(
     scale, colours, extend = colour_scale([farthest(m)[:good] for m in maps])
     frames = frame_at(result, times) if times is not None else []
     past = until_torn(result)
-    if past is not None and past.tension is None:
+    if past is not None and (past.tension is None or not _broke(result, past, shown)):
         past = None
     rows = len(shown) + bool(frames) + (past is not None)
     figure = new_figure(7.2, min(1.3 + max(1.35, 2.9 - 0.5 * len(shown)) * rows, 10.0))
@@ -265,14 +266,20 @@ def envelope(found: Map, good: int) -> tuple[Floats, Floats]:
     return np.where(none, np.nan, low), np.where(none, np.nan, high)
 
 
+def _broke(result: Result, past: Torn, shown: list[int]) -> list[Span]:
+    """Return those of the ropes that are shown of which there are steps past the break."""
+    spans = [result.layout.ropes[rope] for rope in shown]
+    return [span for span in spans if np.isfinite(past.positions[0, span.first]).all()]
+
+
 def _draw_break(axes: Axes, result: Result, past: Torn, shown: list[int]) -> None:
     """Draw the tension along the rope that broke: the last good frame, and in orange steps past it."""
     assert past.tension is not None
-    last = result.frames - 1
+    last = past.last
     with np.errstate(all="ignore"):
         after = np.clip(past.tension[past.shapes], -1e30, 1e30)
         jump = np.abs(after - result.tension[last])
-    spans = [result.layout.ropes[rope] for rope in shown]
+    spans = _broke(result, past, shown)
     span = max(spans, key=lambda one: float(jump[:, one.first : one.last].max()))
     rope = result.rope(span.name)
     live, lengths = rope.live[last], rope.rest_length[last]

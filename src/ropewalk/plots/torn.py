@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from ropewalk.plots.style import COLOURS
 from ropewalk.plots.view import Floats
 from ropewalk.record.beyond import until_torn
+from ropewalk.record.ends import shortly
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -28,6 +29,10 @@ def broken_note(
 ) -> list[str]:
     """Say that a run broke, and what of it is drawn; empty for a sound run."""
     time = result.time
+    if any(end.frames < good for end in result.ends):
+        return [
+            f"Broken: {shortly(result.ends)}. Their numbers end there; sums count them as they were."
+        ]
     if good < len(time):
         return [f"The run broke after t = {time[good - 1]:.4g} s: {clipped}."]
     if result.beyond is not None:

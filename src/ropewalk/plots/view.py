@@ -115,6 +115,16 @@ def positions_of(result: Result, frames: slice) -> Floats:
     return result.read("positions", frames.start, frames.stop)
 
 
+def shown_positions(result: Result, frame: int) -> Floats:
+    """Return the positions of a frame [m], (n, 3); NaN for ropes that broke before it."""
+    points = np.array(positions_of(result, slice(frame, frame + 1))[0])
+    for end in result.ends:
+        for name in end.ropes if end.frames <= frame < good_frames(result) else ():
+            span = result.layout.span(name)
+            points[span.first : span.last + 1] = np.nan
+    return points
+
+
 def good_frames(result: Result) -> int:
     """Return the number of frames before the run broke."""
     return good_part(result)
@@ -255,7 +265,7 @@ def rope_lines(result: Result, points: Floats) -> list[Floats]:
 def anchors_at(result: Result, frame: int) -> Floats:
     """Return the places of the anchors that hold at a frame [m], (a, 3)."""
     time = float(result.time[frame])
-    held: Floats = positions_of(result, slice(frame, frame + 1))[0][held_nodes(result, time)]
+    held: Floats = shown_positions(result, frame)[held_nodes(result, time)]
     return held
 
 

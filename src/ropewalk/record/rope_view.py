@@ -8,6 +8,7 @@ import numpy as np
 
 from ropewalk.build import Span
 from ropewalk.core.arrays import Floats
+from ropewalk.record.ends import End
 from ropewalk.record.margins import breaking_load
 
 if TYPE_CHECKING:
@@ -30,6 +31,11 @@ class RopeView:
     def name(self) -> str:
         """The rope's name."""
         return self.span.name
+
+    @property
+    def end(self) -> End | None:
+        """When and why this rope broke; None when it did not. See `Result.ends`."""
+        return next((end for end in self._result.ends if self.name in end.ropes), None)
 
     @property
     def numbers(self) -> np.ndarray[tuple[int], np.dtype[np.int64]]:
@@ -103,12 +109,14 @@ class RopeView:
     def stretch(self) -> Floats:
         """Length over unstretched length [1], (frames, segments); 1 on the drum.
 
-        Not finite where a frame recorded into a break is not.
+        Not finite where a frame recorded into a break is not; NaN where the rope broke and others went on.
         """
         rest = self.rest_length
         with np.errstate(invalid="ignore", over="ignore"):
             lengths = np.linalg.norm(np.diff(self.positions, axis=1), axis=2)
             ratio: Floats = np.divide(lengths, rest, out=np.ones_like(lengths), where=rest > 0.0)
+        if self.end is not None and not self._result.facts.keep_going:
+            ratio[self.end.frames :] = np.nan
         return ratio
 
     def __repr__(self) -> str:

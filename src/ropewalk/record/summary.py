@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from ropewalk.record.result import Result
 
 ZERO = "gravity's is 0 in the scene's own shape"
+AS_THEY_WERE = "broken ropes count as they broke"
 
 
 def summary(result: Result) -> dict[str, Any]:
@@ -36,13 +37,13 @@ def summary(result: Result) -> dict[str, Any]:
     time, good = result.time, result.good_frames
     energy = {name: part[:good] for name, part in result.energy.items()}
     error = result.energy_error[:good]
-    seconds = result.facts.seconds
+    seconds, broken = result.facts.seconds, _broken(result)
     return {
         "status": result.status,
         "simulated time [s]": float(time[-1]),
         "frames": result.frames,
         **({"frames before the break": good} if good < result.frames else {}),
-        **_broken(result),
+        **broken,
         **_steps(result),
         **_told(result, found),
         **_margins(result, found),
@@ -52,8 +53,11 @@ def summary(result: Result) -> dict[str, Any]:
         "final energy error [J]": float(error[-1]),
         "largest balance residual [J]": _largest(result.balance_residual[:good]),
         "final kinetic energy [J]": float(energy["kinetic"][-1]),
+        "final kinetic energy at": AS_THEY_WERE if broken else "",
         "final total energy [J]": float(energy["total"][-1]),
-        "final total energy at": ZERO if any(result.scene.gravity) else "",
+        "final total energy at": "; ".join(
+            [ZERO] * any(result.scene.gravity) + [AS_THEY_WERE] * bool(broken)
+        ),
         "wall time [s]": seconds,
         "simulated time over wall time [1]": float(time[-1]) / seconds if seconds > 0 else math.nan,
     }

@@ -103,7 +103,11 @@ def _event(event: dict[str, Any]) -> tuple[str, str, str]:
     time = event.get("time")
     at = f"t = {time:.6g} s" if isinstance(time, (int, float)) else str(event.get("at", ""))
     known = {"event", "at", "time", "diagnosis"}
-    more = [f"{key} {value}" for key, value in event.items() if key not in known]
+    more = [
+        f"{key} {', '.join(value) if isinstance(value, list) else value}"
+        for key, value in event.items()
+        if key not in known
+    ]
     return event["event"], at, ", ".join(more)
 
 
