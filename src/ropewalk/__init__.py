@@ -51,6 +51,8 @@ if TYPE_CHECKING:  # what type checkers and editors see; `_HOMES` loads the same
     from ropewalk.scene import loads as loads
     from ropewalk.scene import save as save
     from ropewalk.scene.presets import preset as preset
+    from ropewalk.sheets import Sheet as Sheet
+    from ropewalk.sheets import sheet as sheet
     from ropewalk.simulation import Broken as Broken
     from ropewalk.simulation import Simulation as Simulation
     from ropewalk.statics import NoRest as NoRest
@@ -106,6 +108,8 @@ _HOMES = {
     "sweep": "sweeps.public",
     "calibrate": "sweeps.public",
     "uncertain": "sweeps.uncertainty",
+    "sheet": "sheets",
+    "Sheet": "sheets",
     "RunError": "record.errors",
     "check": "api",
     "catenary": "theory",

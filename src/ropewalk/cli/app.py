@@ -34,6 +34,7 @@ from ropewalk.cli.commands.run import run
 from ropewalk.cli.commands.schema import schema
 from ropewalk.cli.commands.settle import settle
 from ropewalk.cli.commands.share import share
+from ropewalk.cli.commands.sheet import sheet
 from ropewalk.cli.commands.sweep import sweep
 from ropewalk.cli.commands.view import view
 from ropewalk.words.nearest import nearest
@@ -122,7 +123,7 @@ def main() -> None:
 
 for _command in (
     demo, view, presets, ropes, line, new, check, settle, modes, run, sweep, resume, info, plot, movie, share,
-    compare, export, report, schema,
+    compare, export, sheet, report, schema,
 ):  # fmt: skip
     main.add_command(_command)
 main.params.append(debug_option())

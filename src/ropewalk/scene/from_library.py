@@ -91,6 +91,8 @@ def origin(made_of: Any) -> dict[str, Any] | None:
         if value == given.get(field, type(made_of).model_fields[field].default):
             if field in given:
                 about["numbers"][field] = found.numbers[key].as_dict()
+        elif key in found.numbers and value == found.numbers[key].value:
+            about["numbers"][field] = found.numbers[key].as_dict()  # a guess that was asked for
         else:
             about["changed"].append(field)
     return about

@@ -1,0 +1,226 @@
+"""The scene as a drawing for a workshop: shape, anchors, loads, and the lengths that matter."""
+
+from __future__ import annotations
+
+import itertools
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from ropewalk.plots.canvas import (
+    Stage,
+    draw_anchors,
+    draw_ground,
+    draw_loads,
+    label,
+    magnification_note,
+    prepare,
+    stage,
+)
+from ropewalk.plots.style import (
+    COLOURS,
+    GREY,
+    escape,
+    line_style,
+    new_figure,
+    set_note,
+    set_title,
+    styled,
+)
+from ropewalk.plots.view import Floats, anchors_at, positions_of, rope_lines
+
+if TYPE_CHECKING:
+    from ropewalk.record.result import Result
+
+_MOST = 8  # names, loads and sags that are written; more would hide each other
+_SMALL = 2e-3  # [1] of the drawing's size: shorter than this a length is not told
+_NEAR = 0.02  # [1] of the drawing's size: anchors nearer to each other have one label
+_ARROWS = {"arrowstyle": "<|-|>", "color": GREY, "linewidth": 0.9, "shrinkA": 0.0, "shrinkB": 0.0}
+
+
+@styled
+def dimensions(result: Result, *, plane: str | None = None) -> Figure:
+    """Draw the first frame with its dimensions: distances of the outer anchors, sags, loads.
+
+    Of an equilibrium it is the only frame. `plane` names the two axes to look at, as "xz".
+
+    Raises ValueError for a plane that is none.
+    """
+    seen = stage(result, plane, [0])
+    height = float(np.clip(6.4 * seen.box.height / seen.box.width, 2.0, 3.8))
+    figure = new_figure(7.2, height + 1.3)
+    axes = figure.subplots()
+    prepare(axes, seen.box)
+    draw_ground(axes, seen.ground, seen.box)
+    points = positions_of(result, slice(0, 1))[0]
+    for number, (span, line) in enumerate(
+        zip(result.layout.ropes, rope_lines(result, seen.view.project(points)), strict=True)
+    ):
+        style = line_style(number) | {"linewidth": 1.8, "zorder": 3}
+        axes.plot(line[:, 0], line[:, 1], label=escape(span.name), **style)
+    draw_anchors(axes, result, seen.view, 0)
+    draw_loads(axes, result, seen.view, 0)
+    ends = seen.view.project(_ends(result, points))
+    _measure_ends(axes, ends, seen)
+    sags = _write_sags(axes, result, points, seen)
+    _name_anchors(axes, result, seen)
+    _name_loads(axes, result, seen.view.project(points), seen)
+    label(axes, seen.view)
+    if 1 < len(result.layout.ropes) <= _MOST:
+        axes.legend(ncols=4, loc="lower left", bbox_to_anchor=(0.0, 1.0))
+    at_rest = result.status == "at rest"
+    set_title(figure, result.scene.name, "at rest" if at_rest else "at time zero")
+    set_note(figure, [*sags, *_depth(result, points, seen), *magnification_note(seen.box)])
+    return figure
+
+
+def _ends(result: Result, points: Floats) -> Floats:
+    """Return the places of the anchors, or of the ropes' ends where there are fewer than two [m]."""
+    held = anchors_at(result, 0)
+    if len(held) > 1:
+        return held
+    found: Floats = points[[node for s in result.layout.ropes for node in (s.start, s.end)]]
+    return found
+
+
+def _measure_ends(axes: Axes, ends: Floats, seen: Stage) -> None:
+    """Write how far the outer anchors are apart, across below the drawing and upward beside it."""
+    box = seen.box
+    size = max(box.width, box.high - box.low)
+    (left, low), (right, high) = ends.min(axis=0), ends.max(axis=0)
+    below, beside = box.low - 0.07 * (box.high - box.low), box.right + 0.04 * box.width
+    if right - left > _SMALL * size:
+        for x in (left, right):
+            axes.plot([x, x], [ends[ends[:, 0] == x][0, 1], below], color=GREY, linewidth=0.5)
+        _measure(axes, (left, below), (right, below), f"{right - left:.5g} m")
+        axes.set_ylim(box.low - 0.14 * (box.high - box.low), box.high)
+    if high - low > _SMALL * size:
+        for y in (low, high):
+            axes.plot([ends[ends[:, 1] == y][0, 0], beside], [y, y], color=GREY, linewidth=0.5)
+        _measure(axes, (beside, low), (beside, high), f"{high - low:.5g} m", beside=True)
+        axes.set_xlim(box.left, box.right + 0.16 * box.width)
+
+
+def _measure(axes: Axes, a: Any, b: Any, text: str, *, beside: bool = False) -> None:
+    """Draw a line with two arrows from `a` to `b`, and its length on it or `beside` it."""
+    axes.annotate("", xy=a, xytext=b, arrowprops=_ARROWS, annotation_clip=False, zorder=4)
+    axes.annotate(
+        text,
+        xy=(0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])),
+        xytext=(6.0 if beside else 0.0, 0.0),
+        textcoords="offset points",
+        ha="left" if beside else "center",
+        va="center",
+        fontsize=8.5,
+        bbox={
+            "facecolor": "white",
+            "edgecolor": "none",
+            "pad": 1.0,
+            "alpha": 0.85 if beside else 1.0,
+        },
+        annotation_clip=False,
+        zorder=2.5 if beside else 5,  # ropes go over what stands beside
+    )
+
+
+def _write_sags(axes: Axes, result: Result, points: Floats, seen: Stage) -> list[str]:
+    """Draw the sag of every span between anchors of a scene at rest; return what could not be drawn."""
+    if result.status != "at rest" or not any(result.scene.gravity):
+        return []
+    drawn, size = 0, max(seen.box.width, seen.box.high - seen.box.low)
+    up = np.asarray(result.scene.up)
+    for first, last in _spans(result):
+        part = points[first : last + 1]
+        heights, chord = part @ up, _chord(part, up)
+        at = int(np.argmax(chord - heights))
+        sag = float((chord - heights)[at])
+        if sag < _SMALL * size or at in (0, len(part) - 1):
+            continue
+        drawn += 1
+        if drawn > _MOST:
+            return ["Not all sags are drawn."]
+        top, bottom = seen.view.project(np.stack([part[at] + sag * up, part[at]]))
+        chord_line = seen.view.project(part[[0, -1]])
+        axes.plot(*chord_line.T, color=GREY, linewidth=0.6, linestyle=(0, (6, 4)), zorder=1)
+        _measure(axes, tuple(top), tuple(bottom), f"sag {sag:.4g} m", beside=True)
+    return []
+
+
+def _spans(result: Result) -> list[tuple[int, int]]:
+    """Return pairs of held nodes of one rope with free ones between."""
+    found = []
+    for span in result.layout.ropes:
+        held = sorted({n for n in result.layout.anchor_nodes if span.start <= n <= span.end})
+        found += [pair for pair in itertools.pairwise(held) if pair[1] - pair[0] > 1]
+    return found
+
+
+def _chord(part: Floats, up: Floats) -> Floats:
+    """Return the height of the straight line between the ends over every node, (n,) [m]."""
+    heights = part @ up
+    level = part - np.outer(heights, up) - (part[0] - heights[0] * up)
+    way = level[-1]
+    across = float(way @ way)
+    if across == 0.0:
+        return np.full(len(part), min(heights[0], heights[-1]))
+    chord: Floats = heights[0] + level @ way / across * (heights[-1] - heights[0])
+    return chord
+
+
+def _name_anchors(axes: Axes, result: Result, seen: Stage) -> None:
+    names = result.layout.anchor_names
+    places = seen.view.project(anchors_at(result, 0))
+    if not 0 < len(places) <= _MOST or len(places) != len(names):
+        return
+    near = _NEAR * max(seen.box.width, seen.box.high - seen.box.low)
+    written: list[tuple[Floats, list[str]]] = []  # those at one place have one label
+    for name, place in zip(names, places, strict=True):
+        for where, there in written:
+            if float(np.linalg.norm(where - place)) < near:
+                there.append(name)
+                break
+        else:
+            written.append((place, [name]))
+    for place, here in written:
+        axes.annotate(
+            escape(", ".join(here)),
+            xy=tuple(place),
+            xytext=(0.0, 7.0),
+            textcoords="offset points",
+            ha="center",
+            fontsize=8.5,
+            annotation_clip=False,
+            zorder=5,
+        )
+
+
+def _name_loads(axes: Axes, result: Result, flat: Floats, seen: Stage) -> None:
+    """Write the mass of every load below it."""
+    loads = [
+        (span.start + rope.node_index(load.node), load.mass)
+        for rope, span in zip(result.scene.ropes, result.layout.ropes, strict=True)
+        for load in rope.loads
+    ]
+    for node, mass in loads[:_MOST]:
+        axes.annotate(
+            f"{mass:.5g} kg",
+            xy=tuple(flat[node]),
+            xytext=(0.0, -14.0),
+            textcoords="offset points",
+            ha="center",
+            fontsize=8.5,
+            color=COLOURS[1],
+            annotation_clip=False,
+            zorder=5,
+        )
+
+
+def _depth(result: Result, points: Floats, seen: Stage) -> list[str]:
+    """Say how far the ropes reach out of the plane of the drawing, where they do."""
+    normal = np.cross(seen.view.across, seen.view.up)
+    reach = float(np.ptp(points @ normal))
+    if reach <= _SMALL * max(seen.box.width, seen.box.high - seen.box.low):
+        return []
+    return [f"The ropes reach {reach:.4g} m across the plane of the drawing, too."]

@@ -1,0 +1,78 @@
+"""The same scene with its ropes cut into half or twice as many segments, to see what the cutting does."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from typing import Any, NamedTuple
+
+from ropewalk.scene.rope import Rope, Springs
+from ropewalk.scene.scene import Scene
+from ropewalk.scene.shapes import Points
+
+_FEWEST = 4  # segments that are halved
+
+
+class Recut(NamedTuple):
+    """A scene cut anew, or why it cannot be."""
+
+    scene: Scene | None
+    factor: float  # [1] number of segments over that of the given scene
+    why_not: str = ""
+
+
+def recut(scene: Scene) -> Recut:
+    """Return the scene with half the segments; with twice as many where nodes would be lost.
+
+    Nodes that anchors, loads and forces name stay where they are on the rope.
+    """
+    for rope in scene.ropes:
+        if isinstance(rope.made_of, Springs):
+            why = f"rope {rope.name!r} is given spring by spring: with other segments it is another rope"
+            return Recut(None, 1.0, why)
+        if rope.kicks:
+            why = f"rope {rope.name!r} has a kick at one node, which pushes less mass the finer it is cut"
+            return Recut(None, 1.0, why)
+    half = all(_halves(rope, _named(scene, rope)) for rope in scene.ropes)
+    return Recut(_cut(scene, half=half), 0.5 if half else 2.0)
+
+
+def _named(scene: Scene, rope: Rope) -> list[int]:
+    """Return the nodes of a rope that something of the scene names, counted from 0."""
+    own = [load.node for load in rope.loads] + [force.node for force in rope.forces]
+    own += [anchor.node for anchor in scene.anchors if anchor.rope == rope.name]
+    return [rope.node_index(node) for node in own]
+
+
+def _halves(rope: Rope, named: list[int]) -> bool:
+    """Tell whether every other node of a rope can go."""
+    even = rope.segments % 2 == 0 and all(node % 2 == 0 for node in named)
+    return even and rope.segments >= _FEWEST
+
+
+def _cut(scene: Scene, *, half: bool) -> Scene:
+    def moved(rope: Rope, part: Any) -> Any:
+        node = rope.node_index(part.node)
+        return part.replace(node=node // 2 if half else 2 * node)
+
+    ropes = []
+    for rope in scene.ropes:
+        changes: dict[str, Any] = {
+            "segments": rope.segments // 2 if half else 2 * rope.segments,
+            "loads": tuple(moved(rope, load) for load in rope.loads),
+            "forces": tuple(moved(rope, force) for force in rope.forces),
+        }
+        if isinstance(rope.shape, Points):
+            changes["shape"] = rope.shape.replace(points=_thinned(rope.shape.points, half))
+        ropes.append(rope.replace(**changes))
+    anchors = [moved(scene.rope_named(anchor.rope), anchor) for anchor in scene.anchors]
+    return scene.replace(ropes=ropes, anchors=anchors)
+
+
+def _thinned(points: Any, half: bool) -> list[Any]:
+    """Return every other point, or the points and the middles between them."""
+    if half:
+        return list(points[::2])
+    found = [points[0]]
+    for a, b in pairwise(points):
+        found += [tuple(0.5 * (p + q) for p, q in zip(a, b, strict=True)), b]
+    return found

@@ -1,0 +1,168 @@
+"""What a sheet says of forces: at rest, and the greatest of a run."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ropewalk.record.extremes import UTILISATION, extremes, place_of
+from ropewalk.sheets.content import Item, Section, Table, Text
+from ropewalk.words.prefixes import prefixed
+
+if TYPE_CHECKING:
+    from ropewalk.core.arrays import Floats
+    from ropewalk.record.result import Result
+    from ropewalk.statics import RestSpan
+
+_TITLES = {
+    "greatest tension": ("largest tension", "N"),
+    "least tension": ("least tension", "N"),
+    "greatest stretch": ("largest length over unstretched", ""),
+    "greatest speed": ("largest speed", "m/s"),
+    "highest point": ("highest point", "m"),
+    "lowest point": ("lowest point", "m"),
+    "greatest anchor force": ("largest force on an anchor", "N"),
+    "greatest clamp moment": ("largest moment on a clamp", "N m"),
+}
+_ROUNDING = 1e-9  # [1] of a force: components below are nothing
+_SIGN = "Forces of the ropes on the anchors; components along x, y and z."
+
+
+def summary_section(rest: Result | None, run: Result | None) -> Section:
+    """Return the numbers that a job is decided by, of the shape of rest and of the run."""
+    rows = []
+    for title, result in (("at rest", rest), ("in the run", run)):
+        if result is not None:
+            found = extremes(result)
+            force = found["greatest anchor force"].value
+            if result.status == "at rest" and result.layout.anchor_names:
+                force = float(np.linalg.norm(result.reactions[0], axis=1).max())
+            use = found.get(UTILISATION)
+            known = use is not None and not math.isnan(use.value)
+            rows.append(
+                (
+                    title,
+                    _value(found["greatest tension"].value, "N"),
+                    "none" if math.isnan(force) else _value(force, "N"),
+                    f"{100.0 * use.value:.3g} %" if use is not None and known else "not known",
+                    f"{1.0 / use.value:.3g}" if use is not None and known and use.value > 0 else "",
+                )
+            )
+    head = ("", "largest tension", "largest force on an anchor", "utilisation", "safety factor")
+    items: list[Item] = [Table(head, rows)]
+    if run is not None and run.diagnosis:
+        items.append(Text("The run broke: see below. Its numbers end there.", warning=True))
+    return Section("Summary", tuple(items))
+
+
+def rest_section(result: Result, spans: tuple[RestSpan, ...]) -> Section:
+    """Return spans, tensions and anchor forces of an equilibrium."""
+    rows = [
+        (
+            f"{span.rope}, nodes {span.first} to {span.last}",
+            f"{span.distance:.5g} m",
+            f"{span.sag:.4g} m" if span.kind == "span" else "hangs free",
+            prefixed(span.horizontal, "N") if span.kind == "span" else "",
+            prefixed(span.largest_tension, "N"),
+        )
+        for span in spans
+    ]
+    head = ("span", "ends apart", "sag", "horizontal tension", "largest tension")
+    items: list[Item] = [Table(head, rows)] if rows else []
+    items += _anchor_table(result, result.reactions[0]) + _utilisation(result)
+    about = f"The forces balance to {result.residual:.1e} N on every node."
+    return Section("At rest", (*items, Text(about)))
+
+
+def run_section(result: Result) -> Section:
+    """Return the extremes of every step of a run, and the greatest force of every anchor."""
+    found = extremes(result)
+    rows = []
+    for name, (title, unit) in _TITLES.items():
+        one = found[name]
+        if not math.isnan(one.value):
+            rows.append((title, _value(one.value, unit), place_of(result, name, one)))
+    items: list[Item] = []
+    if result.diagnosis:
+        items.append(Text(f"THE RUN BROKE: {result.diagnosis}", warning=True))
+    how = "of every step" if result.has_extremes else "of the recorded frames only"
+    until = float(result.time[result.good_frames - 1])
+    items.append(Text(f"Greatest and least values {how}, from 0 to {until:.6g} s."))
+    items.append(Table(("", "value", "where and when"), rows, numbers=False))
+    items += _anchor_peaks(result) + _utilisation(result)
+    return Section("The run", tuple(items))
+
+
+def _value(value: float, unit: str) -> str:
+    if unit in ("N", "N m"):
+        return prefixed(value, unit, 5)
+    return f"{value:.5g} {unit}".rstrip()
+
+
+def _anchor_table(result: Result, reactions: Floats) -> list[Item]:
+    """Return the forces on the anchors at rest; `reactions` (a, 3) are those on the ropes [N]."""
+    rows = [
+        (name, *_components(-force, result))
+        for name, force in zip(result.layout.anchor_names, reactions, strict=True)
+    ]
+    head = ("anchor", "x", "y", "z", "size", "direction")
+    return [Table(head, rows, note=_SIGN)] if rows else []
+
+
+def _anchor_peaks(result: Result) -> list[Item]:
+    """Return the greatest force on every anchor, and its components where it was recorded greatest."""
+    names = result.layout.anchor_names
+    if not names:
+        return []
+    good = result.good_frames
+    reactions = result.read("reactions", 0, good)
+    sizes = np.linalg.norm(reactions, axis=2)
+    peaks = result.read("greatest_reactions", 0, good) if result.has_extremes else sizes
+    rows = []
+    for k, name in enumerate(names):
+        if not np.isfinite(peaks[:, k]).any():
+            continue
+        frame = int(np.nanargmax(sizes[:, k]))
+        greatest = float(np.nanmax(peaks[:, k]))
+        when = f"{result.time[frame]:.5g} s"
+        rows.append(
+            (name, prefixed(greatest, "N", 5), *_components(-reactions[frame, k], result), when)
+        )
+    head = ("anchor", "greatest", "x", "y", "z", "size", "direction", "at")
+    note = (
+        f"{_SIGN} Greatest: of every step; the rest is of the recorded frame in which it was largest."
+        if result.has_extremes
+        else _SIGN
+    )
+    return [Table(head, rows, note=note)]
+
+
+def _components(force: Floats, result: Result) -> tuple[str, ...]:
+    """Return x, y, z, size and direction of a force [N] as text."""
+    size = float(np.linalg.norm(force))
+    parts = (float(c) if abs(c) > _ROUNDING * size else 0.0 for c in force)
+    return (*(prefixed(c, "N") for c in parts), prefixed(size, "N"), _way(force, result))
+
+
+def _way(force: Floats, result: Result) -> str:
+    """Return how steeply a force points up or down; nothing where there is no weight, or no force."""
+    size = float(np.linalg.norm(force))
+    if size == 0.0 or not any(result.scene.gravity):
+        return ""
+    angle = math.degrees(math.asin(np.clip(force @ np.asarray(result.scene.up) / size, -1.0, 1.0)))
+    return f"{abs(angle):.1f}° {'up' if angle >= 0.0 else 'down'}"
+
+
+def _utilisation(result: Result) -> list[Item]:
+    one = extremes(result).get(UTILISATION)
+    if one is None or math.isnan(one.value):
+        return [Text("No breaking load is given: how near to breaking is not known.", warning=True)]
+    share, place = 100.0 * one.value, place_of(result, UTILISATION, one)
+    if result.status == "at rest":
+        place = place.partition(",")[0]
+    factor = f"safety factor {1.0 / one.value:.3g}" if one.value > 0.0 else "unloaded"
+    text = f"Largest utilisation of the breaking load: {share:.3g} % ({factor}), {place}."
+    parted = one.value > 1.0
+    return [Text(text + (" IT WOULD HAVE PARTED." if parted else ""), warning=parted)]

@@ -1,0 +1,132 @@
+"""A scene made into a sheet: checked, settled, run, run again to see what holds, and written down."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Callable, Mapping
+from datetime import UTC, datetime
+from typing import Any
+
+from ropewalk import __version__
+from ropewalk.api import SceneLike, as_scene, equilibrium, simulate
+from ropewalk.build import build
+from ropewalk.plots.dimensions import dimensions
+from ropewalk.record.result import Result
+from ropewalk.scene import Scene, SceneError, dumps
+from ropewalk.sheets.content import Item, Listing, Section, Table, Text, picture
+from ropewalk.sheets.document import Sheet
+from ropewalk.sheets.loads import rest_section, run_section, summary_section
+from ropewalk.sheets.ropes import assumption_section, rope_section
+from ropewalk.sheets.trust import convergence_section, method_section
+from ropewalk.statics import NoRest, rest_spans
+
+
+def sheet(
+    scene: SceneLike,
+    *,
+    run: bool = True,
+    convergence: bool = True,
+    uncertain: Mapping[str, Any] | None = None,
+    samples: int = 64,
+    progress: Callable[[str], None] | None = None,
+) -> Sheet:
+    """Make the sheet of a job: what a scene is, what it carries at rest and in its run, and how sure that is.
+
+    Args:
+        scene: scene, preset's name, or scene file.
+        run: run it; without, the sheet has the scene at rest alone.
+        convergence: compute it again with half the segments and half the step.
+        uncertain: values that are not known, as for `uncertain`: paths to ranges or distributions.
+        samples: base samples of these.
+        progress: called with what is done next, in words.
+
+    Returns:
+        The sheet; `save` writes it as HTML or PDF.
+
+    Raises SceneError for a faulty scene, and without a run for one that has no shape of rest; NoRest when
+    that is not found.
+    """
+    made, tell = as_scene(scene), progress or (lambda words: None)
+    sections: list[Section] = []
+    tell("at rest")
+    rest: Result | None = None
+    try:
+        rest = equilibrium(made)
+        model = build(made)
+        spans = rest_spans(model, rest.positions[0], rest.tension[0])
+        at_rest = rest_section(rest, spans)
+    except (SceneError, NoRest) as error:
+        if not run:
+            raise
+        reason = str(error).splitlines()[-1].strip()
+        at_rest = Section("At rest", (Text(f"There is no shape of rest: {reason}"),))
+    result = rest
+    if run:
+        tell("the run")
+        result = simulate(made, on_failure="return")
+    assert result is not None
+    sections += [summary_section(rest, result if run else None)]
+    sections += [_drawing(rest or result), rope_section(made), assumption_section(made), at_rest]
+    if run:
+        sections += [run_section(result), _courses(result), method_section(result)]
+    if convergence and not result.diagnosis:
+        sections.append(convergence_section(made, result, tell))
+    if uncertain:
+        tell("what is not known")
+        sections.append(_uncertain(made, uncertain, samples, "run" if run else "rest"))
+    sections.append(_identity(made, result))
+    lead = f"Computed by Ropewalk {__version__} on {datetime.now(UTC):%Y-%m-%d %H:%M} UTC."
+    return Sheet(made.name, " ".join((made.description, lead)).strip(), tuple(sections), result)
+
+
+def _drawing(result: Result) -> Section:
+    shown = "at rest" if result.status == "at rest" else "at time zero"
+    return Section("Drawing", (picture(dimensions(result), f"The scene {shown}, with dimensions"),))
+
+
+def _courses(result: Result) -> Section:
+    """Return the figures of a run: tension, anchor forces, energy."""
+    items: list[Item] = [picture(result.plot.tension(), "Tension over time and along the ropes")]
+    if result.layout.anchor_names:
+        items.append(picture(result.plot.reactions(), "Forces of the anchors over time"))
+    if result.facts.ledger:
+        items.append(picture(result.plot.energy(), "Energies over time"))
+    return Section("Figures of the run", tuple(items))
+
+
+def _uncertain(scene: Scene, spreads: Mapping[str, Any], samples: int, what: str) -> Section:
+    from ropewalk.sweeps.uncertainty import text_rows, uncertain
+
+    found = uncertain(scene, spreads, samples=samples, what=what)
+    head = ("result", "5 %", "50 %", "95 %", "unit", "follows (total Sobol index)")
+    given = "; ".join(f"{path}: {_spread(value)}" for path, value in spreads.items())
+    items: list[Item] = [
+        Text(f"Not known exactly: {given}. {len(found.runs.run)} computations."),
+        Table(head, text_rows(found), numbers=False),
+        picture(found.plot(), "Bands of what is not known exactly"),
+    ]
+    if found.note:
+        items.append(Text(found.note, warning=found.broken > 0))
+    return Section("What is not known", tuple(items))
+
+
+def _spread(value: Any) -> str:
+    """Return a range or a distribution in words."""
+    if isinstance(value, tuple):
+        return f"{value[0]:.6g} to {value[1]:.6g}"
+    name = getattr(getattr(value, "dist", None), "name", "")
+    return f"{name}{value.args}" if name else str(value)
+
+
+def _identity(scene: Scene, result: Result) -> Section:
+    """Return versions, hashes, and the scene itself, so that the sheet can be computed again."""
+    text, about = dumps(scene), result.facts.provenance
+    rows = [
+        ("Ropewalk", f"{about['ropewalk']}, sources {about['source_hash']}"),
+        ("Python, numpy, numba", f"{about['python']}, {about['numpy']}, {about['numba']}"),
+        ("machine", f"{about['platform']}, {about['machine']}"),
+        ("SHA-256 of the scene below", hashlib.sha256(text.encode("utf-8")).hexdigest()),
+    ]
+    again = "The scene, complete: saved as a file it gives this sheet again."
+    items = (Table(("", ""), rows, numbers=False), Text(again), Listing(text))
+    return Section("To compute it again", items)

@@ -1,0 +1,189 @@
+"""What a sheet says of the ropes themselves, and of what is taken for granted."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from ropewalk.library.store import sources
+from ropewalk.record.margins import breaking_load
+from ropewalk.scene import Rope, Scene, Springs
+from ropewalk.scene.from_library import origin, origin_words
+from ropewalk.sheets.content import Item, Section, Table, Text
+from ropewalk.words.prefixes import prefixed
+
+_MOST = 6  # ropes that have a table of their own
+_NAMES = {
+    "EA": "axial stiffness EA",
+    "mass_per_length": "mass per length",
+    "axial_damping": "axial damping",
+    "EI": "bending stiffness EI",
+    "breaking_load": "breaking load",
+    "diameter": "diameter",
+}
+
+
+def rope_section(scene: Scene) -> Section:
+    """Return a table per rope, with the source of every number that is the library's."""
+    items: list[Item] = []
+    for rope in scene.ropes[:_MOST]:
+        items.append(Table((f"rope {rope.name!r}", ""), _rope_rows(rope), numbers=False))
+        items += _sources(rope)
+    if len(scene.ropes) > _MOST:
+        more = len(scene.ropes) - _MOST
+        items.append(Text(f"{more} more ropes are in the scene at the end of this sheet."))
+    return Section("Ropes", tuple(items))
+
+
+def _rope_rows(rope: Rope) -> list[tuple[str, str]]:
+    made_of, load = rope.made_of, breaking_load(rope)
+    rows = [
+        ("what it is", origin_words(made_of) or _kind(rope)),
+        ("unstretched length", f"{rope.length_unstretched:.6g} m"),
+        ("computed as", f"{rope.segments} straight segments of {rope.segment_length:.4g} m"),
+        ("mass, loads left out", f"{rope.own_mass:.5g} kg"),
+    ]
+    if isinstance(made_of, Springs):
+        rows += [
+            ("spring constant of a segment", f"{made_of.spring_constant:.5g} N/m"),
+            ("friction of a segment", f"{made_of.spring_friction:.5g} N s/m ({made_of.friction})"),
+        ]
+    else:
+        rows += [
+            (
+                _NAMES["EA"],
+                "infinite: it does not stretch" if rope.rigid else prefixed(made_of.EA, "N", 5),
+            ),
+            (_NAMES["mass_per_length"], f"{made_of.mass_per_length:.5g} kg/m"),
+            (_NAMES["axial_damping"], f"{made_of.axial_damping:.5g} N s"),
+            (
+                _NAMES["EI"],
+                f"{made_of.EI:.4g} N m²" if made_of.EI else "none: it bends freely",
+            ),
+            (_NAMES["diameter"], f"{1e3 * rope.diameter:.4g} mm"),
+        ]
+    known = "not given: no utilisation can be told" if load is None else prefixed(load, "N", 5)
+    rows.append((_NAMES["breaking_load"], known))
+    rows += [(f"load at {_at(rope, part.node)}", f"{part.mass:.5g} kg") for part in rope.loads]
+    rows += [
+        (f"force at {_at(rope, part.node)}", f"({', '.join(f'{c:.4g}' for c in part.force)}) N")
+        for part in rope.forces
+    ]
+    if rope.submerged_weight is not None:
+        rows.append(("weight in water", f"{rope.submerged_weight:.5g} N/m"))
+    return rows
+
+
+def _kind(rope: Rope) -> str:
+    return (
+        "given spring by spring"
+        if isinstance(rope.made_of, Springs)
+        else "given by its numbers, not from the library"
+    )
+
+
+def _at(rope: Rope, node: int) -> str:
+    index = rope.node_index(node)
+    return f"node {index}, {index * rope.segment_length:.5g} m of rope from its start"
+
+
+def _sources(rope: Rope) -> list[Item]:
+    """Return where the library has a rope's numbers from, and a warning of those that are guesses."""
+    about = origin(rope.made_of)
+    if about is None or not about.get("known", True):
+        return []
+    rows, guessed, known = [], [], sources()
+    for field, number in about["numbers"].items():
+        span = ""
+        if "low" in number and "high" in number:
+            span = f"{number['low']:.4g} to {number['high']:.4g}"
+        code = str(number["source"])
+        told = known.get(code, code)
+        rows.append((_NAMES.get(field, field), number["quality"], span, told))
+        if number["quality"] == "guess":
+            guessed.append(_NAMES.get(field, field))
+    items: list[Item] = []
+    if rows:
+        head = ("number of the library", "quality", "range", "source")
+        items.append(Table(head, rows, numbers=False))
+    if guessed:
+        items.append(Text(f"Guessed, not measured: {', '.join(guessed)}.", warning=True))
+    return items
+
+
+def assumption_section(scene: Scene) -> Section:
+    """Return what the computation takes for granted, and what it leaves out."""
+    size = float(np.linalg.norm(scene.gravity))
+    weight = (
+        f"Weight acts with {size:.6g} m/s² against ({', '.join(f'{c:.3g}' for c in scene.up)})."
+        if size
+        else "There is no weight."
+    )
+    texts = [
+        "Every rope is a chain of straight segments with its mass in the nodes between them. Tension is "
+        "proportional to strain; friction along a segment is proportional to the rate of strain.",
+        weight,
+        _push(scene),
+        _bends(scene),
+        _air(scene),
+        _ground(scene),
+        _anchors(scene),
+    ]
+    if scene.limiter is not None:
+        low, high = scene.limiter.min_stretch, scene.limiter.max_stretch
+        texts.append(f"A limiter keeps every segment between {low:g} and {high:g} of its length.")
+    left_out = (
+        "Left out: contact with edges, pulleys, other ropes and itself; twist; creep, temperature, moisture, "
+        "wear and age; the strength of knots, splices and terminations; the give of anchors and structures; "
+        "any load that is not in the scene."
+    )
+    claim = (
+        "This is a computation of one load case. It claims conformity with no standard. Who signs for the "
+        "job must check that loads, rope, anchors and safety factors are those of the job."
+    )
+    items = (Text(" ".join(text for text in texts if text)), Text(left_out), Text(claim))
+    return Section("Assumptions", items)
+
+
+def _push(scene: Scene) -> str:
+    pushing = [rope.name for rope in scene.ropes if not rope.made_of.tension_only]
+    if not pushing:
+        return "Slack segments carry nothing."
+    which = (
+        "Segments" if len(pushing) == len(scene.ropes) else f"Segments of {', '.join(pushing[:4])}"
+    )
+    return f"{which} that are shorter than unstretched push back, as springs do."
+
+
+def _bends(scene: Scene) -> str:
+    if any(rope.bending_stiffness for rope in scene.ropes):
+        return "Bending stiffness counts where a rope's table has one."
+    return "Bending stiffness is left out."
+
+
+def _air(scene: Scene) -> str:
+    if scene.air is None:
+        return "Air is left out."
+    wind = math.hypot(*scene.air.wind)
+    air = f"Air of {scene.air.density:.4g} kg/m³" if scene.air.density else "Air"
+    return f"{air} drags" + (f", with a wind of {wind:.4g} m/s." if wind else ", without wind.")
+
+
+def _ground(scene: Scene) -> str:
+    if scene.ground is None:
+        return "There is no ground."
+    return f"The ground is at a height of {scene.ground.height:.4g} m and yields as a spring."
+
+
+def _anchors(scene: Scene) -> str:
+    if not scene.anchors:
+        return "Nothing is anchored."
+    moving = [one.name for one in scene.anchors if one.motion.kind != "fixed"]
+    released = [one.name for one in scene.anchors if one.release_time is not None]
+    text = (
+        "Anchors do not give."
+        if not moving
+        else f"Anchors do not give; {', '.join(moving[:6])} move."
+    )
+    return text + (f" {', '.join(released[:6])} let go." if released else "")

@@ -1,0 +1,177 @@
+"""How far a sheet's numbers can be trusted: method, energy, and the same scene cut and stepped otherwise."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ropewalk.api import equilibrium, simulate
+from ropewalk.build import build
+from ropewalk.record.extremes import extremes
+from ropewalk.record.ledger import turned_over
+from ropewalk.scene import Scene, SceneError
+from ropewalk.scene.recut import recut
+from ropewalk.sheets.content import Item, Section, Table, Text
+from ropewalk.statics import NoRest, rest_spans
+from ropewalk.words.prefixes import prefixed
+
+if TYPE_CHECKING:
+    from ropewalk.record.result import Result
+
+LARGE = 5.0  # [%] a change of a force from which the sheet warns
+_RUN = {
+    "largest tension": ("greatest tension", "N"),
+    "largest force on an anchor": ("greatest anchor force", "N"),
+    "largest speed": ("greatest speed", "m/s"),
+    "lowest point": ("lowest point", "m"),
+}
+
+
+@dataclass(frozen=True)
+class Variant:
+    """The scene once more, otherwise cut or stepped: its numbers, or why there are none."""
+
+    title: str
+    numbers: dict[str, float] = field(default_factory=dict)
+    why_not: str = ""
+
+
+def method_section(result: Result) -> Section:
+    """Return method, step and what the books of energy leave."""
+    plan, good = result.plan, result.good_frames
+    rows = [("method", plan.method)]
+    if plan.tolerance is None:
+        rows.append(("time step", f"{1e3 * plan.dt:.5g} ms, {plan.steps_per_frame} a frame"))
+    else:
+        rows.append(("tolerance of a step", f"{1e3 * plan.tolerance:.4g} mm"))
+    if plan.why:
+        rows.append(("chosen", plan.why))
+    if result.facts.ledger:
+        error = np.abs(result.energy_error[:good])
+        largest = float(error[np.isfinite(error)].max(initial=0.0))
+        turned = turned_over({name: part[:good] for name, part in result.energy.items()})
+        share = f" ({100.0 * largest / turned:.2g} % of the energy turned over)" if turned else ""
+        rows.append(("largest energy error", f"{prefixed(largest, 'J', 3)}{share}"))
+    return Section("Method", (Table(("", ""), rows, numbers=False),))
+
+
+def run_numbers(result: Result) -> dict[str, float]:
+    """Return what variants of a run are compared by, in SI units."""
+    found = extremes(result)
+    return {title: found[name].value for title, (name, _) in _RUN.items()}
+
+
+def rest_numbers(scene: Scene) -> dict[str, float]:
+    """Return the same of an equilibrium. Raises SceneError and NoRest as `equilibrium` does."""
+    result, model = equilibrium(scene), build(scene)
+    spans = rest_spans(model, result.positions[0], result.tension[0])
+    sizes = np.linalg.norm(result.reactions[0], axis=1)
+    return {
+        "largest tension": float(np.nanmax(result.tension[0])),
+        "largest force on an anchor": float(sizes.max(initial=math.nan)),
+        "largest sag": max((s.sag for s in spans if s.kind == "span"), default=math.nan),
+        "lowest point": float((result.positions[0] @ np.asarray(scene.up)).min()),
+    }
+
+
+def convergence_section(scene: Scene, result: Result, progress: Callable[[str], None]) -> Section:
+    """Return how the numbers change with half the segments, and of a run with half the step."""
+    at_rest = result.status == "at rest"
+    base = rest_numbers(scene) if at_rest else run_numbers(result)
+    variants = [_other_cut(scene, result, progress)]
+    if not at_rest:
+        variants.append(_other_step(scene, result, progress))
+    items: list[Item] = [Text(f"{v.title}: {v.why_not}.") for v in variants if v.why_not]
+    ran = [variant for variant in variants if not variant.why_not]
+    if ran:
+        rows = [row for name in base if (row := _row(name, base, ran))]
+        items.append(Table(("", "this sheet", *(variant.title for variant in ran)), rows))
+        items.append(_verdict(base, ran))
+    return Section("Convergence", tuple(items))
+
+
+def _other_cut(scene: Scene, result: Result, progress: Callable[[str], None]) -> Variant:
+    other = recut(scene)
+    if other.scene is None:
+        return Variant("other segments", why_not=f"not tried, since {other.why_not}")
+    title = "half the segments" if other.factor < 1.0 else "twice the segments"
+    progress(f"once more with {title}")
+    if result.status == "at rest":
+        return _tried(title, lambda made: rest_numbers(made), other.scene)
+    plan, run = result.plan, other.scene.run
+    if plan.tolerance is not None:
+        run = run.replace(method=plan.method)
+    else:  # an explicit step that was stable is no longer so for segments half as long
+        finer = other.factor > 1.0
+        run = run.replace(method=plan.method, time_step=plan.dt / (2.0 if finer else 1.0))
+        title += " (and half the step)" if finer else ""
+    return _tried(title, lambda made: run_numbers(simulate(made)), other.scene.replace(run=run))
+
+
+def _other_step(scene: Scene, result: Result, progress: Callable[[str], None]) -> Variant:
+    plan = result.plan
+    if plan.tolerance is None:
+        title = "half the step"
+        run = scene.run.replace(method=plan.method, time_step=plan.dt / 2.0)
+    else:
+        title = "a tenth of the tolerance"
+        run = scene.run.replace(method=plan.method, tolerance=max(plan.tolerance / 10.0, 1e-9))
+    progress(f"once more with {title}")
+    return _tried(title, lambda made: run_numbers(simulate(made)), scene.replace(run=run))
+
+
+def _tried(title: str, numbers: Callable[[Scene], dict[str, float]], scene: Scene) -> Variant:
+    from ropewalk.api import BrokenRun
+
+    try:
+        return Variant(title, numbers(scene))
+    except (SceneError, NoRest, BrokenRun) as error:
+        return Variant(title, why_not=f"failed: {str(error).splitlines()[0].rstrip('.')}")
+
+
+def _row(name: str, base: dict[str, float], ran: list[Variant]) -> tuple[str, ...] | None:
+    """Return a quantity with every variant's value and change; of a length in metres, else in percent."""
+    value = base[name]
+    if math.isnan(value):
+        return None
+    force = name.endswith(("tension", "anchor"))
+    unit = "N" if force else "m/s" if name == "largest speed" else "m"
+
+    def told(number: float) -> str:
+        return prefixed(number, "N", 5) if force else f"{number:.5g} {unit}"
+
+    cells = []
+    for variant in ran:
+        other = variant.numbers[name]
+        change = f"{other - value:+.2g} m" if unit == "m" else f"{_change(value, other):+.2g} %"
+        cells.append(f"{told(other)} ({change})")
+    return (name, told(value), *cells)
+
+
+def _change(value: float, other: float) -> float:
+    """Return by how much a number changes [%]."""
+    return 100.0 * (other - value) / abs(value) if value else math.inf if other else 0.0
+
+
+def _verdict(base: dict[str, float], ran: list[Variant]) -> Text:
+    """Return whether the forces hold when cut or stepped otherwise."""
+    worst, of, by = 0.0, "", ""
+    for variant in ran:
+        for name in ("largest tension", "largest force on an anchor"):
+            change = abs(_change(base[name], variant.numbers[name]))
+            if change > worst:
+                worst, of, by = change, name, variant.title
+    if worst > LARGE:
+        return Text(
+            f"NOT CONVERGED: the {of} changes by {worst:.2g} % with {by}. Cut the ropes finer, or step "
+            "shorter, before these numbers are used.",
+            warning=True,
+        )
+    return Text(
+        f"The forces change by at most {worst:.2g} %. That is what the cutting and the steps may be "
+        "expected to cost; it says nothing of the data."
+    )

@@ -1,0 +1,204 @@
+"""The sheet of a job: its numbers are the run's, it says when they do not hold, it opens anywhere."""
+
+from __future__ import annotations
+
+import hashlib
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import ropewalk as rw
+from ropewalk.record.extremes import extremes
+from ropewalk.scene import Anchor, Kick, Load, Material, Rope, RunSettings, Scene, Slack, Springs
+from ropewalk.scene.recut import recut
+from ropewalk.scene.shapes import Points
+from ropewalk.sheets.content import Listing, Picture, Section, Table, Text
+from ropewalk.words.prefixes import prefixed
+
+LINE = Material(EA=4e4, mass_per_length=0.1, axial_damping=40.0, breaking_load=9e3)
+
+
+def hung(segments: int = 12, duration: float = 0.5, **changes: object) -> Scene:
+    """A line of 6 m over 5 m, a load at its middle."""
+    rope = Rope(
+        name="line",
+        segments=segments,
+        length=6.0,
+        made_of=LINE,
+        shape=Slack(start=(0, 0, 0), end=(5, 0, 1)),
+        loads=[Load(node=segments // 2, mass=30.0)],
+    )
+    run = RunSettings(duration=duration, method="verlet")
+    ends = [Anchor(name="low", node=0), Anchor(name="high", node=-1)]
+    return Scene(**({"ropes": [rope], "anchors": ends, "run": run, "name": "job <1>"} | changes))
+
+
+@pytest.fixture(scope="module")
+def made() -> rw.Sheet:
+    return rw.sheet(hung())
+
+
+def words(section: Section) -> str:
+    return " ".join(item.words for item in section.items if isinstance(item, Text))
+
+
+def warnings(sheet: rw.Sheet) -> list[str]:
+    items = [item for section in sheet.sections for item in section.items]
+    return [item.words for item in items if isinstance(item, Text) and item.warning]
+
+
+def table(section: Section, number: int = 0) -> Table:
+    return [item for item in section.items if isinstance(item, Table)][number]
+
+
+def test_the_numbers_are_those_of_the_run_and_of_the_equilibrium(made: rw.Sheet) -> None:
+    result, rest = made.result, rw.equilibrium(hung())
+    assert result is not None
+    found = extremes(result)
+    at_rest, in_run = table(made.section("Summary")).rows
+    assert in_run[1] == prefixed(found["greatest tension"].value, "N", 5)
+    assert in_run[2] == prefixed(found["greatest anchor force"].value, "N", 5)
+    assert in_run[3] == f"{100 * found['greatest tension'].value / 9e3:.3g} %"
+    assert at_rest[1] == prefixed(float(rest.tension.max()), "N", 5)
+    force = float(np.linalg.norm(rest.reactions[0], axis=1).max())
+    assert at_rest[2] == prefixed(force, "N", 5)
+    assert warnings(made) == []
+
+
+def test_the_ropes_pull_their_anchors_down_and_inward(made: rw.Sheet) -> None:
+    """The forces on the anchors at rest: together the weight, downward; each toward the other."""
+    rows = {row[0]: row for row in table(made.section("At rest"), 1).rows}
+    low, high = rows["low"], rows["high"]
+    assert not low[1].startswith("-")
+    assert high[1].startswith("-")
+    assert low[5].endswith("down")
+    assert high[5].endswith("down")
+    sizes = [float(row[3].split()[0]) for row in (low, high)]
+    assert sum(sizes) == pytest.approx(-9.81 * 30.6, rel=1e-3)
+
+
+def test_half_the_segments_and_half_the_step_are_told(made: rw.Sheet) -> None:
+    section = made.section("Convergence")
+    assert table(section).head == ("", "this sheet", "half the segments", "half the step")
+    assert "change by at most" in words(section)
+
+
+def test_too_coarse_a_rope_is_warned_of() -> None:
+    """The twin: a heavy line of four segments, whose tension is not that of a line."""
+    rope = hung(4).ropes[0].replace(loads=(), made_of=LINE.replace(mass_per_length=4.0))
+    coarse = rw.sheet(hung(4, 1.0, ropes=[rope]))
+    (warning,) = warnings(coarse)
+    assert warning.startswith("NOT CONVERGED: the largest")
+
+
+def test_a_broken_run_is_said_first_and_compared_with_nothing() -> None:
+    run = RunSettings(duration=2.0, method="verlet", time_step=0.02)
+    broke = rw.sheet(hung(run=run))
+    assert broke.result is not None
+    assert broke.result.diagnosis
+    assert "The run broke" in words(broke.section("Summary"))
+    assert "THE RUN BROKE" in words(broke.section("The run"))
+    with pytest.raises(KeyError, match="no section 'Convergence'"):
+        broke.section("Convergence")
+
+
+def test_at_rest_alone() -> None:
+    still = rw.sheet(hung(), run=False)
+    assert still.result is not None
+    assert still.result.status == "at rest"
+    assert table(still.section("Convergence")).head == ("", "this sheet", "half the segments")
+    assert [row[0] for row in table(still.section("Summary")).rows] == ["at rest"]
+    with pytest.raises(rw.SceneError, match="no anchor holds it"):
+        rw.sheet(hung(anchors=[]), run=False)
+
+
+def test_no_shape_of_rest_is_said_and_the_run_goes_on() -> None:
+    loose = rw.sheet(hung(anchors=[], duration=0.1), convergence=False)
+    assert "There is no shape of rest" in words(loose.section("At rest"))
+    assert [row[0] for row in table(loose.section("Summary")).rows] == ["in the run"]
+
+
+def test_springs_are_not_cut_anew() -> None:
+    made_of = Springs(spring_constant=900.0, node_mass=0.1, segment_length=1.0)
+    rope = Rope(segments=4, made_of=made_of)
+    scene = Scene(ropes=[rope], anchors=[Anchor(node=0)], run=RunSettings(duration=0.1))
+    made = rw.sheet(scene)
+    assert "spring by spring" in words(made.section("Convergence"))
+    assert table(made.section("Convergence")).head == ("", "this sheet", "half the step")
+    assert any("No breaking load" in text for text in warnings(made))
+
+
+def test_what_is_guessed_is_warned_of() -> None:
+    made_of = rw.rope("dynamic-single-9.8").material(guesses=True, bending=True)
+    rope = Rope(segments=4, length=3.0, made_of=made_of)
+    run = RunSettings(duration=0.05, method="verlet")
+    scene = Scene(ropes=[rope], anchors=[Anchor(node=0)], run=run)
+    told = " ".join(warnings(rw.sheet(scene, convergence=False)))
+    assert "Guessed, not measured: bending stiffness EI, breaking load." in told
+    sourced = scene.replace(**{"rope.made_of": rw.rope("dynamic-single-9.8").material()})
+    told = " ".join(warnings(rw.sheet(sourced, convergence=False)))
+    assert "Guessed" not in told
+
+
+def test_what_is_not_known_has_bands() -> None:
+    made = rw.sheet(
+        hung(), run=False, convergence=False, uncertain={"rope.length": (5.9, 6.1)}, samples=4
+    )
+    section = made.section("What is not known")
+    assert "rope.length: 5.9 to 6.1" in words(section)
+    assert any(row[0] == "tension_max" for row in table(section).rows)
+    assert any(isinstance(item, Picture) for item in section.items)
+
+
+def test_the_scene_at_its_end_is_the_scene(made: rw.Sheet) -> None:
+    """Read again it is the same scene, and its hash is the one that is told."""
+    section = made.section("To compute it again")
+    (listing,) = [item.lines for item in section.items if isinstance(item, Listing)]
+    assert rw.loads(listing) == hung()
+    told = dict(table(section).rows)["SHA-256 of the scene below"]
+    assert told == hashlib.sha256(listing.encode()).hexdigest()
+
+
+def test_files(made: rw.Sheet, tmp_path: Path) -> None:
+    page = made.save(tmp_path / "new" / "job.html").read_text(encoding="utf-8")
+    assert "job &lt;1&gt;" in page
+    assert "<1>" not in page
+    assert not re.search(r'(src|href)="(?!data:)', page)  # nothing from elsewhere
+    pages = made.save(tmp_path / "job.pdf").read_bytes()
+    assert pages.startswith(b"%PDF")
+    assert len(re.findall(rb"/Type /Page\b", pages)) >= 3
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["job.pdf", "new"]
+    with pytest.raises(ValueError, match=r"must end in \.html or \.pdf"):
+        made.save(tmp_path / "job.doc")
+
+
+def test_a_recut_rope_is_the_same_rope() -> None:
+    """Loads, forces and anchors stay where they are; odd ones are cut twice as fine instead."""
+    scene = hung(12)
+    half = recut(scene)
+    assert half.scene is not None
+    assert half.factor == 0.5
+    assert half.scene.ropes[0].segments == 6
+    assert half.scene.ropes[0].loads[0].node == 3
+    assert half.scene.anchors[1].node == 6
+    assert half.scene.ropes[0].total_mass == pytest.approx(scene.ropes[0].total_mass, rel=1e-12)
+    odd = recut(hung(10))  # the load is at node 5
+    assert odd.scene is not None
+    assert odd.factor == 2.0
+    assert odd.scene.ropes[0].loads[0].node == 10
+
+
+def test_what_cannot_be_recut_says_why() -> None:
+    rope = hung().ropes[0].replace(kicks=[Kick(node=2, velocity=(0, 1, 0))])
+    assert "kick" in recut(hung(ropes=[rope])).why_not
+    points = [(0.5 * i, 0.0, 0.1 * (i % 2)) for i in range(5)]
+    rope = hung().ropes[0].replace(segments=4, shape=Points(points=points), loads=())
+    half = recut(hung(ropes=[rope])).scene
+    assert half is not None
+    assert list(half.ropes[0].shape.points) == points[::2]
+    rope = rope.replace(loads=[Load(node=1, mass=1.0)])
+    finer = recut(hung(ropes=[rope])).scene
+    assert finer is not None
+    assert finer.ropes[0].shape.points[1] == pytest.approx((0.25, 0.0, 0.05))
