@@ -7,7 +7,7 @@ PYTEST := $(BIN)/python -m pytest
 SPREAD := -n logical --dist loadfile
 
 .DEFAULT_GOAL := help
-.PHONY: help venv runtime dev demo view test test-browser test-slow test-uncompiled lint locks format bench work-precision docs report page page-check clean distclean
+.PHONY: help venv runtime dev demo view test test-browser test-slow test-uncompiled lint locks format bench work-precision docs dist report page page-check clean distclean
 
 help:  ## list the targets
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | \
@@ -96,6 +96,11 @@ work-precision: dev  ## only error against time of all methods, numpy and scipy
 docs: dev  ## build the documentation as a site in docs/_build/html
 	$(BIN)/sphinx-build -q -W --keep-going -n -b html docs docs/_build/html
 	@echo "docs/_build/html/index.html"
+
+dist: dev  ## build wheel and source archive into dist/, and check them
+	rm -rf dist
+	$(BIN)/python -m hatchling build -d dist
+	$(PYTEST) -q tests/architecture/test_dist.py
 
 report: runtime  ## check the claims of the student report: one page with figures
 	$(BIN)/ropewalk report
