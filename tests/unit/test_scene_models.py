@@ -21,6 +21,7 @@ from ropewalk.scene import (
     Velocity,
     Winch,
 )
+from ropewalk.simulation import Simulation
 
 
 def springs_rope(**changes: object) -> Rope:
@@ -163,3 +164,8 @@ def test_sentences() -> None:
     )
     assert str(scene.anchors[1]) == "Anchor 'anchor1' holds node -1 of 'rope' until 2 s, fixed."
     assert str(Winch(end="end", speed=-2)) == "Winch at the end reels in 2 m/s."
+
+
+def test_a_simulation_of_a_name_says_what_gives_a_scene() -> None:
+    with pytest.raises(TypeError, match=r"'r3' is no scene; rw.preset"):
+        Simulation("r3")  # type: ignore[arg-type]

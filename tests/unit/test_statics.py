@@ -7,8 +7,9 @@ import math
 import numpy as np
 import pytest
 
+from ropewalk.analysis.check import check
 from ropewalk.build import build
-from ropewalk.scene import Anchor, Load, Material, Rope, Scene, Slack, Springs, Straight
+from ropewalk.scene import Anchor, Ground, Load, Material, Rope, Scene, Slack, Springs, Straight
 from ropewalk.statics import Statics, rest, static_shape
 
 G = 9.81
@@ -274,3 +275,46 @@ def test_large_ropes_take_the_closed_form(monkeypatch: pytest.MonkeyPatch) -> No
     found = static_shape(scene)
     assert found.steps > 0
     np.testing.assert_allclose(found.tension, solved.tension, rtol=1e-9)
+
+
+@pytest.mark.parametrize("segments", [5_000, 200_000])
+def test_what_rounding_leaves_of_many_segments_counts_as_rest(segments: int) -> None:
+    """Newton's method went on for all its 2000 steps, and found no rest: minutes in `check`.
+
+    The closing of the chain is spread; what rounding of places makes of the tensions' directions stays.
+    """
+    rope = Rope(
+        segments=segments,
+        length=100.0,
+        made_of=Material(EA=1e4, mass_per_length=0.1),
+        shape=Slack(end=(80, 0, 0)),
+    )
+    found = static_shape(Scene(ropes=rope, anchors=[Anchor(node=0), Anchor(node=-1)]))
+    assert found.solved
+    assert found.steps < 20
+    coarse = rope.replace(segments=500)
+    few = static_shape(Scene(ropes=coarse, anchors=[Anchor(node=0), Anchor(node=-1)]))
+    assert found.sag[0] == pytest.approx(few.sag[0], rel=1e-4)
+    # The last segment alone bore what all additions round off: 80 times as much.
+    size = np.linalg.norm(np.diff(found.positions, axis=0), axis=1)
+    assert found.gap < 1e-15 * 100.0
+    assert np.ptp(size) < 0.01 * size.mean()
+
+
+def test_a_check_does_not_look_for_the_rest_of_very_many_nodes_on_the_ground(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(rest, "_LARGE", 100)
+    rope = Rope(
+        segments=200,
+        length=10.0,
+        made_of=Material(EA=1e4, mass_per_length=0.1),
+        shape=Slack(end=(8, 0, 0)),
+    )
+    held = [Anchor(node=0), Anchor(node=-1)]
+    on_ground = Scene(ropes=rope, anchors=held, ground=Ground(height=-1.0, repulsion=100.0))
+    assert static_shape(on_ground).steps > 0
+    found = check(on_ground, measure=False)
+    assert not found.statics.solved
+    assert "the shape of rest was not looked for" in str(found)
+    assert "weight alone" not in str(check(Scene(ropes=rope, anchors=held), measure=False))

@@ -356,6 +356,11 @@ def _limiter_warnings(model: Model, statics: Statics) -> list[str]:
 def _rest_warnings(statics: Statics) -> list[str]:
     if statics.solved:
         return []
+    if not statics.searched:
+        return [
+            "the shape of rest was not looked for, as more than its weight acts on more than 100000 nodes: "
+            "sag and tension given here are those under weight alone. ropewalk settle looks for it"
+        ]
     return [
         f"no shape of rest was found ({statics.residual:.2g} N are left on a node): sag and tension "
         "given here are those of a shape near to it"

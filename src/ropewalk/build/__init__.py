@@ -30,10 +30,12 @@ class Model:
 
 
 def build(scene: Scene, pieces: Pieces | None = None) -> Model:
-    """Build a scene. Raises SceneError when it cannot be planned.
+    """Build a scene. Raises SceneError when it cannot be planned, TypeError for what is no scene.
 
     `pieces` of earlier builds save those that are the same again; the model has the same bits.
     """
+    if not isinstance(scene, Scene):
+        raise TypeError(f"{scene!r} is no scene; rw.preset(name) and rw.load(path) give one")
     keep = Pieces() if pieces is None else pieces
     keep.made.clear()
     layout = keep("layout", _itself, make_layout(scene))

@@ -89,14 +89,14 @@ class Balance:
         self.rate = self.force / (float(masses.mean()) * self.length)  # 1/s^2
 
     def allowed(self, x: Floats, tension: Floats) -> float:
-        """Return the error that counts as at rest [1]: more where rounding of large forces shows."""
+        """Return the error that counts as at rest [1]: more where rounding of forces or places shows."""
         pull = float(np.abs(tension[self.live]).max(initial=0.0))
         if self.bends:
             size = float(np.ptp(x, axis=1).max())
             pull += size * float(self.state.bending_stiffness.max()) / self.length**2
-        return max(_CLOSED, _ROUNDING * pull / self.force)
+        return max(_CLOSED, _ROUNDING * pull / self.force, self._of_places(x, tension))
 
-    def rounding(self, x: Floats, tension: Floats) -> float:
+    def _of_places(self, x: Floats, tension: Floats) -> float:
         """Return the error that rounding the places makes of the largest tension's direction [1]."""
         pull = float(np.abs(tension[self.live]).max(initial=0.0))
         size = float(np.abs(x).max(initial=0.0))

@@ -83,7 +83,10 @@ def _span(model: Model, x: Floats, tension: Floats, first: int, last: int) -> No
         weights = np.maximum(weights, 1e-6 * float(np.abs(weights).max()))
     found = hang(weights, state.stiffness[segments], state.rest_length[segments], across, rise)
     steps = np.outer(direction, found.along) + np.outer(up, found.upward)
-    x[:, first + 1 : last] = x[:, first, None] + np.cumsum(steps, axis=1)[:, :-1]
+    path = np.cumsum(steps, axis=1)
+    # What a million additions round off is shared by all segments, or the last one bears it alone.
+    path += np.outer(ends - path[:, -1], np.arange(1, path.shape[1] + 1) / path.shape[1])
+    x[:, first + 1 : last] = x[:, first, None] + path[:, :-1]
     pull = found.tension
     if last - first == 1 and model.system.slack_floor[first] == 0.0:
         pull = np.maximum(pull, 0.0)

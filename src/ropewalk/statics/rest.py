@@ -45,6 +45,11 @@ class Statics:
     solved: bool  # whether it is at rest, to rounding
 
     @property
+    def searched(self) -> bool:
+        """Whether rest was looked for: not by a check of very many nodes under more than their weight."""
+        return self.solved or self.steps > 0 or len(self.positions) <= _LARGE
+
+    @property
     def largest_tension(self) -> float:
         """Largest tension of any segment [N]; 0 where no rope is held."""
         return float(self.tension.max(initial=0.0))
@@ -62,8 +67,8 @@ class Statics:
 def static_shape(source: Scene | Model, *, strict: bool = True) -> Statics:
     """Return the rest shape of a scene or a built model, all anchors at their initial places.
 
-    With `strict` off what Newton's method came to is returned even when it is not at rest; look at
-    `residual` then.
+    With `strict` off what Newton's method came to is returned even when it is not at rest, and more
+    than 100000 nodes on which more than their weight acts hang as without that; look at `solved`.
 
     Ropes that nothing gives a shape (not held, or slack without weight) are left where they are,
     without tension; `checked_shape` refuses them. The stretch limiter takes no part.
@@ -74,7 +79,7 @@ def static_shape(source: Scene | Model, *, strict: bool = True) -> Statics:
     balance = Balance(model)
     for name in undetermined_ropes(model):
         balance.leave_out(model.layout.span(name))
-    found = _find(model, balance)
+    found = _find(model, balance, patient=strict)
     if strict and not found.at_rest:
         raise NoRest(_complaint(model, balance, found))
     return _statics(model, balance, found, unheld_ropes(model))
@@ -90,14 +95,18 @@ def checked_shape(source: Scene | Model) -> Statics:
     return static_shape(model)
 
 
-def _find(model: Model, balance: Balance) -> Found:
+def _find(model: Model, balance: Balance, *, patient: bool) -> Found:
     """Solve from the hung shape, or from the scene's own where other laws decide."""
     x, tension = hung(model)
     grounded = _below_ground(model, x).any()
     own = grounded or balance.bends
+    if x.shape[1] > _LARGE:
+        hangs = _evaluated(balance, x, tension)
+        if hangs.at_rest and not own:
+            return _stable(balance, hangs)
+        if not patient:
+            return hangs
     if not own:
-        if x.shape[1] > _LARGE and (exact := _closed_form(balance, x, tension)):
-            return exact
         found = settle(balance, x, tension)
         if found.at_rest:
             return _stable(balance, found)
@@ -112,14 +121,13 @@ def _find(model: Model, balance: Balance) -> Found:
     return best
 
 
-def _closed_form(balance: Balance, x: Floats, tension: Floats) -> Found | None:
-    """Return the hung shape where all that is wrong with it is the rounding of its places, else None.
+def _evaluated(balance: Balance, x: Floats, tension: Floats) -> Found:
+    """Return a shape with what is wrong with it.
 
-    For ropes of so many nodes that Newton's steps would take minutes to shuffle that about.
+    Newton's steps would take minutes to shuffle about the rounding of the places of so many nodes.
     """
-    allowed = max(balance.allowed(x, tension), balance.rounding(x, tension))
-    found = Found(x, tension, balance.error(x, tension), allowed, 0)
-    return _stable(balance, found) if found.at_rest else None
+    error = balance.error(x, tension)
+    return Found(x, tension, error, balance.allowed(x, tension), 0)
 
 
 def _soft_first(balance: Balance, x: Floats) -> Found:

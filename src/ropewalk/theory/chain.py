@@ -302,6 +302,7 @@ def _newton(chain: _Chain, j: int, horizontal: float, first: float) -> tuple[flo
         offset, np.delete(chain.stiffness, j), np.delete(chain.length, j), chain.across, chain.rise
     )
     own = float(chain.length[j]), 1.0 / float(chain.stiffness[j])
+    rounding = 4.0 * float(np.finfo(float).eps) * float(chain.length.sum())
     f, g, jacobian = _closing(others, own, pull, slope)
     for _ in range(100):
         size = math.hypot(f, g)
@@ -318,10 +319,14 @@ def _newton(chain: _Chain, j: int, horizontal: float, first: float) -> tuple[flo
             factor = 0.9 * room / abs(ds)
         for _ in range(40):
             trial = pull + factor * dp, slope + factor * ds
+            if trial == (pull, slope):
+                return trial
             if abs(trial[1]) < 0.5 * math.pi:
                 f, g, jacobian = _closing(others, own, *trial)
                 if math.hypot(f, g) < size:
                     break
+                if size <= rounding:
+                    return pull, slope
             factor *= 0.5
         else:
             break
