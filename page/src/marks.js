@@ -8,6 +8,7 @@ import { Trails } from "./render/trails.js";
 
 /** @typedef {import("./stage.js").Stage} Stage */
 /** @typedef {import("./source/protocol.js").Layout} Layout */
+/** @typedef {import("./source/frame.js").Frame} Frame */
 /** @typedef {import("./render/view.js").Marker} Marker */
 /** @typedef {import("./render/view.js").Arrow} Arrow */
 /** @typedef {import("./view/vector.js").Vector} Vector */
@@ -35,6 +36,8 @@ export class Marks {
     /** A kick that is being drawn. @type {{from: Vector, to: Vector, text: string} | null} */
     this.kick = null;
     this.strongest = 0; // the force that has the longest arrow [N]
+    /** The greatest force of each anchor of each variant since labels were last written [N].
+     * @type {number[][]} */ this.most = [];
     /** @type {Label[]} */ this.labels = [];
     /** What anchors stand on, on the floor. @type {Arrow[]} */ this.posts = [];
     this.standing = true; // whether they are shown
@@ -46,7 +49,20 @@ export class Marks {
     for (const node of this.followed) if (node >= most) this.followed.delete(node);
     this.resetTrails();
     this.strongest = 0;
+    this.most = [];
     this.hover = this.kick = this.chosen = null;
+  }
+
+  /** Note what the anchors of a frame have held since the one before. @param {Frame} frame */
+  take({ parts }) {
+    this.most = parts.map(({ seen }, v) =>
+      Array.from(seen.greatestForce, (force, a) => Math.max(force, this.most[v]?.[a] ?? 0)),
+    );
+  }
+
+  /** Labels were written: a new interval begins. */
+  written() {
+    this.most = [];
   }
 
   /** Start or stop a trail. @param {number} node of the first variant */
@@ -83,12 +99,12 @@ export class Marks {
   addAnchors(markers, arrows) {
     const { session, theme, anchors, camera } = this.stage;
     const layout = /** @type {Layout} */ (session.layout);
-    const frame = /** @type {import("./source/frame.js").Frame} */ (session.frame);
+    const frame = /** @type {Frame} */ (session.frame);
     const longest = Math.min(REACTION, 0.14 * camera.width);
     const reach = (longest * camera.pose.distance) / camera.focal;
     let at = 0;
     let strongest = 0;
-    /** @type {{place: Vector, force: number[], size: number}[]} */ const forces = [];
+    /** @type {{place: Vector, force: number[], size: number, most: number}[]} */ const forces = [];
     layout.variants.forEach((variant, v) => {
       const part = frame.parts[v];
       variant.anchors.forEach((anchor, a) => {
@@ -109,17 +125,20 @@ export class Marks {
         const size = Math.hypot(...force);
         if (!Number.isFinite(size)) return;
         strongest = Math.max(strongest, size);
-        if (v === 0 || this.stage.apart) forces.push({ place, force, size });
+        if (v === 0 || this.stage.apart) {
+          const most = Math.max(size, part.seen.greatestForce[a], this.most[v]?.[a] ?? 0);
+          forces.push({ place, force, size, most });
+        }
       });
     });
     if (!this.reactions) return;
     this.strongest = Math.max(strongest, this.strongest * 0.995);
-    for (const { place, force, size } of forces) {
+    for (const { place, force, size, most } of forces) {
       if (size < 0.04 * this.strongest || size < 1e-9) continue;
       const to = plus(place, force, reach / this.strongest);
       arrows.push({ from: place, to, colour: theme.arrow, pixels: 2.6, head: true });
       if (forces.length <= MOST_LABELS) {
-        this.labels.push({ from: place, at: to, text: quantity(size, "N"), kind: "reaction" });
+        this.labels.push({ from: place, at: to, text: quantity(most, "N"), kind: "reaction" });
       }
     }
   }
@@ -161,7 +180,7 @@ export class Marks {
   /** The springs of hands, this page's and others'. @param {Marker[]} markers @param {Arrow[]} arrows */
   addGrabs(markers, arrows) {
     const { session, theme, nodes, starts, shifts } = this.stage;
-    const frame = /** @type {import("./source/frame.js").Frame} */ (session.frame);
+    const frame = /** @type {Frame} */ (session.frame);
     frame.parts.forEach((part, v) => {
       for (let i = 0; i < part.grabs.length; i += 8) {
         const node = part.grabs[i];

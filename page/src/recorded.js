@@ -29,7 +29,7 @@ async function framesOf(recording, first, count, every) {
   for (let i = 0; i < count; i++) {
     const index = first + i * every;
     if (index < part.first || index >= part.first + part.frames) continue;
-    found.push(readFrame(recording.frame(index), part.layout));
+    found.push(readFrame(recording.frame(index, index - every), part.layout));
     if (i % AT_ONCE === AT_ONCE - 1) await new Promise((done) => setTimeout(done));
   }
   return found;

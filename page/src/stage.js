@@ -154,6 +154,7 @@ export class Stage {
       this.range.follow(extremes.low, extremes.high, Math.min(0.2, (now - this.lastPush) / 1000));
     }
     this.lastPush = now;
+    if (!again) this.marks.take(frame);
     this.gatherAnchors(frame, this.anchors.next(now, jump));
     if (this.lookPending) this.look(layout);
     else this.keepInView(layout, now);

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { MAGIC, readFrame, scalar, tensionOf } from "../src/source/frame.js";
+import { MAGIC, between, readFrame, scalar } from "../src/source/frame.js";
 import { gather } from "../src/source/gather.js";
 
 // A frame as docs/reference/live-protocol.md describes it: 3 nodes (odd: with padding), 1 anchor, 1 grab.
@@ -27,12 +27,25 @@ const variant = {
     },
   ],
   anchors: [{ name: "left", rope: "rope", node: 0, index: 0, motion: "hand", pinned: false }],
-  offsets: { scalars: 48, positions: 60, tension: 96, speed: 104, anchors: 112, grabs: 152 },
+  offsets: {
+    scalars: 48,
+    positions: 60,
+    tension: 96,
+    speed: 104,
+    least_tension: 112,
+    greatest_tension: 120,
+    greatest_speed: 128,
+    least_height: 136,
+    greatest_height: 144,
+    greatest_force: 152,
+    anchors: 156,
+    grabs: 196,
+  },
 };
 const layout = {
   type: "layout",
   layout: 7,
-  bytes: 184,
+  bytes: 228,
   scene: { name: "", description: "", preset: null },
   up: [0, 0, 1],
   gravity: [0, 0, -9.81],
@@ -56,8 +69,12 @@ function frame() {
   for (let i = 0; i < 9; i++) view.setFloat32(60 + 4 * i, i + 0.5, true);
   [0, 65535, 0].forEach((value, i) => view.setUint16(96 + 2 * i, value, true));
   [0, 32768, 65535].forEach((value, i) => view.setUint16(104 + 2 * i, value, true));
-  for (let i = 0; i < 10; i++) view.setFloat32(112 + 4 * i, 100 + i, true);
-  [2, 7, 8, 9, 3, 4, 0, 0].forEach((value, i) => view.setFloat32(152 + 4 * i, value, true));
+  [0, 0, 0].forEach((value, i) => view.setUint16(112 + 2 * i, value, true));
+  [0, 65535, 0].forEach((value, i) => view.setUint16(120 + 2 * i, value, true));
+  [0, 32768, 65535].forEach((value, i) => view.setUint16(128 + 2 * i, value, true));
+  view.setFloat32(152, 77, true);
+  for (let i = 0; i < 10; i++) view.setFloat32(156 + 4 * i, 100 + i, true);
+  [2, 7, 8, 9, 3, 4, 0, 0].forEach((value, i) => view.setFloat32(196 + 4 * i, value, true));
   return buffer;
 }
 
@@ -79,8 +96,11 @@ test("tension is between its bounds", () => {
   const [part] = readFrame(frame(), layout).parts;
   assert.equal(scalar(layout, part, "tension_high"), 30);
   assert.ok(Number.isNaN(scalar(layout, part, "no such")));
-  assert.equal(tensionOf(layout, part, 0), -10);
-  assert.equal(tensionOf(layout, part, 1), 30);
+  const pulls = [...part.tension].slice(0, 2);
+  const found = pulls.map((share) => between(layout, part, share, "tension_low", "tension_high"));
+  assert.deepEqual(found, [-10, 30]);
+  assert.equal(between(layout, part, part.seen.greatestSpeed[2], null, "speed_high"), 8);
+  assert.equal(part.seen.greatestForce[0], 77);
 });
 
 test("nothing is copied", () => {
@@ -91,7 +111,7 @@ test("nothing is copied", () => {
 
 test("other bytes and other layouts are refused", () => {
   assert.throws(() => readFrame(new ArrayBuffer(10), layout), /not a frame/);
-  assert.throws(() => readFrame(new ArrayBuffer(184), layout), /not a frame/);
+  assert.throws(() => readFrame(new ArrayBuffer(228), layout), /not a frame/);
   assert.throws(() => readFrame(frame(), { ...layout, layout: 8 }), /another layout/);
   assert.throws(() => readFrame(frame().slice(0, 100), layout), /cut short/);
 });

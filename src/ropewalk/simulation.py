@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from functools import partial
 from importlib import import_module
-from typing import TYPE_CHECKING, Any, NamedTuple, cast
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, cast
 
 import numpy as np
 
@@ -15,6 +15,7 @@ from ropewalk.build import Model, build
 from ropewalk.build.plan import divide
 from ropewalk.core import arrays
 from ropewalk.core.arrays import APPLIED, Floats, Ints, State
+from ropewalk.core.peaks import Peaks
 from ropewalk.core.status import BROKEN, OK, UNSOLVED
 from ropewalk.drive import Driven, Goal
 from ropewalk.drum import WinchHandle
@@ -37,6 +38,16 @@ _ROUNDING = 1e-12  # [1]
 _VIEW = "ropewalk.live.view"  # a layer above this one, so it is looked up when it is needed
 BLOCK_BYTES = 16_000_000  # positions and velocities of one block of frames
 LONGEST_BLOCK = 2048  # frames
+
+
+class Watcher(Protocol):
+    """Whoever is told the extremes of every call that moves a simulation on."""
+
+    def take(self, peaks: Peaks) -> None:
+        """Take those of the call just made."""
+
+    def take_frames(self, frames: Recording) -> None:
+        """Take those of frames just recorded."""
 
 
 class Broken(RuntimeError):  # noqa: N818 - it is what happened, not a mistake
@@ -84,6 +95,7 @@ class Simulation(Driven):
         self.failure = ""  # set where an implicit method finds no solution of a step
         self.reason = ""  # set by a break: what is broken, and where
         self.falls: tuple[Fall, ...] = ()  # the islands that have ended the last call
+        self.watchers: list[Watcher] = []
         self.slices = self._engine.make_slices()
         self._winches = len(self.scene.winches) > 0
         self._start, self._dt, self._step = 0.0, self.plan.dt, 0
@@ -191,6 +203,7 @@ class Simulation(Driven):
             text = f"the simulation broke before t = {self.time:g} s: {self.reason}"
             raise Broken(self.failure or text)
         self._arrive()
+        self._tell()
 
     def advance_steps(self, steps: int) -> int:
         """Advance by so many steps of the present length; return OK, or why not: the state is broken.
@@ -201,7 +214,16 @@ class Simulation(Driven):
         self._set_off(steps * self._dt)
         status = self._advance(steps, 1, make_recording(self._state, 0, False))[0]
         self._arrive()
+        if status == OK:
+            self._tell()
         return status
+
+    def _tell(self) -> None:
+        """Tell whoever watches of the extremes of a call."""
+        if self.watchers:
+            self._engine.show_peaks()
+            for watcher in self.watchers:
+                watcher.take(self._state.peaks)
 
     def advance_frames(
         self, frames: int, *, keep_going: bool = False, out: Recording | None = None
@@ -223,14 +245,20 @@ class Simulation(Driven):
         block = Block(np.asarray(start + steps * self._dt, dtype=np.float64), out, status)
         if status == OK or (before is None and status == BROKEN):
             self._arrive()
-            return block.head(good) if status == OK and good < frames else block
+            return self._told(block.head(good) if status == OK and good < frames else block)
         if before is None:
-            return block.head(good)
+            return self._told(block.head(good))
         self.restore(before)
         if good > 0:
             with self.slices.unasked():  # the state must come to the frames that are returned
                 self._advance(self.plan.steps_per_frame, good, out.part(0, 0))
-        return block.head(good)
+        return self._told(block.head(good))
+
+    def _told(self, block: Block) -> Block:
+        """Tell whoever watches of frames, and return them."""
+        for watcher in self.watchers if block.frames else ():
+            watcher.take_frames(block.recording)
+        return block
 
     def frames(self, frames: int | None = None, *, keep_going: bool = False) -> Iterator[Block]:
         """Yield blocks of frames, `frames` in all (default: the rest of the plan), until one breaks.

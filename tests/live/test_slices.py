@@ -32,7 +32,7 @@ class Told:
     def __init__(self) -> None:
         self.messages: list[dict[str, Any]] = []
 
-    def show(self, number: int, frame: bytes) -> None:
+    def show(self, number: int, frame: bytes, combine: object = None) -> None:
         """Take a frame."""
 
     def tell(self, message: dict[str, Any]) -> None:

@@ -10,7 +10,8 @@ import { samplesOf } from "./samples.js";
 
 /** @typedef {import("../stage.js").Stage} Stage */
 /** @typedef {import("../source/frame.js").Frame} Frame */
-/** @typedef {"energies" | "tension" | "motion" | "phase" | "difference"} Kind */
+/** @typedef {{low?: string, high?: string}} Bounds */
+/** @typedef {"energies" | "tension" | "forces" | "motion" | "phase" | "difference"} Kind */
 /** @typedef {{kind: Kind, box: HTMLElement, plot: Plot | PhasePlane | null}} Panel */
 
 const WINDOWS = [2, 5, 10, 30, 60, Infinity]; // s
@@ -18,6 +19,7 @@ const REFRESH = 66; // ms between two drawings of a graph
 const TITLES = {
   energies: "Energies",
   tension: "Tension",
+  forces: "Forces",
   motion: "Height or speed",
   phase: "Phase plane",
   difference: "Difference",
@@ -28,6 +30,13 @@ const ENERGIES = /** @type {[string, string, string][]} */ ([
   ["elastic", "elastic", ROPES[1]],
   ["lost", "lost", ROPES[3]],
 ]);
+
+/** The names of bounds since the frame before. @type {Record<string, (node: number) => Bounds>} */
+const BOUNDS = {
+  tension: (node) => ({ low: `low tension ${node}`, high: `tension ${node}` }),
+  height: (node) => ({ low: `low height ${node}`, high: `high height ${node}` }),
+  speed: () => ({}),
+};
 
 export class Graphs {
   /** @param {Stage} stage @param {HTMLElement} host */
@@ -147,8 +156,9 @@ export class Graphs {
     if (!this.open) return;
     this.clear();
     const many = (this.stage.session.layout?.variants.length ?? 1) > 1;
+    const held = (this.stage.session.layout?.variants[0].anchors.length ?? 0) > 0;
     const kinds = /** @type {Kind[]} */ (Object.keys(TITLES)).filter(
-      (kind) => kind !== "difference" || many,
+      (kind) => (kind !== "difference" || many) && (kind !== "forces" || held),
     );
     this.chips.replaceChildren(...kinds.map((kind) => this.chip(kind)));
     this.quantityChoice.hidden = !this.shown.has("motion");
@@ -196,6 +206,7 @@ export class Graphs {
     const unit = {
       energies: "J",
       tension: "N",
+      forces: "N",
       motion: this.quantity === "height" ? "m" : "m/s",
       difference: "m",
     }[kind];
@@ -214,11 +225,19 @@ export class Graphs {
         colour: ROPES[(v + 1) % ROPES.length],
       }));
     }
+    if (kind === "forces") {
+      return (variants[0]?.anchors ?? []).slice(0, ROPES.length).map(({ name }, a) => ({
+        name: `force ${a}`,
+        label: name,
+        colour: ROPES[a],
+      }));
+    }
     const prefix = kind === "tension" ? "tension" : this.quantity;
     const followed = [...this.stage.marks.followed].map((node, i) => ({
       name: `${prefix} ${node}`,
       label: this.nodeName(node),
       colour: ROPES[(i + 1) % ROPES.length],
+      ...BOUNDS[prefix](node),
     }));
     if (kind === "tension")
       return [{ name: "tension_max", label: "largest", colour: ROPES[0] }, ...followed];
@@ -246,8 +265,7 @@ export class Graphs {
     const from = Math.max(this.history.last - this.back - this.span, this.history.first);
     const to = from + this.span;
     if (plot instanceof Plot) {
-      const names = plot.series.map(({ name }) => name);
-      plot.show(this.history.between(from, to, names), from, to);
+      plot.show(this.history.between(from, to, plot.names), from, to);
     } else if (plot && kind === "phase") {
       const node = [...this.stage.marks.followed][0];
       const [times, heights] = this.history.between(from, to, [`height ${node}`]);

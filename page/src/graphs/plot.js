@@ -4,7 +4,8 @@ import uPlot from "uplot";
 
 import { figures, quantity } from "../view/range.js";
 
-/** @typedef {{name: string, label: string, colour: string}} Series */
+/** `low` and `high` name the bounds of a band, what was between two samples.
+ * @typedef {{name: string, label: string, colour: string, low?: string, high?: string}} Series */
 
 const PAUSE = 3; // s without a sample that leave a gap
 
@@ -16,6 +17,19 @@ export class Plot {
   constructor(host, unit, series) {
     this.host = host;
     this.series = series;
+    const banded = series.filter(({ low, high }) => low && high);
+    /** Names of the columns: the series, then low and high of each band. */
+    this.names = [
+      ...series.map(({ name }) => name),
+      ...banded.flatMap(({ low, high }) => [low ?? "", high ?? ""]),
+    ];
+    const bound = (/** @type {string} */ stroke) => ({
+      stroke: `${stroke}80`,
+      width: 1,
+      class: "bound", // without a line in the legend
+      points: { show: false },
+      gaps: gapsOf,
+    });
     /** @type {number | null} */ this.low = null;
     /** @type {number | null} */ this.high = null;
     const ink = () => colour("--faint");
@@ -62,9 +76,14 @@ export class Plot {
             value: (/** @type {uPlot} */ _, /** @type {number} */ value) =>
               value === null ? "" : quantity(value, unit),
           })),
+          ...banded.flatMap(({ colour: stroke }) => [bound(stroke), bound(stroke)]),
         ],
+        bands: banded.map(({ colour: fill }, i) => ({
+          series: [series.length + 2 * i + 2, series.length + 2 * i + 1],
+          fill: `${fill}40`,
+        })),
       },
-      /** @type {any} */ ([[], ...series.map(() => [])]),
+      /** @type {any} */ ([[], ...this.names.map(() => [])]),
       host,
     );
     this.resize();

@@ -1,6 +1,7 @@
-// What a frame adds to the graphs: energies, and tension, height and speed of followed nodes.
+// What a frame adds to the graphs: energies, and tension, height and speed of followed nodes, forces of anchors.
+// Tension, speed and force are the greatest since the frame before; "low" and "high" begin the names of bounds.
 
-import { scalar, tensionOf } from "../source/frame.js";
+import { between, scalar } from "../source/frame.js";
 
 /** @typedef {import("../source/protocol.js").Layout} Layout */
 /** @typedef {import("../source/frame.js").Frame} Frame */
@@ -13,13 +14,24 @@ export function samplesOf(layout, frame, nodes) {
   /** @type {[string, number][]} */
   const values = layout.scalars.map((name, i) => [name, part.scalars[i]]);
   const [ux, uy, uz] = layout.up;
-  const fastest = scalar(layout, part, "speed_high");
+  const { seen } = part;
+  const pull = (/** @type {number} */ share) =>
+    between(layout, part, share, "tension_low", "tension_high");
+  const place = (/** @type {number} */ share) => between(layout, part, share, "low", "high");
   for (const node of nodes) {
     const [x, y, z] = part.positions.subarray(3 * node, 3 * node + 3);
-    values.push([`height ${node}`, x * ux + y * uy + z * uz]);
-    values.push([`speed ${node}`, (part.speed[node] / 65535) * fastest]);
-    values.push([`tension ${node}`, tensionOf(layout, part, segmentAt(layout, node))]);
+    const height = x * ux + y * uy + z * uz;
+    const segment = segmentAt(layout, node);
+    values.push(
+      [`height ${node}`, height],
+      [`low height ${node}`, Math.min(height, place(seen.leastHeight[node]))],
+      [`high height ${node}`, Math.max(height, place(seen.greatestHeight[node]))],
+      [`speed ${node}`, between(layout, part, seen.greatestSpeed[node], null, "speed_high")],
+      [`tension ${node}`, pull(seen.greatestTension[segment])],
+      [`low tension ${node}`, pull(seen.leastTension[segment])],
+    );
   }
+  seen.greatestForce.forEach((force, a) => values.push([`force ${a}`, force]));
   layout.variants.slice(1).forEach((_, v) => {
     values.push([`difference ${v + 1}`, scalar(layout, frame.parts[v + 1], "difference")]);
   });

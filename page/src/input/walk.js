@@ -1,6 +1,6 @@
 // The keyboard's way to the ropes: Tab goes from place to place, Enter opens the menu there, and what is there is said.
 
-import { scalar, tensionOf } from "../source/frame.js";
+import { between, scalar } from "../source/frame.js";
 import { quantity } from "../view/range.js";
 import { placeOf } from "./pick.js";
 
@@ -62,8 +62,9 @@ export function said(layout, frame, hit) {
   const mass = variant.loads
     .filter(({ index }) => index === hit.node)
     .reduce((sum, load) => sum + load.mass, 0);
+  const pull = between(layout, part, part.tension[hit.segment], "tension_low", "tension_high");
   const load = mass > 0 ? `, load ${quantity(mass, "kg")}` : "";
-  return `${of}, tension ${quantity(tensionOf(layout, part, hit.segment), "N")}${load}`;
+  return `${of}, tension ${quantity(pull, "N")}${load}`;
 }
 
 /** The state in one sentence. @param {Layout} layout @param {Frame} frame @param {string} state */

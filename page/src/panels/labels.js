@@ -65,6 +65,7 @@ export class Labels {
       if (element.className !== label.kind) element.className = label.kind;
       element.style.transform = `translate(${Math.round(place.x)}px, ${Math.round(place.y)}px)`;
     });
+    if (anew) this.stage.marks.written();
   }
 
   /** Where a label goes: where it was, else beyond its arrow's tip, else near by. A place on the rope will do,

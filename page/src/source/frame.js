@@ -9,7 +9,10 @@ export const BROKEN = 2;
 export const AT_END = 16;
 
 /** @typedef {{scalars: Float32Array, positions: Float32Array, tension: Uint16Array, speed: Uint16Array,
- *   anchors: Float32Array, grabs: Float32Array}} Part the numbers of one variant */
+ *   seen: Seen, anchors: Float32Array, grabs: Float32Array}} Part the numbers of one variant */
+/** The greatest and least of every step since the frame before. @typedef {{leastTension: Uint16Array,
+ *   greatestTension: Uint16Array, greatestSpeed: Uint16Array, leastHeight: Uint16Array,
+ *   greatestHeight: Uint16Array, greatestForce: Float32Array}} Seen */
 /** @typedef {{layout: number, number: number, flags: number, time: number, steps: number, realtime: number,
  *   speed: number, load: number, parts: Part[]}} Frame */
 
@@ -56,6 +59,14 @@ function readPart(buffer, layout, variant, i) {
     positions: new Float32Array(buffer, offsets.positions, 3 * nodes),
     tension: new Uint16Array(buffer, offsets.tension, nodes),
     speed: new Uint16Array(buffer, offsets.speed, nodes),
+    seen: {
+      leastTension: new Uint16Array(buffer, offsets.least_tension, nodes),
+      greatestTension: new Uint16Array(buffer, offsets.greatest_tension, nodes),
+      greatestSpeed: new Uint16Array(buffer, offsets.greatest_speed, nodes),
+      leastHeight: new Uint16Array(buffer, offsets.least_height, nodes),
+      greatestHeight: new Uint16Array(buffer, offsets.greatest_height, nodes),
+      greatestForce: new Float32Array(buffer, offsets.greatest_force, anchors.length),
+    },
     anchors: new Float32Array(buffer, offsets.anchors, 10 * anchors.length),
     grabs: new Float32Array(buffer, offsets.grabs, 8 * Math.floor((end - offsets.grabs) / 32)),
   };
@@ -68,9 +79,10 @@ export function scalar(layout, part, name) {
   return at < 0 ? NaN : part.scalars[at];
 }
 
-/** Tension of segment `j` [N]. @param {Layout} layout @param {Part} part @param {number} j */
-export function tensionOf(layout, part, j) {
-  const low = scalar(layout, part, "tension_low");
-  const high = scalar(layout, part, "tension_high");
-  return low + (part.tension[j] / 65535) * (high - low);
+/** A number written as a share of 65535 between two scalars; between 0 and one where there is no `low`.
+ * @param {Layout} layout @param {Part} part @param {number} share @param {string | null} low
+ * @param {string} high */
+export function between(layout, part, share, low, high) {
+  const bottom = low === null ? 0 : scalar(layout, part, low);
+  return bottom + (share / 65535) * (scalar(layout, part, high) - bottom);
 }

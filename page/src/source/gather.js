@@ -6,7 +6,8 @@ import { scalar } from "./frame.js";
 /** @typedef {import("./frame.js").Frame} Frame */
 /** @typedef {"tension" | "strain" | "speed" | "plain"} Colouring */
 
-/** Write x, y, z, value of all nodes of all variants; returns the extremes of the values.
+/** Write x, y, z, value of all nodes of all variants; returns the extremes of what has values. These are the
+ * greatest since the frame before, so that no colour misses what came in between.
  * @param {Frame} frame @param {Layout} layout @param {Colouring} colouring
  * @param {number[][]} shifts [m] of each variant @param {Float32Array} out
  * @returns {{low: number, high: number}} */
@@ -24,7 +25,9 @@ export function gather(frame, layout, colouring, shifts, out) {
     }
     if (colouring === "speed") {
       const high = scalar(layout, part, "speed_high");
-      for (let i = 0; i < variant.nodes; i++) out[at + 4 * i + 3] = (part.speed[i] / 65535) * high;
+      const { greatestSpeed } = part.seen;
+      for (let i = 0; i < variant.nodes; i++)
+        out[at + 4 * i + 3] = (greatestSpeed[i] / 65535) * high;
       lowest = 0;
       highest = Math.max(highest, high);
     } else if (colouring !== "plain") {
@@ -33,15 +36,18 @@ export function gather(frame, layout, colouring, shifts, out) {
       for (const rope of variant.ropes) {
         const per = colouring === "strain" ? 1 / rope.EA : 1;
         const last = rope.first + rope.nodes - 1;
-        let before = part.tension[rope.first];
+        const { greatestTension, leastTension } = part.seen;
+        let before = greatestTension[rope.first];
+        let [least, most] = [Infinity, -Infinity];
         for (let i = rope.first; i <= last; i++) {
-          const after = i < last ? part.tension[i] : before;
-          const value = (low + step * 0.5 * (before + after)) * per;
+          const after = i < last ? greatestTension[i] : before;
+          out[at + 4 * i + 3] = (low + step * 0.5 * (before + after)) * per;
           before = after;
-          out[at + 4 * i + 3] = value;
-          if (value < lowest) lowest = value;
-          if (value > highest) highest = value;
+          most = Math.max(most, after);
+          if (i < last) least = Math.min(least, leastTension[i]);
         }
+        lowest = Math.min(lowest, (low + step * least) * per);
+        highest = Math.max(highest, (low + step * most) * per);
       }
     }
     at += 4 * variant.nodes;

@@ -5,8 +5,9 @@
 /** @typedef {{name: string, rope: string, node: number, index: number, motion: string,
  *   pinned: boolean}} Anchor */
 /** @typedef {{rope: string, node: number, index: number, mass: number}} Load */
-/** @typedef {{scalars: number, positions: number, tension: number, speed: number, anchors: number,
- *   grabs: number}} Offsets */
+/** @typedef {{scalars: number, positions: number, tension: number, speed: number, least_tension: number,
+ *   greatest_tension: number, greatest_speed: number, least_height: number, greatest_height: number,
+ *   greatest_force: number, anchors: number, grabs: number}} Offsets */
 /** @typedef {{label: string, method: string, changes: Record<string, any>, nodes: number, ropes: Rope[],
  *   anchors: Anchor[], loads: Load[], offsets: Offsets}} Variant */
 

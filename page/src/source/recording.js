@@ -16,6 +16,7 @@ import { fromBase64, inflate, rowOf, unpack } from "./unpack.js";
 
 const HEADER = 48; // bytes
 const STATUS = 250; // ms
+const PASSED = 600; // frames passed over, whose extremes the next one shows
 const STEP_SHOWN = 0.1; // s that a single step past a break is seen
 const CAN = ["play", "pause", "step", "speed", "seek", "reset"];
 
@@ -39,6 +40,7 @@ export class RecordingSource {
     this.playing = true;
     this.number = 0;
     this.shown = -1;
+    this.leapt = false;
     this.layout = -1;
     this.last = 0;
     this.lastStatus = 0;
@@ -165,6 +167,7 @@ export class RecordingSource {
   /** @param {number} time [s] */
   moveTo(time) {
     this.time = time;
+    this.leapt = true; // what lies between is not passed over
     if (Math.abs(this.index - this.shown) > 2) this.jumped(this.index);
   }
 
@@ -206,11 +209,14 @@ export class RecordingSource {
   show() {
     const { index } = this;
     if (index === this.shown || !this.events) return;
+    const before = this.shown;
     this.shown = index;
     const part = this.partOf(index);
     if (part !== this.layout) this.tellLayout(part);
     this.number++;
-    this.events.frame(this.frame(index));
+    const on = before < index && !this.leapt;
+    this.leapt = false;
+    this.events.frame(this.frame(index, on ? before : index - 1));
   }
 
   /** @param {number} index */
@@ -246,8 +252,9 @@ export class RecordingSource {
     });
   }
 
-  /** A frame in the bytes of the protocol. @param {number} index */
-  frame(index) {
+  /** A frame in the bytes of the protocol, with what was seen since the frame `after`.
+   * @param {number} index @param {number} [after] */
+  frame(index, after = index - 1) {
     const { layout, first, good, numbers } = this.parts[this.partOf(index)];
     const row = index - first;
     const [variant] = layout.variants;
@@ -273,12 +280,33 @@ export class RecordingSource {
       const at = layout.scalars.indexOf(name);
       if (at >= 0) scalars[at] = value;
     };
-    const pull = rowOf(numbers.tension, row, new Float64Array(numbers.tension.columns));
-    const [low, high] = share(pull, new Uint16Array(buffer, offsets.tension, nodes));
+    const since = Math.max(after - first + 1, row - PASSED, 0);
+    const seen = seenIn(numbers, Math.min(since, row), row);
+    const words = (/** @type {number} */ at) => new Uint16Array(buffer, at, nodes);
+    const at = Object.fromEntries(layout.scalars.map((name, i) => [name, i]));
+    for (let i = since; i < row; i++) {
+      const passed = rowOf(numbers.scalars, i, new Float64Array(layout.scalars.length));
+      scalars[at.tension_max] = Math.max(scalars[at.tension_max], passed[at.tension_max]);
+      scalars[at.high] = Math.max(scalars[at.high], passed[at.high]);
+      scalars[at.low] = Math.min(scalars[at.low], passed[at.low]);
+    }
+    const pulls = [seen.leastTension, seen.greatestTension, seen.tension];
+    const [low, high] = bounds(pulls);
+    share(seen.tension, low, high, words(offsets.tension));
+    share(seen.leastTension, low, high, words(offsets.least_tension));
+    share(seen.greatestTension, low, high, words(offsets.greatest_tension));
     range("tension_low", low);
     range("tension_high", high);
-    const fast = rowOf(numbers.speed, row, new Float64Array(nodes));
-    range("speed_high", share(fast, new Uint16Array(buffer, offsets.speed, nodes))[1]);
+    const fast = bounds([seen.greatestSpeed, seen.speed])[1];
+    share(seen.speed, 0, fast, words(offsets.speed));
+    share(seen.greatestSpeed, 0, fast, words(offsets.greatest_speed));
+    range("speed_high", fast);
+    const heights = Float64Array.from({ length: nodes }, (_, i) =>
+      layout.up.reduce((sum, up, k) => sum + up * positions[3 * i + k], 0),
+    );
+    for (const place of [offsets.least_height, offsets.greatest_height])
+      share(heights, scalars[at.low], scalars[at.high], words(place)); // the bounds of single nodes are not packed
+    floats(offsets.greatest_force, anchors.length).set(seen.greatestForce);
     const velocity = rowOf(numbers.velocity, row, new Float32Array(3 * anchors.length));
     const force = rowOf(numbers.force, row, new Float32Array(3 * anchors.length));
     const hands = floats(offsets.anchors, 10 * anchors.length);
@@ -294,15 +322,60 @@ export class RecordingSource {
   }
 }
 
-/** Write numbers as shares of 65535 between the least (0 at most) and the largest; return both.
- * @param {Float64Array} values @param {Uint16Array} out @returns {[number, number]} */
-function share(values, out) {
-  let [low, high] = [0, 1e-30];
-  for (const value of values) {
-    if (value < low) low = value;
-    if (value > high) high = value;
+/** What some rows have seen, and the last one itself. @param {Record<string, Numbers>} numbers
+ * @param {number} from @param {number} row the last */
+function seenIn(numbers, from, row) {
+  const read = (/** @type {string} */ name, /** @type {number} */ at) =>
+    rowOf(numbers[name], at, new Float64Array(numbers[name].columns));
+  /** @param {string} name @param {string} beyond @param {number} sign */
+  const farthest = (name, beyond, sign) => {
+    const found = new Float64Array(numbers[name].columns).fill(-sign * Infinity);
+    for (let at = from; at <= row; at++) {
+      const [now, more] = [read(name, at), read(beyond, at)];
+      now.forEach((value, i) => {
+        const far = value + sign * more[i];
+        if (sign * far > sign * found[i]) found[i] = far;
+      });
+    }
+    return found;
+  };
+  const columns = numbers.greatest_force.columns;
+  const greatestForce = new Float64Array(columns);
+  for (let at = from; at <= row; at++) {
+    const [force, more] = [read("force", at), read("greatest_force", at)];
+    greatestForce.forEach((most, a) => {
+      const size = Math.hypot(...force.subarray(3 * a, 3 * a + 3)) + more[a];
+      greatestForce[a] = Math.max(most, size);
+    });
   }
-  const scale = 65535 / (high - low);
-  for (let i = 0; i < values.length; i++) out[i] = (values[i] - low) * scale + 0.5;
+  return {
+    tension: read("tension", row),
+    speed: read("speed", row),
+    leastTension: farthest("tension", "least_tension", -1),
+    greatestTension: farthest("tension", "greatest_tension", 1),
+    greatestSpeed: farthest("speed", "greatest_speed", 1),
+    greatestForce,
+  };
+}
+
+/** The least (0 at most) and the largest of all these numbers. @param {Float64Array[]} rows
+ * @returns {[number, number]} */
+function bounds(rows) {
+  let [low, high] = [0, 1e-30];
+  for (const values of rows) {
+    for (const value of values) {
+      if (value < low) low = value;
+      if (value > high) high = value;
+    }
+  }
   return [low, high];
+}
+
+/** Write numbers as shares of 65535 between two bounds. @param {Float64Array} values
+ * @param {number} low @param {number} high @param {Uint16Array} out */
+function share(values, low, high, out) {
+  const scale = 65535 / Math.max(high - low, 1e-30);
+  for (let i = 0; i < values.length; i++) {
+    out[i] = Math.min(65535, Math.max(0, (values[i] - low) * scale + 0.5));
+  }
 }

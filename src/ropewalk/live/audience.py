@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any, Protocol
+
+#: Takes a frame that was not sent and the one after it; returns the latter, with what was seen for both.
+Combine = Callable[[bytes, bytes], bytes]
 
 
 class Audience(Protocol):
@@ -12,7 +16,7 @@ class Audience(Protocol):
     def size(self) -> int:
         """How many look on."""
 
-    def show(self, number: int, frame: bytes) -> None:
+    def show(self, number: int, frame: bytes, combine: Combine | None = None) -> None:
         """Show a frame to all."""
 
     def tell(self, message: dict[str, Any]) -> None:
@@ -24,7 +28,7 @@ class Nobody:
 
     size = 0
 
-    def show(self, number: int, frame: bytes) -> None:
+    def show(self, number: int, frame: bytes, combine: Combine | None = None) -> None:
         """Show a frame to nobody."""
 
     def tell(self, message: dict[str, Any]) -> None:

@@ -51,6 +51,18 @@ def layout(session: Session) -> dict[str, Any]:
     }
 
 
+def written(layout: dict[str, Any]) -> Any:
+    """Return what decides how frames are written and drawn, of a layout message."""
+    return [
+        (
+            one["nodes"],
+            len(one["anchors"]),
+            [(rope["name"], rope["first"], rope["nodes"]) for rope in one["ropes"]],
+        )
+        for one in layout["variants"]
+    ]
+
+
 def view_box(positions: Floats, scene: Scene) -> tuple[list[float], float]:
     """Return middle and radius [m] of a view that shows ropes, also when they swing."""
     low, high = positions.min(axis=0), positions.max(axis=0)

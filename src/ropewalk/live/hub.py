@@ -11,6 +11,7 @@ import json
 from typing import Any
 
 from ropewalk.analysis.json_values import plain
+from ropewalk.live.audience import Combine
 
 UNACKNOWLEDGED = 3
 MOST_MESSAGES = 500  # that wait for one page; one that is further behind is given up
@@ -43,8 +44,10 @@ class Mailbox:
             self.overflown = True
         self._ready.set()
 
-    def put_frame(self, number: int, frame: bytes) -> None:
-        """Take a frame in place of the one that waits."""
+    def put_frame(self, number: int, frame: bytes, combine: Combine | None = None) -> None:
+        """Take a frame in place of the one that waits; what was seen for that one is seen in this."""
+        if self._frame is not None and combine is not None:
+            frame = combine(self._frame[1], frame)
         self._frame = (number, frame)
         if len(self._sent) < UNACKNOWLEDGED:
             self._ready.set()
@@ -108,9 +111,9 @@ class Hub:
     def _admit(self, box: Mailbox) -> None:
         box.admitted = True
 
-    def show(self, number: int, frame: bytes) -> None:
+    def show(self, number: int, frame: bytes, combine: Combine | None = None) -> None:
         """Show a frame to all pages (from any thread)."""
-        self._call(self._show, number, frame)
+        self._call(self._show, number, frame, combine)
 
     def tell(self, message: dict[str, Any]) -> None:
         """Send a message to all pages (from any thread)."""
@@ -128,9 +131,9 @@ class Hub:
             except RuntimeError:  # closed in between
                 return
 
-    def _show(self, number: int, frame: bytes) -> None:
+    def _show(self, number: int, frame: bytes, combine: Combine | None) -> None:
         for box in self._admitted():
-            box.put_frame(number, frame)
+            box.put_frame(number, frame, combine)
 
     def _tell(self, kind: str, text: str) -> None:
         for box in self._admitted():

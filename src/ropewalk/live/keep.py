@@ -101,14 +101,14 @@ class Keeper:
     def _on_frame(self, session: Session) -> None:
         self._count += 1
         if self._count % self._every == 0:
-            block = session.main.simulation.recording()
+            block = session.main.frame()
             self._put(lambda: self._add(block))
 
     def _new_part(self, frozen: Frozen) -> None:
         if self._parts >= MOST_PARTS or self.failure:
             return
         layout, plan = self.session.main.simulation.layout, self.session.main.simulation.plan
-        block = self.session.main.simulation.recording()
+        block = self.session.main.frame()
         self._set_rate(layout)
         self._put(lambda: self._next_part(frozen.thaw(), layout, plan, block))
 
@@ -123,7 +123,7 @@ class Keeper:
     def _begin_part(self, scene: Scene) -> None:
         simulation = self.session.main.simulation
         self._set_rate(simulation.layout)
-        self._next_part(scene, simulation.layout, simulation.plan, simulation.recording())
+        self._next_part(scene, simulation.layout, simulation.plan, self.session.main.frame())
 
     def _next_part(self, scene: Scene, layout: Layout, plan: Plan, block: Block) -> None:
         self._end_part()

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 
 import numpy as np
 
 from ropewalk.core.arrays import Floats
 from ropewalk.live.actions import counterparts
-from ropewalk.live.frame import Picture
+from ropewalk.live.audience import Combine
+from ropewalk.live.frame import Picture, Shape, combined
+from ropewalk.live.seen import Seen
 from ropewalk.live.track import Track
 from ropewalk.simulation import Simulation
 
@@ -30,6 +33,12 @@ class Compared:
             ]
             self._known[key] = None if same else counterparts(other, first)
         return self._known[key]
+
+
+def combiner(tracks: Sequence[Track]) -> Combine:
+    """Return what combines two frames of these tracks, the older of which was not sent."""
+    layouts = [track.simulation.layout for track in tracks]
+    return partial(combined, [Shape(one.nodes, len(one.anchor_names)) for one in layouts])
 
 
 def pictures(tracks: Sequence[Track], compared: Compared) -> list[Picture]:
@@ -57,6 +66,8 @@ def picture(track: Track, first: Picture | None = None, source: Floats | None = 
     energy = recording.energy[0]
     lost, put_in, error = track.books(float(energy.sum()), recording.work[0])
     heights = positions @ np.array(track.scene.up)
+    now = Seen.instant(tension, speed, heights, recording.reaction[0])
+    seen = track.shown.widened(now, live)
     scalars = {
         "time": simulation.time,
         "dt": track.dt,
@@ -66,10 +77,10 @@ def picture(track: Track, first: Picture | None = None, source: Floats | None = 
         "lost": lost,
         "put_in": put_in,
         "energy_error": error,
-        "tension_max": float(tension.max(initial=0.0)),
+        "tension_max": float(seen.greatest_tension.max(initial=0.0)),
         "strain_max": _largest_strain(simulation, recording.elastic_tension[0]),
-        "low": float(heights.min()),
-        "high": float(heights.max()),
+        "low": float(seen.least_height.min()),
+        "high": float(seen.greatest_height.max()),
         "touching": _touching(simulation, heights),
     }
     if first is not None:
@@ -78,7 +89,7 @@ def picture(track: Track, first: Picture | None = None, source: Floats | None = 
     anchors = np.concatenate(
         [state.anchor_x, state.anchor_v, recording.reaction[0], held[:, None]], axis=1
     )
-    return Picture(scalars, positions, tension, speed, anchors, track.hands.grabs)
+    return Picture(scalars, positions, tension, speed, anchors, track.hands.grabs, seen)
 
 
 def _largest_strain(simulation: Simulation, tension: Floats) -> float:

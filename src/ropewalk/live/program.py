@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ropewalk.live.pictures import combiner
 from ropewalk.live.session import Session
 from ropewalk.live.stage import Stage
 from ropewalk.simulation import Simulation
@@ -50,6 +51,7 @@ class ProgramStage(Stage):
         self._dirty = False
         self.frame_number += 1
         self.latest = (self.frame_number, self.frame())
-        self.audience.show(*self.latest)
+        self.audience.show(*self.latest, combiner(self.session.tracks))
+        self._begin_intervals()
         if self.audience.size > 0:
             self.meter.begin()

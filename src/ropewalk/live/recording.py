@@ -19,7 +19,14 @@ from ropewalk.record.result import Result
 # Half of a step is the error: 0.95e-5 of the longest rope, or 0.095 mm where that is less.
 _OF_LENGTH, _METRES = 1.9e-5, 1.9e-4
 _LEVELS = 4000  # steps of tension, speed and force from their lowest to their highest value
-_PARTS = ("tension", "speed", "velocity", "force")
+_COARSER = 8  # times, in what lies beyond a frame: the largest of all is among the scalars
+# How far what was seen since the frame before lies beyond the frame: nothing where all is calm.
+_BEYOND = (
+    ("tension", "least_tension", -1.0),
+    ("tension", "greatest_tension", 1.0),
+    ("speed", "greatest_speed", 1.0),
+    ("force", "greatest_force", 1.0),
+)
 
 
 @dataclass(frozen=True)
@@ -60,7 +67,11 @@ def record(run: Path | Result, rate: float = 60.0) -> Recording:
     for number, part in enumerate(stage.parts):
         first, end = int(stage.first[number]), int(stage.first[number + 1])
         own = indices[(indices >= first) & (indices < end)]
-        pictures = [part.picture(int(index) - first) for index in own]
+        before = [-1, *(int(index) - first for index in own[:-1])]
+        pictures = [
+            part.picture(int(index) - first, after)
+            for index, after in zip(own, before, strict=True)
+        ]
         good = int(np.searchsorted(own, stage.sound))
         pictures = _within(pictures, good)
         longest = max(rope.length_unstretched for rope in part.result.scene.ropes)
@@ -123,14 +134,17 @@ def _within(pictures: list[Picture], good: int) -> list[Picture]:
     """Keep tension and speed past a break to the range before it, whose digits they would cost."""
     if not 0 < good < len(pictures):
         return pictures
-    pulls = [value for one in pictures[:good] for value in (one.tension.min(), one.tension.max())]
-    fast = max(float(one.speed.max()) for one in pictures[:good])
-    return pictures[:good] + [
-        one._replace(
-            tension=np.clip(one.tension, min(pulls), max(pulls)), speed=np.minimum(one.speed, fast)
+    low = min(float(one.seen.least_tension.min()) for one in pictures[:good])
+    high = max(float(one.seen.greatest_tension.max()) for one in pictures[:good])
+    fast = max(float(one.seen.greatest_speed.max()) for one in pictures[:good])
+    found = pictures[:good]
+    for one in pictures[good:]:
+        tension, speed = np.clip(one.tension, low, high), np.minimum(one.speed, fast)
+        seen = one.seen._replace(
+            least_tension=tension, greatest_tension=tension, greatest_speed=speed
         )
-        for one in pictures[good:]
-    ]
+        found.append(one._replace(tension=tension, speed=speed, seen=seen))
+    return found
 
 
 def _streams(pictures: list[Picture], step: float) -> list[Packed]:
@@ -149,7 +163,12 @@ def _streams(pictures: list[Picture], step: float) -> list[Packed]:
     }
     scalars = stacked([[one.scalars.get(name, 0.0) for name in SCALARS] for one in pictures])
     found = [pack("positions", stacked([one.positions for one in pictures]), step)]
-    found += [pack(name, values[name], _step(values[name])) for name in _PARTS]
+    found += [pack(name, values[name], _step(values[name])) for name in values]
+    for name, where, sign in _BEYOND:
+        now = np.linalg.norm(anchors[:, :, 6:9], axis=2) if name == "force" else values[name]
+        seen = stacked([getattr(one.seen, where) for one in pictures])
+        beyond = np.maximum(sign * (seen - now.reshape(rows, -1)), 0.0)
+        found.append(pack(where, beyond, _COARSER * max(_step(seen), _step(beyond))))
     # A hundred thousand steps each: they stand in numbers and graphs, and cost little.
     spans = np.ptp(scalars, axis=0)
     steps = np.maximum(spans, np.abs(scalars).max(axis=0) * 1e-6) * 1e-5

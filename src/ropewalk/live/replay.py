@@ -5,13 +5,14 @@ from __future__ import annotations
 import queue
 import time
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from ropewalk.core.arrays import Floats
-from ropewalk.live.audience import Audience, Nobody
+from ropewalk.live.audience import Audience, Combine, Nobody
 from ropewalk.live.commands import Command, Seek, Speed, Step
 from ropewalk.live.describe import anchor_list, load_list, rope_list, view_box
 from ropewalk.live.frame import (
@@ -21,124 +22,20 @@ from ropewalk.live.frame import (
     PLAYING,
     SCALARS,
     Clockwork,
-    Picture,
     Shape,
+    combined,
     encode,
 )
 from ropewalk.live.inbox import Reply
 from ropewalk.live.keep import parts
 from ropewalk.live.messages import error_message
 from ropewalk.live.parameters import refusal
+from ropewalk.live.recorded import Recorded
 from ropewalk.live.stage import STATUS_SECONDS
-from ropewalk.live.track import losses_and_gifts
-from ropewalk.record.beyond import until_torn
 from ropewalk.record.result import Result
 from ropewalk.scene import Scene, SceneError
 
 STEP_SHOWN = 0.1  # [s] that a step past a break is seen
-_PIECE = 64  # frames read at once
-_NAMES = ("time", "positions", "velocities", "tension", "energy", "work")
-_MORE = ("elastic_tension", "reactions")
-
-
-class Recorded:
-    """One recorded run, read a few frames at a time."""
-
-    def __init__(self, result: Result) -> None:
-        self.result = result
-        past = until_torn(result)
-        self.past = past if past is not None and past.last == result.frames - 1 else None
-        self.first_energy = float(result.read("energy", 0, 1)[0].sum())
-        self._piece = -1
-        self._data: dict[str, Floats] = {}
-
-    @property
-    def frames(self) -> int:
-        """Number of frames, the single steps past a break included."""
-        return self.result.frames + (0 if self.past is None else len(self.past.time))
-
-    @property
-    def good(self) -> int:
-        """Number of frames before a break."""
-        return self.result.good_frames
-
-    @property
-    def time(self) -> Floats:
-        """Time of every frame [s]."""
-        own = self.result.time
-        return own if self.past is None else np.concatenate([own, self.past.time])
-
-    def picture(self, frame: int) -> Picture:
-        """Return what a frame shows; of a step past a break only shape, tension and speed are its own."""
-        if frame >= self.result.frames:
-            return self._broken(frame - self.result.frames)
-        data, row = self._read(frame)
-        result = self.result
-        positions, velocities = data["positions"][row], data["velocities"][row]
-        energy, work = data["energy"][row], data["work"][row]
-        losses, gifts = losses_and_gifts(work, result.layout.bends)
-        total = float(energy.sum())
-        heights = positions @ np.array(result.scene.up)
-        tension = data["tension"][row]
-        ground = result.scene.ground
-        scalars = {
-            "time": float(data["time"][row]),
-            "dt": result.plan.dt,
-            "kinetic": float(energy[0]),
-            "gravity": float(energy[1]),
-            "elastic": float(energy[2:].sum()),
-            "lost": -losses,
-            "put_in": gifts,
-            "energy_error": total - self.first_energy - losses - gifts,
-            "tension_max": float(tension.max(initial=0.0)),
-            "strain_max": self._strain(data.get("elastic_tension", data["tension"])[row]),
-            "low": float(heights.min()),
-            "high": float(heights.max()),
-            "touching": float(np.count_nonzero(heights < ground.height)) if ground else 0.0,
-        }
-        with np.errstate(over="ignore", invalid="ignore"):  # recorded on into a break
-            speed = np.linalg.norm(velocities, axis=1)
-        nodes = list(result.layout.anchor_nodes)
-        anchors = np.zeros((len(nodes), 10))
-        anchors[:, :3], anchors[:, 3:6], anchors[:, 9] = positions[nodes], velocities[nodes], 1.0
-        if "reactions" in data:
-            anchors[:, 6:9] = data["reactions"][row]
-        return Picture(scalars, positions, tension, speed, anchors, [])
-
-    def _broken(self, step: int) -> Picture:
-        assert self.past is not None
-        last = self.picture(self.result.frames - 1)
-        positions = self.past.positions[step]
-        before = self.past.positions[step - 1] if step else last.positions
-        speed = np.linalg.norm(positions - before, axis=1) / self.result.plan.dt
-        tension = last.tension if self.past.tension is None else self.past.tension[step]
-        anchors = last.anchors.copy()
-        anchors[:, 3:9] = 0.0  # neither velocity nor force is known
-        anchors[:, :3] = positions[list(self.result.layout.anchor_nodes)]
-        return last._replace(positions=positions, tension=tension, speed=speed, anchors=anchors)
-
-    def _strain(self, tension: Floats) -> float:
-        found = 0.0
-        for rope, span in zip(self.result.scene.ropes, self.result.layout.ropes, strict=True):
-            stiff = rope.segment_stiffness * rope.segment_length
-            if stiff > 0.0:
-                own = tension[span.first : span.last]
-                found = max(found, float(own.max(initial=0.0)) / stiff)
-        return found
-
-    def _read(self, frame: int) -> tuple[dict[str, Floats], int]:
-        piece = frame // _PIECE
-        if piece != self._piece:
-            names = [*_NAMES]
-            names += [name for name in _MORE if name in self.result.source.names]
-            start, stop = piece * _PIECE, (piece + 1) * _PIECE
-            found = {name: self.result.source.read(name, start, stop) for name in names}
-            if self.result.ends:  # a rope that broke lies still, and carries nothing that is known
-                still = ("velocities", "tension", "elastic_tension", "reactions")
-                found |= {name: np.nan_to_num(found[name]) for name in still if name in found}
-            self._data = found
-            self._piece = piece
-        return self._data, frame - piece * _PIECE
 
 
 class ReplayStage:
@@ -164,6 +61,7 @@ class ReplayStage:
         self.waiting: queue.SimpleQueue[tuple[Any, int, Reply]] = queue.SimpleQueue()
         self.frame_number, self._shown, self._layout = 0, -1, -1
         self._last, self._last_status = time.perf_counter(), 0.0
+        self._jumped = False  # what lies between is not passed over
         self._told: tuple[bool, float] | None = None
 
     can = ("play", "pause", "step", "speed", "seek", "reset")
@@ -241,7 +139,7 @@ class ReplayStage:
             if not 0.0 <= command.time <= self.duration * (1.0 + 1e-9):
                 rule = f"must be from 0 to {self.duration:g} s"
                 raise refusal("time", command.time, rule)
-            self.time = command.time
+            self.time, self._jumped = command.time, True
         elif isinstance(command, Speed):
             self.speed = command.value
         elif isinstance(command, Step):
@@ -262,17 +160,26 @@ class ReplayStage:
         return int(np.searchsorted(self.first, index, side="right")) - 1
 
     def _show(self) -> None:
-        index = self._shown = self.index
+        before, index = self._shown, self.index
         part = self._part(index)
+        on = not self._jumped and self._part(before) == part and 0 <= before < index
+        self._shown, self._jumped = index, False
         if part != self._layout:
             self._layout = part
             self.audience.tell(self._layout_message(part))
         self.frame_number += 1
-        self.audience.show(self.frame_number, self._frame(index, self.frame_number))
+        frame = self._frame(index, self.frame_number, before if on else None)
+        self.audience.show(self.frame_number, frame, self._combiner(part))
 
-    def _frame(self, index: int, number: int) -> bytes:
+    def _combiner(self, part: int) -> Combine:
+        layout = self.parts[part].result.layout
+        return partial(combined, [Shape(layout.nodes, len(layout.anchor_names))])
+
+    def _frame(self, index: int, number: int, after: int | None = None) -> bytes:
+        """Return a frame that shows, too, what was seen since frame `after`."""
         part = self._part(index)
-        picture = self.parts[part].picture(index - int(self.first[part]))
+        first = int(self.first[part])
+        picture = self.parts[part].picture(index - first, None if after is None else after - first)
         flags = PLAYING * self.playing + END * (index == len(self.times) - 1)
         flags += BROKEN * (index >= self.sound)
         when = float(self.times[index])
@@ -286,7 +193,7 @@ class ReplayStage:
         reader = ReplayStage.__new__(ReplayStage)  # a reader of its own: this is another thread
         reader.__dict__ = {**self.__dict__, "parts": [Recorded(one.result) for one in self.parts]}
         for index in range(first, last, every):
-            yield reader._frame(index, index)
+            yield reader._frame(index, index, index - every)
 
     def status(self) -> dict[str, Any]:
         """Return the `status` message."""

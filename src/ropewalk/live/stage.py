@@ -27,7 +27,7 @@ from ropewalk.live.messages import error_message
 from ropewalk.live.meter_thread import MeterThread
 from ropewalk.live.opening import Opened, Opening
 from ropewalk.live.pace import BUDGET, Pace
-from ropewalk.live.pictures import Compared, pictures
+from ropewalk.live.pictures import Compared, combiner, pictures
 from ropewalk.live.session import Session
 from ropewalk.live.sources import address
 from ropewalk.live.steps import Steps, advance_within
@@ -219,6 +219,8 @@ class Stage:
             tell(self.meter.latest)
         if self._explainer.message is not None:
             tell(self._explainer.message)
+        if self.audience.size <= 1:
+            self._begin_intervals()  # nobody has asked for what was before
         self._dirty = True
 
     @property
@@ -297,7 +299,7 @@ class Stage:
         if self.session.revision != self._revision:
             self._revision = self.session.revision
             made = describe.layout(self.session)
-            shape = _shape(made)
+            shape = describe.written(made)
             if shape != self._shape:
                 self._shape = shape
                 self.layout_number += 1
@@ -360,8 +362,14 @@ class Stage:
         """Make a frame and show it."""
         self._dirty = False
         self.frame_number += 1
-        self.audience.show(self.frame_number, self.frame())
+        self.audience.show(self.frame_number, self.frame(), combiner(self.session.tracks))
+        self._begin_intervals()
         self.meter.begin()
+
+    def _begin_intervals(self) -> None:
+        """Count what is seen from now on."""
+        for track in self.session.tracks:
+            track.shown.begin()
 
     def frame(self) -> bytes:
         """Return the present frame."""
@@ -381,15 +389,3 @@ class Stage:
             self.pace.load,
         )
         return encode(head, pictures(session.tracks, self._compared))
-
-
-def _shape(layout: dict[str, Any]) -> Any:
-    """What decides how frames are written and drawn, of a layout message."""
-    return [
-        (
-            one["nodes"],
-            len(one["anchors"]),
-            [(rope["name"], rope["first"], rope["nodes"]) for rope in one["ropes"]],
-        )
-        for one in layout["variants"]
-    ]

@@ -9,14 +9,17 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from ropewalk.block import Block
 from ropewalk.build import Plan, build
 from ropewalk.core.arrays import Floats
+from ropewalk.core.peaks import Peaks
 from ropewalk.core.status import OK
 from ropewalk.live import edits
 from ropewalk.live.carry import carry_over
 from ropewalk.live.edits import Edit
 from ropewalk.live.hands import CONTROL, Hands
 from ropewalk.live.parameters import named, refusal
+from ropewalk.live.seen import Interval
 from ropewalk.methods.recording import CONSERVATIVE, bends, work_names
 from ropewalk.scene import Scene
 from ropewalk.simulation import Simulation, Snapshot
@@ -39,6 +42,7 @@ class Saved(NamedTuple):
     steps: int
     first_energy: float
     edited: float
+    seen: tuple[Peaks | None, Peaks | None]  # by `shown` and `recorded`
 
 
 class Track:
@@ -61,13 +65,20 @@ class Track:
     def _begin(self, simulation: Simulation, label: str, changes: Mapping[str, Any]) -> None:
         scene = simulation.scene
         self.label, self.changes = label, dict(changes)
-        self.simulation = simulation
+        self.shown, self.recorded = Interval(), Interval()  # since the last frame shown, recorded
+        self._recorded_at = simulation.time
+        self._watch(simulation)
         self.scene = edits.neutral(planned(scene, self.simulation.plan))
         self.hands = Hands()
         self.count = 0  # steps done
         self.edited = 0.0  # energy put in by changes [J]
         self.first_energy = self.energy
         self.begun = self.save()  # when the present simulation began
+
+    def _watch(self, simulation: Simulation) -> None:
+        """Take a simulation for one's own."""
+        self.simulation = simulation
+        simulation.watchers = [self.shown, self.recorded]
 
     @property
     def energy(self) -> float:
@@ -107,6 +118,19 @@ class Track:
         steps = math.floor((time - self.simulation.time) / self.dt + 1e-6)
         return self.advance(steps, speed) if steps > 0 else OK
 
+    def frame(self) -> Block:
+        """Return the present state as a frame to record, and begin the next interval.
+
+        The simulation knows what its last call has seen, the track what all have since the last frame.
+        """
+        block = self.simulation.recording()
+        self.recorded.widen(
+            block.recording, self.simulation.arrays, self._recorded_at, block.time[0]
+        )
+        self.recorded.begin()
+        self._recorded_at = self.simulation.time
+        return block
+
     # -- changing -----------------------------------------------------------------------
 
     def edit(self, change: Edit) -> None:
@@ -114,7 +138,8 @@ class Track:
         before = self.energy
         made = carry_over(self.simulation, change.scene, change.source)
         self.hands.renumber(change.source)
-        self.simulation, self.scene = made, change.scene
+        self._watch(made)
+        self.scene = change.scene
         self.hands.targets = {
             name: target for name, target in self.hands.targets.items() if name in made.anchors
         }
@@ -191,17 +216,23 @@ class Track:
             self.count,
             self.first_energy,
             self.edited,
+            (self.shown.kept, self.recorded.kept),
         )
 
     def restore(self, saved: Saved, *, undo: bool = False) -> None:
         """Go back to what was saved. Steps are counted on, unless these are to be as if not done."""
-        self.scene, self.simulation = saved.scene, saved.simulation
+        self.scene = saved.scene
+        self._watch(saved.simulation)
         self.simulation.restore(saved.snapshot)
         self.hands = saved.hands.copy()
         if undo:
             self.count = saved.steps
+            self.shown.kept, self.recorded.kept = saved.seen
         else:
             self.hands.fresh = True
+            self.shown.begin()
+            self.recorded.begin()
+            self._recorded_at = self.simulation.time
         self.first_energy, self.edited = saved.first_energy, saved.edited
 
     def clone(self, label: str, changes: Mapping[str, Any]) -> Track:
@@ -214,7 +245,8 @@ class Track:
         made.hands = self.hands.copy()
         made.hands.fresh = True
         layout = self.simulation.layout
-        made.simulation = carry_over(self.simulation, self.scene, edits.same_nodes(layout))
+        made.shown, made.recorded = Interval(), Interval()
+        made._watch(carry_over(self.simulation, self.scene, edits.same_nodes(layout)))
         for name, value in changes.items():
             made.set(name, value)
         return made

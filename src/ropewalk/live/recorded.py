@@ -1,0 +1,162 @@
+"""A recorded run as pictures, one for each of its frames."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ropewalk.core.arrays import Floats
+from ropewalk.live.frame import Picture
+from ropewalk.live.seen import Seen
+from ropewalk.live.track import losses_and_gifts
+from ropewalk.record.beyond import until_torn
+from ropewalk.record.result import Result
+
+_PIECE = 64  # frames read at once
+_NAMES = ("time", "positions", "velocities", "tension", "energy", "work")
+_MORE = ("elastic_tension", "reactions")
+_SEEN = {name: "greatest_reactions" if name == "greatest_force" else name for name in Seen._fields}
+_MOST = 1000  # frames passed over, whose extremes the next one shows
+
+
+class Recorded:
+    """One recorded run, read a few frames at a time."""
+
+    def __init__(self, result: Result) -> None:
+        self.result = result
+        past = until_torn(result)
+        self.past = past if past is not None and past.last == result.frames - 1 else None
+        self.first_energy = float(result.read("energy", 0, 1)[0].sum())
+        self._up = np.array(result.scene.up)
+        self._no_force = np.zeros((_PIECE, len(result.layout.anchor_names), 3))
+        self._piece = -1
+        self._data: dict[str, Floats] = {}
+
+    @property
+    def frames(self) -> int:
+        """Number of frames, the single steps past a break included."""
+        return self.result.frames + (0 if self.past is None else len(self.past.time))
+
+    @property
+    def good(self) -> int:
+        """Number of frames before a break."""
+        return self.result.good_frames
+
+    @property
+    def time(self) -> Floats:
+        """Time of every frame [s]."""
+        own = self.result.time
+        return own if self.past is None else np.concatenate([own, self.past.time])
+
+    def picture(self, frame: int, after: int | None = None) -> Picture:
+        """Return what a frame shows; of a step past a break only shape, tension and speed are its own.
+
+        It shows, too, what was seen since the frame before; or since frame `after`, where those between
+        are not shown.
+        """
+        if frame >= self.result.frames:
+            return self._broken(frame - self.result.frames)
+        data, row = self._read(frame)
+        result = self.result
+        positions, velocities = data["positions"][row], data["velocities"][row]
+        energy, work = data["energy"][row], data["work"][row]
+        losses, gifts = losses_and_gifts(work, result.layout.bends)
+        total = float(energy.sum())
+        heights = positions @ np.array(result.scene.up)
+        tension = data["tension"][row]
+        ground = result.scene.ground
+        with np.errstate(over="ignore", invalid="ignore"):  # recorded on into a break
+            speed = np.linalg.norm(velocities, axis=1)
+        nodes = list(result.layout.anchor_nodes)
+        anchors = np.zeros((len(nodes), 10))
+        anchors[:, :3], anchors[:, 3:6], anchors[:, 9] = positions[nodes], velocities[nodes], 1.0
+        if "reactions" in data:
+            anchors[:, 6:9] = data["reactions"][row]
+        seen = Seen.instant(tension, speed, heights, anchors[:, 6:9]).joined(
+            self._seen(frame, frame - 1 if after is None else max(after, frame - _MOST))
+        )
+        scalars = {
+            "time": float(data["time"][row]),
+            "dt": result.plan.dt,
+            "kinetic": float(energy[0]),
+            "gravity": float(energy[1]),
+            "elastic": float(energy[2:].sum()),
+            "lost": -losses,
+            "put_in": gifts,
+            "energy_error": total - self.first_energy - losses - gifts,
+            "tension_max": float(seen.greatest_tension.max(initial=0.0)),
+            "strain_max": self._strain(data.get("elastic_tension", data["tension"])[row]),
+            "low": float(seen.least_height.min()),
+            "high": float(seen.greatest_height.max()),
+            "touching": float(np.count_nonzero(heights < ground.height)) if ground else 0.0,
+        }
+        return Picture(scalars, positions, tension, speed, anchors, [], seen)
+
+    def _seen(self, frame: int, after: int) -> Seen:
+        """Return what was seen after frame `after`, or since it where that was recorded, until `frame`."""
+        found: Seen | None = None
+        first = max(after + 1, 0)
+        while first <= frame:
+            data, row = self._read(first)
+            rows = slice(row, min(row + frame - first + 1, len(data["time"])))
+            here = self._of_rows(data, rows)
+            found = here if found is None else found.joined(here)
+            first += rows.stop - rows.start
+        assert found is not None
+        return found
+
+    def _of_rows(self, data: dict[str, Floats], rows: slice) -> Seen:
+        """Return what some frames of a piece have seen; the frames themselves where that was not kept."""
+        if all(name in data for name in _SEEN.values()):
+            values = [data[name][rows] for name in _SEEN.values()]
+        else:
+            tension, heights = data["tension"][rows], data["positions"][rows] @ self._up
+            with np.errstate(over="ignore", invalid="ignore"):
+                speed = np.linalg.norm(data["velocities"][rows], axis=2)
+                force = np.linalg.norm(data.get("reactions", self._no_force)[rows], axis=2)
+            values = list(Seen(tension, tension, speed, heights, heights, force))
+        return Seen(
+            *(
+                (np.fmin if name.startswith("least") else np.fmax).reduce(value, axis=0)
+                for name, value in zip(Seen._fields, values, strict=True)
+            )
+        )
+
+    def _broken(self, step: int) -> Picture:
+        assert self.past is not None
+        last = self.picture(self.result.frames - 1)
+        positions = self.past.positions[step]
+        before = self.past.positions[step - 1] if step else last.positions
+        speed = np.linalg.norm(positions - before, axis=1) / self.result.plan.dt
+        tension = last.tension if self.past.tension is None else self.past.tension[step]
+        anchors = last.anchors.copy()
+        anchors[:, 3:9] = 0.0  # neither velocity nor force is known
+        anchors[:, :3] = positions[list(self.result.layout.anchor_nodes)]
+        force = np.zeros((len(anchors), 3))
+        seen = Seen.instant(tension, speed, positions @ self._up, force)
+        return last._replace(
+            positions=positions, tension=tension, speed=speed, anchors=anchors, seen=seen
+        )
+
+    def _strain(self, tension: Floats) -> float:
+        found = 0.0
+        for rope, span in zip(self.result.scene.ropes, self.result.layout.ropes, strict=True):
+            stiff = rope.segment_stiffness * rope.segment_length
+            if stiff > 0.0:
+                own = tension[span.first : span.last]
+                found = max(found, float(own.max(initial=0.0)) / stiff)
+        return found
+
+    def _read(self, frame: int) -> tuple[dict[str, Floats], int]:
+        piece = frame // _PIECE
+        if piece != self._piece:
+            names = [*_NAMES]
+            more = (*_MORE, *_SEEN.values())
+            names += [name for name in more if name in self.result.source.names]
+            start, stop = piece * _PIECE, (piece + 1) * _PIECE
+            found = {name: self.result.source.read(name, start, stop) for name in names}
+            if self.result.ends:  # a rope that broke lies still, and carries nothing that is known
+                still = ("velocities", "tension", "elastic_tension", "reactions")
+                found |= {name: np.nan_to_num(found[name]) for name in still if name in found}
+            self._data = found
+            self._piece = piece
+        return self._data, frame - piece * _PIECE
