@@ -17,20 +17,20 @@ from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor, wait
 from dataclasses import replace
 from time import perf_counter
-from typing import Any, NamedTuple
 
 import numpy as np
 
 from ropewalk.build import Model
-from ropewalk.core.arrays import APPLIED, Floats, Ints, State, flatten, pooled
+from ropewalk.core.arrays import APPLIED, Floats, Ints, flatten, pooled
 from ropewalk.core.peaks import Peaks
 from ropewalk.core.status import BROKEN, OK, PAUSED
 from ropewalk.engine import Asked, Controls, Engine, Fall, Moved, controlled, controls_of, never
+from ropewalk.links import find_links, pool_size
 from ropewalk.methods.adaptive import Walk
 from ropewalk.methods.recording import Recording, make_recording
 from ropewalk.methods.registry import METHODS
 from ropewalk.partition import partition
-from ropewalk.shares import INDICES, SUMS, collect, gather_peaks, held_frames, shares_of
+from ropewalk.shares import collect, gather_peaks, held_frames, shares_of
 from ropewalk.slices import Edges, Slices
 from ropewalk.start import started
 
@@ -40,15 +40,6 @@ ROUND = (
     2.0  # [s] about so long are all islands moved in one call; one that is stopped early is lost
 )
 LONG = 2e-3  # [s] a call that takes longer is worth threads
-
-
-class _Links(NamedTuple):
-    """Which numbers of the islands' arrays are which of the whole's."""
-
-    there: Ints  # places in the whole's pool
-    own: Ints  # places in the pool of all islands
-    indices: Ints  # which of these pairs are indices of nodes ...
-    moved: Ints  # ... and what is taken off those of the whole
 
 
 def make_engine(model: Model, ledger: bool, apart: bool = False) -> Engine | Islands:
@@ -74,24 +65,27 @@ class Islands:
         if model.scene.run.ring is not None:
             model = started(model)  # its modes are those of the whole scene
         self.shares = shares_of(model, groups)
-        parts = [started(share.cut(model)) for share in self.shares]
+        whole = flatten(model.state)
+        parts = [started(share.cut(model, whole)) for share in self.shares]
         self.state, self._pool = pooled(model.state)
         self.controls = controls_of(model.system)
         self.system = controlled(model.system, self.controls)
         self._make_controls(parts)
-        rooms = [pooled(part.state) for part in parts]
-        self._sea = np.concatenate([pool for _, pool in rooms])
+        sizes = [pool_size(part.state) for part in parts]
+        self._sea = np.zeros(sum(sizes))
         self._shelf = np.zeros(sum(size_of(part.state.peaks) for part in parts))
         self.engines, self._rooms, first, seen = [], list[slice](), 0, 0
-        for part, controls, (_, pool) in zip(parts, self._own_controls, rooms, strict=True):
-            room = self._sea[first : first + pool.size]
+        for part, controls, size in zip(parts, self._own_controls, sizes, strict=True):
+            room = self._sea[first : first + size]
             state, _ = pooled(part.state, room)
             state = state._replace(peaks=on_shelf(state.peaks, self._shelf[seen:]))
             seen += size_of(state.peaks)
             self.engines.append(Engine(part, controls, ledger=ledger, room=(state, room)))
-            self._rooms.append(slice(first, first + pool.size))
-            first += pool.size
-        self._link()
+            self._rooms.append(slice(first, first + size))
+            first += size
+        states = [engine.state for engine in self.engines]
+        self._links = find_links((self.state, self._pool), self.shares, states, self._sea)
+        self._nothing = [make_recording(state, 0, False) for state in states]
         self._gather()
         self.model = replace(model, state=self.state, started=True)
         self._slices = [engine.make_slices() for engine in self.engines]
@@ -121,26 +115,6 @@ class Islands:
             self._own_controls.append(Controls(*own))
             a, w, c = to
 
-    def _link(self) -> None:
-        """Find out which numbers of the islands are which of the whole."""
-        whole, all_own = _places(self.state, self._pool), []
-        found: list[list[Ints]] = [[np.zeros(0, np.int64)] for _ in _Links._fields]
-        count = 0
-        for share, engine in zip(self.shares, self.engines, strict=True):
-            own = _places(engine.state, self._sea)
-            all_own.append(flatten(own))
-            for name, there, at, here_in, here in share.pairs(whole, own):
-                one, other = there[at].ravel(), here_in[here].ravel()
-                if name in INDICES:
-                    found[2].append(count + np.arange(len(one)))
-                    found[3].append(share.moved[name])
-                found[0].append(one)
-                found[1].append(other)
-                count += len(one)
-        self._links = _Links(*(np.concatenate(parts) for parts in found))
-        self._sums = {name: np.array([own[name] for own in all_own]) for name in SUMS}
-        self._past = np.array([own["past"][0] for own in all_own])
-
     # -- between the whole and its islands -------------------------------------------------
 
     def _gather(self) -> None:
@@ -150,9 +124,9 @@ class Islands:
         values[links.indices] += links.moved
         whole[links.there] = values
         work = flatten(self.state)
-        for name, places in self._sums.items():
+        for name, places in links.sums.items():
             work[name][...] = self._sea[places].sum(axis=0)
-        self.state.past[0] = self._sea[self._past].max()
+        self.state.past[0] = self._sea[links.past].max()
 
     def _spread(self) -> None:
         """Take up in the islands what the whole has, and what hands have changed there."""
@@ -161,10 +135,10 @@ class Islands:
         values[links.indices] -= links.moved
         sea[links.own] = values
         work = flatten(self.state)
-        for name, places in self._sums.items():
+        for name, places in links.sums.items():
             self._sea[places[0]] += work[name] - self._sea[places].sum(axis=0)
         if self.state.past[0] == 0.0:  # a multistep method is to begin anew
-            self._sea[self._past] = 0.0
+            self._sea[links.past] = 0.0
         rows, wound, clamped = self._rows
         self._own.kinds[:] = self.controls.kinds[rows]
         self._own.drive[:] = self.controls.drive[:, wound]
@@ -283,12 +257,14 @@ class Islands:
         """Move every island from the same time and collect what they record."""
         begun, rows = perf_counter(), min(frames, len(out.x))
         lengths = out.rest_length.shape[1] > 0
-        outs = [
-            held_frames(engine.system, engine.state, self._ledger, rows, lengths)
-            if self._ended[k]
-            else make_recording(engine.state, rows, lengths)
-            for k, engine in enumerate(self.engines)
-        ]
+        outs = self._nothing
+        if rows:
+            outs = [
+                held_frames(engine.system, engine.state, self._ledger, rows, lengths)
+                if self._ended[k]
+                else make_recording(engine.state, rows, lengths)
+                for k, engine in enumerate(self.engines)
+            ]
         slices = self._slices
 
         def go(k: int) -> Moved:
@@ -303,6 +279,8 @@ class Islands:
         if frames:
             self._seconds = (perf_counter() - begun) / frames
         good = min(rows, min(moved.good for moved in done)) if stop else rows
+        if not rows:
+            return done
         states = (engine.state for engine in self.engines)
         collect(out, good, self.state, list(zip(self.shares, states, outs, strict=True)))
         return done
@@ -363,17 +341,3 @@ def on_shelf(peaks: Peaks, room: Floats) -> Peaks:
         views[-1][...] = part
         first += part.size
     return Peaks(*views)
-
-
-def _places(state: State, pool: Floats) -> State:
-    """Return a state whose arrays hold, in place of each number, where in its pool that lies."""
-    start = pool.__array_interface__["data"][0]
-
-    def place(value: Any) -> Any:
-        if isinstance(value, tuple):
-            return type(value)(*(place(item) for item in value))
-        first = (value.__array_interface__["data"][0] - start) // 8
-        return np.arange(first, first + value.size).reshape(value.shape)
-
-    places: State = place(state)
-    return places

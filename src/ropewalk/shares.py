@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -56,6 +55,9 @@ HOLDERS = slice(FORCE, None)  # ... and those of an anchor
 ADDED = ("energy", "work", "jump", "momentum", "angular_momentum", "moment", "moment_high")
 NODES_RECORDED = ("x", "v", "speed_high", "lowest", "highest")
 INDICES = ("anchor_node", "winch_exit")  # hold indices of nodes
+_KINDS = {name: kind for kind in (NODES, SEGMENTS, BETWEEN, ANCHORS, WINCHES) for name in kind}
+_APART = frozenset(SUMS + OWN)
+Place = Ints | slice
 
 
 @dataclass(frozen=True)
@@ -83,44 +85,60 @@ class Share:
         """Indices of the same in the share."""
         return np.concatenate([np.arange(own.first, own.last) for _, own in self.spans])
 
-    def where(self, name: str) -> tuple[bool, Ints, Ints]:
+    @cached_property
+    def _spots(self) -> dict[tuple[str, ...], tuple[bool, Place, Place]]:
+        """What `where` returns, by the arrays; those of one rope lie in a row."""
+        anchors, winches = len(self.anchors), len(self.winches)
+        spots: dict[tuple[str, ...], tuple[bool, Place, Place]] = {
+            ANCHORS: (False, self.anchors, slice(0, anchors)),
+            WINCHES: (False, self.winches, slice(0, winches)),
+        }
+        if len(self.spans) == 1:
+            ((there, _),) = self.spans
+            first, last, count = there.first, there.last, there.nodes
+            spots[NODES] = True, slice(first, last + 1), slice(0, count)
+            spots[SEGMENTS] = True, slice(first, last), slice(0, count - 1)
+            spots[BETWEEN] = True, slice(first + 1, last + 1), slice(1, count)
+        else:
+            spots[NODES] = True, self.nodes, slice(0, len(self.nodes))
+            spots[SEGMENTS] = True, self.segments, self.own_segments
+            spots[BETWEEN] = True, self.segments + 1, self.own_segments + 1
+        return spots
+
+    def where(self, name: str) -> tuple[bool, Place, Place]:
         """Return whether the last axis counts in an array of the state, and where its entries lie.
 
         First in the whole, then in the share. Raises KeyError for an array that nobody has placed.
         """
-        if name in NODES:
-            return True, self.nodes, np.arange(len(self.nodes))
-        if name in SEGMENTS:
-            return True, self.segments, self.own_segments
-        if name in BETWEEN:
-            return True, self.segments + 1, self.own_segments + 1
-        if name in ANCHORS:
-            return False, self.anchors, np.arange(len(self.anchors))
-        if name in WINCHES:
-            return False, self.winches, np.arange(len(self.winches))
-        raise KeyError(name)
+        return self._spots[_KINDS[name]]
 
-    def pairs(self, whole: State, own: State) -> Iterator[tuple[str, Any, Any, Any, Any]]:
-        """Yield name, array and place of what corresponds in the states of the whole and of the share."""
-        there = flatten(whole)
-        for name, array in flatten(own).items():
-            if array.size and name not in SUMS + OWN and not name.startswith(PEAKS):
-                last, at, here = self.where(name)
-                yield (
-                    name,
-                    there[name],
-                    (..., at) if last else at,
-                    array,
-                    (..., here) if last else here,
-                )
+    def rows(self, name: str) -> Ints:
+        """Return where the entries of an array lie in the whole, as indices."""
+        at = self.where(name)[1]
+        return np.arange(at.start, at.stop) if isinstance(at, slice) else at
 
-    def cut(self, model: Model) -> Model:
-        """Return the model of the share: tables of its own, with the state that `model` has."""
+    def names(self, own: dict[str, Any]) -> list[str]:
+        """Return the names of those arrays of the share that are parts of the whole's."""
+        return [
+            name
+            for name, array in own.items()
+            if array.size and name not in _APART and not name.startswith(PEAKS)
+        ]
+
+    def cut(self, model: Model, whole: dict[str, Floats]) -> Model:
+        """Return the model of the share: tables of its own, with the state that `model` has, `whole`."""
         layout = make_layout(self.scene)
         system, made = make_tables(self.scene, layout, Pieces())
         state = copy(made)  # nobody writes to what is made
-        for name, there, at, own, here in self.pairs(model.state, state):
-            own[here] = there[at] - self.moved[name] if name in INDICES else there[at]
+        own = flatten(state)
+        for name in self.names(own):
+            last, at, here = self.where(name)
+            if last:
+                own[name][..., here] = whole[name][..., at]
+            else:
+                own[name][here] = whole[name][at]
+        for name in INDICES:
+            own[name] -= self.moved[name]
         params = model.system.anchors.params[
             self.anchors
         ]  # of motions that may have begun elsewhere
