@@ -7,6 +7,8 @@ import json
 import re
 import socket
 import stat
+import subprocess
+import sys
 import threading
 import time
 from collections.abc import Iterator
@@ -190,6 +192,43 @@ def test_idle_connections_starve_nobody(
         finally:
             for one in idle:
                 one.close()
+
+
+_MANY = """
+import resource, socket, sys
+resource.setrlimit(resource.RLIMIT_NOFILE, (int(sys.argv[2]), int(sys.argv[2])))
+made = [socket.create_connection(("127.0.0.1", int(sys.argv[1])), 60.0) for _ in range(600)]
+print("there", flush=True)
+sys.stdin.read()
+"""
+
+
+def test_a_rush_of_connections_leaves_files_to_open(
+    server: ViewServer, caplog: pytest.LogCaptureFixture
+) -> None:
+    """The run's folder is written to meanwhile: a process without a free descriptor would lose it."""
+    resource = pytest.importorskip("resource")
+    soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
+    if hard < 1000:
+        pytest.skip("so many files may not be opened here")
+    probe = [socket.socket() for _ in range(2)]
+    here = probe[-1].fileno()
+    for one in probe:
+        one.close()
+    resource.setrlimit(resource.RLIMIT_NOFILE, (here + 400, hard))
+    try:
+        command = [sys.executable, "-c", _MANY, str(server.port), str(hard)]
+        with subprocess.Popen(
+            command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+        ) as rush:
+            assert rush.stdout is not None
+            assert rush.stdout.readline() == "there\n"
+            with Page(server) as page:
+                page.until(lambda: len(page.frames) > 5)
+            rush.communicate("")
+    finally:
+        resource.setrlimit(resource.RLIMIT_NOFILE, (soft, hard))
+    assert "Too many open files" not in caplog.text
 
 
 def test_downloads_are_made_one_at_a_time(

@@ -305,6 +305,18 @@ def test_a_shared_page_has_the_peaks() -> None:
     assert made["scalars"][:, SCALARS.index("tension_max")].max() == pytest.approx(true, rel=1e-4)
 
 
+def test_parts_without_a_frame_are_left_out_of_a_shared_page(tmp_path: Path) -> None:
+    """A session of many short parts, of which the page takes not every one."""
+    session = Session(catch())
+    keeper = Keeper(session, tmp_path / "run")
+    session.advance(3 * FRAME)
+    for segment in (5, 3):
+        do(session, "cut", segment=segment)
+    session.advance(FRAME)
+    keeper.close()
+    assert record(tmp_path / "run", 10.0).frames >= 2
+
+
 def record_streams(result: Result) -> dict[str, np.ndarray]:
     """Return the streams of a shared page as its script unpacks them."""
     made = record(result)

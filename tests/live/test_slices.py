@@ -11,7 +11,7 @@ import pytest
 
 from live.drive import do, r4, slack_rope
 from ropewalk.core.status import OK
-from ropewalk.live import breaks, opening, steps
+from ropewalk.live import breaks, describe, opening, steps
 from ropewalk.live.commands import parse
 from ropewalk.live.inbox import MOST_WAITING, Inbox, Item
 from ropewalk.live.keep import Keeper
@@ -274,3 +274,14 @@ def test_only_so_many_commands_wait(told: Told) -> None:
     assert "commands wait already" in told.messages[0]["text"]
     assert inbox.take({1}) is None  # of the drags, one was left, and that was refused, too
     assert inbox.take(set()).what.id == 0
+
+
+def test_a_page_that_comes_is_told_of_the_presets_without_reading_them(
+    monkeypatch: pytest.MonkeyPatch, told: Told
+) -> None:
+    """They take 50 ms of a tick; they were read when the stage was made."""
+    stage = Stage(Session(slack_rope(20)), playing=False)
+    monkeypatch.setattr(describe, "preset", None)
+    stage.join(told.tell)
+    [message] = told.of("presets")
+    assert len(message["presets"]) > 20

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -200,8 +201,13 @@ def presets(session: Session) -> dict[str, Any]:
     scene, name = session.start
     if name is None:
         found.append(_preset(START, scene, "The scene of this program"))
-    found += [_preset(one.name, preset(one.name), one.theme) for one in menu()]
-    return {"type": "presets", "presets": found}
+    return {"type": "presets", "presets": found + built_in()}
+
+
+@cache
+def built_in() -> list[dict[str, str]]:
+    """Return the presets of the program; read once, which takes longer than a tick may."""
+    return [_preset(one.name, preset(one.name), one.theme) for one in menu()]
 
 
 def _preset(name: str, scene: Scene, theme: str) -> dict[str, str]:

@@ -67,7 +67,7 @@ def record(run: Path | Result, rate: float = 60.0) -> Recording:
     for number, part in enumerate(stage.parts):
         first, end = int(stage.first[number]), int(stage.first[number + 1])
         own = indices[(indices >= first) & (indices < end)]
-        before = [-1, *(int(index) - first for index in own[:-1])]
+        before = [-1, *(int(index) - first for index in own)][: len(own)]
         pictures = [
             part.picture(int(index) - first, after)
             for index, after in zip(own, before, strict=True)

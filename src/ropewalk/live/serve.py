@@ -53,6 +53,12 @@ def listen(host: str, port: int) -> tuple[socket.socket, bool]:
     raise PortError(errno.EADDRINUSE, "no free port")
 
 
+QUEUE = 1024  # connections that wait to be taken up
+AT_ONCE = (
+    16  # connections that are taken up before the oldest of them are looked at and may be given up
+)
+
+
 class ViewServer:
     """A stage behind a web server, in threads of its own; the page's files are there before the stage is."""
 
@@ -155,6 +161,7 @@ class ViewServer:
             server_header=False,
             timeout_graceful_shutdown=2,
             h11_max_incomplete_event_size=32_000,
+            backlog=AT_ONCE,
         )
         self._server = uvicorn.Server(config)
         ready = threading.Event()
@@ -175,7 +182,12 @@ class ViewServer:
         async def main() -> None:
             self.hub.attach(asyncio.get_running_loop())
             ready.set()
-            await self._server.serve(sockets=[self.socket])
+            serving = asyncio.create_task(self._server.serve(sockets=[self.socket]))
+            while not (self._server.started or serving.done()):
+                await asyncio.sleep(0.01)
+            with suppress(OSError):
+                self.socket.listen(QUEUE)  # in the system: these cost no descriptor
+            await serving
 
         asyncio.run(main())
 

@@ -72,6 +72,7 @@ class Stage:
         self._opening = Opening(session.start, lambda: self.wake())
         self._steps = Steps()
         self._lent: Future[None] | None = None  # while another thread has the session
+        describe.built_in()
         self.refresh()
 
     @property

@@ -183,12 +183,14 @@ def _syntax(text: str, error: Exception) -> Fault:
     """A TOML syntax error as a fault whose path is the line and column."""
     if "\0" in text:
         return Fault("", NO_VALUE, "is not a text file (a scene is TOML)")
+    if isinstance(error, RecursionError):
+        return Fault("", NO_VALUE, "TOML: lists or tables nest too deep to be read")
     message = str(error)
     found = re.search(r" \(at line (\d+), column (\d+)\)$", message)
     if found:
         place = f"line {found[1]}, column {found[2]}"
         return Fault(place, NO_VALUE, f"TOML: {_in_words(message[: found.start()])}")
-    if not isinstance(error, (tomllib.TOMLDecodeError, RecursionError)):
+    if not isinstance(error, tomllib.TOMLDecodeError):
         long = re.search(r"\d[\d_]{4000,}", text)
         line = text.count("\n", 0, long.start()) + 1 if long else 1
         return Fault(f"line {line}", NO_VALUE, "has a number of more digits than can be read")
