@@ -5,9 +5,7 @@ from __future__ import annotations
 import errno
 import json
 import os
-import pty
 import resource
-import select
 import signal
 import subprocess
 import sys
@@ -274,39 +272,6 @@ def test_a_run_by_other_sources_is_resumed_only_by_force(
     done = ropewalk("resume", "a", "--force")
     assert done.exit_code == 0, done.output
     assert "warning: a: begun with other sources" in done.stderr
-
-
-def test_a_pipe_gets_no_bar_and_a_terminal_does(process: Any, scene: Path, tmp_path: Path) -> None:
-    done = process("run", scene)
-    assert (done.returncode, done.stderr) == (0, "")
-    assert "\x1b" not in done.stdout
-    out, status = on_terminal(tmp_path, "run", "scene.toml", "--set", "name=[bold]a[/b] rope")
-    assert status == 0
-    for text in ("0.5/0.5 s", "x real time", "energy +", "━", "[bold]a[/b] rope"):
-        assert text in out
-    out, status = on_terminal(tmp_path, "run", "scene.toml", "--quiet")
-    assert (out, status) == ("runs/scene-3\r\n", 0)
-
-
-def on_terminal(folder: Path, *arguments: str) -> tuple[str, int]:
-    """Call the command line on a terminal of its own; return what it shows and its status."""
-    child, terminal = pty.fork()
-    if child == 0:  # pragma: no cover - the other process
-        os.chdir(folder)
-        os.environ |= {"COLUMNS": "160", "TERM": "xterm"}
-        os.execv(sys.executable, [sys.executable, "-m", "ropewalk", *arguments])
-    shown = b""
-    while True:
-        select.select([terminal], [], [], 60)
-        try:
-            data = os.read(terminal, 65536)
-        except OSError:  # the other end is closed
-            break
-        if not data:
-            break
-        shown += data
-    os.close(terminal)
-    return shown.decode(), os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
 
 
 def test_the_first_run_says_that_it_compiles(

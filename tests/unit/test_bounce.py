@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
+import warnings
 
 import numpy as np
 import pytest
 
 import ropewalk as rw
-from ropewalk.build import build
+from ropewalk.build import bounce, build
 from ropewalk.build.bounce import Bounce, bounce_growth, largest_bounce_step
 from ropewalk.build.steps import predicted_step, uncovered
 from ropewalk.methods.registry import METHODS
@@ -185,3 +186,11 @@ def test_quadratic_drag_reckons_with_recoil() -> None:
         steps.append(predicted_step(model.system, model.state, "semi-implicit-euler"))
     assert steps[1] < 0.5 * steps[0]
     assert np.isfinite(steps).all()
+
+
+def test_friction_beyond_all_bounds_is_no_warning() -> None:
+    """A person who lets `auto` choose for the winch's stiff, well damped wire read of overflows."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        gains = bounce._gains.__wrapped__("rk4", 30.0)
+    assert np.isfinite(gains).all()

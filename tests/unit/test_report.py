@@ -117,15 +117,18 @@ class Page(HTMLParser):
 
 
 @pytest.fixture(scope="module")
-def written(tmp_path_factory: pytest.TempPathFactory) -> tuple[dict[str, Path], list[str]]:
-    told: list[str] = []
+def written(
+    tmp_path_factory: pytest.TempPathFactory,
+) -> tuple[dict[str, Path], list[tuple[int, int, str]]]:
+    told: list[tuple[int, int, str]] = []
     made = Claim("C2", "Made up", "a < b | c", "Group", lambda: outcome(Part("b", True, (BAD,))))
     folder = tmp_path_factory.mktemp("report") / "new" / "folder"
-    return write_report(folder, told.append, (claim("C3"), made)), told
+    paths = write_report(folder, lambda *at: told.append(at), (claim("C3"), made))
+    return paths, told
 
 
 def test_the_page_is_whole_and_self_contained(
-    written: tuple[dict[str, Path], list[str]],
+    written: tuple[dict[str, Path], list[tuple[int, int, str]]],
 ) -> None:
     text = written[0]["html"].read_text(encoding="utf-8")
     page = Page(text)
@@ -141,7 +144,7 @@ def test_the_page_is_whole_and_self_contained(
 
 
 def test_the_page_shows_verdicts_and_disagreement(
-    written: tuple[dict[str, Path], list[str]],
+    written: tuple[dict[str, Path], list[tuple[int, int, str]]],
 ) -> None:
     text = written[0]["html"].read_text(encoding="utf-8")
     assert "Of 2 claims: 1 confirmed, 0 confirmed in part, 1 refuted." in text
@@ -151,7 +154,7 @@ def test_the_page_shows_verdicts_and_disagreement(
 
 
 def test_the_markdown_names_files_that_are_there(
-    written: tuple[dict[str, Path], list[str]],
+    written: tuple[dict[str, Path], list[tuple[int, int, str]]],
 ) -> None:
     path = written[0]["markdown"]
     text = path.read_text(encoding="utf-8")
@@ -162,7 +165,9 @@ def test_the_markdown_names_files_that_are_there(
     assert "**no**" in text
 
 
-def test_the_numbers_are_a_table(written: tuple[dict[str, Path], list[str]]) -> None:
+def test_the_numbers_are_a_table(
+    written: tuple[dict[str, Path], list[tuple[int, int, str]]],
+) -> None:
     with written[0]["numbers"].open(encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
     assert {row["claim"] for row in rows} == {"C3", "C2"}
@@ -170,9 +175,12 @@ def test_the_numbers_are_a_table(written: tuple[dict[str, Path], list[str]]) -> 
     assert rows[-1]["agrees"] == "false"
 
 
-def test_progress_names_every_claim(written: tuple[dict[str, Path], list[str]]) -> None:
+def test_progress_names_every_claim(
+    written: tuple[dict[str, Path], list[tuple[int, int, str]]],
+) -> None:
     claims = ["C3 Only gravity at first", "C2 Made up"]
-    assert written[1] == ["figures 1 to 3", *claims, "10 kN/m at 60 steps a second"]
+    lines = ["figures 1 to 3", *claims, "10 kN/m at 60 steps a second", ""]
+    assert written[1] == [(number, 4, line) for number, line in enumerate(lines)]
 
 
 def test_a_claim_has_the_same_numbers_and_picture_every_time() -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import sys
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -90,9 +89,3 @@ def print_table(
         page.print(table)
     lines = [line.rstrip() for line in drawn.get().splitlines()]
     click.echo("\n".join(line for line in lines if click.unstyle(line)))
-
-
-def terminal(stream: Any = None) -> bool:
-    """Whether somebody looks at the stream (default stderr)."""
-    stream = stream or sys.stderr
-    return bool(getattr(stream, "isatty", lambda: False)())

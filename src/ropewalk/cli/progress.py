@@ -6,17 +6,14 @@ import math
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
-from ropewalk.cli.console import tell, terminal
+from ropewalk.bar import Bar
+from ropewalk.cli.console import tell
 
 if TYPE_CHECKING:
     from ropewalk.block import Block
     from ropewalk.scene import Scene
-
-_NARROW, _WIDE = 70, 110  # columns from which on more is said
-_NAME = 18  # letters of a scene's name on all but wide terminals
 
 
 def is_compiled(method: str) -> bool:
@@ -74,26 +71,15 @@ def energy_error(block: Block) -> float:
     return float(energy.sum() - done)
 
 
-def shortened(text: str, most: int) -> str:
-    """Return a text of at most so many letters."""
-    return text if len(text) <= most else text[: most - 1] + "…"
-
-
-def facts_of(now: float, end: float, speed: float, drift: float, width: int) -> str:
-    """Return what stands behind the bar: no more than leaves the bar some room on the terminal.
+def facts_of(now: float, end: float, speed: float, drift: float) -> tuple[str, ...]:
+    """Return what stands behind the bar, what matters most first.
 
     Args:
         now, end: simulated time, and where it ends [s].
         speed: simulated over wall time [1].
         drift: of the energy [J].
-        width: of the terminal [letters].
     """
-    time = f"{now:.4g}/{end:.4g} s"
-    if width < _NARROW:
-        return time
-    if width < _WIDE:
-        return f"{time}  {speed:.2g}x real time"
-    return f"{time}  {speed:.3g} x real time  energy {drift:+.1e} J"
+    return f"{now:.4g}/{end:.4g} s", f"{speed:.2g}x real time", f"energy {drift:+.1e} J"
 
 
 class RunProgress:
@@ -104,79 +90,36 @@ class RunProgress:
     """
 
     def __init__(self, scene: Scene, *, quiet: bool = False) -> None:
-        self._scene = scene
-        self._bar: Any = None
-        self._task: Any = None
-        self._quiet = quiet or not terminal()
-        self._first: float | None = None
+        self._bar = Bar(scene.name, shown=not quiet)
         self._begun = time.perf_counter()
-        self._width = _WIDE
+        self._first = 0.0  # energy error of the first frame [J]
         self._from: float | None = None  # simulated time where this part of the run began [s]
 
     def __enter__(self) -> RunProgress:
-        if self._quiet:
-            return self
-        from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
-
-        from ropewalk.cli.console import console
-
-        made = console(stderr=True)
-        self._width = made.width
-        self._bar = Progress(
-            TextColumn("{task.description}", markup=False),
-            BarColumn(bar_width=None),
-            TextColumn("{task.percentage:>3.0f} %", markup=False),
-            TextColumn("{task.fields[facts]}", markup=False),
-            TimeRemainingColumn(compact=True),
-            console=made,
-            transient=False,
-            expand=True,
-        )
-        name = shortened(self._scene.name, _NAME if made.width < _WIDE else made.width // 4)
-        self._task = self._bar.add_task(name, total=None, facts="")
-        self._bar.start()
+        self._bar.__enter__()
         return self
 
     def __call__(self, done: int, planned: int, block: Block) -> None:
         """Show that `done` of `planned` frames are done."""
-        if self._bar is None or not block.frames:
+        if not block.frames:
             return
         now = float(block.time[-1])
         frame = now / done if done else 0.0
         if self._from is None:
             self._from = now - frame * block.frames
             self._first = energy_error(block.head(1))
-            self._bar.reset(self._task, completed=done - block.frames, total=planned)
+            self._bar.begin(done - block.frames, planned)
         spent = time.perf_counter() - self._begun
         speed = (now - self._from) / spent if spent > 0.0 else math.inf
-        drift = energy_error(block) - (self._first or 0.0)
-        facts = facts_of(now, frame * planned, speed, drift, self._width)
-        self._bar.update(self._task, completed=done, total=planned, facts=facts)
+        drift = energy_error(block) - self._first
+        self._bar.show(done, planned, facts_of(now, frame * planned, speed, drift))
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        value: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        if self._bar is not None:
-            self._bar.stop()
+    def __exit__(self, *error: Any) -> None:
+        self._bar.__exit__(*error)
 
 
 @contextmanager
-def counting(what: str) -> Iterator[Callable[[int, int], None]]:
+def counting(title: str, things: str) -> Iterator[Callable[[int, int], None]]:
     """Give a function to call with the things done and those in all; a bar on a terminal."""
-    if not terminal():
-        yield lambda done, planned: None
-        return
-    from rich.progress import Progress
-
-    from ropewalk.cli.console import console
-
-    with Progress(console=console(stderr=True), transient=True) as bar:
-        task = bar.add_task(what, total=None)
-
-        def show(done: int, planned: int) -> None:
-            bar.update(task, completed=done, total=planned)
-
-        yield show
+    with Bar(title) as bar:
+        yield lambda done, planned: bar.show(done, planned, [f"{done} of {planned} {things}"])

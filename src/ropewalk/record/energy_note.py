@@ -1,4 +1,4 @@
-"""A sentence about a run whose automatic explicit steps have made up or lost energy."""
+"""A sentence about a run whose automatic steps have made up or lost energy, or miscounted it."""
 
 from __future__ import annotations
 
@@ -12,29 +12,44 @@ from ropewalk.methods.registry import METHODS
 from ropewalk.scene import Material, Scene
 
 if TYPE_CHECKING:
+    from ropewalk.build import Plan
     from ropewalk.record.result import Result
 
 MOST = 0.01  # [1] of weight times length
+TURNED = 5.0  # [%] of the energy turned over: more than that is no ledger
+_NOTHING = 1e-4  # [1] of weight times length: a rope that hardly moves turns over nothing
 
 
-def energy_note(result: Result, error: Floats) -> str:
-    """Say by how much the energy of an undamped rope is wrong, where it is by more than `MOST`; else "".
+def energy_note(result: Result, error: Floats, share: float) -> str:
+    """Say by how much the energy of an automatic run is wrong, where it is by too much; else "".
 
-    `error` is that of the frames to look at [J], (frames,).
-    For explicit methods whose step or whose choice was left to Ropewalk. Of friction, air, ground and limiter
-    there must be none: what they take hides what steps make up.
+    Args:
+        result: the run; its step or its method was left to Ropewalk, or there is no note.
+        error: of the energy at the frames to look at [J], (frames,).
+        share: the largest error, of the energy turned over [%].
+
+    An explicit run of an undamped rope may err by `MOST` of weight times length. Of friction, air, ground
+    and limiter there must be none: what they take hides what steps make up. A run whose method was left to
+    Ropewalk, damped or implicit, may err by `TURNED` of the energy turned over.
     """
     scene, plan = result.scene, result.plan
-    automatic = "auto" in (scene.run.method, scene.run.time_step)
-    if not automatic or plan.method not in METHODS or METHODS[plan.method].implicit:
-        return ""
-    scale = weight_times_length(scene)
     error = error[np.isfinite(error)]
-    if not error.size or scale == 0.0 or is_damped(scene):
+    automatic = "auto" in (scene.run.method, scene.run.time_step)
+    if not automatic or plan.method not in METHODS or not error.size:
         return ""
-    worst = float(error[np.argmax(np.abs(error))])
-    if abs(worst) <= MOST * scale:
+    worst, scale = float(error[np.argmax(np.abs(error))]), weight_times_length(scene)
+    if not METHODS[plan.method].implicit and not is_damped(scene):
+        return _made_up(plan, worst, scale) if abs(worst) > MOST * scale > 0.0 else ""
+    if scene.run.method != "auto" or not share > TURNED or abs(worst) <= _NOTHING * scale:
         return ""
+    return (
+        f"{abs(worst):.3g} J, {share:.3g} % of the energy turned over, are in no law's work: some of the "
+        f"motion is too fast for {plan.method}'s steps of {1e3 * plan.dt:.3g} ms. Do not trust works, nor "
+        f"places after it; take time_step = {0.25 * plan.dt:.3g} s or less, or method = adaptive"
+    )
+
+
+def _made_up(plan: Plan, worst: float, scale: float) -> str:
     did = "made up" if worst > 0.0 else "lost"
     return (
         f"{plan.method} {did} {abs(worst):.3g} J, {100.0 * abs(worst) / scale:.2g} % of weight times length, "

@@ -37,6 +37,7 @@ def summary(result: Result) -> dict[str, Any]:
     time, good = result.time, result.good_frames
     energy = {name: part[:good] for name, part in result.energy.items()}
     error = result.energy_error[:good]
+    share = _share(energy, error)
     seconds, broken = result.facts.seconds, _broken(result)
     return {
         "status": result.status,
@@ -48,8 +49,8 @@ def summary(result: Result) -> dict[str, Any]:
         **_told(result, found),
         **_margins(result, found),
         "largest energy error [J]": _largest(error),
-        "largest energy error, share of the energy turned over [%]": _share(energy, error),
-        **({"about the energy": note} if (note := energy_note(result, error)) else {}),
+        "largest energy error, share of the energy turned over [%]": share,
+        **({"about the energy": note} if (note := energy_note(result, error, share)) else {}),
         "final energy error [J]": float(error[-1]),
         "largest balance residual [J]": _largest(result.balance_residual[:good]),
         "final kinetic energy [J]": float(energy["kinetic"][-1]),

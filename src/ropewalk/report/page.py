@@ -48,14 +48,14 @@ class Answered:
 
 def write_report(
     out: Path,
-    progress: Callable[[str], None] | None = None,
+    progress: Callable[[int, int, str], None] | None = None,
     claims: Sequence[Claim] = CLAIMS,
 ) -> dict[str, Path]:
     """Run the claims and write the page into a folder, which is made when it is not there.
 
     Args:
         out: folder; files of an earlier report in it are written over.
-        progress: called with one line before each claim is run.
+        progress: called with the steps done, those in all, and what comes, before each claim is run.
         claims: which ones; all of them by default.
 
     Returns:
@@ -65,19 +65,21 @@ def write_report(
     out = Path(out)
     folder = out / "figures"
     folder.mkdir(parents=True, exist_ok=True)
-    tell = progress or (lambda line: None)
-    tell("figures 1 to 3")
+    tell = progress or (lambda done, planned, line: None)
+    steps = len(claims) + 2
+    tell(0, steps, "figures 1 to 3")
     figures = [Shown(one.id, one.title, one.caption, draw.svg(one.figure)) for one in pictures()]
     judged = []
-    for one in claims:
-        tell(f"{one.id} {one.title}")
+    for number, one in enumerate(claims, start=1):
+        tell(number, steps, f"{one.id} {one.title}")
         outcome = one.run()
         picture = draw.svg(outcome.figure)
         shown = Shown(one.id.lower(), one.title, outcome.caption, picture)
         judged.append(Judged(one, outcome, shown))
-    tell("10 kN/m at 60 steps a second")
+    tell(steps - 1, steps, "10 kN/m at 60 steps a second")
     made = answer()
     last = Answered(made, Shown(made.id, made.title, made.caption, draw.svg(made.figure)))
+    tell(steps, steps, "")
     for shown in [*figures, *(one.shown for one in judged), last.shown]:
         (folder / f"{shown.id}.svg").write_bytes(shown.picture)
     paths = {

@@ -18,7 +18,7 @@ from ropewalk.record.files import writing
 from ropewalk.record.lock import is_locked, locked
 from ropewalk.scene import Scene
 from ropewalk.sweeps import answer, engines
-from ropewalk.sweeps.bar import Bar
+from ropewalk.sweeps.bar import RunsBar
 from ropewalk.sweeps.batch import REST, RUN, Batch, Recipe, make_recipe
 from ropewalk.sweeps.designs import Design, make_design
 from ropewalk.sweeps.identity import sweep_hash
@@ -310,7 +310,7 @@ def _make(
 ) -> None:
     """Make all batches that are not done."""
     plan = sink.plan
-    with Bar(plan.title, plan.runs, progress, Standing) as bar:
+    with RunsBar(plan.title, plan.runs, progress, Standing) as bar:
         bar.start(sum(len(plan.rows(n)) for n in begun.done), begun.broken)
 
         def told(number: int, broken: int) -> None:

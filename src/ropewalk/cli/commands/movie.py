@@ -40,7 +40,7 @@ def movie(folder: Path, output: Path | None, speed: float, fps: float, overwrite
     from ropewalk import plots
 
     try:
-        with counting("movie") as progress:
+        with counting("movie", "pictures") as progress:
             path.parent.mkdir(parents=True, exist_ok=True)
             plots.movie(result, path, speed=speed, fps=fps, progress=progress)
     except plots.MovieError as error:

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import click
 
+from ropewalk.bar import Bar, terminal
 from ropewalk.cli.commands.run import RUNS
 from ropewalk.cli.console import print_table, tell
 from ropewalk.cli.errors import Refusal
@@ -34,6 +35,12 @@ def report(output: Path | None, overwrite: bool, quiet: bool) -> None:
             raise Refusal(f"{output}: is not empty; take another folder, or give --overwrite")
     from ropewalk.report import write_report
 
-    with claimed(output, RUNS, "report") as folder:
-        paths = write_report(folder, None if quiet else tell)
+    with claimed(output, RUNS, "report") as folder, Bar("report", shown=not quiet) as bar:
+
+        def told(done: int, planned: int, what: str) -> None:
+            bar.show(done, planned, [f"{done} of {planned}", what])
+            if what and not (quiet or terminal()):
+                tell(what)
+
+        paths = write_report(folder, told)
     print_table(("", ""), [(what, str(path)) for what, path in paths.items()])
