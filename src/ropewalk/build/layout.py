@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+from bisect import bisect_left
 from dataclasses import dataclass
+from functools import cached_property
 
 from ropewalk.scene import Rope, Scene, Winch
 from ropewalk.scene.base import MOST_ON_DRUM
@@ -55,6 +57,14 @@ class Layout:
         """Number of segments in the arrays, the dead ones between ropes included."""
         return self.nodes - 1
 
+    @cached_property
+    def _by_name(self) -> dict[str | None, Span]:
+        return {span.name: span for span in self.ropes}
+
+    @cached_property
+    def _lasts(self) -> list[int]:
+        return [span.last for span in self.ropes]
+
     def span(self, rope: str | None = None) -> Span:
         """Return one rope's span; without a name, the only rope's.
 
@@ -62,9 +72,8 @@ class Layout:
         """
         if rope is None and len(self.ropes) == 1:
             return self.ropes[0]
-        for span in self.ropes:
-            if span.name == rope:
-                return span
+        if rope in self._by_name:
+            return self._by_name[rope]
         names = ", ".join(span.name for span in self.ropes)
         raise KeyError(f"name one of the ropes {names}" + (f", not {rope!r}" if rope else ""))
 
@@ -81,10 +90,11 @@ class Layout:
 
     def rope_of(self, index: int) -> tuple[str, int]:
         """Return rope name and node number of an array index."""
-        for span in self.ropes:
-            if index <= span.last:
-                return span.name, index - span.start
-        raise IndexError(f"there are {self.nodes} nodes, no index {index}")
+        number = bisect_left(self._lasts, index)
+        if number == len(self.ropes):
+            raise IndexError(f"there are {self.nodes} nodes, no index {index}")
+        span = self.ropes[number]
+        return span.name, index - span.start
 
 
 def make_layout(scene: Scene) -> Layout:

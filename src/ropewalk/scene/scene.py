@@ -69,10 +69,11 @@ class Scene(Model):
         Raises:
             KeyError: when there is none.
         """
-        names = [rope.name for rope in self.ropes]
-        if name not in names:
-            raise KeyError(f"no rope {name!r}; there is {', '.join(names)}")
-        return names.index(name)
+        for index, rope in enumerate(self.ropes):
+            if rope.name == name:
+                return index
+        names = ", ".join(rope.name for rope in self.ropes)
+        raise KeyError(f"no rope {name!r}; there is {names}")
 
     def anchor_named(self, name: str) -> Anchor:
         """The anchor of that name.
