@@ -10,6 +10,7 @@ import pytest
 from click.testing import CliRunner
 
 import ropewalk as rw
+from ropewalk.analysis.compare import compare_runs
 from ropewalk.build import build
 from ropewalk.cli.app import main
 from ropewalk.record.resume import resume_run
@@ -199,6 +200,16 @@ def test_the_command_says_what_broke_and_exits_with_3(tmp_path: Path) -> None:
     told = CliRunner().invoke(main, ["info", str(tmp_path / "run")])
     assert "rope broke" in told.output
     assert "broken ropes" in told.output
+
+
+def test_runs_are_compared_until_a_rope_breaks() -> None:
+    broken = rw.simulate(hung("ab"), on_failure="return")
+    other = rw.simulate(hung("ab", time_step=1 / 480), on_failure="return")
+    found = compare_runs([broken, other], ["one", "other"])
+    (far,) = found.distances
+    assert len(far.time) == min(broken.ends[0].frames, other.ends[0].frames) < broken.frames
+    assert "until one run broke" in far.note
+    assert all(row["largest tension [N]"] > 0.0 for row in found.rows)
 
 
 def test_a_sweep_counts_the_run_as_broken_at_its_first_break() -> None:

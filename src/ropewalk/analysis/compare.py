@@ -136,18 +136,18 @@ _SEEN = " of the recorded frames"
 
 
 def _largest(result: Result, name: str, start: int, good: int) -> float:
-    return float(result.read(name, start, min(start + _CHUNK, good)).max())
+    return float(np.nanmax(result.read(name, start, min(start + _CHUNK, good))))
 
 
 # -- distance ----------------------------------------------------------------------------
 
 
 def distance(first: Result, second: Result) -> Distance:
-    """Return the distance of the second run from the first at the first's frames."""
+    """Return the distance of the second run from the first at the first's frames, until a rope breaks."""
     why = _incomparable(first, second)
     if why:
         return Distance(np.empty(0), np.empty(0), np.empty(0), "", f"not defined: {why}")
-    goods = good_part(first), good_part(second)
+    goods = _whole(first), _whole(second)
     end = min(first.time[goods[0] - 1], second.time[goods[1] - 1])
     start = max(first.time[0], second.time[0])
     slack = 1e-9 * max(float(end), 1.0)
@@ -167,6 +167,11 @@ def distance(first: Result, second: Result) -> Distance:
     broke = max(len(r.time) - g for r, g in zip((first, second), goods, strict=True))
     note = f"{way}, until one run broke at {end:.4g} s" if broke > 0 else ""
     return Distance(moments.copy(), largest, rms, way, note)
+
+
+def _whole(result: Result) -> int:
+    """Return the number of frames in which no rope has broken."""
+    return min([good_part(result), *(end.frames for end in result.ends)])
 
 
 def _nodes(result: Result) -> list[tuple[str, int, int]]:
