@@ -45,12 +45,24 @@ await build({
 });
 await build({
   ...common,
+  entryPoints: ["src/lab/main.js"],
+  outfile: join(out, "lab.js"),
+  format: "iife",
+});
+await build({
+  ...common,
+  entryPoints: ["src/lab/lab.css"],
+  outfile: join(out, "lab.css"),
+});
+await build({
+  ...common,
   entryPoints: ["src/style/style.css"],
   outfile: join(out, "style.css"),
   plugins: [plainSheet],
   external: [],
 });
 copyFileSync(join(here, "src/index.html"), join(out, "index.html"));
+copyFileSync(join(here, "src/lab/lab.html"), join(out, "lab.html"));
 
 const licences = PARTS.map((name) => {
   const folder = join(here, "node_modules", name);

@@ -17,7 +17,7 @@ from ropewalk.scene import Springs, load, loads, presets, schema
 
 COMMANDS = [
     "demo", "view", "presets", "ropes", "line", "new", "check", "settle", "modes", "run", "sweep", "resume",
-    "info", "plot", "movie", "share", "compare", "export", "sheet", "report", "schema",
+    "info", "plot", "movie", "share", "lab", "compare", "export", "sheet", "report", "schema",
 ]  # fmt: skip
 
 

@@ -21,6 +21,7 @@ from ropewalk.cli.commands.compare import compare
 from ropewalk.cli.commands.demo import demo
 from ropewalk.cli.commands.export import export
 from ropewalk.cli.commands.info import info
+from ropewalk.cli.commands.lab import lab
 from ropewalk.cli.commands.line import line
 from ropewalk.cli.commands.modes import modes
 from ropewalk.cli.commands.movie import movie
@@ -123,7 +124,7 @@ def main() -> None:
 
 for _command in (
     demo, view, presets, ropes, line, new, check, settle, modes, run, sweep, resume, info, plot, movie, share,
-    compare, export, sheet, report, schema,
+    lab, compare, export, sheet, report, schema,
 ):  # fmt: skip
     main.add_command(_command)
 main.params.append(debug_option())

@@ -20,7 +20,7 @@ from ropewalk.record.files import write, writing
 from ropewalk.record.result import Result
 
 FRAME_RATE = 60.0
-_HERE = Path(__file__).parent / "page"
+HERE = Path(__file__).parent / "page"
 _PAGE = """<!doctype html>
 <html lang="en" data-theme="light">
 <head>
@@ -84,22 +84,22 @@ def _share(run: Path | Result, path: Path, frame_rate: float, overwrite: bool) -
 
 def page(recording: Recording) -> str:
     """Return the page of a recording."""
-    script = _in_script((_HERE / "bundle.js").read_text("utf-8"))
-    style = (_HERE / "style.css").read_text("utf-8").replace("</style", "<\\/style")
+    script = in_script((HERE / "bundle.js").read_text("utf-8"))
+    style = (HERE / "style.css").read_text("utf-8").replace("</style", "<\\/style")
     header = recording.header
     return _PAGE.format(
-        policy=_policy(script, style),
+        policy=policy(script, style),
         version=html.escape(header["ropewalk"]),
         title=html.escape(f"{header['title']} – Ropewalk"),
         style=style,
         about=html.escape(header["about"]),
-        header=_as_data(header),
+        header=as_data(header),
         data=base64.b64encode(recording.data).decode(),
         script=script,
     )
 
 
-def _policy(script: str, style: str) -> str:
+def policy(script: str, style: str) -> str:
     return (
         f"default-src 'none'; script-src 'sha256-{_hash(script)}'; "
         f"style-src 'sha256-{_hash(style)}'; img-src data: blob:; base-uri 'none'; form-action 'none'"
@@ -110,13 +110,13 @@ def _hash(text: str) -> str:
     return base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()
 
 
-def _in_script(text: str) -> str:
+def in_script(text: str) -> str:
     """Return a script that HTML cannot end, or take for a comment, half-way."""
     text = re.sub(r"</(script)", r"<\\/\1", text, flags=re.IGNORECASE)
     return text.replace("<!--", "<\\!--").replace("\r\n", "\n").strip()
 
 
-def _as_data(value: Any) -> str:
+def as_data(value: Any) -> str:
     """Return JSON in which no markup is left."""
     text = json.dumps(value, allow_nan=False, separators=(",", ":"), ensure_ascii=True)
     return text.replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")

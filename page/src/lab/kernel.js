@@ -1,0 +1,286 @@
+// The rope of springs, as the Python kernels have it: the same arithmetic in the same order, so that a thousand
+// steps agree to rounding. Vectors are three rows of n numbers each; forces of segments have n + 1 columns,
+// column j + 1 what segment j does to node j, so that no loop needs an edge case.
+
+/** @typedef {{node: number, origin: number[], velocity: number[], start: number, stop: number,
+ *   release: number | null}} Anchor */
+/** @typedef {{name: string, about: string, up: number[], gravity: number[], step: number, method: string,
+ *   x: number[][], v: number[][], mass: number[], length: number[], stiffness: number[],
+ *   vector: number[], axial: number[], slack: boolean[], anchors: Anchor[], ropes: number[][]}} Scene */
+/** @typedef {"semi-implicit-euler" | "verlet" | "rk4"} Method */
+
+/** @type {Method[]} */
+export const METHODS = ["semi-implicit-euler", "verlet", "rk4"];
+const LONGEST = 10; // a segment stretched more than this is a broken simulation
+
+/** @param {number} n */
+const rows = (n) => [new Float64Array(n), new Float64Array(n), new Float64Array(n)];
+
+/** @param {Float64Array[]} from @param {Float64Array[]} to */
+const copy = (from, to) => from.forEach((row, k) => to[k].set(row));
+
+export class Rope {
+  /** @param {Scene} scene */
+  constructor(scene) {
+    const n = scene.mass.length;
+    this.n = n;
+    this.time = 0;
+    this.middle = 0; // of the present piece of a step [s]
+    this.gravity = [...scene.gravity];
+    this.x = scene.x.map((row) => Float64Array.from(row));
+    this.v = scene.v.map((row) => Float64Array.from(row));
+    this.mass = Float64Array.from(scene.mass);
+    this.length = Float64Array.from(scene.length);
+    this.stiffness = Float64Array.from(scene.stiffness);
+    this.vector = Float64Array.from(scene.vector);
+    this.axial = Float64Array.from(scene.axial);
+    this.slack = scene.slack;
+    this.anchors = scene.anchors.map((anchor) => ({ ...anchor, held: true }));
+    this.inverse = this.mass.map((m) => 1 / m);
+    for (const anchor of this.anchors) this.inverse[anchor.node] = 0;
+    this.a = rows(n);
+    this.pull = rows(n + 1);
+    this.friction = rows(n + 1);
+    this.xs = rows(n);
+    this.vs = rows(n);
+    this.old = rows(n);
+    this.dx = rows(n);
+    this.dv = rows(n);
+    /** A node that is led by hand: where it is, where to, and how fast at most [m/s].
+     * @type {{node: number, at: number[], to: number[], speed: number} | null} */
+    this.hand = null;
+    this.renew();
+  }
+
+  /** Evaluate the accelerations at the state itself, after something was changed. */
+  renew() {
+    this.accelerate(this.x, this.v, this.a);
+  }
+
+  /** Write every node's acceleration [m/s^2]. @param {Float64Array[]} x @param {Float64Array[]} v
+   * @param {Float64Array[]} a */
+  accelerate(x, v, a) {
+    const [x0, x1, x2] = x;
+    const [v0, v1, v2] = v;
+    const [e0, e1, e2] = this.pull;
+    const [c0, c1, c2] = this.friction;
+    for (let j = 0; j < this.n - 1; j++) {
+      const dx = x0[j + 1] - x0[j];
+      const dy = x1[j + 1] - x1[j];
+      const dz = x2[j + 1] - x2[j];
+      const square = dx * dx + dy * dy + dz * dz;
+      const r = Math.sqrt(square);
+      const loose = this.slack[j] && r < this.length[j];
+      const tension = loose ? 0 : this.stiffness[j] * (r - this.length[j]);
+      const pull = r > 0 ? tension / r : 0;
+      e0[j + 1] = pull * dx;
+      e1[j + 1] = pull * dy;
+      e2[j + 1] = pull * dz;
+      const ux = v0[j + 1] - v0[j];
+      const uy = v1[j + 1] - v1[j];
+      const uz = v2[j + 1] - v2[j];
+      const c = loose ? 0 : this.vector[j];
+      const rate = ux * dx + uy * dy + uz * dz;
+      const along = square > 0 && !loose ? (this.axial[j] * rate) / square : 0;
+      c0[j + 1] = c * ux + along * dx;
+      c1[j + 1] = c * uy + along * dy;
+      c2[j + 1] = c * uz + along * dz;
+    }
+    for (let k = 0; k < 3; k++) {
+      const [e, c, out, g] = [this.pull[k], this.friction[k], a[k], this.gravity[k]];
+      for (let i = 0; i < this.n; i++) {
+        const w = this.inverse[i];
+        out[i] = (e[i + 1] + c[i + 1] - (e[i] + c[i])) * w + (w > 0 ? g : 0);
+      }
+    }
+  }
+
+  /** Put the held nodes where they are at a time [s]; they move or not as in the middle of the present piece.
+   * @param {number} time @param {Float64Array[]} x @param {Float64Array[]} v */
+  place(time, x, v) {
+    for (const anchor of this.anchors) {
+      if (!anchor.held) continue;
+      const gone = Math.min(Math.max(time - anchor.start, 0), anchor.stop - anchor.start);
+      const moves = anchor.start <= this.middle && this.middle < anchor.stop;
+      for (let k = 0; k < 3; k++) {
+        x[k][anchor.node] = anchor.origin[k] + anchor.velocity[k] * gone;
+        v[k][anchor.node] = moves ? anchor.velocity[k] : 0;
+      }
+    }
+    if (this.hand) {
+      for (let k = 0; k < 3; k++) {
+        x[k][this.hand.node] = this.hand.at[k];
+        v[k][this.hand.node] = 0;
+      }
+    }
+  }
+
+  /** Take one step [s]; those of Verlet and Runge-Kutta in pieces where an anchor begins or ends to move within. @param {Method} method
+   * @param {number} dt @param {number} [after] the time at its end, where that is known better than as a sum */
+  step(method, dt, after = this.time + dt) {
+    this.#lead(dt);
+    if (method === "semi-implicit-euler") {
+      this.middle = after; // of order one: its steps are not cut
+      this.#swing(dt, after);
+      this.time = after;
+    } else this.#pieces(method, dt, after);
+    for (const anchor of this.anchors) {
+      if (anchor.held && anchor.release !== null && this.time >= anchor.release - 1e-9 * dt) {
+        anchor.held = false;
+        this.inverse[anchor.node] = 1 / this.mass[anchor.node];
+        this.renew();
+      }
+    }
+  }
+
+  /** Move the hand towards where it is to be, no faster than it can. @param {number} dt */
+  #lead(dt) {
+    if (!this.hand) return;
+    const { at, to, speed } = this.hand;
+    const away = Math.hypot(...to.map((value, k) => value - at[k]));
+    const share = away > speed * dt ? (speed * dt) / away : 1;
+    for (let k = 0; k < 3; k++) at[k] += share * (to[k] - at[k]);
+  }
+
+  /** @param {Method} method @param {number} dt @param {number} after */
+  #pieces(method, dt, after) {
+    const begin = this.time;
+    const cuts = this.anchors
+      .flatMap((anchor) => (anchor.held ? [anchor.start, anchor.stop] : []))
+      .filter((t) => t > begin + 1e-9 * dt && t < after - 1e-9 * dt)
+      .sort((a, b) => a - b);
+    for (const end of [...cuts, after]) {
+      const h = end === after && !cuts.length ? dt : end - this.time;
+      this.#jump(0.5 * (this.time + end));
+      if (method === "verlet") this.#verlet(h, end);
+      else this.#rungeKutta(h, end);
+      this.time = end;
+    }
+  }
+
+  /** Begin a piece: an anchor that begins or ends to move has its new velocity from here on.
+   * @param {number} middle time of the piece's middle [s] */
+  #jump(middle) {
+    this.middle = middle;
+    let jumped = false;
+    for (const anchor of this.anchors) {
+      if (!anchor.held) continue;
+      const moves = anchor.start < middle && middle < anchor.stop;
+      for (let k = 0; k < 3; k++) {
+        const now = moves ? anchor.velocity[k] : 0;
+        jumped ||= this.v[k][anchor.node] !== now;
+        this.v[k][anchor.node] = now;
+      }
+    }
+    if (jumped) this.renew(); // Verlet begins with the accelerations that the step before ended with
+  }
+
+  /** Semi-implicit Euler: velocity first, then place with it. @param {number} dt @param {number} after */
+  #swing(dt, after) {
+    this.accelerate(this.x, this.v, this.a);
+    for (let k = 0; k < 3; k++) {
+      const [x, v, a] = [this.x[k], this.v[k], this.a[k]];
+      for (let i = 0; i < this.n; i++) {
+        const now = v[i] + dt * a[i];
+        v[i] = now;
+        x[i] += dt * now;
+      }
+    }
+    this.place(after, this.x, this.v);
+  }
+
+  /** Velocity Verlet with a predicted velocity for friction. @param {number} dt @param {number} after */
+  #verlet(dt, after) {
+    copy(this.a, this.old);
+    for (let k = 0; k < 3; k++) {
+      const [x, v, a, guess] = [this.x[k], this.v[k], this.a[k], this.vs[k]];
+      for (let i = 0; i < this.n; i++) {
+        guess[i] = v[i] + dt * a[i];
+        x[i] += dt * v[i];
+        x[i] += 0.5 * dt * dt * a[i];
+      }
+    }
+    this.place(after, this.x, this.vs);
+    this.accelerate(this.x, this.vs, this.a);
+    for (let k = 0; k < 3; k++) {
+      const [v, a, old] = [this.v[k], this.a[k], this.old[k]];
+      for (let i = 0; i < this.n; i++) v[i] += 0.5 * dt * (old[i] + a[i]);
+    }
+    this.place(after, this.x, this.v);
+  }
+
+  /** The classical Runge-Kutta method. @param {number} dt @param {number} after */
+  #rungeKutta(dt, after) {
+    const shares = [0, 0.5, 0.5, 1];
+    const weights = [1 / 6, 1 / 3, 1 / 3, 1 / 6];
+    const { xs, vs, a, dx, dv } = this;
+    for (const row of [...dx, ...dv]) row.fill(0);
+    for (let s = 0; s < 4; s++) {
+      const [c, b] = [dt * shares[s], dt * weights[s]];
+      for (let k = 0; k < 3; k++) {
+        const [x, v, X, V, A] = [this.x[k], this.v[k], xs[k], vs[k], a[k]];
+        for (let i = 0; i < this.n; i++) {
+          X[i] = s ? x[i] + c * V[i] : x[i];
+          V[i] = s ? v[i] + c * A[i] : v[i];
+        }
+      }
+      if (s) this.place(s === 3 ? after : this.time + c, xs, vs);
+      this.accelerate(xs, vs, a);
+      for (let k = 0; k < 3; k++) {
+        for (let i = 0; i < this.n; i++) {
+          dx[k][i] += b * vs[k][i];
+          dv[k][i] += b * a[k][i];
+        }
+      }
+    }
+    for (let k = 0; k < 3; k++) {
+      for (let i = 0; i < this.n; i++) {
+        this.x[k][i] += dx[k][i];
+        this.v[k][i] += dv[k][i];
+      }
+    }
+    this.place(after, this.x, this.v);
+  }
+
+  /** What every segment carries, friction along it included [N]. @param {Float64Array} out */
+  tensions(out) {
+    const [x0, x1, x2] = this.x;
+    const [v0, v1, v2] = this.v;
+    for (let j = 0; j < this.n - 1; j++) {
+      const d = [x0[j + 1] - x0[j], x1[j + 1] - x1[j], x2[j + 1] - x2[j]];
+      const u = [v0[j + 1] - v0[j], v1[j + 1] - v1[j], v2[j + 1] - v2[j]];
+      const r = Math.sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+      const loose = this.slack[j] && r < this.length[j];
+      const rate = r > 0 ? (d[0] * u[0] + d[1] * u[1] + d[2] * u[2]) / r : 0;
+      const carried = this.stiffness[j] * (r - this.length[j]);
+      out[j] = loose ? 0 : carried + (this.vector[j] + this.axial[j]) * rate;
+    }
+  }
+
+  /** Kinetic, elastic and gravity's energy [J], the last from the origin. */
+  energies() {
+    let [kinetic, elastic, gravity] = [0, 0, 0];
+    for (let i = 0; i < this.n; i++) {
+      for (let k = 0; k < 3; k++) {
+        kinetic += 0.5 * this.mass[i] * this.v[k][i] * this.v[k][i];
+        gravity -= this.mass[i] * this.gravity[k] * this.x[k][i];
+      }
+    }
+    for (let j = 0; j < this.n - 1; j++) {
+      const r = Math.hypot(...[0, 1, 2].map((k) => this.x[k][j + 1] - this.x[k][j]));
+      const more = this.slack[j] ? Math.max(r - this.length[j], 0) : r - this.length[j];
+      elastic += 0.5 * this.stiffness[j] * more * more;
+    }
+    return { kinetic, elastic, gravity };
+  }
+
+  /** Whether something is not finite, or stretched beyond reason. */
+  isBroken() {
+    for (let j = 0; j < this.n - 1; j++) {
+      const r = Math.hypot(...[0, 1, 2].map((k) => this.x[k][j + 1] - this.x[k][j]));
+      const live = this.length[j] > 0 && this.stiffness[j] > 0;
+      if (!(r <= (live ? LONGEST * this.length[j] : 1e150))) return true;
+    }
+    return this.v.some((row) => row.some((value) => !Number.isFinite(value)));
+  }
+}

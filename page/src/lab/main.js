@@ -1,0 +1,282 @@
+// The lab: a rope of springs that runs in the page itself, to be changed, pulled and broken.
+
+import { largestStep } from "./bounds.js";
+import { Drawing } from "./draw.js";
+import { EnergyStrip } from "./energy.js";
+import { METHODS, Rope } from "./kernel.js";
+
+/** @typedef {import("./kernel.js").Scene} Scene */
+/** @typedef {import("./kernel.js").Method} Method */
+
+const REACH = 40; // pixels from a node at which it can be taken
+const BUDGET = 11; // milliseconds of a picture for steps
+const HAND = 0.7; // widths of the drawing that a hand moves in a second, at most
+const SAFE = 0.8; // of the largest stable step
+
+/** @param {string} id */
+const find = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
+/** @param {string} id */
+const input = (id) => /** @type {HTMLInputElement} */ (find(id));
+/** @param {string} id */
+const choice = (id) => /** @type {HTMLSelectElement} */ (find(id));
+/** @param {string} id */
+const canvas = (id) => /** @type {HTMLCanvasElement} */ (find(id));
+/** @param {number} value @param {string} unit three figures and a prefix */
+const told = (value, unit) => {
+  const size = Math.abs(value);
+  const [factor, prefix] = size >= 1e6 ? [1e6, "M"] : size >= 1e4 ? [1e3, "k"] : [1, ""];
+  return `${Number((value / factor).toPrecision(3))} ${prefix}${unit}`;
+};
+/** @param {number} seconds */
+const milliseconds = (seconds) => `${Number((1e3 * seconds).toPrecision(4))} ms`;
+
+class Lab {
+  /** @param {Scene[]} scenes */
+  constructor(scenes) {
+    this.scenes = scenes;
+    this.drawing = new Drawing(canvas("rope"));
+    this.strip = new EnergyStrip(canvas("energy"));
+    this.playing = false;
+    this.owed = 0; // simulated time that the clock is ahead [s]
+    /** @type {number | null} */ this.hover = null;
+    this.last = 0;
+    for (const [i, scene] of scenes.entries())
+      choice("scene").add(new Option(scene.name, String(i)));
+    this.#listen();
+    this.choose(0);
+    requestAnimationFrame((now) => this.#picture(now));
+  }
+
+  /** Take a scene with its own values. @param {number} index */
+  choose(index) {
+    this.scene = this.scenes[index];
+    find("about").textContent = this.scene.about;
+    this.base = new Rope(this.scene);
+    const own = METHODS.find((method) => method === this.scene?.method) ?? METHODS[0];
+    choice("method").value = own;
+    input("k").value = "0";
+    input("c").value = "0";
+    input("step").value = String(Math.log10(this.scene.step));
+    input("g").value = String(Math.hypot(...this.scene.gravity));
+    this.restart();
+  }
+
+  /** Begin at time zero, with the values that the controls have. */
+  restart() {
+    const { scene } = this;
+    if (!scene) return;
+    this.rope = new Rope(scene);
+    this.tension = new Float64Array(this.rope.n);
+    this.largest = 0;
+    this.broken = false;
+    this.owed = 0;
+    find("broken").hidden = true;
+    this.apply();
+    const whole = scene.length.reduce((sum, one) => sum + one, 0);
+    this.drawing.look(...this.#plane());
+    this.drawing.fit(this.rope, whole / scene.ropes.length);
+    this.strip.clear(this.rope.energies().gravity);
+    this.#draw();
+  }
+
+  /** The two axes that show most: up, and the way across along which the ropes extend. @returns {[number[], number[]]} */
+  #plane() {
+    const { up, x } = /** @type {Scene} */ (this.scene);
+    const spans = x.map((row, k) => (1 - Math.abs(up[k])) * (Math.max(...row) - Math.min(...row)));
+    const best = Math.max(...spans);
+    const axis = best > 0 ? spans.indexOf(best) : up.findIndex((part) => Math.abs(part) < 0.5);
+    return [[0, 1, 2].map((k) => (k === axis ? 1 : 0)), up];
+  }
+
+  /** Bring the values of the controls to the rope, and say what they mean for its stability. */
+  apply() {
+    const { rope, base, scene } = this;
+    if (!rope || !base || !scene) return;
+    const [k, c] = [10 ** Number(input("k").value), this.#friction()];
+    for (let j = 0; j < rope.n - 1; j++) {
+      rope.stiffness[j] = k * base.stiffness[j];
+      rope.vector[j] = c * base.vector[j];
+      rope.axial[j] = c * base.axial[j];
+    }
+    const pull = Number(input("g").value);
+    rope.gravity = scene.up.map((part) => -pull * part + 0);
+    rope.renew();
+    this.method = /** @type {Method} */ (choice("method").value);
+    this.step = 10 ** Number(input("step").value);
+    this.bound = largestStep(rope, this.method);
+    const live = base.stiffness.findIndex((value) => value > 0);
+    const rubs = base.vector[live] + base.axial[live];
+    find("k-shown").textContent = told(rope.stiffness[live] ?? 0, "N/m");
+    find("c-shown").textContent = rubs ? told(c * rubs, "N s/m") : "none in this scene";
+    find("step-shown").textContent = milliseconds(this.step);
+    find("g-shown").textContent = `${pull.toFixed(2)} m/s²`;
+    this.#meter();
+  }
+
+  /** @returns {number} the factor of the friction: none at the slider's left end */
+  #friction() {
+    const slider = input("c");
+    return slider.value === slider.min ? 0 : 10 ** Number(slider.value);
+  }
+
+  #meter() {
+    const [step, bound] = [this.step ?? 1, this.bound ?? 1];
+    const share = step / bound;
+    const kind = share > 1 ? "over" : share > 0.9 ? "near" : "well";
+    find("needle").style.width = `${100 * Math.min(share / 1.25, 1)}%`;
+    find("needle").className = `needle ${kind}`;
+    const limit = `the largest stable step is ${milliseconds(bound)}`;
+    find("verdict").textContent =
+      share > 1
+        ? `Unstable: the step is ${Number(share.toPrecision(3))} times too long; ${limit}.`
+        : `Stable: ${Math.round(100 * share)} % of what holds; ${limit}.`;
+  }
+
+  #listen() {
+    choice("scene").onchange = () => this.choose(Number(choice("scene").value));
+    for (const id of ["k", "c", "step", "g"]) input(id).oninput = () => this.apply();
+    choice("method").onchange = () => this.apply();
+    find("play").onclick = () => this.play(!this.playing);
+    find("once").onclick = () => {
+      this.play(false);
+      this.advance(1);
+      this.#draw();
+    };
+    for (const id of ["restart", "again"]) find(id).onclick = () => this.restart();
+    find("shorten").onclick = () => {
+      input("step").value = String(Math.log10(SAFE * (this.bound ?? 1e-3)));
+      this.restart();
+      this.play(true);
+    };
+    const board = canvas("rope");
+    /** @param {PointerEvent} event @returns {[number, number]} */
+    const at = (event) => {
+      const [ratio, box] = [devicePixelRatio || 1, board.getBoundingClientRect()];
+      return [ratio * (event.clientX - box.left), ratio * (event.clientY - box.top)];
+    };
+    board.onpointermove = (event) => {
+      if (!this.rope) return;
+      if (this.rope.hand) this.#lead(...at(event));
+      else {
+        const { node, away } = this.drawing.nearest(this.rope, ...at(event));
+        this.hover = away < REACH * (devicePixelRatio || 1) ? node : null;
+      }
+      if (!this.playing) this.#draw();
+    };
+    board.onpointerdown = (event) => {
+      if (this.hover === null || !this.rope || this.broken) return;
+      if (this.rope.anchors.some((anchor) => anchor.held && anchor.node === this.hover)) return;
+      board.setPointerCapture(event.pointerId);
+      this.rope.inverse[this.hover] = 0;
+      const at = this.rope.x.map((row) => row[this.hover ?? 0]);
+      const { left, right } = this.drawing.box;
+      this.rope.hand = { node: this.hover, at, to: [...at], speed: HAND * (right - left) };
+    };
+    board.onpointerup = board.onpointercancel = () => {
+      const { rope } = this;
+      if (!rope?.hand) return;
+      rope.inverse[rope.hand.node] = 1 / rope.mass[rope.hand.node];
+      rope.hand = null;
+      rope.renew();
+    };
+  }
+
+  /** Lead the node in hand to a pixel, in the plane that is seen. @param {number} px @param {number} py */
+  #lead(px, py) {
+    const { rope } = this;
+    if (!rope?.hand) return;
+    const [across, up] = this.#plane();
+    const [x, y] = this.drawing.place(px, py);
+    const now = rope.hand.to;
+    const deep = now.map((value, k) => (across[k] || up[k] ? 0 : value));
+    rope.hand.to = deep.map((value, k) => value + across[k] * x + up[k] * y);
+  }
+
+  /** @param {boolean} on */
+  play(on) {
+    this.playing = on && !this.broken;
+    find("play").textContent = this.playing ? "Pause" : "Play";
+  }
+
+  /** Take steps until there are enough, or it breaks. @param {number} steps */
+  advance(steps) {
+    const { rope } = this;
+    if (!rope || this.broken) return;
+    for (let i = 0; i < steps; i++) {
+      rope.step(this.method ?? METHODS[0], this.step ?? 1e-3);
+      if ((i & 7) === 7 || i === steps - 1) this.#look();
+      if (this.broken) return;
+    }
+  }
+
+  #look() {
+    const { rope, tension } = this;
+    if (!rope || !tension) return;
+    rope.tensions(tension);
+    if (!rope.isBroken()) {
+      const now = Math.max(...tension.subarray(0, rope.n - 1));
+      this.largest = Math.max(this.largest ?? 0, now);
+      return;
+    }
+    this.broken = true;
+    this.play(false);
+    const [step, bound] = [this.step ?? 0, this.bound ?? 0];
+    find("why").textContent =
+      step > bound
+        ? `After ${rope.time.toPrecision(3)} s. With this stiffness and mass a step may be at most ` +
+          `${milliseconds(bound)}; it is ${milliseconds(step)}. In one step the springs push a node past where ` +
+          "it should be, in the next they push it back farther still: the zigzag grows until nothing is left."
+        : `After ${rope.time.toPrecision(3)} s. The step is short enough: something pulled the rope beyond ` +
+          "ten times its length.";
+    find("shorten").hidden = step <= bound;
+    find("broken").hidden = false;
+  }
+
+  /** @param {number} now [ms] */
+  #picture(now) {
+    const passed = Math.min((now - this.last) / 1e3, 0.1);
+    this.last = now;
+    if (this.playing) {
+      const step = this.step ?? 1e-3;
+      this.owed += passed * Number(choice("pace").value);
+      const until = performance.now() + BUDGET;
+      while (this.owed >= step && !this.broken && performance.now() < until) {
+        const steps = Math.min(Math.floor(this.owed / step), 16);
+        this.advance(steps);
+        this.owed -= steps * step;
+      }
+      this.owed = Math.min(this.owed, 0.1); // a machine that is too slow shows it slower
+      if (this.rope) this.strip.add(this.rope.time, this.rope.energies());
+      this.#draw();
+    }
+    requestAnimationFrame((then) => this.#picture(then));
+  }
+
+  #draw() {
+    const { rope, tension, scene } = this;
+    if (!rope || !tension || !scene) return;
+    rope.tensions(tension);
+    const now = this.broken ? NaN : Math.max(...tension.subarray(0, rope.n - 1), 0);
+    const top = this.drawing.largest;
+    if (!this.broken) this.drawing.largest = Math.max(now, 0.98 * top, 1e-9);
+    this.drawing.draw(rope, tension, scene.ropes, this.hover);
+    this.strip.draw();
+    find("state").textContent = `t = ${rope.time.toFixed(2)} s`;
+    const numbers = [
+      ["largest tension now", this.broken ? "none: it is broken" : told(now, "N")],
+      ["largest tension so far", told(this.largest ?? 0, "N")],
+    ];
+    find("numbers").replaceChildren(
+      ...numbers.flatMap(([name, value]) => {
+        const [term, text] = [document.createElement("dt"), document.createElement("dd")];
+        [term.textContent, text.textContent] = [name, value];
+        return [term, text];
+      }),
+    );
+  }
+}
+
+const scenes = JSON.parse(find("scenes").textContent ?? "[]");
+const lab = new Lab(scenes);
+// for tests and for the curious: the kernel itself
+Object.assign(window, { ropewalkLab: { lab, scenes, Rope, largestStep } });

@@ -1,0 +1,46 @@
+"""`ropewalk lab`: a page in which ropes run in the browser itself."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from ropewalk.cli.console import say
+from ropewalk.cli.errors import Refusal
+from ropewalk.cli.files import free_name, refuse_existing
+from ropewalk.cli.sources import load_scene, named, set_option
+
+
+@click.command()
+@click.argument("scenes", nargs=-1, metavar="[SCENE]...")
+@click.option(
+    "-o",
+    "--output",
+    type=click.Path(path_type=Path),
+    metavar="FILE",
+    help="File that ends in .html; default: lab.html.",
+)
+@set_option
+@click.option("--overwrite", is_flag=True, help="Replace a file that is there.")
+def lab(
+    scenes: tuple[str, ...], output: Path | None, overrides: tuple[str, ...], overwrite: bool
+) -> None:
+    """Write a page in which ropes run in the browser itself: no server, no network, no Python.
+
+    A visitor changes spring constant, friction, step, method and gravity, pulls the rope, and breaks it; a
+    meter says what step holds. By default with the student report's ropes. SCENE may have springs or
+    materials, friction, loads, kicks, and anchors that stand, move straight or let go.
+    """
+    path = output or free_name(Path("lab.html"))
+    if path.suffix.lower() not in (".html", ".htm"):
+        raise Refusal(f"{path}: must end in .html")
+    refuse_existing(path, overwrite=overwrite)
+    from ropewalk.live.lab import lab_scene, write_lab
+
+    loaded = [load_scene(source, overrides) for source in scenes]
+    for source, scene in zip(scenes, loaded, strict=True):
+        with named(source):
+            lab_scene(scene)
+    write_lab(path, loaded)
+    say(str(path))

@@ -1,0 +1,37 @@
+"""`ropewalk lab`: a page that runs ropes by itself."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+from typing import Any
+
+
+def test_the_lab_is_one_file_with_its_scenes(ropewalk: Any, tmp_path: Path) -> None:
+    assert ropewalk("lab").stdout == "lab.html\n"
+    assert ropewalk("lab", "r1", "r4", "--set", "run.time_step=0.001").stdout == "lab-2.html\n"
+    page = (tmp_path / "lab-2.html").read_text(encoding="utf-8")
+    assert not re.search(r'(src|href)="(?!data:)', page)  # nothing from elsewhere
+    (data,) = re.findall(r'<script type="application/json" id="scenes">(.*?)</script>', page)
+    scenes = json.loads(data)
+    assert [len(scene["mass"]) for scene in scenes] == [2, 41]
+    assert all(scene["step"] <= 0.001 for scene in scenes)
+
+
+def test_no_name_becomes_code(ropewalk: Any, tmp_path: Path) -> None:
+    name = "</script><script>alert(1)</script>"
+    done = ropewalk("lab", "r1", "--set", f"name={json.dumps(name)}", "-o", "a.html")
+    assert done.exit_code == 0
+    assert "alert(1)</script>" not in (tmp_path / "a.html").read_text(encoding="utf-8")
+
+
+def test_bad_labs(ropewalk: Any) -> None:
+    for options, text in (
+        (("n40",), "the lab has no air"),
+        (("r1", "-o", "lab.pdf"), "must end in .html"),
+        (("r99",), "no preset of that name"),
+    ):
+        done = ropewalk("lab", *options)
+        assert done.exit_code == 2
+        assert text in done.stderr
