@@ -13,9 +13,11 @@ with winches. An island that broke can be ended: it stays as it is, and the othe
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor, wait
+from contextlib import contextmanager
 from dataclasses import replace
+from threading import local
 from time import perf_counter
 
 import numpy as np
@@ -32,9 +34,10 @@ from ropewalk.methods.registry import METHODS
 from ropewalk.partition import partition
 from ropewalk.shares import collect, gather_peaks, held_frames, shares_of
 from ropewalk.slices import Edges, Slices
+from ropewalk.spare import Spare
 from ropewalk.start import started
 
-#: So many threads move islands side by side; 1 where other processes keep the processors busy.
+#: So many threads move islands side by side, where none is told to work alone (`one_after_another`).
 threads = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 ROUND = (
     2.0  # [s] about so long are all islands moved in one call; one that is stopped early is lost
@@ -42,8 +45,26 @@ ROUND = (
 LONG = 2e-3  # [s] a call that takes longer is worth threads
 
 
-def make_engine(model: Model, ledger: bool, apart: bool = False) -> Engine | Islands:
-    """Return what moves a model as its run starts; `apart`: see `partition`.
+_here = local()  # what is so in one thread only
+
+
+@contextmanager
+def one_after_another() -> Iterator[None]:
+    """Have this thread move islands by itself: others have work for every processor."""
+    before = getattr(_here, "alone", False)
+    _here.alone = True
+    try:
+        yield
+    finally:
+        _here.alone = before
+
+
+def make_engine(
+    model: Model, ledger: bool, apart: bool = False, spare: Spare | None = None
+) -> Engine | Islands:
+    """Return what moves a model as its run starts, in the arrays of `spare` where they fit.
+
+    `apart`: see `partition`.
 
     Raises SceneError and NoRest as `start.started` does.
     """
@@ -51,7 +72,8 @@ def make_engine(model: Model, ledger: bool, apart: bool = False) -> Engine | Isl
     if len(groups) > 1:
         return Islands(model, groups, ledger=ledger)
     model = started(model)
-    return Engine(model, controls_of(model.system), ledger=ledger)
+    room = None if spare is None else spare.filled(model.state)
+    return Engine(model, controls_of(model.system), ledger=ledger, room=room)
 
 
 class Islands:
@@ -272,7 +294,8 @@ class Islands:
                 return Moved(OK, frames, 0)
             return _go(self.engines[k], slices[k], now.copy(), frames, outs[k], stop, asked)
 
-        if threads > 1 and self._seconds * frames > LONG:
+        alone = threads == 1 or getattr(_here, "alone", False)
+        if not alone and self._seconds * frames > LONG:
             done = self._go_beside(go)
         else:
             done = [go(k) for k in range(len(self.engines))]

@@ -29,6 +29,7 @@ from ropewalk.methods.watch import watch
 from ropewalk.motions.table import HAND
 from ropewalk.scene import Scene
 from ropewalk.slices import Edges
+from ropewalk.spare import Spare
 
 if TYPE_CHECKING:
     from ropewalk.live.view import View
@@ -75,15 +76,23 @@ class Simulation(Driven):
     Positions are views, (nodes, 3) [m], of all ropes one after another (`layout` says where each is).
     """
 
-    def __init__(self, scene: Scene | Model, *, ledger: bool = True, apart: bool = False) -> None:
+    def __init__(
+        self,
+        scene: Scene | Model,
+        *,
+        ledger: bool = True,
+        apart: bool = False,
+        spare: Spare | None = None,
+    ) -> None:
         """Build the scene. With `ledger` the work of every law is added up in every step.
 
-        With `apart` every rope breaks by itself, in explicit methods, too; no motion depends on it.
+        With `apart` every rope breaks by itself, in explicit methods, too; no motion depends on it. The state
+        lies in the arrays of `spare` where they fit: no other simulation in them can go on then.
 
         Raises SceneError when the scene cannot be planned, or starts at rest and has no rest shape.
         """
         model = scene if isinstance(scene, Model) else build(scene)
-        self._engine, self.apart = make_engine(model, ledger, apart), apart
+        self._engine, self.apart = make_engine(model, ledger, apart, spare), apart
         self.model = self._engine.model
         self.scene, self.layout, self.plan = self.model.scene, self.model.layout, self.model.plan
         self.system, self._state = self._engine.system, self._engine.state
@@ -236,7 +245,7 @@ class Simulation(Driven):
         if self._dt != self.plan.dt:  # after a step of another length
             self._start, self._dt, self._step = self.time, self.plan.dt, 0
         self._set_off(frames * self.plan.frame_interval)
-        before = self.state if not keep_going else None
+        before = None if keep_going or not frames else self.state
         self._forget_break()
         out = out or make_recording(self._state, frames, self._winches)
         start, first = self._start, self._step

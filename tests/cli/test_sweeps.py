@@ -11,6 +11,7 @@ import pytest
 from click.testing import Result
 
 import ropewalk as rw
+from ropewalk.live.replay import ReplayStage
 
 Call = Callable[..., Result]
 VARY = ("--vary", "rope.made_of.spring_constant=500,1000,1e7", "--on", "here")
@@ -133,6 +134,12 @@ def test_uncertain_runs(ropewalk: Call, scene: Path, tmp_path: Path) -> None:
     assert "goes with --uncertain" in refused.output
 
 
+def replaying(scene: rw.Scene, stiffness: float) -> ReplayStage:
+    """A stage that shows a run of its own with this spring constant."""
+    made = scene.replace(**{"rope.made_of.spring_constant": stiffness})
+    return ReplayStage(rw.simulate(made))
+
+
 def test_a_run_of_a_sweep_is_shown(
     ropewalk: Call, scene: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -141,9 +148,19 @@ def test_a_run_of_a_sweep_is_shown(
     monkeypatch.setattr(
         "ropewalk.cli.commands.view._serve", lambda make, *_: shown.append(make(None)) or 0
     )
+    own = replaying(rw.load(scene), 1000.0)
+    other = replaying(rw.load(scene), 1000.0 * (1.0 + 2.0**-52))
     assert ropewalk("view", "s", "--run", 1).exit_code == 0
     (server,) = shown
     server.stop("")
+    served = server.stage.parts[0].result
+    mine = own.parts[0].result
+    assert served.source.names == mine.source.names
+    for name in ("time", *mine.source.names):
+        assert served.read(name).tobytes() == mine.read(name).tobytes(), name
+    frames = list(server.stage.frames_between(0, mine.frames, 1))
+    assert frames == list(own.frames_between(0, mine.frames, 1))  # as they go to the page
+    assert served.read("tension").tobytes() != other.parts[0].result.read("tension").tobytes()
     assert "say which run" in ropewalk("view", "s").output
     assert "has no run 9" in ropewalk("view", "s", "--run", 9).output
     assert "is no sweep" in ropewalk("view", scene, "--run", 1).output

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import json
+import os
+import subprocess
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -10,10 +14,11 @@ import numpy as np
 import pytest
 
 import ropewalk as rw
+from ropewalk import islands
 from ropewalk.record.errors import RunError
-from ropewalk.sweeps import worker
+from ropewalk.sweeps import engines, worker
 from ropewalk.sweeps.worker import packed_rows, unpacked_rows
-from sweeps.scenes import EA, STIFF, same, swing
+from sweeps.scenes import EA, SCENE, STIFF, same, swing
 
 VARY = {EA: STIFF, "rope.length": [1.9, 2.0, 2.1]}
 
@@ -111,3 +116,131 @@ def test_a_cluster_of_its_own_listens_to_this_machine_only() -> None:
         assert all("//127.0.0.1:" in address for address in addresses)
         assert "127.0.0.1" in own.dashboard_link
     assert "dashboard: http://127.0.0.1" in told[0]
+
+
+APART = """
+[[rope]]
+name = "{name}"
+segments = 4
+length = 2.0
+[rope.made_of]
+kind = "material"
+EA = 2000.0
+mass_per_length = 0.1
+[rope.shape]
+kind = "straight"
+start = [0.0, {y}, 0.0]
+end = [2.0, {y}, 0.0]
+"""
+
+
+def test_workers_take_no_threads_beside_their_own(
+    client: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """There is a worker for every processor already; alone, islands are moved side by side."""
+    settings = '[run]\nduration = 0.04\nmethod = "sdirk2"\ntime_step = 0.01\n'
+    ropes = "".join(APART.format(name=name, y=float(y)) for y, name in enumerate("ab"))
+    scene = rw.loads(settings + ropes)
+    used: list[str] = []
+    beside = islands.Islands._go_beside
+
+    def noted(self: Any, go: Any) -> Any:
+        used.append("threads")
+        return beside(self, go)
+
+    monkeypatch.setattr(islands, "threads", 2)
+    monkeypatch.setattr(islands, "LONG", -1.0)
+    monkeypatch.setattr(islands.Islands, "_go_beside", noted)
+    ask = {"samples": 4, "design": "random", "seed": 1, "keep": "positions[-1]", "progress": False}
+    here = rw.sweep(scene, {"gravity[2]": (-9.9, -9.7)}, on="here", **ask)
+    assert used
+    rows = packed_rows([[float(value)] for value in here.gravity_2.values])
+    function = rw.sweep.function(scene, ["gravity[2]"], "positions[-1]")
+    job = {"recipe": json.dumps(function.recipe.plain()), "source": function.recipe.source}
+    used.clear()
+    made = client.submit(worker.make_batch, job | {"folder": "", "id": ""}, 0, rows).result()
+    assert used == []
+    there = worker.unpacked(made["batch"]).kept["positions_last"]
+    assert same(there, here.positions_last.values)
+
+
+def test_kernels_are_compiled_before_any_worker_makes_a_batch(
+    client: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Once in this process, which then starts the workers, and once on every other machine."""
+    done: list[str] = []
+    make, client_of, submit = worker.Batcher.make, engines.client_of, client.submit
+
+    def making(self: Any, rows: Any) -> Any:
+        done.append("run")
+        return make(self, rows)
+
+    def starting(*args: Any) -> Any:
+        done.append("workers")
+        return client_of(*args)
+
+    def giving(function: Any, *args: Any, **options: Any) -> Any:
+        place = f" at {options['workers'][0]}" if "workers" in options else ""
+        done.append(function.__name__ + place)
+        future = submit(function, *args, **{k: v for k, v in options.items() if k != "workers"})
+        result = future.result
+        future.result = lambda *a: (done.append(f"{function.__name__} done"), result(*a))[1]
+        return future
+
+    hosts = {"tcp://a:1": "a", "tcp://a:2": "a", "tcp://b:1": "b", "tcp://b:2": "b"}
+    about = {"workers": {address: {"host": host} for address, host in hosts.items()}}
+    monkeypatch.setattr(worker.Batcher, "make", making)
+    monkeypatch.setattr(engines, "client_of", starting)
+    monkeypatch.setattr(client, "submit", giving)
+    monkeypatch.setattr(client, "scheduler_info", lambda **_: about)
+    rw.sweep(swing(0.02), VARY, batch=2, on=client, progress=False)
+    told = [what for what in done if what != "run"]
+    assert done[0] == "run"  # compiles here, before there are workers
+    assert told[0] == "workers"
+    assert told[1:5] == [
+        *("warm_up at tcp://a:2", "warm_up at tcp://b:2"), *["warm_up done"] * 2
+    ]  # fmt: skip
+    assert told[5] == "make_batch"
+    assert not any(what.startswith("warm_up") for what in told[5:])
+    seen: list[Any] = []
+    monkeypatch.setattr(worker.Batcher, "compile", lambda self, row: seen.append(row[0]))
+    methods = {"method": ["verlet", "rk4"], **VARY}
+    rw.sweep(swing(0.02), methods, batch=2, on=client, progress=False)
+    assert set(seen) == {"verlet", "rk4"}
+
+
+COUNTED = """
+import os, sys, threading
+import ropewalk as rw
+from distributed import Client, LocalCluster
+
+def compiled():
+    import gc
+    from numba.core.dispatcher import Dispatcher
+    found = [one for one in gc.get_objects() if isinstance(one, Dispatcher)]
+    mine = [one for one in found if one.py_func.__module__.startswith("ropewalk")]
+    return [sum(sum(getattr(one.stats, kind).values()) for one in mine)
+            for kind in ("cache_misses", "cache_hits")]
+
+if __name__ == "__main__":
+    scene = rw.load(sys.argv[1])
+    with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster:
+        with Client(cluster) as client:
+            rw.sweep(scene, {"rope.made_of.EA": [1e3, 2e3, 3e3, 4e3, 5e3, 6e3]}, batch=1, on=client)
+            print(compiled(), *client.run(compiled).values(), sep="\\n")
+"""
+
+
+@pytest.mark.slow
+def test_no_worker_compiles_what_this_process_has_compiled(tmp_path: Path) -> None:
+    """With an empty cache: the kernels are compiled once, and every worker finds them."""
+    (tmp_path / "scene.toml").write_text(SCENE.format(duration=0.02))
+    (tmp_path / "script.py").write_text(COUNTED.replace("\\\\", "\\"))
+    environ = os.environ | {"ROPEWALK_CACHE_DIR": str(tmp_path / "cache")}
+    environ["PYTHONPATH"] = str(Path(rw.__file__).parents[1])
+    words = [sys.executable, str(tmp_path / "script.py"), str(tmp_path / "scene.toml")]
+    told = subprocess.run(words, env=environ, check=True, capture_output=True, text=True).stdout
+    mine, *others = [json.loads(line) for line in told.splitlines() if line.startswith("[")]
+    assert mine[0] > 0
+    assert len(others) == 2
+    assert all(misses == 0 and hits > 0 for misses, hits in others), told

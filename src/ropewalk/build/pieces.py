@@ -45,8 +45,7 @@ def same(one: Any, other: Any) -> bool:
     if kind is float:  # 0.0 is not -0.0
         return bool(one == other and (one != 0.0 or repr(one) == repr(other)))
     if isinstance(one, tuple):
-        pairs = zip(one, other, strict=False)
-        return len(one) == len(other) and all(a is b or same(a, b) for a, b in pairs)
+        return len(one) == len(other) and all(map(same, one, other))
     if kind is np.ndarray:
         return bool(one.shape == other.shape and one.tobytes() == other.tobytes())
     return isinstance(one, (int, str, Layout)) and bool(one == other)

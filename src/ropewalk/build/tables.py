@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from functools import partial
 from typing import Any
 
@@ -217,7 +218,7 @@ def _system(scene: Scene, layout: Layout, state: State, keep: Pieces) -> System:
         ground=keep("ground", _ground, scene.ground, scene.up),
         limiter=keep("limiter", _limiter, limiter, order),
         anchors=keep("anchors", anchor_tables, scene.anchors, origins, state.anchor_node),
-        winches=_winches(scene, layout),
+        winches=_winches(scene, layout) if scene.winches else keep("no winches", _table_of, ()),
         bending=no_bending(),
         kinks=np.zeros(0),
     )
@@ -305,6 +306,10 @@ def _winches(scene: Scene, layout: Layout) -> Winches:
                 line_density(rope),
             )
         )
+    return _table_of(rows)
+
+
+def _table_of(rows: Sequence[tuple[float, ...]]) -> Winches:
     columns = np.array(rows, dtype=np.float64).reshape(-1, 15).T
     anchor, first, last, step = (column.astype(np.int64) for column in columns[:4])
     rest = (np.ascontiguousarray(column) for column in columns[4:])

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import platform
 import sys
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import dataclass, field, replace
 from datetime import UTC, datetime
+from functools import cache
 from typing import Any
 
 from ropewalk.build import Plan
@@ -46,6 +47,13 @@ def now() -> str:
 
 def provenance(plan: Plan, ledger: bool, keep_going: bool) -> dict[str, Any]:
     """Return what made a run: versions, machine, method, steps, start time."""
+    run = {"plan": dict(vars(plan)), "ledger": ledger, "keep_going": keep_going, "started": now()}
+    return _made_with() | run
+
+
+@cache
+def _made_with() -> dict[str, Any]:
+    """What all runs of a process are made with."""
     import numba
     import numpy as np
 
@@ -60,8 +68,4 @@ def provenance(plan: Plan, ledger: bool, keep_going: bool) -> dict[str, Any]:
         "platform": platform.platform(),
         "machine": platform.machine(),
         "byte_order": sys.byteorder,
-        "plan": asdict(plan),
-        "ledger": ledger,
-        "keep_going": keep_going,
-        "started": now(),
     }

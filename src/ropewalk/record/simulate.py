@@ -19,6 +19,7 @@ from ropewalk.record.source import Memory
 from ropewalk.record.watch import Watch
 from ropewalk.scene import Scene
 from ropewalk.simulation import Simulation
+from ropewalk.spare import Spare
 
 #: Called after every block with the frames done, frames planned and the block.
 Progress = Callable[[int, int, Block], None]
@@ -159,12 +160,15 @@ def simulate_in_memory(
     progress: Progress | None = None,
     ledger: bool = True,
     explain: Explain = no_explanation,
+    spare: Spare | None = None,
 ) -> Result:
     """Run a scene to its end or its break and return what it recorded, the initial frame included.
 
+    `spare` has arrays that the run may work in.
+
     Raises SceneError when the scene cannot be planned, MemoryError when the frames do not fit.
     """
-    simulation = Simulation(scene, ledger=ledger, apart=True)
+    simulation = Simulation(scene, ledger=ledger, apart=True, spare=spare)
     runner = Runner(simulation, keep_going, explain)
     plan = simulation.plan
     simulation.advance_frames(0)  # compiles, where it is not done yet, outside the clock

@@ -5,6 +5,7 @@ from __future__ import annotations
 import inspect
 import math
 from collections.abc import Iterable, Mapping, Sequence
+from functools import cache
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, TypeVar, dataclass_transform
 
 from pydantic import (
@@ -139,6 +140,18 @@ def listed(description: str, toml: str, python: str, *, default: tuple[()]) -> A
     )
 
 
+@cache
+def _units(model: type[BaseModel]) -> dict[str, str]:
+    """Return the units of a model's quantities, by name."""
+    found = {}
+    for name, field in model.model_fields.items():
+        extra = field.json_schema_extra
+        unit = extra.get("unit") if isinstance(extra, Mapping) else None
+        if field.annotation is not int and isinstance(unit, str):
+            found[name] = unit
+    return found
+
+
 def refuse(faults: Iterable[Fault]) -> None:
     """Raise, inside a pydantic validator, all the faults found (paths relative to the model)."""
     found = list(faults)
@@ -188,18 +201,10 @@ class Model(BaseModel, metaclass=_Sentences):
         """Take quantities with a unit, such as "12 mm", as numbers in the field's own unit."""
         if not isinstance(data, Mapping):
             return data
-        changed = dict(data)
+        units, changed = _units(cls), dict(data)
         for name, value in data.items():
-            if isinstance(value, bool | int | float) or name not in cls.model_fields:
-                continue
-            field = cls.model_fields[name]
-            extra = field.json_schema_extra
-            if (
-                field.annotation is not int
-                and isinstance(extra, Mapping)
-                and isinstance(extra.get("unit"), str)
-            ):
-                changed[name] = in_unit(value, str(extra["unit"]))
+            if name in units and not isinstance(value, bool | int | float):
+                changed[name] = in_unit(value, units[name])
         return changed
 
     #: What the model is, without its fields.

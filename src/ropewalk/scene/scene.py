@@ -137,11 +137,12 @@ class Scene(Model):
     def _fill_in_method(self) -> None:
         """Give ropes of springs alone the method of their report where none is said."""
         springs = all(isinstance(rope.made_of, Springs) for rope in self.ropes)
-        if springs and "method" not in self.run.model_fields_set:
+        if not springs or "method" in self.run.model_fields_set:
+            return
+        method = "semi-implicit-euler"  # still not said, so that `replace` asks anew
+        if self.run.method != method:  # settings of another scene have it already
             run = self.run.model_copy()
-            run.__dict__["method"] = (
-                "semi-implicit-euler"  # still not said, so that `replace` asks anew
-            )
+            run.__dict__["method"] = method
             self.__dict__["run"] = run
 
     def _fill_in_names(self) -> None:

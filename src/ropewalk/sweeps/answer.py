@@ -58,8 +58,10 @@ def _told_of_damage(sweep: SweepFolder) -> Iterator[None]:
 def _stored(sweep: SweepFolder) -> xr.Dataset:
     import xarray as xr
 
-    found: xr.Dataset = xr.open_zarr(sweep.folder / DATA, chunks=None).drop_vars(DONE)
+    store = sweep.folder / DATA
+    found: xr.Dataset = xr.open_zarr(store, chunks=None, drop_variables=["run", DONE])
     found = found.assign_attrs(sweep=str(sweep.folder))
+    found = found.assign_coords(_numbers(sweep.plan.runs))
     plan, unmarked = sweep.plan, sweep.unmarked_runs()
     if unmarked:
         status = found.status.load()
@@ -69,6 +71,17 @@ def _stored(sweep: SweepFolder) -> xr.Dataset:
     if plan.design != GRID or plan.runs * (plan.run_bytes + _TEXT_BYTES) > MOST_BYTES:
         return found
     return as_grid(found.load(), plan)
+
+
+def _numbers(runs: int) -> xr.Coordinates:
+    """Return the numbers of the runs as a coordinate whose index takes no memory."""
+    import pandas as pd
+    import xarray as xr
+
+    index = xr.indexes.PandasIndex(pd.RangeIndex(runs, name="run"), "run")
+    found = xr.Coordinates.from_xindex(index)
+    found["run"].attrs["long_name"] = "number of the run"
+    return found
 
 
 def in_memory(sweep: SweepMemory) -> xr.Dataset:

@@ -17,6 +17,8 @@ from ropewalk.record.rest import rest_result
 from ropewalk.record.result import Result
 from ropewalk.record.simulate import simulate_in_memory
 from ropewalk.scene import Scene, SceneError, dumps, loads
+from ropewalk.simulation import Simulation
+from ropewalk.spare import Spare
 from ropewalk.statics import NoRest
 from ropewalk.sweeps.identity import sweep_hash
 from ropewalk.sweeps.keep import Kept, parse
@@ -119,6 +121,7 @@ class Batcher:
         self.recipe = recipe
         self.keep: tuple[Kept, ...] = tuple(parse(text) for text in recipe.keep)
         self._workshop = Workshop(loads(recipe.scene), recipe.paths, recipe.kinds)
+        self._spare = Spare()
 
     def make(self, rows: Sequence[Sequence[Any]]) -> Batch:
         """Make the runs of these values; a run that breaks is a row like others, its values NaN."""
@@ -157,19 +160,27 @@ class Batcher:
 
     def run(self, row: Sequence[Any]) -> Result:
         """Make the run (or the equilibrium) of these values. Raises SceneError, NoRest."""
-        return result_of(self._workshop.model(row), self.recipe.what)
+        return result_of(self._workshop.model(row), self.recipe.what, self._spare)
+
+    def compile(self, row: Sequence[Any]) -> None:
+        """Have the kernels compiled that the run of these values calls. Raises SceneError, NoRest."""
+        model = self._workshop.model(row)
+        if self.recipe.what == REST:
+            rest_result(model)
+        else:
+            Simulation(model).advance_frames(0)
 
     def scene(self, row: Sequence[Any]) -> Scene:
         """Return the scene of these values. Raises SceneError."""
         return self._workshop.scene(row)
 
 
-def result_of(model: Model, what: str) -> Result:
-    """Return the run of a model, or its equilibrium."""
+def result_of(model: Model, what: str, spare: Spare | None = None) -> Result:
+    """Return the run of a model, or its equilibrium; `spare` has arrays that it may work in."""
     if what == REST:
         return rest_result(model)
     with np.errstate(all="ignore"):
-        return simulate_in_memory(model, explain=explain)
+        return simulate_in_memory(model, explain=explain, spare=spare)
 
 
 def _put(out: Floats, value: Floats, kept: Kept) -> None:

@@ -14,6 +14,7 @@ from typing import Any, Protocol
 
 from ropewalk.record.errors import InputError, RunError
 from ropewalk.sweeps.batch import Batch
+from ropewalk.sweeps.parameters import TEXT
 from ropewalk.sweeps.plan import SweepPlan
 from ropewalk.sweeps.worker import (
     CARRIED,
@@ -30,6 +31,7 @@ from ropewalk.sweeps.worker import (
 WORTH_A_CLUSTER = 10.0
 #: Times a batch is given to another worker after one died with it.
 _TRIES = 4
+_MOST_TRIED = 64  # batches that are looked through, and runs whose kernels are compiled beforehand
 _AHEAD = 3  # batches in hand per worker's thread
 #: Messages that Dask keeps for its own diagnosis, with the values of a batch each; by default 1000.
 _LOGGED = {"distributed.admin.low-level-log-length": 50}
@@ -180,15 +182,27 @@ def _warm_up(client: Any, sink: Sink, job: dict[str, Any]) -> None:
     if not workers:
         client.wait_for_workers(1, timeout=120)
         return
-    row = packed_rows(sink.rows(0)[:1])
+    rows = packed_rows(_of_every_text(sink))
     calls = [
-        client.submit(warm_up, job["recipe"], row, workers=[address], pure=False)
+        client.submit(warm_up, job["recipe"], rows, workers=[address], pure=False)
         for address in first.values()
     ]
     for call in calls:
         with suppress(Exception):  # what is wrong shows with the first batch
             call.result()
         call.release()
+
+
+def _of_every_text(sink: Sink) -> list[list[Any]]:
+    """Return a run for every text that is varied, such as the method: it may call other kernels."""
+    plan = sink.plan
+    texts = [place for place, kind in enumerate(plan.recipe.kinds) if kind == TEXT]
+    found: dict[tuple[Any, ...], list[Any]] = {}
+    step = max(1, plan.batches // _MOST_TRIED) if texts else plan.batches
+    for number in range(0, plan.batches, step):
+        for row in sink.rows(number)[: None if texts else 1]:
+            found.setdefault(tuple(row[place] for place in texts), row)
+    return list(found.values())[:_MOST_TRIED]
 
 
 class _Hand:

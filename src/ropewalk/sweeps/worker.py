@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from ropewalk.islands import one_after_another
 from ropewalk.record.errors import RunError
 from ropewalk.sweeps.batch import GOOD, Batch, Batcher, Recipe
 from ropewalk.sweeps.identity import sweep_hash
@@ -60,7 +61,8 @@ def _made(job: dict[str, Any], number: int, columns: list[Any]) -> dict[str, Any
     store = _folder_of(job["folder"], job["id"]) if job["folder"] else None
     if store is not None and store.is_done(number):
         return {"number": number, "what": STORED, "broken": None}
-    batch = batcher_of(job["recipe"]).make(unpacked_rows(columns))
+    with one_after_another():  # a worker for every processor is there already
+        batch = batcher_of(job["recipe"]).make(unpacked_rows(columns))
     if store is None:
         return {"number": number, "what": CARRIED, "broken": batch.broken, "batch": packed(batch)}
     store.write(number, batch)
@@ -68,12 +70,14 @@ def _made(job: dict[str, Any], number: int, columns: list[Any]) -> dict[str, Any
 
 
 def warm_up(recipe: str, columns: list[Any]) -> str:
-    """Make some runs so that their kernels are compiled; return what went wrong, if anything."""
-    try:
-        batcher_of(recipe).make(unpacked_rows(columns))
-    except Exception as error:
-        return f"{type(error).__name__}: {error}"
-    return ""
+    """Have the kernels of some runs compiled; return what went wrong, if anything."""
+    wrong = ""
+    for row in unpacked_rows(columns):
+        try:
+            batcher_of(recipe).compile(row)
+        except Exception as error:
+            wrong = f"{type(error).__name__}: {error}"
+    return wrong
 
 
 def job_of(plan: SweepPlan, folder: Path | None) -> dict[str, Any]:
