@@ -3,6 +3,7 @@ import { test } from "node:test";
 
 import { isStable, largestStep } from "../src/lab/bounds.js";
 import { METHODS, Rope } from "../src/lab/kernel.js";
+import { tensions } from "../src/lab/measures.js";
 
 /** One mass of 0.5 kg on a spring of 200 N/m, in line with gravity. @param {object} [more] @returns {any} */
 const one = (more = {}) => ({
@@ -76,7 +77,7 @@ test("a slack segment of a rope that does not push carries nothing", () => {
     }),
   );
   const tension = new Float64Array(2);
-  rope.tensions(tension);
+  tensions(rope, tension);
   assert.equal(tension[0], 0);
   assert.equal(rope.a[2][1], 0);
   const pushes = new Rope(

@@ -11,7 +11,6 @@
 
 /** @type {Method[]} */
 export const METHODS = ["semi-implicit-euler", "verlet", "rk4"];
-const LONGEST = 10; // a segment stretched more than this is a broken simulation
 
 /** @param {number} n */
 const rows = (n) => [new Float64Array(n), new Float64Array(n), new Float64Array(n)];
@@ -115,7 +114,7 @@ export class Rope {
     }
   }
 
-  /** Take one step [s]; those of Verlet and Runge-Kutta in pieces where an anchor begins or ends to move within. @param {Method} method
+  /** Take one step [s], with Verlet and Runge-Kutta in pieces where an anchor begins or ends to move. @param {Method} method
    * @param {number} dt @param {number} [after] the time at its end, where that is known better than as a sum */
   step(method, dt, after = this.time + dt) {
     this.#lead(dt);
@@ -240,47 +239,5 @@ export class Rope {
       }
     }
     this.place(after, this.x, this.v);
-  }
-
-  /** What every segment carries, friction along it included [N]. @param {Float64Array} out */
-  tensions(out) {
-    const [x0, x1, x2] = this.x;
-    const [v0, v1, v2] = this.v;
-    for (let j = 0; j < this.n - 1; j++) {
-      const d = [x0[j + 1] - x0[j], x1[j + 1] - x1[j], x2[j + 1] - x2[j]];
-      const u = [v0[j + 1] - v0[j], v1[j + 1] - v1[j], v2[j + 1] - v2[j]];
-      const r = Math.sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
-      const loose = this.slack[j] && r < this.length[j];
-      const rate = r > 0 ? (d[0] * u[0] + d[1] * u[1] + d[2] * u[2]) / r : 0;
-      const carried = this.stiffness[j] * (r - this.length[j]);
-      out[j] = loose ? 0 : carried + (this.vector[j] + this.axial[j]) * rate;
-    }
-  }
-
-  /** Kinetic, elastic and gravity's energy [J], the last from the origin. */
-  energies() {
-    let [kinetic, elastic, gravity] = [0, 0, 0];
-    for (let i = 0; i < this.n; i++) {
-      for (let k = 0; k < 3; k++) {
-        kinetic += 0.5 * this.mass[i] * this.v[k][i] * this.v[k][i];
-        gravity -= this.mass[i] * this.gravity[k] * this.x[k][i];
-      }
-    }
-    for (let j = 0; j < this.n - 1; j++) {
-      const r = Math.hypot(...[0, 1, 2].map((k) => this.x[k][j + 1] - this.x[k][j]));
-      const more = this.slack[j] ? Math.max(r - this.length[j], 0) : r - this.length[j];
-      elastic += 0.5 * this.stiffness[j] * more * more;
-    }
-    return { kinetic, elastic, gravity };
-  }
-
-  /** Whether something is not finite, or stretched beyond reason. */
-  isBroken() {
-    for (let j = 0; j < this.n - 1; j++) {
-      const r = Math.hypot(...[0, 1, 2].map((k) => this.x[k][j + 1] - this.x[k][j]));
-      const live = this.length[j] > 0 && this.stiffness[j] > 0;
-      if (!(r <= (live ? LONGEST * this.length[j] : 1e150))) return true;
-    }
-    return this.v.some((row) => row.some((value) => !Number.isFinite(value)));
   }
 }

@@ -3,14 +3,14 @@
 import { largestStep } from "./bounds.js";
 import { Drawing } from "./draw.js";
 import { EnergyStrip } from "./energy.js";
+import { follow } from "./hand.js";
 import { METHODS, Rope } from "./kernel.js";
+import { energies, isBroken, tensions } from "./measures.js";
 
 /** @typedef {import("./kernel.js").Scene} Scene */
 /** @typedef {import("./kernel.js").Method} Method */
 
-const REACH = 40; // pixels from a node at which it can be taken
 const BUDGET = 11; // milliseconds of a picture for steps
-const HAND = 0.7; // widths of the drawing that a hand moves in a second, at most
 const SAFE = 0.8; // of the largest stable step
 
 /** @param {string} id */
@@ -73,14 +73,15 @@ class Lab {
     find("broken").hidden = true;
     this.apply();
     const whole = scene.length.reduce((sum, one) => sum + one, 0);
-    this.drawing.look(...this.#plane());
+    this.drawing.look(...this.plane());
     this.drawing.fit(this.rope, whole / scene.ropes.length);
-    this.strip.clear(this.rope.energies().gravity);
-    this.#draw();
+    this.strip.clear(energies(this.rope).gravity);
+    this.draw();
   }
 
-  /** The two axes that show most: up, and the way across along which the ropes extend. @returns {[number[], number[]]} */
-  #plane() {
+  /** The two axes that show most: up, and across where the ropes extend.
+   * @returns {[number[], number[]]} */
+  plane() {
     const { up, x } = /** @type {Scene} */ (this.scene);
     const spans = x.map((row, k) => (1 - Math.abs(up[k])) * (Math.max(...row) - Math.min(...row)));
     const best = Math.max(...spans);
@@ -140,7 +141,7 @@ class Lab {
     find("once").onclick = () => {
       this.play(false);
       this.advance(1);
-      this.#draw();
+      this.draw();
     };
     for (const id of ["restart", "again"]) find(id).onclick = () => this.restart();
     find("shorten").onclick = () => {
@@ -148,48 +149,7 @@ class Lab {
       this.restart();
       this.play(true);
     };
-    const board = canvas("rope");
-    /** @param {PointerEvent} event @returns {[number, number]} */
-    const at = (event) => {
-      const [ratio, box] = [devicePixelRatio || 1, board.getBoundingClientRect()];
-      return [ratio * (event.clientX - box.left), ratio * (event.clientY - box.top)];
-    };
-    board.onpointermove = (event) => {
-      if (!this.rope) return;
-      if (this.rope.hand) this.#lead(...at(event));
-      else {
-        const { node, away } = this.drawing.nearest(this.rope, ...at(event));
-        this.hover = away < REACH * (devicePixelRatio || 1) ? node : null;
-      }
-      if (!this.playing) this.#draw();
-    };
-    board.onpointerdown = (event) => {
-      if (this.hover === null || !this.rope || this.broken) return;
-      if (this.rope.anchors.some((anchor) => anchor.held && anchor.node === this.hover)) return;
-      board.setPointerCapture(event.pointerId);
-      this.rope.inverse[this.hover] = 0;
-      const at = this.rope.x.map((row) => row[this.hover ?? 0]);
-      const { left, right } = this.drawing.box;
-      this.rope.hand = { node: this.hover, at, to: [...at], speed: HAND * (right - left) };
-    };
-    board.onpointerup = board.onpointercancel = () => {
-      const { rope } = this;
-      if (!rope?.hand) return;
-      rope.inverse[rope.hand.node] = 1 / rope.mass[rope.hand.node];
-      rope.hand = null;
-      rope.renew();
-    };
-  }
-
-  /** Lead the node in hand to a pixel, in the plane that is seen. @param {number} px @param {number} py */
-  #lead(px, py) {
-    const { rope } = this;
-    if (!rope?.hand) return;
-    const [across, up] = this.#plane();
-    const [x, y] = this.drawing.place(px, py);
-    const now = rope.hand.to;
-    const deep = now.map((value, k) => (across[k] || up[k] ? 0 : value));
-    rope.hand.to = deep.map((value, k) => value + across[k] * x + up[k] * y);
+    follow(canvas("rope"), this);
   }
 
   /** @param {boolean} on */
@@ -212,8 +172,8 @@ class Lab {
   #look() {
     const { rope, tension } = this;
     if (!rope || !tension) return;
-    rope.tensions(tension);
-    if (!rope.isBroken()) {
+    tensions(rope, tension);
+    if (!isBroken(rope)) {
       const now = Math.max(...tension.subarray(0, rope.n - 1));
       this.largest = Math.max(this.largest ?? 0, now);
       return;
@@ -246,16 +206,16 @@ class Lab {
         this.owed -= steps * step;
       }
       this.owed = Math.min(this.owed, 0.1); // a machine that is too slow shows it slower
-      if (this.rope) this.strip.add(this.rope.time, this.rope.energies());
-      this.#draw();
+      if (this.rope) this.strip.add(this.rope.time, energies(this.rope));
+      this.draw();
     }
     requestAnimationFrame((then) => this.#picture(then));
   }
 
-  #draw() {
+  draw() {
     const { rope, tension, scene } = this;
     if (!rope || !tension || !scene) return;
-    rope.tensions(tension);
+    tensions(rope, tension);
     const now = this.broken ? NaN : Math.max(...tension.subarray(0, rope.n - 1), 0);
     const top = this.drawing.largest;
     if (!this.broken) this.drawing.largest = Math.max(now, 0.98 * top, 1e-9);

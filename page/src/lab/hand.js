@@ -1,0 +1,61 @@
+// The hand: a node that the pointer leads.
+
+/** @typedef {import("./kernel.js").Rope} Rope */
+/** @typedef {{rope?: Rope, drawing: import("./draw.js").Drawing, hover: number | null, playing: boolean,
+ *   broken?: boolean, plane(): [number[], number[]], draw(): void}} Lab */
+
+const REACH = 40; // pixels from a node at which it can be taken
+const SPEED = 0.7; // widths of the drawing that a hand moves in a second, at most
+
+/** Let the pointer take, lead and let go of nodes. @param {HTMLCanvasElement} board @param {Lab} lab */
+export function follow(board, lab) {
+  /** @param {PointerEvent} event @returns {[number, number]} */
+  const at = (event) => {
+    const [ratio, box] = [devicePixelRatio || 1, board.getBoundingClientRect()];
+    return [ratio * (event.clientX - box.left), ratio * (event.clientY - box.top)];
+  };
+  /** @param {PointerEvent} event */
+  const look = (event) => {
+    if (!lab.rope) return;
+    const { node, away } = lab.drawing.nearest(lab.rope, ...at(event));
+    lab.hover = away < REACH * (devicePixelRatio || 1) ? node : null;
+  };
+  board.onpointermove = (event) => {
+    if (lab.rope?.hand) lead(lab, lab.rope, at(event));
+    else look(event);
+    if (!lab.playing) lab.draw();
+  };
+  board.onpointerdown = (event) => {
+    look(event); // a finger has not moved before
+    if (lab.hover !== null && lab.rope && !lab.broken) take(lab, lab.rope, lab.hover);
+    if (lab.rope?.hand) board.setPointerCapture(event.pointerId);
+  };
+  board.onpointerup = board.onpointercancel = () => release(lab.rope);
+}
+
+/** @param {Lab} lab @param {Rope} rope @param {number} node */
+function take(lab, rope, node) {
+  if (rope.anchors.some((anchor) => anchor.held && anchor.node === node)) return;
+  const at = rope.x.map((row) => row[node]);
+  const { left, right } = lab.drawing.box;
+  rope.inverse[node] = 0;
+  rope.hand = { node, at, to: [...at], speed: SPEED * (right - left) };
+}
+
+/** Lead the node in hand to a pixel, in the plane that is seen. @param {Lab} lab @param {Rope} rope
+ * @param {[number, number]} pixel */
+function lead(lab, rope, pixel) {
+  if (!rope.hand) return;
+  const [across, up] = lab.plane();
+  const [x, y] = lab.drawing.place(...pixel);
+  const deep = rope.hand.to.map((value, k) => (across[k] || up[k] ? 0 : value));
+  rope.hand.to = deep.map((value, k) => value + across[k] * x + up[k] * y);
+}
+
+/** @param {Rope | undefined} rope */
+function release(rope) {
+  if (!rope?.hand) return;
+  rope.inverse[rope.hand.node] = 1 / rope.mass[rope.hand.node];
+  rope.hand = null;
+  rope.renew();
+}

@@ -1,0 +1,47 @@
+// What is told of a rope: tensions, energies, whether it is broken.
+
+/** @typedef {import("./kernel.js").Rope} Rope */
+
+const LONGEST = 10; // a segment stretched more than this is a broken simulation
+
+/** Write what every segment carries, friction along it included [N]. @param {Rope} rope @param {Float64Array} out */
+export function tensions(rope, out) {
+  const [x0, x1, x2] = rope.x;
+  const [v0, v1, v2] = rope.v;
+  for (let j = 0; j < rope.n - 1; j++) {
+    const d = [x0[j + 1] - x0[j], x1[j + 1] - x1[j], x2[j + 1] - x2[j]];
+    const u = [v0[j + 1] - v0[j], v1[j + 1] - v1[j], v2[j + 1] - v2[j]];
+    const r = Math.sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    const loose = rope.slack[j] && r < rope.length[j];
+    const rate = r > 0 ? (d[0] * u[0] + d[1] * u[1] + d[2] * u[2]) / r : 0;
+    const carried = rope.stiffness[j] * (r - rope.length[j]);
+    out[j] = loose ? 0 : carried + (rope.vector[j] + rope.axial[j]) * rate;
+  }
+}
+
+/** Kinetic, elastic and gravity's energy [J], the last from the origin. @param {Rope} rope */
+export function energies(rope) {
+  let [kinetic, elastic, gravity] = [0, 0, 0];
+  for (let i = 0; i < rope.n; i++) {
+    for (let k = 0; k < 3; k++) {
+      kinetic += 0.5 * rope.mass[i] * rope.v[k][i] * rope.v[k][i];
+      gravity -= rope.mass[i] * rope.gravity[k] * rope.x[k][i];
+    }
+  }
+  for (let j = 0; j < rope.n - 1; j++) {
+    const r = Math.hypot(...[0, 1, 2].map((k) => rope.x[k][j + 1] - rope.x[k][j]));
+    const more = rope.slack[j] ? Math.max(r - rope.length[j], 0) : r - rope.length[j];
+    elastic += 0.5 * rope.stiffness[j] * more * more;
+  }
+  return { kinetic, elastic, gravity };
+}
+
+/** Whether something is not finite, or stretched beyond reason. @param {Rope} rope */
+export function isBroken(rope) {
+  for (let j = 0; j < rope.n - 1; j++) {
+    const r = Math.hypot(...[0, 1, 2].map((k) => rope.x[k][j + 1] - rope.x[k][j]));
+    const live = rope.length[j] > 0 && rope.stiffness[j] > 0;
+    if (!(r <= (live ? LONGEST * rope.length[j] : 1e150))) return true;
+  }
+  return rope.v.some((row) => row.some((value) => !Number.isFinite(value)));
+}
