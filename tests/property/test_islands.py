@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import sys
+from collections import Counter
+from collections.abc import Callable
 from dataclasses import replace
+from types import FrameType
 
 import numpy as np
 import pytest
@@ -202,3 +206,42 @@ def test_hands_on_one_rope_leave_the_others_as_they_are(method: str) -> None:
     assert np.array_equal(both["a"], moved("a", "a")["a"])
     assert not np.array_equal(both["a"], still["a"])
     assert np.array_equal(both["b"], still["b"])
+
+
+def test_no_line_of_building_runs_more_often_for_a_rope_among_many() -> None:
+    """No loop over all ropes within one over all ropes: lines run, not seconds, are counted."""
+
+    def lines(count: int, act: Callable[[Scene], object]) -> Counter[tuple[str, int]]:
+        ropes = [
+            Rope(name=f"rope{k}", segments=2, length=1.0, shape=Slack(start=(0, k, 0), end=(0.9, k, 0)),
+                 made_of=Material(EA=1e3, mass_per_length=0.1))
+            for k in range(count)
+        ]  # fmt: skip
+        anchors = [Anchor(rope=rope.name, node=0) for rope in ropes]
+        scene = Scene(ropes=ropes, anchors=anchors, run={"method": "sdirk2", "time_step": 0.01})
+        seen: Counter[tuple[str, int]] = Counter()
+
+        def look(frame: FrameType, event: str, _: object) -> Callable[..., object] | None:
+            if event == "line":
+                seen[frame.f_code.co_filename, frame.f_lineno] += 1
+            return look if "ropewalk" in frame.f_code.co_filename else None
+
+        before = sys.gettrace()
+        sys.settrace(look)
+        try:
+            act(scene)
+        finally:
+            sys.settrace(before)
+        return seen
+
+    def steep(act: Callable[[Scene], object]) -> list[tuple[str, int]]:
+        few, many = lines(10, act), lines(40, act)
+        return [line for line, hits in many.items() if hits > 4.5 * few[line] + 40]
+
+    def quadratic(scene: Scene) -> None:
+        for rope in scene.ropes:
+            scene.rope_index(rope.name)  # goes through all before it
+
+    lines(2, lambda scene: Simulation(build(scene)))  # what is done once
+    assert steep(lambda scene: Simulation(build(scene))) == []
+    assert steep(quadratic)  # such a line is seen
