@@ -115,7 +115,8 @@ export class Rope {
   }
 
   /** Take one step [s], with Verlet and Runge-Kutta in pieces where an anchor begins or ends to move.
-   * @param {Method} method @param {number} dt @param {number} [after] the time at its end, where that is known better than as a sum */
+   * @param {Method} method @param {number} dt
+   * @param {number} [after] the time at its end, where that is known better than as a sum */
   step(method, dt, after = this.time + dt) {
     this.#lead(dt);
     if (method === "semi-implicit-euler") {
