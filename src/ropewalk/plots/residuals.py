@@ -12,6 +12,8 @@ from ropewalk.plots.style import COLOURS, GREY, new_figure, scaled_axis, set_not
 if TYPE_CHECKING:
     from ropewalk.sweeps.calibration import Calibration
 
+_FEW = 20  # numbers, each with a tick of its own
+
 
 @styled
 def residuals(fit: Calibration) -> Figure:
@@ -28,7 +30,13 @@ def residuals(fit: Calibration) -> Figure:
         axes.axhline(0.0, color=GREY, linewidth=0.8)
         axes.plot(x, left, marker="o", linestyle="none", color=COLOURS[0])
         largest = max(float(np.abs(left).max()), measured.error or 0.0)
-        scaled_axis(axes, f"{measured.name}: left", measured.unit, largest)
+        scaled_axis(axes, f"{measured.name}: residual", measured.unit, largest)
+        if largest > 0.0:
+            axes.set_ylim(-1.15 * largest, 1.15 * largest)  # zero in the middle
+        if measured.at is None:
+            axes.set_xlim(-0.6, left.size - 0.4)
+            if left.size <= _FEW:
+                axes.set_xticks(number)
         axes.set_xlabel(
             measured.at_name if measured.at is not None else "number of the measurement"
         )

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 Floats = NDArray[np.float64]
 BAND = (0.05, 0.5, 0.95)
 _MOST_PANELS = 12
+_FEW = 5  # values, each with a tick of its own
 _MOST_POINTS = 5000
 
 
@@ -144,8 +145,11 @@ def _lines(data: xr.Dataset, name: str, parameter: str) -> Figure:
     for number, (label, part) in enumerate(parts):
         y = part.values.astype(np.float64)
         largest = max(largest, float(np.nanmax(np.abs(y), initial=0.0)))
-        few = len(x) <= 60
-        axes.plot(x[order], y[order], marker="o" if few else "", label=label, **line_style(number))
+        style = line_style(number) | (
+            {"linestyle": "none"} if labels else {}
+        )  # nothing lies between
+        few = len(x) <= 60 or labels
+        axes.plot(x[order], y[order], marker="o" if few else "", label=label, **style)
     _mark_broken(axes, x[_is_broken(data)])
     scaled_axis(
         axes, data[name].attrs["long_name"].partition(",")[0], data[name].attrs["units"], largest
@@ -189,12 +193,17 @@ def _map(data: xr.Dataset, name: str, parameters: list[str]) -> Figure:
         _axis(axes, data[parameters[1]], y, "y")
         edges = _edges(x, axes.get_xscale()), _edges(y, axes.get_yscale())
         drawn = axes.pcolormesh(*edges, values.T, cmap="viridis")
-        figure.colorbar(drawn, ax=axes, label=f"{name} [{data[name].attrs['units']}]")
+        words = data[name].attrs["long_name"].partition(",")[0]
+        figure.colorbar(drawn, ax=axes, label=f"{words} [{data[name].attrs['units']}]")
         for i, j in np.argwhere(broken):
             axes.plot(x[i], y[j], marker="x", color=COLOURS[1])
         for labels, set_ticks in ((x_labels, axes.set_xticks), (y_labels, axes.set_yticks)):
             if labels:
                 set_ticks(range(len(labels)), labels)
+        for values_there, labels, axis in ((x, x_labels, axes.xaxis), (y, y_labels, axes.yaxis)):
+            if not labels and len(values_there) <= _FEW:  # at the cells, not somewhere in them
+                axis.set_ticks(values_there, [f"{value:.5g}" for value in values_there])
+                axis.set_ticks([], minor=True)
         if label:
             axes.set_title(label)
     if broken.any():
@@ -218,7 +227,7 @@ def _panels(data: xr.Dataset, name: str, parameters: list[str]) -> Figure:
     """One panel per parameter, coloured by another one: what moves the result, and with what."""
     table = data if "run" in data[name].dims else _table(data, parameters)
     shown = parameters[:_MOST_PANELS]
-    columns = min(3, len(shown))
+    columns = 2 if len(shown) in (2, 4) else min(3, len(shown))
     rows = -(-len(shown) // columns)
     figure = new_figure(3.3 * columns + 0.6, 3.0 * rows + 0.7)
     panels = figure.subplots(rows, columns, squeeze=False, sharey=True)
@@ -227,6 +236,7 @@ def _panels(data: xr.Dataset, name: str, parameters: list[str]) -> Figure:
     good = np.isfinite(y)
     step = max(1, int(good.sum()) // _MOST_POINTS)
     xs = {p: _numbers(table[p]) for p in parameters}
+    words = data[name].attrs["long_name"].partition(",")[0]
     strongest = max(parameters, key=lambda p: _rank_correlation(xs[p][0][good], y[good]))
     for place, (axes, parameter) in enumerate(zip(panels.flat, shown, strict=False)):
         x, labels = xs[parameter]
@@ -241,7 +251,7 @@ def _panels(data: xr.Dataset, name: str, parameters: list[str]) -> Figure:
         if labels:
             axes.set_xticks(range(len(labels)), labels)
         if place % columns == 0:
-            axes.set_ylabel(f"{name} [{data[name].attrs['units']}]")
+            axes.set_ylabel(f"{words} [{data[name].attrs['units']}]")
     for axes in list(panels.flat)[len(shown) :]:
         axes.set_visible(False)
     notes = ["Colours: another parameter, the one that the result follows most."]

@@ -98,9 +98,9 @@ def _indices(axes: Axes, found: Uncertainty, name: str) -> None:
         axes.barh(at, values, height=0.36, color=style["color"], label=order)
         axes.errorbar(values, at, xerr=error, fmt="none", ecolor="#404040", elinewidth=1.0)
     axes.set_yticks(places, names)
-    axes.set_xlim(0.0, 1.15)
+    axes.set_xlim(0.0, max(1.15, 1.05 * float(np.nanmax(array.values, initial=0.0))))
     axes.set_xlabel(f"Sobol index of {largest} [1]")
-    axes.legend()
+    axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=2, borderpad=0.0)
 
 
 def _median(found: Uncertainty, name: str) -> float:
