@@ -13,7 +13,7 @@ import { Trails } from "./render/trails.js";
 /** @typedef {import("./render/view.js").Arrow} Arrow */
 /** @typedef {import("./view/vector.js").Vector} Vector */
 /** @typedef {import("./input/pick.js").Hit} Hit */
-/** @typedef {{from: Vector, at: Vector, text: string, kind: "reaction" | "grab" | "kick"}} Label
+/** @typedef {{from: Vector, at: Vector, text: string, kind: "reaction" | "given" | "grab" | "kick"}} Label
  *   beside the tip of an arrow */
 
 const REACTION = 84; // length of the longest arrow [CSS pixels]
@@ -89,6 +89,7 @@ export class Marks {
     if (session.layout && session.frame) {
       this.addAnchors(markers, arrows);
       this.addLoads(markers);
+      this.addForces(arrows);
       this.addGrabs(markers, arrows);
       this.addHand(markers, arrows);
     }
@@ -174,6 +175,24 @@ export class Marks {
       const [x, y, z] = nodes.shown.subarray(4 * node, 4 * node + 3);
       const colour = fromHex(ROPES[(i + 1) % ROPES.length]);
       markers.push({ x, y, z, kind: "round", colour, size: 0, pixels: 8 });
+    }
+  }
+
+  /** The constant forces of the scene. @param {Arrow[]} arrows */
+  addForces(arrows) {
+    const { session, theme, nodes, camera } = this.stage;
+    const { forces } = /** @type {Layout} */ (session.layout).variants[0];
+    if (!this.reactions || !forces.length) return;
+    const longest = Math.max(...forces.map(({ force }) => Math.hypot(...force)));
+    const reach = (0.6 * REACTION * camera.pose.distance) / camera.focal;
+    for (const { index, force } of forces) {
+      const size = Math.hypot(...force);
+      if (!(size > 0)) continue;
+      const from = vector(nodes.shown.subarray(4 * index, 4 * index + 3));
+      const to = plus(from, force, reach / longest);
+      arrows.push({ from, to, colour: theme.load, pixels: 2.6, head: true });
+      if (forces.length <= MOST_LABELS)
+        this.labels.push({ from, at: to, text: quantity(size, "N"), kind: "given" });
     }
   }
 

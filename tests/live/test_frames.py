@@ -14,6 +14,7 @@ from ropewalk.live.frame import HEADER, SCALARS
 from ropewalk.live.hub import UNACKNOWLEDGED, Mailbox
 from ropewalk.live.session import Session
 from ropewalk.live.stage import Stage
+from ropewalk.scene import Force
 
 
 def parts(stage: Stage, variant: int = 0) -> dict[str, np.ndarray]:
@@ -73,6 +74,17 @@ def test_the_header_says_when_and_how(stage: Stage) -> None:
     assert head[3] == 0
     assert head[4] == stage.session.time
     assert head[5] == 900.0
+
+
+def test_the_layout_tells_what_the_scene_gives() -> None:
+    scene = slack_rope(20)
+    rope = scene.ropes[0].replace(forces=[Force(node=-1, force=(0, 30, -40))], submerged_weight=-2)
+    [made] = describe.layout(Session(scene.replace(ropes=[rope])))["variants"]
+    assert made["forces"] == [{"index": 20, "force": [0.0, 30.0, -40.0]}]
+    assert made["ropes"][0]["submerged_weight"] == -2.0
+    [plain] = describe.layout(Session(scene))["variants"]
+    assert plain["forces"] == []
+    assert plain["ropes"][0]["submerged_weight"] is None
 
 
 def test_every_variant_has_its_place(stage: Stage) -> None:

@@ -50,6 +50,7 @@ export class Legend {
     this.dots = this.check("Nodes", "show-nodes", false, (on) => (stage.dots = on));
     this.posts = this.check("Posts", "show-posts", true, (on) => (stage.marks.standing = on));
     this.posts.className = "posts";
+    this.given = h("div", { className: "numbers", id: "given", hidden: true });
     this.grid = h("span", {});
     this.thick = h("span", {});
     host.append(
@@ -62,6 +63,7 @@ export class Legend {
         this.ropes,
         h("div", { className: "row" }, this.arrows, this.dots, this.posts),
         h("div", { className: "numbers drawn-as" }, this.grid, this.thick),
+        this.given,
       ),
     );
     stage.session.on("layout", () => this.names());
@@ -98,6 +100,7 @@ export class Legend {
     const plain = this.stage.colouring === "plain";
     this.bar.hidden = this.numbers.hidden = plain;
     this.ropes.replaceChildren();
+    if (layout) this.tellGiven(layout);
     if (!layout || !plain) return;
     const many = layout.variants.length > 1;
     const entries = many
@@ -116,6 +119,20 @@ export class Legend {
     }
     if (entries.length > 6)
       this.ropes.append(h("span", { className: "faint" }, `and ${entries.length - 6} more`));
+  }
+
+  /** What the scene gives besides: weight in water, constant forces.
+   * @param {import("../source/protocol.js").Layout} layout */
+  tellGiven({ variants: [{ ropes, forces }] }) {
+    const wet = ropes.filter(({ submerged_weight: weight }) => typeof weight === "number");
+    const said = wet.slice(0, 2).map(({ name, submerged_weight: weight }) => {
+      const of = ropes.length > 1 ? `${name} ` : "";
+      return `${of}weighs ${quantity(weight, "N/m")} in water`;
+    });
+    if (forces.length) said.push("arrows at nodes: constant forces");
+    const text = said.join("; ");
+    this.given.hidden = !text;
+    write(this.given, text && text[0].toUpperCase() + text.slice(1));
   }
 
   /** Paint the bar in the map's colours. */

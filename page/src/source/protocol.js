@@ -1,7 +1,7 @@
 // The messages of the live view, as docs/reference/live-protocol.md describes them. Types only.
 
 /** @typedef {{name: string, first: number, nodes: number, zero: number, segments: number, length: number,
- *   EA: number, diameter: number, mass: number, color: number}} Rope */
+ *   EA: number, diameter: number, mass: number, submerged_weight: number | null, color: number}} Rope */
 /** @typedef {{name: string, rope: string, node: number, index: number, motion: string,
  *   pinned: boolean}} Anchor */
 /** @typedef {{rope: string, node: number, index: number, mass: number}} Load */
@@ -9,7 +9,7 @@
  *   greatest_tension: number, greatest_speed: number, least_height: number, greatest_height: number,
  *   greatest_force: number, anchors: number, grabs: number}} Offsets */
 /** @typedef {{label: string, method: string, changes: Record<string, any>, nodes: number, ropes: Rope[],
- *   anchors: Anchor[], loads: Load[], offsets: Offsets}} Variant */
+ *   anchors: Anchor[], loads: Load[], forces: {index: number, force: number[]}[], offsets: Offsets}} Variant */
 
 /** @typedef {{type: "hello", protocol: number, ropewalk: string, client: number,
  *   mode: "live" | "replay" | "program", can: string[], limits: Record<string, number>, title: string,

@@ -92,6 +92,7 @@ def _variant(track: Track, offsets: dict[str, int], colors: dict[str, int]) -> d
         "ropes": rope_list(scene, where.ropes, colors),
         "anchors": anchor_list(scene, where),
         "loads": load_list(scene, where),
+        "forces": force_list(scene, where),
         "offsets": offsets,
     }
 
@@ -109,6 +110,7 @@ def rope_list(scene: Scene, spans: Sequence[Span], colors: dict[str, int]) -> li
             "EA": plain(rope.segment_stiffness * rope.segment_length or None),
             "diameter": rope.diameter,
             "mass": rope.total_mass,
+            "submerged_weight": rope.submerged_weight,
             "color": colors.get(rope.name, number),
         }
         for number, (rope, span) in enumerate(zip(scene.ropes, spans, strict=True))
@@ -141,6 +143,15 @@ def load_list(scene: Scene, where: Layout) -> list[dict[str, Any]]:
         }
         for rope in scene.ropes
         for load in rope.loads
+    ]
+
+
+def force_list(scene: Scene, where: Layout) -> list[dict[str, Any]]:
+    """Return the constant forces of a layout message."""
+    return [
+        {"index": where.node(one.node, rope.name), "force": list(one.force)}
+        for rope in scene.ropes
+        for one in rope.forces
     ]
 
 

@@ -14,7 +14,7 @@ import numpy as np
 from ropewalk.core.arrays import Floats
 from ropewalk.live.audience import Audience, Combine, Nobody
 from ropewalk.live.commands import Command, Seek, Speed, Step
-from ropewalk.live.describe import anchor_list, load_list, rope_list, view_box
+from ropewalk.live.describe import anchor_list, force_list, load_list, rope_list, view_box
 from ropewalk.live.frame import (
     BROKEN,
     END,
@@ -242,6 +242,7 @@ class ReplayStage:
                     "ropes": rope_list(scene, spans, {}),
                     "anchors": anchor_list(scene, result.layout),
                     "loads": load_list(scene, result.layout),
+                    "forces": force_list(scene, result.layout),
                     "offsets": places._asdict(),
                 }
             ],

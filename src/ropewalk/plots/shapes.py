@@ -23,6 +23,7 @@ from ropewalk.plots.canvas import (
     prepare,
     stage,
 )
+from ropewalk.plots.given import draw_forces, given_notes
 from ropewalk.plots.style import (
     describe,
     new_figure,
@@ -77,6 +78,7 @@ def shape(
     set_title(figure, f"{result.scene.name}: shape", describe(result))
     shown = "the broken shapes leave the picture" if frames[-1] >= seen.good else "not drawn here"
     notes = broken_note(result, whole.good, clipped=shown) + magnification_note(seen.box)
+    notes += given_notes(result.scene)
     if upright:
         notes.append("The shapes are set side by side; each is upright above its time.")
     set_note(figure, notes)
@@ -106,6 +108,9 @@ def _draw_over(axes: Axes, result: Result, seen: Stage, frames: list[int]) -> No
         draw_ropes(axes, result, seen, frame, colour, f"{time:.4g} s")
         draw_loads(axes, result, seen.view, frame, color=colour)
         draw_anchors(axes, result, seen.view, frame, color=colour, markeredgecolor="black")
+    good = [frame for frame in frames if frame < seen.good]
+    if good:
+        draw_forces(axes, result, seen, good[-1])
     if frames[-1] == result.frames - 1:
         for time, points in broken_shapes(result):
             name = f"{time:.6g} s (broken)"
