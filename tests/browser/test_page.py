@@ -106,7 +106,7 @@ def test_dragged_anchor_takes_the_rope_along(open_window: Open, serve: Serve) ->
     window.page.keyboard.press("Space")
     window.until("r.state === 'paused'")
     window.settled()
-    assert window.at_rope(range(2, 39)) > 0.9
+    assert window.at_rope(range(2, 39)) > 0.85  # a label or a ring may lie on some
 
 
 def test_node_is_grabbed_by_a_soft_spring(open_window: Open, serve: Serve) -> None:
