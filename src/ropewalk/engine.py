@@ -131,7 +131,7 @@ class Engine:
         """Evaluate forces and reactions at time zero, take a first look, and note the energy."""
         self.prepare(0.0)
         set_first_reactions(self.system, self.state)
-        begin_interval(self.system, self.state, *working_space(self.state), 0.0)
+        begin_interval(self.system, self.state, *working_space(self.state), 0.0, self.ledger)
         self._set_balance()
 
     def prepare(self, time: float) -> None:

@@ -52,7 +52,10 @@ SEGMENTS_RECORDED = (
 PEAKS_OF_SEGMENTS = ("tension_high", "tension_low", "square_high", "square_low", "stretch")
 LINES = slice(0, FORCE)  # the extremes that a segment or node has ...
 HOLDERS = slice(FORCE, None)  # ... and those of an anchor
-ADDED = ("energy", "work", "jump", "momentum", "angular_momentum", "moment", "moment_high")
+ADDED = (
+    *("energy", "work", "jump", "momentum", "angular_momentum", "moment", "moment_high"),
+    *("error_range", "error_times"),
+)
 NODES_RECORDED = ("x", "v", "speed_high", "lowest", "highest")
 INDICES = ("anchor_node", "winch_exit")  # hold indices of nodes
 _KINDS = {name: kind for kind in (NODES, SEGMENTS, BETWEEN, ANCHORS, WINCHES) for name in kind}
@@ -206,6 +209,9 @@ def collect(
         if found.moment.shape[1]:
             out.moment[:frames, share.anchors] = found.moment[:frames]
             out.moment_high[:frames, share.anchors] = found.moment_high[:frames]
+        if out.error_range.shape[1]:  # together they err by no more than this; when is not known
+            out.error_range[:frames] += found.error_range[:frames]
+            out.error_times[:frames] += found.error_times[:frames] if len(parts) == 1 else np.nan
         for name in ("jump", "momentum", "angular_momentum"):
             getattr(out, name)[:frames] += getattr(found, name)[:frames]
     if out.extremes.shape[1]:
@@ -282,6 +288,8 @@ def gather_peaks(shares: list[Share], own: list[State], whole: State) -> None:
             peaks.moment[share.anchors] = state.peaks.moment
     peaks.found[:] = best_of(shares, np.stack([state.peaks.found for state in own]))
     peaks.looked[:] = own[0].peaks.looked
+    peaks.error[:, 0] = sum(state.peaks.error[:, 0] for state in own)
+    peaks.error[:, 1] = state.peaks.error[:, 1] if len(own) == 1 else np.nan
 
 
 def _columns(state: State) -> tuple[tuple[str, ...], tuple[str, ...]]:

@@ -293,6 +293,8 @@ def test_a_kept_session_records_every_step_however_it_was_cut(tmp_path: Path) ->
     assert found.read("extremes", 1)[:, :7] == pytest.approx(true.extremes[:, :7], rel=1e-12)
     assert (found.read("extreme_since", 1)[:, 0] <= true.extreme_since[:, 0] + 1e-12).all()
     assert (found.read("extreme_until", 1)[:, 0] >= true.extreme_until[:, 0] - 1e-12).all()
+    assert found.energy_errors[1:] == pytest.approx(true.error_range, rel=1e-9, abs=1e-12)
+    assert found.read("energy_error_times", 1) == pytest.approx(true.error_times, abs=1e-12)
 
 
 def test_a_shared_page_has_the_peaks() -> None:

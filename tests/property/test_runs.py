@@ -26,7 +26,8 @@ RELAXED = settings(
     derandomize=True,
 )
 MOST_STEPS = 20_000
-MISSING = ("extremes", "extreme_since", "extreme_until")  # NaN: nothing has this extreme
+# NaN: nothing has this extreme, or several ropes do
+MISSING = ("extremes", "extreme_since", "extreme_until", "error_times")
 SOLVING = tuple(name for name in ALL_METHODS if name == "auto" or METHODS[name].implicit)
 STEADY = tuple(name for name, method in METHODS.items() if method.fixed)
 

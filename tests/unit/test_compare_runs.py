@@ -110,7 +110,7 @@ def test_rows_hold_the_numbers_of_the_runs(reference):
     assert (first["run"], second["run"]) == ("little", "much")
     assert first["largest tension [N]"] == reference.greatest_tension.max()
     assert second["energy change [J]"] == other.energy["total"][-1] - other.energy["total"][0]
-    assert second["largest energy error [J]"] == np.abs(other.energy_error).max()
+    assert second["largest energy error [J]"] == np.abs(other.energy_errors).max()
     assert second["largest distance [m]"] == found.distances[0].largest.max() > 0.0
     assert found.settings == (("rope[0].made_of.spring_friction", ("0.05", "0.5")),)
 

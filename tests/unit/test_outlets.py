@@ -48,6 +48,7 @@ def test_datasets_share_no_foreign_dimensions(result: Result, name: str) -> None
 def test_every_quantity_is_in_one_of_the_datasets(result: Result) -> None:
     inside = [name for part in ("nodes", "segments", "anchors") for name in result.datasets[part]]
     columns = {"extremes", "extreme_places", "extreme_since", "extreme_until"}
+    columns |= {"energy_errors", "energy_error_times"}
     whole = {"energy", "work", "jump", "momentum", "angular_momentum"} | columns
     assert set(inside) | whole >= set(result.source.names) - {
         name for name in result.datasets["run"] if name in result.source.names

@@ -204,7 +204,7 @@ def test_stiff_rope_and_its_tension() -> None:
 BETWEEN = (  # what is of the interval since the frame before
     *("tension_low", "tension_high", "stretch_high", "speed_high", "lowest", "highest"),
     *("extremes", "extreme_places", "extreme_since", "extreme_until"),
-    *("reaction_high", "moment_high"),
+    *("reaction_high", "moment_high", "error_range", "error_times"),
 )
 
 

@@ -77,6 +77,8 @@ BETWEEN = (
         "extreme_until",
         "reaction_high",
         "moment_high",
+        "error_range",
+        "error_times",
     ),
 )
 

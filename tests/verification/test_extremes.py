@@ -142,6 +142,8 @@ def test_extremes_go_on_to_the_same_bits(tmp_path: Path, monkeypatch: pytest.Mon
     assert cut.frames == whole.frames
     names = [name for name in whole.source.names if name.startswith(("great", "least", "extreme"))]
     assert len(names) == 11
+    for name in ("energy_errors", "energy_error_times"):
+        np.testing.assert_array_equal(cut.read(name), whole.read(name))
     for name in names:
         np.testing.assert_array_equal(cut.read(name), whole.read(name))
 
@@ -185,6 +187,65 @@ def test_the_force_of_a_catch_does_not_depend_on_the_frame_rate(tmp_path: Path) 
     assert "least tension [N],greatest tension [N]" in heads
     assert "greatest tension [N]" in (tmp_path / "out" / "run.csv").read_text().splitlines()[0]
     assert kept.dataset.extremes.sel(extreme="greatest tension").max() == most
+
+
+def test_the_crack_of_a_whip_is_said_at_any_rate() -> None:
+    """The preset at 60 frames a second: its frames see 42 m/s of the tip's 136."""
+    whip = rw.preset("whip").replace(**{"run.duration": 0.25, "run.steps": "exact"})
+    run = whip.run.replace(time_step=1.0 / 57600, frame_rate=60.0)
+    seldom = rw.simulate(whip.replace(run=run))
+    most = seldom.table["largest speed [m/s]"]
+    every = Simulation(whip.replace(run=run.replace(frame_rate=57600.0))).frames()
+    tip = max(np.linalg.norm(block.recording.v, axis=1).max() for block in every)
+    assert most == pytest.approx(tip, rel=1e-12)
+    assert 130.0 < most < 145.0
+    assert np.linalg.norm(seldom.velocities, axis=2).max() < 0.4 * most  # the twin: what frames say
+    assert seldom.table["largest speed at"].startswith("node 100 of rope 'cord', t from 0.23")
+
+
+@pytest.mark.parametrize("method", [EULER, "verlet", "esdirk3"])
+def test_the_energy_error_is_that_of_every_step(method: str, tmp_path: Path) -> None:
+    """What all steps as frames say, least and greatest of it and when; the twin, the frames, misses it."""
+    made = swinging(method, EVERY, 0.5, "vector", motion=STARTS)
+    seldom = rw.simulate(made)
+    often = rw.simulate(swinging(method, 1, 0.5, "vector", motion=STARTS))
+    error, size = often.energy_error, 1e-12 * np.abs(often.energy["total"]).max()
+    for k in range(FRAMES):
+        own = slice(EVERY * k, EVERY * (k + 1) + 1)
+        least, most = seldom.energy_errors[k + 1]
+        assert least == pytest.approx(error[own].min(), abs=size)
+        assert most == pytest.approx(error[own].max(), abs=size)
+        for when, bound in zip(
+            seldom.read("energy_error_times")[k + 1], (least, most), strict=True
+        ):
+            assert error[round(when / DT)] == pytest.approx(bound, abs=size)
+    worst = seldom.table["largest energy error [J]"]
+    assert worst == pytest.approx(np.abs(error).max(), abs=size)
+    if method == EULER:  # the others' errors only grow here
+        assert np.abs(seldom.energy_error).max() < 0.999 * worst
+    assert seldom.table["largest energy error at"].startswith("t = ")
+    kept = seldom.save(tmp_path / "run")
+    np.testing.assert_array_equal(kept.energy_errors, seldom.energy_errors)
+    export(kept, "csv", tmp_path / "out")
+    heads = (tmp_path / "out" / "run.csv").read_text().splitlines()[0]
+    assert "least energy error [J],greatest energy error [J]" in heads
+    assert kept.dataset.energy_errors.sel(bound="least").min() == seldom.energy_errors[:, 0].min()
+
+
+def test_energy_errors_of_ropes_that_move_alone_add_up_and_without_a_ledger_there_are_none() -> (
+    None
+):
+    """The sum of what each errs bounds what all err together; when is then known to a frame."""
+    one = swinging(EULER, EVERY, 0.5, "vector")
+    rope, anchor = one.ropes[0], one.anchors[0]
+    two = one.replace(
+        ropes=[rope.replace(name="a"), rope.replace(name="b")],
+        anchors=[anchor.replace(name=name, rope=name) for name in "ab"],
+    )
+    alone, both = rw.simulate(one), rw.simulate(two)
+    np.testing.assert_allclose(both.energy_errors, 2.0 * alone.energy_errors, rtol=1e-12)
+    assert both.table["largest energy error at"].endswith("the errors of all ropes added up")
+    assert np.isnan(rw.simulate(one, ledger=False).energy_errors).all()
 
 
 def test_without_extremes_the_table_is_of_the_frames_and_says_so(tmp_path: Path) -> None:

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from ropewalk.build import build
+from ropewalk.methods.kinks import next_kink
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import Anchor, Clamp, Material, Scene, Table, Velocity
 from ropewalk.simulation import Simulation
@@ -86,6 +87,73 @@ def test_kinks_cost_no_order(method: str, case: str) -> None:
 def test_the_twin_loses_it(method: str, case: str) -> None:
     """Without the kinks' times the same steps are of order one, or little above where the kinks are small."""
     assert order(case, method, cut=False) < 2.0
+
+
+POSES = np.array([(0.0, 0.0, 0.0), (0.02, 0.05, 0.0), (0.0, 0.0, 0.03), (0.05, 0.05, 0.0)])
+SPAN = 0.05  # s between two poses
+
+
+def as_table(steps: int, method: str) -> Simulation:
+    """The end of a chain goes through poses along straight lines that the scene knows."""
+    made = pulled(Table(times=[SPAN * k for k in range(4)], positions=[tuple(p) for p in POSES]))
+    dt = SPAN / steps
+    simulation = Simulation(scene(**made, dt=dt, steps=3 * steps, method=method, gravity=DOWN))
+    simulation.step(3 * SPAN)
+    return simulation
+
+
+def by_hand(steps: int, method: str, how: str) -> Simulation:
+    """The same motion, as a program that owns the loop gives it: by speed, by pose, or a step too late."""
+    dt = SPAN / steps
+    made = scene(**pulled({"kind": "fixed"}), dt=dt, steps=3 * steps, method=method, gravity=DOWN)
+    simulation = Simulation(made)
+    end = simulation.anchors[simulation.layout.anchor_names[0]]
+    for k in range(3):
+        if how == "pose":
+            end.move_to(POSES[k + 1])
+        elif how == "speed":
+            end.velocity = (POSES[k + 1] - POSES[k]) / SPAN
+        if how != "late":
+            simulation.step(SPAN)
+            continue
+        simulation.step(dt)
+        end.velocity = (POSES[k + 1] - POSES[k]) / SPAN
+        simulation.step(SPAN - dt)
+    return simulation
+
+
+def free_nodes(simulation: Simulation) -> np.ndarray:
+    """Places and velocities of the nodes that nothing holds."""
+    return np.concatenate([simulation.positions[1:].ravel(), simulation.velocities[1:].ravel()])
+
+
+@pytest.mark.parametrize("method", [m for m in ALL if METHODS[m].order > 1])
+def test_hands_and_poses_cost_no_order(method: str) -> None:
+    """A motion in hand is that of a table whose corners are known: the first step has the new rate."""
+    exact = free_nodes(as_table(50, method))
+    for how in ("speed", "pose"):
+        found = free_nodes(by_hand(50, method, how))
+        assert np.abs(found - exact).max() < 1e-10 * np.abs(exact).max(), how
+    twin = free_nodes(by_hand(50, method, "late"))
+    assert np.abs(twin - exact).max() > 1e-4 * np.abs(exact).max()
+
+
+def test_the_work_of_a_hand_is_its_anchors() -> None:
+    """What a jump of a hand's rate does to the kinetic energy is booked: the balance closes to rounding."""
+    simulation = by_hand(20, "esdirk3", "speed")
+    out = simulation.recording().recording
+    first = Simulation(simulation.scene).recording().recording
+    gained = out.energy[0, 0] - first.energy[0, 0]
+    assert out.work[0].sum() == pytest.approx(gained, abs=1e-12)
+
+
+def test_of_two_kinks_at_a_steps_begin_the_last_counts() -> None:
+    """Two corners less apart than a step can tell: the rate is that after both."""
+    kinks = np.array([0.1, 0.1 + 1e-13, 0.3])
+    here, later = next_kink(kinks, 0.1, 0.2, 0.1)
+    assert (here, later) == (kinks[1], math.inf)
+    assert next_kink(kinks, 0.05, 0.15, 0.1) == (-math.inf, kinks[0])
+    assert next_kink(kinks, 0.25, 0.3, 0.05) == (-math.inf, kinks[2])
 
 
 def test_kinks_of_a_scene() -> None:

@@ -111,7 +111,7 @@ def key_numbers(result: Result, *, elastic: bool = False, frames: bool = False) 
     """
     good = good_part(result)
     with np.errstate(all="ignore"):
-        error = np.asarray(result.energy_error)[:good]
+        error = np.asarray(result.energy_error if frames else result.energy_errors)[:good]
         total = np.asarray(result.energy["total"])[:good]
     pull = "tension" if frames or not result.has_extremes else "greatest_tension"
     if elastic:

@@ -134,6 +134,17 @@ class InnerCompiler(Compiler):
         return super().define_pipelines()
 
 
+class ApartCompiler(InnerCompiler):
+    """Promises LLVM that what is written through one argument is read through no other.
+
+    Without it every loop over a rope first compares the bounds of all its arrays, dozens of them.
+    """
+
+    def define_pipelines(self) -> list[Any]:
+        self.state.flags.noalias = True
+        return super().define_pipelines()
+
+
 def reduce_inner(result: Any) -> tuple[Any, ...]:
     """Return the picklable parts of an inner function's compile result."""
     result.fndesc.typemap = result.fndesc.calltypes = None
@@ -202,10 +213,10 @@ class Entry(CPUDispatcher):
         return found
 
 
-def entry(function: Callable[..., Any], options: dict[str, Any]) -> Any:
-    """Return the kernel `function`, an `Entry`; its caches are not yet set."""
+def entry(function: Callable[..., Any], options: dict[str, Any], inner: Any = InnerCompiler) -> Any:
+    """Return the kernel `function`, an `Entry`, with the compiler of its inner function; without caches."""
     options = options | {"nopython": True}
     found = Entry(py_func=function, targetoptions=options, pipeline_class=Compiler)
     options = options | {"no_cpython_wrapper": True}
-    found.inner = CPUDispatcher(function, targetoptions=options, pipeline_class=InnerCompiler)
+    found.inner = CPUDispatcher(function, targetoptions=options, pipeline_class=inner)
     return found

@@ -8,7 +8,7 @@ from typing import Any
 import numba
 
 from ropewalk.core.cache import InnerCache, KernelCache
-from ropewalk.core.compiler import Compiler, entry
+from ropewalk.core.compiler import ApartCompiler, Compiler, entry
 
 PLAIN = bool(getattr(numba.config, "DISABLE_JIT", 0))  # numba sets its options at run time
 
@@ -52,3 +52,8 @@ def small(function: Callable[..., Any]) -> Any:
     For arithmetic on a few numbers, and for loops over a rope so short that handing over the arrays shows.
     """
     return function if PLAIN else entry(function, OPTIONS | {"forceinline": True})
+
+
+def apart(function: Callable[..., Any]) -> Any:
+    """As `small`, for loops over many arrays of which those that are written overlap no other argument."""
+    return function if PLAIN else entry(function, OPTIONS | {"forceinline": True}, ApartCompiler)

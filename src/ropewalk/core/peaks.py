@@ -7,6 +7,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from ropewalk.core.jit import small
+
 Floats = NDArray[np.float64]
 
 EXTREMES = (
@@ -16,6 +18,8 @@ EXTREMES = (
 TENSION, LEAST_TENSION, STRETCH, SPEED, HIGHEST, LOWEST, FORCE, MOMENT = range(8)
 # Rows of `Peaks.found`: the value, its segment, node or anchor, and when [s]: after the one, until the other.
 VALUE, PLACE, SINCE, UNTIL = range(4)
+BOUNDS = ("least", "greatest")  # rows of `Peaks.error`
+LEAST, GREATEST = range(2)
 
 
 class Peaks(NamedTuple):
@@ -33,6 +37,10 @@ class Peaks(NamedTuple):
     moment: Floats  # (a,) the same of clamps [N^2 m^2]; (0,) where none is clamped
     found: Floats  # (4, 8) the best of all ropes, by EXTREMES; as of yet unrooted where a square is kept
     looked: Floats  # (1,) time of the last look for them [s]
+    error: (
+        Floats  # (2, 2) least and greatest energy error [J], and when [s]; without a ledger unseen
+    )
+    error_zero: Floats  # (1,) energy from which errors count [J]; NaN without a ledger
 
 
 _HIGH, _LOW = -np.inf, np.inf  # what every number lies beyond
@@ -43,4 +51,20 @@ def no_peaks(segments: int, nodes: int, anchors: int) -> Peaks:
     """Return the extremes of no step at all, without clamps; of no segments and nodes: nothing is wanted."""
     sizes = (*(segments,) * 5, *(nodes,) * 3, anchors, 0)
     rows = [np.full(size, start) for size, start in zip(sizes, START, strict=True)]
-    return Peaks(*rows, *(np.zeros(shape) for shape in ((4, len(EXTREMES)), (1,))))
+    more = ((4, len(EXTREMES)), (1,), (2, 2) if nodes else (0, 2), (1,))
+    return Peaks(*rows, *(np.full(shape, np.nan) for shape in more))
+
+
+# `+ 0.0` keeps LLVM from writing a maximum as a masked store, which takes three times as long.
+
+
+@small
+def greater(new, kept):
+    """Return the greater one; `kept` where `new` is no number."""
+    return (new if new > kept else kept) + 0.0
+
+
+@small
+def lesser(new, kept):
+    """Return the lesser one; `kept` where `new` is no number."""
+    return (new if new < kept else kept) + 0.0

@@ -2,7 +2,8 @@
 
 The reaction is the force the anchor puts on its node, mean over the step:
     R = m (v1 - v0) / h - F,   so that the anchor's work is h R . (v0 + v1) / 2 (see `ledger`).
-A sudden start of a motion is an impulse: it shows in R for one step.
+A sudden start of a motion is an impulse: in semi-implicit Euler it shows in R for one step, elsewhere it is
+booked as work only (`methods.kinks`).
 """
 
 from __future__ import annotations

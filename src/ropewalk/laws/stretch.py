@@ -13,7 +13,8 @@ import math
 
 import numpy as np
 
-from ropewalk.core.jit import kernel, part, small
+from ropewalk.core.jit import apart, kernel, part
+from ropewalk.core.peaks import greater, lesser
 from ropewalk.core.ranges import ALL, rows
 
 
@@ -68,24 +69,30 @@ def axial_friction(x, v, coefficient, friction, lo=0, hi=ALL):
         c2[j + 1] += along * dz
 
 
-@small
+@apart
 def spring_forces(
-    x, v, rest_length, stiffness, floor, vector, axial, total, length, over, carried, lo, hi
+    x, v, rest_length, stiffness, floor, vector, axial, total, over, height, peaks, lo, hi
 ):
     """Write the sum of elastic force and friction of every segment [N], (3, n + 1).
 
     The arithmetic of the three kernels above, for who needs no shares of the work; `axial` may be None.
-    Besides the square of the `length` (s,) and, unless None, what the segment carries, (s,): with `over`,
-    1 / (k L), friction along the segment takes no division, for 1 / r = (k - T / r) / (k L).
+    Unless `peaks` is None what the step begins with is held against them, nodes at their `height` (n,) too,
+    all but the last one: the root and the division keep the processor waiting meanwhile. Segments without
+    friction keep the square of their length; with `over`, 1 / (k L), what they carry: friction along the
+    segment takes no division, for 1 / r = (k - T / r) / (k L).
     """
     x0, x1, x2 = rows(x, lo, hi + 1)
     v0, v1, v2 = rows(v, lo, hi + 1)
     f0, f1, f2 = rows(total, lo, hi + 1)
     rest_length, stiffness, floor = rest_length[lo:hi], stiffness[lo:hi], floor[lo:hi]
-    vector, length = vector[lo:hi], length[lo:hi]
+    vector = vector[lo:hi]
     along = vector if axial is None else axial[lo:hi]
-    inverse = vector if carried is None else over[lo:hi]
-    tensions = length if carried is None else carried[lo:hi]
+    inverse = vector if over is None else over[lo:hi]
+    if peaks is not None:
+        longest, shortest = peaks.square_high[lo:hi], peaks.square_low[lo:hi]
+        most, least = peaks.tension_high[lo:hi], peaks.tension_low[lo:hi]
+        fastest, top, bottom = peaks.speed[lo:hi], peaks.high[lo:hi], peaks.low[lo:hi]
+        height = height[lo:hi]
     for j in range(rest_length.shape[0]):
         dx, dy, dz = x0[j + 1] - x0[j], x1[j + 1] - x1[j], x2[j + 1] - x2[j]
         ux, uy, uz = v0[j + 1] - v0[j], v1[j + 1] - v1[j], v2[j + 1] - v2[j]
@@ -101,10 +108,17 @@ def spring_forces(
         f0[j + 1] = pull * dx + cx
         f1[j + 1] = pull * dy + cy
         f2[j + 1] = pull * dz + cz
-        length[j] = square
-        if carried is not None:
+        if peaks is not None:
+            longest[j] = greater(square, longest[j])
+            shortest[j] = lesser(square, shortest[j])
+            fastest[j] = greater(v0[j] * v0[j] + v1[j] * v1[j] + v2[j] * v2[j], fastest[j])
+            top[j] = greater(height[j], top[j])
+            bottom[j] = lesser(height[j], bottom[j])
+        if over is not None:
             rubs = cx * dx + cy * dy + cz * dz
-            tensions[j] = tension + rubs * ((stiffness[j] - pull) * inverse[j])
+            carried = tension + rubs * ((stiffness[j] - pull) * inverse[j])
+            most[j] = greater(carried, most[j])
+            least[j] = lesser(carried, least[j])
 
 
 @kernel

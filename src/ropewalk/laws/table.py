@@ -163,11 +163,26 @@ def has_plain_springs(system, state):
 
 
 @part
-def add_up_springs(system, state, x, v, total, rubs, seen, over, lo, hi):
-    """Write elastic force and friction of every segment in one sum, (3, n + 1) [N].
+def add_up_springs(system, state, x, v, total, lo, hi):
+    """Write elastic force and friction of every segment in one sum, (3, n + 1) [N]."""
+    length, k, floor, c = (
+        state.rest_length,
+        state.stiffness,
+        system.slack_floor,
+        state.damping_vector,
+    )
+    if system.flags[AXIAL] == 1:
+        axial = state.damping_axial
+        spring_forces(x, v, length, k, floor, c, axial, total, None, None, None, lo, hi)
+    else:
+        spring_forces(x, v, length, k, floor, c, None, total, None, None, None, lo, hi)
 
-    Writes into `seen` (2, s) the squares of the lengths and, if any segment `rubs`, what they carry, see
-    `spring_forces`.
+
+@part
+def add_up_and_look(system, state, x, v, total, rubs, over, height, lo, hi):
+    """As `add_up_springs`, and look at what the step begins with, see `spring_forces`.
+
+    `rubs` tells whether any segment has friction; `over` (s,) and `height` (n,).
     """
     length, k, floor, c = (
         state.rest_length,
@@ -175,14 +190,14 @@ def add_up_springs(system, state, x, v, total, rubs, seen, over, lo, hi):
         system.slack_floor,
         state.damping_vector,
     )
-    squares, carried = seen[0], seen[1]
+    peaks = state.peaks
     if system.flags[AXIAL] == 1:
         axial = state.damping_axial
-        spring_forces(x, v, length, k, floor, c, axial, total, squares, over, carried, lo, hi)
+        spring_forces(x, v, length, k, floor, c, axial, total, over, height, peaks, lo, hi)
     elif rubs:
-        spring_forces(x, v, length, k, floor, c, None, total, squares, over, carried, lo, hi)
+        spring_forces(x, v, length, k, floor, c, None, total, over, height, peaks, lo, hi)
     else:
-        spring_forces(x, v, length, k, floor, c, None, total, squares, None, None, lo, hi)
+        spring_forces(x, v, length, k, floor, c, None, total, None, height, peaks, lo, hi)
 
 
 @part

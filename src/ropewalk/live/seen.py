@@ -83,6 +83,7 @@ class Interval:
                 low=frames.lowest.min(axis=0),
                 reaction=force,
                 moment=moment,
+                error=_error_of(frames),
             )
         )
 
@@ -91,6 +92,7 @@ class Interval:
         if known is None or _sizes(known) != _sizes(peaks):  # or of other arrays
             known = peaks
         self.kept = _NOTHING._replace(
+            error=_wider(known.error, peaks.error),
             tension_high=np.maximum(known.tension_high, peaks.tension_high),
             tension_low=np.minimum(known.tension_low, peaks.tension_low),
             stretch=np.maximum(known.stretch, peaks.stretch),
@@ -141,6 +143,7 @@ class Interval:
         ):
             if row.shape[1] == seen.size:
                 pick(row[0], seen, out=row[0])
+        _widen_error(frame, known.error)
         live = (state.rest_length > 0.0) | (state.stiffness > 0.0)
         for which, values in (
             (TENSION, np.where(live, frame.tension_high[0], -np.inf)),
@@ -161,6 +164,31 @@ class Interval:
                 frame.extremes[0, which] = sign * values[place]
                 frame.extreme_places[0, which] = place
                 frame.extreme_since[0, which], frame.extreme_until[0, which] = since, until
+
+
+def _wider(one: Floats, other: Floats) -> Floats:
+    """Return the least and greatest energy error of two and their times, as `Peaks.error`; NaN is none."""
+    if one.shape != other.shape or not one.size:
+        return other.copy()
+    sign = np.array([[1.0], [-1.0]])
+    first, second = (np.where(np.isnan(e), np.inf, sign * e)[:, :1] for e in (one, other))
+    wider: Floats = np.where(first <= second, one, other)
+    return wider
+
+
+def _error_of(frames: Recording) -> Floats:
+    """Return the least and greatest energy error of recorded frames, as `Peaks.error`."""
+    found = np.full((2, 2), np.nan)
+    for row in range(len(frames.error_range)):
+        found = _wider(found, np.stack((frames.error_range[row], frames.error_times[row]), axis=1))
+    return found
+
+
+def _widen_error(frame: Recording, error: Floats) -> None:
+    """Write the least and greatest energy error that was seen into a recorded frame."""
+    if frame.error_range.shape[1]:
+        own = np.stack((frame.error_range[0], frame.error_times[0]), axis=1)
+        frame.error_range[0], frame.error_times[0] = _wider(own, error).T
 
 
 def _sizes(peaks: Peaks) -> tuple[int, ...]:

@@ -3,6 +3,7 @@
 Nothing of an order above one survives a kink inside a step, nor a step that takes the rate from the wrong
 side of one. So steps are cut at kinks; a step that ends at one sees the rate before it, and one that begins
 at one the rate after it. What the jump of a held node does to the kinetic energy is its anchor's work.
+Hands change a rate between two calls: the first step of a call begins with the new one.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ from ropewalk.core.arrays import Anchors, Bending, Floats
 from ropewalk.core.jit import kernel, part
 from ropewalk.laws.anchors import anchor_target
 from ropewalk.laws.clamps import spins_jump, turn_clamps
-from ropewalk.motions.table import TABLE, VELOCITY
+from ropewalk.motions.table import HAND, TABLE, VELOCITY
 
 JUST_BELOW = 1.0 - 2.3e-16
 AT = 1e-9  # [1] a kink this near to an end of a step, over its length, is at that end ...
@@ -72,11 +73,11 @@ def near(t, dt):
 
 @kernel
 def next_kink(kinks, begin, after, dt):
-    """Return a kink at the step's begin, -inf for none, and the next one in it or at its end, or inf [s]."""
-    here = next_break(kinks, begin - near(begin, dt))
-    if here > begin + near(begin, dt):
-        return -np.inf, here if here <= after + near(after, dt) else np.inf
-    later = next_break(kinks, begin + near(begin, dt))
+    """Return the last kink at the step's begin (-inf: none) and the next in it or at its end, or inf [s]."""
+    little, here = near(begin, dt), -np.inf
+    later = next_break(kinks, begin - little)
+    while later <= begin + little:
+        here, later = later, next_break(kinks, later)
     return here, later if later <= after + near(after, dt) else np.inf
 
 
@@ -88,24 +89,40 @@ def take_up_rates(system, state, t, point, speed):
     """
     jumps = 0
     for row in range(state.held.shape[0]):
-        if state.held[row] == 0:
-            continue
-        anchor_target(system, state, row, t, 0.0, point, speed)
-        i = state.anchor_node[row]
-        for k in range(3):
-            old, new = state.anchor_v[row, k], speed[k]
-            if old != new:
-                jumps += 1
-                state.work.anchors[row] += 0.5 * state.mass[i] * (new * new - old * old)
-                state.most[row] = max(state.most[row], abs(state.work.anchors[row]))
-                state.anchor_v[row, k] = new
-                state.v[k, i] = new
+        if state.held[row] == 1:
+            jumps += _take_up(system, state, row, t, point, speed)
     if state.moment.shape[0] > 0:
         bending = system.bending
         jumps += spins_jump(
             state.held, bending.clamped, bending.axis, bending.turn, t, state.clamp_spin
         )
         turn_clamps(system, state, t)
+    return jumps
+
+
+@part
+def take_up_hands(system, state, t, point, speed):
+    """Give the nodes in hands their new rates at time `t` [s]; return how many numbers jumped."""
+    jumps = 0
+    for row in range(state.held.shape[0]):
+        if state.held[row] == 1 and system.anchors.kind[row] == HAND:
+            jumps += _take_up(system, state, row, t, point, speed)
+    return jumps
+
+
+@part
+def _take_up(system, state, row, t, point, speed):
+    """Give the node that an anchor holds its rate just after time `t` [s]; book the jump as work."""
+    anchor_target(system, state, row, t, 0.0, point, speed)
+    jumps, i = 0, state.anchor_node[row]
+    for k in range(3):
+        old, new = state.v[k, i], speed[k]
+        if old != new:
+            jumps += 1
+            state.work.anchors[row] += 0.5 * state.mass[i] * (new * new - old * old)
+            state.most[row] = max(state.most[row], abs(state.work.anchors[row]))
+            state.anchor_v[row, k] = new
+            state.v[k, i] = new
     return jumps
 
 

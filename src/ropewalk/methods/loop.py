@@ -12,8 +12,9 @@ from ropewalk.laws.links import hold_links
 from ropewalk.laws.stretch import segment_tension
 from ropewalk.laws.table import accelerate, evaluate
 from ropewalk.laws.winch import run_winches
-from ropewalk.methods.kinks import next_piece
-from ropewalk.methods.peaks import any_rubs, keep_step, wanted
+from ropewalk.methods.errors import look_at_step
+from ropewalk.methods.kinks import next_piece, take_up_hands
+from ropewalk.methods.peaks import any_rubs, wanted
 from ropewalk.methods.recording import record_frame
 from ropewalk.methods.scratch import clear
 from ropewalk.methods.tableaus import BDF2
@@ -110,27 +111,27 @@ def make_advance(step: Any, *, carries: bool = False, solves: bool = False) -> A
     def advance(system, state, scratch, extras, clock, frames, ledger, out, stop_at_break, tableau):
         """Advance `frames` frames; return the status and the number of good frames.
 
-        `clock` holds t0, dt, steps done and steps per frame, so that t = t0 + step dt, never a sum. What is
-        done is counted there, so that it fits the state even where the call ends with a raised signal.
-        Besides 1 where the first frame is begun already, and 1 where the last one is not ended.
-        `extras` is None or 1: with None winches and limiter are left out. `tableau`: the coefficients.
+        `clock` holds t0, dt, steps done, counted as they are, and steps per frame: t = t0 + step dt, never
+        a sum. Besides 1 where the first frame is begun already, and 1 where the last one is not ended.
+        With `extras` None winches and limiter are left out. `tableau`: the coefficients.
         """
         dt, done, steps = clock[1], int(clock[2]), int(clock[3])
         point, speed, pull, sums = scratch.point, scratch.speed, scratch.pull, scratch.sums
         rubs = any_rubs(state.damping_vector, state.damping_axial)
         note_changes(system, state)
         for frame in range(frames):
+            t = clock[0] + done * dt
             if frame > 0 or clock[4] == 0.0:
-                open_interval(system, state, pull, sums, clock[0] + done * dt)
+                open_interval(system, state, pull, sums, t)
+            if frame == 0 and take_up_hands(system, state, t, point, speed) > 0 and carries:
+                begin_anew(system, state, t, scratch)
             for s in range(done, done + steps):
                 t, after = clock[0] + s * dt, clock[0] + (s + 1) * dt
                 if release_anchors(system, state, t, dt) and carries:
                     begin_anew(system, state, t, scratch)
                 begin = t
                 while begin < after:  # once, but for kinks
-                    h, end, stop, jumps = next_piece(
-                        system, state, t, begin, after, dt, point, speed
-                    )
+                    h, end, to, jumps = next_piece(system, state, t, begin, after, dt, point, speed)
                     if jumps > 0 and carries:
                         begin_anew(system, state, begin, scratch)
                     if solves:
@@ -143,11 +144,11 @@ def make_advance(step: Any, *, carries: bool = False, solves: bool = False) -> A
                         act_after(system, state, scratch, begin, h, ledger)
                         if carries:
                             renew(system, state, end, scratch, tableau)
-                    begin = stop
+                    begin = to
                 if solves or extras is not None:
                     watch(system, state, pull, sums, after)
                 elif wanted(state):
-                    keep_step(system, state, rubs, s + 1, after)
+                    look_at_step(system, state, rubs, s + 1, pull, sums, after)
             done, clock[2] = done + steps, done + steps
             if frame + 1 < frames or clock[5] == 0.0:
                 close_interval(system, state, pull, sums, after, after)

@@ -16,7 +16,9 @@ import numpy as np
 from ropewalk.core.jit import kernel, part, small
 from ropewalk.core.peaks import (
     FORCE,
+    GREATEST,
     HIGHEST,
+    LEAST,
     LEAST_TENSION,
     LOWEST,
     MOMENT,
@@ -27,6 +29,8 @@ from ropewalk.core.peaks import (
     TENSION,
     UNTIL,
     VALUE,
+    greater,
+    lesser,
 )
 from ropewalk.core.ranges import ALL, rows
 from ropewalk.laws.anchors import first_index, last_index
@@ -46,17 +50,12 @@ def adds_to_springs(system, state):
     return system.limiter.active == 1 or state.winch_exit.shape[0] > 0
 
 
-# `+ 0.0` keeps LLVM from writing a maximum as a masked store, which takes three times as long.
-
-
 @small
 def keep_between(values, high, low, lo, hi):
     """Keep the greater and the lesser of each, arrays (m,)."""
     values, high, low = values[lo:hi], high[lo:hi], low[lo:hi]
     for j in range(high.shape[0]):
-        new, most, least = values[j], high[j], low[j]
-        high[j] = (new if new > most else most) + 0.0
-        low[j] = (new if new < least else least) + 0.0
+        high[j], low[j] = greater(values[j], high[j]), lesser(values[j], low[j])
 
 
 @small
@@ -66,9 +65,8 @@ def keep_squares(x, high, low, lo, hi):
     high, low = high[lo:hi], low[lo:hi]
     for j in range(high.shape[0]):
         dx, dy, dz = x0[j + 1] - x0[j], x1[j + 1] - x1[j], x2[j + 1] - x2[j]
-        new, most, least = dx * dx + dy * dy + dz * dz, high[j], low[j]
-        high[j] = (new if new > most else most) + 0.0
-        low[j] = (new if new < least else least) + 0.0
+        square = dx * dx + dy * dy + dz * dz
+        high[j], low[j] = greater(square, high[j]), lesser(square, low[j])
 
 
 @kernel
@@ -85,9 +83,7 @@ def keep_tension(x, v, rest_length, stiffness, floor, vector, axial, high, low, 
         rubs = vector[j] + axial[j] if floor[j] != 0.0 or r >= rest_length[j] else 0.0
         along = (ux * dx + uy * dy + uz * dz) / r if r > 0.0 else 0.0
         new = max(stiffness[j] * (r - rest_length[j]), floor[j]) + rubs * along
-        most, least = high[j], low[j]
-        high[j] = (new if new > most else most) + 0.0
-        low[j] = (new if new < least else least) + 0.0
+        high[j], low[j] = greater(new, high[j]), lesser(new, low[j])
 
 
 @small
@@ -96,8 +92,7 @@ def keep_speed(v, kept, lo, hi):
     v0, v1, v2 = rows(v, lo, hi)
     kept = kept[lo:hi]
     for i in range(kept.shape[0]):
-        new, most = v0[i] * v0[i] + v1[i] * v1[i] + v2[i] * v2[i], kept[i]
-        kept[i] = (new if new > most else most) + 0.0
+        kept[i] = greater(v0[i] * v0[i] + v1[i] * v1[i] + v2[i] * v2[i], kept[i])
 
 
 @small
@@ -112,9 +107,8 @@ def keep_heights(x, up, high, low, lo, hi):
         high, low = high[lo:hi], low[lo:hi]
         a, b, c = up[0], up[1], up[2]
         for i in range(high.shape[0]):
-            new, most, least = a * x0[i] + b * x1[i] + c * x2[i], high[i], low[i]
-            high[i] = (new if new > most else most) + 0.0
-            low[i] = (new if new < least else least) + 0.0
+            new = a * x0[i] + b * x1[i] + c * x2[i]
+            high[i], low[i] = greater(new, high[i]), lesser(new, low[i])
 
 
 @part
@@ -123,6 +117,40 @@ def keep_nodes(system, state, lo=0, hi=ALL):
     peaks = state.peaks
     keep_speed(state.v, peaks.speed, lo, hi)
     keep_heights(state.x, system.ground.up, peaks.high, peaks.low, lo, hi)
+
+
+@part
+def heights(x, up, room, lo, hi):
+    """Return the height of every node along `up` [m], (n,): a row of `x`, or `room` with those from `lo`."""
+    if up[2] == 1.0:
+        height = x[2]
+    elif up[1] == 1.0:
+        height = x[1]
+    else:
+        height = room
+        write_heights(x, up, room, lo, hi + 1)
+    return height
+
+
+@small
+def write_heights(x, up, room, lo, hi):
+    """Write the height of every node along `up` [m], (n,)."""
+    x0, x1, x2 = rows(x, lo, hi)
+    room = room[lo:hi]
+    a, b, c = up[0], up[1], up[2]
+    for i in range(room.shape[0]):
+        room[i] = a * x0[i] + b * x1[i] + c * x2[i]
+
+
+@part
+def keep_last(state, height, hi):
+    """Look at the last node, at which no segment begins, where it is before `hi`."""
+    peaks, i = state.peaks, state.mass.shape[0] - 1
+    if hi > i:
+        p, q, r = state.v[0, i], state.v[1, i], state.v[2, i]
+        peaks.speed[i] = greater(p * p + q * q + r * r, peaks.speed[i])
+        peaks.high[i] = greater(height[i], peaks.high[i])
+        peaks.low[i] = lesser(height[i], peaks.low[i])
 
 
 @part
@@ -282,6 +310,8 @@ def clear_peaks(peaks):
         peaks.found[VALUE, which] = np.inf if least else -np.inf
         peaks.found[PLACE, which] = -1.0
         peaks.found[SINCE, which] = peaks.found[UNTIL, which] = np.nan
+    peaks.error[LEAST, 0], peaks.error[GREATEST, 0] = np.inf, -np.inf
+    peaks.error[LEAST, 1] = peaks.error[GREATEST, 1] = np.nan
 
 
 @kernel
@@ -305,6 +335,10 @@ def record_peaks(peaks, frame, out):
         out.extreme_places[frame, which] = peaks.found[PLACE, which]
         out.extreme_since[frame, which] = peaks.found[SINCE, which]
         out.extreme_until[frame, which] = peaks.found[UNTIL, which]
+    for bound in range(out.error_range.shape[1]):
+        error = peaks.error[bound, 0]
+        out.error_range[frame, bound] = error if error - error == 0.0 else np.nan
+        out.error_times[frame, bound] = peaks.error[bound, 1]
     for row in range(out.reaction_high.shape[1]):
         out.reaction_high[frame, row] = math.sqrt(peaks.reaction[row])
     for row in range(out.moment_high.shape[1]):

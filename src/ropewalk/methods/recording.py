@@ -54,6 +54,8 @@ class Recording(NamedTuple):
     extreme_until: Floats  # (f, 8) ... nor after this one
     reaction_high: Floats  # (f, a) greatest force of each anchor since the frame before [N]
     moment_high: Floats  # (f, a) greatest moment of each clamp [N m]; (f, 0) without a clamp
+    error_range: Floats  # (f, 2) least and greatest energy error since the frame before [J] ...
+    error_times: Floats  # (f, 2) ... and when [s]; NaN without a ledger
 
     def part(self, start: int, stop: int) -> Recording:
         """Return the frames from `start` to `stop`, views."""
@@ -82,6 +84,7 @@ def make_recording(
     shapes += [peaks.stretch.shape] * 3 + [peaks.speed.shape] * 3
     shapes += [(s if with_lengths else 0,), (energies,), (laws + a,), (2,), (a, 3), (3,), (3,)]
     shapes += [(clamps, 3), *[(wide,)] * 4, peaks.reaction.shape, peaks.moment.shape]
+    shapes += [(peaks.error.shape[0],)] * 2
     large = [empty((frames, *shape)) for shape in shapes[: len(LARGE)]]
     return Recording(*large, *(np.zeros((frames, *shape)) for shape in shapes[len(LARGE) :]))
 

@@ -14,6 +14,7 @@ from ropewalk.laws.anchors import move_anchors
 from ropewalk.laws.ledger import account
 from ropewalk.laws.table import (
     accelerate,
+    add_up_and_look,
     add_up_springs,
     evaluate,
     has_plain_forces,
@@ -21,8 +22,9 @@ from ropewalk.laws.table import (
 )
 from ropewalk.methods.peaks import (
     adds_to_springs,
+    heights,
     keep_anchors,
-    keep_between,
+    keep_last,
     keep_nodes,
     keep_springs,
     wanted,
@@ -100,16 +102,15 @@ def step(system, state, scratch, t, after, dt, ledger, tableau, lo, hi):
     plain, looks = has_plain_forces(system), wanted(state) and not adds_to_springs(system, state)
     rubs, quick = scratch.about[0] == 1.0, scratch.about[1] == 1.0
     if plain and not ledger and has_plain_springs(system, state):
-        if looks:
-            keep_nodes(system, state, lo, hi)
-        add_up_springs(system, state, x, v, elastic, rubs, scratch.pull, scratch.over, lo, hi)
         if looks and (quick or not rubs):
-            high, low = state.peaks.tension_high, state.peaks.tension_low
-            keep_between(scratch.pull[0], state.peaks.square_high, state.peaks.square_low, lo, hi)
-            if rubs:
-                keep_between(scratch.pull[1], high, low, lo, hi)
-        elif looks:
-            keep_springs(system, state, rubs, lo, hi)
+            height = heights(x, system.ground.up, scratch.dx[0], lo, hi)
+            add_up_and_look(system, state, x, v, elastic, rubs, scratch.over, height, lo, hi)
+            keep_last(state, height, hi)
+        else:
+            if looks:
+                keep_nodes(system, state, lo, hi)
+                keep_springs(system, state, rubs, lo, hi)
+            add_up_springs(system, state, x, v, elastic, lo, hi)
         swing(x, v, elastic, None, w, g, dt, None, lo, hi)
         friction = scratch.mean.friction  # zero
     else:

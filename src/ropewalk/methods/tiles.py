@@ -7,6 +7,7 @@ from typing import Any
 from ropewalk.core.status import OK
 from ropewalk.laws.anchors import release_anchors
 from ropewalk.laws.table import reaches_neighbours_only
+from ropewalk.methods.errors import keep_step_error
 from ropewalk.methods.loop import close_frame, named, wind_and_limit
 from ropewalk.methods.peaks import DEPTH, search_all, wanted
 from ropewalk.methods.verdict import note_changes
@@ -23,6 +24,7 @@ def make_tiled_advance(step: Any, before: Any) -> Any:
     they are needed and every node goes through the same arithmetic as in one sweep, to the same bits.
     What a tile needs of the segment before it is in the force arrays: written by the tile before it in the
     same step, and reached by none of the later ones. Steps are not cut at kinks: the order is one.
+    The energy error of every step takes whole sweeps, too.
     `step` looks itself at what it begins with, see `peaks`; `before` is called before the first one.
     """
 
@@ -33,7 +35,8 @@ def make_tiled_advance(step: Any, before: Any) -> Any:
         n, pull, sums = state.mass.shape[0], scratch.pull, scratch.sums
         before(state, scratch)
         note_changes(system, state)
-        width = TILE if extras is None and reaches_neighbours_only(system) else n
+        errs = ledger and wanted(state) and extras is None
+        width = TILE if extras is None and reaches_neighbours_only(system) and not errs else n
         for frame in range(frames):
             if frame > 0 or clock[4] == 0.0:
                 open_interval(system, state, pull, sums, clock[0] + done * dt)
@@ -51,6 +54,8 @@ def make_tiled_advance(step: Any, before: Any) -> Any:
                         if extras is not None:
                             wind_and_limit(system, state, scratch, t, dt, ledger)
                             watch(system, state, pull, sums, after)
+                        elif errs:
+                            keep_step_error(system, state, pull, sums, after)
                     first = last
                 if extras is None and stop % DEPTH == 0 and wanted(state):
                     search_all(system, state, clock[0] + (stop - 1) * dt)

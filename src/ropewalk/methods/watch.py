@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.ranges import ALL
+from ropewalk.methods.errors import keep_error, set_zero
 from ropewalk.methods.peaks import (
     clear_peaks,
     keep_anchors,
@@ -22,7 +23,9 @@ def watch(system, state, pull, sums, t):
     if not wanted(state):
         return
     peaks, lengths, stiffness = state.peaks, state.rest_length, state.stiffness
-    record_tension(state.x, lengths, stiffness, system.slack_floor, state.tension, sums, pull[0])
+    floor = system.slack_floor
+    elastic = record_tension(state.x, lengths, stiffness, floor, state.tension, sums, pull[0])
+    keep_error(system, state, elastic, sums, t)
     carried_tension(system, state, pull[0], pull[1])
     keep_between(pull[1], peaks.tension_high, peaks.tension_low, 0, ALL)
     keep_stretch(state.x, lengths, peaks.stretch)
@@ -41,8 +44,10 @@ def open_interval(system, state, pull, sums, t):
 
 
 @kernel
-def begin_interval(system, state, pull, sums, t):
-    """As `open_interval`, for the host."""
+def begin_interval(system, state, pull, sums, t, ledger):
+    """As `open_interval`, for the host, at the very start; with a `ledger` of energy errors, too."""
+    if wanted(state):
+        set_zero(system, state, pull, sums, ledger)
     open_interval(system, state, pull, sums, t)
 
 

@@ -92,15 +92,26 @@ def _draw_error(axes: Axes, result: Result, curves: dict[str, Floats], good: int
         )
         axes.set_ylabel("energy error [J]")
         return []
+    least, most = (np.asarray(bound) for bound in result.energy_errors.T)
+    axes.fill_between(
+        result.time,
+        drawable(least, good),
+        drawable(most, good),
+        color=COLOURS[1],
+        alpha=0.3,
+        linewidth=0.0,
+    )
     axes.plot(result.time, drawable(error, good), color=COLOURS[1], label="energy error")
     axes.axhline(0.0, color="#808080", linewidth=0.6, zorder=0.5)
-    scaled_axis(axes, "energy error", "J", set_limits(axes, [error], good, 0.1))
+    scaled_axis(axes, "energy error", "J", set_limits(axes, [error, least, most], good, 0.1))
     if good < len(result.time):
-        _break_scale(axes, [error], good, 3)
+        _break_scale(axes, [error, least, most], good, 3)
     turned = turned_over({name: part[:good] for name, part in curves.items()})
-    worst = float(np.nanmax(np.abs(error[:good])))
+    worst = float(np.nanmax(np.abs(result.energy_errors[:good])))
     share = f" ({_percent(worst / turned)} of the largest change of an energy)" if turned else ""
     said = f"Energy error: total energy less its start and all works; at most {worst:.3g} J{share}."
+    if result.has_extremes:
+        said += " The band has every step."
     return (
         [said, "Gravity's energy is 0 in the scene's own shape."] if "gravity" in curves else [said]
     )

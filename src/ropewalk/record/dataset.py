@@ -63,6 +63,7 @@ def coordinates(scene: Scene, layout: Layout) -> dict[str, tuple[str, Any, dict[
         "cause": "what put it in",
         "anchor": "anchor",
         "extreme": "greatest or least of all steps since the frame before",
+        "bound": "least or greatest of all steps since the frame before",
     }
     for name, values in labels(layout).items():
         if values:

@@ -18,7 +18,7 @@ def write_npz(result: Result, chosen: Selection, path: Path) -> None:
     """Write the chosen quantities as arrays of the shapes that a Result has. Raises OSError.
 
     Beside them: `time`, the ropes and numbers of `nodes`, the ropes of `segments`, and the names along
-    `form`, `law`, `anchor` and `extreme`. Energies are the columns kinetic, gravity, elastic.
+    `form`, `law`, `anchor`, `extreme` and `bound`. Energies are the columns kinetic, gravity, elastic.
     """
     names = [q.name for q in QUANTITIES if q.name in chosen.quantities]
     with zipfile.ZipFile(path, "w", zipfile.ZIP_STORED) as archive:
@@ -67,7 +67,7 @@ def _about(result: Result, chosen: Selection) -> dict[str, NDArray[Any]]:
     of_nodes = [result.layout.rope_of(int(i))[1] for i in chosen.nodes]
     named = {
         key: np.array(labels(result.layout)[key], dtype=str)
-        for key in ("form", "law", "anchor", "extreme")
+        for key in ("form", "law", "anchor", "extreme", "bound")
     }
     return {
         "node_rope": ropes[number[chosen.nodes]],

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from ropewalk.block import Block
 from ropewalk.build import Layout
 from ropewalk.core.arrays import Floats
-from ropewalk.core.peaks import EXTREMES
+from ropewalk.core.peaks import BOUNDS, EXTREMES
 from ropewalk.methods.recording import energy_names, work_names
 from ropewalk.scene import Scene
 
@@ -48,6 +48,8 @@ _OF_INTERVALS = tuple(
         ("extreme_places", "extreme", "1", "place of the greatest and least", "extreme_places"),
         ("extreme_since", "extreme", "s", "time after which came the extreme", "extreme_since"),
         ("extreme_until", "extreme", "s", "time until which came the extreme", "extreme_until"),
+        ("energy_errors", "bound", "J", "least and greatest energy error", "error_range"),
+        ("energy_error_times", "bound", "s", "time of the energy error's bound", "error_times"),
     )
 )
 QUANTITIES = (
@@ -90,6 +92,7 @@ def labels(layout: Layout) -> dict[str, tuple[str, ...]]:
         "cause": JUMPS,
         "anchor": layout.anchor_names,
         "extreme": EXTREMES,
+        "bound": BOUNDS,
     }
 
 

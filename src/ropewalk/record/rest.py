@@ -65,7 +65,7 @@ def _frame(model: Model, statics: Statics) -> Recording:
     start_clamps(model.system, state)
     state.clamp_spin[...] = 0.0
     pull, sums = np.zeros((2, model.layout.segments)), make_sums()
-    begin_interval(model.system, state, pull, sums, 0.0)
+    begin_interval(model.system, state, pull, sums, 0.0, False)
     record_frame(model.system, state, True, sums, 0, out)
     k = state.stiffness
     stored = np.divide(statics.tension**2, 2.0 * k, out=np.zeros_like(k), where=k > 0.0)

@@ -230,6 +230,17 @@ class Result(Outlets):
         """
         return energy_error(self.energy, self.work, self.facts.ledger)
 
+    @property
+    def energy_errors(self) -> Floats:
+        """Least and greatest energy error of all steps since the frame before [J], (frames, 2).
+
+        Of ropes that move by themselves the sums, which bound that of all together. Of a run that kept no
+        extremes those of the frames; NaN without a ledger.
+        """
+        if "energy_errors" in self.source.names:
+            return self._all("energy_errors")
+        return np.stack((self.energy_error, self.energy_error), axis=1)
+
     @cached_property
     def balance_residual(self) -> Floats:
         """Change of the kinetic energy minus all works [J], (frames,): round-off only.

@@ -32,6 +32,7 @@ DEFAULT = (
         "greatest_reactions",
         "greatest_moments",
         "extremes",
+        "energy_errors",
     ),
 )
 _VALUES = 500_000  # numbers handled together

@@ -11,7 +11,7 @@ import numpy as np
 from ropewalk.core.arrays import Floats
 from ropewalk.record.ends import shortly
 from ropewalk.record.energy_note import energy_note
-from ropewalk.record.extremes import UTILISATION, Extreme, extremes, place_of
+from ropewalk.record.extremes import SEEN, UTILISATION, Extreme, extremes, place_of
 from ropewalk.record.facts import AT_REST
 from ropewalk.record.ledger import turned_over
 from ropewalk.record.margins import margin_rows
@@ -36,8 +36,8 @@ def summary(result: Result) -> dict[str, Any]:
         return _at_rest(result, found)
     time, good = result.time, result.good_frames
     energy = {name: part[:good] for name, part in result.energy.items()}
-    error = result.energy_error[:good]
-    share = _share(energy, error)
+    error, errors = result.energy_error[:good], result.energy_errors[:good]
+    share = _share(energy, errors)
     seconds, broken = result.facts.seconds, _broken(result)
     return {
         "status": result.status,
@@ -48,9 +48,14 @@ def summary(result: Result) -> dict[str, Any]:
         **_steps(result),
         **_told(result, found),
         **_margins(result, found),
-        "largest energy error [J]": _largest(error),
+        "largest energy error [J]": _largest(errors),
+        **({"largest energy error at": at} if (at := _error_at(result, errors)) else {}),
         "largest energy error, share of the energy turned over [%]": share,
-        **({"about the energy": note} if (note := energy_note(result, error, share)) else {}),
+        **(
+            {"about the energy": note}
+            if (note := energy_note(result, errors.ravel(), share))
+            else {}
+        ),
         "final energy error [J]": float(error[-1]),
         "largest balance residual [J]": _largest(result.balance_residual[:good]),
         "final kinetic energy [J]": float(energy["kinetic"][-1]),
@@ -151,6 +156,21 @@ def _share(energy: Mapping[str, Floats], error: Floats) -> float:
     """Return the largest energy error over the largest change of one form of energy [%]."""
     turned = turned_over(energy)
     return 100.0 * _largest(error) / turned if turned > 0.0 else math.nan
+
+
+def _error_at(result: Result, errors: Floats) -> str:
+    """Return when the energy error of every step, (frames, 2) [J], was largest, in words; "" without any."""
+    sizes = np.where(np.isfinite(errors), np.abs(errors), -1.0)
+    frame, bound = divmod(int(np.argmax(sizes)), 2)
+    if sizes[frame, bound] <= 0.0:
+        return ""
+    if "energy_error_times" not in result.source.names:
+        return f"t = {result.time[frame]:.6g} s, {SEEN}"
+    when = float(result.read("energy_error_times", frame, frame + 1)[0, bound])
+    if math.isnan(when):  # sums of what ropes err that move by themselves
+        first = float(result.time[max(frame - 1, 0)])
+        return f"t from {first:.6g} to {result.time[frame]:.6g} s, the errors of all ropes added up"
+    return f"t = {when:.6g} s"
 
 
 def _largest(values: Floats) -> float:

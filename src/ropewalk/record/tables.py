@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ropewalk.core.peaks import EXTREMES
+from ropewalk.core.peaks import BOUNDS, EXTREMES
 from ropewalk.record.quantities import AXES, BY_NAME, EXTREME_UNITS, law_names
 from ropewalk.record.selection import Indices, Selection, take
 
@@ -154,6 +154,8 @@ def series(result: Result, quantity: str) -> dict[str, NDArray[np.float64]]:
     if quantity == "work":
         names = law_names(result.layout)
         return {f"work of {name} [{unit}]": result.work[name] for name in names}
+    if quantity in OF_ERRORS and not result.facts.ledger:
+        return {}
     symbol = quantity.replace("_", " ")
     array = result.read(quantity)
     if quantity in OF_EXTREMES:  # but those that there are none of, as moments without a clamp
@@ -162,6 +164,11 @@ def series(result: Result, quantity: str) -> dict[str, NDArray[np.float64]]:
             f"{about}{name} [{units[k] if units else unit}]": array[:, k]
             for k, name in enumerate(EXTREMES)
             if array.shape[0] == 0 or np.isfinite(array[:, k]).any()
+        }
+    if quantity in OF_ERRORS:
+        about = OF_ERRORS[quantity]
+        return {
+            f"{about}{bound} energy error [{unit}]": array[:, k] for k, bound in enumerate(BOUNDS)
         }
     return {f"{symbol} {axis} [{unit}]": array[:, k] for k, axis in enumerate(AXES)}
 
@@ -187,4 +194,5 @@ OF_EXTREMES = {
     "extreme_since": "time after which came ",
     "extreme_until": "time until which came ",
 }
-OF_THE_RUN = ("energy", "work", "momentum", "angular_momentum", *OF_EXTREMES)
+OF_ERRORS = {"energy_errors": "", "energy_error_times": "time of the "}
+OF_THE_RUN = ("energy", "work", "momentum", "angular_momentum", *OF_EXTREMES, *OF_ERRORS)

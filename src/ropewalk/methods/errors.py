@@ -1,0 +1,104 @@
+"""The energy error at every step, where a ledger is kept: energy that no law accounts for.
+
+As `Result.energy_error`: the energies less the works of all laws without a potential, less both at the start.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ropewalk.core.arrays import BENDING
+from ropewalk.core.jit import kernel, part
+from ropewalk.core.peaks import GREATEST, LEAST
+from ropewalk.core.ranges import rows
+from ropewalk.laws.clamps import bent_energy
+from ropewalk.methods.peaks import keep_step
+from ropewalk.methods.recording import add_up, fold, record_tension
+from ropewalk.methods.scratch import LANES, clear_row
+
+
+@part
+def set_zero(system, state, pull, sums, ledger):
+    """Note the energy from which errors count; without a ledger there are none."""
+    state.peaks.error_zero[0] = np.nan
+    if ledger:
+        state.peaks.error_zero[0] = accounted_for(
+            system, state, stretched(system, state, pull, sums), sums
+        )
+
+
+@part
+def keep_step_error(system, state, pull, sums, t):
+    """Look at the energy error of the state of time `t` [s]. `pull` (2, s) and `sums` are working space."""
+    if state.peaks.error_zero[0] == state.peaks.error_zero[0]:
+        keep_error(system, state, stretched(system, state, pull, sums), sums, t)
+
+
+@part
+def look_at_step(system, state, rubs, count, pull, sums, t):
+    """Look at the end of a step, the `count`-th, at time `t` [s], where `watch` does not."""
+    keep_step(system, state, rubs, count, t)
+    keep_step_error(system, state, pull, sums, t)
+
+
+@part
+def stretched(system, state, pull, sums):
+    """Return the elastic energy of all segments [J]."""
+    lengths, stiffness, floor = state.rest_length, state.stiffness, system.slack_floor
+    return record_tension(state.x, lengths, stiffness, floor, state.tension, sums, pull[0])
+
+
+@kernel
+def keep_error(system, state, elastic, sums, t):
+    """Hold the energy error at time `t` [s] against the least and greatest; `elastic` is the energy [J]."""
+    kept, zero = state.peaks.error, state.peaks.error_zero[0]
+    if zero == zero:
+        error = accounted_for(system, state, elastic, sums) - zero
+        if error < kept[LEAST, 0]:
+            kept[LEAST, 0], kept[LEAST, 1] = error, t
+        if error > kept[GREATEST, 0]:
+            kept[GREATEST, 0], kept[GREATEST, 1] = error, t
+
+
+@kernel
+def accounted_for(system, state, elastic, sums):
+    """Return all energy less the works of the laws without a potential [J]; `elastic` is the segments'."""
+    work, mass, segments = state.work, state.mass, state.rest_length.shape[0]
+    clear_row(sums)
+    for lo in range(0, mass.shape[0], LANES):
+        hi = min(lo + LANES, mass.shape[0])
+        _add_nodes(state.x, state.v, mass, system.gravity, work, lo, hi, sums)
+    for lo in range(0, segments, LANES):
+        _take_friction(work.friction, lo, min(lo + LANES, segments), sums)
+    total = elastic + fold(sums, 0)
+    total -= work.limiter[0] + work.limiter[1] + work.winch[0] + work.winch[1]
+    if system.flags[BENDING] == 1:
+        total += bent_energy(system, state, state.x)
+        total -= add_up(work.clamps, sums)
+    for row in range(work.anchors.shape[0]):
+        total -= work.anchors[row]
+    return total
+
+
+@part
+def _add_nodes(x, v, mass, gravity, work, lo, hi, sums):
+    x0, x1, x2 = rows(x, lo, hi)
+    v0, v1, v2 = rows(v, lo, hi)
+    mass, air, ground, applied = (
+        mass[lo:hi],
+        work.air[lo:hi],
+        work.ground[lo:hi],
+        work.applied[lo:hi],
+    )
+    gx, gy, gz = gravity[0], gravity[1], gravity[2]
+    for i in range(mass.shape[0]):
+        moving = 0.5 * (v0[i] * v0[i] + v1[i] * v1[i] + v2[i] * v2[i])
+        done = air[i] + ground[i] + applied[i]
+        sums[i] += mass[i] * (moving - (gx * x0[i] + gy * x1[i] + gz * x2[i])) - done
+
+
+@part
+def _take_friction(friction, lo, hi, sums):
+    friction = friction[lo:hi]
+    for j in range(friction.shape[0]):
+        sums[j] -= friction[j]
