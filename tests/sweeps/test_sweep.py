@@ -369,3 +369,15 @@ def test_damaged_data_are_told_with_the_remedy(tmp_path: Path, design: str) -> N
     with pytest.warns(UserWarning, match="damaged and are made again"):
         rw.sweep.resume(tmp_path / "s", on="here")
     assert np.isfinite(rw.sweep.open(tmp_path / "s").tension_max).all()
+
+
+def test_what_is_no_number_is_told_wherever_it_stands() -> None:
+    for column in ([1e3, float("nan")], [float("nan"), 1e3], [1e3, float("nan"), 2e3]):
+        with pytest.raises(rw.SceneError, match="nan - must be a finite number"):
+            rw.sweep(swing(0.02), pd.DataFrame({EA: column}), on="here")
+    for seed in (-1, 1.5, "a"):
+        with pytest.raises(rw.SceneError, match="seed: .* - must be a whole number from 0 on"):
+            rw.sweep(swing(0.02), {EA: (1e3, 2e3)}, samples=4, seed=seed, on="here")
+    for workers in (0, -2):
+        with pytest.raises(InputError, match="workers"):
+            rw.sweep(swing(0.02), {EA: [1e3]}, workers=workers, on="here")

@@ -79,6 +79,9 @@ def make_design(
     if samples is not None and not (whole and 1 <= samples <= MOST_RUNS):
         rule = f"must be a whole number from 1 to {MOST_RUNS}"
         faults.append(Fault("samples", samples, rule))
+    number = isinstance(seed, (int, np.integer)) and not isinstance(seed, bool)
+    if seed is not None and not (number and seed >= 0):
+        faults.append(Fault("seed", seed, "must be a whole number from 0 on"))
     spread = [parameter.path for parameter in parameters if parameter.spread is not None]
     if samples is None and spread:
         rule = "is a range or a distribution: say how many samples to draw (samples=256)"

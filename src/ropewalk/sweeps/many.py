@@ -100,7 +100,7 @@ def sweep(
     Raises SceneError with the faults of all corners before anything runs; InputError, RunError;
     KeyboardInterrupt, after which `resume` goes on with what is stored.
     """
-    _check_options(what, batch)
+    _check_options(what, batch, workers)
     loaded, folder = as_scene(scene), Path(store) if store is not None else None
     parameters = make_parameters(loaded, vary)
     chosen = make_design(parameters, samples, design, seed, gives_runs(vary))
@@ -134,12 +134,14 @@ def _made(
     return _stored((folder, overwrite), plan, scene, design, begun, how)
 
 
-def _check_options(what: str, batch: int | None) -> None:
+def _check_options(what: str, batch: int | None, workers: int | None) -> None:
     """Refuse what no sweep can be. Raises InputError."""
     if what not in (RUN, REST):
         raise InputError("what", what, 'must be "run" or "rest"')
     if batch is not None and batch < 1:
         raise InputError("batch", batch, "must be a whole number of runs from 1 on")
+    if workers is not None and workers < 1:
+        raise InputError("workers", workers, "must be a whole number of processes from 1 on")
 
 
 def _stored(

@@ -66,7 +66,8 @@ def _ends(parameter: Parameter, drawn: Sequence[Any] | None) -> tuple[Any, ...]:
     assert values is not None
     if parameter.kind == TEXT:
         return tuple(dict.fromkeys(values))[:_MOST_TEXTS]
-    return tuple(dict.fromkeys((min(values), max(values))))
+    wrong = [value for value in values if value != value][:1]  # NaN is neither least nor largest
+    return tuple(dict.fromkeys((*wrong, min(values), max(values))))
 
 
 def _drawn_ends(design: Design) -> list[tuple[Any, ...]]:
