@@ -12,7 +12,6 @@ import numpy as np
 from ropewalk.api import equilibrium, simulate
 from ropewalk.build import build
 from ropewalk.record.extremes import extremes
-from ropewalk.record.ledger import turned_over
 from ropewalk.scene import Scene, SceneError
 from ropewalk.scene.recut import recut
 from ropewalk.sheets.content import Item, Section, Table, Text
@@ -42,7 +41,7 @@ class Variant:
 
 def method_section(result: Result) -> Section:
     """Return method, step and what the books of energy leave."""
-    plan, good = result.plan, result.good_frames
+    plan = result.plan
     rows = [("method", plan.method)]
     if plan.tolerance is None:
         rows.append(("time step", f"{1e3 * plan.dt:.5g} ms, {plan.steps_per_frame} a frame"))
@@ -50,12 +49,12 @@ def method_section(result: Result) -> Section:
         rows.append(("tolerance of a step", f"{1e3 * plan.tolerance:.4g} mm"))
     if plan.why:
         rows.append(("chosen", plan.why))
-    if result.facts.ledger:
-        error = np.abs(result.energy_error[:good])
-        largest = float(error[np.isfinite(error)].max(initial=0.0))
-        turned = turned_over({name: part[:good] for name, part in result.energy.items()})
-        share = f" ({100.0 * largest / turned:.2g} % of the energy turned over)" if turned else ""
-        rows.append(("largest energy error", f"{prefixed(largest, 'J', 3)}{share}"))
+    table = result.table
+    largest = table.get("largest energy error [J]", math.nan)
+    if not math.isnan(largest):
+        share = table["largest energy error, share of the energy turned over [%]"]
+        told = "" if math.isnan(share) else f" ({share:.2g} % of the energy turned over)"
+        rows.append(("largest energy error", f"{prefixed(largest, 'J', 3)}{told}"))
     return Section("Method", (Table(("", ""), rows, numbers=False),))
 
 
