@@ -6,7 +6,8 @@ known exactly,
     sum U(x1) - U(x0) - h f . (u0 + u1) / 2
 over the segments, U the energy of stretch and bending, f the mean force that the step used and u the ends'
 relative velocity; see `laws.ledger`. Clamps that turn stand where the step ends in both U, so that their
-work does not count as made up. What a bound of the stretch gives does: it stops, and gives nothing. A step
+work does not count as made up. What a bound of the stretch gives does: it stops, and gives nothing; so does
+what friction gives, as it may where a held node stops at once, friction is stiff and the step long. A step
 that makes up a good part of all energy there is has no worth.
 """
 
@@ -36,7 +37,7 @@ def makes_up_energy(system, state, stage, mean, dt):
         work += taken(mean.bending, state.v, stage.v, dt)
     if system.limiter.active == 1:  # a bound may only take energy
         work += min(taken(mean.limiter, state.v, stage.v, dt), 0.0)
-    gain = after - before - work
+    gain = after - before - work - min(taken(mean.friction, state.v, stage.v, dt), 0.0)
     if gain <= MOST * before:
         return False
     least = min(
