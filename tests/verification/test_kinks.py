@@ -184,8 +184,8 @@ def test_the_work_of_a_jump_is_the_anchors() -> None:
 def test_a_stop_at_once_does_not_throw_a_damped_rope(method: str) -> None:
     """An anchor goes 0.5 m in 0.4 s and stops; steps of 1/60 s are long beside the friction's 0.03 ms.
 
-    Friction made up 44 J and more in the step after the stop, where some 3 J were there, with all but implicit
-    Euler, whose friction only takes. The reference: verlet in its own short steps.
+    Friction made up 44 J and more in the step after the stop, where some 3 J were there, with all but
+    implicit Euler, whose friction only takes. The reference: verlet in its own short steps.
     """
     cord = Material(EA=5000.0, mass_per_length=0.02, axial_damping=5.0)
     line = Rope(
