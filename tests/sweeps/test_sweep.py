@@ -250,6 +250,14 @@ def test_the_answer_of_one_sweep_gives_the_runs_of_the_next() -> None:
     np.testing.assert_array_equal(first.tension_max, second.tension_max)
 
 
+def test_a_grid_given_as_runs_is_refused_and_not_paired() -> None:
+    grid = xr.Dataset({EA: ("a", [1e3, 2e3]), "gravity[2]": ("b", [-9.0, -10.0])})
+    with pytest.raises(rw.SceneError, match="parameters along a, b; the runs need one dimension"):
+        rw.sweep(swing(0.02), grid, on="here")
+    runs = xr.Dataset({EA: ("a", [1e3, 2e3]), "gravity[2]": ("a", [-9.0, -10.0])})
+    assert rw.sweep(swing(0.02), runs, keep="tension.max", on="here").sizes["run"] == 2
+
+
 def test_rest_shapes_can_be_swept() -> None:
     hanging = rw.preset("hanging-rope")
     ds = rw.sweep(hanging, {"rope.length": [12.0, 14.0]}, keep="sag[-1]", what="rest", on="here")

@@ -111,6 +111,7 @@ def _columns(vary: Any) -> dict[str, Any]:
         columns = {name: vary[name] for name in (*vary.data_vars, *vary.coords)}
         with_path = {k: v for k, v in columns.items() if "path" in v.attrs}
         used = with_path or {str(name): vary[name] for name in vary.data_vars}
+        _refuse_a_grid(used)
         return {str(v.attrs.get("path", k)): np.atleast_1d(v.values) for k, v in used.items()}
     if hasattr(vary, "columns") and hasattr(vary, "iloc"):  # a pandas DataFrame
         return {str(name): vary[name].to_numpy() for name in vary.columns}
@@ -118,6 +119,18 @@ def _columns(vary: Any) -> dict[str, Any]:
         rule = "must be a mapping from paths to values, a DataFrame, or a Dataset"
         raise SceneError([Fault("vary", type(vary).__name__, rule)])
     return {str(path): what for path, what in vary.items()}
+
+
+def _refuse_a_grid(used: Mapping[Any, Any]) -> None:
+    """Refuse parameters along dimensions of their own: paired, they would give a few of the grid's runs."""
+    along = {dim for column in used.values() for dim in column.dims}
+    if len(along) > 1:
+        names = ", ".join(sorted(map(str, along)))
+        rule = (
+            f"has parameters along {names}; the runs need one dimension. Give a grid as a mapping from "
+            "paths to lists, or stack it"
+        )
+        raise SceneError([Fault("vary", "a Dataset", rule)])
 
 
 def gives_runs(vary: Any) -> bool:
