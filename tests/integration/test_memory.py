@@ -39,11 +39,12 @@ def peak_of(folder: Path, duration: float) -> dict[str, float]:
 
 @pytest.mark.slow
 @pytest.mark.skipif(sys.platform != "linux", reason="reads its peak memory from /proc")
-def test_a_long_run_stays_within_300_megabytes(tmp_path: Path) -> None:
+def test_a_long_run_stays_within_330_megabytes(tmp_path: Path) -> None:
     short = peak_of(tmp_path / "short", 0.4)
     long = peak_of(tmp_path / "long", 40.0)
     assert (long["nodes"], long["frames"]) == (1000, 20001)
     stored = sum(path.stat().st_size for path in (tmp_path / "long").rglob("*") if path.is_file())
-    assert stored > 300e6  # it really wrote more than it may hold
-    assert long["peak"] < 300.0
-    assert long["peak"] < short["peak"] + 60.0
+    assert stored > 330e6  # it really wrote more than it may hold
+    # the blocks of frames that wait to be written hold the extremes of every step, too
+    assert long["peak"] < 330.0
+    assert long["peak"] < short["peak"] + 80.0
