@@ -170,7 +170,8 @@ def _verdict(base: dict[str, float], ran: list[Variant]) -> Text:
             "shorter, before these numbers are used.",
             warning=True,
         )
+    tried = ", and with ".join(variant.title for variant in ran)
     return Text(
-        f"The forces change by at most {worst:.2g} %. That is what the cutting and the steps may be "
-        "expected to cost; it says nothing of the data."
+        f"The forces change by at most {worst:.2g} % with {tried}. So much may what was varied be expected "
+        "to cost; it says nothing of what was not varied, nor of the data."
     )
