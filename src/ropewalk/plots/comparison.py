@@ -25,6 +25,7 @@ from ropewalk.plots.canvas import (
 )
 from ropewalk.plots.curves import drawable, mark_break
 from ropewalk.plots.energies import energy_curves
+from ropewalk.plots.given import arrow_scale, arrows_note, draw_forces
 from ropewalk.plots.shapes import draw_ropes
 from ropewalk.plots.style import (
     COLOURS,
@@ -115,6 +116,7 @@ def _draw_shapes(
     """Draw one panel per run, with the ropes at the same times."""
     colours = times_map()
     chosen = _times(found, stages, times)
+    scale = arrow_scale(stages[0], *found.results)
     for number, axes in enumerate(grid):
         if number >= len(found.results):
             axes.set_visible(False)
@@ -131,6 +133,7 @@ def _draw_shapes(
             draw_ropes(axes, result, seen, frame, colour, f"{time:.3g} s")
             draw_loads(axes, result, seen.view, frame, color=colour, markersize=4.5)
             draw_anchors(axes, result, seen.view, frame, color=colour, markersize=3.5)
+        draw_forces(axes, result, seen, frame, scale=scale, sizes=False)
         broke = seen.good < len(result.time)
         if broke:
             after = min(seen.good + 1, len(result.time) - 1)
@@ -229,4 +232,5 @@ def _notes(found: Comparison, stages: list[Stage]) -> list[str]:
         more = len(found.settings) - len(shown)
         tail = f"; and {more} more" if more else ""
         notes.append(f"Scenes differ in {'; '.join(parts)}{tail}.")
+    notes += arrows_note(*(result.scene for result in found.results))
     return [escape(note) for note in notes + magnification_note(stages[0].box)]

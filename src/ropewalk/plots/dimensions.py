@@ -19,6 +19,7 @@ from ropewalk.plots.canvas import (
     prepare,
     stage,
 )
+from ropewalk.plots.given import draw_forces, given_notes
 from ropewalk.plots.style import (
     COLOURS,
     GREY,
@@ -62,6 +63,7 @@ def dimensions(result: Result, *, plane: str | None = None) -> Figure:
         axes.plot(line[:, 0], line[:, 1], label=escape(span.name), **style)
     draw_anchors(axes, result, seen.view, 0)
     draw_loads(axes, result, seen.view, 0)
+    draw_forces(axes, result, seen, 0)
     ends = seen.view.project(_ends(result, points))
     _measure_ends(axes, ends, seen)
     sags = _write_sags(axes, result, points, seen)
@@ -72,7 +74,8 @@ def dimensions(result: Result, *, plane: str | None = None) -> Figure:
         axes.legend(ncols=4, loc="lower left", bbox_to_anchor=(0.0, 1.0))
     at_rest = result.status == "at rest"
     set_title(figure, result.scene.name, "at rest" if at_rest else "at time zero")
-    set_note(figure, [*sags, *_depth(result, points, seen), *magnification_note(seen.box)])
+    notes = [*sags, *_depth(result, points, seen), *magnification_note(seen.box)]
+    set_note(figure, notes + given_notes(result.scene))
     return figure
 
 

@@ -20,6 +20,7 @@ from ropewalk.plots.canvas import (
     prepare,
     stage,
 )
+from ropewalk.plots.given import arrows_note, draw_forces
 from ropewalk.plots.shapes import draw_points, draw_ropes
 from ropewalk.plots.style import COLOURS, FAINT, describe, new_figure, set_note, set_title, styled
 from ropewalk.plots.torn import BROKEN, broken_note, broken_shapes
@@ -71,7 +72,8 @@ def film(
         label(axes, seen.view, across=below, up=number % columns == 0)
     set_title(figure, f"{result.scene.name}: film strip", describe(result))
     clipped = "the broken shapes (orange) leave the picture"
-    set_note(figure, broken_note(result, seen.good, clipped=clipped) + magnification_note(seen.box))
+    notes = broken_note(result, seen.good, clipped=clipped) + magnification_note(seen.box)
+    set_note(figure, notes + arrows_note(result.scene))
     return figure
 
 
@@ -81,6 +83,8 @@ def _draw_frame(axes: Axes, result: Result, seen: Stage, frame: int) -> None:
     draw_ropes(axes, result, seen, frame, colour, "rope")
     draw_loads(axes, result, seen.view, frame, markersize=4.5)
     draw_anchors(axes, result, seen.view, frame, markersize=3.5)
+    if frame < seen.good:
+        draw_forces(axes, result, seen, frame, sizes=False)
     axes.set_title(_stamp(result, frame, frame >= seen.good), fontsize=8.5, loc="left", pad=3.0)
 
 

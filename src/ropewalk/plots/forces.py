@@ -21,6 +21,7 @@ from ropewalk.plots.canvas import (
     prepare,
     stage,
 )
+from ropewalk.plots.given import arrow_scale, draw_forces, given_notes
 from ropewalk.plots.margins import margin_notes
 from ropewalk.plots.style import (
     COLOURS,
@@ -40,8 +41,6 @@ from ropewalk.words.prefixes import prefixed
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
-
-_ARROW = 0.16  # length of the largest force's arrow over the drawing's larger side [1]
 
 
 @styled
@@ -76,7 +75,8 @@ def forces(result: Result, *, plane: str | None = None) -> Figure:
     notes = broken_note(result, good, clipped=clipped) + magnification_note(box)
     notes += margin_notes(result, frame, frame + 1)
     if len(result.layout.anchor_names):
-        notes.append("Arrows: the anchors' forces on the ropes.")
+        notes.append("Orange arrows: the anchors' forces on the ropes.")
+    notes += given_notes(result.scene)
     set_note(figure, notes)
     return figure
 
@@ -110,11 +110,14 @@ def _draw_forces(axes: Axes, result: Result, seen: Stage, frame: int) -> None:
     """Draw the anchors' forces as arrows, and write their sizes beside them."""
     forces = np.nan_to_num(result.reactions[frame])  # NaN: of a rope that broke before
     sizes = np.linalg.norm(forces, axis=1)
+    reach = arrow_scale(seen, result, largest=float(sizes.max(initial=0.0)))
+    given = draw_forces(axes, result, seen, frame, scale=reach)
+    if len(given):
+        _make_room(axes, given)
     if not sizes.size or sizes.max() == 0.0:
         return
     held = sizes > 1e-9 * sizes.max()
     places, ways = seen.view.project(anchors_at(result, frame)), seen.view.project(forces)
-    reach = _ARROW * max(seen.box.width, seen.box.high - seen.box.low) / sizes.max()
     shrink = np.array([1.0, 1.0 / seen.box.magnified])
     tips = [places[0]]
     for place, way, size in zip(places, ways[: len(places)], sizes, strict=False):

@@ -30,6 +30,7 @@ from ropewalk.plots.canvas import (
 )
 from ropewalk.plots.ffmpeg import MovieError, Mp4Writer
 from ropewalk.plots.gif import GifWriter, make_palette
+from ropewalk.plots.given import GIVEN, GivenForces, given_notes
 from ropewalk.plots.style import (
     method_and_step,
     scaled_axis,
@@ -214,8 +215,11 @@ class _Painter:
         pace = "real time" if speed == 1.0 else f"{speed:g} times real time"
         set_title(figure, result.scene.name, f"{method_and_step(result)}, {pace}")
         note = broken_note(result, seen.good, clipped="the broken rope leaves the picture")
-        set_note(figure, note + magnification_note(seen.box))
-        self._moving = (self._rope, self._loads, self._anchors, self._stamp)
+        note += magnification_note(seen.box) + given_notes(result.scene)
+        set_note(figure, note)
+        self._forces = GivenForces(axes, result, seen)
+        drawn = (self._rope, self._loads, self._anchors)
+        self._moving = (*drawn, *self._forces.artists, self._stamp)
         for artist in self._moving:
             artist.set_animated(True)
         self._canvas.draw()  # type: ignore[no-untyped-call]
@@ -241,6 +245,7 @@ class _Painter:
         holds = held_nodes(self._result, moment.time)
         self._anchors.set_data(points[holds, 0], points[holds, 1])
         self._loads.set_data(points[self._load_nodes, 0], points[self._load_nodes, 1])
+        self._forces.move(points)
         stamp = f"{moment.time:.6g} s (broken)" if moment.broken else f"{moment.time:.2f} s"
         self._stamp.set_text(f"t = {stamp}")
         self._canvas.restore_region(self._still)  # type: ignore[no-untyped-call]
@@ -286,8 +291,9 @@ def _palette(colours: matplotlib.colors.Colormap) -> Image.Image:
     greys = [(level, level, level) for level in np.linspace(0, 255, 26).round().astype(int)]
     earth = [(239, 234, 228), (140, 123, 104), (189, 178, 166), (214, 206, 197)]
     found = [*greys, *earth, *tones, *pale]
-    red, green, blue = to_rgb(BROKEN)
-    found += [_mixed(tuple(round(255 * p) for p in (red, green, blue)), s) for s in (1.0, 0.5)]
+    for one in (BROKEN, GIVEN):
+        tone = tuple(round(255 * part) for part in to_rgb(one))
+        found += [_mixed(tone, share) for share in (1.0, 0.5)]
     return make_palette([(int(r), int(g), int(b)) for r, g, b in found])
 
 
