@@ -128,8 +128,8 @@ class _File:
 
 
 def shown_frames(root: Path) -> int:
-    """Return the frames that a store shows, 0 where there is none."""
+    """Return the frames that a store shows, 0 where there is none; a sweep's store has no time."""
     if not root.exists():
         return 0
     arrays = json.loads(root.read_bytes())["consolidated_metadata"]["metadata"]
-    return int(arrays["time"]["shape"][0])
+    return int(arrays["time"]["shape"][0]) if "time" in arrays else 0

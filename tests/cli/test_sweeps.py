@@ -95,7 +95,9 @@ def test_damage_is_told(ropewalk: Call, scene: Path, tmp_path: Path) -> None:
     (store / "status" / "c.2").unlink()
     checked = ropewalk("info", "s", "--verify")
     assert checked.exit_code == 2
-    assert "damaged batches: 1, 2; ropewalk resume makes them again" in checked.output
+    assert "tension_max/c.1: is damaged (runs 1 to 1): its" in checked.output
+    assert "status/c.2: is damaged (runs 2 to 2): it is missing" in checked.output
+    assert checked.output.count("`ropewalk resume s` makes these runs again") == 2
     told = ropewalk("info", "s")
     assert told.exit_code == 0, told.output
     assert "2 of 4 made: 2 finished" in told.output

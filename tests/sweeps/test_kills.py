@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import errno
 import os
 import random
 import signal
 import subprocess
 import sys
 import time
-from collections.abc import Callable
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -19,9 +17,11 @@ import pandas as pd
 import pytest
 
 import ropewalk as rw
+from deaths import Disk, Killed
 from ropewalk.record.errors import RunError
 from ropewalk.sweeps import identity, many
 from ropewalk.sweeps.batch import Batcher
+from ropewalk.sweeps.repair import faults
 from ropewalk.sweeps.store import SweepFolder
 from sweeps.scenes import EA, alone, store_bytes, swing
 
@@ -57,7 +57,7 @@ def check(folder: Path, whole: dict[str, bytes], opened: bool = True) -> int:
     for number in marked:
         for name in ("done", "status", "reason", "broke_at", "tension_max", "positions_last"):
             key = sweep.specs[name].key(number)
-            assert found[key] == whole[key]
+            assert found.get(key) == whole.get(key)  # `reason`, `broke_at`: only where one broke
     if not opened:
         return len(marked)
     ds = rw.sweep.open(folder)
@@ -66,51 +66,46 @@ def check(folder: Path, whole: dict[str, bytes], opened: bool = True) -> int:
     return len(marked)
 
 
-class Killed(BaseException):
-    """Stands for the end of the process."""
+def operations(folder: Path) -> int:
+    """Number of operations that write files in an undisturbed sweep."""
+    disk = Disk(folder)
+    with pytest.MonkeyPatch.context() as patch:
+        disk.install(patch)
+        make(folder)
+    return disk.done
 
 
-def dying_at(count: int, error: BaseException) -> Callable[..., None]:
-    """`os.replace` that gives up at its call number `count`."""
-    real, seen = os.replace, 0
-
-    def replace(source: Any, target: Any) -> None:
-        nonlocal seen
-        seen += 1
-        if seen == count:
-            raise error
-        real(source, target)
-
-    return replace
-
-
-@pytest.mark.parametrize("count", [2, 9, 30, 40, 47, 48, 53, 54, 55, 70, 101])
-def test_killed_between_any_two_files(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, whole: dict[str, bytes], count: int
-) -> None:
-    folder = tmp_path / "s"
-    with monkeypatch.context() as patch:
-        patch.setattr(os, "replace", dying_at(count, Killed()))
-        with pytest.raises(Killed):
+def dying(folder: Path, last: int, whole: dict[str, bytes], *, full: bool = False) -> int:
+    """Make a sweep that dies at operation `last`, then go on with it; return the batches that it left."""
+    told = RunError if full else Killed
+    with pytest.MonkeyPatch.context() as patch:
+        Disk(folder, last, full=full).install(patch)
+        with pytest.raises(told, match="no space left on the disk" if full else None):
             make(folder)
-    check(folder, whole)
+    left = check(folder, whole)
     make(folder)
     assert store_bytes(folder) == whole
     assert not list((folder / ".partial").iterdir())
+    return left
 
 
-def test_a_full_disk(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, whole: dict[str, bytes]
-) -> None:
-    folder = tmp_path / "s"
-    make_until = dying_at(70, OSError(errno.ENOSPC, "No space left on device"))
-    with monkeypatch.context() as patch:
-        patch.setattr(os, "replace", make_until)
-        with pytest.raises(RunError, match=r"no space left on the disk; what was marked before is"):
-            make(folder)
-    assert 0 < check(folder, whole) < 12
-    make(folder)
-    assert store_bytes(folder) == whole
+def test_killed_at_any_operation(tmp_path: Path, whole: dict[str, bytes]) -> None:
+    """Half a write, no fsync, no new name: every 17th operation, so that all kinds are among them."""
+    count = operations(tmp_path / "all")
+    left = [dying(tmp_path / f"s{n}", n, whole) for n in range(3, count + 1, 17)]
+    assert set(left) >= set(range(1, RUNS // 2))  # the death of every batch was tried
+
+
+@pytest.mark.slow
+def test_killed_at_every_operation(tmp_path: Path, whole: dict[str, bytes]) -> None:
+    for last in range(1, operations(tmp_path / "all") + 1):
+        dying(tmp_path / f"s{last}", last, whole)
+
+
+def test_a_full_disk(tmp_path: Path, whole: dict[str, bytes]) -> None:
+    count = operations(tmp_path / "all")
+    left = [dying(tmp_path / f"s{n}", n, whole, full=True) for n in range(count // 2, count, 47)]
+    assert 0 < min(left) < max(left) < RUNS // 2
 
 
 def test_ctrl_c(tmp_path: Path, whole: dict[str, bytes]) -> None:
@@ -127,21 +122,74 @@ def test_ctrl_c(tmp_path: Path, whole: dict[str, bytes]) -> None:
     assert store_bytes(folder) == whole
 
 
-def test_a_damaged_batch_is_seen_and_made_again(tmp_path: Path, whole: dict[str, bytes]) -> None:
-    folder = tmp_path / "s"
-    make(folder)
-    path = folder / "data.zarr" / "tension_max" / "c.3"
+def flip(path: Path) -> None:
+    """Change one bit in the middle of a file."""
     data = bytearray(path.read_bytes())
     data[len(data) // 2] ^= 1
     path.write_bytes(data)
+
+
+def test_a_damaged_batch_is_seen_and_made_again(tmp_path: Path, whole: dict[str, bytes]) -> None:
+    folder = tmp_path / "s"
+    make(folder)
+    flip(folder / "data.zarr" / "tension_max" / "c.3")
     (folder / "data.zarr" / "status" / "c.5").unlink()
-    assert SweepFolder.open(folder).standing()[1] == [3, 5]
+    (folder / "data.zarr" / "reason" / "c.11").unlink()  # one of its runs broke
+    assert SweepFolder.open(folder).standing()[1] == [3, 5, 11]
     assert rw.sweep.open(folder).status.values[9:13].tolist() == ["finished", "", "", "finished"]
-    with pytest.raises(Exception, match=r"(?i)checksum|crc"):
+    assert rw.sweep.open(folder).status.values[-3:].tolist() == ["finished", "", ""]
+    with pytest.raises(
+        RunError, match=r"tension_max/c\.3: is damaged \(runs 6 to 7\).*makes these"
+    ):
         rw.sweep.open(folder).tension_max.load()
-    with pytest.warns(UserWarning, match="2 stored batches are damaged"):
+    told = "\n".join(faults(SweepFolder.open(folder)))
+    for file, runs in (("tension_max/c.3", "6 to 7"), ("status/c.5", "10 to 11")):
+        assert f"{file}: is damaged (runs {runs})" in told
+    with pytest.warns(
+        UserWarning, match="3 stored batches are damaged and are made again: 3, 5, 11"
+    ):
         make(folder)
     assert store_bytes(folder) == whole
+    assert faults(SweepFolder.open(folder)) == []
+
+
+@pytest.mark.parametrize("name", ["length/c.0", "run/c.0", "anchor/c.0", "EA/zarr.json"])
+def test_values_and_labels_are_checked_and_mended(
+    tmp_path: Path, whole: dict[str, bytes], name: str
+) -> None:
+    """Of a finished sweep, and of one that has still runs to make from these values."""
+    folder = tmp_path / "s"
+    make(folder)
+    for marks in ([], [4, 7]):
+        SweepFolder.open(folder).unmark(marks)
+        path = folder / "data.zarr" / name
+        flip(path)
+        (told,) = faults(SweepFolder.open(folder))
+        assert told.startswith(f"{path}: is damaged")
+        if name == "length/c.0":
+            with pytest.raises(RunError, match=r"length/c\.0: is damaged \(runs 0 to 23\)"):
+                rw.sweep.open(folder).length.load()
+            with pytest.raises(RunError, match=r"length/c\.0: is damaged \(runs 0 to 23\)"):
+                rw.sweep.replay(folder, 3)
+        with pytest.warns(UserWarning, match=f"put right: data.zarr/{name}"):
+            make(folder)
+        assert store_bytes(folder) == whole
+
+
+def test_values_that_are_lost_are_told(tmp_path: Path, whole: dict[str, bytes]) -> None:
+    folder = tmp_path / "s"
+    make(folder)
+    copy = folder / "values" / "length.c.0"
+    flip(copy)
+    assert faults(SweepFolder.open(folder))[0].startswith(f"{copy}: a copy of values is damaged")
+    with pytest.warns(UserWarning, match=r"put right: values/length\.c\.0"):
+        make(folder)
+    flip(copy)
+    flip(folder / "data.zarr" / "length" / "c.0")
+    with pytest.raises(
+        RunError, match=r"what was asked of runs 0 to 23 is lost; make the sweep anew"
+    ):
+        make(folder)
 
 
 def test_two_cannot_write_one_sweep(tmp_path: Path) -> None:
@@ -249,6 +297,7 @@ def test_200_random_kills(tmp_path: Path, whole: dict[str, bytes]) -> None:
 SCRIPT = """
 import sys
 import ropewalk as rw
+from deaths import Disk, Killed
 from sweeps.scenes import EA, swing
 vary = {EA: [2000.0, 3000.0], "rope.length": [1.9 + 0.2 * i / 7 for i in range(8)]}
 ds = rw.sweep(swing(0.04), vary, store=sys.argv[1], batch=2, on="local", workers=2)

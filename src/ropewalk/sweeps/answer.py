@@ -13,9 +13,10 @@ import numpy as np
 
 from ropewalk.record.errors import RunError
 from ropewalk.sweeps.designs import GRID
+from ropewalk.sweeps.layout import DONE
 from ropewalk.sweeps.memory import SweepMemory
 from ropewalk.sweeps.plan import SweepPlan
-from ropewalk.sweeps.store import DATA, DONE, SweepFolder
+from ropewalk.sweeps.store import SweepFolder
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -50,7 +51,7 @@ def _told_of_damage(sweep: SweepFolder) -> Iterator[None]:
     except (ValueError, KeyError, OSError, RuntimeError) as error:
         rule = (
             f"cannot be read, some of its data are damaged ({error or type(error).__name__}); "
-            "`ropewalk info --verify` names the batches, `ropewalk resume` makes them again"
+            "`ropewalk info --verify` names them, `ropewalk resume` puts them right"
         )
         raise RunError(sweep.folder, rule) from None
 
@@ -58,7 +59,9 @@ def _told_of_damage(sweep: SweepFolder) -> Iterator[None]:
 def _stored(sweep: SweepFolder) -> xr.Dataset:
     import xarray as xr
 
-    store = sweep.folder / DATA
+    from ropewalk.sweeps.checked import CheckedStore
+
+    store = CheckedStore.of(sweep)
     found: xr.Dataset = xr.open_zarr(store, chunks=None, drop_variables=["run", DONE])
     found = found.assign_attrs(sweep=str(sweep.folder))
     found = found.assign_coords(_numbers(sweep.plan.runs))

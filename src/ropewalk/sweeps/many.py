@@ -26,7 +26,8 @@ from ropewalk.sweeps.keep import Kept, make_keep
 from ropewalk.sweeps.memory import SweepMemory
 from ropewalk.sweeps.parameters import gives_runs, make_parameters
 from ropewalk.sweeps.plan import SweepPlan, rows_of
-from ropewalk.sweeps.store import SweepFolder, is_sweep
+from ropewalk.sweeps.repair import mend
+from ropewalk.sweeps.store import COPIES, DATA, PARTIAL, SCENE, SweepFolder, is_sweep
 from ropewalk.sweeps.trial import Trial, try_out
 from ropewalk.sweeps.worker import batcher_of, count_broken, job_of
 
@@ -36,10 +37,11 @@ if TYPE_CHECKING:
 #: A sweep that keeps more than this needs a folder [bytes].
 MOST_IN_MEMORY = 1_000_000_000
 #: Work of one batch [s]: long beside what handing it out costs, short beside the sweep.
-BATCH_SECONDS = 0.5
+BATCH_SECONDS = 1.0
 _MOST_BATCH_BYTES = 64_000_000
 _MEASURED = 0.2  # [s] of first runs that are timed
 _MOST_MEASURED = 256  # runs
+_TOLD = 20  # names of what is damaged
 
 
 @dataclass(frozen=True)
@@ -89,7 +91,7 @@ def sweep(
             "here" (this process). By default "local" where it is worth it and Dask is installed.
         workers: processes of a cluster of its own; by default one per core.
         what: "run", or "rest": the equilibrium of each scene, without a run.
-        batch: runs made and stored together; by default measured: about half a second's work.
+        batch: runs made and stored together; by default measured: up to a second's work.
         overwrite: put the sweep in place of another one in `store`.
         progress: a function called with a `Standing` now and then; True: a bar on a terminal.
 
@@ -186,12 +188,14 @@ def resume_sweep(
         raise RunError(folder, rule)
     with locked(found.folder):
         found.tidy()
+        if mended := mend(found):
+            names = ", ".join(mended[:_TOLD])
+            warnings.warn(f"{folder}: damaged files were put right: {names}", stacklevel=2)
         done, damaged = found.standing()
         if damaged:
-            warnings.warn(
-                f"{folder}: {len(damaged)} stored batches are damaged and are made again",
-                stacklevel=2,
-            )
+            numbers = ", ".join(map(str, damaged[:_TOLD]))
+            told = f"{len(damaged)} stored batches are damaged and are made again: {numbers}"
+            warnings.warn(f"{folder}: {told}", stacklevel=2)
             found.unmark(damaged)
         if len(done) < found.plan.batches:
             broken = sum(count_broken(status) for status, _ in found.statuses(done))
@@ -219,13 +223,7 @@ def _check_free(folder: Path, overwrite: bool) -> None:
     if is_locked(folder):
         raise RunError(folder, "is being written by another process")
     if not is_sweep(folder):
-        left = {path.name for path in folder.iterdir()} <= {
-            ".lock",
-            ".partial",
-            "data.zarr",
-            "scene.toml",
-        }
-        if left:
+        if {path.name for path in folder.iterdir()} <= {".lock", PARTIAL, DATA, COPIES, SCENE}:
             return  # of a sweep that never began
         raise RunError(folder, "holds something else than a sweep; take another folder")
     if not overwrite:

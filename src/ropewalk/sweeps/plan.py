@@ -13,7 +13,10 @@ import numpy as np
 from ropewalk.sweeps.batch import Recipe
 from ropewalk.sweeps.keep import Kept, parse
 
-FORMAT = 1
+FORMAT = 2
+#: Formats that can be read: 1 had chunks of values as small as a batch, and no copies of them.
+READS = (1, FORMAT)
+_PIECE = 65536  # runs whose values lie in one chunk, about
 
 
 @dataclass(frozen=True)
@@ -54,6 +57,19 @@ class SweepPlan:
     provenance: Mapping[str, Any]
     seed: int | None = None
     id: str = field(default_factory=lambda: uuid.uuid4().hex)
+    format: int = FORMAT
+
+    @property
+    def piece(self) -> int:
+        """Runs whose values lie in one chunk: whole batches."""
+        if self.format == 1:
+            return self.batch
+        return self.batch * min(max(1, _PIECE // self.batch), self.batches)
+
+    @property
+    def pieces(self) -> int:
+        """Number of chunks that the values of a parameter lie in."""
+        return -(-self.runs // self.piece)
 
     @property
     def batches(self) -> int:
@@ -77,7 +93,7 @@ class SweepPlan:
     def plain(self) -> dict[str, Any]:
         """Return it as plain data for JSON."""
         return {
-            "format": FORMAT,
+            "format": self.format,
             "id": self.id,
             "title": self.title,
             "recipe": self.recipe.plain(),
@@ -113,6 +129,7 @@ class SweepPlan:
             provenance=plain["provenance"],
             seed=plain["seed"],
             id=plain["id"],
+            format=int(plain["format"]),
         )
 
 

@@ -17,6 +17,7 @@ from ropewalk.cli.progress import tell_compiling
 from ropewalk.cli.sources import json_option, load_scene, named, run_options, short_name
 
 SWEEPS = Path("sweeps")
+_TOLD = 20  # damaged files
 
 
 @click.command()
@@ -145,13 +146,15 @@ def _ended(folder: Path, make: Any, as_json: bool) -> int:
 
 def info_folder(folder: Path, *, as_json: bool, checked: bool = False) -> None:
     """Say what is in a sweep's folder. With `checked` raises Refusal where batches are damaged."""
+    from ropewalk.sweeps.repair import faults
     from ropewalk.sweeps.store import SweepFolder
     from ropewalk.sweeps.summary import summary
 
-    found = summary(SweepFolder.open(folder))
-    if checked and found["damaged"]:
-        batches = ", ".join(map(str, found["damaged"][:20]))
-        raise Refusal(f"{folder}: damaged batches: {batches}; ropewalk resume makes them again")
+    sweep = SweepFolder.open(folder)
+    if checked and (wrong := faults(sweep)):
+        more = [f"and {len(wrong) - _TOLD} more"] if len(wrong) > _TOLD else []
+        raise Refusal("\n".join([*wrong[:_TOLD], *more]))
+    found = summary(sweep)
     if as_json:
         print_json({"folder": str(folder), **found})
         return

@@ -1,0 +1,106 @@
+"""What of a sweep's folder is damaged, and what can be put right without a run."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from ropewalk.record.errors import RunError
+from ropewalk.record.files import writing
+from ropewalk.record.zarr_format import opened
+from ropewalk.sweeps.store import COPIES, DATA, SweepFolder
+
+
+def _fault(path: Path) -> str:
+    """Return what is wrong with a chunk's file, "" when it fits its checksum."""
+    try:
+        opened(path.read_bytes())
+    except FileNotFoundError:
+        return "it is missing"
+    except OSError as error:
+        return f"it cannot be read ({error.strerror})"
+    except ValueError as error:
+        return str(error)
+    return ""
+
+
+def faults(sweep: SweepFolder) -> list[str]:
+    """Return a sentence for every file of a sweep that is damaged, each with its path and runs."""
+    found = [
+        f"{path}: {sweep.damage(path, 'it is not as it was written')}" for path in _changed(sweep)
+    ]
+    for _, path, copy in sweep.value_files():
+        if why := _fault(path):
+            found.append(f"{path}: {sweep.damage(path, why)}")
+        elif sweep.plan.format > 1 and (why := _fault(copy)):
+            found.append(
+                f"{copy}: a copy of values is damaged: {why}; `ropewalk resume` makes it anew"
+            )
+    for number in sweep.standing()[1]:
+        found += _of_batch(sweep, number)
+    return found
+
+
+def _of_batch(sweep: SweepFolder, number: int) -> list[str]:
+    """Return what is damaged of a batch that is marked."""
+    mark = sweep.marked(number)
+    rows = sweep.plan.rows(number)
+    files = sweep.batch_files(number, mark) if mark is not None else []
+    found = [f"{path}: {sweep.damage(path, why)}" for path in files if (why := _fault(path))]
+    if found:
+        return found
+    what = "its mark cannot be read" if mark is None else "its files do not fit its mark"
+    runs = f"runs {rows.start} to {rows.stop - 1}"
+    remedy = f"`ropewalk resume {sweep.folder}` makes these runs again"
+    return [f"{sweep.folder}: batch {number} ({runs}) is damaged: {what}; {remedy}"]
+
+
+def _changed(sweep: SweepFolder) -> list[Path]:
+    """Return the files that the plan decides and that are not as it says."""
+    found: list[Path] = []
+    if sweep.plan.format == 1:  # other words stood there
+        return found
+    for name, data in sweep.known_files():
+        path = sweep.folder / DATA / name
+        try:
+            if path.read_bytes() == data:
+                continue
+        except OSError:
+            pass
+        found.append(path)
+    return found
+
+
+def mend(sweep: SweepFolder) -> list[str]:
+    """Put right what needs no run: values from their copies, what the plan decides from the plan.
+
+    Returns the names of the files that were written. Raises RunError when values and their copy are both
+    damaged, or the disk refuses.
+    """
+    mended = []
+    with writing(sweep.folder):
+        changed = set(_changed(sweep))
+        for name, data in sweep.known_files():
+            if sweep.folder / DATA / name in changed:
+                (sweep.folder / DATA / name).parent.mkdir(parents=True, exist_ok=True)
+                sweep.put(name, data)
+                mended.append(f"{DATA}/{name}")
+        (sweep.folder / COPIES).mkdir(exist_ok=True)
+        for name, path, copy in sweep.value_files():
+            wrong, copy_wrong = _fault(path), _fault(copy)
+            if wrong and copy_wrong:
+                spec = sweep.specs[name.partition("/")[0]]
+                first = int(path.name.rpartition(".")[2]) * spec.chunk[0]
+                last = min(first + spec.chunk[0], sweep.plan.runs) - 1
+                rule = (
+                    f"is damaged ({wrong}), and its copy {copy} too ({copy_wrong}): what was asked of runs "
+                    f"{first} to {last} is lost; make the sweep anew"
+                )
+                raise RunError(path, rule)
+            if wrong:
+                sweep.put(name, copy.read_bytes())
+                mended.append(f"{DATA}/{name}")
+            elif copy_wrong:
+                sweep.put(f"../{COPIES}/{copy.name}", path.read_bytes())
+                if sweep.plan.format > 1:
+                    mended.append(f"{COPIES}/{copy.name}")
+    return mended
