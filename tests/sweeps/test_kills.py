@@ -8,6 +8,7 @@ import signal
 import subprocess
 import sys
 import time
+from contextlib import suppress
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -322,3 +323,77 @@ def test_a_script_without_a_guard_gets_a_cluster_of_its_own(tmp_path: Path) -> N
     ds = rw.sweep.open(tmp_path / "s")
     own = alone(swing(0.04), **{EA: 3000.0, "rope.length": float(ds.length[3])})
     assert ds.tension_max.values[1, 3] == own.greatest_tension.max()
+
+
+CLIENT = """
+import sys
+import ropewalk as rw
+from distributed import LocalCluster
+from sweeps.test_kills import TABLE, RUNS
+from sweeps.scenes import swing
+from ropewalk.sweeps import plan
+from types import SimpleNamespace
+
+plan.uuid = SimpleNamespace(uuid4=lambda: SimpleNamespace(hex="0" * 32))
+
+def told(standing):
+    print(standing.done, flush=True)
+    if standing.done >= 6:
+        sys.stdin.read()  # waits here for its death, with batches in the hands of its workers
+
+if __name__ == "__main__":
+    rw.sweep(swing(0.04), TABLE, store=sys.argv[1], batch=2, on="local", workers=2, progress=told)
+"""
+
+
+def offspring(parent: int) -> set[int]:
+    """The processes that a process has started, and theirs."""
+    of: dict[int, int] = {}
+    for stat in Path("/proc").glob("[0-9]*/stat"):
+        with suppress(OSError):
+            of[int(stat.parent.name)] = int(stat.read_text().rpartition(")")[2].split()[1])
+    found, more = set(), {parent}
+    while more:
+        found |= more
+        more = {child for child, one in of.items() if one in more} - found
+    return found - {parent}
+
+
+def alive(number: int) -> bool:
+    """Whether a process is there and is no mere entry that nobody has asked for."""
+    try:
+        state = Path(f"/proc/{number}/stat").read_text().rpartition(")")[2].split()[0]
+    except OSError:
+        return False
+    return state != "Z"
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="looks at processes by /proc")
+def test_the_client_of_workers_is_killed(tmp_path: Path, whole: dict[str, bytes]) -> None:
+    """Its workers end by themselves; what is marked is right, and the rest is made to the same bits."""
+    folder, script = tmp_path / "s", tmp_path / "script.py"
+    script.write_text(CLIENT)
+    root = Path(__file__).resolve().parents[2]
+    path = os.pathsep.join([str(root / "src"), str(root / "tests")])
+    client = subprocess.Popen(
+        [sys.executable, script, folder],
+        env=os.environ | {"PYTHONPATH": path},
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        text=True,
+    )
+    try:
+        assert client.stdout is not None
+        while int(client.stdout.readline()) < 6:
+            pass
+        workers = offspring(client.pid)
+        assert len([number for number in workers if alive(number)]) >= 2
+    finally:
+        client.kill()
+        client.wait()
+    while any(map(alive, workers)):  # one that stayed would keep this test waiting
+        time.sleep(0.05)
+    assert check(folder, whole) >= 3
+    make(folder)
+    assert store_bytes(folder) == whole

@@ -22,7 +22,7 @@ import numpy as np
 from ropewalk.record.errors import RunError
 from ropewalk.record.files import read_json, reading, writing
 from ropewalk.record.zarr_format import decode, group_metadata, opened
-from ropewalk.scene import Scene, loads, save
+from ropewalk.scene import Scene, dumps, loads
 from ropewalk.sweeps.batch import Batch
 from ropewalk.sweeps.layout import (
     DONE,
@@ -94,7 +94,7 @@ class SweepFolder:
             for name, data in made.known_files():
                 made.put(name, data)
             made._write_values(values)
-            save(scene, folder / SCENE)
+            made.put(f"../{SCENE}", dumps(scene).encode())
             facts = json.dumps(plan.plain(), indent=1, ensure_ascii=False)
             made.put(f"../{FACTS}", facts.encode())
         return made
