@@ -21,6 +21,7 @@ extensions = [
     "sphinx.ext.napoleon",
     "sphinx-mathjax-offline",  # formulas can be read without a network
     "gallery",
+    "lessons",
     "tables",
 ]
 exclude_patterns = ["_build", "images/*.py"]
@@ -32,7 +33,8 @@ myst_heading_anchors = 3
 
 html_theme = "furo"
 html_title = "Ropewalk"
-html_static_path: list[str] = []
+html_static_path = ["_static"]
+html_css_files = ["print.css"]
 html_copy_source = False
 
 autodoc_member_order = "bysource"

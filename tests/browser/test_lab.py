@@ -11,6 +11,7 @@ import pytest
 
 import ropewalk as rw
 from browser.window import SECONDS
+from ropewalk.lessons import lesson_scenes
 from ropewalk.live.lab import METHODS, PRESETS, lab_scene, write_lab
 from ropewalk.scene.presets import preset
 
@@ -147,3 +148,105 @@ def test_what_the_lab_does_not_know_is_refused() -> None:
     ):
         with pytest.raises(rw.SceneError, match=what):
             lab_scene(preset(name))
+
+
+def place_of(page: Any, node: int) -> tuple[float, float]:
+    """Where a node is in the window [px]."""
+    box = page.locator("#rope").bounding_box()
+    x, y = page.evaluate(
+        "(node) => { const { rope, drawing } = window.ropewalkLab.lab;"
+        " const place = [drawing.across, drawing.up].map((way) =>"
+        "   way.reduce((sum, part, k) => sum + part * rope.x[k][node], 0));"
+        " const [left, top] = drawing.place(0, 0), [right, bottom] = drawing.place(drawing.canvas.width,"
+        "   drawing.canvas.height);"
+        " return [(place[0] - left) / (right - left), (place[1] - top) / (bottom - top)]; }",
+        node,
+    )
+    return box["x"] + x * box["width"], box["y"] + y * box["height"]
+
+
+@pytest.fixture
+def lessons(tmp_path: Path, open_window: Any) -> Any:
+    path = write_lab(tmp_path / "lessons.html", lesson_scenes())
+    return open_window(f"{path.as_uri()}#far-swing", viewport={"width": 1280, "height": 800}).page
+
+
+@pytest.mark.browser
+def test_the_address_chooses_a_scene(lessons: Any) -> None:
+    shown = "document.getElementById('scene').selectedOptions[0].text"
+    assert lessons.evaluate(shown) == "2b far swing"
+    lessons.evaluate("() => { location.hash = '#4 chain at rest'; }")
+    until(lessons, "lab.scene.name === '4 chain at rest'")
+    assert lessons.evaluate(shown) == "4 chain at rest"
+
+
+@pytest.mark.browser
+def test_a_click_measures_and_does_not_pull(lessons: Any) -> None:
+    lessons.select_option("#scene", label="4 chain at rest")
+    before = lessons.evaluate("window.ropewalkLab.lab.rope.x.map((row) => [...row])")
+    lessons.mouse.click(*place_of(lessons, 8))
+    assert lessons.input_value("#node") == "8"
+    assert lessons.evaluate("window.ropewalkLab.lab.rope.x.map((row) => [...row])") == before
+    height = float(lessons.inner_text("#reading").split()[0])
+    assert height == pytest.approx(before[2][8], abs=1e-3)
+    lessons.fill("#node", "900")
+    lessons.press("#node", "Enter")
+    assert lessons.input_value("#node") == "40"  # there are no more
+
+
+@pytest.mark.browser
+def test_the_graph_measures_the_period_of_a_far_swing(lessons: Any) -> None:
+    """Two crests, 2.153 s apart, as the pointer reads them; a small swing's 2.006 s would fail."""
+    lessons.select_option("#quantity", "sideways")
+    lessons.fill("#node", "1")
+    lessons.press("#node", "Enter")
+    for _ in range(240):  # as pictures do, of 20 ms each
+        lessons.evaluate(
+            "() => { const { lab } = window.ropewalkLab; lab.advance(10); lab.note(); }"
+        )
+    lessons.evaluate("window.ropewalkLab.lab.draw()")
+    box = lessons.locator("#graph").bounding_box()
+    read = {}
+    for share in range(16, 100):  # of the graph's width
+        lessons.mouse.move(box["x"] + share / 100 * box["width"], box["y"] + 40)
+        value, _, _, when, _ = lessons.inner_text("#reading").split()
+        read[float(when)] = float(value)
+    table = lessons.evaluate("window.ropewalkLab.lab.probe.table()").splitlines()
+    assert table[0] == "time [s],sideways of node 1 [m]"
+    kept = {round(float(t), 3): float(x) for t, x in (row.split(",") for row in table[1:])}
+    assert len(kept) == 240
+    assert read.items() <= {t: float(f"{x:.5g}") for t, x in kept.items()}.items()
+    crests = [
+        max((t for t in kept if a < t < b), key=kept.__getitem__) for a, b in ((1, 3), (3, 5))
+    ]
+    assert crests[1] - crests[0] == pytest.approx(2.153, abs=0.021)
+    with lessons.expect_download() as saved:
+        lessons.click("#save")
+    assert Path(saved.value.path()).read_text().splitlines() == table
+
+
+@pytest.mark.browser
+def test_heights_can_be_drawn_higher(lessons: Any) -> None:
+    lessons.select_option("#scene", label="3a pulse")
+    lessons.evaluate("window.ropewalkLab.lab.draw()")
+    top, ground = (place_of(lessons, node)[1] for node in (20, 60))
+    lessons.select_option("#tall", "20")
+    high = place_of(lessons, 20)[1], place_of(lessons, 60)[1]
+    assert high[1] - high[0] == pytest.approx(20.0 * (ground - top), rel=1e-6)
+    lessons.mouse.click(*place_of(lessons, 20))
+    assert lessons.input_value("#node") == "20"
+
+
+@pytest.mark.browser
+def test_the_largest_tension_misses_no_step(lessons: Any) -> None:
+    """It is that of every step, compared with a walk step by step of a rope of its own."""
+    lessons.select_option("#scene", label="1 step by step")
+    lessons.evaluate("window.ropewalkLab.lab.advance(403)")
+    own = lessons.evaluate(
+        "() => { const { lab, Rope } = window.ropewalkLab; const rope = new Rope(lab.scene); let top = 0;"
+        " for (let i = 0; i < 403; i++) { rope.step(lab.method, lab.step);"
+        "  for (let j = 0; j < rope.n - 1; j++) { const r = Math.hypot(...[0, 1, 2].map("
+        "   (k) => rope.x[k][j + 1] - rope.x[k][j]));"
+        "   top = Math.max(top, rope.stiffness[j] * (r - rope.length[j])); } } return top; }"
+    )
+    assert lessons.evaluate("window.ropewalkLab.lab.largest") == pytest.approx(own, rel=1e-9)

@@ -7,6 +7,9 @@ import re
 from pathlib import Path
 from typing import Any
 
+from ropewalk.lessons import lesson_scenes
+from ropewalk.scene.presets import preset
+
 
 def test_the_lab_is_one_file_with_its_scenes(ropewalk: Any, tmp_path: Path) -> None:
     assert ropewalk("lab").stdout == "lab.html\n"
@@ -17,6 +20,14 @@ def test_the_lab_is_one_file_with_its_scenes(ropewalk: Any, tmp_path: Path) -> N
     scenes = json.loads(data)
     assert [len(scene["mass"]) for scene in scenes] == [2, 41]
     assert all(scene["step"] <= 0.001 for scene in scenes)
+
+
+def test_the_lessons_come_before_the_scenes_named(ropewalk: Any, tmp_path: Path) -> None:
+    assert ropewalk("lab", "--lessons", "r1", "-o", "lessons.html").exit_code == 0
+    page = (tmp_path / "lessons.html").read_text(encoding="utf-8")
+    (data,) = re.findall(r'<script type="application/json" id="scenes">(.*?)</script>', page)
+    names = [scene["name"] for scene in json.loads(data)]
+    assert names == [scene.name for scene in (*lesson_scenes(), preset("r1"))]
 
 
 def test_no_name_becomes_code(ropewalk: Any, tmp_path: Path) -> None:
@@ -31,6 +42,7 @@ def test_bad_labs(ropewalk: Any) -> None:
         (("n40",), "the lab has no air"),
         (("r1", "-o", "lab.pdf"), "must end in .html"),
         (("r99",), "no preset of that name"),
+        (("--lessons", "--set", "run.time_step=0.001"), "changes the scenes that are named"),
     ):
         done = ropewalk("lab", *options)
         assert done.exit_code == 2

@@ -18,6 +18,8 @@ export class Drawing {
     this.pen = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
     /** @type {Box} */ this.box = { left: 0, right: 1, low: 0, high: 1 };
     this.scale = 1; // pixels per metre
+    this.tall = 1; // how many times as high heights are drawn
+    this.level = 0; // the height that stays in the middle if they are [m]
     /** @type {number[]} */ this.across = [1, 0, 0];
     /** @type {number[]} */ this.up = [0, 1, 0];
     this.largest = 1; // tension at the top of the colours [N]
@@ -41,6 +43,7 @@ export class Drawing {
     const [low, high] = [Math.min(...ys, Math.max(...ys) - 0.6 * reach), Math.max(...ys)];
     const width = Math.max(right - left, (high - low) / FLAT / 2, 1e-3);
     const middle = 0.5 * (left + right);
+    this.level = ys.reduce((sum, y) => sum + y, 0) / ys.length;
     this.box = { left: middle - 0.5 * width, right: middle + 0.5 * width, low, high };
   }
 
@@ -52,23 +55,29 @@ export class Drawing {
     return Array.from({ length: rope.n }, (_, i) => [along(across, i), along(up, i)]);
   }
 
+  /** The place in the middle of the drawing [m]. */
+  #middle() {
+    const { left, right, low, high } = this.box;
+    return [0.5 * (left + right), this.tall === 1 ? 0.5 * (low + high) : this.level];
+  }
+
   /** Metres to pixels. @param {[number, number]} place @returns {[number, number]} */
   #shown([x, y]) {
     const { width, height } = this.canvas;
-    const middle = [0.5 * (this.box.left + this.box.right), 0.5 * (this.box.low + this.box.high)];
+    const middle = this.#middle();
     return [
       0.5 * width + this.scale * (x - middle[0]),
-      0.5 * height - this.scale * (y - middle[1]),
+      0.5 * height - this.tall * this.scale * (y - middle[1]),
     ];
   }
 
   /** Pixels to metres. @param {number} px @param {number} py @returns {[number, number]} */
   place(px, py) {
     const { width, height } = this.canvas;
-    const middle = [0.5 * (this.box.left + this.box.right), 0.5 * (this.box.low + this.box.high)];
+    const middle = this.#middle();
     return [
       middle[0] + (px - 0.5 * width) / this.scale,
-      middle[1] - (py - 0.5 * height) / this.scale,
+      middle[1] - (py - 0.5 * height) / (this.tall * this.scale),
     ];
   }
 
@@ -85,8 +94,8 @@ export class Drawing {
   }
 
   /** Draw one picture. @param {Rope} rope @param {Float64Array} tension @param {number[][]} ropes first and last
-   * node of each @param {number | null} hover */
-  draw(rope, tension, ropes, hover) {
+   * node of each @param {number | null} hover @param {number} probe the node that is measured */
+  draw(rope, tension, ropes, hover, probe) {
     const { canvas, pen, box } = this;
     const ratio = devicePixelRatio || 1;
     const [width, height] = [canvas.clientWidth * ratio, canvas.clientHeight * ratio];
@@ -111,6 +120,10 @@ export class Drawing {
       }
     }
     this.#nodes(rope, places, ratio, hover);
+    pen.fillStyle = colour(canvas, "--accent");
+    pen.beginPath();
+    pen.arc(...places[probe], 5 * ratio, 0, 2 * Math.PI);
+    pen.fill();
   }
 
   /** @param {[number, number][]} places @param {number} width @param {string} style */
@@ -130,16 +143,25 @@ export class Drawing {
   /** @param {number} width @param {number} height @param {number} ratio */
   #grid(width, height, ratio) {
     const { pen, canvas } = this;
-    const rough = (90 * ratio) / this.scale;
-    const power = 10 ** Math.floor(Math.log10(rough));
-    const step = power * ([1, 2, 5, 10].find((factor) => factor * power >= rough) ?? 10);
+    /** @param {number} scale */
+    const spacing = (scale) => {
+      const rough = (90 * ratio) / scale;
+      const power = 10 ** Math.floor(Math.log10(rough));
+      return power * ([1, 2, 5, 10].find((factor) => factor * power >= rough) ?? 10);
+    };
+    /** @param {number} low @param {number} high @param {number} step */
+    const marks = (low, high, step) =>
+      Array.from(
+        { length: Math.max(Math.floor(high / step) - Math.ceil(low / step) + 1, 0) },
+        (_, i) => Number(((Math.ceil(low / step) + i) * step).toPrecision(12)) + 0,
+      );
     const [left, top] = this.place(0, 0);
     const [right, bottom] = this.place(width, height);
     pen.lineWidth = ratio;
     pen.strokeStyle = colour(canvas, "--grid");
     pen.fillStyle = colour(canvas, "--faint");
     pen.font = `${11 * ratio}px system-ui, sans-serif`;
-    for (let x = Math.ceil(left / step) * step; x <= right; x += step) {
+    for (const x of marks(left, right, spacing(this.scale))) {
       const [px] = this.#shown([x, 0]);
       this.#stroke(
         [
@@ -151,7 +173,7 @@ export class Drawing {
       );
       pen.fillText(`${Number(x.toPrecision(6))} m`, px + 4 * ratio, height - 6 * ratio);
     }
-    for (let y = Math.ceil(bottom / step) * step; y <= top; y += step) {
+    for (const y of marks(bottom, top, spacing(this.tall * this.scale))) {
       const [, py] = this.#shown([0, y]);
       this.#stroke(
         [
@@ -174,7 +196,7 @@ export class Drawing {
       const [x, y] = places[anchor.node];
       pen.fillRect(x - 6 * ratio, y - 6 * ratio, 12 * ratio, 12 * ratio);
     }
-    const typical = [...rope.mass].sort((a, b) => a - b)[rope.n >> 1];
+    const typical = [...rope.mass].sort((a, b) => a - b)[(rope.n - 1) >> 1];
     for (const [i, mass] of rope.mass.entries()) {
       if (mass < 4 * typical) continue; // a load
       pen.beginPath();

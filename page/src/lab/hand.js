@@ -2,9 +2,10 @@
 
 /** @typedef {import("./kernel.js").Rope} Rope */
 /** @typedef {{rope?: Rope, drawing: import("./draw.js").Drawing, hover: number | null, playing: boolean,
- *   broken?: boolean, plane(): [number[], number[]], draw(): void}} Lab */
+ *   broken?: boolean, probe: import("./probe.js").Probe, plane(): [number[], number[]], draw(): void}} Lab */
 
 const REACH = 40; // pixels from a node at which it can be taken
+const STILL = 6; // pixels that a pointer moves at most in a click
 const SPEED = 0.7; // widths of the drawing that a hand moves in a second, at most
 
 /** Let the pointer take, lead and let go of nodes. @param {HTMLCanvasElement} board @param {Lab} lab */
@@ -20,17 +21,31 @@ export function follow(board, lab) {
     const { node, away } = lab.drawing.nearest(lab.rope, ...at(event));
     lab.hover = away < REACH * (devicePixelRatio || 1) ? node : null;
   };
+  /** Where a node was pressed that is neither pulled nor let go yet.
+   * @type {{x: number, y: number, node: number} | null} */
+  let pressed = null;
   board.onpointermove = (event) => {
+    const still =
+      pressed && Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y) <= STILL;
+    if (pressed && !still) {
+      if (lab.rope && !lab.broken) take(lab, lab.rope, pressed.node);
+      pressed = null;
+    }
     if (lab.rope?.hand) lead(lab, lab.rope, at(event));
     else look(event);
     if (!lab.playing) lab.draw();
   };
   board.onpointerdown = (event) => {
     look(event); // a finger has not moved before
-    if (lab.hover !== null && lab.rope && !lab.broken) take(lab, lab.rope, lab.hover);
-    if (lab.rope?.hand) board.setPointerCapture(event.pointerId);
+    if (lab.hover === null) return;
+    pressed = { x: event.clientX, y: event.clientY, node: lab.hover };
+    board.setPointerCapture(event.pointerId);
   };
-  board.onpointerup = board.onpointercancel = () => release(lab.rope);
+  board.onpointerup = board.onpointercancel = () => {
+    if (pressed) lab.probe.choose(pressed.node); // a click measures, so that it does not disturb
+    pressed = null;
+    release(lab.rope);
+  };
 }
 
 /** @param {Lab} lab @param {Rope} rope @param {number} node */

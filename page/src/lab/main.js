@@ -2,10 +2,11 @@
 
 import { largestStep } from "./bounds.js";
 import { Drawing } from "./draw.js";
-import { EnergyStrip } from "./energy.js";
 import { follow } from "./hand.js";
 import { METHODS, Rope } from "./kernel.js";
 import { energies, isBroken, tensions } from "./measures.js";
+import { Probe } from "./probe.js";
+import { Strip } from "./strip.js";
 
 /** @typedef {import("./kernel.js").Scene} Scene */
 /** @typedef {import("./kernel.js").Method} Method */
@@ -35,7 +36,14 @@ class Lab {
   constructor(scenes) {
     this.scenes = scenes;
     this.drawing = new Drawing(canvas("rope"));
-    this.strip = new EnergyStrip(canvas("energy"));
+    this.energy = new Strip(canvas("energy"), [
+      { name: "gravity" },
+      { name: "elastic" },
+      { name: "kinetic" },
+      { name: "total", wide: true },
+    ]);
+    this.fall = 0; // gravity's energy at time zero, from which it counts [J]
+    this.probe = new Probe(this, find);
     this.playing = false;
     this.owed = 0; // simulated time that the clock is ahead [s]
     /** @type {number | null} */ this.hover = null;
@@ -43,8 +51,18 @@ class Lab {
     for (const [i, scene] of scenes.entries())
       choice("scene").add(new Option(scene.name, String(i)));
     this.#listen();
-    this.choose(0);
+    this.choose(this.#named());
     requestAnimationFrame((now) => this.#picture(now));
+  }
+
+  /** The scene that the address names behind its #, such as lessons.html#pendulum; else the first. */
+  #named() {
+    const wanted = decodeURIComponent(location.hash.slice(1)).toLowerCase().replaceAll("-", " ");
+    const found = this.scenes.findIndex(
+      (scene) => wanted && scene.name.toLowerCase().includes(wanted),
+    );
+    choice("scene").value = String(Math.max(found, 0));
+    return Math.max(found, 0);
   }
 
   /** Take a scene with its own values. @param {number} index */
@@ -58,7 +76,9 @@ class Lab {
     input("c").value = "0";
     input("step").value = String(Math.log10(this.scene.step));
     input("g").value = String(Math.hypot(...this.scene.gravity));
+    this.probe.node = (this.base.n - 1) >> 1;
     this.restart();
+    this.probe.choose(this.probe.node);
   }
 
   /** Begin at time zero, with the values that the controls have. */
@@ -67,7 +87,7 @@ class Lab {
     if (!scene) return;
     this.rope = new Rope(scene);
     this.tension = new Float64Array(this.rope.n);
-    this.largest = 0;
+    this.largest = this.reached = 0;
     this.broken = false;
     this.owed = 0;
     find("broken").hidden = true;
@@ -75,7 +95,10 @@ class Lab {
     const whole = scene.length.reduce((sum, one) => sum + one, 0);
     this.drawing.look(...this.plane());
     this.drawing.fit(this.rope, whole / scene.ropes.length);
-    this.strip.clear(energies(this.rope).gravity);
+    this.fall = energies(this.rope).gravity;
+    this.energy.clear();
+    this.probe.strip.clear();
+    this.note();
     this.draw();
   }
 
@@ -137,12 +160,18 @@ class Lab {
     choice("scene").onchange = () => this.choose(Number(choice("scene").value));
     for (const id of ["k", "c", "step", "g"]) input(id).oninput = () => this.apply();
     choice("method").onchange = () => this.apply();
+    choice("tall").onchange = () => {
+      this.drawing.tall = Number(choice("tall").value);
+      this.draw();
+    };
     find("play").onclick = () => this.play(!this.playing);
     find("once").onclick = () => {
       this.play(false);
       this.advance(1);
+      this.note();
       this.draw();
     };
+    onhashchange = () => this.choose(this.#named());
     for (const id of ["restart", "again"]) find(id).onclick = () => this.restart();
     find("shorten").onclick = () => {
       input("step").value = String(Math.log10(SAFE * (this.bound ?? 1e-3)));
@@ -164,18 +193,25 @@ class Lab {
     if (!rope || this.broken) return;
     for (let i = 0; i < steps; i++) {
       rope.step(this.method ?? METHODS[0], this.step ?? 1e-3);
+      this.#peak(); // of every step, so that none is missed
       if ((i & 7) === 7 || i === steps - 1) this.#look();
       if (this.broken) return;
     }
   }
 
-  #look() {
+  #peak() {
     const { rope, tension } = this;
     if (!rope || !tension) return;
     tensions(rope, tension);
+    for (let j = 0; j < rope.n - 1; j++)
+      if (tension[j] > (this.reached ?? 0)) this.reached = tension[j];
+  }
+
+  #look() {
+    const { rope } = this;
+    if (!rope) return;
     if (!isBroken(rope)) {
-      const now = Math.max(...tension.subarray(0, rope.n - 1));
-      this.largest = Math.max(this.largest ?? 0, now);
+      this.largest = this.reached; // a break's own tensions say nothing
       return;
     }
     this.broken = true;
@@ -206,10 +242,20 @@ class Lab {
         this.owed -= steps * step;
       }
       this.owed = Math.min(this.owed, 0.1); // a machine that is too slow shows it slower
-      if (this.rope) this.strip.add(this.rope.time, energies(this.rope));
+      this.note();
       this.draw();
     }
     requestAnimationFrame((then) => this.#picture(then));
+  }
+
+  /** Add this moment to the graphs. */
+  note() {
+    if (!this.rope || !this.tension) return;
+    tensions(this.rope, this.tension);
+    const { kinetic, elastic, gravity } = energies(this.rope);
+    const high = gravity - this.fall;
+    this.energy.add(this.rope.time, [high, elastic, kinetic, high + elastic + kinetic]);
+    this.probe.note();
   }
 
   draw() {
@@ -219,8 +265,9 @@ class Lab {
     const now = this.broken ? NaN : Math.max(...tension.subarray(0, rope.n - 1), 0);
     const top = this.drawing.largest;
     if (!this.broken) this.drawing.largest = Math.max(now, 0.98 * top, 1e-9);
-    this.drawing.draw(rope, tension, scene.ropes, this.hover);
-    this.strip.draw();
+    this.drawing.draw(rope, tension, scene.ropes, this.hover, this.probe.node);
+    this.energy.draw();
+    this.probe.draw();
     find("state").textContent = `t = ${rope.time.toFixed(2)} s`;
     const numbers = [
       ["largest tension now", this.broken ? "none: it is broken" : told(now, "N")],

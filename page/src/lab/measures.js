@@ -9,11 +9,11 @@ export function tensions(rope, out) {
   const [x0, x1, x2] = rope.x;
   const [v0, v1, v2] = rope.v;
   for (let j = 0; j < rope.n - 1; j++) {
-    const d = [x0[j + 1] - x0[j], x1[j + 1] - x1[j], x2[j + 1] - x2[j]];
-    const u = [v0[j + 1] - v0[j], v1[j + 1] - v1[j], v2[j + 1] - v2[j]];
-    const r = Math.sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    const [dx, dy, dz] = [x0[j + 1] - x0[j], x1[j + 1] - x1[j], x2[j + 1] - x2[j]];
+    const [ux, uy, uz] = [v0[j + 1] - v0[j], v1[j + 1] - v1[j], v2[j + 1] - v2[j]];
+    const r = Math.sqrt(dx * dx + dy * dy + dz * dz);
     const loose = rope.slack[j] && r < rope.length[j];
-    const rate = r > 0 ? (d[0] * u[0] + d[1] * u[1] + d[2] * u[2]) / r : 0;
+    const rate = r > 0 ? (dx * ux + dy * uy + dz * uz) / r : 0;
     const carried = rope.stiffness[j] * (r - rope.length[j]);
     out[j] = loose ? 0 : carried + (rope.vector[j] + rope.axial[j]) * rate;
   }

@@ -1,0 +1,86 @@
+// A node that is measured: what it does now, and over time.
+
+import { Strip } from "./strip.js";
+
+/** @typedef {import("./kernel.js").Rope} Rope */
+/** @typedef {{rope?: Rope, tension?: Float64Array, plane(): [number[], number[]], draw(): void}} Lab */
+
+/** What can be measured, with its unit. @type {Record<string, string>} */
+export const QUANTITIES = { height: "m", sideways: "m", speed: "m/s", tension: "N" };
+
+/** The value of a quantity at a node, in the plane that is seen. @param {Lab} lab @param {number} node
+ * @param {string} quantity */
+export function measured(lab, node, quantity) {
+  const { rope, tension } = lab;
+  if (!rope || !tension) return NaN;
+  const [across, up] = lab.plane();
+  /** @param {number[]} way */
+  const along = (way) => way.reduce((sum, part, k) => sum + part * rope.x[k][node], 0);
+  if (quantity === "height") return along(up);
+  if (quantity === "sideways") return along(across);
+  if (quantity === "speed") return Math.hypot(...rope.v.map((row) => row[node]));
+  const beside = [node - 1, node].filter((j) => j >= 0 && j < rope.n - 1 && rope.stiffness[j] > 0);
+  return beside.reduce((sum, j) => sum + tension[j], 0) / beside.length;
+}
+
+export class Probe {
+  /** @param {Lab} lab @param {(id: string) => HTMLElement} find */
+  constructor(lab, find) {
+    this.lab = lab;
+    this.node = 0;
+    this.field = /** @type {HTMLInputElement} */ (find("node"));
+    this.choice = /** @type {HTMLSelectElement} */ (find("quantity"));
+    this.reading = find("reading");
+    const canvas = /** @type {HTMLCanvasElement} */ (find("graph"));
+    this.strip = new Strip(canvas, [{ name: "accent" }], () => lab.draw());
+    this.field.onchange = () => this.choose(this.field.valueAsNumber);
+    this.choice.onchange = () => this.choose(this.node);
+    find("save").onclick = () => this.save();
+  }
+
+  /** Measure another node, from now on. @param {number} node */
+  choose(node) {
+    const last = (this.lab.rope?.n ?? 1) - 1;
+    this.node = Math.min(Math.max(Math.round(node) || 0, 0), last);
+    this.field.max = String(last);
+    this.field.value = String(this.node);
+    this.strip.clear();
+    this.lab.draw();
+  }
+
+  /** Note the values of this moment. */
+  note() {
+    const { lab, node, choice } = this;
+    if (lab.rope) this.strip.add(lab.rope.time, [measured(lab, node, choice.value)]);
+  }
+
+  /** Say what the node does now, or did under the pointer. */
+  draw() {
+    const { lab, node, choice } = this;
+    this.strip.draw();
+    const read = this.strip.read();
+    const value = read ? read.values[0] : measured(lab, node, choice.value);
+    const when = read ? ` at ${read.t.toFixed(3)} s` : "";
+    const told = Number.isFinite(value) ? Number(value.toPrecision(5)) + 0 : "no";
+    this.reading.textContent = `${told} ${QUANTITIES[choice.value]}${when}`;
+  }
+
+  /** The graph as a table that spreadsheets open. */
+  table() {
+    const { kept } = this.strip;
+    const head = `time [s],${this.choice.value} of node ${this.node} [${QUANTITIES[this.choice.value]}]`;
+    return [
+      head,
+      ...kept.map(({ t, values }) => `${Number(t.toPrecision(9))},${values[0]}`),
+      "",
+    ].join("\n");
+  }
+
+  save() {
+    const link = document.createElement("a");
+    link.href = URL.createObjectURL(new Blob([this.table()], { type: "text/csv" }));
+    link.download = `${this.choice.value}.csv`;
+    link.click();
+    URL.revokeObjectURL(link.href);
+  }
+}
