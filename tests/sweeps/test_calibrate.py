@@ -13,6 +13,7 @@ import ropewalk as rw
 from ropewalk.record.errors import InputError, RunError
 from ropewalk.sweeps.identify import identify
 from ropewalk.sweeps.measurements import offsets
+from ropewalk.sweeps.misfit import runs_of_signs
 
 EA, LENGTH = "rope.made_of.EA", "rope.length"
 
@@ -106,9 +107,71 @@ def test_what_one_measurement_cannot_tell_apart_is_said_and_two_do() -> None:
     forces = np.linspace(20.0, 200.0, 8)
     pull = rw.calibrate.pull_test(forces, forces * 2.0 / 800.0, error=1e-4, length=2.0)
     both = rw.calibrate(hung(), [sag, pull], bounds)
-    assert both.words == ("The measurement tells all of them apart.",)
+    assert both.words[-1] == "The measurement tells all of them apart."
+    assert not any("cannot be told apart" in text for text in both.words)
     assert both.values[EA] == pytest.approx(800.0, rel=1e-4)
     assert both.values[LENGTH] == pytest.approx(5.0, abs=1e-4)
+
+
+def pulled(bend: float, seed: int = 3) -> tuple[np.ndarray, np.ndarray]:
+    """Forces and elongations with an error of 1 mm; with `bend` the rope gets stiffer as it is pulled."""
+    forces = np.linspace(50.0, 500.0, 12)
+    noise = np.random.default_rng(seed).normal(0.0, 1e-3, 12)
+    return forces, forces * 5.0 / 800.0 * (1.0 - bend * forces / 500.0) + noise
+
+
+def pull_words(bend: float, error: float | None) -> str:
+    """What a fit of EA says of such a test."""
+    pull = rw.calibrate.pull_test(*pulled(bend), error)
+    fit = rw.calibrate(hung(), pull, {EA: (400.0, 1600.0)}, starts=2, profile=False)
+    return " ".join(fit.words)
+
+
+def test_a_model_that_fits_is_told_from_one_that_does_not() -> None:
+    """By hand: the root of the mean square of residual over error, with 11 degrees of freedom."""
+    forces, e = pulled(0.2)
+    slope = (forces @ e) / (forces @ forces)
+    size = math.sqrt((((e - slope * forces) / 1e-3) ** 2).sum() / 11.0)
+    assert size > 30.0
+    assert (
+        f"The model does not fit: residuals are {size:.2g} times the stated uncertainty" in
+        pull_words(0.2, 1e-3)
+    )  # fmt: skip
+    assert "The model fits: residuals are " in pull_words(0.0, 1e-3)
+    assert "does not fit" not in pull_words(0.0, 1e-3)
+    assert "stated too large" in pull_words(0.0, 0.1)
+
+
+def test_without_a_stated_error_the_order_of_the_residuals_tells() -> None:
+    bent, straight = pull_words(0.2, None), pull_words(0.0, None)
+    for told in (bent, straight):
+        assert "No uncertainty was stated: it is taken from the residuals" in told
+    assert "Residuals of pull test keep their sign in rows (2 of them" in bent
+    assert "in rows" not in straight
+
+
+def test_rows_of_signs_have_the_chance_of_all_orders() -> None:
+    """Counted over all orders of five and four signs."""
+    from itertools import combinations
+
+    orders = []
+    for places in combinations(range(9), 5):
+        signs = -np.ones(9)
+        signs[list(places)] = 1.0
+        orders.append(signs)
+    rows = np.array([1 + (np.diff(one) != 0.0).sum() for one in orders])
+    for one in orders:
+        found, chance = runs_of_signs(one)
+        assert chance == pytest.approx((rows <= found).mean())
+    assert runs_of_signs(np.ones(8)) == (1, 2.0**-7)
+
+
+def test_a_bound_that_stops_a_fit_is_no_good_fit() -> None:
+    fit = rw.calibrate(
+        hung(), rw.calibrate.sag(3.0, error=0.01), {LENGTH: (4.8, 5.2)}, starts=2, profile=False
+    )
+    assert fit.words[0].startswith("The model does not fit: residuals are ")
+    assert repr(fit).startswith("Fitted to 1 number:")
 
 
 def test_what_does_not_show_is_said() -> None:

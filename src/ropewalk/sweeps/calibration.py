@@ -20,6 +20,7 @@ from ropewalk.sweeps.batch import REST, RUN
 from ropewalk.sweeps.function import SweepFunction
 from ropewalk.sweeps.identify import Findings, identify
 from ropewalk.sweeps.measurements import Measurement, as_measurements
+from ropewalk.sweeps.misfit import misfit
 from ropewalk.sweeps.parameters import short_names
 from ropewalk.sweeps.profile import profile_intervals
 from ropewalk.sweeps.workshop import Workshop
@@ -152,9 +153,10 @@ class Calibration:
         intervals: by path, from the covariance: (low, high) at `level`.
         profile: the same from the profile likelihood; empty when it was not asked for.
         correlation: of the values, (D, D) [1].
-        words: what the measurement tells and what it does not.
+        words: whether the model fits, what the measurement tells and what it does not.
         residuals: predicted less measured, by measurement, in its unit.
-        spread: standard deviation of the residuals over their errors [1]; about 1 for errors as given.
+        spread: standard deviation of the residuals over their errors [1], the root of the reduced
+            chi-square: about 1 for errors as stated. Without them it is in the measurement's unit.
         evaluations: runs (or equilibria) made.
     """
 
@@ -182,7 +184,8 @@ class Calibration:
         return import_module(_PLOTS).residuals(self)
 
     def __repr__(self) -> str:
-        lines = [f"Fitted to {sum(m.values.size for m in self.measurements)} numbers:"]
+        count = sum(m.values.size for m in self.measurements)
+        lines = [f"Fitted to {count} number{'s' * (count != 1)}:"]
         for path, value in self.values.items():
             low, high = self.profile.get(path) or self.intervals[path]
             unit = self.units.get(path, "")
@@ -351,7 +354,8 @@ def _answer(
     units = [str(e.get("unit", "")) if isinstance(e, Mapping) else "" for e in extras]
     predicted = residuals.predicted(share[None])[0]
     cuts = np.cumsum([m.values.size for m in residuals.measurements])[:-1]
-    words = list(findings.words)
+    parts = np.split(predicted, cuts)
+    words = [*misfit(residuals.measurements, parts, len(row)), *findings.words]
     if same < tried:
         words.append(
             f"{tried - same} of {tried} starts ended in a worse place; take more starts to be sure."
@@ -367,7 +371,7 @@ def _answer(
         correlation=findings.correlation,
         words=tuple(words),
         measurements=residuals.measurements,
-        predicted=tuple(np.split(predicted, cuts)),
+        predicted=tuple(parts),
         spread=findings.spread,
         level=level,
         evaluations=residuals.evaluations,

@@ -72,10 +72,8 @@ class Uncertainty:
         if self.sobol is not None:
             for key in self.sobol.data_vars:
                 if not str(key).endswith("_ci"):
-                    total = self.sobol[key].sel(order="total")
-                    parts = zip(total.parameter.values, total.values, strict=True)
-                    told = ", ".join(f"{p} {float(v):.2f}" for p, v in parts)
-                    lines.append(f"  {key} follows (total index): {told}")
+                    told = ", ".join(shares_in_words(self.sobol, str(key)))
+                    lines.append(f"  {key} follows (total index, 95 % interval): {told}")
         return "\n".join([*lines, self.note] if self.note else lines)
 
 
@@ -242,6 +240,14 @@ def _note(runs: xr.Dataset, more: str) -> str:
     return " ".join([*told, more] if more else told)
 
 
+def shares_in_words(sobol: xr.Dataset, name: str) -> list[str]:
+    """Return the total indices of a scalar, largest first, each with its 95 % interval."""
+    total: NDArray[Any] = sobol[name].sel(order="total").values
+    half: NDArray[Any] = sobol[f"{name}_ci"].sel(order="total").values
+    names = sobol.parameter.values
+    return [f"{names[i]} {total[i]:.2f} ± {half[i]:.2f}" for i in np.argsort(-total)]
+
+
 def text_rows(found: Uncertainty) -> list[tuple[str, ...]]:
     """Return the table of bands and total indices as text, for the command line."""
     rows = []
@@ -249,9 +255,6 @@ def text_rows(found: Uncertainty) -> list[tuple[str, ...]]:
         parts = [name, *(f"{v:.5g}" if math.isfinite(v) else "" for v in (low, middle, high)), unit]
         told = ""
         if found.sobol is not None and name in found.sobol:
-            total: NDArray[Any] = found.sobol[name].sel(order="total").values
-            names = found.sobol.parameter.values
-            order = np.argsort(-total)
-            told = ", ".join(f"{names[i]} {total[i]:.2f}" for i in order)
+            told = ", ".join(shares_in_words(found.sobol, name))
         rows.append((*parts, told))
     return rows

@@ -39,7 +39,14 @@ def run_uncertain(
     if as_json:
         print_json(_facts(found, folder))
         return 0
-    columns = ("result", "5 %", "50 %", "95 %", "unit", "follows (total Sobol index)")
+    columns = (
+        "result",
+        "5 %",
+        "50 %",
+        "95 %",
+        "unit",
+        "follows (total Sobol index, 95 % interval)",
+    )
     print_table(columns, text_rows(found), right=(1, 2, 3))
     if found.note:
         tell(found.note)
@@ -53,18 +60,21 @@ def _facts(found: Any, folder: Path) -> dict[str, Any]:
         name: {"unit": unit, "5 %": low, "50 %": middle, "95 %": high}
         for name, unit, low, middle, high in found.table()
     }
-    sobol = {}
+    sobol, half = {}, {}
     if found.sobol is not None:
         names = found.sobol.parameter.values.tolist()
         for key in found.sobol.data_vars:
             if not str(key).endswith("_ci"):
                 total = found.sobol[key].sel(order="total").values
                 sobol[str(key)] = dict(zip(names, total.tolist(), strict=True))
+                width = found.sobol[f"{key}_ci"].sel(order="total").values
+                half[str(key)] = dict(zip(names, width.tolist(), strict=True))
     return {
         "folder": str(folder),
         "runs": len(found.runs.run),
         "broken": found.broken,
         "bands": bands,
         "total Sobol indices": sobol,
+        "half width of their 95 % intervals": half,
         "note": found.note or None,
     }

@@ -1,0 +1,78 @@
+"""Bands and Sobol indices of a scene whose answer is known in closed form.
+
+A rope that hangs at rest from one anchor pulls its uppermost segment with m L g (1 - 1/(2 n)): all of its
+mass but the half segment at the anchor. With mass per length and gravity independent, that is a product.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+import scipy.stats
+
+import ropewalk as rw
+from sweeps.scenes import DOWN, swing
+
+MASS = "rope.made_of.mass_per_length"
+WEIGHT = 2.0 * (1.0 - 1.0 / 8.0)  # length [m] of rope that the uppermost of four segments carries
+NORMAL = scipy.stats.norm(0.1, 0.01)
+GRAVITY = (-12.0, -8.0)
+
+
+def hanging(spreads: dict[str, Any], samples: int, seed: int = 5) -> rw.Uncertainty:
+    """The rope at rest with values that are not known."""
+    return rw.uncertain(
+        swing(0.02), spreads, samples=samples, seed=seed, what="rest", on="here", progress=False
+    )
+
+
+def off(found: rw.Uncertainty, spread: Any) -> float:
+    """Largest error of the bands against the quantiles of a distribution of mass, in its deviations."""
+    exact = spread.ppf([0.05, 0.5, 0.95]) * WEIGHT * 9.81
+    return float(np.abs(found.bands.tension_max.values - exact).max() / (0.01 * WEIGHT * 9.81))
+
+
+def test_bands_are_the_quantiles_of_the_distribution() -> None:
+    found = hanging({MASS: NORMAL}, 128)
+    assert off(found, NORMAL) < 0.05
+    assert off(found, scipy.stats.norm(0.1, 0.0105)) > 0.05  # the same, five percent wider
+    (row,) = [row for row in found.table() if row[0] == "tension_max"]
+    assert row[1:3] == ("N", pytest.approx(NORMAL.ppf(0.05) * WEIGHT * 9.81, rel=5e-3))
+
+
+def exact_indices(one: tuple[float, float], other: tuple[float, float]) -> tuple[float, float]:
+    """First and total index of one factor of a product, from mean and deviation of both factors."""
+    (a, s), (b, t) = one, other
+    whole = (b * s) ** 2 + (a * t) ** 2 + (s * t) ** 2
+    return (b * s) ** 2 / whole, ((b * s) ** 2 + (s * t) ** 2) / whole
+
+
+def test_sobol_indices_are_those_of_a_product() -> None:
+    """A wide mass, so that the two factors act together as well."""
+    pytest.importorskip("SALib")
+    wide = scipy.stats.uniform(0.02, 0.18)
+    mass, gravity = (wide.mean(), wide.std()), (10.0, 4.0 / np.sqrt(12.0))
+    found = hanging({MASS: wide, DOWN: GRAVITY}, 512)
+    assert found.sobol is not None
+    exact = np.array([exact_indices(mass, gravity), exact_indices(gravity, mass)]).T
+    made = found.sobol.tension_max
+    assert made.dims == ("order", "parameter")
+    assert made.parameter.values.tolist() == ["mass_per_length", "gravity_2"]
+    half = found.sobol.tension_max_ci.values
+    assert np.abs(made.values - exact).max() < 0.01
+    assert (np.abs(made.values - exact) <= half).all()
+    assert (half < 0.2).all()
+    without = np.array([[exact[0, 0], exact[0, 1]]] * 2)  # of a sum: no share of both together
+    assert np.abs(made.values - without).max() > 0.01
+    assert np.abs(made.values - exact[:, ::-1]).max() > 0.5
+
+
+def test_intervals_of_the_indices_are_told() -> None:
+    pytest.importorskip("SALib")
+    found = hanging({MASS: NORMAL, DOWN: (-9.9, -9.7)}, 64)
+    total = found.sobol.tension_max.sel(order="total").values
+    half = found.sobol.tension_max_ci.sel(order="total").values
+    told = f"mass_per_length {total[0]:.2f} ± {half[0]:.2f}"
+    assert told in repr(found)
