@@ -67,7 +67,7 @@ def _rope(random: Random, name: str, offset: float, *, mild: bool) -> Rope:
     towards = random.normal(size=3) - np.array([0.0, 0.0, 1.0])
     end = start + reach * towards / np.linalg.norm(towards)
     loads = [
-        Load(node=-1, mass=_between(random, 0.5, 50.0) * line * part)
+        Load(node=-1, mass=_between(random, 0.5, 300.0) * line * part)
         for _ in range(_chance(random, 0.5))
     ]
     return Rope(
@@ -87,6 +87,8 @@ def _speed(random: Random) -> tuple[float, float, float]:
 def _stops(random: Random, place: Any) -> dict[str, Any]:
     """An anchor's fields: it stops, goes there and back, stands still at once, or lets go on its way."""
     kind, stop = random.choice(["velocity", "table", "steps"]), float(random.uniform(0.1, _LAST))
+    if _chance(random, 0.5):  # at the end of a step
+        stop = max(1, round(60.0 * stop)) / 60.0
     found: dict[str, Any] = {}
     if kind == "velocity":
         found["motion"] = Velocity(velocity=_speed(random), start=0.0, stop=stop)
@@ -121,9 +123,10 @@ def stopping_scene(seed: int, *, method: str | None = None) -> Scene:
         for i in range(int(random.choice([1, 2], p=[0.8, 0.2])))
     ]
     step = 1.0 / float(random.choice([60.0, 240.0, 1000.0])) if own in IMPLICIT else "auto"
+    weightless = _chance(random, 0.15)
     return Scene(
         name=f"stopping {seed}",
-        gravity=(0.0, 0.0, -9.81) if _chance(random, 0.85) else (0.0, 0.0, 0.0),
+        gravity=(0.0, 0.0, 0.0 if weightless else -9.81),
         ropes=ropes,
         anchors=[anchor for rope in ropes for anchor in _anchors(random, rope)],
         air=Air(node_drag=0.01) if own == "heun" else None,
@@ -132,7 +135,7 @@ def stopping_scene(seed: int, *, method: str | None = None) -> Scene:
             time_step=step,
             duration=_LAST + 0.5,
             frame_rate=60.0,
-            start="shape",
+            start="shape" if weightless or _chance(random, 0.5) else "at-rest",
             tolerance=_between(random, 1e-6, 1e-3),
         ),
     )

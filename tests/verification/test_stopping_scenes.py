@@ -1,5 +1,7 @@
 """Anchors that stop, turn back or let go at once break no damped rope and make up no energy.
 
+Before steps in which friction gives energy were taken in parts, 8 of the first 120 did in steps of esdirk3.
+
 `ROPEWALK_STOPPING_SCENES=1000` runs that many; by default 120, which takes half a minute.
 """
 
@@ -38,7 +40,10 @@ def made_up(result: rw.Result) -> float:
 
 
 def gave_up_weightless(result: rw.Result) -> bool:
-    """Tell whether no solution was found of a rope that coasts free of force (see the strict xfail)."""
+    """Tell whether no solution was found of a rope that coasts free of force.
+
+    What rounding of the speeds leaves is not in the solver's bound where nothing else has a force.
+    """
     vector = any(rope.made_of.friction == "vector" for rope in result.scene.ropes)
     gave_up = "found no solution" in result.diagnosis or "needs steps below" in result.diagnosis
     return gave_up and vector and not any(result.scene.gravity)
@@ -69,14 +74,3 @@ def test_the_scenes_stop_and_let_go_under_stiff_friction() -> None:
     assert any(anchor.release_time is not None for anchor in held)
     assert {rope.made_of.friction for s in scenes for rope in s.ropes} == {"vector", "axial"}
     assert made_up(rw.simulate(scenes[0], on_failure="return")) < MOST
-
-
-@pytest.mark.slow
-@pytest.mark.xfail(
-    strict=True,
-    reason="rounding of speeds is not in the solver's bound where nothing else has a force",
-)
-@pytest.mark.parametrize("seed", [185, 207])
-def test_a_rope_that_coasts_without_weight_is_solved(seed: int) -> None:
-    method = {185: "sdirk2", 207: "implicit-euler"}[seed]
-    rw.simulate(stopping_scene(seed, method=method))

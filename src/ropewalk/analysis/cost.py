@@ -13,19 +13,27 @@ from ropewalk.simulation import Broken, Simulation
 _PER_NODE = 5e-9  # [s]
 _PER_STEP = 5e-7  # [s]
 _SAMPLE = 0.02  # [s] of computing that a measurement takes
+_AFFORDABLE = (
+    20_000  # nodes up to which two steps are run: of more an implicit one can take many seconds
+)
 
 
 def seconds_per_step(model: Model, measure: bool = True) -> tuple[float, bool]:
     """Return the estimated time of one step [s], without recording, and whether it was measured.
 
-    It is measured by running some steps of a copy, unless the run breaks within them or the machine
-    code may still have to be made (that takes longer than the answer is worth; winches and limiters
-    have code of their own, of which one cannot tell).
+    It is measured by running some steps of a copy, unless there are very many nodes, the run breaks within
+    them or the machine code may still have to be made (that takes longer than the answer is worth; winches
+    and limiters have code of their own, of which one cannot tell).
     """
     method = METHODS[model.plan.method]
     typical = method.cost * _PER_NODE * model.layout.nodes + _PER_STEP
     special = model.scene.winches or model.scene.limiter
-    if not measure or special or not is_compiled(method.advance):
+    if (
+        model.layout.nodes > _AFFORDABLE
+        or not measure
+        or special
+        or not is_compiled(method.advance)
+    ):
         return typical, False
     simulation = Simulation(model)
     dt = model.plan.dt

@@ -30,7 +30,7 @@ def energy_note(result: Result, error: Floats, share: float) -> str:
 
     An explicit run of an undamped rope may err by `MOST` of weight times length. Of friction, air, ground
     and limiter there must be none: what they take hides what steps make up. A run whose method was left to
-    Ropewalk, damped or implicit, may err by `TURNED` of the energy turned over.
+    Ropewalk, or the steps of an implicit one, may err by `TURNED` of the energy turned over.
     """
     scene, plan = result.scene, result.plan
     error = error[np.isfinite(error)]
@@ -40,7 +40,8 @@ def energy_note(result: Result, error: Floats, share: float) -> str:
     worst, scale = float(error[np.argmax(np.abs(error))]), weight_times_length(scene)
     if not METHODS[plan.method].implicit and not is_damped(scene):
         return _made_up(plan, worst, scale) if abs(worst) > MOST * scale > 0.0 else ""
-    if scene.run.method != "auto" or not share > TURNED or abs(worst) <= _NOTHING * scale:
+    chosen = scene.run.method == "auto" or METHODS[plan.method].implicit
+    if not chosen or not share > TURNED or abs(worst) <= _NOTHING * scale:
         return ""
     return (
         f"{abs(worst):.3g} J, {share:.3g} % of the energy turned over, are in no law's work: some of the "

@@ -15,6 +15,7 @@ from ropewalk.record.extremes import SEEN, UTILISATION, Extreme, extremes, place
 from ropewalk.record.facts import AT_REST
 from ropewalk.record.ledger import turned_over
 from ropewalk.record.margins import margin_rows
+from ropewalk.record.tension_notes import peak_note, push_note
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -107,11 +108,18 @@ def _steps(result: Result) -> dict[str, Any]:
 def _told(result: Result, found: dict[str, Extreme]) -> dict[str, Any]:
     """Return the extremes with their places and times, those of anchors and clamps where there are any."""
     told: dict[str, Any] = {}
+    most, least = found["greatest tension"], found["least tension"]
+    notes = {
+        "greatest tension": peak_note(result, most),
+        "least tension": push_note(result, least, most.value),
+    }
     for name, title in _titles(result).items():
         anchors = name in ("greatest anchor force", "greatest clamp moment")
         if not (anchors and math.isnan(found[name].value)):
             told[title] = found[name].value
             told[f"{title.partition(' [')[0]} at"] = place_of(result, name, found[name])
+        if notes.get(name):
+            told[f"about the {title.partition(' [')[0]}"] = notes[name]
     return told
 
 

@@ -19,8 +19,9 @@ PLANNED = "stop time"
 class Watch:
     """Looks at a simulation now and then and tells what has happened since the last look.
 
-    Times are the scene's where it gives them. A winch at a limit has stopped where its speed brings it
-    to what it has wound: exact as long as it turned at one speed since the last look.
+    Times are the scene's where it gives them; an anchor lets go at the begin of the next step. A winch at a
+    limit has stopped where its speed brings it to what it has wound: exact as long as it turned at one speed
+    since the last look.
     """
 
     def __init__(self, simulation: Simulation, *, resumed: bool = False) -> None:
@@ -51,8 +52,18 @@ class Watch:
         release: Floats = simulation.system.anchors.release
         names = simulation.layout.anchor_names
         return [
-            {"event": LET_GO, "time": float(release[row]), "anchor": names[row]} for row in gone
+            {"event": LET_GO, "time": self._let_go(float(release[row])), "anchor": names[row]}
+            for row in gone
         ]
+
+    def _let_go(self, release: float) -> float:
+        """Return when an anchor with this release time [s] let go: at the begin of the next step."""
+        start, dt, _ = self._simulation.clock
+        if (
+            self._simulation.plan.tolerance is not None or release < start
+        ):  # adaptive ends a step there
+            return release
+        return max(release, start + math.ceil((release - start) / dt - 1e-6) * dt)
 
     def _stops(self) -> list[Event]:
         simulation, found = self._simulation, []

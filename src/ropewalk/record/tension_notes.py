@@ -1,0 +1,82 @@
+"""Sentences about a run's largest and least tension: a peak that its steps hardly resolve, and a push."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ropewalk.methods.registry import METHODS
+from ropewalk.record.extremes import Extreme
+from ropewalk.record.facts import FINISHED
+from ropewalk.scene import Rope
+
+if TYPE_CHECKING:
+    from ropewalk.record.result import Result
+
+JERK = 0.5  # [1] a tension that was less than this part of its peak one frame before it
+RESOLVED = 10.0  # [1] steps in which a wave goes through one segment: fewer blur a jerk
+_ROUNDING = 1e-6  # [1] of the largest tension: a smaller push is none
+
+
+def peak_note(result: Result, peak: Extreme) -> str:
+    """Say how good the largest tension can be where a jerk makes it in steps too long for it; else "".
+
+    A jerk holds waves as short as a segment. A step that is not much shorter than the time sqrt(m / k) that
+    these take through a segment (mass m, stiffness k) cannot follow them, stable or not: with the report's
+    own r4 methods of one step differ by a fifth, and half the step changes the peak as much. Steps of
+    `adaptive` follow what happens, and rigid links have no such wave: of these it says nothing.
+    """
+    plan = result.plan
+    if result.status != FINISHED or plan.method not in METHODS or plan.tolerance is not None:
+        return ""
+    if not peak.value > 0.0 or not math.isfinite(peak.value):
+        return ""
+    through = wave_time(_rope_at(result, peak))
+    frame = int(np.searchsorted(result.time, peak.until))
+    if not 0 < frame < result.frames or not 0.0 < through < RESOLVED * plan.dt:
+        return ""
+    before = float(result.read("tension", frame - 1, frame)[0, peak.place])
+    if not before < JERK * peak.value:
+        return ""
+    share = f"{100.0 * max(before, 0.0) / peak.value:.2g} %"
+    times = f"a wave takes {1e3 * through:.3g} ms through a segment, a step {1e3 * plan.dt:.3g} ms"
+    return (
+        f"a jerk, from {share} of it one frame before: {times}, so that the peak may be wrong by a fifth and "
+        f"more; compare it with a run of time_step = {0.5 * plan.dt:.3g} s"
+    )
+
+
+def push_note(result: Result, least: Extreme, largest: float) -> str:
+    """Say what pushes where the least tension is negative; `largest` is the largest [N]. Else ""."""
+    if not least.value < -_ROUNDING * abs(largest):
+        return ""
+    rope = _rope_at(result, least)
+    if rope.made_of.tension_only:
+        return (
+            "negative: the push of the friction along a taut rope that shortens fast; the rope itself, its "
+            "elastic tension, never pushes"
+        )
+    if rope.bending_stiffness > 0.0:
+        return "negative: a push along a rope that is stiff in bending"
+    if rope.rigid:
+        return "negative: rigid links push, too, which a rope does not"
+    rubs = " and its friction" if rope.segment_friction > 0.0 else ""
+    return (
+        f"negative: a segment that is shortened pushes, its spring{rubs}, which a rope does not; "
+        "tension_only = true lets it go slack"
+    )
+
+
+def wave_time(rope: Rope) -> float:
+    """Return the time that a wave along a rope takes through one segment [s]; 0 for rigid links."""
+    if rope.rigid:
+        return 0.0
+    mass = rope.own_mass / (rope.nodes if rope.made_of.kind == "springs" else rope.segments)
+    return math.sqrt(mass / rope.segment_stiffness)
+
+
+def _rope_at(result: Result, extreme: Extreme) -> Rope:
+    name, _ = result.layout.rope_of(extreme.place)
+    return next(rope for rope in result.scene.ropes if rope.name == name)

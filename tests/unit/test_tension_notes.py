@@ -1,0 +1,55 @@
+"""Tables say when a largest tension is a jerk that the steps hardly resolve, and what a negative one is."""
+
+from __future__ import annotations
+
+import pytest
+
+import ropewalk as rw
+from ropewalk.record.tension_notes import wave_time
+
+JERK, PUSH = "about the largest tension", "about the least tension"
+
+
+def peak(result: rw.Result) -> float:
+    return float(result.table["largest tension [N]"])
+
+
+def test_a_snap_in_steps_too_long_for_it_says_how_good_its_peak_is() -> None:
+    scene = rw.preset("r4")
+    coarse = rw.simulate(scene)
+    text = coarse.table[JERK]
+    assert "a jerk" in text
+    assert "a wave takes 2.24 ms through a segment, a step 1.85 ms" in text
+    assert "time_step = 0.000926 s" in text
+    half = rw.simulate(scene.replace(**{"run.time_step": 0.5 * coarse.plan.dt}))
+    assert peak(half) > 1.15 * peak(coarse)  # what the sentence is for
+    # steps that resolve the jerk have no note, and hardly change with half of them
+    fine = rw.simulate(scene.replace(**{"run.time_step": wave_time(scene.ropes[0]) / 12.0}))
+    assert JERK not in fine.table
+    finer = rw.simulate(scene.replace(**{"run.time_step": wave_time(scene.ropes[0]) / 24.0}))
+    assert peak(finer) == pytest.approx(peak(fine), rel=0.02)
+
+
+@pytest.mark.parametrize("name", ["r3", "r8", "power-line-in-wind", "wave-on-a-string", "zip-line"])
+def test_smooth_runs_have_no_such_note(name: str) -> None:
+    scene = rw.preset(name)
+    coarse = rw.simulate(scene.replace(**{"run.duration": min(scene.run.duration, 2.5)}))
+    assert JERK not in coarse.table
+    half = rw.simulate(coarse.scene.replace(**{"run.time_step": 0.5 * coarse.plan.dt}))
+    assert peak(half) == pytest.approx(peak(coarse), rel=0.005)
+
+
+def test_a_peak_that_comes_smoothly_has_none_though_the_rope_goes_slack_after_it() -> None:
+    """The chain's tension grows to its largest over its whole fall."""
+    assert JERK not in rw.simulate(rw.preset("falling-chain")).table
+
+
+def test_a_negative_tension_says_what_pushes() -> None:
+    fall = rw.simulate(rw.preset("climbing-fall"))
+    assert fall.table["least tension [N]"] < -100.0
+    assert fall.table[PUSH].startswith("negative: the push of the friction along a taut rope")
+    assert (fall.elastic_tension >= 0.0).all()  # as the sentence says
+    springs = rw.simulate(rw.preset("r4"))
+    assert "tension_only = true lets it go slack" in springs.table[PUSH]
+    assert "its spring and its friction" in springs.table[PUSH]
+    assert PUSH not in rw.simulate(rw.preset("r3")).table
