@@ -57,7 +57,7 @@ def test_an_interrupted_sweep_is_gone_on_with(
     assert "of 12 runs are stored" in stopped.output
     assert "ropewalk resume s" in stopped.output
     assert "go on with: ropewalk resume s" in ropewalk("info", "s").output
-    resumed = ropewalk("resume", "s")
+    resumed = ropewalk("resume", "s", "--on", "here")
     assert resumed.exit_code == 0, resumed.output
     assert "12 of 12 made: 12 finished" in resumed.output
     ropewalk("sweep", scene, *names, "-o", "whole")
@@ -132,8 +132,31 @@ def test_uncertain_runs(ropewalk: Call, scene: Path, tmp_path: Path) -> None:
     assert (tmp_path / "u" / "figures" / "uncertain.png").exists()
     told = json.loads(ropewalk("run", scene, *spread, "-o", "v", "--json").stdout)
     assert told["bands"]["tension_max"]["5 %"] < told["bands"]["tension_max"]["95 %"]
-    refused = ropewalk("run", scene, "--samples", 8)
-    assert "goes with --uncertain" in refused.output
+    for flag in ("--samples", "--seed"):
+        assert "goes with --uncertain" in ropewalk("run", scene, flag, 8).output
+    one, other = (
+        json.loads(ropewalk("run", scene, *spread, "--seed", 3, "-o", f, "--json").stdout)
+        for f in ("w", "x")
+    )
+    assert one["seed"] == other["seed"] == 3
+    assert one["bands"] == other["bands"]
+    assert "seed 3" in ropewalk("info", "w").output
+
+
+def test_who_goes_on_with_a_sweep_can_be_said(
+    ropewalk: Call, scene: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    rw.sweep(
+        rw.load(scene), {"gravity[2]": [-10.0, -9.0]}, store=tmp_path / "s", on="here", batch=1
+    )
+    asked = []
+    monkeypatch.setattr(
+        "ropewalk.sweeps.many.resume_sweep", lambda folder, **how: asked.append(how)
+    )
+    assert ropewalk("resume", "s", "--on", "local", "--workers", 2).exit_code == 0
+    assert asked == [{"on": "local", "workers": 2, "force": False}]
+    ropewalk("run", scene, "-o", "r")
+    assert "are of sweeps" in ropewalk("resume", "r", "--workers", 2).output
 
 
 def replaying(scene: rw.Scene, stiffness: float) -> ReplayStage:

@@ -116,6 +116,24 @@ def test_a_cluster_of_its_own_listens_to_this_machine_only() -> None:
         assert all("//127.0.0.1:" in address for address in addresses)
         assert "127.0.0.1" in own.dashboard_link
     assert "dashboard: http://127.0.0.1" in told[0]
+    assert rw.sweep.dashboard is not None
+    assert told[0].endswith(rw.sweep.dashboard)
+
+
+def test_the_dashboard_is_told_once_where_no_terminal_is(
+    client: Any, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    about = client.scheduler_info(n_workers=0) | {"services": {"dashboard": 8787}}
+    real = client.scheduler_info
+    monkeypatch.setattr(
+        client, "scheduler_info", lambda n_workers: about if not n_workers else real()
+    )
+    rw.sweep(swing(0.02), VARY, batch=2, on=client)
+    told = capsys.readouterr().err
+    assert told.count("dashboard: http://") == 1
+    assert str(rw.sweep.dashboard) in told
+    rw.sweep(swing(0.02), VARY, batch=2, on=client, progress=False)
+    assert capsys.readouterr().err == ""
 
 
 APART = """

@@ -258,6 +258,55 @@ def test_a_grid_given_as_runs_is_refused_and_not_paired() -> None:
     assert rw.sweep(swing(0.02), runs, keep="tension.max", on="here").sizes["run"] == 2
 
 
+@pytest.mark.parametrize("stored", [True, False])
+def test_what_a_table_says_of_its_runs_is_kept(tmp_path: Path, stored: bool) -> None:
+    ask = {"keep": "tension.max", "on": "here", "batch": 2}
+    ask |= {"store": tmp_path / "s"} if stored else {}
+    frame = pd.DataFrame(
+        {EA: [1e3, 2e3, 3e3]}, index=pd.Index(["soft", "mid", "hard"], name="rope")
+    )
+    ds = rw.sweep(swing(0.02), frame, **ask)
+    assert ds.given_rope.values.tolist() == ["soft", "mid", "hard"]  # `rope` is a dimension
+    assert ds.given_rope.dims == ("run",)
+    table = xr.Dataset(
+        {EA: ("test", [1e3, 2e3])},
+        {"test": [7, 9], "batch_no": ("test", [0.5, 1.5], {"units": "1"}), "site": "north"},
+    )
+    ds = rw.sweep(swing(0.02), table, **(ask | {"overwrite": True})).load()
+    assert ds.test.values.tolist() == [7, 9]
+    assert ds.batch_no.values.tolist() == [0.5, 1.5]
+    assert ds.batch_no.attrs == {"units": "1"}
+    assert ds.site.values.tolist() == ["north", "north"]
+    plain = rw.sweep(swing(0.02), pd.DataFrame({EA: [1e3, 2e3]}), **(ask | {"overwrite": True}))
+    assert "index" not in plain.coords
+    some = rw.sweep(swing(0.02), ds.isel(run=[1, 0]), **(ask | {"overwrite": True}))
+    assert some.given_run.values.tolist() == [1, 0]
+    assert same(some.tension_max.values, ds.tension_max.values[::-1])
+
+
+def test_arrays_and_distributions_of_all_kinds() -> None:
+    array = xr.DataArray([1e3, 2e3], dims="a", name=EA)
+    ask = {"keep": "tension.max", "on": "here"}
+    as_runs = rw.sweep(swing(0.02), array, **ask)
+    as_list = rw.sweep(swing(0.02), {EA: array}, **ask)
+    as_series = rw.sweep(swing(0.02), {EA: pd.Series([1e3, 2e3])}, **ask)
+    assert as_runs.tension_max.dims == ("run",)
+    assert as_list.tension_max.dims == as_series.tension_max.dims == ("EA",)
+    assert same(as_runs.tension_max.values, as_list.tension_max.values)
+    with pytest.raises(rw.SceneError, match="a column without a path"):
+        rw.sweep(swing(0.02), xr.DataArray([1e3, 2e3]), **ask)
+    drawn = {"samples": 8, "seed": 2, **ask}
+    old = rw.sweep(swing(0.02), {EA: scipy.stats.norm(2e3, 50.0)}, **drawn)
+    new = rw.sweep(swing(0.02), {EA: scipy.stats.Normal(mu=2e3, sigma=50.0)}, **drawn)
+    np.testing.assert_allclose(new.EA, old.EA, rtol=1e-12)
+    for given in (scipy.stats.norm, scipy.stats.Normal):
+        with pytest.raises(rw.SceneError, match="without its parameters; give them"):
+            rw.sweep(swing(0.02), {EA: given}, **drawn)
+    for given in (scipy.stats.norm([1e3, 2e3], 1.0), scipy.stats.norm(1e3, -1.0)):
+        with pytest.raises(rw.SceneError, match="is no distribution of one number"):
+            rw.sweep(swing(0.02), {EA: given}, **drawn)
+
+
 def test_rest_shapes_can_be_swept() -> None:
     hanging = rw.preset("hanging-rope")
     ds = rw.sweep(hanging, {"rope.length": [12.0, 14.0]}, keep="sag[-1]", what="rest", on="here")

@@ -6,6 +6,8 @@ mass but the half segment at the anchor. With mass per length and gravity indepe
 
 from __future__ import annotations
 
+from importlib.util import find_spec
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -13,6 +15,8 @@ import pytest
 import scipy.stats
 
 import ropewalk as rw
+from ropewalk.sweeps.store import SweepFolder
+from ropewalk.sweeps.summary import summary
 from sweeps.scenes import DOWN, swing
 
 MASS = "rope.made_of.mass_per_length"
@@ -76,3 +80,18 @@ def test_intervals_of_the_indices_are_told() -> None:
     half = found.sobol.tension_max_ci.sel(order="total").values
     told = f"mass_per_length {total[0]:.2f} ± {half[0]:.2f}"
     assert told in repr(found)
+
+
+def test_seed_and_spreads_are_kept_and_give_the_same_runs(tmp_path: Path) -> None:
+    spreads = {MASS: NORMAL, DOWN: (-9.9, -9.7)}
+    ask: dict[str, Any] = {"samples": 8, "on": "here", "progress": False, "what": "rest"}
+    found = rw.uncertain(swing(0.02), spreads, store=tmp_path / "s", **ask)
+    facts = summary(SweepFolder.open(tmp_path / "s"))
+    assert [about["spread"] for about in facts["parameters"]] == ["norm(0.1, 0.01)", "-9.9 to -9.7"]
+    assert facts["design"] == ("saltelli" if find_spec("SALib") else "sobol")
+    seed = facts["seed"]
+    assert found.runs.attrs["seed"] == seed
+    again = rw.uncertain(swing(0.02), spreads, seed=seed, **ask)
+    np.testing.assert_array_equal(again.runs.mass_per_length, found.runs.mass_per_length)
+    other = rw.uncertain(swing(0.02), spreads, seed=seed + 1, **ask)
+    assert (other.runs.mass_per_length.values != found.runs.mass_per_length.values).any()

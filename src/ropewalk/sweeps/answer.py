@@ -99,6 +99,8 @@ def in_memory(sweep: SweepMemory) -> xr.Dataset:
         told = {"path": about["path"], "long_name": about["long_name"]}
         told |= {"units": about["unit"]} if about["unit"] else {}
         coords[about["name"]] = ("run", sweep.values[about["name"]], told)
+    for label in plan.labels:
+        coords[label["name"]] = ("run", sweep.values[label["name"]], label["attributes"])
     for dim, found in plan.coordinates.items():
         coords[dim] = (dim, np.array(found["values"]), found["attributes"])
     variables: dict[str, Any] = {

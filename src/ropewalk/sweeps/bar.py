@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import logging
+import sys
 import time
 from collections.abc import Callable
 from typing import Any
 
-from ropewalk.bar import Bar
+from ropewalk.bar import Bar, terminal
+
+_log = logging.getLogger("ropewalk.sweep")
 
 _EVERY = 0.1  # [s] at most so often
 
@@ -20,7 +24,8 @@ class RunsBar:
     def __init__(self, title: str, runs: int, progress: Any, standing: Callable[..., Any]) -> None:
         self._runs, self._standing = runs, standing
         self._call = progress if callable(progress) else None
-        self._bar = Bar(title, shown=progress is True)
+        self._shown = progress is True
+        self._bar = Bar(title, shown=self._shown)
         self._note = ""
         self._done = self._before = self._broken = 0
         self._begun = self._last = time.perf_counter()
@@ -37,9 +42,13 @@ class RunsBar:
         self._bar.begin(done, self._runs)
 
     def note(self, text: str) -> None:
-        """Say where it runs."""
+        """Say where it runs: above the bar, or on stderr where there is none; in the log always."""
         self._note = text
-        self._bar.tell(text)
+        _log.info(text)
+        if self._shown and terminal():
+            self._bar.tell(text)
+        elif self._shown:
+            print(text, file=sys.stderr, flush=True)
 
     def add(self, runs: int, broken: int) -> None:
         """Count some runs more."""

@@ -13,11 +13,13 @@ from numpy.typing import NDArray
 
 from ropewalk.scene import SceneError
 from ropewalk.scene.errors import NO_VALUE, Fault
-from ropewalk.sweeps.parameters import FLOAT, INT, Parameter
+from ropewalk.sweeps.parameters import FLOAT, INT, Label, Parameter
 from ropewalk.words.nearest import nearest
 
 DESIGNS = ("sobol", "lhs", "halton", "random")
 GRID, GIVEN = "grid", "given"
+#: Groups of D + 2 runs that Sobol indices are made of; `runs` is a multiple of that.
+SALTELLI = "saltelli"
 #: Most runs of one sweep.
 MOST_RUNS = 100_000_000
 _PIECE = 65536  # runs whose values are made at a time; a power of two, as Sobol's points like it
@@ -33,6 +35,12 @@ class Design:
     parameters: tuple[Parameter, ...]
     runs: int
     seed: int | None = None
+    labels: tuple[Label, ...] = ()  # of given runs
+
+    @property
+    def drawn(self) -> bool:
+        """Whether the values come from spreads and a seed."""
+        return self.kind in (*DESIGNS, SALTELLI)
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -42,11 +50,11 @@ class Design:
         return tuple(len(parameter.values or ()) for parameter in self.parameters)
 
     def pieces(self) -> Iterator[Columns]:
-        """Yield the values of all runs, some at a time: one array per parameter.
+        """Yield the values of all runs, some at a time: one array per parameter, then per label.
 
         The pieces of a sample are those of the whole sample, so memory does not grow with it.
         """
-        if self.kind in DESIGNS:
+        if self.drawn:
             yield from self._sampled()
             return
         for start in range(0, self.runs, _PIECE):
@@ -56,11 +64,37 @@ class Design:
             else:
                 places = [numbers] * len(self.parameters)
             pairs = zip(self.parameters, places, strict=True)
-            yield [column(p, p.values or ())[place] for p, place in pairs]
+            made = [column(p, p.values or ())[place] for p, place in pairs]
+            yield [*made, *(column(label, label.values)[numbers] for label in self.labels)]
 
     def _sampled(self) -> Iterator[Columns]:
-        for unit in _unit_points(self.kind, len(self.parameters), self.runs, self.seed):
+        width = len(self.parameters)
+        if self.kind == SALTELLI:
+            whole = saltelli(width, self.runs // (width + 2), self.seed)
+            points: Iterator[NDArray[np.float64]] = (
+                whole[at : at + _PIECE] for at in range(0, self.runs, _PIECE)
+            )
+        else:
+            points = _unit_points(self.kind, width, self.runs, self.seed)
+        for unit in points:
             yield [spread_over(p, unit[:, i]) for i, p in enumerate(self.parameters)]
+
+
+def saltelli(width: int, samples: int, seed: int | None) -> NDArray[np.float64]:
+    """Return Saltelli's points of the unit cube, (samples * (width + 2), width).
+
+    Source: Saltelli et al., Comput. Phys. Commun. 181 (2010) 259, as SALib makes them.
+    """
+    from SALib.sample import sobol
+
+    names = [f"x{i}" for i in range(width)]
+    problem = {"num_vars": width, "names": names, "bounds": [[0.0, 1.0]] * width}
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of sizes that are no powers of two
+        made: NDArray[np.float64] = sobol.sample(
+            problem, samples, calc_second_order=False, seed=seed
+        )
+    return made
 
 
 def make_design(
@@ -69,6 +103,7 @@ def make_design(
     design: str,
     seed: int | None,
     given: bool,
+    labels: tuple[Label, ...] = (),
 ) -> Design:
     """Return the design that was asked for. Raises SceneError when it fits not together."""
     faults: list[Fault] = []
@@ -94,7 +129,7 @@ def make_design(
     if given:
         lengths = {len(parameter.values or ()) for parameter in parameters}
         assert len(lengths) == 1
-        return Design(GIVEN, parameters, lengths.pop())
+        return Design(GIVEN, parameters, lengths.pop(), labels=labels)
     if samples is None:
         runs = math.prod(len(parameter.values or ()) for parameter in parameters)
         if runs > MOST_RUNS:
@@ -113,7 +148,7 @@ def make_design(
     return Design(design, parameters, int(samples), seed)
 
 
-def column(parameter: Parameter, values: Sequence[Any]) -> NDArray[Any]:
+def column(parameter: Parameter | Label, values: Sequence[Any]) -> NDArray[Any]:
     """Return values as the array that a parameter's column is."""
     dtype: Any = {FLOAT: np.float64, INT: np.int64}.get(parameter.kind, object)
     made: NDArray[Any] = np.empty(len(values), dtype=dtype)

@@ -36,6 +36,9 @@ _AHEAD = 3  # batches in hand per worker's thread
 #: Messages that Dask keeps for its own diagnosis, with the values of a batch each; by default 1000.
 _LOGGED = {"distributed.admin.low-level-log-length": 50}
 
+#: Address of the dashboard of the cluster that was used last; None: there is none.
+dashboard: str | None = None
+
 Told = Callable[[int, int], None]  # number of a batch that is done, broken runs in it
 
 
@@ -76,6 +79,7 @@ def client_of(on: Any, workers: int | None, say: Callable[[str], None]) -> Itera
     from distributed import Client
 
     if isinstance(on, Client):
+        say(_dashboard(on))
         yield on
         return
     if isinstance(on, str) and on != "local":
@@ -85,7 +89,7 @@ def client_of(on: Any, workers: int | None, say: Callable[[str], None]) -> Itera
         except (OSError, ValueError, TypeError) as error:
             raise RunError(on, f"no Dask scheduler answers there: {error}") from None
         with client:
-            say(f"dashboard: {client.dashboard_link}")
+            say(_dashboard(client))
             yield client
         return
     if on not in (None, "local"):
@@ -96,8 +100,16 @@ def client_of(on: Any, workers: int | None, say: Callable[[str], None]) -> Itera
         dask.config.set(_LOGGED),
         Client(cluster, set_as_default=False) as client,
     ):
-        say(f"{len(cluster.workers)} workers; dashboard: {cluster.dashboard_link}")
+        say(f"{len(cluster.workers)} workers; {_dashboard(client)}")
         yield client
+
+
+def _dashboard(client: Any) -> str:
+    """Say where a cluster can be looked at, and keep it."""
+    global dashboard
+    has = "dashboard" in client.scheduler_info(n_workers=0).get("services", {})
+    dashboard = str(client.dashboard_link) if has else None
+    return f"dashboard: {dashboard or 'none'}"
 
 
 @contextmanager

@@ -29,6 +29,9 @@ def array_specs(plan: SweepPlan) -> Iterator[ArraySpec]:
         about |= {"units": parameter["unit"]} if parameter["unit"] else {}
         kind = kinds.get(parameter["kind"], "string")
         yield ArraySpec(parameter["name"], ("run",), runs, piece, kind, about)
+    for label in plan.labels:
+        kind = kinds.get(label["kind"], "string")
+        yield ArraySpec(label["name"], ("run",), runs, piece, kind, label["attributes"])
     for dim, found in plan.coordinates.items():
         count = (len(found["values"]),)
         kind = "string" if isinstance(found["values"][0], str) else "float64"

@@ -24,7 +24,7 @@ from ropewalk.sweeps.designs import Design, make_design
 from ropewalk.sweeps.identity import sweep_hash
 from ropewalk.sweeps.keep import Kept, make_keep
 from ropewalk.sweeps.memory import SweepMemory
-from ropewalk.sweeps.parameters import gives_runs, make_parameters
+from ropewalk.sweeps.parameters import gives_runs, make_labels, make_parameters
 from ropewalk.sweeps.plan import SweepPlan, rows_of
 from ropewalk.sweeps.repair import mend
 from ropewalk.sweeps.store import COPIES, DATA, PARTIAL, SCENE, SweepFolder, is_sweep
@@ -102,15 +102,38 @@ def sweep(
     Raises SceneError with the faults of all corners before anything runs; InputError, RunError;
     KeyboardInterrupt, after which `resume` goes on with what is stored.
     """
-    _check_options(what, batch, workers)
-    loaded, folder = as_scene(scene), Path(store) if store is not None else None
+    loaded = as_scene(scene)
     parameters = make_parameters(loaded, vary)
-    chosen = make_design(parameters, samples, design, seed, gives_runs(vary))
-    kept = make_keep(keep, bool(loaded.anchors))
+    given = gives_runs(vary)
+    labels = make_labels(vary, parameters) if given else ()
+    chosen = make_design(parameters, samples, design, seed, given, labels)
+    return make_runs(
+        loaded, chosen, keep, store=store, on=on, workers=workers, what=what, batch=batch,
+        overwrite=overwrite, progress=progress,
+    )  # fmt: skip
+
+
+def make_runs(
+    scene: Scene,
+    design: Design,
+    keep: Sequence[str] | str | None,
+    *,
+    store: str | Path | None = None,
+    on: Any = None,
+    workers: int | None = None,
+    what: str = RUN,
+    batch: int | None = None,
+    overwrite: bool = False,
+    progress: Progress | bool = True,
+) -> xr.Dataset:
+    """Make the runs of a design; all else as of `sweep`."""
+    _check_options(what, batch, workers)
+    folder = Path(store) if store is not None else None
+    kept = make_keep(keep, bool(scene.anchors))
     if folder is not None:
         _check_free(folder, overwrite)
     asked = (what, batch, overwrite)
-    return _made(loaded, chosen, kept, asked, folder, (on, workers, progress))
+    return _made(scene, design, kept, asked, folder, (on, workers, progress))
 
 
 def _made(
@@ -250,7 +273,8 @@ def _first_runs(recipe: Recipe, design: Design, batch: int | None) -> _First:
     The first one may compile: its time counts only where it is the only one.
     """
     batcher = batcher_of(json.dumps(recipe.plain()))
-    rows = rows_of([column[:_MOST_MEASURED] for column in next(design.pieces())])[: batch or None]
+    columns = next(design.pieces())[: len(design.parameters)]
+    rows = rows_of([column[:_MOST_MEASURED] for column in columns])[: batch or None]
     begun = time.perf_counter()
     made, spent = batcher.make(rows[:1]), []
     alone = time.perf_counter() - begun
@@ -272,6 +296,7 @@ def _plan(
         title=scene.name,
         recipe=recipe,
         parameters=tuple(parameter.described() for parameter in design.parameters),
+        labels=tuple(label.described() for label in design.labels),
         design=design.kind,
         shape=design.shape,
         runs=design.runs,

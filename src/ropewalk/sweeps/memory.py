@@ -18,8 +18,7 @@ class SweepMemory:
     def __init__(self, plan: SweepPlan, values: Iterable[list[Any]]) -> None:
         self.plan = plan
         columns = [np.concatenate(parts) for parts in zip(*values, strict=True)]
-        names = [parameter["name"] for parameter in plan.parameters]
-        self.values = dict(zip(names, columns, strict=True))
+        self.values = dict(zip(plan.columns, columns, strict=True))
         self.columns: dict[str, Any] = {
             "status": np.full(plan.runs, "", dtype=object),
             "reason": np.full(plan.runs, "", dtype=object),
@@ -43,5 +42,6 @@ class SweepMemory:
     def rows(self, number: int) -> list[list[Any]]:
         """Return the values of a batch's runs."""
         rows = self.plan.rows(number)
-        parts = [column[rows.start : rows.stop].tolist() for column in self.values.values()]
+        names = [parameter["name"] for parameter in self.plan.parameters]
+        parts = [self.values[name][rows.start : rows.stop].tolist() for name in names]
         return [list(row) for row in zip(*parts, strict=True)]

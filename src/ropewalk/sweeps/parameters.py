@@ -61,9 +61,36 @@ def spread_in_words(spread: Any) -> str:
     """Return a distribution or a range as text: `norm(100000.0, 5000.0)`, `9.5 to 10.5`."""
     if isinstance(spread, tuple):
         return f"{spread[0]:g} to {spread[1]:g}"
+    if isinstance(spread, _Inverse):
+        return repr(spread.distribution)
     words = [f"{value!r}" for value in getattr(spread, "args", ())]
     words += [f"{name}={value!r}" for name, value in getattr(spread, "kwds", {}).items()]
     return f"{getattr(getattr(spread, 'dist', None), 'name', type(spread).__name__)}({', '.join(words)})"
+
+
+@dataclass(frozen=True)
+class _Inverse:
+    """A distribution of scipy's newer kind, whose inverse has another name."""
+
+    distribution: Any
+
+    def ppf(self, share: Any) -> Any:
+        """Return the values below which these shares lie."""
+        return self.distribution.icdf(share)
+
+
+@dataclass(frozen=True)
+class Label:
+    """What a table of runs says of each besides its values: an index, a name; kept as a coordinate."""
+
+    name: str
+    values: tuple[Any, ...]
+    kind: str
+    attributes: Mapping[str, str]
+
+    def described(self) -> dict[str, Any]:
+        """All of it but the values, as plain data."""
+        return {"name": self.name, "kind": self.kind, "attributes": dict(self.attributes)}
 
 
 def make_parameters(scene: Scene, vary: Any) -> tuple[Parameter, ...]:
@@ -107,10 +134,9 @@ def make_parameters(scene: Scene, vary: Any) -> tuple[Parameter, ...]:
 
 def _columns(vary: Any) -> dict[str, Any]:
     """Return what is given for each path."""
+    vary = as_table(vary)
     if hasattr(vary, "data_vars"):  # an xarray Dataset, perhaps the coordinates of another sweep
-        columns = {name: vary[name] for name in (*vary.data_vars, *vary.coords)}
-        with_path = {k: v for k, v in columns.items() if "path" in v.attrs}
-        used = with_path or {str(name): vary[name] for name in vary.data_vars}
+        used = _used(vary)
         _refuse_a_grid(used)
         return {str(v.attrs.get("path", k)): np.atleast_1d(v.values) for k, v in used.items()}
     if hasattr(vary, "columns") and hasattr(vary, "iloc"):  # a pandas DataFrame
@@ -119,6 +145,74 @@ def _columns(vary: Any) -> dict[str, Any]:
         rule = "must be a mapping from paths to values, a DataFrame, or a Dataset"
         raise SceneError([Fault("vary", type(vary).__name__, rule)])
     return {str(path): what for path, what in vary.items()}
+
+
+def as_table(vary: Any) -> Any:
+    """Return a DataArray as the Dataset of one column that it is, anything else as it came."""
+    if hasattr(vary, "data_vars") or not (hasattr(vary, "dims") and hasattr(vary, "coords")):
+        return vary
+    name = vary.attrs.get("path", vary.name)
+    if name is None:
+        rule = 'is a column without a path: name it by one, such as array.rename("rope.made_of.EA")'
+        raise SceneError([Fault("vary", "a DataArray", rule)])
+    return vary.rename(name).to_dataset()
+
+
+def _used(vary: Any) -> dict[Any, Any]:
+    """Return the columns of a Dataset that are parameters: those with a path, or else all variables."""
+    columns = {name: vary[name] for name in (*vary.data_vars, *vary.coords)}
+    with_path = {k: v for k, v in columns.items() if "path" in v.attrs}
+    return with_path or {str(name): vary[name] for name in vary.data_vars}
+
+
+def make_labels(vary: Any, parameters: Sequence[Parameter]) -> tuple[Label, ...]:
+    """Return what a table says of its runs besides their values.
+
+    Of a DataFrame its index, if it is more than a count; of a Dataset the other coordinates along the runs.
+    Raises SceneError for a name that the answer needs for something else.
+    """
+    vary, found = as_table(vary), {}
+    taken = {parameter.name for parameter in parameters}
+    if hasattr(vary, "data_vars"):
+        used = _used(vary)
+        dims = {dim for column in used.values() for dim in column.dims}
+        for key, column in vary.coords.items():
+            along = key not in used and (set(column.dims) == dims or column.ndim == 0)
+            whole = column.dtype.kind != "O" or not isinstance(np.ravel(column.values)[0], tuple)
+            if along and whole and not _is_a_count(column.values):
+                values = np.broadcast_to(column.values, [len(parameters[0].values or ())])
+                about = {k: str(v) for k, v in column.attrs.items() if isinstance(v, str)}
+                found[str(key)] = values, about
+    elif hasattr(vary, "iloc"):
+        for level in range(vary.index.nlevels):
+            values = vary.index.get_level_values(level)
+            name = values.name if values.name is not None else "index"
+            if vary.index.nlevels > 1 or not _is_a_count(np.asarray(values)):
+                found[str(name)] = np.asarray(values), {"long_name": "index of the table of runs"}
+    made = []
+    for name, (values, about) in found.items():
+        name = f"given_{name}" if name in RESERVED else name
+        if name in taken:
+            raise SceneError(
+                [Fault("vary", name, "names an index and a parameter; rename the index")]
+            )
+        taken.add(name)
+        made.append(_label(name, values.tolist(), about))
+    return tuple(made)
+
+
+def _is_a_count(values: Any) -> bool:
+    """Tell whether values only count the runs: 0, 1, 2, ..."""
+    found = np.asarray(values)
+    return found.dtype.kind in "iu" and np.array_equal(found, np.arange(found.size))
+
+
+def _label(name: str, values: list[Any], about: Mapping[str, str]) -> Label:
+    if all(isinstance(v, int) and not isinstance(v, bool) for v in values):
+        return Label(name, tuple(values), INT, about)
+    if all(isinstance(v, (int, float)) and not isinstance(v, bool) for v in values):
+        return Label(name, tuple(map(float, values)), FLOAT, about)
+    return Label(name, tuple(map(str, values)), TEXT, about)
 
 
 def _refuse_a_grid(used: Mapping[Any, Any]) -> None:
@@ -135,6 +229,7 @@ def _refuse_a_grid(used: Mapping[Any, Any]) -> None:
 
 def gives_runs(vary: Any) -> bool:
     """Tell whether `vary` holds the runs themselves."""
+    vary = as_table(vary)
     return hasattr(vary, "data_vars") or (hasattr(vary, "columns") and hasattr(vary, "iloc"))
 
 
@@ -151,16 +246,16 @@ def _refuse_overlaps(places: Places) -> None:
 
 
 def _values_or_spread(path: str, what: Any) -> tuple[tuple[Any, ...] | None, Any]:
-    if hasattr(what, "ppf"):
-        return None, what
+    if hasattr(what, "ppf") or hasattr(what, "icdf"):
+        return None, _distribution(path, what)
     if isinstance(what, tuple):
         numbers = all(isinstance(v, (int, float)) and not isinstance(v, bool) for v in what)
         if len(what) != 2 or not numbers or not np.isfinite(what).all() or what[0] > what[1]:
             rule = "a tuple is a range (low, high) to sample from; values of a grid are a list"
             raise SceneError([Fault(path, list(what), rule)])
         return None, (what[0], what[1])
-    if isinstance(what, np.ndarray):
-        what = what.tolist()
+    if hasattr(what, "__array__"):  # numpy, pandas, xarray
+        what = np.atleast_1d(np.asarray(what)).tolist()
     if isinstance(what, (str, bytes)) or not isinstance(what, Iterable):
         rule = (
             "must be a list of values, a range (low, high), or a frozen scipy.stats distribution; "
@@ -171,6 +266,26 @@ def _values_or_spread(path: str, what: Any) -> tuple[tuple[Any, ...] | None, Any
     if not values:
         raise SceneError([Fault(path, [], "has no values; give at least one")])
     return values, None
+
+
+def _distribution(path: str, what: Any) -> Any:
+    """Return a distribution with the inverse `ppf`. Raises SceneError for one that cannot be drawn from."""
+    if isinstance(what, type) or hasattr(what, "freeze"):
+        name = what.__name__ if isinstance(what, type) else what.name
+        rule = (
+            f"is the distribution {name} without its parameters; give them, as in "
+            "scipy.stats.norm(1e5, 5e3) or scipy.stats.Normal(mu=1e5, sigma=5e3)"
+        )
+        raise SceneError([Fault(path, NO_VALUE, rule)])
+    found = what if hasattr(what, "ppf") else _Inverse(what)
+    middle = np.asarray(found.ppf(0.5))
+    if middle.shape != () or not np.isfinite(middle):
+        rule = (
+            "is no distribution of one number: its parameters must be single numbers, in the range that "
+            "scipy.stats allows"
+        )
+        raise SceneError([Fault(path, NO_VALUE, rule)])
+    return found
 
 
 def _kind(path: str, values: Sequence[Any] | None, spread: Any, whole: bool) -> str:

@@ -56,6 +56,7 @@ class SweepPlan:
     coordinates: Mapping[str, dict[str, Any]]  # by dimension: values, attributes
     provenance: Mapping[str, Any]
     seed: int | None = None
+    labels: tuple[dict[str, Any], ...] = ()  # `Label.described`
     id: str = field(default_factory=lambda: uuid.uuid4().hex)
     format: int = FORMAT
 
@@ -81,9 +82,14 @@ class SweepPlan:
         return range(number * self.batch, min((number + 1) * self.batch, self.runs))
 
     @property
+    def columns(self) -> list[str]:
+        """Names of what was given for the runs: parameters, then labels."""
+        return [about["name"] for about in (*self.parameters, *self.labels)]
+
+    @property
     def run_bytes(self) -> int:
         """What is kept of one run [bytes], texts left out."""
-        return 8 * (1 + len(self.parameters) + sum(v.numbers for v in self.variables))
+        return 8 * (1 + len(self.columns) + sum(v.numbers for v in self.variables))
 
     @property
     def keep(self) -> tuple[Kept, ...]:
@@ -98,6 +104,7 @@ class SweepPlan:
             "title": self.title,
             "recipe": self.recipe.plain(),
             "parameters": list(self.parameters),
+            "labels": list(self.labels),
             "design": self.design,
             "seed": self.seed,
             "shape": list(self.shape),
@@ -117,6 +124,7 @@ class SweepPlan:
             title=plain["title"],
             recipe=Recipe.of(plain["recipe"]),
             parameters=tuple(plain["parameters"]),
+            labels=tuple(plain.get("labels", ())),
             design=plain["design"],
             shape=tuple(plain["shape"]),
             runs=int(plain["runs"]),

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from ropewalk.sweeps import engines
 from ropewalk.sweeps.answer import open_sweep
 from ropewalk.sweeps.calibration import Calibrate
 from ropewalk.sweeps.function import SweepFunction
@@ -24,6 +25,11 @@ class Sweep:
 
     #: `rw.sweep.function(scene, names, keep)` maps (N, D) to (N, K).
     function = SweepFunction
+
+    @property
+    def dashboard(self) -> str | None:
+        """Address of the Dask dashboard of the cluster that a sweep uses, or used last; None without one."""
+        return engines.dashboard
 
     def open(self, folder: str | Path) -> xr.Dataset:
         """Open a sweep's folder, finished or not; see `sweeps.open_sweep`."""

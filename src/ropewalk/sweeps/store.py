@@ -107,14 +107,13 @@ class SweepFolder:
     def _attributes(self) -> dict[str, Any]:
         plan = self.plan
         seed = {} if plan.seed is None else {"seed": plan.seed}
-        names = [parameter["name"] for parameter in plan.parameters]
         return {
             "title": plan.title,
             "source": f"ropewalk {plan.provenance.get('ropewalk', '')}".rstrip(),
             "design": plan.design,
             **seed,
             "grid": json.dumps(list(plan.shape)),
-            "coordinates": " ".join(names),
+            "coordinates": " ".join(plan.columns),
         }
 
     def known_files(self) -> Iterator[tuple[str, bytes]]:
@@ -132,8 +131,8 @@ class SweepFolder:
 
     def value_files(self) -> Iterator[tuple[str, Path, Path]]:
         """Yield name, file and copy of every chunk of values."""
-        for parameter in self.plan.parameters:
-            spec = self.specs[parameter["name"]]
+        for name in self.plan.columns:
+            spec = self.specs[name]
             for number in range(self.plan.pieces):
                 key = spec.key(number)
                 copy = self.folder / COPIES / key.replace("/", ".")
@@ -141,8 +140,7 @@ class SweepFolder:
 
     def _write_values(self, values: Iterable[list[Any]]) -> None:
         """Write the values of all runs, cut at the chunks, twice."""
-        names = [parameter["name"] for parameter in self.plan.parameters]
-        number = 0
+        names, number = self.plan.columns, 0
         waiting: list[Any] = [[] for _ in names]
         size = self.plan.piece
 

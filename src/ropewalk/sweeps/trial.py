@@ -23,7 +23,7 @@ from ropewalk.scene.errors import NO_VALUE, Fault, show
 from ropewalk.simulation import Simulation
 from ropewalk.statics import NoRest
 from ropewalk.sweeps.batch import REST
-from ropewalk.sweeps.designs import DESIGNS, GIVEN, Design
+from ropewalk.sweeps.designs import GIVEN, Design
 from ropewalk.sweeps.keep import Kept
 from ropewalk.sweeps.parameters import TEXT, Parameter
 from ropewalk.sweeps.plan import Variable
@@ -135,7 +135,7 @@ def try_out(
     Raises SceneError with every fault of every corner, each with the values of its corner.
     """
     workshop = Workshop(scene, [p.path for p in parameters], [p.kind for p in parameters])
-    drawn = design is not None and design.kind in DESIGNS
+    drawn = design is not None and design.drawn
     ends = _drawn_ends(design) if design and drawn else [_ends(p, None) for p in parameters]
     given = design is not None and design.kind == GIVEN
     if not given:

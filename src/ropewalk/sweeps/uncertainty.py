@@ -14,12 +14,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ropewalk.api import SceneLike, as_scene
-from ropewalk.core.arrays import Floats
 from ropewalk.scene import Scene, SceneError
 from ropewalk.scene.errors import NO_VALUE, Fault
 from ropewalk.sweeps.batch import GOOD
-from ropewalk.sweeps.designs import spread_over
-from ropewalk.sweeps.many import sweep
+from ropewalk.sweeps.designs import SALTELLI, Design
+from ropewalk.sweeps.many import make_runs, sweep
 from ropewalk.sweeps.parameters import Parameter, make_parameters
 
 if TYPE_CHECKING:
@@ -117,8 +116,8 @@ def uncertain(
         runs = sweep(loaded, spreads, samples=samples, seed=seed, keep=kept, what=what, **options)
         note = "No Sobol indices: pip install 'ropewalk[uncertain]' brings them."
         return Uncertainty(runs, bands(runs), None, _note(runs, note))
-    points = _saltelli(parameters, samples, seed)
-    runs = sweep(loaded, _as_table(parameters, points), keep=kept, what=what, **options)
+    design = Design(SALTELLI, parameters, samples * (len(parameters) + 2), seed)
+    runs = make_runs(loaded, design, kept, what=what, **options)
     # The first of each group of D + 2 rows are the plain sample; the others repeat its values.
     plain = runs.isel(run=slice(0, None, len(parameters) + 2))
     found, more = _indices(runs, parameters, samples, seed)
@@ -131,34 +130,9 @@ def _default_keep(scene: Scene, what: str) -> list[str]:
     return kept if what == "rest" else [*kept, *(f"{name}.max[time]" for name in names)]
 
 
-def _saltelli(parameters: Sequence[Parameter], samples: int, seed: int) -> Floats:
-    """Return Saltelli's points of the unit cube, (samples * (D + 2), D).
-
-    Source: Saltelli et al., Comput. Phys. Commun. 181 (2010) 259, as SALib makes them.
-    """
-    from SALib.sample import sobol
-
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # of sizes that are no powers of two
-        made: Floats = sobol.sample(
-            _problem(parameters), samples, calc_second_order=False, seed=seed
-        )
-    return made
-
-
 def _problem(parameters: Sequence[Parameter]) -> dict[str, Any]:
     names = [parameter.name for parameter in parameters]
     return {"num_vars": len(names), "names": names, "bounds": [[0.0, 1.0]] * len(names)}
-
-
-def _as_table(parameters: Sequence[Parameter], points: Floats) -> xr.Dataset:
-    import xarray as xr
-
-    columns = {
-        p.name: ("run", spread_over(p, points[:, i]), {"path": p.path})
-        for i, p in enumerate(parameters)
-    }
-    return xr.Dataset(coords=columns)
 
 
 def bands(runs: xr.Dataset) -> xr.Dataset:

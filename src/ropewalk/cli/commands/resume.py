@@ -8,7 +8,9 @@ from pathlib import Path
 import click
 
 from ropewalk.cli.commands.run import conclude, quiet_option
+from ropewalk.cli.commands.sweep import on_options
 from ropewalk.cli.console import warn
+from ropewalk.cli.errors import Refusal
 from ropewalk.cli.progress import RunProgress, tell_compiling
 from ropewalk.cli.runs import is_sweep, open_run, run_argument
 from ropewalk.cli.sources import json_option
@@ -22,9 +24,12 @@ from ropewalk.cli.startup import without_scipy
     is_flag=True,
     help="Even if another version of Ropewalk began the run; it may then not go on to the same bits.",
 )
+@on_options
 @json_option
 @quiet_option
-def resume(folder: Path, force: bool, as_json: bool, quiet: bool) -> int:
+def resume(
+    folder: Path, force: bool, on: str | None, workers: int | None, as_json: bool, quiet: bool
+) -> int:
     """Go on with the run or sweep in DIR where it was killed or interrupted.
 
     It goes on to the same bits as one that was never interrupted.
@@ -32,7 +37,9 @@ def resume(folder: Path, force: bool, as_json: bool, quiet: bool) -> int:
     if is_sweep(folder):
         from ropewalk.cli.commands.sweep import resume_folder
 
-        return resume_folder(folder, force=force, as_json=as_json)
+        return resume_folder(folder, on, workers, force=force, as_json=as_json)
+    if on is not None or workers is not None:
+        raise Refusal("--on, --workers: are of sweeps; a run goes on in this process")
     with without_scipy(), warnings.catch_warnings(record=True) as caught:
         from ropewalk.api import explain
         from ropewalk.record.resume import resume_run

@@ -47,6 +47,11 @@ quiet_option = click.option(
     "and bands for tension, sag and anchor forces printed and drawn; can be given again.",
 )
 @click.option("--samples", type=click.IntRange(2), metavar="N", help="Of --uncertain; default 256.")
+@click.option(
+    "--seed",
+    type=click.IntRange(0),
+    help="Of --uncertain's samples; default: a new one, which is told.",
+)
 @click.option("--overwrite", is_flag=True, help="Replace a run that is in DIR.")
 @json_option
 @quiet_option
@@ -55,6 +60,7 @@ def run(
     output: Path | None,
     spreads: tuple[str, ...],
     samples: int | None,
+    seed: int | None,
     overrides: tuple[str, ...],
     duration: str | None,
     time_step: str | None,
@@ -76,9 +82,11 @@ def run(
         from ropewalk.cli.commands.uncertain import run_uncertain
 
         where = (output, short_name(scene), overwrite)
-        return run_uncertain(loaded, spreads, samples or 256, where, as_json=as_json)
+        return run_uncertain(loaded, spreads, (samples or 256, seed), where, as_json=as_json)
     if samples is not None:
         raise Refusal("--samples: goes with --uncertain; for a sweep see: ropewalk sweep --help")
+    if seed is not None:
+        raise Refusal("--seed: goes with --uncertain; a run without it draws nothing")
     if output is not None:
         with without_scipy():
             refuse_run(output, overwrite)

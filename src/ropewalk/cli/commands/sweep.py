@@ -20,6 +20,19 @@ SWEEPS = Path("sweeps")
 _TOLD = 20  # damaged files
 
 
+def on_options(command: Any) -> Any:
+    """Give a command the options that say who makes the runs."""
+    workers = click.option(
+        "--workers", type=click.IntRange(1), metavar="N", help="Processes of local."
+    )
+    on = click.option(
+        "--on",
+        metavar="WHERE",
+        help='Address of a Dask scheduler, "local" (all cores here) or "here" (one process).',
+    )
+    return on(workers(command))
+
+
 @click.command()
 @click.argument("scene")
 @click.option(
@@ -48,12 +61,7 @@ _TOLD = 20  # damaged files
     metavar="DIR",
     help="The sweep's folder; default: sweeps/NAME-1, -2 and so on.",
 )
-@click.option(
-    "--on",
-    metavar="WHERE",
-    help='Address of a Dask scheduler, "local" (all cores here) or "here" (one process).',
-)
-@click.option("--workers", type=click.IntRange(1), metavar="N", help="Processes of local.")
+@on_options
 @click.option("--rest", is_flag=True, help="Find each scene's equilibrium instead of running it.")
 @run_options
 @click.option("--overwrite", is_flag=True, help="Replace a sweep that is in DIR.")
@@ -109,12 +117,16 @@ def sweep(
         )
 
 
-def resume_folder(folder: Path, *, force: bool, as_json: bool) -> int:
+def resume_folder(
+    folder: Path, on: str | None, workers: int | None, *, force: bool, as_json: bool
+) -> int:
     """Go on with the sweep in a folder."""
     from ropewalk.sweeps.many import resume_sweep
 
     with telling():
-        return _ended(folder, lambda: resume_sweep(folder, force=force), as_json)
+        return _ended(
+            folder, lambda: resume_sweep(folder, on=on, workers=workers, force=force), as_json
+        )
 
 
 @contextmanager

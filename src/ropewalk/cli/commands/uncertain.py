@@ -18,12 +18,15 @@ if TYPE_CHECKING:
 def run_uncertain(
     scene: Scene,
     spreads: Sequence[str],
-    samples: int,
+    drawn: tuple[int, int | None],
     where: tuple[Path | None, str, bool],
     *,
     as_json: bool,
 ) -> int:
-    """Make the runs into a sweep's folder, print the bands and draw the figure there."""
+    """Make the runs into a sweep's folder, print the bands and draw the figure there.
+
+    `drawn` are the number of samples and their seed.
+    """
     from ropewalk import plots
     from ropewalk.sweeps.spread_text import parse_vary
     from ropewalk.sweeps.uncertainty import text_rows, uncertain
@@ -32,7 +35,14 @@ def run_uncertain(
     vary = dict(parse_vary(text) for text in spreads)
     tell_compiling(scene.run.method)
     with claimed(output, SWEEPS, f"{name}-uncertain") as folder, telling():
-        found = uncertain(scene, vary, samples=samples, store=folder, overwrite=overwrite)
+        samples, seed = drawn
+        ask: dict[str, Any] = {
+            "samples": samples,
+            "seed": seed,
+            "store": folder,
+            "overwrite": overwrite,
+        }
+        found = uncertain(scene, vary, **ask)
     figures = folder / "figures"
     figures.mkdir(exist_ok=True)
     path = plots.save(found.plot(), figures / "uncertain.png")
@@ -50,6 +60,7 @@ def run_uncertain(
     print_table(columns, text_rows(found), right=(1, 2, 3))
     if found.note:
         tell(found.note)
+    say(f"seed of the samples: {found.runs.attrs['seed']}")
     say(str(path))
     say(f"sweep folder: {folder}")
     return 0
@@ -73,6 +84,7 @@ def _facts(found: Any, folder: Path) -> dict[str, Any]:
         "folder": str(folder),
         "runs": len(found.runs.run),
         "broken": found.broken,
+        "seed": found.runs.attrs["seed"],
         "bands": bands,
         "total Sobol indices": sobol,
         "half width of their 95 % intervals": half,
