@@ -250,3 +250,52 @@ def test_the_largest_tension_misses_no_step(lessons: Any) -> None:
         "   top = Math.max(top, rope.stiffness[j] * (r - rope.length[j])); } } return top; }"
     )
     assert lessons.evaluate("window.ropewalkLab.lab.largest") == pytest.approx(own, rel=1e-9)
+
+
+PITCH = """([index, seconds, rate]) => {
+  const { scenes, Rope, Resampler, bridge, tensions } = window.ropewalkLab;
+  const scene = scenes[index], rope = new Rope(scene), tension = new Float64Array(rope.n);
+  const [sampler, samples] = [new Resampler(rate), []];
+  for (let i = 0; i * scene.step < seconds; i++) {
+    rope.step("semi-implicit-euler", scene.step);
+    tensions(rope, tension);
+    sampler.add(bridge(rope, tension, scene.up), scene.step, samples);
+  }
+  return samples;
+}"""
+
+
+@pytest.mark.browser
+def test_a_string_sounds_at_its_pitch(lessons: Any) -> None:
+    """The greatest line of what is played is the string's sqrt(T/mu)/(2 L), and its overtones die first."""
+    rate, seconds = 48000, 0.5
+    index = lessons.evaluate(
+        "window.ropewalkLab.scenes.findIndex((scene) => scene.name === '5c guitar string')"
+    )
+    samples = np.array(lessons.evaluate(PITCH, [index, seconds, rate]))
+    assert len(samples) == pytest.approx(rate * seconds, abs=2)
+    first, last = samples[: len(samples) // 4], samples[-(len(samples) // 4) :]
+
+    def lines(part: np.ndarray) -> np.ndarray:
+        shape = np.abs(np.fft.rfft(part * np.hanning(len(part)), 8 * len(part)))
+        step = rate / (8 * len(part))
+        return np.array([shape[int(f * 0.9 / step) : int(f * 1.1 / step)].max() for f in pitches])
+
+    pitches = 201.7 * np.arange(1, 5)
+    whole = np.abs(np.fft.rfft(samples * np.hanning(len(samples)), 8 * len(samples)))
+    assert whole.argmax() * rate / (8 * len(samples)) == pytest.approx(201.7, rel=0.01)
+    brightness = [lines(part)[3] / lines(part)[0] for part in (first, last)]
+    assert brightness[1] < 0.5 * brightness[0]
+
+
+@pytest.mark.browser
+def test_the_sound_is_off_until_it_is_wanted(lessons: Any) -> None:
+    lessons.select_option("#scene", label="5c guitar string")
+    assert not lessons.is_checked("#sound")
+    lessons.click("#play")
+    until(lessons, "lab.rope.time > 0.05")
+    assert lessons.evaluate("window.ropewalkLab.lab.sound.next") == 0
+    lessons.check("#sound")
+    until(lessons, "lab.sound.next > 0.1 && lab.sound.loudest > 0")
+    lessons.uncheck("#sound")
+    assert not lessons.evaluate("window.ropewalkLab.lab.sound.on")

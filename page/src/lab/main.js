@@ -6,6 +6,7 @@ import { follow } from "./hand.js";
 import { METHODS, Rope } from "./kernel.js";
 import { energies, isBroken, tensions } from "./measures.js";
 import { Probe } from "./probe.js";
+import { Resampler, Sound, bridge } from "./sound.js";
 import { Strip } from "./strip.js";
 
 /** @typedef {import("./kernel.js").Scene} Scene */
@@ -44,6 +45,7 @@ class Lab {
     ]);
     this.fall = 0; // gravity's energy at time zero, from which it counts [J]
     this.probe = new Probe(this, find);
+    this.sound = new Sound();
     this.playing = false;
     this.owed = 0; // simulated time that the clock is ahead [s]
     /** @type {number | null} */ this.hover = null;
@@ -97,6 +99,7 @@ class Lab {
     this.drawing.fit(this.rope, whole / scene.ropes.length);
     this.fall = energies(this.rope).gravity;
     this.energy.clear();
+    this.sound.restart();
     this.probe.strip.clear();
     this.note();
     this.draw();
@@ -160,6 +163,7 @@ class Lab {
     choice("scene").onchange = () => this.choose(Number(choice("scene").value));
     for (const id of ["k", "c", "step", "g"]) input(id).oninput = () => this.apply();
     choice("method").onchange = () => this.apply();
+    input("sound").onchange = () => this.sound.turn(input("sound").checked);
     choice("tall").onchange = () => {
       this.drawing.tall = Number(choice("tall").value);
       this.draw();
@@ -194,6 +198,7 @@ class Lab {
     for (let i = 0; i < steps; i++) {
       rope.step(this.method ?? METHODS[0], this.step ?? 1e-3);
       this.#peak(); // of every step, so that none is missed
+      if (this.sound.on) this.#hear();
       if ((i & 7) === 7 || i === steps - 1) this.#look();
       if (this.broken) return;
     }
@@ -205,6 +210,13 @@ class Lab {
     tensions(rope, tension);
     for (let j = 0; j < rope.n - 1; j++)
       if (tension[j] > (this.reached ?? 0)) this.reached = tension[j];
+  }
+
+  #hear() {
+    const { rope, tension, scene, step } = this;
+    if (!rope || !tension || !scene || !step) return;
+    const slow = Number(choice("pace").value); // slow motion sounds lower, as a tape does
+    this.sound.hear(bridge(rope, tension, scene.up), step / slow);
   }
 
   #look() {
@@ -243,6 +255,7 @@ class Lab {
       }
       this.owed = Math.min(this.owed, 0.1); // a machine that is too slow shows it slower
       this.note();
+      this.sound.play();
       this.draw();
     }
     requestAnimationFrame((then) => this.#picture(then));
@@ -286,4 +299,6 @@ class Lab {
 const scenes = JSON.parse(find("scenes").textContent ?? "[]");
 const lab = new Lab(scenes);
 // for tests and for the curious: the kernel itself
-Object.assign(window, { ropewalkLab: { lab, scenes, Rope, largestStep } });
+Object.assign(window, {
+  ropewalkLab: { lab, scenes, Rope, largestStep, Resampler, bridge, tensions },
+});

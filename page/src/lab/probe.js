@@ -61,7 +61,9 @@ export class Probe {
     const read = this.strip.read();
     const value = read ? read.values[0] : measured(lab, node, choice.value);
     const when = read ? ` at ${read.t.toFixed(3)} s` : "";
-    const told = Number.isFinite(value) ? Number(value.toPrecision(5)) + 0 : "no";
+    const small = Math.abs(value) < 1e-3 && value !== 0;
+    const rounded = small ? value.toExponential(4) : String(Number(value.toPrecision(5)) + 0);
+    const told = Number.isFinite(value) ? rounded : "no";
     this.reading.textContent = `${told} ${QUANTITIES[choice.value]}${when}`;
   }
 

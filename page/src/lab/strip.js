@@ -3,7 +3,7 @@
 const SECONDS = 12;
 const MOST = 6000; // points kept
 const WINDOWS = [0.1, 0.2, 0.5, 1, 2, 5, SECONDS]; // what the time axis shows until it is full [s]
-const [LEFT, FOOT, HEAD] = [46, 16, 8]; // room for the axes' numbers [px]
+const [LEFT, FOOT, HEAD] = [56, 16, 8]; // room for the axes' numbers [px]
 
 /** @typedef {{name: string, wide?: boolean}} Curve whose colour is the sheet's --name */
 /** @typedef {{t: number, values: number[]}} Point */

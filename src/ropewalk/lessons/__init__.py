@@ -18,6 +18,7 @@ NAMES = (
     "chain-at-rest",
     "tone",
     "overtone",
+    "guitar-string",
 )
 
 
