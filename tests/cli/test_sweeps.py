@@ -95,8 +95,8 @@ def test_damage_is_told(ropewalk: Call, scene: Path, tmp_path: Path) -> None:
     (store / "status" / "c.2").unlink()
     checked = ropewalk("info", "s", "--verify")
     assert checked.exit_code == 2
-    assert "tension_max/c.1: is damaged (runs 1 to 1): its" in checked.output
-    assert "status/c.2: is damaged (runs 2 to 2): it is missing" in checked.output
+    assert "tension_max/c.1: is damaged (run 1): its" in checked.output
+    assert "status/c.2: is damaged (run 2): it is missing" in checked.output
     assert checked.output.count("`ropewalk resume s` makes these runs again") == 2
     told = ropewalk("info", "s")
     assert told.exit_code == 0, told.output
@@ -104,6 +104,24 @@ def test_damage_is_told(ropewalk: Call, scene: Path, tmp_path: Path) -> None:
     assert "2 stored batches are damaged" in told.output
     assert ropewalk("resume", "s").exit_code == 0
     assert ropewalk("info", "s", "--verify").exit_code == 0
+
+
+def test_info_has_quantiles_of_what_is_one_number_a_run(ropewalk: Call, tmp_path: Path) -> None:
+    scene = rw.preset("hanging-rope").replace(**{"run.duration": 0.02})
+    keep = ["tension.max", "reactions.max", "positions[-1]", "sag.max[time]"]
+    ds = rw.sweep(
+        scene, {"rope.length": [12.0, 13.0, 14.0]}, keep=keep, store=tmp_path / "s", on="here"
+    )
+    kept = {one["name"]: one for one in json.loads(ropewalk("info", "s", "--json").output)["kept"]}
+    anchors = ds.anchor.values.tolist()
+    assert set(kept) == {
+        *("tension_max", "positions_last", "sag_max_time"), *(f"reactions_max[{a}]" for a in anchors)
+    }  # fmt: skip
+    assert "quantiles" not in kept["positions_last"]
+    assert "quantiles" not in kept["sag_max_time"]
+    for anchor in anchors:
+        median = float(ds.reactions_max.sel(anchor=anchor).median())
+        assert kept[f"reactions_max[{anchor}]"]["quantiles"][2] == median
 
 
 @pytest.mark.parametrize(

@@ -165,7 +165,7 @@ def test_every_text_of_a_list_is_tried() -> None:
         ({EA: [1.0]}, {"keep": "tension.maximum"}, "no reducer"),
         ({EA: [1.0]}, {"keep": "positions[9]"}, "no frame 9"),
         ({EA: [1.0]}, {"keep": "reactions[-1, bottom]"}, "there is top"),
-        ({EA: [1.0]}, {"keep": ["tension.max", "tension.max"]}, "asked for twice"),
+        ({EA: [1.0]}, {"keep": ["tension[-1, 1]", "tension[last_1]"]}, "which tension[-1, 1] has"),
         ({EA: [1.0]}, {"keep": []}, "is empty"),
         ({"rope.segments": [4, 0]}, {}, "must be at least 1"),
         ({"rope.segments": [4.5]}, {}, "whole number"),
@@ -184,6 +184,56 @@ def test_every_faulty_corner_is_told_at_once() -> None:
     with pytest.raises(rw.SceneError) as caught:
         rw.sweep(swing(), {EA: [-1.0, 1.0], "rope.length": [-2.0, 2.0]}, on="here")
     assert len(caught.value.faults) == 2
+
+
+def test_faults_of_values_and_of_corners_are_told_together() -> None:
+    """A number of segments that no rope has, and two ends that are only together too far apart."""
+    vary = {
+        "rope.segments": [0, 5],
+        "rope.shape.start": [[0.0, 0.0, 0.0], [-3.0, 0.0, 0.0]],
+        "rope.shape.end": [[8.0, 0.0, 1.0], [11.0, 0.0, 0.0]],
+    }
+    with pytest.raises(rw.SceneError) as caught:
+        rw.sweep(rigid(), vary, on="here")
+    told = [str(fault) for fault in caught.value.faults]
+    assert sum("must be at least 1" in one for one in told) == 1
+    far = [one for one in told if "shorter than the 14" in one]
+    assert any("(with rope.segments=5" in one for one in far), told
+
+
+def test_numbers_as_texts_are_numbers() -> None:
+    """As a column of a text file has them."""
+    ask = {"keep": ["tension.max", "tension.max"], "on": "here"}  # kept once
+    as_texts = rw.sweep(swing(0.02), {EA: ["1e3", "2000"], "rope.segments": ["2"]}, **ask)
+    as_numbers = rw.sweep(swing(0.02), {EA: [1e3, 2e3], "rope.segments": [2]}, **ask)
+    assert as_texts.identical(as_numbers)
+    assert as_texts.EA.dtype == np.float64
+    assert list(as_texts.data_vars) == ["status", "reason", "broke_at", "tension_max"]
+
+
+@pytest.mark.parametrize(
+    ("values", "log"),
+    [
+        ([500.0, 1000.0, 1e8], True),
+        ([500.0, 1e8], True),
+        (np.geomspace(1.0, 1e3, 9), True),
+        (np.linspace(1.0, 1e3, 9), False),
+        (np.random.default_rng(1).uniform(1.0, 1e3, 200), False),
+        ([1.0, 40.0], False),
+        ([-1.0, 1e3, 1e5], False),
+    ],
+)
+def test_an_axis_of_factors_is_logarithmic(values: list[float], log: bool) -> None:
+    from ropewalk.plots.sweeps import _lines
+
+    x = np.asarray(values)
+    data = xr.Dataset(
+        {"tension_max": ("EA", x), "status": ("EA", ["finished"] * len(x))},
+        {"EA": ("EA", x, {"path": EA})}, {"design": "grid"},
+    )  # fmt: skip
+    data.tension_max.attrs |= {"units": "N", "long_name": "largest tension"}
+    scale = _lines(data, "tension_max", "EA").axes[0].get_xscale()
+    assert scale == ("log" if log else "linear")
 
 
 def test_samples_are_those_of_scipy_and_the_same_for_a_seed() -> None:
@@ -423,7 +473,7 @@ def test_damaged_data_are_told_with_the_remedy(tmp_path: Path, design: str) -> N
     if design == "grid":
         with pytest.raises(RunError, match="damaged.*ropewalk resume"):
             rw.sweep.open(tmp_path / "s")
-    with pytest.warns(UserWarning, match="damaged and are made again"):
+    with pytest.warns(UserWarning, match="1 stored batch is damaged and is made again"):
         rw.sweep.resume(tmp_path / "s", on="here")
     assert np.isfinite(rw.sweep.open(tmp_path / "s").tension_max).all()
 

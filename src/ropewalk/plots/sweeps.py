@@ -114,11 +114,20 @@ def _label(array: xr.DataArray) -> str:
 def _axis(axes: Axes, array: xr.DataArray, values: Floats, which: str = "x") -> None:
     """Label an axis by a parameter; logarithmic where its values rise by factors."""
     getattr(axes, f"set_{which}label")(_label(array))
+    if _by_factors(values):
+        getattr(axes, f"set_{which}scale")("log")
+
+
+def _by_factors(values: Floats) -> bool:
+    """Tell whether values are spread by factors: far apart, and their median nearer the geometric middle."""
     sound = np.unique(values[np.isfinite(values)])
-    if len(sound) > 2 and sound[0] > 0 and sound[-1] / sound[0] >= 50.0:
-        ratios = np.diff(np.log(sound))
-        if ratios.max() < 0.5 * (np.log(sound[-1]) - np.log(sound[0])) or len(sound) == 3:
-            getattr(axes, f"set_{which}scale")("log")
+    if len(sound) < 2 or sound[0] <= 0.0 or sound[-1] / sound[0] < 50.0:
+        return False
+    if len(sound) == 2:
+        return bool(sound[-1] / sound[0] >= 100.0)
+    low, middle, high = sound[0], float(np.median(sound)), sound[-1]
+    by_factor = np.log(middle / low) / np.log(high / low)
+    return bool(abs(by_factor - 0.5) <= abs((middle - low) / (high - low) - 0.5))
 
 
 def _numbers(array: xr.DataArray) -> tuple[Floats, list[str] | None]:

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -262,7 +262,7 @@ def _name(text: str) -> str:
 
 
 def make_keep(keep: Sequence[str] | str | None, anchored: bool) -> tuple[Kept, ...]:
-    """Return what is to be kept; by default the maxima and the last frame. Raises SceneError."""
+    """Return what is to be kept, each once; by default the maxima and the last frame. Raises SceneError."""
     if keep is None:
         keep = [text for text in DEFAULT if anchored or not text.startswith("reactions")]
     if isinstance(keep, str):
@@ -273,12 +273,14 @@ def make_keep(keep: Sequence[str] | str | None, anchored: bool) -> tuple[Kept, .
             made.append(parse(str(text)))
         except SceneError as error:
             faults += error.faults
-    names = [kept.name for kept in made]
+    asked: dict[str, Kept] = {}
     for kept in made:
-        if names.count(kept.name) > 1:
-            faults.append(Fault("keep", kept.text, "is asked for twice"))
+        first = asked.setdefault(kept.name, kept)
+        if replace(first, text=kept.text) != kept:
+            rule = f"would get the name {kept.name}, which {first.text} has"
+            faults.append(Fault("keep", kept.text, rule))
     if not made and not faults:
         faults.append(Fault("keep", NO_VALUE, "is empty: name at least one thing to keep"))
     if faults:
         raise SceneError(faults)
-    return tuple(made)
+    return tuple(asked.values())

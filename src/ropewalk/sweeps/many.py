@@ -217,7 +217,8 @@ def resume_sweep(
         done, damaged = found.standing()
         if damaged:
             numbers = ", ".join(map(str, damaged[:_TOLD]))
-            told = f"{len(damaged)} stored batches are damaged and are made again: {numbers}"
+            many = "batch is damaged and is" if len(damaged) == 1 else "batches are damaged and are"
+            told = f"{len(damaged)} stored {many} made again: {numbers}"
             warnings.warn(f"{folder}: {told}", stacklevel=2)
             found.unmark(damaged)
         if len(done) < found.plan.batches:

@@ -13,7 +13,7 @@ import numpy as np
 
 from ropewalk.scene import Scene, SceneError
 from ropewalk.scene.errors import NO_VALUE, Fault
-from ropewalk.scene.overrides import Places
+from ropewalk.scene.overrides import Places, as_value
 
 FLOAT, INT, TEXT = "float", "int", "text"
 #: Names of a sweep's own variables and of dimensions, which no parameter may take.
@@ -119,6 +119,8 @@ def make_parameters(scene: Scene, vary: Any) -> tuple[Parameter, ...]:
         description = (field.description or whole).partition(":")[0].partition(";")[0]
         try:
             values, spread = _values_or_spread(path, what)
+            if values is not None and field.annotation is not str:
+                values = _numbers_in_texts(values)
             kind = _kind(path, values, spread, field.annotation is int)
             if values is not None:
                 values = tuple(as_kind(value, kind) for value in values)
@@ -285,6 +287,14 @@ def _distribution(path: str, what: Any) -> Any:
             "scipy.stats allows"
         )
         raise SceneError([Fault(path, NO_VALUE, rule)])
+    return found
+
+
+def _numbers_in_texts(values: tuple[Any, ...]) -> tuple[Any, ...]:
+    """Return "1e4" as the number that it is, as of a column that was read from a text file."""
+    found = tuple(as_value(v) if isinstance(v, str) else v for v in values)
+    if any(isinstance(v, bool) or not isinstance(v, (int, float)) for v in found):
+        return values
     return found
 
 

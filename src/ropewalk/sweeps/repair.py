@@ -7,7 +7,7 @@ from pathlib import Path
 from ropewalk.record.errors import RunError
 from ropewalk.record.files import writing
 from ropewalk.record.zarr_format import opened
-from ropewalk.sweeps.store import COPIES, DATA, SweepFolder
+from ropewalk.sweeps.store import COPIES, DATA, SweepFolder, runs_in_words
 
 
 def _fault(path: Path) -> str:
@@ -49,7 +49,7 @@ def _of_batch(sweep: SweepFolder, number: int) -> list[str]:
     if found:
         return found
     what = "its mark cannot be read" if mark is None else "its files do not fit its mark"
-    runs = f"runs {rows.start} to {rows.stop - 1}"
+    runs = runs_in_words(rows)
     remedy = f"`ropewalk resume {sweep.folder}` makes these runs again"
     return [f"{sweep.folder}: batch {number} ({runs}) is damaged: {what}; {remedy}"]
 
@@ -90,10 +90,10 @@ def mend(sweep: SweepFolder) -> list[str]:
             if wrong and copy_wrong:
                 spec = sweep.specs[name.partition("/")[0]]
                 first = int(path.name.rpartition(".")[2]) * spec.chunk[0]
-                last = min(first + spec.chunk[0], sweep.plan.runs) - 1
+                runs = range(first, min(first + spec.chunk[0], sweep.plan.runs))
                 rule = (
-                    f"is damaged ({wrong}), and its copy {copy} too ({copy_wrong}): what was asked of runs "
-                    f"{first} to {last} is lost; make the sweep anew"
+                    f"is damaged ({wrong}), and its copy {copy} too ({copy_wrong}): what was asked of "
+                    f"{runs_in_words(runs)} is lost; make the sweep anew"
                 )
                 raise RunError(path, rule)
             if wrong:

@@ -43,6 +43,11 @@ COPIES = "values"
 _NONE_BROKE = 1 << 32  # in the mark of a batch of which no run broke
 
 
+def runs_in_words(runs: range) -> str:
+    """Return the numbers of some runs as words."""
+    return f"run {runs[0]}" if len(runs) == 1 else f"runs {runs[0]} to {runs[-1]}"
+
+
 def is_sweep(folder: Path) -> bool:
     """Tell whether a folder holds a sweep."""
     return (folder / FACTS).is_file()
@@ -294,7 +299,7 @@ class SweepFolder:
         where, remedy = "", "puts it right"
         if spec is not None and spec.dims[0] == "run" and number.isdecimal():
             first = int(number) * spec.chunk[0]
-            where = f" (runs {first} to {min(first + spec.chunk[0], self.plan.runs) - 1})"
+            where = f" ({runs_in_words(range(first, min(first + spec.chunk[0], self.plan.runs)))})"
             results = {*OF_BROKEN, STATUS, *(v.name for v in self.plan.variables)}
             remedy = "makes these runs again" if name in results else remedy
         return f"is damaged{where}: {why}; `ropewalk resume {self.folder}` {remedy}"

@@ -7,11 +7,13 @@ from collections import Counter
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ropewalk.sweeps.answer import stored
 from ropewalk.sweeps.batch import GOOD
 from ropewalk.sweeps.store import SweepFolder
 
+_MOST_NUMBERS = 10_000_000  # that quantiles are made of
 _NUMBER = re.compile(r"[-+]?\d+(\.\d+)?(e[-+]?\d+)?", re.IGNORECASE)
 
 
@@ -53,7 +55,8 @@ def summary(sweep: SweepFolder) -> dict[str, Any]:
 def _kept(sweep: SweepFolder, ranges: bool) -> list[dict[str, Any]]:
     """Return shape and unit of everything kept, and quantiles over the runs that ended well.
 
-    Without `ranges` no quantiles: they would read damaged batches.
+    Of what is one number a run, anchor by anchor and rope by rope: mixed with places and times they would
+    mean nothing. Without `ranges` no quantiles: they would read damaged batches.
     """
     data = stored(sweep) if ranges else None
     found = []
@@ -65,10 +68,23 @@ def _kept(sweep: SweepFolder, ranges: bool) -> list[dict[str, Any]]:
             "dims": list(variable.dims),
             "sizes": list(variable.sizes),
         }
-        if data is not None and variable.numbers * sweep.plan.runs <= 10_000_000:
-            values = data[variable.name].values
-            sound = values[np.isfinite(values)]
-            if sound.size:
-                about["quantiles"] = np.quantile(sound, [0.0, 0.05, 0.5, 0.95, 1.0]).tolist()
-        found.append(about)
+        if data is None or variable.numbers * sweep.plan.runs > _MOST_NUMBERS:
+            found.append(about)
+        elif not variable.dims:
+            found.append(about | _quantiles(data[variable.name].values))
+        elif variable.dims in (("anchor",), ("rope",)):
+            (dim,) = variable.dims
+            for place, label in enumerate(sweep.plan.coordinates[dim]["values"]):
+                part = data[variable.name].isel({dim: place})
+                one = {"name": f"{variable.name}[{label}]", "dims": [], "sizes": []}
+                found.append(about | one | _quantiles(part.values))
+        else:
+            found.append(about)
     return found
+
+
+def _quantiles(values: NDArray[np.float64]) -> dict[str, list[float]]:
+    sound = values[np.isfinite(values)]
+    if not sound.size:
+        return {}
+    return {"quantiles": np.quantile(sound, [0.0, 0.05, 0.5, 0.95, 1.0]).tolist()}

@@ -92,20 +92,20 @@ def _outer_rows(parameters: Sequence[Parameter]) -> Iterator[list[Any]]:
     yield from ([column[row] for column in columns] for row in sorted(picked))
 
 
-def refuse_values(
+def value_faults(
     workshop: Workshop, parameters: Sequence[Parameter], ends: Sequence[Sequence[Any]]
-) -> None:
-    """Refuse values that no scene can have, each by itself. Raises SceneError."""
+) -> dict[str, Fault]:
+    """Return what is wrong with values that no scene can have, each by itself."""
     faults: dict[str, Fault] = {}
     base = [values[0] for values in ends]
     for place, parameter in enumerate(parameters):
         values = parameter.values if parameter.values is not None else ends[place]
+        before = len(faults)
         for value in dict.fromkeys(values):
             _note(workshop, parameters, [*base[:place], value, *base[place + 1 :]], faults)
-            if len(faults) >= _TOLD:
+            if len(faults) >= before + _TOLD:
                 break
-    if faults:
-        raise SceneError(faults.values())
+    return faults
 
 
 def _note(
@@ -138,19 +138,20 @@ def try_out(
     drawn = design is not None and design.drawn
     ends = _drawn_ends(design) if design and drawn else [_ends(p, None) for p in parameters]
     given = design is not None and design.kind == GIVEN
-    if not given:
-        refuse_values(workshop, parameters, ends)
-    faults: list[Fault] = []
+    alone = {} if given else value_faults(workshop, parameters, ends)
+    faults: dict[str, Fault] = dict(alone)
     found: list[_Tried] = []
     for corner in _outer_rows(parameters) if given else corners(ends):
         try:
             found.append(_tried(workshop, corner, keep, what))
         except (SceneError, NoRest) as error:
-            faults += _with_values(error, parameters, corner)
-            if len(faults) >= _TOLD:
+            for fault, here in _with_values(error, parameters, corner):
+                if str(fault) not in alone:
+                    faults[str(here)] = here
+            if len(faults) >= len(alone) + _TOLD:
                 break
     if faults:
-        raise SceneError(faults)
+        raise SceneError(faults.values())
     for corner in corners(ends) if given else ():  # only for the largest sizes: no run of the table
         with suppress(SceneError, NoRest):
             found.append(_tried(workshop, corner, keep, what))
@@ -164,12 +165,12 @@ def _tried(workshop: Workshop, corner: list[Any], keep: Sequence[Kept], what: st
 
 def _with_values(
     error: SceneError | NoRest, parameters: Sequence[Parameter], corner: list[Any]
-) -> list[Fault]:
-    """Return the faults of a corner, each with its values."""
+) -> list[tuple[Fault, Fault]]:
+    """Return the faults of a corner, each also with its values."""
     pairs = zip(parameters, corner, strict=True)
     where = ", ".join(f"{p.path}={show(value)}" for p, value in pairs)
     told = error.faults if isinstance(error, SceneError) else [Fault("", NO_VALUE, str(error))]
-    return [Fault(fault.path, fault.value, f"{fault.rule} (with {where})") for fault in told]
+    return [(f, Fault(f.path, f.value, f"{f.rule} (with {where})")) for f in told]
 
 
 def _shapes(
