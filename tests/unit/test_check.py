@@ -8,7 +8,9 @@ import math
 import pytest
 
 from ropewalk.analysis.check import check
+from ropewalk.analysis.cost import seconds_per_step
 from ropewalk.analysis.units import unit_slips
+from ropewalk.api import simulate
 from ropewalk.build import build
 from ropewalk.scene import (
     Anchor,
@@ -20,6 +22,7 @@ from ropewalk.scene import (
     Rope,
     RunSettings,
     Scene,
+    Slack,
     Springs,
     Straight,
 )
@@ -151,7 +154,7 @@ def material(**changes: object) -> Rope:
     rope = {"segments": 10, "length": 10.0, "shape": Straight(start=(0, 0, 0))}
     for key, value in changes.items():
         (fields if key in fields else rope)[key] = value
-    return Rope(made_of=Material(**fields), **rope)
+    return Rope(**({"made_of": Material(**fields)} | rope))
 
 
 def slips(**changes: object) -> str:
@@ -281,3 +284,65 @@ def test_a_strain_that_no_rope_bears_is_warned_of() -> None:
             assert f"by {100 * rope.largest_strain:.3g} %" in said[0]
             assert "EA of 20 N: kN typed as N" in said[0]
     assert "kN/m typed as N/m" in warnings(spring_constant=20.0)
+
+
+def test_a_shape_that_starts_broken_is_told() -> None:
+    """4 segments of 0.1 m laid over 8 m. The twin: over 3 m, 7.5 times their length."""
+    made_of = Springs(spring_constant=100.0, node_mass=0.1, segment_length=0.1)
+    long, short = (
+        Scene(
+            ropes=[Rope(segments=4, made_of=made_of, shape=Straight(end=(reach, 0.0, 0.0)))],
+            anchors=[Anchor(node=0)],
+            gravity=(0.0, 0.0, 0.0),
+            run={"duration": 0.5},
+        )
+        for reach in (8.0, 3.0)
+    )
+    found = check(long)
+    assert not found.ok
+    text = "4 of 4 segments start at up to 20 times their rest length: the run breaks at once"
+    assert any(text in warning for warning in found.warnings)
+    assert simulate(long, on_failure="return").status == "broke"
+    assert check(short).ok
+    assert simulate(short, on_failure="return").status == "finished"
+
+
+@pytest.mark.parametrize("step", [0.002, 1.0 / 60.0])
+def test_a_release_inside_a_step_is_told(step: float) -> None:
+    """Where it is late by more than 1 ms; adaptive is on time."""
+
+    def said(method: str, time: float) -> str:
+        rope = material(made_of=Material(EA=2e4, mass_per_length=0.06, axial_damping=20.0))
+        ends = [Anchor(node=0), Anchor(node=-1, name="far", release_time=time)]
+        run = {"method": method, "time_step": step, "duration": 1.0}
+        return " ".join(check(Scene(ropes=[rope], anchors=ends, run=run)).warnings)
+
+    if step < 0.01:
+        assert "release_time" not in said("esdirk3", 0.501)
+        return
+    assert (
+        "'far': release_time = 0.501 s lies inside a step of 16.67 ms; it lets go at 0.516667 s"
+        in (said("esdirk3", 0.501))
+    )
+    assert "release_time" not in said("esdirk3", 0.5)
+    assert "release_time" not in said("adaptive", 0.501)
+
+
+def test_of_very_many_nodes_no_steps_are_run_for_the_estimate(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Two implicit steps of 100 000 nodes took 18 s, of a million minutes."""
+
+    def refuse(self: Simulation, duration: float) -> None:
+        raise AssertionError("a step was run")
+
+    monkeypatch.setattr(Simulation, "step", refuse)
+    monkeypatch.setattr("ropewalk.analysis.cost.is_compiled", lambda _: True)
+    made_of = Material(EA=1e7, mass_per_length=0.1)
+    rope = Rope(segments=20_000, length=1000.0, made_of=made_of, shape=Slack(end=(900.0, 0, 0)))
+    ends = [Anchor(node=0), Anchor(node=-1)]
+    seconds, measured = seconds_per_step(build(Scene(ropes=[rope], anchors=ends)))
+    assert not measured
+    assert seconds > 0.0
+    with pytest.raises(AssertionError, match="a step was run"):  # the twin
+        seconds_per_step(build(Scene(ropes=[rope.replace(segments=20)], anchors=ends)))

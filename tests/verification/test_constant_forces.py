@@ -56,6 +56,19 @@ def test_in_water_a_rope_hangs_as_a_lighter_one_in_air() -> None:
     assert dry.tension.max() > 3.5 * wet.tension.max()
 
 
+def test_of_a_rope_that_floats_up_tables_tell_the_rise() -> None:
+    """They said "sag -0 m". The twin sinks."""
+    level = Slack(end=(4.0, 0.0, 0.0))
+    up, down = (rw.check(scene(rope(shape=level, submerged_weight=w))) for w in (-0.5, 0.5))
+    (rises,), (sags,) = up.statics.spans, down.statics.spans
+    assert rises.rise == pytest.approx(sags.sag, rel=1e-9)
+    assert rises.rise > 1.0
+    assert math.copysign(1.0, rises.sag) == 1.0
+    assert f"at rest: rise {rises.rise:.4g} m over 4 m" in str(up)
+    assert f"at rest: sag {sags.sag:.4g} m over 4 m" in str(down)
+    assert rises.sag_words(4).startswith("rises ")
+
+
 def test_a_buoyant_rope_stands_as_a_heavy_one_hangs() -> None:
     level = Slack(end=(4.0, 0.0, 0.0))
     up = rw.equilibrium(scene(rope(shape=level, submerged_weight=-0.1 * G)))

@@ -16,7 +16,7 @@ from ropewalk.analysis.cost import seconds_per_step
 from ropewalk.analysis.json_values import plain
 from ropewalk.analysis.plan_notes import plan_notes
 from ropewalk.analysis.stability import Stability, milliseconds, rounded_down, stability
-from ropewalk.analysis.strains import breaking_warnings, percent, strain_warnings
+from ropewalk.analysis.strains import breaking_warnings, overlong_at_start, percent, strain_warnings
 from ropewalk.analysis.units import unit_slips
 from ropewalk.build import Model, build
 from ropewalk.core.arrays import Floats
@@ -100,11 +100,12 @@ class Check:
     model: Model | None = field(default=None, repr=False, compare=False)  # what was checked
     why: str = ""  # why the method was chosen, where it was not given
     torn: tuple[Torn, ...] = ()  # ropes that their anchors pull apart, with any method
+    overlong: bool = False  # whether a segment counts as broken where it starts
 
     @property
     def ok(self) -> bool:
         """Whether the run is not expected to break."""
-        return not self.stability.breaks and not self.torn
+        return not (self.stability.breaks or self.torn or self.overlong)
 
     @property
     def pace(self) -> str:
@@ -221,7 +222,7 @@ def check(source: Scene | Model, *, measure: bool = True) -> Check:
     statics = static_shape(model, strict=False)
     found = stability(model, statics)
     ropes = tuple(_rope(model, statics, name.name) for name in model.layout.ropes)
-    torn = tuple(torn_apart(model))
+    torn, overlong = tuple(torn_apart(model)), overlong_at_start(model)
     cost, measured = seconds_per_step(model, measure)
     plan = model.plan
     return Check(
@@ -235,12 +236,16 @@ def check(source: Scene | Model, *, measure: bool = True) -> Check:
         duration=plan.duration,
         seconds=cost * plan.steps,
         seconds_measured=measured,
-        warnings=(*map(str, torn), *jerks(model), *_warnings(model, found, statics, ropes)),
+        warnings=(
+            *(*map(str, torn), *overlong, *jerks(model)),
+            *_warnings(model, found, statics, ropes),
+        ),
         highest_at_rest=_highest_at_rest(model, statics) if measure else None,
         tolerance=plan.tolerance,
         why=plan.why,
         model=model,
         torn=torn,
+        overlong=bool(overlong),
     )
 
 

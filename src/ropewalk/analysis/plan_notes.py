@@ -1,4 +1,4 @@
-"""What a plan makes of what the scene asks for: whole frames, drums that run empty."""
+"""What a plan makes of what the scene asks for: whole frames, late releases, drums that run empty."""
 
 from __future__ import annotations
 
@@ -8,12 +8,13 @@ from ropewalk.build import Model
 from ropewalk.scene import Scene, Winch
 
 _ROUNDING = 1e-9  # [1]
+_LATE = 1e-3  # [s] a release that is less late than this is not told of
 
 
 def plan_notes(model: Model) -> list[str]:
     """Return a sentence for everything that the run will do otherwise than the scene says."""
     scene = model.scene
-    found = _whole_frames(model)
+    found = _whole_frames(model) + _late_releases(model)
     for row, winch in enumerate(scene.winches):
         found += _drum(scene, winch, float(model.system.winches.drum[row]))
     return found
@@ -28,6 +29,24 @@ def _whole_frames(model: Model) -> list[str]:
         f"run.duration: {asked:.10g} s is no whole number of frames; the run ends at "
         f"{plan.duration:.10g} s, after {frames} of {plan.frame_interval:.6g} s"
     ]
+
+
+def _late_releases(model: Model) -> list[str]:
+    """Say of anchors that are to let go inside a step when they do: at its end, but with `adaptive`."""
+    plan, found = model.plan, []
+    if plan.tolerance is not None:
+        return []
+    for anchor in model.scene.anchors:
+        if anchor.release_time is None or anchor.release_time >= plan.duration:
+            continue
+        lets_go = math.ceil(anchor.release_time / plan.dt - 1e-6) * plan.dt
+        if lets_go - anchor.release_time > _LATE:
+            found.append(
+                f"anchor {anchor.name!r}: release_time = {anchor.release_time:.6g} s lies inside a step of "
+                f"{1e3 * plan.dt:.4g} ms; it lets go at {lets_go:.6g} s, where the next one begins. With "
+                "method = adaptive it does at the time given"
+            )
+    return found
 
 
 def _drum(scene: Scene, winch: Winch, drum: float) -> list[str]:

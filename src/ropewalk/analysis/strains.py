@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from ropewalk.build import Model
 from ropewalk.scene import Springs
 from ropewalk.statics import Statics
@@ -41,6 +43,26 @@ def strain_warnings(model: Model, statics: Statics, ropes: tuple[RopeCheck, ...]
             f"rope {rope.name!r}: at rest it is stretched by {percent(rope.largest_strain)}, under "
             f"{prefixed(rope.largest_tension, 'N')} by its {what}: {slip}"
         )
+    return found
+
+
+def overlong_at_start(model: Model) -> list[str]:
+    """Return a sentence for each rope with segments that count as broken in the shape that it starts from."""
+    found, state, most = [], model.state, model.system.break_stretch
+    for rope, span in zip(model.scene.ropes, model.layout.ropes, strict=True):
+        points, rest = (
+            state.x[:, span.start : span.end + 1],
+            state.rest_length[span.first : span.last],
+        )
+        size = np.linalg.norm(np.diff(points, axis=1), axis=0)
+        long = (rest > 0.0) & (state.stiffness[span.first : span.last] > 0.0) & (size > most * rest)
+        if long.any():
+            worst = float((size[long] / rest[long]).max())
+            found.append(
+                f"rope {rope.name!r}: {int(long.sum())} of {rope.segments} segments start at up to "
+                f"{worst:.3g} times their rest length: the run breaks at once, as one beyond {most:.4g} "
+                "times counts as broken. Look at the shape's ends and the rope's length"
+            )
     return found
 
 

@@ -63,7 +63,7 @@ def rest_section(result: Result, spans: tuple[RestSpan, ...]) -> Section:
         (
             f"{span.rope}, nodes {span.first} to {span.last}",
             f"{span.distance:.5g} m",
-            f"{span.sag:.4g} m" if span.kind == "span" else "hangs free",
+            span.sag_words(4) or "hangs free",
             prefixed(span.horizontal, "N") if span.kind == "span" else "",
             prefixed(span.largest_tension, "N"),
         )

@@ -23,6 +23,7 @@ class RestSpan:
     distance: float  # between its ends at rest [m]
     length: float  # unstretched [m]
     sag: float  # largest drop below the straight line between its ends, along gravity [m]
+    rise: float  # largest height above that line [m]: of a rope that floats up
     lowest: float  # height of its lowest node above its first one [m], 0 or negative
     horizontal: float  # part of the tension across gravity at its lowest node [N]; all along it without wind
     largest_tension: float  # [N]
@@ -33,13 +34,29 @@ class RestSpan:
         where = f"nodes {self.first} to {self.last}"
         if self.kind == "tail":
             return f"{where} hang free, {self.distance:.4g} m long"
-        return f"sag {self.sag:.4g} m over {self.distance:.4g} m, {where}"
+        return f"{self.hangs} over {self.distance:.4g} m, {where}"
 
     def __str__(self) -> str:
         where = f"nodes {self.first} to {self.last} of rope {self.rope!r}"
         if self.kind == "tail":
             return f"{where} hang free, {self.distance:.4g} m long"
-        return f"{where} sag {self.sag:.4g} m over {self.distance:.4g} m"
+        return f"{where} {self.hangs} over {self.distance:.4g} m"
+
+    @property
+    def hangs(self) -> str:
+        """How far it sags below the line between its ends or, if that is more, rises above it."""
+        floats = self.rise > self.sag
+        return f"rise {self.rise:.4g} m" if floats else f"sag {self.sag:.4g} m"
+
+    def sag_words(self, digits: int) -> str:
+        """The sag as an entry of a table's column; of a rope that floats up it says so."""
+        if self.kind == "tail":
+            return ""
+        return (
+            f"rises {self.rise:.{digits}g} m"
+            if self.rise > self.sag
+            else f"{self.sag:.{digits}g} m"
+        )
 
 
 def rest_spans(model: Model, positions: Floats, tension: Floats) -> tuple[RestSpan, ...]:
@@ -95,7 +112,8 @@ def _measure(
         last=last - rope.start,
         distance=float(np.linalg.norm(ends)),
         length=float(model.state.rest_length[low:high].sum()),
-        sag=0.0 if free else max(float((chord - heights).max()), 0.0),
+        sag=0.0 if free else max(0.0, float((chord - heights).max())),
+        rise=0.0 if free else max(0.0, float((heights - chord).max())),
         lowest=float(heights.min()) if gravity > 0.0 else 0.0,
         horizontal=0.0 if free else float(sideways[max(lowest - 1, 0)]),
         largest_tension=float(pull.max(initial=0.0)),

@@ -76,7 +76,7 @@ def _print_spans(spans: tuple[RestSpan, ...]) -> None:
             "span" if span.kind == "span" else "free end",
             f"{span.length:.6g} m",
             f"{span.distance:.6g} m",
-            f"{span.sag:.6g} m" if span.kind == "span" else "",
+            span.sag_words(6),
             prefixed(span.horizontal, "N", 6) if span.kind == "span" else "",
             prefixed(span.largest_tension, "N", 6),
         )
