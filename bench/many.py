@@ -33,20 +33,43 @@ PATH = "rope.made_of.spring_constant"
 ROUNDS = 5
 
 FEW_AND_MANY = (2000, 20_000)
+#: Runs of which only the simulation is left out: their values, batches, tasks, files and answer are real.
+WITHOUT_SIMULATION = (10_000, 1_000_000)
+BATCH = 1000
 #: A client of its own, which says the most memory it had [MB].
 CLIENT = """
 import sys, tempfile
 from pathlib import Path
 import ropewalk as rw
-from bench.many import PATH, scene
+import dask
+import distributed  # brings its settings
+from bench.many import BATCH, PATH, STUB, scene
 
 if __name__ == "__main__":
+    runs, bare = int(sys.argv[1]), sys.argv[2] == "without simulation"
+    if bare:
+        exec(STUB)
     short = scene().replace(**{"run.duration": 0.02, "run.frame_rate": 50.0})
-    ask = {"samples": int(sys.argv[1]), "design": "random", "seed": 1, "on": "local", "workers": 2}
+    ask = {"samples": runs, "design": "random", "seed": 1, "batch": BATCH if bare else None}
+    ask |= {"on": "local", "workers": 2, "progress": False}
+    dask.config.set({"distributed.worker.preload": [STUB] if bare else []})
     with tempfile.TemporaryDirectory() as folder:
-        rw.sweep(short, {PATH: (800.0, 1200.0)}, store=folder + "/s", progress=False, **ask)
+        ds = rw.sweep(short, {PATH: (800.0, 1200.0)}, store=folder + "/s", **ask)
+        assert ds.sizes["run"] == runs
+        assert ds.status[[0, -1]].values.tolist() == ["finished"] * 2
     told = Path("/proc/self/status").read_text()  # not `getrusage`: it has the parent's peak
     print(int(told.partition("VmHWM:")[2].split()[0]) * 1.024e-3)
+"""
+#: Puts numbers in place of simulations.
+STUB = """
+import numpy as np
+from ropewalk.sweeps.batch import Batch, Batcher
+
+def make(self, rows):
+    kept = {k.name: np.ones((len(rows), *s)) for k, s in zip(self.keep, self.recipe.sizes)}
+    return Batch(["finished"] * len(rows), [""] * len(rows), [np.nan] * len(rows), kept)
+
+Batcher.make = make
 """
 
 
@@ -203,21 +226,25 @@ def many() -> list[Row]:
     return rows
 
 
+def peak_of_client(runs: int, how: str) -> float:
+    """The most memory that the client of two workers takes [MB]; `how`: "real" or "without simulation"."""
+    words = [sys.executable, "-c", CLIENT, str(runs), how]
+    told = subprocess.run(words, check=True, capture_output=True, text=True).stdout
+    return float(told.split()[-1])
+
+
 def client_memory() -> list[Row]:
-    """The most memory that the client of two workers takes, for few and for ten times as many runs."""
-    peaks = []
+    """The most memory that the client of two workers takes, for few runs and for many."""
+    rows: list[Row] = []
     if not Path("/proc/self/status").exists():
-        return []
-    for runs in FEW_AND_MANY:
-        words = [sys.executable, "-c", CLIENT, str(runs)]
-        told = subprocess.run(words, check=True, capture_output=True, text=True).stdout
-        peaks.append(float(told.split()[-1]))
-    rows = [
-        Row(f"many: client's peak memory, {runs} runs", peak, "MB", "")
-        for runs, peak in zip(FEW_AND_MANY, peaks, strict=True)
-    ]
-    more = 1e6 * (peaks[1] - peaks[0]) / (FEW_AND_MANY[1] - FEW_AND_MANY[0])
-    return [*rows, Row("many: client's memory for one more run", more, "B", "0")]
+        return rows
+    for how, counts in (("real", FEW_AND_MANY), ("without simulation", WITHOUT_SIMULATION)):
+        few, many = (peak_of_client(runs, how) for runs in counts)
+        for runs, peak in zip(counts, (few, many), strict=True):
+            rows.append(Row(f"many: client's peak memory, {runs} runs, {how}", peak, "MB", ""))
+        more = 1e6 * (many - few) / (counts[1] - counts[0])
+        rows.append(Row(f"many: client's memory for one more run, {how}", more, "B", "0"))
+    return rows
 
 
 def processor_time(client: Any) -> float:

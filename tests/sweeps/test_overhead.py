@@ -6,6 +6,7 @@ Both are the same at every turn and on any machine. Times are those of `python -
 from __future__ import annotations
 
 import gc
+import os
 import sys
 import tracemalloc
 from collections.abc import Callable
@@ -101,3 +102,18 @@ def test_more_runs_take_no_more_of_the_client(
     sweep(few)
     first, second = peak(lambda: sweep(few + 1)), peak(lambda: sweep(many))
     assert second - first < 1.0 * (many - few)  # less than a byte a run; a number has eight
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="reads its memory from /proc")
+def test_a_client_of_workers_takes_for_a_million_runs_what_it_takes_for_ten_thousand(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """All is real but the simulations: values, batches, tasks, workers, files and the answer."""
+    from bench.many import WITHOUT_SIMULATION, peak_of_client
+
+    root = Path(__file__).resolve().parents[2]
+    monkeypatch.setenv("PYTHONPATH", f"{root / 'src'}{os.pathsep}{root}")
+    few, many = (peak_of_client(runs, "without simulation") for runs in WITHOUT_SIMULATION)
+    assert WITHOUT_SIMULATION == (10_000, 1_000_000)
+    assert many < 1.1 * few  # 8 bytes a run would be 2 percent, a text of each 15

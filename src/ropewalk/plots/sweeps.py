@@ -157,7 +157,7 @@ def _lines(data: xr.Dataset, name: str, parameter: str) -> Figure:
         style = line_style(number) | (
             {"linestyle": "none"} if labels else {}
         )  # nothing lies between
-        few = len(x) <= 60 or labels
+        few = len(np.unique(x)) <= 60 or labels
         axes.plot(x[order], y[order], marker="o" if few else "", label=label, **style)
     _mark_broken(axes, x[_is_broken(data)])
     scaled_axis(
