@@ -80,6 +80,11 @@ def test_intervals_of_the_indices_are_told() -> None:
     half = found.sobol.tension_max_ci.sel(order="total").values
     told = f"mass_per_length {total[0]:.2f} ± {half[0]:.2f}"
     assert told in repr(found)
+    few = hanging({MASS: NORMAL, DOWN: (-9.9, -9.7)}, 8)
+    wide = few.sobol.tension_max_ci + few.sobol.tension_max
+    assert wide.max() > 1.1
+    axes = few.plot().axes[1]
+    assert axes.get_xlim()[1] > wide.max()
 
 
 def test_seed_and_spreads_are_kept_and_give_the_same_runs(tmp_path: Path) -> None:

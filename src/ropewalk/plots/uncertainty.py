@@ -98,7 +98,9 @@ def _indices(axes: Axes, found: Uncertainty, name: str) -> None:
         axes.barh(at, values, height=0.36, color=style["color"], label=order)
         axes.errorbar(values, at, xerr=error, fmt="none", ecolor="#404040", elinewidth=1.0)
     axes.set_yticks(places, names)
-    axes.set_xlim(0.0, max(1.15, 1.05 * float(np.nanmax(array.values, initial=0.0))))
+    low = float(np.nanmin(array.values - half.values, initial=0.0))
+    high = float(np.nanmax(array.values + half.values, initial=1.1))
+    axes.set_xlim(1.05 * low, 1.05 * high)  # the whole intervals, wide as they may be
     axes.set_xlabel(f"Sobol index of {largest} [1]")
     axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=2, borderpad=0.0)
 

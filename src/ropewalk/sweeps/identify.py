@@ -96,7 +96,8 @@ def _words(
                     "loses the other makes up."
                 )
     if not told:
-        told.append("The measurement tells all of them apart.")
+        alone = f"The measurement determines {names[0]}."
+        told.append("The measurement tells all of them apart." if len(names) > 1 else alone)
     return told
 
 
