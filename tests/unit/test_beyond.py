@@ -149,6 +149,10 @@ def test_a_run_recorded_into_its_break_tells_of_the_frames_before(
     for name in ("largest tension [N]", "final kinetic energy [J]", "largest energy error [J]"):
         assert into_it.table[name] == broken.table[name]
     assert into_it.table["frames before the break"] == broken.frames
+    for result in (broken, into_it):
+        assert "the burst grows" in result.table["about these numbers"]
+    sound = rw.simulate(runs.breaking().replace(**{"run.time_step": "auto", "run.duration": 0.1}))
+    assert "about these numbers" not in sound.table
     for name, value, _ in results_rows(into_it.table):
         assert "e+" not in value, name
         assert "nan" not in value, name

@@ -12,7 +12,7 @@ from ropewalk.core.arrays import Floats
 from ropewalk.record.ends import shortly
 from ropewalk.record.energy_note import energy_note
 from ropewalk.record.extremes import SEEN, UTILISATION, Extreme, extremes, place_of
-from ropewalk.record.facts import AT_REST
+from ropewalk.record.facts import AT_REST, BROKE
 from ropewalk.record.ledger import turned_over
 from ropewalk.record.margins import margin_rows
 from ropewalk.record.tension_notes import peak_note, push_note
@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from ropewalk.record.result import Result
 
 ZERO = "gravity's is 0 in the scene's own shape"
+BURST = "a run that broke: up to its last good frame the burst grows, and is in the extremes and errors here"
 AS_THEY_WERE = "broken ropes count as they broke"
 
 
@@ -46,6 +47,7 @@ def summary(result: Result) -> dict[str, Any]:
         "frames": result.frames,
         **({"frames before the break": good} if good < result.frames else {}),
         **broken,
+        **({"about these numbers": BURST} if result.status == BROKE else {}),
         **_steps(result),
         **_told(result, found),
         **_margins(result, found),
