@@ -141,7 +141,7 @@ def test_tables_of_an_anchor(ropewalk: Any, scene: Path, rows: str | None, said:
         (("--set", "rope.segmnts=8"), 'rope[0].segmnts: unknown key; did you mean "segments"?'),
         (("--set", "rope.segments"), '"rope.segments": must be written as path=value'),
         (("--set", "=3"), '"=3": must be written as path=value'),
-        (("--set", "rope[3].segments=8"), "rope[3]: must be from 0 to 0"),
+        (("--set", "rope[3].segments=8"), "rope[3]: there is only [0]"),
         (("--set", "rope.segments=many"), 'rope[0].segments: "many" - must be a whole number'),
         (("--set", "rope.segments=0", "--set", "run.duration=0"), "2 things are wrong"),
         (("--no-such-flag",), "--no-such-flag"),

@@ -125,7 +125,7 @@ def test_a_single_rope_can_be_renamed() -> None:
         ("rope.segmnts=3", 'rope[0].segmnts: unknown key; did you mean "segments"?'),
         ("rop.segments=3", 'rop: unknown key; did you mean "rope"?'),
         ("run.metod=rk4", 'run.metod: unknown key; did you mean "method"?'),
-        ("rope[2].segments=3", "rope[2]: must be from 0 to 0"),
+        ("rope[2].segments=3", "rope[2]: there is only [0]"),
         ("rope.olny.segments=3", 'rope.olny: no such name or key; did you mean "only"?'),
         ("anchor.lft.node=0", 'anchor.lft: no such name or key; did you mean "left"?'),
         ("winch.speed=3", "winch: the scene has none"),
@@ -195,7 +195,7 @@ def test_replace_takes_models_arrays_and_parts_of_scenes() -> None:
     ("path", "words"),
     [
         ("rope.made_of.spring_constnt", 'did you mean "spring_constant"'),
-        ("ropes[4].segments", "must be from 0 to 0"),
+        ("ropes[4].segments", "there is only [0]"),
         ("rope..segments", "is no path"),
         ("rope.made_of.spring_constant", "must be greater than 0"),
     ],

@@ -343,7 +343,8 @@ def _choose(
     step = rest[0]
     if isinstance(step, int):
         if step >= len(items):
-            raise _fault(f"{path}[{step}]", f"must be from 0 to {len(items) - 1}")
+            rule = "there is only [0]" if len(items) == 1 else f"must be from 0 to {len(items) - 1}"
+            raise _fault(f"{path}[{step}]", rule)
         if len(rest) == 1:
             raise _fault(f"{path}[{step}]", "give a key of it too")
         return [spots[step]], rest[1:]
