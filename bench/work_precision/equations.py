@@ -131,12 +131,12 @@ def equations(model: Model) -> Equations:
             (system.slack_floor == 0.0).astype(np.float64),
             state.damping_vector,
             state.damping_axial,
-            system.air.normal,
-            system.air.tangential,
+            system.node.air.normal,
+            system.node.air.tangential,
         ]
     )
-    nodes = np.stack([state.inverse_mass, system.air.node_drag])
-    ground = system.ground
+    nodes = np.stack([state.inverse_mass, system.node.air.node_drag])
+    ground = system.node.ground
     height = ground.height if ground.active else -np.inf
     numbers = np.array(
         [*system.gravity, *ground.up, height, ground.repulsion, ground.friction, ground.absorption]
@@ -160,5 +160,5 @@ def _refuse(scene: Scene, model: Model) -> None:
         raise ValueError(f"{scene.name}: winches, limiters, releases and such motions are not here")
     if any(rope.bending_stiffness > 0.0 for rope in scene.ropes):
         raise ValueError(f"{scene.name}: bending is not here")
-    if system.air.wind.any() or system.air.node_drag_quadratic.any():
+    if system.node.air.wind.any() or system.node.air.node_drag_quadratic.any():
         raise ValueError(f"{scene.name}: wind and quadratic drag of nodes are not here")

@@ -14,6 +14,7 @@ from ropewalk.build.layout import make_layout
 from ropewalk.build.tables import make_tables
 from ropewalk.core.arrays import Floats, Ints, State, System, copy, flatten
 from ropewalk.core.peaks import EXTREMES, FORCE, LEAST_TENSION, LOWEST, PLACE, SINCE, UNTIL, VALUE
+from ropewalk.laws.registry import NAMES
 from ropewalk.methods.recording import (
     Recording,
     bends,
@@ -28,8 +29,8 @@ from ropewalk.scene import Scene
 # What the last axis of an array of `State` counts, or the first of those by anchors and winches.
 NODES = (
     *("x", "v", "acceleration", "mass", "inverse_mass", "drift"),
-    *("bending_stiffness", "bending_damping", "forces.air", "forces.ground", "forces.applied"),
-    *("work.weight", "work.air", "work.ground", "work.applied"),
+    *("bending_stiffness", "bending_damping", "forces.applied", "work.weight", "work.applied"),
+    *(f"{kind}.node.{name}" for kind in ("forces", "work") for name in NAMES),
 )
 SEGMENTS = (
     *("tension", "limited", "rest_length", "stiffness", "damping_vector", "damping_axial"),

@@ -70,7 +70,8 @@ def set_first_reactions(system: System, state: State) -> None:
             total = total + forces.bending[:, i + 1] - forces.bending[:, i]
         if system.limiter.active:
             total = total + forces.limiter[:, i + 1] - forces.limiter[:, i]
-        total = total + forces.air[:, i] + forces.ground[:, i] + forces.applied[:, i]
+        for channel in (*forces.node, forces.applied):
+            total = total + channel[:, i]
         total = total + state.mass[i] * system.gravity
         state.reaction[row] = -total if state.held[row] else 0.0
     start_clamps(system, state)

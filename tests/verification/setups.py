@@ -103,12 +103,12 @@ class Film:
     def work(self, law: str) -> np.ndarray:
         """Accumulated work of a law, or of all anchors (f,) [J]."""
         work = self.block.recording.work
-        return work[:, 8:].sum(axis=1) if law == "anchors" else work[:, LAWS.index(law)]
+        return work[:, len(LAWS) :].sum(axis=1) if law == "anchors" else work[:, LAWS.index(law)]
 
     def residual(self, without: str = "") -> np.ndarray:
         """Kinetic energy gained minus all works (f,) [J]; `without` forgets one law, for twins."""
         kinetic = self.block.recording.energy[:, 0]
-        laws = [*LAWS[:6], "anchors"]
+        laws = [*(name for name in LAWS if name not in ("limiter", "winch")), "anchors"]
         done = sum(self.work(law) for law in laws if law != without)
         jumps = self.block.recording.jump[:, [name != without for name in ("limiter", "winch")]]
         return kinetic - kinetic[0] - done - jumps.sum(axis=1)

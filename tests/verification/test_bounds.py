@@ -171,7 +171,7 @@ def newton_orders(drag: float = 0.0) -> tuple[list[float], int]:
     bare = Material(EA=20.0, mass_per_length=0.25)
     rope = Rope(segments=40, length=4.0, made_of=bare, shape=Straight(end=(4, 0, 0)))
     simulation = Simulation(swing("implicit-euler", 0.1, ropes=rope))
-    simulation.system.air.node_drag[...] = drag
+    simulation.system.node.air.node_drag[...] = drag
     report, orders, at_bound = simulation._engine._scratch.stage.report, [], 0
     for _ in range(20):
         simulation.step(0.1)

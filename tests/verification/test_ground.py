@@ -170,8 +170,8 @@ def test_the_damper_has_its_tangent(rise: float, pushes: bool) -> None:
             slope = (ends[1] - ends[0]) / 2e-6
             assert matrix[:, column] == pytest.approx(slope, abs=1e-5)
     force()
-    assert bool(state.forces.ground[1, 0] > 0.0) is pushes
-    assert state.forces.ground[1, 2] == 0.0
+    assert bool(state.forces.node.ground[1, 0] > 0.0) is pushes
+    assert state.forces.node.ground[1, 2] == 0.0
 
 
 def reading(**more: float) -> float:

@@ -80,7 +80,7 @@ def newton_orders(drag: float = 0.0) -> list[float]:
     `drag` [N s/m] is put into the tangent alone: without air no law asks for it.
     """
     simulation = Simulation(dropped("implicit-euler", 0.1, 1e6, 20))
-    simulation.system.air.node_drag[...] = drag
+    simulation.system.node.air.node_drag[...] = drag
     report, orders = simulation._engine._scratch.stage.report, []
     for _ in range(10):
         simulation.step(0.1)

@@ -12,8 +12,8 @@ import numpy as np
 import pytest
 
 from ropewalk.core import arrays
-from ropewalk.core.band import clear_band, dense, make_band
-from ropewalk.laws.tangent import assemble_tangent, stiffness_and_friction
+from ropewalk.core.band import clear_band, dense
+from ropewalk.laws.tangent import assemble_tangent, law_band, stiffness_and_friction
 from ropewalk.methods.loop import prepare
 from ropewalk.scene import Air, Anchor, Ground, Material, Rope, Scene, Springs, Straight, Winch
 
@@ -143,7 +143,7 @@ def test_the_weights_and_what_was_there_before() -> None:
     case = Case(LAWS["all"])
     x, v = states(case.state.x.shape[1])[0]
     stiffness, friction = stiffness_and_friction(case.system, case.state, x, v)
-    band = make_band(x.shape[1])
+    band = law_band(x.shape[1])
     for _ in range(2):
         assemble_tangent(case.system, case.state, x, v, 0.3, 7.0, band)
     expected = 0.3 * dense(stiffness) + 7.0 * dense(friction)
@@ -158,7 +158,7 @@ def test_clamping_makes_a_tangled_rope_s_stiffness_definite() -> None:
     x, v = states(N)[4]
     smallest = []
     for clamp in (False, True):
-        band = make_band(N)
+        band = law_band(N)
         assemble_tangent(case.system, case.state, x, v, 1.0, 0.0, band, clamp)
         smallest.append(np.linalg.eigvalsh(dense(band))[0])
     assert smallest[0] < -10.0

@@ -178,10 +178,10 @@ def test_air_drags_the_rope_that_was_paid_out() -> None:
         ground=Ground(height=0.5),
     )
     film = run(made)
-    arrays, air = film.simulation.arrays, film.simulation.system.air
+    arrays, air = film.simulation.arrays, film.simulation.system.node.air
     out = arrays.mass > 0.0
     assert out.sum() > 6
-    drag = arrays.forces.air[:, out].T
+    drag = arrays.forces.node.air[:, out].T
     u = np.linalg.norm(film.v[-2, out], axis=1)[:, None]
     assert off(drag, -(0.02 + 0.01 * u) * film.v[-2, out]) < 1e-12
     assert air.linear == 1

@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from ropewalk.build import Model
+from ropewalk.laws.acting import flow
 from ropewalk.scene import Material, Rope
 
 _FLAT = 1e-6  # [1] what counts as in a plane
@@ -39,7 +40,7 @@ def _out_of_plane(model: Model, rope: Rope) -> list[str]:
         "its shape": np.ptp(axis @ x) > _FLAT * rope.length_unstretched,
         "its velocity": np.abs(axis @ v).max() > _FLAT * np.abs(v).max(),
         "gravity": _leaves(axis, model.system.gravity),
-        "the wind": _leaves(axis, model.system.air.wind),
+        "the wind": _leaves(axis, flow(model.system)),
         "a clamp": any(_leaves(axis, d) for d in _directions(model, rope)),
     }
     named = [cause for cause, leaves in causes.items() if leaves]

@@ -284,7 +284,7 @@ def _notes(model: Model, theory: Theory, largest: LargestSteps) -> tuple[str, ..
     if model.scene.limiter is not None:
         unfit = [name for name in METHODS if not bounds_stretch(name)]
         notes.append(f"{', '.join(unfit)} cannot work with a stretch limiter")
-    air = model.system.air
+    air = model.system.node.air
     if largest[method] >= dt and air.quadratic:
         still = chains(model.system, model.state, 0.0)
         if min(largest_step(method, chain) for chain in still.values()) < dt:

@@ -9,13 +9,34 @@ import numpy as np
 from ropewalk.build.apart import recoil_of_releases
 from ropewalk.build.bends import bends
 from ropewalk.core.arrays import Floats, State, System
+from ropewalk.laws.acting import acting, flow
+from ropewalk.laws.registry import NODE_LAWS
 from ropewalk.laws.winch import MERGE, SPLIT
 from ropewalk.methods.bound import Chain
 from ropewalk.motions.table import ORBIT, SHAKE, TABLE, VELOCITY
 
+FREE = "in the air"  # the case of a rope that touches nothing
+
 
 def chains(system: System, state: State, speed: float = 0.0) -> dict[str, Chain]:
-    """Return the chains whose stability decides, by case: in the air, on the ground, at a winch.
+    """Return the chains whose stability decides, by case: those of `free_chains`, and under laws of nodes."""
+    return with_cases(system, free_chains(system, state, speed))
+
+
+def with_cases(system: System, free: dict[str, Chain]) -> dict[str, Chain]:
+    """Return the chains and what laws of nodes, as a ground, may make of them, by case."""
+    cases = dict(free)
+    for law, table in acting(system):
+        if law.cases is None:
+            continue
+        for name, chain in tuple(cases.items()):
+            here = "" if name == FREE else f", {name}"
+            cases |= {f"{case}{here}": found for case, found in law.cases(table, chain).items()}
+    return cases
+
+
+def free_chains(system: System, state: State, speed: float = 0.0) -> dict[str, Chain]:
+    """Return the chains where nothing is touched, by case: in the air, at a winch.
 
     A node that is ever released counts as free. Quadratic drag is linearised at `speed` [m/s].
     """
@@ -30,14 +51,17 @@ def chains(system: System, state: State, speed: float = 0.0) -> dict[str, Chain]
         damping_vector=state.damping_vector,
         damping_axial=state.damping_axial,
         node_stiffness=zero,
-        node_damping=_air_damping(system, state, speed),
+        node_damping=zero,
         free=free,
         sideways=bool(np.any(system.gravity) or np.any(state.v) or len(state.held) > 0)
         or not _is_straight(state.x),
         bending=bending,
         damping_bending=rubbing,
     )
-    cases = {"in the air": base}
+    for law, table in zip(NODE_LAWS, system.node, strict=True):
+        if law.chain is not None:
+            base = law.chain(table, base, state.rest_length, speed)
+    cases = {FREE: base}
     for row in range(len(state.winch_exit)):
         for share in (MERGE, SPLIT):
             cases[f"at a winch whose last segment is {share:g} long"] = _winch_case(
@@ -47,20 +71,6 @@ def chains(system: System, state: State, speed: float = 0.0) -> dict[str, Chain]
         cases["with all rope paid out"] = _paid_out(base, system, state)
     for row in range(len(state.winch_exit)):
         cases["with all rope reeled in"] = _reeled_in(base, system, state, row)
-    if system.ground.active:
-        ground, twice = system.ground, 2.0 * system.ground.damping_ratio
-        for name, chain in tuple(cases.items()):
-            here = "" if name == "in the air" else f", {name}"
-            damping = chain.node_damping
-            cases[f"pressed to the ground{here}"] = chain._replace(
-                node_stiffness=zero + ground.repulsion,
-                node_damping=damping
-                + ground.absorption
-                + twice * np.sqrt(ground.repulsion * chain.mass),
-            )
-            cases[f"sliding on the ground{here}"] = chain._replace(
-                node_damping=damping + ground.friction
-            )
     return cases
 
 
@@ -69,16 +79,6 @@ def _is_straight(x: Floats) -> bool:
     spread = x - x.mean(axis=1, keepdims=True)
     sizes = np.linalg.eigvalsh(spread @ spread.T)
     return bool(sizes[1] <= 1e-18 * max(sizes[2], 1e-300))
-
-
-def _air_damping(system: System, state: State, speed: float) -> Floats:
-    """Drag per speed of every node [N s/m]: d(a v^2)/dv = 2 a v, a segment's shared by its ends."""
-    air = system.air
-    per_segment = speed * np.maximum(air.normal, air.tangential) * state.rest_length
-    damping = air.node_drag + 2.0 * speed * air.node_drag_quadratic
-    damping[:-1] += per_segment
-    damping[1:] += per_segment
-    return damping
 
 
 def _winch_case(base: Chain, system: System, state: State, row: int, share: float) -> Chain:
@@ -150,7 +150,7 @@ def speed_scale(system: System, state: State) -> float:
 
     The fastest of: initial velocities against the wind, anchors, and a fall through the rope's length.
     """
-    wind = system.air.wind[:, None]
+    wind = flow(system)[:, None]
     start = float(np.linalg.norm(state.v - wind, axis=0).max())
     pull = float(np.linalg.norm(system.gravity))
     if state.forces.applied.any():
@@ -175,7 +175,7 @@ def recoil(state: State) -> float:
 
 def fastest(system: System, state: State) -> float:
     """Return the largest speed to reckon with, `recoil` included, against the wind [m/s]."""
-    wind = float(np.linalg.norm(system.air.wind))
+    wind = float(np.linalg.norm(flow(system)))
     back = max(recoil(state), recoil_of_releases(system, state))
     return max(speed_scale(system, state), back + wind)
 

@@ -22,8 +22,9 @@ import numpy as np
 
 from ropewalk.build.apart import recoil_of_releases
 from ropewalk.build.bounce import Bounce, bounce_of, largest_bounce_step
-from ropewalk.build.chains import chains, fastest, recoil
+from ropewalk.build.chains import FREE, fastest, free_chains, recoil, with_cases
 from ropewalk.core.arrays import State, System
+from ropewalk.laws.acting import acting
 from ropewalk.methods.bound import Chain, largest_step
 from ropewalk.methods.registry import METHODS
 
@@ -52,17 +53,15 @@ class Cases(NamedTuple):
 
 def step_cases(system: System, state: State, duration: float) -> Cases:
     """Return the cases of a run of so many seconds; 0 s leaves out what adds up over a run."""
-    found = chains(system, state, fastest(system, state))
+    free = free_chains(system, state, fastest(system, state))
     one_way = system.slack_floor == 0.0
     bounces = {}
     if one_way.any() and duration > 0.0:
-        for name, chain in found.items():
-            if name.endswith("the ground") or ", " in name:
-                continue  # the segments are those of the same case in the air
+        for name, chain in free.items():  # what nodes touch does not change segments
             if (bounce := bounce_of(chain, one_way)) is not None:
-                where = "" if name == "in the air" else f", {name}"
+                where = "" if name == FREE else f", {name}"
                 bounces[f"where segments go slack and taut{where}"] = bounce
-    return Cases(found, bounces, duration)
+    return Cases(with_cases(system, free), bounces, duration)
 
 
 def predicted_step(system: System, state: State, method: str, duration: float = 0.0) -> float:
@@ -95,7 +94,7 @@ def _impact(system: System, state: State) -> float:
     alive = state.mass > 0.0
     v = state.v[:, alive]
     apart = 2.0 * float(np.linalg.norm(v - v.mean(axis=1, keepdims=True), axis=0).max())
-    stops = len(state.held) > 0 or system.ground.active or system.air.linear or system.air.quadratic
+    stops = len(state.held) > 0 or acting(system)
     back = max(recoil(state), recoil_of_releases(system, state))
     return max(apart, back, fastest(system, state) if stops else 0.0)
 

@@ -16,11 +16,9 @@ from ropewalk.build.limiter_order import limiter_order
 from ropewalk.build.motion_rows import anchor_tables
 from ropewalk.build.pieces import Pieces
 from ropewalk.core.arrays import (
-    Air,
     Anchors,
     Floats,
     Forces,
-    Ground,
     Ints,
     Limiter,
     State,
@@ -31,9 +29,8 @@ from ropewalk.core.arrays import (
 from ropewalk.core.peaks import no_peaks
 from ropewalk.core.status import BREAK_STRETCH
 from ropewalk.laws.anchors import anchor_places
+from ropewalk.laws.registry import NODE_LAWS, NodeArrays, NodeTables
 from ropewalk.methods.kinks import kink_times
-from ropewalk.scene import Air as AirInScene
-from ropewalk.scene import Ground as GroundInScene
 from ropewalk.scene import Limiter as LimiterInScene
 from ropewalk.scene import Material, Rope, Scene, Springs
 
@@ -157,18 +154,16 @@ def _ropes(scene: Scene, layout: Layout, keep: Pieces) -> State:
     stiffness = keep("stiffness", _along, layout, tuple(rope.segment_stiffness for rope in ropes))
     vector = keep("vector", _along, layout, tuple(_rubs(rope, "vector") for rope in ropes))
     axial = keep("axial", _along, layout, tuple(_rubs(rope, "axial") for rope in ropes))
-    segment, node, none = (3, n + 1), (3, n), (3, 0)
-    channels = segment, segment, node, node, node, none, segment if scene.limiter else none
     exits = [_exit(layout.span(winch.rope), winch.end) for winch in scene.winches]
     return State(
         x=x,
         v=v,
-        acceleration=np.zeros(node),
+        acceleration=np.zeros((3, n)),
         mass=mass,
         inverse_mass=inverse.copy(),  # held nodes get 0
         tension=np.zeros(s),
         limited=np.zeros(s if scene.limiter else 0),
-        drift=np.zeros(node),
+        drift=np.zeros((3, n)),
         past=np.zeros(3),
         rest_length=lengths,
         stiffness=stiffness,
@@ -188,11 +183,40 @@ def _ropes(scene: Scene, layout: Layout, keep: Pieces) -> State:
         clamp_direction=np.zeros((0, 3)),
         clamp_spin=np.zeros((0, 3)),
         moment=np.zeros((0, 6)),
-        forces=Forces(*(np.zeros(shape) for shape in channels))._replace(applied=applied),
-        work=Work(*(np.zeros(size) for size in (s, s, n, n, n, n, a, 2, 2, 0, 0))),
+        forces=_no_forces(n, applied, scene.limiter is not None),
+        work=_no_work(s, n, a),
         most=np.zeros(a + 1),
         balance=np.zeros(4),
         peaks=no_peaks(s, n, a) if scene.run.extremes else no_peaks(0, 0, 0),
+    )
+
+
+def _no_forces(n: int, applied: Floats, limited: bool) -> Forces:
+    """Return the forces of n nodes before any is evaluated; `applied` (3, n) are those given."""
+    of_segments, none = (3, n + 1), (3, 0)
+    return Forces(
+        elastic=np.zeros(of_segments),
+        friction=np.zeros(of_segments),
+        node=NodeArrays(*(np.zeros((3, n)) for _ in NODE_LAWS)),
+        applied=applied,
+        bending=np.zeros(none),
+        limiter=np.zeros(of_segments if limited else none),
+    )
+
+
+def _no_work(s: int, n: int, a: int) -> Work:
+    """Return the works of s segments, n nodes and a anchors before the first step."""
+    return Work(
+        elastic=np.zeros(s),
+        friction=np.zeros(s),
+        weight=np.zeros(n),
+        node=NodeArrays(*(np.zeros(n) for _ in NODE_LAWS)),
+        applied=np.zeros(n),
+        anchors=np.zeros(a),
+        limiter=np.zeros(2),
+        winch=np.zeros(2),
+        bending=np.zeros(0),
+        clamps=np.zeros(0),
     )
 
 
@@ -205,7 +229,6 @@ def _system(scene: Scene, layout: Layout, state: State, keep: Pieces) -> System:
     one_way = tuple(rope.made_of.tension_only for rope in ropes)
     floor = keep("slack floor", _slack_floor, layout, one_way)
     origins = state.x[:, state.anchor_node].T.copy()
-    thick = tuple(rope.diameter for rope in ropes)
     stretch = state.mass, applied, state.stiffness, state.rest_length
     limiter = scene.limiter
     order = keep("limiter order", limiter_order, layout) if limiter is not None else None
@@ -214,13 +237,30 @@ def _system(scene: Scene, layout: Layout, state: State, keep: Pieces) -> System:
         flags=keep("flags", _flags, applied, state.damping_axial, floor),
         break_stretch=keep("break stretch", _break_stretch, scene.gravity, *stretch),
         slack_floor=floor,
-        air=keep("air", _air, layout, scene.air, thick),
-        ground=keep("ground", _ground, scene.ground, scene.up),
+        up=keep("up", np.array, scene.up),
+        node=_node_tables(scene, layout, keep),
         limiter=keep("limiter", _limiter, limiter, order),
         anchors=keep("anchors", anchor_tables, scene.anchors, origins, state.anchor_node),
         winches=_winches(scene, layout) if scene.winches else keep("no winches", _table_of, ()),
         bending=no_bending(),
         kinks=np.zeros(0),
+    )
+
+
+def _node_tables(scene: Scene, layout: Layout, keep: Pieces) -> Any:
+    """Return the tables of the laws of nodes, each made from its section of the scene."""
+    thick = tuple(rope.diameter for rope in scene.ropes)
+    inputs: dict[str, Any] = {"layout": layout, "diameters": thick, "up": scene.up}
+    return NodeTables(
+        *(
+            keep(
+                law.name,
+                law.lower,
+                getattr(scene, law.section, None),
+                *(inputs[name] for name in law.inputs),
+            )
+            for law in NODE_LAWS
+        )
     )
 
 
@@ -245,32 +285,6 @@ def _break_stretch(
     softest = stiffness * rest_length
     softest = softest[(softest > 0.0) & np.isfinite(softest)]
     return BREAK_STRETCH + (3.0 * weight / float(softest.min()) if len(softest) else 0.0)
-
-
-def _air(layout: Layout, air: AirInScene | None, thick: tuple[float, ...]) -> Air:
-    n = layout.nodes
-    normal, tangential = np.zeros(layout.segments), np.zeros(layout.segments)
-    drag, quadratic = np.zeros(n), np.zeros(n)
-    if air is None:
-        return Air(0, 0, drag, quadratic, normal, tangential, np.zeros(3))
-    for diameter, span in zip(thick, layout.ropes, strict=True):
-        segments = slice(span.first, span.last)
-        normal[segments] = 0.5 * air.density * air.normal_coefficient * diameter
-        tangential[segments] = 0.5 * math.pi * air.density * air.tangential_coefficient * diameter
-        nodes = slice(span.first, span.last + 1)  # those still on a drum, too
-        drag[nodes], quadratic[nodes] = air.node_drag, air.node_drag_quadratic
-    curved = bool(quadratic.any() or normal.any() or tangential.any())
-    linear = int(air.node_drag > 0.0)
-    wind = np.array(air.wind, dtype=np.float64)
-    return Air(linear, int(curved), drag, quadratic, normal, tangential, wind)
-
-
-def _ground(ground: GroundInScene | None, upward: Any) -> Ground:
-    up = np.array(upward)
-    if ground is None:
-        return Ground(0, up, 0.0, 0.0, 0.0, 0.0, 0.0)
-    numbers = ground.height, ground.repulsion, ground.friction, ground.absorption
-    return Ground(1, up, *numbers, ground.damping_ratio)
 
 
 def _limiter(limiter: LimiterInScene | None, order: tuple[Ints, Floats] | None) -> Limiter:
@@ -323,7 +337,7 @@ def _hold(system: System, state: State, keep: Pieces) -> None:
         return
     state.anchor_x[:] = state.x[:, nodes].T
     # what the kernel reads of system and state
-    read = system.anchors, system.ground, state.anchor_x.copy()
+    read = system.anchors, system.node.ground, state.anchor_x.copy()
     points, speeds = keep("starts", partial(_starts, system, state), *read)
     held = system.anchors.release > 0.0
     state.held[:] = held
@@ -334,7 +348,7 @@ def _hold(system: System, state: State, keep: Pieces) -> None:
 
 
 def _starts(
-    system: System, state: State, anchors: Anchors, ground: Ground, origins: Floats
+    system: System, state: State, anchors: Anchors, ground: Any, origins: Floats
 ) -> tuple[Floats, Floats]:
     """Return where the anchors are at time zero [m] and their velocities [m/s], (a, 3) each."""
     points, speeds = np.zeros_like(origins), np.zeros_like(origins)

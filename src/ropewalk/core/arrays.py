@@ -22,30 +22,6 @@ Ints = NDArray[np.int64]
 APPLIED, AXIAL, TENSION_ONLY, BENDING = range(4)
 
 
-class Air(NamedTuple):
-    """Air drag. All arrays per node, shape (n,), except `wind` (3,) [m/s]."""
-
-    linear: int  # 1 when the linear law acts
-    quadratic: int  # 1 when a quadratic law acts
-    node_drag: Floats  # [N s/m]
-    node_drag_quadratic: Floats  # [N s^2/m^2]
-    normal: Floats  # (s,) density * normal coefficient * diameter / 2 [N s^2/m^3]
-    tangential: Floats  # (s,) density * tangential coefficient * diameter / 2 [N s^2/m^3]
-    wind: Floats
-
-
-class Ground(NamedTuple):
-    """Ground as NeHe's lesson 40 has it, per node."""
-
-    active: int
-    up: Floats  # (3,) unit vector
-    height: float  # [m] along `up`
-    repulsion: float  # [N/m]
-    friction: float  # [N s/m]
-    absorption: float  # [N s/m]
-    damping_ratio: float  # [1] of every node on its own, both ways; 0 without
-
-
 class Limiter(NamedTuple):
     """Stretch limiter: order and shares of its sweep."""
 
@@ -113,8 +89,8 @@ class System(NamedTuple):
     flags: Ints  # (4,) which optional parts act: APPLIED, AXIAL, TENSION_ONLY, BENDING
     break_stretch: float  # [1] a segment stretched more than this is a broken simulation
     slack_floor: Floats  # (s,) least elastic tension [N]: 0 for tension-only segments, else -inf
-    air: Air
-    ground: Ground
+    up: Floats  # (3,) unit vector against gravity
+    node: Any  # the tables of the laws of nodes, by name; see `laws.registry`
     limiter: Limiter
     anchors: Anchors
     winches: Winches
@@ -127,8 +103,7 @@ class Forces(NamedTuple):
 
     elastic: Floats  # (3, n + 1)
     friction: Floats  # (3, n + 1)
-    air: Floats  # (3, n)
-    ground: Floats  # (3, n)
+    node: Any  # (3, n) each, by name of the law of nodes
     applied: Floats  # (3, n)
     bending: Floats  # (3, n + 1) elastic part only; (3, 0) where no rope has bending stiffness
     limiter: Floats  # (3, n + 1) at a bound, of implicit methods; (3, 0) without a limiter
@@ -140,8 +115,7 @@ class Work(NamedTuple):
     elastic: Floats  # (s,)
     friction: Floats  # (s,)
     weight: Floats  # (n,)
-    air: Floats  # (n,)
-    ground: Floats  # (n,)
+    node: Any  # (n,) each, by name of the law of nodes
     applied: Floats  # (n,)
     anchors: Floats  # (a,)
     limiter: Floats  # (2,) kinetic, potential
@@ -198,6 +172,13 @@ def copy(value: Any) -> Any:
     if isinstance(value, tuple):
         return type(value)(*(copy(item) for item in value))
     return value.copy() if isinstance(value, np.ndarray) else value
+
+
+def blank(value: Any) -> Any:
+    """Return zeros of the same shapes as a (nested) named tuple of arrays."""
+    if isinstance(value, tuple):
+        return type(value)(*(blank(item) for item in value))
+    return np.zeros_like(value)
 
 
 def assign(target: Any, source: Any) -> None:

@@ -25,17 +25,18 @@ class Band(NamedTuple):
     upper2: Floats  # row i, column i + 2; (n, 9) or (0, 9)
     lower2: Floats  # row i + 2, column i; (n, 9) or (0, 9)
     rubs: Floats  # (n - 1,) 1 for segments with friction, 0 for slack tension-only ones
-    touches: Floats  # (n,) 1 for nodes below the ground's height
-    frozen: Ints  # (1,) 1 where both marks stay during a step, and forces go on smoothly across
+    marks: Floats  # (m, n) those of the laws of nodes: a row each, 1 where it acts
+    frozen: Ints  # (1,) 1 where all marks stay during a step, and forces go on smoothly across
 
 
-def make_band(nodes: int, second: bool = False) -> Band:
-    """Return a band of zeros; with `second` it has second off-diagonals."""
+def make_band(nodes: int, second: bool = False, marks: int = 0) -> Band:
+    """Return a band of zeros; with `second` it has second off-diagonals, and so many rows of `marks`."""
     far = nodes if second else 0
     near, beyond = (nodes, 9), (far, 9)
     shapes = (near, near, near, beyond, beyond)
     blocks = tuple(np.zeros(shape) for shape in shapes)
-    return Band._make((*blocks, np.ones(max(nodes - 1, 0)), np.zeros(nodes), np.zeros(1, np.int64)))
+    rubs, rows = np.ones(max(nodes - 1, 0)), np.zeros((marks, nodes))
+    return Band._make((*blocks, rubs, rows, np.zeros(1, np.int64)))
 
 
 @kernel

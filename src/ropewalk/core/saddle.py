@@ -41,11 +41,11 @@ class Saddle(NamedTuple):
     far_factor: Floats  # (n, 12) the same of second off-diagonals; (0, 12) without them
 
 
-def make_saddle(nodes: int, second: bool = False) -> Saddle:
-    """Return equations of zeros; with `second` the band has second off-diagonals."""
+def make_saddle(nodes: int, second: bool = False, marks: int = 0) -> Saddle:
+    """Return equations of zeros; `second` and `marks` are those of the band, see `make_band`."""
     n, s = nodes, nodes - 1
     shapes = (n, n, s, s, (3, s), s, s, (3, n), s, (3, n), s, (n, 16), (n * second, 12))
-    return Saddle(make_band(n, second), *(np.zeros(shape) for shape in shapes))
+    return Saddle(make_band(n, second, marks), *(np.zeros(shape) for shape in shapes))
 
 
 def dense_saddle(saddle: Saddle) -> tuple[Floats, Floats]:

@@ -52,9 +52,9 @@ def anchor_target(system, state, row, t, ahead, x, v):
             x[k] += v[k] * ahead
     else:
         place(system.anchors, row, t, x, v)
-    if system.anchors.above_ground[row] == 1 and system.ground.active == 1:
-        up = system.ground.up
-        depth = system.ground.height - (x[0] * up[0] + x[1] * up[1] + x[2] * up[2])
+    if system.anchors.above_ground[row] == 1 and system.node.ground.active == 1:
+        up = system.node.ground.up
+        depth = system.node.ground.height - (x[0] * up[0] + x[1] * up[1] + x[2] * up[2])
         if depth > 0.0:
             rise = v[0] * up[0] + v[1] * up[1] + v[2] * up[2]
             for k in range(3):

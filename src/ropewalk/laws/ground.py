@@ -14,9 +14,88 @@ Source: Schwager & Poeschel 2007, Granular Matter 9:465.
 from __future__ import annotations
 
 import math
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from ropewalk.core.jit import kernel, small
+import numpy as np
+
+from ropewalk.core.arrays import Floats
+from ropewalk.core.jit import kernel, part, small
 from ropewalk.core.ranges import ALL, rows
+from ropewalk.laws.events import end_of_crossing
+from ropewalk.laws.node_law import NodeLaw, Rest
+
+if TYPE_CHECKING:
+    from ropewalk.methods.bound import Chain
+    from ropewalk.scene import Ground as GroundInScene
+
+
+class Ground(NamedTuple):
+    """Ground as NeHe's lesson 40 has it, per node."""
+
+    active: int
+    up: Floats  # (3,) unit vector
+    height: float  # [m] along `up`
+    repulsion: float  # [N/m]
+    friction: float  # [N s/m]
+    absorption: float  # [N s/m]
+    damping_ratio: float  # [1] of every node on its own, both ways; 0 without
+
+
+def lower(ground: GroundInScene | None, upward: tuple[float, float, float]) -> Ground:
+    """Return the table of a scene's ground."""
+    up = np.array(upward)
+    if ground is None:
+        return Ground(0, up, 0.0, 0.0, 0.0, 0.0, 0.0)
+    numbers = ground.height, ground.repulsion, ground.friction, ground.absorption
+    return Ground(1, up, *numbers, ground.damping_ratio)
+
+
+@part
+def acts(ground):
+    """Tell whether there is any ground."""
+    return ground.active == 1
+
+
+@part
+def force(ground, state, x, v, force, lo, hi):
+    """Write the force of the ground on every node [N], (3, n)."""
+    ground_forces(x, v, ground, force, lo, hi)
+    if ground.damping_ratio > 0.0:
+        damp_ground(x, v, state.mass, ground, force, lo, hi)
+
+
+@part
+def marked_force(ground, state, x, v, marks, frozen, force):
+    """Write the force of the ground on every node [N], (3, n), for the nodes that are marked."""
+    marked_ground_forces(x, v, ground, marks, frozen, force)
+    if ground.damping_ratio > 0.0:
+        damp_marked_ground(x, v, state.mass, ground, marks, force)
+
+
+@part
+def mark(ground, x, marks):
+    """Mark the nodes below the ground's height; return how many marks changed."""
+    return mark_touching(x, ground, marks)
+
+
+@part
+def tangent(ground, state, x, v, weight_x, weight_v, marks, band):
+    """Add the derivatives of the force on the nodes that are marked."""
+    ground_tangent(x, v, state.mass, ground, marks, weight_x, weight_v, band)
+
+
+@part
+def crossings(ground, before, after, dt, tolerance):
+    """Return where a step is to end [s], inf: where it does, and how many nodes have changed sides."""
+    return ground_crossings(
+        before.x, before.v, after.x, after.v, after.inverse_mass, ground, dt, tolerance
+    )
+
+
+@part
+def energy(ground, x):
+    """Return the energy of the ground's springs [J]."""
+    return ground_energy(x, ground)
 
 
 @kernel
@@ -136,3 +215,72 @@ def ground_tangent(x, v, mass, ground, touches, weight_x, weight_v, band):
             band.diagonal[i, 4 * k] += slide
             for m in range(3):
                 band.diagonal[i, 3 * k + m] += across * up[k] * up[m]
+
+
+@kernel
+def ground_crossings(x0, v0, x1, v1, inverse_mass, ground, dt, tolerance):
+    """Return where the step is to end for the ground [s], inf: where it does, and the changes of sides."""
+    ux, uy, uz = ground.up[0], ground.up[1], ground.up[2]
+    end, changes = math.inf, 0
+    for i in range(inverse_mass.shape[0]):
+        before = ground.height - (x0[0, i] * ux + x0[1, i] * uy + x0[2, i] * uz)
+        after = ground.height - (x1[0, i] * ux + x1[1, i] * uy + x1[2, i] * uz)
+        if inverse_mass[i] == 0.0 or (before > 0.0) == (after > 0.0):
+            continue
+        changes += 1
+        rate0 = -(v0[0, i] * ux + v0[1, i] * uy + v0[2, i] * uz)
+        rate1 = -(v1[0, i] * ux + v1[1, i] * uy + v1[2, i] * uz)
+        end = min(end, end_of_crossing(before, rate0, after, rate1, dt, tolerance))
+    return end, changes
+
+
+@kernel
+def ground_energy(x, ground):
+    """Return the energy of the ground's springs [J]."""
+    ux, uy, uz = ground.up[0], ground.up[1], ground.up[2]
+    total = 0.0
+    for i in range(x.shape[1]):
+        depth = ground.height - (x[0, i] * ux + x[1, i] * uy + x[2, i] * uz)
+        if depth > 0.0:
+            total += 0.5 * ground.repulsion * depth * depth
+    return total
+
+
+def at_rest(ground: Ground) -> Rest:
+    """It bears what lies on it."""
+    return Rest.BEARS
+
+
+def below(ground: Ground, x: Floats) -> Any:
+    """Return which nodes are below the ground's height, (n,)."""
+    return ground.up @ x < ground.height
+
+
+def cases(ground: Ground, chain: Chain) -> dict[str, Chain]:
+    """Return a chain with all its nodes on the ground, pressed to it and sliding."""
+    twice = 2.0 * ground.damping_ratio
+    damping = chain.node_damping
+    pressed = chain._replace(
+        node_stiffness=chain.node_stiffness + ground.repulsion,
+        node_damping=damping + ground.absorption + twice * np.sqrt(ground.repulsion * chain.mass),
+    )
+    sliding = chain._replace(node_damping=damping + ground.friction)
+    return {"pressed to the ground": pressed, "sliding on the ground": sliding}
+
+
+GROUND = NodeLaw(
+    name="ground",
+    section="ground",
+    lower=lower,
+    inputs=("up",),
+    acts=acts,
+    force=force,
+    tangent=tangent,
+    mark=mark,
+    marked_force=marked_force,
+    crossings=crossings,
+    energy=energy,
+    at_rest=at_rest,
+    bears=below,
+    cases=cases,
+)

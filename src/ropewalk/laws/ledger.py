@@ -12,6 +12,25 @@ from __future__ import annotations
 from ropewalk.core.arrays import APPLIED, BENDING
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.ranges import ALL, rows
+from ropewalk.laws.nodes import on_channels
+
+
+@kernel
+def add_power(force, middle, dt, work, lo, hi):
+    """Add force . velocity * dt of every node [J] to `work` (n,)."""
+    f0, f1, f2 = rows(force, lo, hi)
+    u0, u1, u2 = rows(middle, lo, hi)
+    work = work[lo:hi]
+    for i in range(work.shape[0]):
+        work[i] += dt * (f0[i] * u0[i] + f1[i] * u1[i] + f2[i] * u2[i])
+
+
+@part
+def _account(force, work, middle, dt, lo, hi):
+    add_power(force, middle, dt, work, lo, hi)
+
+
+_account_nodes = on_channels(_account)
 
 
 @part
@@ -31,10 +50,7 @@ def account(system, state, forces, middle, dt, lo=0, hi=ALL):
         work.limiter[0] -= segment_power(forces.limiter, middle, dt)
     if system.flags[APPLIED] == 1:
         add_power(forces.applied, middle, dt, work.applied, lo, hi)
-    if system.air.linear == 1 or system.air.quadratic == 1:
-        add_power(forces.air, middle, dt, work.air, lo, hi)
-    if system.ground.active == 1:
-        add_power(forces.ground, middle, dt, work.ground, lo, hi)
+    _account_nodes(system, forces.node, work.node, middle, dt, lo, hi)
 
 
 @kernel
@@ -70,16 +86,6 @@ def add_weight_power(mass, gravity, middle, dt, work, lo, hi):
     mass, work = mass[lo:hi], work[lo:hi]
     for i in range(work.shape[0]):
         work[i] += mass[i] * (gx * u0[i] + gy * u1[i] + gz * u2[i])
-
-
-@kernel
-def add_power(force, middle, dt, work, lo, hi):
-    """Add force . velocity * dt of every node [J] to `work` (n,)."""
-    f0, f1, f2 = rows(force, lo, hi)
-    u0, u1, u2 = rows(middle, lo, hi)
-    work = work[lo:hi]
-    for i in range(work.shape[0]):
-        work[i] += dt * (f0[i] * u0[i] + f1[i] * u1[i] + f2[i] * u2[i])
 
 
 @kernel

@@ -3,19 +3,19 @@
 A segment pulls with its tension T, whatever its length; that T fits the length is an equation of its own,
     g = r - L - T/k = 0,      tension-only: min(T e', T/k - (r - L)) = 0 with any e' > 0,
 the second a complementarity (Qi & Sun 1993): either the segment is slack and T = 0, or it is taut.
-What begins and ends abruptly (friction of slack segments, the ground's) acts where it is marked.
+What begins and ends abruptly (friction of slack segments, a contact) acts where it is marked.
 """
 
 from __future__ import annotations
 
 import math
 
-from ropewalk.core.arrays import TENSION_ONLY
+from ropewalk.core.arrays import BENDING, TENSION_ONLY
 from ropewalk.core.jit import kernel, part
 from ropewalk.laws.bounds import bound_segments, split_tension
-from ropewalk.laws.ground import damp_marked_ground, mark_touching, marked_ground_forces
+from ropewalk.laws.nodes import mark_nodes, marked_node_forces
 from ropewalk.laws.stretch import drop_marked_friction
-from ropewalk.laws.table import evaluate_smooth, rub_segments
+from ropewalk.laws.table import evaluate_bending, rub_segments
 
 
 @kernel
@@ -68,23 +68,18 @@ def evaluate_stage(system, state, x, v, tension, work, saddle, forces):
     rub_segments(system, state, x, v, forces)
     if system.flags[TENSION_ONLY] == 1:
         drop_marked_friction(saddle.band.rubs, forces.friction)
-    evaluate_smooth(system, state, x, v, forces)
-    if system.ground.active == 1:
-        ground, band = system.ground, saddle.band
-        marked_ground_forces(x, v, ground, band.touches, band.frozen[0], forces.ground)
-        if ground.damping_ratio > 0.0:
-            damp_marked_ground(x, v, state.mass, ground, band.touches, forces.ground)
+    if system.flags[BENDING] == 1:
+        evaluate_bending(system, state, x, v, forces)
+    marked_node_forces(system, state, x, v, saddle.band, forces)
 
 
 @part
 def mark_stage(system, x, saddle):
-    """Mark what rubs and what touches at the present iterate; return how many marks changed."""
+    """Mark what rubs, and what laws of nodes act on, at the iterate; return how many marks changed."""
     changed = 0.0
     if system.flags[TENSION_ONLY] == 1:
         changed += mark_taut(system.slack_floor, saddle.carries, saddle.band.rubs)
-    if system.ground.active == 1:
-        changed += mark_touching(x, system.ground, saddle.band.touches)
-    return changed
+    return changed + mark_nodes(system, x, saddle.band)
 
 
 @kernel

@@ -1,18 +1,13 @@
-"""All laws together: the one place that knows which laws there are.
-
-A new law is a file of its own in this folder, a channel in `core.arrays.Forces` and `Work`, a line in
-`evaluate` and `accelerate` and one in `ledger.account`.
-"""
+"""All laws together: springs, bending and limiter by name, the laws of nodes as `registry` lists them."""
 
 from __future__ import annotations
 
 from ropewalk.core.arrays import APPLIED, AXIAL, BENDING, TENSION_ONLY
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.ranges import ALL, rows
-from ropewalk.laws.air_drag import linear_drag, quadratic_line_drag, quadratic_node_drag
 from ropewalk.laws.bending import bending_forces, bending_friction
 from ropewalk.laws.clamps import clamp_forces
-from ropewalk.laws.ground import damp_ground, ground_forces
+from ropewalk.laws.nodes import add_node_force, any_acts, node_forces, on_channels
 from ropewalk.laws.stretch import (
     axial_friction,
     drop_slack_friction,
@@ -34,11 +29,9 @@ def evaluate(system, state, x, v, forces, lo=0, hi=ALL):
     rub_segments(system, state, x, v, forces, lo, hi)
     if system.flags[TENSION_ONLY] == 1:
         drop_slack_friction(x, state.rest_length, floor, forces.friction, lo, hi)
-    evaluate_smooth(system, state, x, v, forces, lo, hi)
-    if system.ground.active == 1:
-        ground_forces(x, v, system.ground, forces.ground, lo, hi)
-        if system.ground.damping_ratio > 0.0:
-            damp_ground(x, v, state.mass, system.ground, forces.ground, lo, hi)
+    if system.flags[BENDING] == 1:
+        evaluate_bending(system, state, x, v, forces)
+    node_forces(system, state, x, v, forces, lo, hi)
 
 
 @part
@@ -49,21 +42,6 @@ def rub_segments(system, state, x, v, forces, lo=0, hi=ALL):
         axial_friction(x, v, state.damping_axial, forces.friction, lo, hi)
     if state.winch_exit.shape[0] > 0:
         growth_friction(x, state, system.winches, forces.friction)
-
-
-@part
-def evaluate_smooth(system, state, x, v, forces, lo=0, hi=ALL):
-    """Write the forces of all laws that neither segments nor the ground have; bending rubs, too."""
-    if system.flags[BENDING] == 1:
-        evaluate_bending(system, state, x, v, forces)
-    # The segment before a node has added its drag to it already.
-    ahead, end = lo + (1 if lo > 0 else 0), hi + 1
-    air = system.air
-    if air.linear == 1 or air.quadratic == 1:
-        linear_drag(v, air.node_drag, air.wind, forces.air, ahead, end)
-    if air.quadratic == 1:
-        quadratic_node_drag(v, air.node_drag_quadratic, air.wind, forces.air, ahead, end)
-        quadratic_line_drag(x, v, air.normal, air.tangential, air.wind, forces.air, lo, hi)
 
 
 @part
@@ -87,6 +65,31 @@ def evaluate_bending(system, state, x, v, forces):
         )
 
 
+@kernel
+def add_over_mass(force, inverse_mass, a, lo, hi):
+    """Add force over mass of every node, (3, n)."""
+    inverse_mass = inverse_mass[lo:hi]
+    f0, f1, f2 = rows(force, lo, hi)
+    a0, a1, a2 = rows(a, lo, hi)
+    _add_scaled(f0, inverse_mass, a0)
+    _add_scaled(f1, inverse_mass, a1)
+    _add_scaled(f2, inverse_mass, a2)
+
+
+@part
+def _add_scaled(force, inverse_mass, a):
+    for i in range(inverse_mass.shape[0]):
+        a[i] += force[i] * inverse_mass[i]
+
+
+@part
+def _over_mass(force, same, inverse_mass, a, lo, hi):
+    add_over_mass(force, inverse_mass, a, lo, hi)
+
+
+_add_nodes_over_mass = on_channels(_over_mass)
+
+
 @part
 def accelerate(system, state, forces, a, lo=0, hi=ALL):
     """Write every node's acceleration [m/s^2], (3, n): total force over mass; zero for held nodes."""
@@ -97,10 +100,7 @@ def accelerate(system, state, forces, a, lo=0, hi=ALL):
         add_segments_over_mass(forces.limiter, state.inverse_mass, a)
     if system.flags[APPLIED] == 1:
         add_over_mass(forces.applied, state.inverse_mass, a, lo, hi)
-    if system.air.linear == 1 or system.air.quadratic == 1:
-        add_over_mass(forces.air, state.inverse_mass, a, lo, hi)
-    if system.ground.active == 1:
-        add_over_mass(forces.ground, state.inverse_mass, a, lo, hi)
+    _add_nodes_over_mass(system, forces.node, forces.node, state.inverse_mass, a, lo, hi)
 
 
 @kernel
@@ -131,29 +131,11 @@ def add_segments_over_mass(force, inverse_mass, a):
             row[i] += (f[i + 1] - f[i]) * inverse_mass[i]
 
 
-@kernel
-def add_over_mass(force, inverse_mass, a, lo, hi):
-    """Add force over mass of every node, (3, n)."""
-    inverse_mass = inverse_mass[lo:hi]
-    f0, f1, f2 = rows(force, lo, hi)
-    a0, a1, a2 = rows(a, lo, hi)
-    _add_scaled(f0, inverse_mass, a0)
-    _add_scaled(f1, inverse_mass, a1)
-    _add_scaled(f2, inverse_mass, a2)
-
-
-@part
-def _add_scaled(force, inverse_mass, a):
-    for i in range(inverse_mass.shape[0]):
-        a[i] += force[i] * inverse_mass[i]
-
-
 @part
 def has_plain_forces(system):
     """Tell whether nothing acts but springs, their friction and weight."""
-    air = system.air.linear == 1 or system.air.quadratic == 1
     flags = system.flags[BENDING] == 1 or system.flags[APPLIED] == 1
-    return not (air or flags or system.ground.active == 1)
+    return not (flags or any_acts(system))
 
 
 @part
@@ -220,8 +202,4 @@ def force_on_node(system, state, forces, i, k):
         force += forces.bending[k, i + 1] - forces.bending[k, i]
     if system.limiter.active == 1:
         force += forces.limiter[k, i + 1] - forces.limiter[k, i]
-    if system.air.linear == 1 or system.air.quadratic == 1:
-        force += forces.air[k, i]
-    if system.ground.active == 1:
-        force += forces.ground[k, i]
-    return force
+    return add_node_force(system, forces.node, i, k, force)

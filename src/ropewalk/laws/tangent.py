@@ -4,7 +4,7 @@
 
 Exact, and so not symmetric where a law is not: axial friction and drag along a line depend on the
 direction of a segment. Held nodes are treated as all others; who solves with the matrix leaves their rows
-out. A new law adds its tangent in `add_tangents`.
+out.
 """
 
 from __future__ import annotations
@@ -12,23 +12,18 @@ from __future__ import annotations
 from ropewalk.core.arrays import BENDING, TENSION_ONLY, Floats, State, System
 from ropewalk.core.band import Band, clear_band, make_band
 from ropewalk.core.jit import kernel, part
-from ropewalk.laws.air_tangent import (
-    line_drag_tangent,
-    linear_drag_tangent,
-    quadratic_node_tangent,
-)
 from ropewalk.laws.bending_tangent import bending_tangent, clamp_tangent
-from ropewalk.laws.ground import ground_tangent, mark_touching
+from ropewalk.laws.nodes import mark_nodes, node_tangents
+from ropewalk.laws.registry import NODE_LAWS
 from ropewalk.laws.stretch_tangent import elastic_tangent, friction_tangent, mark_rubbing
 
 
 @part
 def mark(system, state, x, band):
-    """Note in the band which segments rub and which nodes touch the ground at positions `x`."""
+    """Note in the band which segments rub and what the laws of nodes act on at positions `x`."""
     if system.flags[TENSION_ONLY] == 1:
         mark_rubbing(x, state.rest_length, system.slack_floor, band.rubs)
-    if system.ground.active == 1:
-        mark_touching(x, system.ground, band.touches)
+    mark_nodes(system, x, band)
 
 
 @part
@@ -47,15 +42,7 @@ def begin_tangent(system, state, x, v, weight_x, weight_v, definite, band):
 def add_tangents(system, state, x, v, weight_x, weight_v, band):
     """Add the tangents of all laws but bending and the springs', for what is marked in the band."""
     friction_tangent(system, state, x, v, weight_x, weight_v, band.rubs, band)
-    air = system.air
-    if air.linear == 1 or air.quadratic == 1:
-        linear_drag_tangent(air.node_drag, weight_v, band)
-    if air.quadratic == 1:
-        quadratic_node_tangent(v, air.node_drag_quadratic, air.wind, weight_v, band)
-        line_drag_tangent(x, v, air.normal, air.tangential, air.wind, weight_x, weight_v, band)
-    if system.ground.active == 1:
-        ground, touches = system.ground, band.touches
-        ground_tangent(x, v, state.mass, ground, touches, weight_x, weight_v, band)
+    node_tangents(system, state, x, v, weight_x, weight_v, band)
 
 
 @part
@@ -83,6 +70,11 @@ def assemble_tangent(system, state, x, v, weight_x, weight_v, band, clamp=False)
     add_tangents(system, state, x, v, weight_x, weight_v, band)
 
 
+def law_band(nodes: int, second: bool = False) -> Band:
+    """Return a band of zeros with marks for all laws; with `second` it has second off-diagonals."""
+    return make_band(nodes, second, len(NODE_LAWS))
+
+
 def stiffness_and_friction(
     system: System, state: State, x: Floats | None = None, v: Floats | None = None
 ) -> tuple[Band, Band]:
@@ -90,7 +82,7 @@ def stiffness_and_friction(
     x, v = (state.x if x is None else x), (state.v if v is None else v)
     found = []
     for weights in ((1.0, 0.0), (0.0, 1.0)):
-        band = make_band(x.shape[1], second=system.flags[BENDING] == 1)
+        band = law_band(x.shape[1], second=bool(system.flags[BENDING]))
         assemble_tangent(system, state, x, v, *weights, band)
         found.append(band)
     return found[0], found[1]

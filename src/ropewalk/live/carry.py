@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ropewalk.build import Model, build
-from ropewalk.core.arrays import Floats, State, Work
+from ropewalk.core.arrays import Floats, State, flatten
 from ropewalk.scene import Scene
 from ropewalk.simulation import Simulation
 
@@ -117,9 +117,10 @@ def _carry_clamp(old: Simulation, model: Model, row: int, was: int | None) -> No
 def _carry_work(old: Simulation, made: Simulation, state: State) -> None:
     """Keep the work done so far: part by part where the parts are the same, else in one place."""
     before = old.arrays.work
+    works = flatten(before)
     rows = {name: row for row, name in enumerate(old.layout.anchor_names)}
-    for name in Work._fields:
-        values, target = getattr(before, name), getattr(state.work, name)
+    for name, target in flatten(state.work).items():
+        values = works[name]
         if name == "anchors":
             continue
         if values.shape == target.shape:

@@ -100,7 +100,7 @@ def _largest_strain(simulation: Simulation, tension: Floats) -> float:
 
 
 def _touching(simulation: Simulation, heights: Floats) -> float:
-    ground = simulation.system.ground
+    ground = simulation.system.node.ground
     return float(np.count_nonzero(heights < ground.height)) if ground.active else 0.0
 
 

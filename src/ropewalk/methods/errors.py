@@ -5,6 +5,8 @@ As `Result.energy_error`: the energies less the works of all laws without a pote
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from ropewalk.core.arrays import BENDING
@@ -12,8 +14,10 @@ from ropewalk.core.jit import kernel, part
 from ropewalk.core.peaks import GREATEST, LEAST
 from ropewalk.core.ranges import rows
 from ropewalk.laws.clamps import bent_energy
+from ropewalk.laws.node_law import NodeLaw
+from ropewalk.laws.nodes import fold
 from ropewalk.methods.peaks import keep_step
-from ropewalk.methods.recording import add_up, fold, record_tension
+from ropewalk.methods.recording import add_up, record_tension, total_of
 from ropewalk.methods.scratch import LANES, clear_row
 
 
@@ -70,7 +74,7 @@ def accounted_for(system, state, elastic, sums):
         _add_nodes(state.x, state.v, mass, system.gravity, work, lo, hi, sums)
     for lo in range(0, segments, LANES):
         _take_friction(work.friction, lo, min(lo + LANES, segments), sums)
-    total = elastic + fold(sums, 0)
+    total = elastic + total_of(sums, 0)
     total -= work.limiter[0] + work.limiter[1] + work.winch[0] + work.winch[1]
     if system.flags[BENDING] == 1:
         total += bent_energy(system, state, state.x)
@@ -81,19 +85,43 @@ def accounted_for(system, state, elastic, sums):
 
 
 @part
+def _no_parts(works, lo, hi):
+    return ()
+
+
+def _cutting(law: NodeLaw, k: int, rest: Any) -> Any:
+    @part
+    def _cut(works, lo, hi):
+        return (works[k][lo:hi], *rest(works, lo, hi))
+
+    return _cut
+
+
+@part
+def _no_more(works, i, total):
+    return total
+
+
+def _summing(law: NodeLaw, k: int, rest: Any) -> Any:
+    @part
+    def _add(works, i, total):
+        return rest(works, i, total + works[k][i])
+
+    return _add
+
+
+_parts, _sum = fold(_cutting, _no_parts), fold(_summing, _no_more)  # of the works of laws of nodes
+
+
+@part
 def _add_nodes(x, v, mass, gravity, work, lo, hi, sums):
     x0, x1, x2 = rows(x, lo, hi)
     v0, v1, v2 = rows(v, lo, hi)
-    mass, air, ground, applied = (
-        mass[lo:hi],
-        work.air[lo:hi],
-        work.ground[lo:hi],
-        work.applied[lo:hi],
-    )
+    mass, own, applied = mass[lo:hi], _parts(work.node, lo, hi), work.applied[lo:hi]
     gx, gy, gz = gravity[0], gravity[1], gravity[2]
     for i in range(mass.shape[0]):
         moving = 0.5 * (v0[i] * v0[i] + v1[i] * v1[i] + v2[i] * v2[i])
-        done = air[i] + ground[i] + applied[i]
+        done = _sum(own, i, 0.0) + applied[i]
         sums[i] += mass[i] * (moving - (gx * x0[i] + gy * x1[i] + gz * x2[i])) - done
 
 

@@ -14,11 +14,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ropewalk.core.arrays import BENDING, Floats, Forces, State
+from ropewalk.core.arrays import BENDING, Floats, Forces, State, blank
 from ropewalk.core.jit import kernel, part
+from ropewalk.core.ranges import ALL
 from ropewalk.core.status import OK, UNSOLVED
 from ropewalk.laws.anchors import move_anchors, place_stage
 from ropewalk.laws.ledger import account
+from ropewalk.laws.nodes import on_channels
 from ropewalk.laws.table import accelerate
 from ropewalk.methods import tableaus
 from ropewalk.methods.gain import makes_up_energy
@@ -67,7 +69,7 @@ def make_implicit_scratch(state: State, tableau: Tableau) -> ImplicitScratch:
         u=np.zeros(shape),
         k=np.zeros(shape),
         middle=np.zeros_like(state.x),
-        mean=Forces(*(np.zeros_like(channel) for channel in state.forces)),
+        mean=blank(state.forces),
         point=np.zeros(3),
         speed=np.zeros(3),
         reaction=np.zeros_like(state.reaction),
@@ -79,6 +81,14 @@ def make_implicit_scratch(state: State, tableau: Tableau) -> ImplicitScratch:
 
 
 @part
+def _put_channel(source, result, p, q, lo, hi):
+    put(source, result)
+
+
+_put_nodes = on_channels(_put_channel)
+
+
+@part
 def put_forces(system, source, result):
     """Copy every acting channel but the applied forces, which are the host's."""
     put(source.elastic, result.elastic)
@@ -87,10 +97,7 @@ def put_forces(system, source, result):
         put(source.bending, result.bending)
     if system.limiter.active == 1:
         put(source.limiter, result.limiter)
-    if system.air.linear == 1 or system.air.quadratic == 1:
-        put(source.air, result.air)
-    if system.ground.active == 1:
-        put(source.ground, result.ground)
+    _put_nodes(system, source.node, result.node, 0.0, 0.0, 0, ALL)
 
 
 @kernel
@@ -273,6 +280,23 @@ def take_step(system, state, scratch, t, after, dt, ledger, watch, kind, A, b, c
     return OK
 
 
+@kernel
+def blend(values, weight, others, other_weight):
+    """Write weight * values + other_weight * others into `values`, arrays (3, m)."""
+    for k in range(3):
+        row, more = values[k], others[k]
+        for i in range(row.shape[0]):
+            row[i] = weight * row[i] + other_weight * more[i]
+
+
+@part
+def _blend_channel(values, others, weight, other_weight, lo, hi):
+    blend(values, weight, others, other_weight)
+
+
+_blend_nodes = on_channels(_blend_channel)
+
+
 @part
 def _filter(system, state, forces, am):
     """Put (F - am G) / (1 - am) in place of every filtered force G."""
@@ -281,19 +305,7 @@ def _filter(system, state, forces, am):
     blend(state.forces.friction, old, forces.friction, new)
     if system.flags[BENDING] == 1:
         blend(state.forces.bending, old, forces.bending, new)
-    if system.air.linear == 1 or system.air.quadratic == 1:
-        blend(state.forces.air, old, forces.air, new)
-    if system.ground.active == 1:
-        blend(state.forces.ground, old, forces.ground, new)
-
-
-@kernel
-def blend(values, weight, others, other_weight):
-    """Write weight * values + other_weight * others into `values`, arrays (3, m)."""
-    for k in range(3):
-        row, more = values[k], others[k]
-        for i in range(row.shape[0]):
-            row[i] = weight * row[i] + other_weight * more[i]
+    _blend_nodes(system, state.forces.node, forces.node, old, new, 0, ALL)
 
 
 @kernel

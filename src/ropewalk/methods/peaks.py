@@ -116,7 +116,7 @@ def keep_nodes(system, state, lo=0, hi=ALL):
     """Look at speed and height of nodes `lo` to `hi - 1`."""
     peaks = state.peaks
     keep_speed(state.v, peaks.speed, lo, hi)
-    keep_heights(state.x, system.ground.up, peaks.high, peaks.low, lo, hi)
+    keep_heights(state.x, system.up, peaks.high, peaks.low, lo, hi)
 
 
 @part

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -12,11 +12,14 @@ from ropewalk.core.arrays import BENDING, Floats, State
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.ranges import rows
 from ropewalk.laws.clamps import bent_energy
+from ropewalk.laws.node_law import NodeLaw
+from ropewalk.laws.nodes import fold
+from ropewalk.laws.registry import NAMES
 from ropewalk.methods.peaks import record_peaks
 from ropewalk.methods.scratch import LANES, clear_row, put
 
 ENERGIES = ("kinetic", "gravity", "elastic")
-LAWS = ("elastic", "friction", "weight", "air", "ground", "applied", "limiter", "winch")
+LAWS = ("elastic", "friction", "weight", *NAMES, "applied", "limiter", "winch")
 # What a system with bending stiffness has besides.
 BENT_ENERGIES = ("bending",)
 BENT_LAWS = ("bending", "clamps")
@@ -114,7 +117,7 @@ def add_up(values, sums):
     clear_row(sums)
     for lo in range(0, values.shape[0], LANES):
         _add_lanes(values, lo, min(lo + LANES, values.shape[0]), sums)
-    return fold(sums, 0)
+    return total_of(sums, 0)
 
 
 @part
@@ -125,7 +128,7 @@ def _add_lanes(values, lo, hi, sums):
 
 
 @kernel
-def fold(sums, which):
+def total_of(sums, which):
     """Return the total of the lanes of sum `which`, adding halves to halves."""
     lanes = sums[which * LANES : (which + 1) * LANES]
     half = LANES // 2
@@ -141,11 +144,11 @@ def record_motion(x, v, mass, gravity, sums, energy, momentum, angular):
     clear_row(sums)
     for lo in range(0, mass.shape[0], LANES):
         _add_motion(x, v, mass, gravity, lo, min(lo + LANES, mass.shape[0]), sums)
-    energy[0] = 0.5 * fold(sums, 0)
-    energy[1] = -fold(sums, 1)
+    energy[0] = 0.5 * total_of(sums, 0)
+    energy[1] = -total_of(sums, 1)
     for k in range(3):
-        momentum[k] = fold(sums, 2 + k)
-        angular[k] = fold(sums, 5 + k)
+        momentum[k] = total_of(sums, 2 + k)
+        angular[k] = total_of(sums, 5 + k)
 
 
 @part
@@ -178,7 +181,7 @@ def record_tension(x, rest_length, stiffness, floor, solved, sums, tension):
     for lo in range(0, s, LANES):
         hi = min(lo + LANES, s)
         _add_tension(x, rest_length, stiffness, floor, solved, lo, hi, sums, tension)
-    return fold(sums, 0)
+    return total_of(sums, 0)
 
 
 @part
@@ -276,20 +279,44 @@ def record_frame(system, state, ledger, sums, frame, out):
         record_works(system, state.work, sums, out.work[frame], out.jump[frame])
 
 
+ELASTIC, FRICTION, WEIGHT, APPLIED, LIMITER, WINCH, BENT, CLAMPS = (
+    (*LAWS, *BENT_LAWS).index(name)
+    for name in ("elastic", "friction", "weight", "applied", "limiter", "winch", *BENT_LAWS)
+)
+
+
+@part
+def _no_works(works, sums, total):
+    pass
+
+
+def _recording(law: NodeLaw, k: int, rest: Any) -> Any:
+    column = LAWS.index(law.name)
+
+    @part
+    def _record(works, sums, total):
+        total[column] = add_up(works[k], sums)
+        rest(works, sums, total)
+
+    return _record
+
+
+_record_node_works = fold(_recording, _no_works)
+
+
 @kernel
 def record_works(system, work, sums, total, jump):
     """Write the work done since the start [J], by law and then by anchor, and what came as a jump."""
-    total[0] = add_up(work.elastic, sums)
-    total[1] = add_up(work.friction, sums)
-    total[2] = add_up(work.weight, sums)
-    total[3] = add_up(work.air, sums)
-    total[4] = add_up(work.ground, sums)
-    total[5] = add_up(work.applied, sums)
-    total[6] = work.limiter[0] + work.limiter[1]
-    total[7] = work.winch[0] + work.winch[1]
+    total[ELASTIC] = add_up(work.elastic, sums)
+    total[FRICTION] = add_up(work.friction, sums)
+    total[WEIGHT] = add_up(work.weight, sums)
+    _record_node_works(work.node, sums, total)
+    total[APPLIED] = add_up(work.applied, sums)
+    total[LIMITER] = work.limiter[0] + work.limiter[1]
+    total[WINCH] = work.winch[0] + work.winch[1]
     if system.flags[BENDING] == 1:
-        total[8] = add_up(work.bending, sums)
-        total[9] = add_up(work.clamps, sums)
+        total[BENT] = add_up(work.bending, sums)
+        total[CLAMPS] = add_up(work.clamps, sums)
     anchors = work.anchors.shape[0]
     for row in range(anchors):
         total[total.shape[0] - anchors + row] = work.anchors[row]

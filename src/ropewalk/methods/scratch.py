@@ -6,9 +6,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ropewalk.core.arrays import APPLIED, BENDING, Floats, Forces, State
+from ropewalk.core.arrays import APPLIED, BENDING, Floats, Forces, State, blank
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.ranges import ALL, rows
+from ropewalk.laws.nodes import on_channels
 
 LANES = 64  # of a sum: so many nodes or segments are added side by side
 SUMS = 8  # that are made at once
@@ -35,7 +36,7 @@ class Scratch(NamedTuple):
 def make_scratch(state: State) -> Scratch:
     """Return working arrays that fit `state`."""
     middle, x, v, dx, dv = (np.zeros_like(state.x) for _ in range(5))
-    mean = Forces(*(np.zeros_like(channel) for channel in state.forces))
+    mean = blank(state.forces)
     limiter = np.zeros((7, state.x.shape[1]))
     s = state.rest_length.shape[0]
     looks = np.zeros((2, s)), np.zeros(s), np.zeros(2)
@@ -88,6 +89,19 @@ def _put(source, result):
 
 
 @part
+def _add_channel(values, total, weight, same, lo, hi):
+    add(values, weight, total)
+
+
+@part
+def _clear_channel(values, same, p, q, lo, hi):
+    clear(values)
+
+
+_add_nodes, _clear_nodes = on_channels(_add_channel), on_channels(_clear_channel)
+
+
+@part
 def add_forces(system, forces, weight, total):
     """Add every acting channel of `forces`, times `weight`, to those of `total`."""
     add(forces.elastic, weight, total.elastic)
@@ -96,10 +110,7 @@ def add_forces(system, forces, weight, total):
         add(forces.bending, weight, total.bending)
     if system.limiter.active == 1:
         add(forces.limiter, weight, total.limiter)
-    if system.air.linear == 1 or system.air.quadratic == 1:
-        add(forces.air, weight, total.air)
-    if system.ground.active == 1:
-        add(forces.ground, weight, total.ground)
+    _add_nodes(system, forces.node, total.node, weight, weight, 0, ALL)
     if system.flags[APPLIED] == 1:
         add(forces.applied, weight, total.applied)
 
@@ -113,10 +124,7 @@ def clear_forces(system, forces):
         clear(forces.bending)
     if system.limiter.active == 1:
         clear(forces.limiter)
-    if system.air.linear == 1 or system.air.quadratic == 1:
-        clear(forces.air)
-    if system.ground.active == 1:
-        clear(forces.ground)
+    _clear_nodes(system, forces.node, forces.node, 0.0, 0.0, 0, ALL)
     clear(forces.applied)
 
 

@@ -103,7 +103,7 @@ def step(system, state, scratch, t, after, dt, ledger, tableau, lo, hi):
     rubs, quick = scratch.about[0] == 1.0, scratch.about[1] == 1.0
     if plain and not ledger and has_plain_springs(system, state):
         if looks and (quick or not rubs):
-            height = heights(x, system.ground.up, scratch.dx[0], lo, hi)
+            height = heights(x, system.up, scratch.dx[0], lo, hi)
             add_up_and_look(system, state, x, v, elastic, rubs, scratch.over, height, lo, hi)
             keep_last(state, height, hi)
         else:
@@ -125,9 +125,9 @@ def step(system, state, scratch, t, after, dt, ledger, tableau, lo, hi):
             if ledger:
                 axpy(v, 0.5 * dt, a, middle, lo, hi)
             push(x, v, a, dt, lo, hi)
-    air, ground, applied = state.forces.air, state.forces.ground, state.forces.applied
+    node, applied = state.forces.node, state.forces.applied
     bending, limiter = state.forces.bending, state.forces.limiter
-    forces = Forces(elastic, friction, air, ground, applied, bending, limiter)
+    forces = Forces(elastic, friction, node, applied, bending, limiter)
     point, speed = scratch.point, scratch.speed
     move_anchors(system, state, forces, after, dt, middle, point, speed, lo, hi)
     if looks:

@@ -23,12 +23,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ropewalk.core.arrays import AXIAL, BENDING, Floats, Forces, State
+from ropewalk.core.arrays import AXIAL, BENDING, Floats, Forces, State, blank
 from ropewalk.core.band_sweep import band_sweep
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.saddle import Saddle, make_saddle
 from ropewalk.core.status import OK, UNSOLVED
 from ropewalk.core.sweep import sweep
+from ropewalk.laws.nodes import add_diagonals, are_diagonal
+from ropewalk.laws.registry import NODE_LAWS
 from ropewalk.laws.stage_forces import evaluate_stage, mark_stage
 from ropewalk.laws.table import accelerate
 from ropewalk.laws.tangent import add_tangents, begin_tangent
@@ -79,10 +81,9 @@ def make_stage(state: State) -> Stage:
     """Return working arrays that fit `state`."""
     s = state.rest_length.shape[0]
     x, v, x_known, v_known, a = (np.zeros_like(state.x) for _ in range(5))
-    channels = {name: np.zeros_like(channel) for name, channel in state.forces._asdict().items()}
-    forces = Forces(**(channels | {"applied": state.forces.applied}))
+    forces = blank(state.forces)._replace(applied=state.forces.applied)
     segments = Segments(*(np.zeros(s) for _ in range(5)))
-    saddle = make_saddle(state.x.shape[1], state.bending_stiffness.shape[0] > 0)
+    saddle = make_saddle(state.x.shape[1], state.bending_stiffness.shape[0] > 0, len(NODE_LAWS))
     known, report = (x_known, v_known), np.zeros(HISTORY + MOST_ITERATIONS + 1)
     return Stage(x, v, np.zeros(s), *known, a, forces, segments, saddle, report)
 
@@ -219,16 +220,15 @@ def stiffen(tension, over, weight, exact, across):
 
 
 @kernel
-def rub_along(damping, rubs, over_c1, node_drag, mass, free, inertia, saddle):
-    """Put vector friction and linear drag into the simple system's coefficients."""
+def rub_along(damping, rubs, over_c1, mass, free, inertia, saddle):
+    """Put inertia and vector friction into the simple system's coefficients."""
     across, along, diagonal = saddle.across, saddle.along, saddle.inertia
     for j in range(damping.shape[0]):
         c = damping[j] * rubs[j] * over_c1
         across[j] += c
         along[j] = c
     for i in range(mass.shape[0]):
-        c = mass[i] * inertia + over_c1 * node_drag[i]
-        diagonal[i] = c if free[i] == 1.0 else 1.0
+        diagonal[i] = mass[i] * inertia if free[i] == 1.0 else 1.0
 
 
 @kernel
@@ -273,8 +273,7 @@ def is_simple(system, state):
     return (
         system.flags[AXIAL] == 0
         and system.flags[BENDING] == 0
-        and system.air.quadratic == 0
-        and system.ground.active == 0
+        and are_diagonal(system)
         and state.winch_exit.shape[0] == 0
     )
 
@@ -289,15 +288,11 @@ def newton_step(system, state, stage, c1, c2, exact, leap):
     rubs = saddle.band.rubs
     held_back = stiffen(stage.tension, segments.over, segments.weight, exact, saddle.across)
     if is_simple(system, state):
-        drag = system.air.node_drag
-        rub_along(
-            state.damping_vector, rubs, 1.0 / c1, drag, state.mass, saddle.free, inertia, saddle
-        )
+        rub_along(state.damping_vector, rubs, 1.0 / c1, state.mass, saddle.free, inertia, saddle)
+        add_diagonals(system, 1.0 / c1, saddle.free, saddle.inertia)
         sweep(saddle)
     else:
-        rub_along(
-            state.damping_vector, rubs, 0.0, state.mass, state.mass, saddle.free, inertia, saddle
-        )
+        rub_along(state.damping_vector, rubs, 0.0, state.mass, saddle.free, inertia, saddle)
         begin_tangent(system, state, stage.x, stage.v, 1.0, 1.0 / c1, leap, saddle.band)
         add_tangents(system, state, stage.x, stage.v, 1.0, 1.0 / c1, saddle.band)
         band_sweep(saddle)

@@ -1,45 +1,38 @@
 """Whether a simulation is broken: not finite, stretched beyond reason, or with energy that nothing gave it.
 
-The energy of the ropes (kinetic, weight, stretch, bending, ground, forces applied), less that at the start,
-can honestly be what anchors, clamps and winches have put in, what wind can, and what weight or the energy at
-the start turns over. Friction, air at rest and a limiter take energy and give none, so that the verdict needs
-no ledger. What anchors give is counted at its most so far, step by step (`State.most`, kept where the work is
-booked): at a period's end it is zero again. What changes between two calls (a kick, a force) counts as given.
+The energy of the ropes (kinetic, weight, stretch, bending, of laws of nodes and forces applied), less that at
+the start, can honestly be what anchors, clamps and winches have put in, what a wind can, and what weight or
+the energy at the start turns over. Friction, air at rest and a limiter take energy and give none, so that the
+verdict needs no ledger. What anchors give is counted at its most so far, step by step (`State.most`, kept
+where the work is booked): at a period's end it is zero again. What changes between two calls (a kick, a
+force) counts as given.
 """
 
 from __future__ import annotations
-
-import math
 
 from ropewalk.core.arrays import APPLIED, BENDING
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.status import BROKEN, MADE_UP, OK
 from ropewalk.laws.clamps import bent_energy
 from ropewalk.laws.ledger import gravity_energy, kinetic_energy
+from ropewalk.laws.nodes import node_energy, node_power
 from ropewalk.laws.stretch import elastic_energy
 
 # Places in `State.balance`.
 ZERO, HONEST, LAST, SEEN = range(4)
-# A wind w against a node that moves at u puts in at most 4/27 a |w|^3 (quadratic drag), c |w|^2 / 4 (linear).
-_QUADRATIC, _LINEAR = 4.0 / 27.0, 0.25
 LARGEST = 1e154  # [m] the square of a longer one is infinite
 
 
 @kernel
 def energy_now(system, state):
-    """Return the energy of all ropes [J], that of the ground and of applied forces included."""
+    """Return the energy of all ropes [J], that of laws of nodes and of applied forces included."""
     total = kinetic_energy(state.v, state.mass)
     total += gravity_energy(state.x, state.mass, system.gravity)
     total += elastic_energy(state.x, state.rest_length, state.stiffness, system.slack_floor)
     if system.flags[BENDING] == 1:
         total += bent_energy(system, state, state.x)
     x = state.x
-    if system.ground.active == 1:
-        up = system.ground.up
-        for i in range(x.shape[1]):
-            depth = system.ground.height - (x[0, i] * up[0] + x[1, i] * up[1] + x[2, i] * up[2])
-            if depth > 0.0:
-                total += 0.5 * system.ground.repulsion * depth * depth
+    total += node_energy(system, x)
     if system.flags[APPLIED] == 1:
         force = state.forces.applied
         for i in range(x.shape[1]):
@@ -59,24 +52,6 @@ def note_changes(system, state):
         state.balance[LAST] = energy
 
 
-@kernel
-def wind_power(system, state):
-    """Return the most that the wind can put in per time [W]."""
-    air, x = system.air, state.x
-    wind = math.sqrt(air.wind[0] ** 2 + air.wind[1] ** 2 + air.wind[2] ** 2)
-    if wind == 0.0:
-        return 0.0
-    total = 0.0
-    for i in range(x.shape[1]):
-        total += _LINEAR * air.node_drag[i] * wind**2
-        total += _QUADRATIC * air.node_drag_quadratic[i] * wind**3
-    for j in range(air.normal.shape[0]):
-        dx, dy, dz = x[0, j + 1] - x[0, j], x[1, j + 1] - x[1, j], x[2, j + 1] - x[2, j]
-        r = math.sqrt(dx * dx + dy * dy + dz * dz)
-        total += _QUADRATIC * r * (air.normal[j] + air.tangential[j]) * wind**3
-    return total
-
-
 @part
 def note_energy(system, state):
     """Keep the energy, so that what the host changes before the next call is known."""
@@ -88,8 +63,7 @@ def judge(system, state, time):
     """Return BROKEN or OK for the state at `time` [s]."""
     status = check_state(state, system.break_stretch)
     balance = state.balance
-    if system.air.linear == 1 or system.air.quadratic == 1:
-        balance[HONEST] += (time - balance[SEEN]) * wind_power(system, state)
+    balance[HONEST] += (time - balance[SEEN]) * node_power(system, state.x)
     balance[SEEN] = time
     energy, given = energy_now(system, state), 0.0
     for row in range(state.most.shape[0]):

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ropewalk.core.arrays import Floats
+from ropewalk.laws.registry import NODE_LAWS
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import Material, Scene
 
@@ -67,7 +68,8 @@ def weight_times_length(scene: Scene) -> float:
 
 def is_damped(scene: Scene) -> bool:
     """Tell whether anything in a scene takes energy."""
-    if scene.air is not None or scene.ground is not None or scene.limiter is not None:
+    sections = (*(law.section for law in NODE_LAWS), "limiter")
+    if any(getattr(scene, section, None) is not None for section in sections):
         return True
     rubs = any(rope.segment_friction > 0.0 for rope in scene.ropes)
     bends = (rope.made_of for rope in scene.ropes if isinstance(rope.made_of, Material))

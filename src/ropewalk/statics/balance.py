@@ -25,10 +25,11 @@ import numpy as np
 from ropewalk.build import Model, Span
 from ropewalk.core import arrays
 from ropewalk.core.arrays import BENDING, Floats
-from ropewalk.core.band import make_band
 from ropewalk.core.band_lu import solve_band
+from ropewalk.laws.acting import at_rest
 from ropewalk.laws.clamps import start_clamps
 from ropewalk.laws.others import other_forces, other_stiffness
+from ropewalk.laws.tangent import law_band
 
 _TINY = 1e-300
 _CLOSED = 1e-9  # error that counts as at rest [1]
@@ -54,14 +55,11 @@ class Balance:
         if self.bends:
             start_clamps(self.system, state)
             state.clamp_spin[...] = 0.0
-        air = model.system.air
-        windy = bool((air.linear or air.quadratic) and np.any(air.wind))
         # Under weight alone no kernel is needed, and none is compiled.
         self._weight = np.outer(model.system.gravity, state.mass)
-        self._plain = not (
-            model.system.ground.active or windy or self.bends or state.forces.applied.any()
-        )
-        self._band = make_band(self.nodes, self.bends)
+        self.rests = at_rest(model.system)
+        self._plain = not (self.rests or self.bends or state.forces.applied.any())
+        self._band = law_band(self.nodes, self.bends)
         self._set_scales()
 
     def leave_out(self, rope: Span) -> None:

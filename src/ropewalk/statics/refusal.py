@@ -7,6 +7,8 @@ import itertools
 import numpy as np
 
 from ropewalk.build import Model, Span
+from ropewalk.laws.acting import at_rest
+from ropewalk.laws.node_law import Rest
 from ropewalk.scene import SceneError
 from ropewalk.scene.errors import Fault
 from ropewalk.statics.hung import held_nodes
@@ -36,9 +38,12 @@ def refuse_impossible(model: Model) -> None:
 def _fault_of(model: Model, rope: Span) -> str:
     """Return what is missing for one rope to be at rest; "" where nothing is."""
     held = held_nodes(model, rope)
-    heavy, windy = bool(np.any(model.system.gravity)), _has_wind(model)
+    heavy, rests = bool(np.any(model.system.gravity)), at_rest(model.system)
+    if Rest.HOLDS in rests:
+        return ""
+    windy = Rest.CARRIES in rests
     if not held:
-        return _unheld(model, rope, heavy, windy)
+        return _unheld(model, rope, heavy, rests)
     bends = model.scene.ropes[model.scene.rope_index(rope.name)].bending_stiffness > 0.0
     if heavy or windy or bends or _is_pushed(model, rope):
         return ""
@@ -56,7 +61,8 @@ def _fault_of(model: Model, rope: Span) -> str:
     return ""
 
 
-def _unheld(model: Model, rope: Span, heavy: bool, windy: bool) -> str:
+def _unheld(model: Model, rope: Span, heavy: bool, rests: set[Rest]) -> str:
+    windy = Rest.CARRIES in rests
     named = [anchor for anchor in model.scene.anchors if anchor.rope == rope.name]
     missing = "no anchor holds it"
     if named:
@@ -67,15 +73,9 @@ def _unheld(model: Model, rope: Span, heavy: bool, windy: bool) -> str:
         return f"{missing}, and nothing acts on it: it is at rest wherever it is; hold a node of it"
     if windy:
         return f"{missing}: the wind carries it away; hold a node of it with an anchor"
-    if not model.system.ground.active:
+    if Rest.BEARS not in rests:
         return f"{missing}, and there is no ground: it falls; hold a node of it with an anchor"
     return ""
-
-
-def _has_wind(model: Model) -> bool:
-    air = model.system.air
-    acts = bool(air.linear or air.quadratic)
-    return acts and bool(np.any(air.wind))
 
 
 def _is_pushed(model: Model, rope: Span) -> bool:

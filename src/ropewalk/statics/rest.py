@@ -9,6 +9,8 @@ from numpy.typing import NDArray
 
 from ropewalk.build import Model, build
 from ropewalk.core.arrays import Floats
+from ropewalk.laws.acting import borne
+from ropewalk.laws.node_law import Rest
 from ropewalk.scene import Scene
 from ropewalk.statics.balance import Balance
 from ropewalk.statics.hung import hung
@@ -98,8 +100,7 @@ def checked_shape(source: Scene | Model) -> Statics:
 def _find(model: Model, balance: Balance, *, patient: bool) -> Found:
     """Solve from the hung shape, or from the scene's own where other laws decide."""
     x, tension = hung(model)
-    grounded = _below_ground(model, x).any()
-    own = grounded or balance.bends
+    own = _grounded(model, x).any() or Rest.HOLDS in balance.rests or balance.bends
     if x.shape[1] > _LARGE:
         hangs = _evaluated(balance, x, tension)
         if hangs.at_rest and not own:
@@ -154,13 +155,8 @@ def _stable(balance: Balance, found: Found) -> Found:
     return again if again.at_rest else found
 
 
-def _below_ground(model: Model, x: Floats) -> NDArray[np.bool_]:
-    ground = model.system.ground
-    if not ground.active:
-        return np.zeros(x.shape[1], dtype=bool)
-    below = ground.up @ x < ground.height
-    alive = model.state.mass > 0.0
-    return np.asarray(below & alive)
+def _grounded(model: Model, x: Floats) -> NDArray[np.bool_]:
+    return np.asarray(borne(model.system, x) & (model.state.mass > 0.0))
 
 
 def _statics(model: Model, balance: Balance, found: Found, unheld: tuple[str, ...]) -> Statics:
@@ -186,7 +182,7 @@ def _statics(model: Model, balance: Balance, found: Found, unheld: tuple[str, ..
         reactions=reactions,
         slack=slack,
         stretch=stretch,
-        grounded=_below_ground(model, x),
+        grounded=_grounded(model, x),
         spans=rest_spans(model, positions, tension),
         unheld=unheld,
         residual=float(np.abs(left[:, balance.free]).max(initial=0.0)),

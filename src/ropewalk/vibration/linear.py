@@ -21,9 +21,9 @@ import numpy as np
 from ropewalk.build import Model
 from ropewalk.core import arrays
 from ropewalk.core.arrays import BENDING, Floats, Ints
-from ropewalk.core.band import Band, make_band, triplets
+from ropewalk.core.band import Band, triplets
 from ropewalk.laws.others import other_stiffness
-from ropewalk.laws.tangent import assemble_tangent
+from ropewalk.laws.tangent import assemble_tangent, law_band
 
 _SYMMETRIC = 1e-12  # of the largest entry: what a difference from the transpose may be [1]
 
@@ -121,7 +121,7 @@ def _bands(model: Model, x: Floats, still: Floats) -> tuple[Any, Any]:
     state = arrays.copy(model.state)
     state.stiffness[np.isinf(state.stiffness)] = 1.0  # it is multiplied by zero
     far = bool(system.flags[BENDING])
-    band = make_band(n, far)
+    band = law_band(n, far)
     assemble_tangent(system, state, x, still, 0.0, 1.0, band)
     friction = _sparse(band, n)
     other_stiffness(system, state, x, still, band)

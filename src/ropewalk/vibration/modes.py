@@ -14,6 +14,8 @@ from ropewalk.build.links import has_links
 from ropewalk.core import arrays
 from ropewalk.core.arrays import BENDING, Floats
 from ropewalk.core.saddle import make_saddle
+from ropewalk.laws.acting import at_rest
+from ropewalk.laws.node_law import Rest
 from ropewalk.methods.loop import prepare_links
 from ropewalk.scene import Scene, SceneError
 from ropewalk.scene.errors import Fault
@@ -150,9 +152,9 @@ def _refuse_loose(model: Model, about: About) -> None:
 def highest_frequency(model: Model, x: Floats, tension: Floats) -> float | None:
     """Return the highest frequency of the springs about places (3, n) [m] under tensions (s,) [N].
 
-    In rad/s. None where other laws stiffen the ropes, too: ground and bending.
+    In rad/s. None where other laws stiffen the ropes, too: bending, and those that bear or hold nodes.
     """
-    if model.system.ground.active or model.system.flags[BENDING]:
+    if at_rest(model.system) - {Rest.CARRIES} or model.system.flags[BENDING]:
         return None
     linear = linearise(model, x, tension, springs_only=True)
     return highest(linear) if linear.nodes.size else 0.0

@@ -1,0 +1,44 @@
+"""What the host asks of the laws of nodes: which act, what they do at rest, what flows about the ropes."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from ropewalk.core.arrays import Floats, System
+from ropewalk.laws.node_law import NodeLaw, Rest
+from ropewalk.laws.registry import NODE_LAWS
+
+
+def acting(system: System) -> list[tuple[NodeLaw, Any]]:
+    """Return the laws that act, with their tables."""
+    return [
+        (law, table)
+        for law, table in zip(NODE_LAWS, system.node, strict=True)
+        if getattr(law.acts, "py_func", law.acts)(table)  # a part, run as plain Python
+    ]
+
+
+def at_rest(system: System) -> set[Rest]:
+    """Return what the laws that act do to nodes at rest; NOTHING is left out."""
+    found = {law.at_rest(table) for law, table in acting(system) if law.at_rest is not None}
+    return found - {Rest.NOTHING}
+
+
+def borne(system: System, x: Floats) -> Any:
+    """Return which nodes at places (3, n) [m] lie on something that bears them, (n,)."""
+    found = np.zeros(x.shape[1], dtype=bool)
+    for law, table in acting(system):
+        if law.bears is not None:
+            found |= law.bears(table, x)
+    return found
+
+
+def flow(system: System) -> Floats:
+    """Return the velocity of what flows about the ropes [m/s], (3,)."""
+    found = np.zeros(3)
+    for law, table in zip(NODE_LAWS, system.node, strict=True):
+        if law.flow is not None:
+            found = found + law.flow(table)
+    return found

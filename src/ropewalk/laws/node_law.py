@@ -1,0 +1,65 @@
+"""What a law of nodes is: all that the program asks of it.
+
+A law of nodes puts a force on every node that follows from the places and velocities of the node and of its
+neighbours. It is one file that ends in a `NodeLaw`, and an entry in `registry`; `nodes` folds the parts of
+all laws into one function each, so that a registered law costs what a call by name did. Its table is
+`system.node.NAME`, its force `forces.node.NAME` (3, n) [N], its work `work.node.NAME` (n,) [J]; the work is
+recorded under its name.
+
+Parts are compiled (`core.jit.part`) and get the law's table first. Those that are None are left out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from enum import Enum
+from typing import Any, NamedTuple
+
+from ropewalk.core.arrays import Floats
+
+
+class Rest(Enum):
+    """What a law does to nodes at rest."""
+
+    NOTHING = 0  # it asks for motion
+    CARRIES = 1  # it carries along what nothing holds, as a wind does
+    BEARS = 2  # it bears what lies on it
+    HOLDS = 3  # it has a place for every node
+
+
+class NodeLaw(NamedTuple):
+    """A law of nodes. x and v are (3, n), [m] and [m/s]; `marks` (n,) are the law's own."""
+
+    name: str
+    section: str  # the field of the scene that it is made from
+    lower: Callable[..., Any]  # (section or None, *inputs): its table, a named tuple
+    inputs: tuple[str, ...]  # what else that follows from: "layout", "diameters", "up"
+    acts: Any  # part (table): whether there is any force
+    force: Any  # part (table, state, x, v, force, lo, hi): write it, for nodes `lo` to `hi - 1`
+    # part (table, state, x, v, weight_x, weight_v, marks, band): add -(weight_x dF/dx + weight_v dF/dv)
+    tangent: Any
+
+    # What begins and ends abruptly: marked in the first iterations of a step that is solved for, then kept.
+    mark: Any = None  # part (table, x, marks): mark the nodes it acts on; return how many changed
+    # part (table, state, x, v, marks, frozen, force): as `force`, for the marks; beyond them where `frozen`
+    marked_force: Any = None
+    # part (table, before, after, dt, tolerance): when a step is to end for its first event, and how many
+    crossings: Any = None
+
+    # A tangent that is a multiple of one for every node, and of velocities only, needs no blocks.
+    is_diagonal: Any = None  # part (table): whether it is so
+    # part (table, weight_v, free, diagonal): add it for free nodes, (n,); 0 where the law does not act
+    add_diagonal: Any = None
+
+    energy: Any = None  # part (table, x): potential energy [J], which its work takes up
+    power: Any = None  # part (table, x): the most that it can put in per time beyond that [W]
+
+    # For the host.
+    at_rest: Callable[[Any], Rest] | None = None  # (table), of a law that acts
+    bears: Callable[[Any, Floats], Any] | None = None  # (table, x): which nodes lie on it, (n,)
+    flow: Callable[[Any], Floats] | None = None  # (table): velocity of what flows [m/s], (3,)
+    # For the bound of the step: a majorant of its stiffness and damping. (table, chain, lengths, speed) gives
+    # the chain under it where nodes move at most so fast [m/s]; (table, chain) gives what may be besides, by
+    # the name of the case.
+    chain: Callable[..., Any] | None = None
+    cases: Callable[..., dict[str, Any]] | None = None

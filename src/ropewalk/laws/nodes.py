@@ -1,0 +1,301 @@
+"""The laws of nodes together: every piece that they have, folded into one part.
+
+A fold is a closure over a law and the fold of the laws after it. All are parts: a kernel gets the same code
+as from calls by name, and a law that does not act costs a comparison. (Compiled functions as values would
+cost 0.2 to 0.5 us a step.)
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+from ropewalk.core.jit import part
+from ropewalk.core.ranges import ALL
+from ropewalk.laws.node_law import NodeLaw
+from ropewalk.laws.registry import NODE_LAWS
+
+Make = Callable[[NodeLaw, int, Any], Any]
+
+
+def fold(make: Make, end: Any, having: str = "acts") -> Any:
+    """Return the part of all laws that have a piece: `make(law, its place, part of the laws after it)`.
+
+    `end` is the part of no law.
+    """
+    found = end
+    for k in reversed(range(len(NODE_LAWS))):
+        if getattr(NODE_LAWS[k], having) is not None:
+            found = make(NODE_LAWS[k], k, found)
+    return found
+
+
+# -- whether, and what force -------------------------------------------------------------
+
+
+@part
+def _none_acts(system):
+    return False
+
+
+def _acting(law: NodeLaw, k: int, rest: Any) -> Any:
+    acts = law.acts
+
+    @part
+    def _any_acts(system):
+        return acts(system.node[k]) or rest(system)
+
+    return _any_acts
+
+
+any_acts = fold(_acting, _none_acts)
+"""any_acts(system): tell whether a law of nodes acts."""
+
+
+@part
+def _no_forces(system, state, x, v, forces, lo, hi):
+    pass
+
+
+def _forcing(law: NodeLaw, k: int, rest: Any) -> Any:
+    acts, force = law.acts, law.force
+
+    @part
+    def _node_forces(system, state, x, v, forces, lo, hi):
+        table = system.node[k]
+        if acts(table):
+            force(table, state, x, v, forces.node[k], lo, hi)
+        rest(system, state, x, v, forces, lo, hi)
+
+    return _node_forces
+
+
+node_forces = fold(_forcing, _no_forces)
+"""node_forces(system, state, x, v, forces, lo, hi): write the forces of all laws that act."""
+
+
+@part
+def _no_marked_forces(system, state, x, v, band, forces):
+    pass
+
+
+def _forcing_marked(law: NodeLaw, k: int, rest: Any) -> Any:
+    acts, force, marked_force = law.acts, law.force, law.marked_force
+
+    @part
+    def _as_ever(table, state, x, v, marks, frozen, channel):
+        force(table, state, x, v, channel, 0, ALL)
+
+    write = _as_ever if marked_force is None else marked_force
+
+    @part
+    def _marked_node_forces(system, state, x, v, band, forces):
+        table = system.node[k]
+        if acts(table):
+            write(table, state, x, v, band.marks[k], band.frozen[0], forces.node[k])
+        rest(system, state, x, v, band, forces)
+
+    return _marked_node_forces
+
+
+marked_node_forces = fold(_forcing_marked, _no_marked_forces)
+"""marked_node_forces(system, state, x, v, band, forces): write them for what is marked in the band."""
+
+
+@part
+def _no_marks(system, x, band):
+    return 0.0
+
+
+def _marking(law: NodeLaw, k: int, rest: Any) -> Any:
+    acts, mark = law.acts, law.mark
+
+    @part
+    def _mark_nodes(system, x, band):
+        changed = 0.0
+        table = system.node[k]
+        if acts(table):
+            changed += mark(table, x, band.marks[k])
+        return changed + rest(system, x, band)
+
+    return _mark_nodes
+
+
+mark_nodes = fold(_marking, _no_marks, "mark")
+"""mark_nodes(system, x, band): mark what the laws act on; return how many marks changed."""
+
+
+# -- how the forces change -----------------------------------------------------------------
+
+
+@part
+def _no_tangents(system, state, x, v, weight_x, weight_v, band):
+    pass
+
+
+def _differing(law: NodeLaw, k: int, rest: Any) -> Any:
+    acts, tangent = law.acts, law.tangent
+
+    @part
+    def _node_tangents(system, state, x, v, weight_x, weight_v, band):
+        table = system.node[k]
+        if acts(table):
+            tangent(table, state, x, v, weight_x, weight_v, band.marks[k], band)
+        rest(system, state, x, v, weight_x, weight_v, band)
+
+    return _node_tangents
+
+
+node_tangents = fold(_differing, _no_tangents)
+"""node_tangents(system, state, x, v, weight_x, weight_v, band): add those of all laws that act."""
+
+
+@part
+def _all_diagonal(system):
+    return True
+
+
+def _simplifying(law: NodeLaw, k: int, rest: Any) -> Any:
+    acts, is_diagonal = law.acts, law.is_diagonal
+
+    @part
+    def _never(table):
+        return False
+
+    simple = _never if is_diagonal is None else is_diagonal
+
+    @part
+    def _are_diagonal(system):
+        table = system.node[k]
+        return (not acts(table) or simple(table)) and rest(system)
+
+    return _are_diagonal
+
+
+are_diagonal = fold(_simplifying, _all_diagonal)
+"""are_diagonal(system): tell whether all tangents are a number for every node, and of velocities only."""
+
+
+@part
+def _no_diagonals(system, weight_v, free, diagonal):
+    pass
+
+
+def _weighing(law: NodeLaw, k: int, rest: Any) -> Any:
+    add_diagonal = law.add_diagonal
+
+    @part
+    def _add_diagonals(system, weight_v, free, diagonal):
+        add_diagonal(system.node[k], weight_v, free, diagonal)
+        rest(system, weight_v, free, diagonal)
+
+    return _add_diagonals
+
+
+add_diagonals = fold(_weighing, _no_diagonals, "add_diagonal")
+"""add_diagonals(system, weight_v, free, diagonal): add these numbers, (n,)."""
+
+
+@part
+def _no_crossings(system, before, after, dt, tolerance):
+    return math.inf, 0
+
+
+def _crossing(law: NodeLaw, k: int, rest: Any) -> Any:
+    acts, crossings = law.acts, law.crossings
+
+    @part
+    def _node_crossings(system, before, after, dt, tolerance):
+        end, changes = rest(system, before, after, dt, tolerance)
+        table = system.node[k]
+        if acts(table):
+            own, more = crossings(table, before, after, dt, tolerance)
+            end, changes = min(end, own), changes + more
+        return end, changes
+
+    return _node_crossings
+
+
+node_crossings = fold(_crossing, _no_crossings, "crossings")
+"""node_crossings(system, before, after, dt, tolerance): see `methods.crossings.crossings`."""
+
+
+# -- energy ----------------------------------------------------------------------------------
+
+
+@part
+def _nothing(system, x):
+    return 0.0
+
+
+def _adding_up(piece: str) -> Any:
+    def make(law: NodeLaw, k: int, rest: Any) -> Any:
+        acts, amount = law.acts, getattr(law, piece)
+
+        @part
+        def _total(system, x):
+            total = 0.0
+            table = system.node[k]
+            if acts(table):
+                total += amount(table, x)
+            return total + rest(system, x)
+
+        return _total
+
+    return fold(make, _nothing, piece)
+
+
+node_energy = _adding_up("energy")
+"""node_energy(system, x): return the potential energy of all laws [J]."""
+node_power = _adding_up("power")
+"""node_power(system, x): return the most that they can put in per time beyond that [W]."""
+
+
+# -- channels --------------------------------------------------------------------------------
+
+
+@part
+def _no_channels(system, channels, others, p, q, lo, hi):
+    pass
+
+
+def on_channels(use: Any) -> Any:
+    """Return the part that calls `use(channel, other, p, q, lo, hi)` for every law that acts.
+
+    It takes the system, channels and others, one each by law, and what else `use` gets.
+    """
+
+    def make(law: NodeLaw, k: int, rest: Any) -> Any:
+        acts = law.acts
+
+        @part
+        def _on_channels(system, channels, others, p, q, lo, hi):
+            if acts(system.node[k]):
+                use(channels[k], others[k], p, q, lo, hi)
+            rest(system, channels, others, p, q, lo, hi)
+
+        return _on_channels
+
+    return fold(make, _no_channels)
+
+
+@part
+def _no_more_force(system, channels, i, c, total):
+    return total
+
+
+def _at_node(law: NodeLaw, k: int, rest: Any) -> Any:
+    acts = law.acts
+
+    @part
+    def _add_node_force(system, channels, i, c, total):
+        if acts(system.node[k]):
+            total += channels[k][c, i]
+        return rest(system, channels, i, c, total)
+
+    return _add_node_force
+
+
+add_node_force = fold(_at_node, _no_more_force)
+"""add_node_force(system, channels, i, c, total): return `total` and component c of all forces on node i."""
