@@ -18,7 +18,7 @@ from ropewalk.analysis.linear import (
     why_none,
 )
 from ropewalk.build import Model, build
-from ropewalk.build.chains import chains
+from ropewalk.build.chains import calms_with_speed, chains
 from ropewalk.build.links import has_links
 from ropewalk.build.plan import bounds_stretch
 from ropewalk.build.steps import step_cases, uncovered
@@ -284,8 +284,7 @@ def _notes(model: Model, theory: Theory, largest: LargestSteps) -> tuple[str, ..
     if model.scene.limiter is not None:
         unfit = [name for name in METHODS if not bounds_stretch(name)]
         notes.append(f"{', '.join(unfit)} cannot work with a stretch limiter")
-    air = model.system.node.air
-    if largest[method] >= dt and air.quadratic:
+    if largest[method] >= dt and calms_with_speed(model.system, model.state):
         still = chains(model.system, model.state, 0.0)
         if min(largest_step(method, chain) for chain in still.values()) < dt:
             growth = max(

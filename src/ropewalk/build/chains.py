@@ -58,9 +58,7 @@ def free_chains(system: System, state: State, speed: float = 0.0) -> dict[str, C
         bending=bending,
         damping_bending=rubbing,
     )
-    for law, table in zip(NODE_LAWS, system.node, strict=True):
-        if law.chain is not None:
-            base = law.chain(table, base, state.rest_length, speed)
+    base = _under_laws(system, base, state.rest_length, speed)
     cases = {FREE: base}
     for row in range(len(state.winch_exit)):
         for share in (MERGE, SPLIT):
@@ -72,6 +70,21 @@ def free_chains(system: System, state: State, speed: float = 0.0) -> dict[str, C
     for row in range(len(state.winch_exit)):
         cases["with all rope reeled in"] = _reeled_in(base, system, state, row)
     return cases
+
+
+def _under_laws(system: System, chain: Chain, lengths: Floats, speed: float) -> Chain:
+    """Return the chain with what laws of nodes always add, where nodes move at most so fast [m/s]."""
+    for law, table in zip(NODE_LAWS, system.node, strict=True):
+        if law.chain is not None:
+            chain = law.chain(table, chain, lengths, speed)
+    return chain
+
+
+def calms_with_speed(system: System, state: State) -> bool:
+    """Tell whether a law of nodes damps what moves more than what is at rest, as quadratic drag does."""
+    chain = free_chains(system, state)[FREE]
+    slow, fast = (_under_laws(system, chain, state.rest_length, speed) for speed in (0.0, 1.0))
+    return not np.array_equal(slow.node_damping, fast.node_damping)
 
 
 def _is_straight(x: Floats) -> bool:

@@ -230,7 +230,7 @@ def _system(scene: Scene, layout: Layout, state: State, keep: Pieces) -> System:
     floor = keep("slack floor", _slack_floor, layout, one_way)
     origins = state.x[:, state.anchor_node].T.copy()
     stretch = state.mass, applied, state.stiffness, state.rest_length
-    limiter = scene.limiter
+    limiter, tables = scene.limiter, _node_tables(scene, layout, keep)
     order = keep("limiter order", limiter_order, layout) if limiter is not None else None
     return System(
         gravity=np.array(scene.gravity, dtype=np.float64),
@@ -238,7 +238,10 @@ def _system(scene: Scene, layout: Layout, state: State, keep: Pieces) -> System:
         break_stretch=keep("break stretch", _break_stretch, scene.gravity, *stretch),
         slack_floor=floor,
         up=keep("up", np.array, scene.up),
-        node=_node_tables(scene, layout, keep),
+        node=tables,
+        acts=np.array(
+            [law.acts(table) for law, table in zip(NODE_LAWS, tables, strict=True)], np.int64
+        ),
         limiter=keep("limiter", _limiter, limiter, order),
         anchors=keep("anchors", anchor_tables, scene.anchors, origins, state.anchor_node),
         winches=_winches(scene, layout) if scene.winches else keep("no winches", _table_of, ()),
@@ -337,7 +340,10 @@ def _hold(system: System, state: State, keep: Pieces) -> None:
         return
     state.anchor_x[:] = state.x[:, nodes].T
     # what the kernel reads of system and state
-    read = system.anchors, system.node.ground, state.anchor_x.copy()
+    stops = tuple(
+        table for law, table in zip(NODE_LAWS, system.node, strict=True) if law.hold_up is not None
+    )
+    read = system.anchors, stops, state.anchor_x.copy()
     points, speeds = keep("starts", partial(_starts, system, state), *read)
     held = system.anchors.release > 0.0
     state.held[:] = held
@@ -348,7 +354,7 @@ def _hold(system: System, state: State, keep: Pieces) -> None:
 
 
 def _starts(
-    system: System, state: State, anchors: Anchors, ground: Any, origins: Floats
+    system: System, state: State, anchors: Anchors, stops: tuple[Any, ...], origins: Floats
 ) -> tuple[Floats, Floats]:
     """Return where the anchors are at time zero [m] and their velocities [m/s], (a, 3) each."""
     points, speeds = np.zeros_like(origins), np.zeros_like(origins)

@@ -91,6 +91,7 @@ class System(NamedTuple):
     slack_floor: Floats  # (s,) least elastic tension [N]: 0 for tension-only segments, else -inf
     up: Floats  # (3,) unit vector against gravity
     node: Any  # the tables of the laws of nodes, by name; see `laws.registry`
+    acts: Ints  # (m,) 1 for each of these laws that acts
     limiter: Limiter
     anchors: Anchors
     winches: Winches

@@ -85,7 +85,7 @@ def _drop_old_caches(current: Path) -> None:
 
 def is_compiled(function: Any) -> bool:
     """Tell whether `function` has machine code, in this process or on disk."""
-    if function.signatures:
+    if getattr(function, "signatures", True):  # plain Python has none, and is as ready as it gets
         return True
     code = function.py_func.__code__
     stem = Path(code.co_filename).stem

@@ -14,9 +14,7 @@ from ropewalk.laws.registry import NODE_LAWS
 def acting(system: System) -> list[tuple[NodeLaw, Any]]:
     """Return the laws that act, with their tables."""
     return [
-        (law, table)
-        for law, table in zip(NODE_LAWS, system.node, strict=True)
-        if getattr(law.acts, "py_func", law.acts)(table)  # a part, run as plain Python
+        (law, table) for law, table in zip(NODE_LAWS, system.node, strict=True) if law.acts(table)
     ]
 
 

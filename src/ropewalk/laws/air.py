@@ -57,8 +57,7 @@ def lower(air: AirInScene | None, layout: Layout, diameters: tuple[float, ...]) 
     return Air(linear, int(curved), drag, quadratic, normal, tangential, wind)
 
 
-@part
-def acts(air):
+def acts(air: Air) -> bool:
     """Tell whether there is any drag."""
     return air.linear == 1 or air.quadratic == 1
 

@@ -11,6 +11,7 @@ from __future__ import annotations
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.ranges import ALL
 from ropewalk.laws.clamps import close_clamps, let_bend, turn_clamps
+from ropewalk.laws.nodes import hold_up
 from ropewalk.laws.table import force_on_node
 from ropewalk.motions.table import HAND, place
 
@@ -52,14 +53,8 @@ def anchor_target(system, state, row, t, ahead, x, v):
             x[k] += v[k] * ahead
     else:
         place(system.anchors, row, t, x, v)
-    if system.anchors.above_ground[row] == 1 and system.node.ground.active == 1:
-        up = system.node.ground.up
-        depth = system.node.ground.height - (x[0] * up[0] + x[1] * up[1] + x[2] * up[2])
-        if depth > 0.0:
-            rise = v[0] * up[0] + v[1] * up[1] + v[2] * up[2]
-            for k in range(3):
-                x[k] += depth * up[k]
-                v[k] -= rise * up[k]
+    if system.anchors.above_ground[row] == 1:
+        hold_up(system, x, v)
 
 
 @kernel

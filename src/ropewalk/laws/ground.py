@@ -50,8 +50,7 @@ def lower(ground: GroundInScene | None, upward: tuple[float, float, float]) -> G
     return Ground(1, up, *numbers, ground.damping_ratio)
 
 
-@part
-def acts(ground):
+def acts(ground: Ground) -> bool:
     """Tell whether there is any ground."""
     return ground.active == 1
 
@@ -90,6 +89,18 @@ def crossings(ground, before, after, dt, tolerance):
     return ground_crossings(
         before.x, before.v, after.x, after.v, after.inverse_mass, ground, dt, tolerance
     )
+
+
+@part
+def hold_up(ground, x, v):
+    """Put a point below the ground's height on it, (3,) each; it no longer sinks."""
+    up = ground.up
+    depth = ground.height - (x[0] * up[0] + x[1] * up[1] + x[2] * up[2])
+    if depth > 0.0:
+        rise = v[0] * up[0] + v[1] * up[1] + v[2] * up[2]
+        for k in range(3):
+            x[k] += depth * up[k]
+            v[k] -= rise * up[k]
 
 
 @part
@@ -279,6 +290,7 @@ GROUND = NodeLaw(
     mark=mark,
     marked_force=marked_force,
     crossings=crossings,
+    hold_up=hold_up,
     energy=energy,
     at_rest=at_rest,
     bears=below,

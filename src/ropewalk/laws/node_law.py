@@ -6,7 +6,8 @@ all laws into one function each, so that a registered law costs what a call by n
 `system.node.NAME`, its force `forces.node.NAME` (3, n) [N], its work `work.node.NAME` (n,) [J]; the work is
 recorded under its name.
 
-Parts are compiled (`core.jit.part`) and get the law's table first. Those that are None are left out.
+Parts are compiled (`core.jit.part`) and get the law's table first, of a law that acts. Those that are None
+are left out.
 """
 
 from __future__ import annotations
@@ -34,7 +35,7 @@ class NodeLaw(NamedTuple):
     section: str  # the field of the scene that it is made from
     lower: Callable[..., Any]  # (section or None, *inputs): its table, a named tuple
     inputs: tuple[str, ...]  # what else that follows from: "layout", "diameters", "up"
-    acts: Any  # part (table): whether there is any force
+    acts: Callable[[Any], bool]  # (table): whether there is any force
     force: Any  # part (table, state, x, v, force, lo, hi): write it, for nodes `lo` to `hi - 1`
     # part (table, state, x, v, weight_x, weight_v, marks, band): add -(weight_x dF/dx + weight_v dF/dv)
     tangent: Any
@@ -53,6 +54,10 @@ class NodeLaw(NamedTuple):
 
     energy: Any = None  # part (table, x): potential energy [J], which its work takes up
     power: Any = None  # part (table, x): the most that it can put in per time beyond that [W]
+
+    hold_up: Any = (
+        None  # part (table, x, v): put an anchor, (3,) each, on the surface that stops it
+    )
 
     # For the host.
     at_rest: Callable[[Any], Rest] | None = None  # (table), of a law that acts

@@ -19,7 +19,7 @@ from ropewalk.laws.registry import NODE_LAWS
 Make = Callable[[NodeLaw, int, Any], Any]
 
 
-def fold(make: Make, end: Any, having: str = "acts") -> Any:
+def fold(make: Make, end: Any, having: str = "force") -> Any:
     """Return the part of all laws that have a piece: `make(law, its place, part of the laws after it)`.
 
     `end` is the part of no law.
@@ -35,22 +35,12 @@ def fold(make: Make, end: Any, having: str = "acts") -> Any:
 
 
 @part
-def _none_acts(system):
-    return False
-
-
-def _acting(law: NodeLaw, k: int, rest: Any) -> Any:
-    acts = law.acts
-
-    @part
-    def _any_acts(system):
-        return acts(system.node[k]) or rest(system)
-
-    return _any_acts
-
-
-any_acts = fold(_acting, _none_acts)
-"""any_acts(system): tell whether a law of nodes acts."""
+def any_acts(system):
+    """Tell whether a law of nodes acts."""
+    acting = 0
+    for k in range(system.acts.shape[0]):
+        acting += system.acts[k]
+    return acting > 0
 
 
 @part
@@ -59,12 +49,12 @@ def _no_forces(system, state, x, v, forces, lo, hi):
 
 
 def _forcing(law: NodeLaw, k: int, rest: Any) -> Any:
-    acts, force = law.acts, law.force
+    force = law.force
 
     @part
     def _node_forces(system, state, x, v, forces, lo, hi):
-        table = system.node[k]
-        if acts(table):
+        if system.acts[k] == 1:
+            table = system.node[k]
             force(table, state, x, v, forces.node[k], lo, hi)
         rest(system, state, x, v, forces, lo, hi)
 
@@ -81,7 +71,7 @@ def _no_marked_forces(system, state, x, v, band, forces):
 
 
 def _forcing_marked(law: NodeLaw, k: int, rest: Any) -> Any:
-    acts, force, marked_force = law.acts, law.force, law.marked_force
+    force, marked_force = law.force, law.marked_force
 
     @part
     def _as_ever(table, state, x, v, marks, frozen, channel):
@@ -91,8 +81,8 @@ def _forcing_marked(law: NodeLaw, k: int, rest: Any) -> Any:
 
     @part
     def _marked_node_forces(system, state, x, v, band, forces):
-        table = system.node[k]
-        if acts(table):
+        if system.acts[k] == 1:
+            table = system.node[k]
             write(table, state, x, v, band.marks[k], band.frozen[0], forces.node[k])
         rest(system, state, x, v, band, forces)
 
@@ -109,14 +99,13 @@ def _no_marks(system, x, band):
 
 
 def _marking(law: NodeLaw, k: int, rest: Any) -> Any:
-    acts, mark = law.acts, law.mark
+    mark = law.mark
 
     @part
     def _mark_nodes(system, x, band):
         changed = 0.0
-        table = system.node[k]
-        if acts(table):
-            changed += mark(table, x, band.marks[k])
+        if system.acts[k] == 1:
+            changed += mark(system.node[k], x, band.marks[k])
         return changed + rest(system, x, band)
 
     return _mark_nodes
@@ -135,12 +124,12 @@ def _no_tangents(system, state, x, v, weight_x, weight_v, band):
 
 
 def _differing(law: NodeLaw, k: int, rest: Any) -> Any:
-    acts, tangent = law.acts, law.tangent
+    tangent = law.tangent
 
     @part
     def _node_tangents(system, state, x, v, weight_x, weight_v, band):
-        table = system.node[k]
-        if acts(table):
+        if system.acts[k] == 1:
+            table = system.node[k]
             tangent(table, state, x, v, weight_x, weight_v, band.marks[k], band)
         rest(system, state, x, v, weight_x, weight_v, band)
 
@@ -157,7 +146,7 @@ def _all_diagonal(system):
 
 
 def _simplifying(law: NodeLaw, k: int, rest: Any) -> Any:
-    acts, is_diagonal = law.acts, law.is_diagonal
+    is_diagonal = law.is_diagonal
 
     @part
     def _never(table):
@@ -167,8 +156,7 @@ def _simplifying(law: NodeLaw, k: int, rest: Any) -> Any:
 
     @part
     def _are_diagonal(system):
-        table = system.node[k]
-        return (not acts(table) or simple(table)) and rest(system)
+        return (system.acts[k] == 0 or simple(system.node[k])) and rest(system)
 
     return _are_diagonal
 
@@ -203,13 +191,13 @@ def _no_crossings(system, before, after, dt, tolerance):
 
 
 def _crossing(law: NodeLaw, k: int, rest: Any) -> Any:
-    acts, crossings = law.acts, law.crossings
+    crossings = law.crossings
 
     @part
     def _node_crossings(system, before, after, dt, tolerance):
         end, changes = rest(system, before, after, dt, tolerance)
-        table = system.node[k]
-        if acts(table):
+        if system.acts[k] == 1:
+            table = system.node[k]
             own, more = crossings(table, before, after, dt, tolerance)
             end, changes = min(end, own), changes + more
         return end, changes
@@ -219,6 +207,27 @@ def _crossing(law: NodeLaw, k: int, rest: Any) -> Any:
 
 node_crossings = fold(_crossing, _no_crossings, "crossings")
 """node_crossings(system, before, after, dt, tolerance): see `methods.crossings.crossings`."""
+
+
+@part
+def _no_stop(system, x, v):
+    pass
+
+
+def _stopping(law: NodeLaw, k: int, rest: Any) -> Any:
+    hold_up = law.hold_up
+
+    @part
+    def _hold_up(system, x, v):
+        if system.acts[k] == 1:
+            hold_up(system.node[k], x, v)
+        rest(system, x, v)
+
+    return _hold_up
+
+
+hold_up = fold(_stopping, _no_stop, "hold_up")
+"""hold_up(system, x, v): put an anchor that was moved too far on the surfaces that stop it, (3,) each."""
 
 
 # -- energy ----------------------------------------------------------------------------------
@@ -231,14 +240,13 @@ def _nothing(system, x):
 
 def _adding_up(piece: str) -> Any:
     def make(law: NodeLaw, k: int, rest: Any) -> Any:
-        acts, amount = law.acts, getattr(law, piece)
+        amount = getattr(law, piece)
 
         @part
         def _total(system, x):
             total = 0.0
-            table = system.node[k]
-            if acts(table):
-                total += amount(table, x)
+            if system.acts[k] == 1:
+                total += amount(system.node[k], x)
             return total + rest(system, x)
 
         return _total
@@ -267,11 +275,9 @@ def on_channels(use: Any) -> Any:
     """
 
     def make(law: NodeLaw, k: int, rest: Any) -> Any:
-        acts = law.acts
-
         @part
         def _on_channels(system, channels, others, p, q, lo, hi):
-            if acts(system.node[k]):
+            if system.acts[k] == 1:
                 use(channels[k], others[k], p, q, lo, hi)
             rest(system, channels, others, p, q, lo, hi)
 
@@ -286,11 +292,9 @@ def _no_more_force(system, channels, i, c, total):
 
 
 def _at_node(law: NodeLaw, k: int, rest: Any) -> Any:
-    acts = law.acts
-
     @part
     def _add_node_force(system, channels, i, c, total):
-        if acts(system.node[k]):
+        if system.acts[k] == 1:
             total += channels[k][c, i]
         return rest(system, channels, i, c, total)
 

@@ -6,8 +6,8 @@ frame's time, which the walk does not see. So the order, the ledger and the tens
 any step (a polynomial through positions would not do: a micrometre is tonnes in a steel wire), and the walk
 is the same at every recording rate. When the state was changed from outside, the walk begins anew from it.
 
-A step ends where the scene changes by itself (`controller.break_times`), and is cut where a node touches the
-ground or a segment goes taut or slack (`crossings`).
+A step ends where the scene changes by itself (`controller.break_times`), and is cut where a law begins or
+ceases to act on a node, as a ground does, or a segment goes taut or slack (`crossings`).
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Events inside a step: nodes that touch or leave the ground, segments that go taut or slack.
+"""Events inside a step: nodes on which a law begins or ceases to act, segments that go taut or slack.
 
 A step keeps the friction of the side on which it begins (`Band.frozen`), so that it stays smooth. When a
 node or a segment has changed sides at its end, the moment t* of the change is estimated from both ends, the
