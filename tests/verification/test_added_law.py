@@ -113,7 +113,7 @@ def test_it_acts_in_every_method(method: str, found: dict[str, Any]) -> None:
     assert np.abs(places(found, method) - exact).max() < 1e-3
     assert np.abs(places(found, "without") - exact).max() > 0.3
     lost = found["start"] - potential(places(found, method))
-    assert found[method]["drawn"] == pytest.approx(lost, abs=2e-2)
+    assert found[method]["drawn"] == pytest.approx(lost, abs=5e-2)
     assert abs(found[method]["unbooked"]) < 1e-12 * found["start"]
     assert found["without"]["drawn"] == 0.0
 
