@@ -344,5 +344,6 @@ def test_of_very_many_nodes_no_steps_are_run_for_the_estimate(
     seconds, measured = seconds_per_step(build(Scene(ropes=[rope], anchors=ends)))
     assert not measured
     assert seconds > 0.0
+    assert "(not measured)" in str(check(scene(), measure=False))
     with pytest.raises(AssertionError, match="a step was run"):  # the twin
         seconds_per_step(build(Scene(ropes=[rope.replace(segments=20)], anchors=ends)))

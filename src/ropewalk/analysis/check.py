@@ -158,7 +158,8 @@ class Check:
         if self.statics.grounded.any():
             text.append(f"at rest {_count(self.statics.grounded, 'node')} on the ground")
         text.append(
-            f"the run: {self.duration:.6g} s in about {_duration(self.seconds)}; {self.pace}"
+            f"the run: {self.duration:.6g} s in about {_duration(self.seconds)}"
+            f"{'' if self.seconds_measured else ' (not measured)'}; {self.pace}"
         )
         text.append(f"the step: {self.stability.verdict}")
         text += [self.why] if self.why else []

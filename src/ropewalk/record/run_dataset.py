@@ -34,7 +34,8 @@ class RunDataset(xr.Dataset):  # type: ignore[no-untyped-call]
         rows = math.prod(self.sizes.values())
         most = max((variable.size for variable in self.data_vars.values()), default=rows)
         if rows > most:
-            names = ", ".join(map(str, self.data_vars))
+            first = ", ".join(map(str, list(self.data_vars)[:4]))
+            names = first + (" ..." if len(self.data_vars) > 4 else "")
             rule = (
                 f"these have different dimensions, and one table of all would have {rows:.3g} rows; "
                 'take one part: result.to_pandas("segments"), or result.datasets["nodes"]'
