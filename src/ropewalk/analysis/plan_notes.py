@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from ropewalk.build import Model
+from ropewalk.methods.registry import METHODS
 from ropewalk.scene import Scene, Winch
 
 _ROUNDING = 1e-9  # [1]
@@ -32,9 +33,9 @@ def _whole_frames(model: Model) -> list[str]:
 
 
 def _late_releases(model: Model) -> list[str]:
-    """Say of anchors that are to let go inside a step when they do: at its end, but with `adaptive`."""
+    """Say of anchors that are to let go inside a step when they do, where steps are not cut there."""
     plan, found = model.plan, []
-    if plan.tolerance is not None:
+    if METHODS[plan.method].cuts:
         return []
     for anchor in model.scene.anchors:
         if anchor.release_time is None or anchor.release_time >= plan.duration:
@@ -43,8 +44,8 @@ def _late_releases(model: Model) -> list[str]:
         if lets_go - anchor.release_time > _LATE:
             found.append(
                 f"anchor {anchor.name!r}: release_time = {anchor.release_time:.6g} s lies inside a step of "
-                f"{1e3 * plan.dt:.4g} ms; it lets go at {lets_go:.6g} s, where the next one begins. With "
-                "method = adaptive it does at the time given"
+                f"{1e3 * plan.dt:.4g} ms; it lets go at {lets_go:.6g} s, where the next one begins. "
+                "Other methods cut the step there"
             )
     return found
 

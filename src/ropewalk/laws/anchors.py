@@ -109,18 +109,18 @@ def move_anchors(system, state, forces, t, dt, middle, point, speed, lo=0, hi=AL
 
 
 @part
-def release_anchors(system, state, t, dt, lo=0, hi=ALL):
-    """Let go of the anchors whose release time is reached at the start of a step.
+def release_anchors(system, state, t, little, lo=0, hi=ALL):
+    """Let go of the anchors whose release time is reached, to `little` [s], at the start of a step.
 
     Return whether a clamp was among them: the forces at hand are then no longer those of the state.
     """
     unclamped = False
-    if t < system.anchors.first_release - 1e-6 * dt:
+    if t < system.anchors.first_release - little:
         return unclamped
     order = system.anchors.order
     for index in range(first_index(order, state, lo), last_index(order, state, hi)):
         row = order[index]
-        if state.held[row] == 1 and t >= system.anchors.release[row] - 1e-6 * dt:
+        if state.held[row] == 1 and t >= system.anchors.release[row] - little:
             i = state.anchor_node[row]
             if system.bending.clamped.shape[0] > 0 and system.bending.clamped[row] == 1:
                 unclamped = True

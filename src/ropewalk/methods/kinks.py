@@ -1,4 +1,4 @@
-"""Kinks: the times at which an anchor's velocity or a clamp's rate jumps.
+"""Kinks: the times at which an anchor's velocity or a clamp's rate jumps, or an anchor lets go.
 
 Nothing of an order above one survives a kink inside a step, nor a step that takes the rate from the wrong
 side of one. So steps are cut at kinks; a step that ends at one sees the rate before it, and one that begins
@@ -24,9 +24,9 @@ ROUNDING = 1e-15  # [1] ... or by this share of the time
 def kink_times(anchors: Anchors, bending: Bending) -> Floats:
     """Return the times of all kinks after time zero [s], sorted.
 
-    Starts and stops of motions and of turning clamps, and corners of tables.
+    Starts and stops of motions and of turning clamps, corners of tables, and releases.
     """
-    times = [anchors.params[anchors.kind == VELOCITY, 6:8].ravel()]
+    times = [anchors.params[anchors.kind == VELOCITY, 6:8].ravel(), anchors.release]
     for row in np.flatnonzero(anchors.kind == TABLE):
         first = anchors.table_start[row]
         times.append(_corners(anchors.table[first : first + anchors.table_rows[row]]))

@@ -13,7 +13,7 @@ from ropewalk.laws.stretch import segment_tension
 from ropewalk.laws.table import accelerate, evaluate
 from ropewalk.laws.winch import run_winches
 from ropewalk.methods.errors import look_at_step
-from ropewalk.methods.kinks import next_piece, take_up_hands
+from ropewalk.methods.kinks import near, next_piece, take_up_hands
 from ropewalk.methods.peaks import any_rubs, wanted
 from ropewalk.methods.recording import record_frame
 from ropewalk.methods.scratch import clear
@@ -127,10 +127,11 @@ def make_advance(step: Any, *, carries: bool = False, solves: bool = False) -> A
                 begin_anew(system, state, t, scratch)
             for s in range(done, done + steps):
                 t, after = clock[0] + s * dt, clock[0] + (s + 1) * dt
-                if release_anchors(system, state, t, dt) and carries:
-                    begin_anew(system, state, t, scratch)
                 begin = t
                 while begin < after:  # once, but for kinks
+                    little = near(begin, dt)
+                    if release_anchors(system, state, begin, little) and carries:
+                        begin_anew(system, state, begin, scratch)
                     h, end, to, jumps = next_piece(system, state, t, begin, after, dt, point, speed)
                     if jumps > 0 and carries:
                         begin_anew(system, state, begin, scratch)

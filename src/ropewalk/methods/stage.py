@@ -201,6 +201,24 @@ def rounding(system, state, stage):
 
 
 @kernel
+def motion_rounding(v, known, mass, damping, c2):
+    """Return what rounding of the speeds leaves of inertia and vector friction that cancel [N].
+
+    It is all that is left of a rope that coasts: the report's scale is then next to nothing.
+    """
+    speed, heaviest, most = 0.0, 0.0, 0.0
+    for k in range(3):
+        vk, known_k = v[k], known[k]
+        for i in range(mass.shape[0]):
+            speed = max(speed, abs(vk[i]), abs(known_k[i]))
+    for i in range(mass.shape[0]):
+        heaviest = max(heaviest, mass[i])
+    for j in range(damping.shape[0]):
+        most = max(most, damping[j])
+    return 16.0 * EPSILON * speed * (heaviest / c2 + most)
+
+
+@kernel
 def is_solved(report, tolerance):
     """Tell whether the forces balance to `tolerance` [1], or to rounding, and the lengths fit."""
     bound = tolerance * report[SCALE] + report[ROUNDING] + 1e-300
@@ -333,9 +351,13 @@ def solve_stage(system, state, stage, c1, c2):
         largest_misfit(x, tension, state.rest_length, stage.forces.friction, saddle, report)
         report[ROUNDING] = rounding(system, state, stage)
         report[ITERATIONS], report[HISTORY + iteration] = iteration, trial
-        if is_solved(report, TIGHT) or (failed and not exact and is_solved(report, LOOSE)):
+        if is_solved(report, TIGHT):
             break
         stuck = failed and not exact
+        if stuck:
+            report[ROUNDING] += motion_rounding(v, known, mass, state.damping_vector, c2)
+            if is_solved(report, LOOSE):
+                break
         leaps, leap = leaps + (1 if stuck else 0), stuck or (leap and wary > 1)
         if iteration == MOST_ITERATIONS or leaps > MOST_LEAPS:
             return UNSOLVED

@@ -49,7 +49,7 @@ def make_tiled_advance(step: Any, before: Any) -> Any:
                         lo = first - (s - start) if first > 0 else 0
                         hi = last - (s - start) if last < n else n
                         t, after = clock[0] + s * dt, clock[0] + (s + 1) * dt
-                        release_anchors(system, state, t, dt, lo, hi)
+                        release_anchors(system, state, t, 1e-6 * dt, lo, hi)
                         step(system, state, scratch, t, after, dt, ledger, tableau, lo, hi)
                         if extras is not None:
                             wind_and_limit(system, state, scratch, t, dt, ledger)
