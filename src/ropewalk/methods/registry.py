@@ -37,6 +37,7 @@ class Method(NamedTuple):
     implicit: bool = False
     holds_links: bool = False  # whether lengths and tensions of rigid links are right
     fixed: bool = True  # steps of one length, as planned
+    cuts: bool = True  # steps at kinks and releases
 
     @property
     def cost(self) -> float:
@@ -90,6 +91,7 @@ METHODS = {
             NO_TABLEAU,
             characteristic.semi_implicit_euler,
             "Velocity first, then position with it; symplectic without friction.",
+            cuts=False,
         ),
         Method(
             "verlet",

@@ -9,6 +9,7 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats, Ints
 from ropewalk.drum import EMPTY, RELEASED, limit_reached
+from ropewalk.methods.registry import METHODS
 from ropewalk.record.events import Event
 from ropewalk.simulation import Simulation
 
@@ -19,9 +20,9 @@ PLANNED = "stop time"
 class Watch:
     """Looks at a simulation now and then and tells what has happened since the last look.
 
-    Times are the scene's where it gives them; an anchor lets go at the begin of the next step. A winch at a
-    limit has stopped where its speed brings it to what it has wound: exact as long as it turned at one speed
-    since the last look.
+    Times are the scene's where it gives them; where steps are not cut there an anchor lets go at the begin of
+    the next one. A winch at a limit has stopped where its speed brings it to what it has wound: exact as long
+    as it turned at one speed since the last look.
     """
 
     def __init__(self, simulation: Simulation, *, resumed: bool = False) -> None:
@@ -57,11 +58,9 @@ class Watch:
         ]
 
     def _let_go(self, release: float) -> float:
-        """Return when an anchor with this release time [s] let go: at the begin of the next step."""
+        """Return when an anchor with this release time [s] let go: then, or at the begin of the next step."""
         start, dt, _ = self._simulation.clock
-        if (
-            self._simulation.plan.tolerance is not None or release < start
-        ):  # adaptive ends a step there
+        if METHODS[self._simulation.plan.method].cuts or release < start:
             return release
         return max(release, start + math.ceil((release - start) / dt - 1e-6) * dt)
 
