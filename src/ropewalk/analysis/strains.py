@@ -51,7 +51,7 @@ def overlong_at_start(model: Model) -> list[str]:
     found, state, most = [], model.state, model.system.break_stretch
     for rope, span in zip(model.scene.ropes, model.layout.ropes, strict=True):
         points, rest = (
-            state.x[:, span.start : span.end + 1],
+            state.x[:, span.first : span.last + 1],  # with those on a drum
             state.rest_length[span.first : span.last],
         )
         size = np.linalg.norm(np.diff(points, axis=1), axis=0)
