@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 import ropewalk as rw
+from ropewalk.scene import apply_overrides
 
 SCENE = """\
 name = "swing"
@@ -61,3 +62,9 @@ def alone(scene: rw.Scene, **values: Any) -> rw.Result:
 def same(one: Any, other: Any) -> bool:
     """Whether two arrays have the same bits, NaN like NaN."""
     return np.array_equal(one, other, equal_nan=np.asarray(one).dtype.kind == "f")
+
+
+def rigid() -> rw.Scene:
+    """A hanging rope of rigid links, which a span longer than it refuses."""
+    more = ["rope.made_of.EA=inf", "run.method=bdf2", "run.duration=0.02"]
+    return apply_overrides(rw.preset("hanging-rope"), more)

@@ -1,0 +1,174 @@
+"""What a sweep varies: samples of every design, lists, texts, vectors, and tables of runs."""
+
+from __future__ import annotations
+
+import warnings
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+import scipy.stats
+import xarray as xr
+
+import ropewalk as rw
+from ropewalk.scene import apply_overrides
+from sweeps.scenes import EA, alone, rigid, same, swing
+
+
+def test_a_table_is_tried_at_its_own_rows() -> None:
+    """Neither end of the first rope reaches the end of the second; a table that says so is right."""
+    end = "rope.shape.end"
+    hanging = rigid()
+    near, far = [2.0, 0.0, 0.0], [11.0, 0.0, 0.0]
+    right = {"rope.length": [3.0, 12.0], end: [near, far], "run.duration": [0.02, 0.04]}
+    table = pd.DataFrame(right)
+    ds = rw.sweep(hanging, table, on="here", keep="sag[-1]")
+    assert list(ds.status.values) == ["finished", "finished"]
+    wrong = pd.DataFrame(right | {"rope.length": [12.0, 3.0]})
+    with pytest.raises(rw.SceneError, match=r"shorter than the .*\(with rope.length=3.0"):
+        rw.sweep(hanging, wrong, on="here", keep="sag[-1]")
+
+
+def test_runs_beyond_the_tails_are_good_ones() -> None:
+    """The largest of a sample is larger than 99.9 % of the distribution."""
+    spread = scipy.stats.geom(0.4)
+    soft = apply_overrides(swing(0.02), [f"{EA}=200.0", "rope.made_of.axial_damping=0.1"])
+    ds = rw.sweep(
+        soft, {"rope.segments": spread}, samples=64, design="random", seed=34,
+        keep="positions[-1]", on="here",
+    )  # fmt: skip
+    assert ds.segments.max() > spread.ppf(0.999)
+    assert set(ds.status.values.tolist()) == {"finished"}
+    assert ds.sizes["node"] == ds.segments.max() + 1
+
+
+def test_numbers_as_texts_are_numbers() -> None:
+    """As a column of a text file has them."""
+    ask = {"keep": ["tension.max", "tension.max"], "on": "here"}  # kept once
+    as_texts = rw.sweep(swing(0.02), {EA: ["1e3", "2000"], "rope.segments": ["2"]}, **ask)
+    as_numbers = rw.sweep(swing(0.02), {EA: [1e3, 2e3], "rope.segments": [2]}, **ask)
+    assert as_texts.identical(as_numbers)
+    assert as_texts.EA.dtype == np.float64
+    assert list(as_texts.data_vars) == ["status", "reason", "broke_at", "tension_max"]
+
+
+def test_samples_are_those_of_scipy_and_the_same_for_a_seed() -> None:
+    from scipy.stats import qmc
+
+    spread = scipy.stats.norm(2000.0, 50.0)
+    vary = {EA: spread, "rope.length": (1.9, 2.1), "rope.segments": (3, 5)}
+    ds = rw.sweep(swing(0.02), vary, samples=16, seed=11, keep="tension.max", on="here")
+    points = qmc.Sobol(3, rng=np.random.default_rng(11)).random(16)
+    np.testing.assert_array_equal(ds.EA, spread.ppf(points[:, 0]))
+    np.testing.assert_array_equal(ds.length, 1.9 + points[:, 1] * (2.1 - 1.9))
+    np.testing.assert_array_equal(ds.segments, 3 + np.floor(3 * points[:, 2]))
+    assert ds.attrs["seed"] == 11
+    again = rw.sweep(swing(0.02), vary, samples=16, seed=11, keep="tension.max", on="here")
+    assert ds.identical(again)
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always")
+        rw.sweep(swing(0.02), vary, samples=12, seed=1, keep="tension.max", on="here")
+    assert "no power of two" in str(told[0].message)
+
+
+@pytest.mark.parametrize("design", ["sobol", "lhs", "halton", "random"])
+def test_every_design_fills_the_range(design: str) -> None:
+    ds = rw.sweep(swing(0.02), {EA: (1000.0, 3000.0)}, samples=32, design=design, seed=5, on="here")
+    values = np.sort(ds.EA.values)
+    assert values[0] < 1200.0
+    assert values[-1] > 2800.0
+    assert len(set(values)) == 32
+
+
+def test_a_list_with_samples_is_drawn_from() -> None:
+    ds = rw.sweep(
+        swing(0.02), {EA: [1e3, 2e3, 3e3], "rope.length": (1.9, 2.1)}, samples=64, seed=1, on="here"
+    )
+    found, counts = np.unique(ds.EA, return_counts=True)
+    assert list(found) == [1e3, 2e3, 3e3]
+    assert counts.min() >= 20
+
+
+def test_texts_switches_and_vectors_can_vary() -> None:
+    ds = rw.sweep(
+        swing(0.02),
+        {"method": ["verlet", "rk4"], "gravity": [[0, 0, -9.81], [0, 0, -1.62]]},
+        keep="tension.max",
+        on="here",
+    )
+    assert ds.tension_max.dims == ("run_method", "gravity")
+    moon = alone(swing(0.02), method="rk4", gravity=[0, 0, -1.62])
+    assert ds.tension_max.sel(run_method="rk4", gravity="[0, 0, -1.62]") == moon.tension.max()
+
+
+def test_runs_of_different_shapes_are_filled_up() -> None:
+    ds = rw.sweep(swing(), {"rope.segments": [2, 5]}, keep="positions[-1]", on="here")
+    assert ds.positions_last.shape == (2, 6, 3)
+    assert np.isnan(ds.positions_last.values[0, 3:]).all()
+    assert np.isfinite(ds.positions_last.values[0, :3]).all()
+
+
+def test_the_answer_of_one_sweep_gives_the_runs_of_the_next() -> None:
+    first = rw.sweep(
+        swing(0.02), {EA: (1e3, 3e3)}, samples=4, seed=2, keep="tension.max", on="here"
+    )
+    second = rw.sweep(swing(0.02), first, keep="tension.max", on="here")
+    np.testing.assert_array_equal(first.tension_max, second.tension_max)
+
+
+def test_a_grid_given_as_runs_is_refused_and_not_paired() -> None:
+    grid = xr.Dataset({EA: ("a", [1e3, 2e3]), "gravity[2]": ("b", [-9.0, -10.0])})
+    with pytest.raises(rw.SceneError, match="parameters along a, b; the runs need one dimension"):
+        rw.sweep(swing(0.02), grid, on="here")
+    runs = xr.Dataset({EA: ("a", [1e3, 2e3]), "gravity[2]": ("a", [-9.0, -10.0])})
+    assert rw.sweep(swing(0.02), runs, keep="tension.max", on="here").sizes["run"] == 2
+
+
+@pytest.mark.parametrize("stored", [True, False])
+def test_what_a_table_says_of_its_runs_is_kept(tmp_path: Path, stored: bool) -> None:
+    ask = {"keep": "tension.max", "on": "here", "batch": 2}
+    ask |= {"store": tmp_path / "s"} if stored else {}
+    frame = pd.DataFrame(
+        {EA: [1e3, 2e3, 3e3]}, index=pd.Index(["soft", "mid", "hard"], name="rope")
+    )
+    ds = rw.sweep(swing(0.02), frame, **ask)
+    assert ds.given_rope.values.tolist() == ["soft", "mid", "hard"]  # `rope` is a dimension
+    assert ds.given_rope.dims == ("run",)
+    table = xr.Dataset(
+        {EA: ("test", [1e3, 2e3])},
+        {"test": [7, 9], "batch_no": ("test", [0.5, 1.5], {"units": "1"}), "site": "north"},
+    )
+    ds = rw.sweep(swing(0.02), table, **(ask | {"overwrite": True})).load()
+    assert ds.test.values.tolist() == [7, 9]
+    assert ds.batch_no.values.tolist() == [0.5, 1.5]
+    assert ds.batch_no.attrs == {"units": "1"}
+    assert ds.site.values.tolist() == ["north", "north"]
+    plain = rw.sweep(swing(0.02), pd.DataFrame({EA: [1e3, 2e3]}), **(ask | {"overwrite": True}))
+    assert "index" not in plain.coords
+    some = rw.sweep(swing(0.02), ds.isel(run=[1, 0]), **(ask | {"overwrite": True}))
+    assert some.given_run.values.tolist() == [1, 0]
+    assert same(some.tension_max.values, ds.tension_max.values[::-1])
+
+
+def test_arrays_and_distributions_of_all_kinds() -> None:
+    array = xr.DataArray([1e3, 2e3], dims="a", name=EA)
+    ask = {"keep": "tension.max", "on": "here"}
+    as_runs = rw.sweep(swing(0.02), array, **ask)
+    as_list = rw.sweep(swing(0.02), {EA: array}, **ask)
+    as_series = rw.sweep(swing(0.02), {EA: pd.Series([1e3, 2e3])}, **ask)
+    assert as_runs.tension_max.dims == ("run",)
+    assert as_list.tension_max.dims == as_series.tension_max.dims == ("EA",)
+    assert same(as_runs.tension_max.values, as_list.tension_max.values)
+    with pytest.raises(rw.SceneError, match="a column without a path"):
+        rw.sweep(swing(0.02), xr.DataArray([1e3, 2e3]), **ask)
+    drawn = {"samples": 8, "seed": 2, **ask}
+    old = rw.sweep(swing(0.02), {EA: scipy.stats.norm(2e3, 50.0)}, **drawn)
+    new = rw.sweep(swing(0.02), {EA: scipy.stats.Normal(mu=2e3, sigma=50.0)}, **drawn)
+    np.testing.assert_allclose(new.EA, old.EA, rtol=1e-12)
+    for given in (scipy.stats.norm, scipy.stats.Normal):
+        with pytest.raises(rw.SceneError, match="without its parameters; give them"):
+            rw.sweep(swing(0.02), {EA: given}, **drawn)
+    for given in (scipy.stats.norm([1e3, 2e3], 1.0), scipy.stats.norm(1e3, -1.0)):
+        with pytest.raises(rw.SceneError, match="is no distribution of one number"):
+            rw.sweep(swing(0.02), {EA: given}, **drawn)
