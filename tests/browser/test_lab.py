@@ -13,6 +13,7 @@ import ropewalk as rw
 from browser.window import SECONDS
 from ropewalk.lessons import lesson_scenes
 from ropewalk.live.lab import METHODS, PRESETS, lab_scene, write_lab
+from ropewalk.scene import Anchor
 from ropewalk.scene.presets import preset
 
 STEPS = 1000
@@ -50,6 +51,28 @@ def test_a_thousand_steps_are_those_of_python(lab: Any, method: str) -> None:
             continue
         short = np.array(lab.page.evaluate(RUN, [index, method, STEPS - 10, dt]))
         assert np.abs(short[0] - x).max() / np.abs(x).max() > 1e-9, name
+
+
+@pytest.mark.browser
+@pytest.mark.parametrize("method", METHODS)
+def test_an_anchor_that_lets_go_inside_a_step(
+    tmp_path: Path, open_window: Any, method: str
+) -> None:
+    """As in Python, to 1e-12; the twin lets go at the step's end."""
+    dt, steps = 0.001, 200
+    ends = [Anchor(node=0), Anchor(node=-1, release_time=0.0504)]
+    scene = preset("r4").replace(anchors=ends)
+    run = scene.run.replace(
+        method=method, time_step=dt, steps="exact", frame_rate=1.0 / dt, duration=steps * dt
+    )
+    page = open_window(write_lab(tmp_path / "let-go.html", [scene]).as_uri()).page
+    found = np.array(page.evaluate(RUN, [0, method, steps, dt]))
+    for moment, same in ((0.0504, True), (0.0524, False)):
+        anchors = [ends[0], ends[1].replace(release_time=moment)]
+        own = rw.Simulation(scene.replace(run=run, anchors=anchors))
+        own.advance_frames(steps)
+        error = np.abs(found - np.array([own.arrays.x, own.arrays.v])).max()
+        assert (error < 1e-11) is same, (moment, error)
 
 
 @pytest.mark.browser

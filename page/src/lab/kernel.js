@@ -114,7 +114,7 @@ export class Rope {
     }
   }
 
-  /** Take one step [s], with Verlet and Runge-Kutta in pieces where an anchor begins or ends to move.
+  /** Take one step [s], with Verlet and Runge-Kutta in pieces where an anchor begins or ends to move, or lets go.
    * @param {Method} method @param {number} dt
    * @param {number} [after] the time at its end, where that is known better than as a sum */
   step(method, dt, after = this.time + dt) {
@@ -124,8 +124,13 @@ export class Rope {
       this.#swing(dt, after);
       this.time = after;
     } else this.#pieces(method, dt, after);
+    this.#release(dt);
+  }
+
+  /** Let go of the anchors whose time has come. @param {number} dt */
+  #release(dt) {
     for (const anchor of this.anchors) {
-      if (anchor.held && anchor.release !== null && this.time >= anchor.release - 1e-9 * dt) {
+      if (anchor.held && anchor.release !== null && anchor.release <= this.time + 1e-6 * dt) {
         anchor.held = false;
         this.inverse[anchor.node] = 1 / this.mass[anchor.node];
         this.renew();
@@ -146,8 +151,8 @@ export class Rope {
   #pieces(method, dt, after) {
     const begin = this.time;
     const cuts = this.anchors
-      .flatMap((anchor) => (anchor.held ? [anchor.start, anchor.stop] : []))
-      .filter((t) => t > begin + 1e-9 * dt && t < after - 1e-9 * dt)
+      .flatMap((anchor) => (anchor.held ? [anchor.start, anchor.stop, anchor.release ?? -1] : []))
+      .filter((t) => t > begin + 1e-6 * dt && t < after - 1e-6 * dt)
       .sort((a, b) => a - b);
     for (const end of [...cuts, after]) {
       const h = end === after && !cuts.length ? dt : end - this.time;
@@ -155,6 +160,7 @@ export class Rope {
       if (method === "verlet") this.#verlet(h, end);
       else this.#rungeKutta(h, end);
       this.time = end;
+      this.#release(dt);
     }
   }
 

@@ -19,8 +19,13 @@ def acting(system: System) -> list[tuple[NodeLaw, Any]]:
 
 
 def at_rest(system: System) -> set[Rest]:
-    """Return what the laws that act do to nodes at rest; NOTHING is left out."""
-    found = {law.at_rest(table) for law, table in acting(system) if law.at_rest is not None}
+    """Return what the laws that act do to nodes at rest; NOTHING is left out.
+
+    Of one that does not say the worst is thought: that it holds every node somewhere.
+    """
+    found = {
+        Rest.HOLDS if law.at_rest is None else law.at_rest(table) for law, table in acting(system)
+    }
     return found - {Rest.NOTHING}
 
 

@@ -8,6 +8,8 @@ booked as work only (`methods.kinks`).
 
 from __future__ import annotations
 
+import math
+
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.ranges import ALL
 from ropewalk.laws.clamps import close_clamps, let_bend, turn_clamps
@@ -112,19 +114,21 @@ def move_anchors(system, state, forces, t, dt, middle, point, speed, lo=0, hi=AL
 def release_anchors(system, state, t, little, lo=0, hi=ALL):
     """Let go of the anchors whose release time is reached, to `little` [s], at the start of a step.
 
-    Return whether a clamp was among them: the forces at hand are then no longer those of the state.
+    Return whether the forces at hand are then no longer those of the state: those of a clamp among them, of
+    rigid links, and of a limiter, which pull at once otherwise where an end is free.
     """
-    unclamped = False
-    if t < system.anchors.first_release - little:
-        return unclamped
+    others = False
+    if system.anchors.first_release > t + little:
+        return others
     order = system.anchors.order
     for index in range(first_index(order, state, lo), last_index(order, state, hi)):
         row = order[index]
-        if state.held[row] == 1 and t >= system.anchors.release[row] - little:
+        if state.held[row] == 1 and system.anchors.release[row] <= t + little:
             i = state.anchor_node[row]
             if system.bending.clamped.shape[0] > 0 and system.bending.clamped[row] == 1:
-                unclamped = True
+                others = True
                 let_bend(system, state, row)
+            others = others or system.limiter.active == 1 or any_rigid(state.stiffness)
             state.held[row] = 0
             state.inverse_mass[i] = 1.0 / state.mass[i]
             for k in range(3):
@@ -132,4 +136,13 @@ def release_anchors(system, state, t, little, lo=0, hi=ALL):
                 state.acceleration[k, i] = (
                     force_on_node(system, state, state.forces, i, k) / state.mass[i]
                 )
-    return unclamped
+    return others
+
+
+@kernel
+def any_rigid(stiffness):
+    """Tell whether any segment is a rigid link."""
+    for j in range(stiffness.shape[0]):
+        if stiffness[j] == math.inf:
+            return True
+    return False

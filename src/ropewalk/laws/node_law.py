@@ -60,7 +60,7 @@ class NodeLaw(NamedTuple):
     )
 
     # For the host.
-    at_rest: Callable[[Any], Rest] | None = None  # (table), of a law that acts
+    at_rest: Callable[[Any], Rest] | None = None  # (table), of a law that acts; None: HOLDS
     bears: Callable[[Any, Floats], Any] | None = None  # (table, x): which nodes lie on it, (n,)
     flow: Callable[[Any], Floats] | None = None  # (table): velocity of what flows [m/s], (3,)
     # For the bound of the step: a majorant of its stiffness and damping. (table, chain, lengths, speed) gives

@@ -15,6 +15,7 @@ import numpy as np
 from ropewalk import __version__
 from ropewalk.build import Model, build
 from ropewalk.core.arrays import AXIAL, BENDING
+from ropewalk.laws.registry import NODE_LAWS
 from ropewalk.live.share import HERE, as_data, in_script, policy
 from ropewalk.motions.table import FIXED, VELOCITY
 from ropewalk.record.files import write, writing
@@ -23,6 +24,7 @@ from ropewalk.scene.errors import NO_VALUE, Fault
 from ropewalk.scene.presets import preset
 from ropewalk.start import started
 
+SECTIONS = tuple(law.section for law in NODE_LAWS)
 PRESETS = ("r4", "r1", "r2", "r3", "r9")
 METHODS = ("semi-implicit-euler", "verlet", "rk4")
 _PAGE = """<!doctype html>
@@ -128,9 +130,7 @@ def _anchor(model: Model, row: int) -> dict[str, Any]:
 def _refused(model: Model) -> list[tuple[str, str]]:
     """Return what of a scene the lab's kernel does not have, with its path."""
     scene, system = model.scene, model.system
-    found = [
-        (name, name) for name in ("air", "ground", "limiter") if getattr(scene, name) is not None
-    ]
+    found = [(name, name) for name in (*SECTIONS, "limiter") if getattr(scene, name) is not None]
     found += [("winch", "winches")] if scene.winches else []
     found += [("rope.made_of.EI", "bending stiffness")] if system.flags[BENDING] else []
     found += [("rope.force", "constant forces")] if model.state.forces.applied.any() else []

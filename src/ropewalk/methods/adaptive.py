@@ -125,8 +125,8 @@ def begin_walk(state, scratch, t):
 @part
 def open_step(system, state, t, solver):
     """Let go of anchors and take up all rates after time `t` [s]; a jump is booked as work."""
-    unclamped = release_anchors(system, state, t, 0.0)
-    return take_up_rates(system, state, t, solver.point, solver.speed) > 0 or unclamped
+    anew = release_anchors(system, state, t, 0.0)
+    return take_up_rates(system, state, t, solver.point, solver.speed) > 0 or anew
 
 
 @kernel

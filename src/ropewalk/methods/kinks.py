@@ -17,7 +17,7 @@ from ropewalk.laws.clamps import spins_jump, turn_clamps
 from ropewalk.motions.table import HAND, TABLE, VELOCITY
 
 JUST_BELOW = 1.0 - 2.3e-16
-AT = 1e-9  # [1] a kink this near to an end of a step, over its length, is at that end ...
+AT = 1e-6  # [1] a kink this near to an end of a step, over its length, is at that end ...
 ROUNDING = 1e-15  # [1] ... or by this share of the time
 
 

@@ -111,9 +111,8 @@ def make_advance(step: Any, *, carries: bool = False, solves: bool = False) -> A
     def advance(system, state, scratch, extras, clock, frames, ledger, out, stop_at_break, tableau):
         """Advance `frames` frames; return the status and the number of good frames.
 
-        `clock` holds t0, dt, steps done, counted as they are, and steps per frame: t = t0 + step dt, never
-        a sum. Besides 1 where the first frame is begun already, and 1 where the last one is not ended.
-        With `extras` None winches and limiter are left out. `tableau`: the coefficients.
+        `clock` holds t0, dt, steps done and steps per frame: t = t0 + step dt, never a sum. Besides 1 where
+        the first frame is begun already, 1 where the last is not ended. `extras` None: no winch, no limiter.
         """
         dt, done, steps = clock[1], int(clock[2]), int(clock[3])
         point, speed, pull, sums = scratch.point, scratch.speed, scratch.pull, scratch.sums
@@ -129,11 +128,9 @@ def make_advance(step: Any, *, carries: bool = False, solves: bool = False) -> A
                 t, after = clock[0] + s * dt, clock[0] + (s + 1) * dt
                 begin = t
                 while begin < after:  # once, but for kinks
-                    little = near(begin, dt)
-                    if release_anchors(system, state, begin, little) and carries:
-                        begin_anew(system, state, begin, scratch)
+                    anew = release_anchors(system, state, begin, near(begin, dt))
                     h, end, to, jumps = next_piece(system, state, t, begin, after, dt, point, speed)
-                    if jumps > 0 and carries:
+                    if (anew or jumps > 0) and carries:
                         begin_anew(system, state, begin, scratch)
                     if solves:
                         status = step(system, state, scratch, begin, end, h, ledger, tableau)
@@ -146,6 +143,8 @@ def make_advance(step: Any, *, carries: bool = False, solves: bool = False) -> A
                         if carries:
                             renew(system, state, end, scratch, tableau)
                     begin = to
+                    if begin < after:  # the end of a pull, often its peak
+                        close_interval(system, state, pull, sums, t, begin)
                 if solves or extras is not None:
                     watch(system, state, pull, sums, after)
                 elif wanted(state):

@@ -201,21 +201,19 @@ def rounding(system, state, stage):
 
 
 @kernel
-def motion_rounding(v, known, mass, damping, c2):
+def motion_rounding(v, known, mass, free, damping, c2):
     """Return what rounding of the speeds leaves of inertia and vector friction that cancel [N].
 
     It is all that is left of a rope that coasts: the report's scale is then next to nothing.
     """
-    speed, heaviest, most = 0.0, 0.0, 0.0
+    left, rubs = 0.0, 0.0
     for k in range(3):
         vk, known_k = v[k], known[k]
         for i in range(mass.shape[0]):
-            speed = max(speed, abs(vk[i]), abs(known_k[i]))
-    for i in range(mass.shape[0]):
-        heaviest = max(heaviest, mass[i])
-    for j in range(damping.shape[0]):
-        most = max(most, damping[j])
-    return 16.0 * EPSILON * speed * (heaviest / c2 + most)
+            left = max(left, free[i] * mass[i] * max(abs(vk[i]), abs(known_k[i])))
+        for j in range(damping.shape[0]):
+            rubs = max(rubs, damping[j] * max(abs(vk[j]), abs(vk[j + 1])))
+    return 16.0 * EPSILON * (left / c2 + rubs)
 
 
 @kernel
@@ -355,7 +353,7 @@ def solve_stage(system, state, stage, c1, c2):
             break
         stuck = failed and not exact
         if stuck:
-            report[ROUNDING] += motion_rounding(v, known, mass, state.damping_vector, c2)
+            report[ROUNDING] += motion_rounding(v, known, mass, free, state.damping_vector, c2)
             if is_solved(report, LOOSE):
                 break
         leaps, leap = leaps + (1 if stuck else 0), stuck or (leap and wary > 1)

@@ -90,5 +90,5 @@ class Watch:
         stop, anchor = float(winches.stop[row]), winches.anchor[row]
         release = float(simulation.system.anchors.release[anchor])
         if state.held[anchor] == 0 and release < stop:
-            return RELEASED, release
+            return RELEASED, self._let_go(release)
         return (PLANNED, stop) if now >= stop else ("", now)
