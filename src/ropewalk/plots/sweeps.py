@@ -27,6 +27,8 @@ Floats = NDArray[np.float64]
 BAND = (0.05, 0.5, 0.95)
 _MOST_PANELS = 12
 _FEW = 5  # values, each with a tick of its own
+#: Room that a tick's text takes up, as shares of a map's sides: a letter and a gap across, a line down.
+_LETTER, _GAP, _LINE = 0.024, 0.03, 0.06
 _MOST_POINTS = 5000
 
 
@@ -209,9 +211,13 @@ def _map(data: xr.Dataset, name: str, parameters: list[str]) -> Figure:
         for labels, set_ticks in ((x_labels, axes.set_xticks), (y_labels, axes.set_yticks)):
             if labels:
                 set_ticks(range(len(labels)), labels)
-        for values_there, labels, axis in ((x, x_labels, axes.xaxis), (y, y_labels, axes.yaxis)):
+        sides = ((x, x_labels, axes.xaxis, edges[0]), (y, y_labels, axes.yaxis, edges[1]))
+        for values_there, labels, axis, ends in sides:
             if not labels and len(values_there) <= _FEW:  # at the cells, not somewhere in them
-                axis.set_ticks(values_there, [f"{value:.5g}" for value in values_there])
+                texts = [f"{value:.5g}" for value in values_there]
+                room = max(map(len, texts)) * _LETTER + _GAP if axis is axes.xaxis else _LINE
+                told = _apart(values_there, ends, axis.get_scale(), room)
+                axis.set_ticks(values_there, [t if i in told else "" for i, t in enumerate(texts)])
                 axis.set_ticks([], minor=True)
         if label:
             axes.set_title(label)
@@ -230,6 +236,20 @@ def _edges(centres: Floats, scale: str) -> Floats:
         middle = 0.5 * (at[1:] + at[:-1])
         edges = np.concatenate([[2 * at[0] - middle[0]], middle, [2 * at[-1] - middle[-1]]])
     return np.asarray(np.exp(edges) if scale == "log" else edges)
+
+
+def _apart(values: Floats, edges: Floats, scale: str, room: float) -> set[int]:
+    """Return which sorted values can be told beside an axis: both ends, and what stands clear of the rest.
+
+    A text takes up `room` as a share of the axis, which goes from the first edge to the last.
+    """
+    at, ends = (np.log(a) if scale == "log" else a for a in (values, edges))
+    places = (at - ends[0]) / (ends[-1] - ends[0])
+    told = {0, len(values) - 1}
+    for number, place in enumerate(places):
+        if all(abs(place - places[other]) >= room for other in told):
+            told.add(number)
+    return told
 
 
 def _panels(data: xr.Dataset, name: str, parameters: list[str]) -> Figure:

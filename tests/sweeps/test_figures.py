@@ -1,0 +1,215 @@
+"""What the figures of sweeps show: the numbers they are made of, where those belong, with their units."""
+
+from __future__ import annotations
+
+import itertools
+from typing import Any
+
+import numpy as np
+import pytest
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.collections import PathCollection, QuadMesh
+from matplotlib.figure import Figure
+
+import ropewalk as rw
+from ropewalk.plots.residuals import residuals
+from ropewalk.plots.sweeps import sweep
+from sweeps.scenes import DOWN, EA, swing
+
+Bounds = tuple[np.ndarray, np.ndarray, np.ndarray]
+
+
+def fake(sizes: dict[str, np.ndarray], values: np.ndarray, kept: dict[str, Any]) -> xr.Dataset:
+    """A sweep's dataset with values of one's own; `kept` gives name, dims and labels of what is kept."""
+    name, own = kept["name"], kept.get("own", {})
+    data = xr.Dataset(
+        {
+            name: ((*sizes, *own), values),
+            "status": (tuple(sizes), np.full([len(v) for v in sizes.values()], "finished")),
+        },
+        sizes | own,
+        {"design": "grid", "title": "made up"},
+    )
+    data[name].attrs |= {"units": "N", "long_name": "largest tension", "keep": "tension.max"}
+    for path, unit in (("EA", "N"), ("gravity_2", "m/s2"), ("length", "m")):
+        if path in sizes:
+            data[path].attrs |= {"path": f"x.{path}", "units": unit, "long_name": path}
+    return data
+
+
+def band_of(axes: Axes, number: int = 0) -> Bounds:
+    """Places, lower and upper edge of a filled band."""
+    corners = axes.collections[number].get_paths()[0].vertices
+    x = np.unique(corners[:, 0])
+    low, high = (
+        np.array([end(corners[corners[:, 0] == at, 1]) for at in x]) for end in (np.min, np.max)
+    )
+    return x, low, high
+
+
+def scatter_of(axes: Axes) -> PathCollection:
+    """The points of a panel."""
+    (found,) = [c for c in axes.collections if isinstance(c, PathCollection)]
+    return found
+
+
+def cell_of(axes: Axes, x: float, y: float) -> float:
+    """The value of the cell of a heat map that holds a point."""
+    (mesh,) = [c for c in axes.collections if isinstance(c, QuadMesh)]
+    corners = np.asarray(mesh.get_coordinates())
+    (row,) = np.flatnonzero((corners[:-1, 0, 1] < y) & (y < corners[1:, 0, 1]))
+    (column,) = np.flatnonzero((corners[0, :-1, 0] < x) & (x < corners[0, 1:, 0]))
+    shape = corners.shape[0] - 1, corners.shape[1] - 1
+    return float(np.asarray(mesh.get_array()).reshape(shape)[row, column])
+
+
+def labels_of(figure: Figure) -> set[str]:
+    """All labels of axes, colour bars as well."""
+    return {text for axes in figure.axes for text in (axes.get_xlabel(), axes.get_ylabel()) if text}
+
+
+def test_a_line_goes_through_what_was_kept() -> None:
+    """A real sweep, so that names, units and words are those that users see."""
+    data = rw.sweep(
+        swing(0.02), {EA: [3e3, 1e3]}, keep="tension.max", what="rest", on="here", progress=False
+    )
+    figure = sweep(data)
+    (line,) = figure.axes[0].get_lines()
+    np.testing.assert_array_equal(line.get_xdata(), [1e3, 3e3])
+    np.testing.assert_array_equal(line.get_ydata(), data.tension_max.sel(EA=[1e3, 3e3]))
+    assert figure.axes[0].get_xlabel() == "Axial stiffness (rope.made_of.EA) [N]"
+    assert figure.axes[0].get_ylabel() == "largest tension [N]"
+
+
+def test_every_cell_of_a_map_has_the_value_of_its_place() -> None:
+    ea, down = np.array([2e3, 1e3, 4e3]), np.array([-9.81, -3.0])
+    data = fake({"EA": ea, "gravity_2": down}, ea[:, None] - 7.0 * down, {"name": "tension_max"})
+    figure = sweep(data)
+    for x in ea:
+        for y in down:
+            assert cell_of(figure.axes[0], x, y) == x - 7.0 * y
+    assert labels_of(figure) == {"EA [N]", "gravity_2 [m/s2]", "largest tension [N]"}
+
+
+@pytest.mark.parametrize(
+    "ea", [[1e3, 2e3, 5e3, 1e4, 4e6], [1e3, 1.01e3, 1.02e3, 9e3, 9.01e3], [1.0, 2.0, 3.0]]
+)
+def test_ticks_of_a_map_do_not_overprint(ea: list[float]) -> None:
+    down = np.array([-9.81, -9.7, -3.0])
+    sizes = {"EA": np.array(ea), "gravity_2": down}
+    data = fake(sizes, np.ones((len(ea), 3)), {"name": "tension_max"})
+    figure = sweep(data)
+    figure.draw_without_rendering()
+    for axis in (figure.axes[0].xaxis, figure.axes[0].yaxis):
+        shown = [label for label in axis.get_ticklabels() if label.get_text()]
+        boxes = [label.get_window_extent() for label in shown]
+        assert len(boxes) >= 2
+        pairs = itertools.combinations(boxes, 2)
+        assert not any(one.overlaps(other) for one, other in pairs)
+    ticks = {t.get_text() for t in figure.axes[0].get_xticklabels() if t.get_text()}
+    assert {f"{ea[0]:.5g}", f"{ea[-1]:.5g}"} <= ticks  # the ends are told
+
+
+def test_panels_show_every_run_at_its_values() -> None:
+    dice = np.random.default_rng(1)
+    columns = {name: dice.uniform(1.0, 2.0, 20) for name in ("EA", "gravity_2", "length")}
+    y = 3.0 * columns["EA"] + columns["gravity_2"] + 0.1 * columns["length"]
+    data = xr.Dataset(
+        {"tension_max": ("run", y), "status": ("run", ["finished"] * 20)},
+        {name: ("run", values) for name, values in columns.items()},
+        {"design": "sobol", "title": "made up"},
+    )
+    data.tension_max.attrs |= {"units": "N", "long_name": "largest tension", "keep": "tension.max"}
+    for name, unit in (("EA", "N"), ("gravity_2", "m/s2"), ("length", "m")):
+        data[name].attrs |= {"path": f"x.{name}", "units": unit, "long_name": name}
+    figure = sweep(data)
+    for axes, name in zip(figure.axes, columns, strict=False):
+        points = scatter_of(axes)
+        np.testing.assert_array_equal(points.get_offsets(), np.column_stack([columns[name], y]))
+        by = "gravity_2" if name == "EA" else "EA"
+        np.testing.assert_array_equal(points.get_array(), columns[by])
+    assert {"EA [N]", "gravity_2 [m/s2]", "length [m]", "largest tension [N]"} == labels_of(figure)
+
+
+def test_a_band_in_time_holds_90_percent_of_the_runs() -> None:
+    time, ea = np.linspace(0.0, 1.0, 5), np.arange(1.0, 102.0)
+    values = ea[:, None] ** 2 * (1.0 + time)
+    kept = {"name": "tension_max_time", "own": {"time": time}}
+    figure = sweep(fake({"EA": ea}, values, kept))
+    low, middle, high = np.quantile(values, (0.05, 0.5, 0.95), axis=0)
+    for drawn, expected in zip(band_of(figure.axes[0]), (time, low, high), strict=True):
+        np.testing.assert_allclose(drawn, expected)
+    (line,) = figure.axes[0].get_lines()
+    np.testing.assert_allclose(line.get_ydata(), middle)
+    assert labels_of(figure) >= {"time [s]", "largest tension [kN]"}
+    tick = figure.axes[0].yaxis.get_major_formatter()
+    assert tick(5000.0, 0) == "5"  # the label's prefix is that of the ticks
+
+
+def test_points_of_a_fit_are_its_residuals() -> None:
+    forces = np.linspace(50.0, 500.0, 6)
+    elongation = forces * 2.0 / 2e3 + 1e-3 * np.array([1.0, -1.0, 2.0, 0.0, -2.0, 1.0])
+    fit = rw.calibrate(
+        swing(0.02),
+        [
+            rw.calibrate.pull_test(forces, elongation, error=1e-3),
+            rw.calibrate.droop([0.01, 0.02], 0.05),
+        ],
+        {EA: (5e2, 8e3)}, starts=2, profile=False,
+    )  # fmt: skip
+    figure = residuals(fit)
+    pairs = zip(figure.axes, fit.measurements, strict=True)
+    for axes, measured in pairs:
+        left = fit.residuals[measured.name]
+        assert np.ptp(left) > 0.0
+        (points,) = [line for line in axes.get_lines() if line.get_marker() == "o"]
+        np.testing.assert_array_equal(points.get_ydata(), left)
+        x = measured.at if measured.at is not None else np.arange(left.size)
+        np.testing.assert_array_equal(points.get_xdata(), x)
+        (band,) = axes.patches
+        assert band.get_y() == -measured.error
+        assert band.get_height() == pytest.approx(2.0 * measured.error)
+        assert axes.get_ylabel().startswith(f"{measured.name}: residual [")
+        assert axes.get_ylabel().endswith("m]")
+    assert figure.axes[0].get_xlabel() == "force [N]"
+
+
+@pytest.fixture(scope="module")
+def unknown() -> rw.Uncertainty:
+    """A short run with two values that are not known."""
+    spread = {EA: (1e3, 2e3), DOWN: (-12.0, -8.0)}
+    return rw.uncertain(swing(0.04), spread, samples=8, seed=3, on="here", progress=False)
+
+
+def test_the_band_of_what_is_not_known_is_that_of_its_quantiles(unknown: rw.Uncertainty) -> None:
+    figure = unknown.plot()
+    panels = [axes for axes in figure.axes if axes.get_xlabel() == "time [s]"]
+    names = ["tension_max_time", "sag_max_time", "reactions_max_time"]
+    assert len(panels) == len(names)
+    for axes, name in zip(panels, names, strict=True):
+        quantiles = unknown.bands[name].transpose("quantile", "time", ...).values
+        low, middle, high = quantiles.reshape(3, -1)  # one rope, one anchor
+        x, *edges = band_of(axes)
+        np.testing.assert_array_equal(x, unknown.bands.time)
+        np.testing.assert_allclose(edges, [low, high])
+        assert np.ptp(edges, axis=0).max() > 0.0
+        np.testing.assert_allclose(axes.get_lines()[0].get_ydata(), middle)
+    labels = [axes.get_ylabel().rpartition(" ")[0] for axes in panels]
+    assert labels == ["largest tension", "sag", "anchor forces"]
+    for axes, unit in zip(panels, ("N]", "m]", "N]"), strict=True):
+        assert axes.get_ylabel().endswith(unit)
+
+
+def test_bars_of_sobol_indices_have_their_lengths(unknown: rw.Uncertainty) -> None:
+    pytest.importorskip("SALib")
+    assert unknown.sobol is not None
+    figure = unknown.plot()
+    (axes,) = [a for a in figure.axes if a.get_xlabel() == "Sobol index of tension_max [1]"]
+    made = unknown.sobol.tension_max
+    for bars, order in zip(axes.containers[::2], ("total", "first"), strict=True):
+        expected = made.sel(order=order).values
+        np.testing.assert_allclose([bar.get_width() for bar in bars], expected)
+        assert bars.get_label() == order
+    names = [label.get_text() for label in axes.get_yticklabels()]
+    assert names == made.parameter.values.tolist()
