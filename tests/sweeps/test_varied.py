@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import warnings
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -12,6 +13,7 @@ import scipy.stats
 import xarray as xr
 
 import ropewalk as rw
+from ropewalk.record.errors import InputError, RunError
 from ropewalk.scene import apply_overrides
 from sweeps.scenes import EA, alone, rigid, same, swing
 
@@ -172,3 +174,79 @@ def test_arrays_and_distributions_of_all_kinds() -> None:
     for given in (scipy.stats.norm([1e3, 2e3], 1.0), scipy.stats.norm(1e3, -1.0)):
         with pytest.raises(rw.SceneError, match="is no distribution of one number"):
             rw.sweep(swing(0.02), {EA: given}, **drawn)
+
+
+NAMED = {
+    "tension_max": "has the name of tension.max, which is kept",
+    "a/b": "is no name for a coordinate",
+    "../../esc": "is no name for a coordinate",
+    "zarr.json": "is an index or a coordinate, which is not varied",
+    "": "is no name for a coordinate",
+    "rope.length": "is an index or a coordinate, which is not varied",
+}
+
+
+@pytest.mark.parametrize("name", NAMED)
+@pytest.mark.parametrize("stored", [True, False])
+def test_a_name_that_an_index_cannot_have_is_refused(
+    tmp_path: Path, name: str, stored: bool
+) -> None:
+    """It took the place of the results, or was a file somewhere, or looked as if it were varied."""
+    store = tmp_path / "in" / "s" if stored else None
+    index = pd.Index([1.5, 2.5], name=name)
+    frame = pd.DataFrame({EA: [1000.0, 2000.0]}, index=index)
+    table = xr.Dataset({EA: ("run", [1000.0, 2000.0])}, {name: ("run", [1.5, 2.5])})
+    for given in (frame, table):
+        with pytest.raises(rw.SceneError, match=NAMED[name]):
+            rw.sweep(swing(), given, keep="tension.max", store=store, on="here")
+    assert not any(path.is_file() for path in tmp_path.rglob("*"))
+
+
+def test_a_parameter_is_not_named_like_what_is_kept() -> None:
+    """Two things had one name, and the results were lost."""
+    ring = ["run.start=at-rest", "run.ring={mode = 1, speed = 0.2}"]
+    ringing = apply_overrides(swing(), ring)
+    ds = rw.sweep(ringing, {"run.ring.speed": [0.1, 0.2]}, keep=["speed"], on="here")
+    assert list(ds.ring_speed.values) == [0.1, 0.2]
+    assert "speed" in ds.data_vars
+
+
+def test_a_column_with_a_path_beside_the_answer_of_a_sweep_is_varied() -> None:
+    """It was dropped, as the others say their path in an attribute."""
+    first = rw.sweep(swing(), {EA: (1e3, 2e3)}, samples=2, seed=1, keep="tension.max", on="here")
+    more = first.assign({"rope.length": ("run", [1.9, 2.0])})
+    ds = rw.sweep(swing(), more, keep="tension.max", on="here")
+    assert list(ds.length.values) == [1.9, 2.0]
+    own = alone(swing(), **{EA: float(first.EA[0]), "rope.length": 1.9})
+    assert ds.tension_max.values[0] == own.table["largest tension [N]"]
+    assert ds.tension_max.values[0] != pytest.approx(first.tension_max.values[0], rel=1e-3)
+
+
+def test_dates_are_kept_as_they_are_written() -> None:
+    days = np.array(["2026-11-22", "2026-11-23"], "datetime64[ns]")
+    table = xr.Dataset({EA: ("run", [1e3, 2e3])}, {"day": ("run", days)})
+    ds = rw.sweep(swing(), table, keep="tension.max", on="here")
+    assert [text[:10] for text in ds.day.values] == ["2026-11-22", "2026-11-23"]
+
+
+@pytest.mark.parametrize(
+    ("options", "text"),
+    [
+        ({"keep": 3}, "must be a text"),
+        ({"batch": "2"}, "must be a whole number of runs"),
+        ({"batch": 1.5}, "must be a whole number of runs"),
+        ({"workers": 1.5}, "must be a whole number of processes"),
+        ({"on": 3.5}, "must be a Dask client"),
+        ({"on": "tcp://127.0.0.1:9"}, "no Dask scheduler answers there"),
+    ],
+)
+def test_options_that_cannot_be_are_told_before_a_folder_is_made(
+    tmp_path: Path, options: dict[str, Any], text: str
+) -> None:
+    store = tmp_path / "s"
+    asked = {"keep": "tension.max", "on": "here"} | options
+    with pytest.raises((InputError, RunError, rw.SceneError), match=text):
+        rw.sweep(swing(), {EA: [1e3, 2e3]}, store=store, **asked)
+    assert not store.exists()
+    right = asked | {"keep": "tension.max", "on": "here", "batch": None, "workers": None}
+    rw.sweep(swing(), {EA: [1e3, 2e3]}, store=store, **right)

@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 
 from ropewalk.scene import SceneError
 from ropewalk.scene.errors import NO_VALUE, Fault
-from ropewalk.sweeps.parameters import FLOAT, INT, Label, Parameter
+from ropewalk.sweeps.labels import Label
+from ropewalk.sweeps.parameters import FLOAT, INT, Parameter
 from ropewalk.words.nearest import nearest
 
 DESIGNS = ("sobol", "lhs", "halton", "random")

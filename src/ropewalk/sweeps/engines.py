@@ -69,6 +69,18 @@ def make_here(sink: Sink, numbers: Iterator[int], told: Told) -> None:
         told(number, batch.broken)
 
 
+def check_answers(on: Any) -> None:
+    """See that a client is one, and that a scheduler answers at an address. Raises InputError, RunError."""
+    from distributed import Client
+
+    if isinstance(on, str) and on != "local":
+        with client_of(on, None, lambda _: None):
+            return
+    if not isinstance(on, Client) and on != "local":
+        rule = 'must be a Dask client, the address of a scheduler, "local" or "here"'
+        raise InputError("on", on, rule)
+
+
 @contextmanager
 def client_of(on: Any, workers: int | None, say: Callable[[str], None]) -> Iterator[Any]:
     """Give a Dask client: the one given, one of an address, or one of a cluster of this machine.

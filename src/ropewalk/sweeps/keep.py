@@ -10,7 +10,7 @@ Where runs keep what every step reached, `max` and `min` are of all steps, not o
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -267,6 +267,9 @@ def make_keep(keep: Sequence[str] | str | None, anchored: bool) -> tuple[Kept, .
         keep = [text for text in DEFAULT if anchored or not text.startswith("reactions")]
     if isinstance(keep, str):
         keep = [keep]
+    if not isinstance(keep, Iterable) or isinstance(keep, Mapping):
+        rule = 'must be a text such as "tension.max", or a list of them'
+        raise SceneError([Fault("keep", keep, rule)])
     made, faults = [], []
     for text in keep:
         try:

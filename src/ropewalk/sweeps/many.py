@@ -12,22 +12,30 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ropewalk.api import SceneLike, as_scene
-from ropewalk.record.errors import InputError, RunError
+from ropewalk.record.errors import RunError
 from ropewalk.record.facts import provenance
 from ropewalk.record.files import writing
-from ropewalk.record.lock import is_locked, locked
+from ropewalk.record.lock import locked
 from ropewalk.scene import Scene
 from ropewalk.sweeps import answer, engines
 from ropewalk.sweeps.bar import RunsBar
-from ropewalk.sweeps.batch import REST, RUN, Batch, Recipe, make_recipe
+from ropewalk.sweeps.batch import RUN, Batch, Recipe, make_recipe
 from ropewalk.sweeps.designs import Design, make_design
 from ropewalk.sweeps.identity import sweep_hash
 from ropewalk.sweeps.keep import Kept, make_keep
+from ropewalk.sweeps.labels import make_labels
 from ropewalk.sweeps.memory import SweepMemory
-from ropewalk.sweeps.parameters import gives_runs, make_labels, make_parameters
+from ropewalk.sweeps.parameters import gives_runs, make_parameters
 from ropewalk.sweeps.plan import SweepPlan, rows_of
+from ropewalk.sweeps.refusals import (
+    check_free,
+    check_on,
+    check_options,
+    refuse_one_name_twice,
+    refuse_too_much,
+)
 from ropewalk.sweeps.repair import mend
-from ropewalk.sweeps.store import COPIES, DATA, PARTIAL, SCENE, SweepFolder, is_sweep
+from ropewalk.sweeps.store import SweepFolder, is_sweep
 from ropewalk.sweeps.trial import Trial, try_out
 from ropewalk.sweeps.worker import batcher_of, count_broken, job_of
 
@@ -35,7 +43,6 @@ if TYPE_CHECKING:
     import xarray as xr
 
 #: A sweep that keeps more than this needs a folder [bytes].
-MOST_IN_MEMORY = 1_000_000_000
 #: Work of one batch [s]: long beside what handing it out costs, short beside the sweep.
 BATCH_SECONDS = 1.0
 _MOST_BATCH_BYTES = 64_000_000
@@ -127,11 +134,12 @@ def make_runs(
     progress: Progress | bool = True,
 ) -> xr.Dataset:
     """Make the runs of a design; all else as of `sweep`."""
-    _check_options(what, batch, workers)
+    check_options(what, batch, workers)
+    check_on(on)
     folder = Path(store) if store is not None else None
     kept = make_keep(keep, bool(scene.anchors))
     if folder is not None:
-        _check_free(folder, overwrite)
+        check_free(folder, overwrite)
     asked = (what, batch, overwrite)
     return _made(scene, design, kept, asked, folder, (on, workers, progress))
 
@@ -147,7 +155,8 @@ def _made(
     """Try out a sweep's corners, make it, and return its answer."""
     what, batch, overwrite = asked
     trial = try_out(scene, design.parameters, kept, what, design)
-    _refuse_too_much(trial, design, folder)
+    refuse_one_name_twice(trial, design)
+    refuse_too_much(trial, design, folder)
     recipe = make_recipe(scene, design.parameters, trial.variables, what)
     first = _first_runs(recipe, design, batch)
     plan = _plan(scene, design, trial, recipe, first, batch)
@@ -157,16 +166,6 @@ def _made(
         _make(memory, begun, *how)
         return answer.in_memory(memory)
     return _stored((folder, overwrite), plan, scene, design, begun, how)
-
-
-def _check_options(what: str, batch: int | None, workers: int | None) -> None:
-    """Refuse what no sweep can be. Raises InputError."""
-    if what not in (RUN, REST):
-        raise InputError("what", what, 'must be "run" or "rest"')
-    if batch is not None and batch < 1:
-        raise InputError("batch", batch, "must be a whole number of runs from 1 on")
-    if workers is not None and workers < 1:
-        raise InputError("workers", workers, "must be a whole number of processes from 1 on")
 
 
 def _stored(
@@ -225,36 +224,6 @@ def resume_sweep(
             broken = sum(count_broken(status) for status, _ in found.statuses(done))
             _make(found, _Begun(None, set(done), broken), on, workers, progress)
     return answer.stored(found)
-
-
-def _refuse_too_much(trial: Trial, design: Design, folder: Path | None) -> None:
-    """Refuse a sweep that would fill the memory. Raises InputError."""
-    size = 8 * (1 + len(design.parameters) + sum(v.numbers for v in trial.variables))
-    if folder is None and size * design.runs > MOST_IN_MEMORY:
-        rule = (
-            f"{design.runs} runs keep {size * design.runs / 1e9:.3g} GB, more than 1 GB: "
-            "give a folder (store=...), or keep less"
-        )
-        raise InputError("store", None, rule)
-
-
-def _check_free(folder: Path, overwrite: bool) -> None:
-    """Refuse a folder that a sweep must not be written to. Raises RunError."""
-    if not folder.exists() or (folder.is_dir() and not any(folder.iterdir())):
-        return
-    if not folder.is_dir():
-        raise RunError(folder, "is a file, not a folder")
-    if is_locked(folder):
-        raise RunError(folder, "is being written by another process")
-    if not is_sweep(folder):
-        if {path.name for path in folder.iterdir()} <= {".lock", PARTIAL, DATA, COPIES, SCENE}:
-            return  # of a sweep that never began
-        raise RunError(folder, "holds something else than a sweep; take another folder")
-    if not overwrite:
-        rule = (
-            "holds a sweep already: resume it, take another folder, or overwrite (overwrite=True)"
-        )
-        raise RunError(folder, rule)
 
 
 # -- the first runs ------------------------------------------------------------------------
@@ -383,9 +352,6 @@ def _runs_here(on: Any, work: float) -> bool:
         return True
     if engines.has_dask():
         return on is None and work < engines.WORTH_A_CLUSTER
-    if on is not None:
-        rule = "needs Dask, which is not installed: pip install 'ropewalk[sweep]'"
-        raise InputError("on", str(on), rule)
     if work > engines.WORTH_A_CLUSTER and not _told_of_extra:
         _told_of_extra = True
         warnings.warn(

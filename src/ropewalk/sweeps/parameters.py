@@ -11,16 +11,21 @@ from typing import Any
 
 import numpy as np
 
+from ropewalk.record.quantities import BY_NAME
 from ropewalk.scene import Scene, SceneError
 from ropewalk.scene.errors import NO_VALUE, Fault
 from ropewalk.scene.overrides import Places, as_value
+from ropewalk.sweeps.keep import DERIVED
 
+_PATH = re.compile(r"\w+(\[\w+\])?(\.\w+(\[\w+\])?)+|\w+\[\w+\]")
 FLOAT, INT, TEXT = "float", "int", "text"
 #: Names of a sweep's own variables and of dimensions, which no parameter may take.
 RESERVED = {
     *("run", "status", "reason", "broke_at", "done", "time", "node", "segment", "axis", "anchor"),
     *("form", "law", "cause", "rope", "parameter", "quantile"),
     *("method", "tolerance", "drop"),  # words of xarray's `sel`
+    *BY_NAME,  # what can be kept has these names
+    *DERIVED,
 }
 
 
@@ -79,20 +84,6 @@ class _Inverse:
         return self.distribution.icdf(share)
 
 
-@dataclass(frozen=True)
-class Label:
-    """What a table of runs says of each besides its values: an index, a name; kept as a coordinate."""
-
-    name: str
-    values: tuple[Any, ...]
-    kind: str
-    attributes: Mapping[str, str]
-
-    def described(self) -> dict[str, Any]:
-        """All of it but the values, as plain data."""
-        return {"name": self.name, "kind": self.kind, "attributes": dict(self.attributes)}
-
-
 def make_parameters(scene: Scene, vary: Any) -> tuple[Parameter, ...]:
     """Return the parameters that `vary` describes.
 
@@ -138,7 +129,7 @@ def _columns(vary: Any) -> dict[str, Any]:
     """Return what is given for each path."""
     vary = as_table(vary)
     if hasattr(vary, "data_vars"):  # an xarray Dataset, perhaps the coordinates of another sweep
-        used = _used(vary)
+        used = used_columns(vary)
         _refuse_a_grid(used)
         return {str(v.attrs.get("path", k)): np.atleast_1d(v.values) for k, v in used.items()}
     if hasattr(vary, "columns") and hasattr(vary, "iloc"):  # a pandas DataFrame
@@ -160,61 +151,20 @@ def as_table(vary: Any) -> Any:
     return vary.rename(name).to_dataset()
 
 
-def _used(vary: Any) -> dict[Any, Any]:
-    """Return the columns of a Dataset that are parameters: those with a path, or else all variables."""
+def used_columns(vary: Any) -> dict[Any, Any]:
+    """Return the columns of a Dataset that are parameters: those with a path or named by one, or else all."""
     columns = {name: vary[name] for name in (*vary.data_vars, *vary.coords)}
-    with_path = {k: v for k, v in columns.items() if "path" in v.attrs}
+    with_path = {
+        k: v
+        for k, v in columns.items()
+        if "path" in v.attrs or (k in vary.data_vars and is_path_like(k))
+    }
     return with_path or {str(name): vary[name] for name in vary.data_vars}
 
 
-def make_labels(vary: Any, parameters: Sequence[Parameter]) -> tuple[Label, ...]:
-    """Return what a table says of its runs besides their values.
-
-    Of a DataFrame its index, if it is more than a count; of a Dataset the other coordinates along the runs.
-    Raises SceneError for a name that the answer needs for something else.
-    """
-    vary, found = as_table(vary), {}
-    taken = {parameter.name for parameter in parameters}
-    if hasattr(vary, "data_vars"):
-        used = _used(vary)
-        dims = {dim for column in used.values() for dim in column.dims}
-        for key, column in vary.coords.items():
-            along = key not in used and (set(column.dims) == dims or column.ndim == 0)
-            whole = column.dtype.kind != "O" or not isinstance(np.ravel(column.values)[0], tuple)
-            if along and whole and not _is_a_count(column.values):
-                values = np.broadcast_to(column.values, [len(parameters[0].values or ())])
-                about = {k: str(v) for k, v in column.attrs.items() if isinstance(v, str)}
-                found[str(key)] = values, about
-    elif hasattr(vary, "iloc"):
-        for level in range(vary.index.nlevels):
-            values = vary.index.get_level_values(level)
-            name = values.name if values.name is not None else "index"
-            if vary.index.nlevels > 1 or not _is_a_count(np.asarray(values)):
-                found[str(name)] = np.asarray(values), {"long_name": "index of the table of runs"}
-    made = []
-    for name, (values, about) in found.items():
-        name = f"given_{name}" if name in RESERVED else name
-        if name in taken:
-            raise SceneError(
-                [Fault("vary", name, "names an index and a parameter; rename the index")]
-            )
-        taken.add(name)
-        made.append(_label(name, values.tolist(), about))
-    return tuple(made)
-
-
-def _is_a_count(values: Any) -> bool:
-    """Tell whether values only count the runs: 0, 1, 2, ..."""
-    found = np.asarray(values)
-    return found.dtype.kind in "iu" and np.array_equal(found, np.arange(found.size))
-
-
-def _label(name: str, values: list[Any], about: Mapping[str, str]) -> Label:
-    if all(isinstance(v, int) and not isinstance(v, bool) for v in values):
-        return Label(name, tuple(values), INT, about)
-    if all(isinstance(v, (int, float)) and not isinstance(v, bool) for v in values):
-        return Label(name, tuple(map(float, values)), FLOAT, about)
-    return Label(name, tuple(map(str, values)), TEXT, about)
+def is_path_like(name: Any) -> bool:
+    """Tell whether a name can only be meant as a path of the scene: of several steps."""
+    return _PATH.fullmatch(str(name)) is not None
 
 
 def _refuse_a_grid(used: Mapping[Any, Any]) -> None:
