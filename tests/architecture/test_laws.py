@@ -6,6 +6,8 @@ import ast
 import re
 
 from architecture.sources import PACKAGE, SOURCES, name_of
+from ropewalk.laws.registry import NODE_LAWS
+from ropewalk.scene import Scene
 
 ENGINE = {"core", "laws", "methods", "motions", "build", "statics", "vibration"}
 OWN = {f"laws/{name}.py" for name in ("air", "air_drag", "air_tangent", "ground", "registry")}
@@ -64,3 +66,18 @@ def test_the_words_are_found() -> None:
         assert words(text), text
     for text in ("'''On the ground.'''", "pair = 1", "background = fair"):
         assert not words(text), text
+
+
+def test_every_law_is_made_from_a_section_of_the_scene() -> None:
+    """A name that the scene does not know would never act, and nothing would say so."""
+    assert {law.section for law in NODE_LAWS} <= set(Scene.model_fields)
+    assert len({law.name for law in NODE_LAWS}) == len(NODE_LAWS)
+
+
+def test_pieces_that_need_each_other_come_together() -> None:
+    pairs = [("is_diagonal", "add_diagonal"), ("mark", "marked_force")]
+    for law in NODE_LAWS:
+        for one, other in pairs:
+            assert (getattr(law, one) is None) == (getattr(law, other) is None), (law.name, one)
+        if law.at_rest is not None and law.bears is None:
+            assert "BEARS" not in law.at_rest.__code__.co_names, law.name

@@ -14,6 +14,7 @@ from ropewalk.build import Plan, build
 from ropewalk.core.arrays import Floats
 from ropewalk.core.peaks import Peaks
 from ropewalk.core.status import OK
+from ropewalk.laws.registry import NODE_LAWS
 from ropewalk.live import edits
 from ropewalk.live.carry import carry_over
 from ropewalk.live.edits import Edit
@@ -24,7 +25,7 @@ from ropewalk.methods.recording import CONSERVATIVE, bends, work_names
 from ropewalk.scene import Scene
 from ropewalk.simulation import Simulation, Snapshot
 
-LOSSES = ("friction", "air", "ground")
+LOSSES = ("friction", *(law.name for law in NODE_LAWS))
 # What may be changed while a winch works: it changes tables that all else is made of.
 WINCH_SAFE = {"World", "Air", "Ground", "Method"}
 # What would break the lengths of rigid links, or what they do not have.
