@@ -7,6 +7,8 @@ from types import SimpleNamespace
 
 import pytest
 
+from sweeps.scenes import make, store_bytes
+
 
 @pytest.fixture(scope="module", autouse=True)
 def one_id() -> Iterator[None]:
@@ -15,3 +17,11 @@ def one_id() -> Iterator[None]:
         made = SimpleNamespace(uuid4=lambda: SimpleNamespace(hex="0" * 32))
         patch.setattr("ropewalk.sweeps.plan.uuid", made)
         yield
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory: pytest.TempPathFactory) -> dict[str, bytes]:
+    """The store of a sweep that nothing stopped."""
+    folder = tmp_path_factory.mktemp("whole") / "s"
+    make(folder)
+    return store_bytes(folder)

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pandas as pd
 
 import ropewalk as rw
 from ropewalk.scene import apply_overrides
@@ -37,6 +38,11 @@ EA = "rope.made_of.EA"
 DOWN = "gravity[2]"
 #: With the step of the scene the last one is unstable.
 STIFF = [1000.0, 2000.0, 4.0e6]
+#: A sweep of given runs, the last of which breaks.
+RUNS = 24
+TABLE = pd.DataFrame(
+    {EA: [2000.0] * (RUNS - 1) + [4.0e6], "rope.length": np.linspace(1.9, 2.1, RUNS)}
+)
 
 
 def swing(duration: float = 0.1) -> rw.Scene:
@@ -68,3 +74,18 @@ def rigid() -> rw.Scene:
     """A hanging rope of rigid links, which a span longer than it refuses."""
     more = ["rope.made_of.EA=inf", "run.method=bdf2", "run.duration=0.02"]
     return apply_overrides(rw.preset("hanging-rope"), more)
+
+
+def make(folder: Path, **options: Any) -> None:
+    """Begin the sweep, or go on with it."""
+    if (folder / "sweep.json").exists():
+        rw.sweep.resume(folder, **({"on": "here"} | options))
+        return
+    rw.sweep(swing(0.04), TABLE, store=folder, batch=2, **({"on": "here"} | options))
+
+
+def flip(path: Path) -> None:
+    """Change one bit in the middle of a file."""
+    data = bytearray(path.read_bytes())
+    data[len(data) // 2] ^= 1
+    path.write_bytes(data)

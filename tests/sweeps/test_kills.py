@@ -14,7 +14,6 @@ from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
-import pandas as pd
 import pytest
 
 import ropewalk as rw
@@ -22,30 +21,8 @@ from deaths import Disk, Killed
 from ropewalk.record.errors import RunError
 from ropewalk.sweeps import identity, many
 from ropewalk.sweeps.batch import Batcher
-from ropewalk.sweeps.repair import faults
 from ropewalk.sweeps.store import SweepFolder
-from sweeps.scenes import EA, alone, store_bytes, swing
-
-RUNS = 24
-TABLE = pd.DataFrame(
-    {EA: [2000.0] * (RUNS - 1) + [4.0e6], "rope.length": np.linspace(1.9, 2.1, RUNS)}
-)
-
-
-def make(folder: Path, **options: Any) -> None:
-    """Begin the sweep, or go on with it."""
-    if (folder / "sweep.json").exists():
-        rw.sweep.resume(folder, **({"on": "here"} | options))
-        return
-    rw.sweep(swing(0.04), TABLE, store=folder, batch=2, **({"on": "here"} | options))
-
-
-@pytest.fixture(scope="module")
-def whole(tmp_path_factory: pytest.TempPathFactory) -> dict[str, bytes]:
-    """The store of a sweep that nothing stopped."""
-    folder = tmp_path_factory.mktemp("whole") / "s"
-    make(folder)
-    return store_bytes(folder)
+from sweeps.scenes import EA, RUNS, TABLE, alone, make, store_bytes, swing
 
 
 def check(folder: Path, whole: dict[str, bytes], opened: bool = True) -> int:
@@ -121,76 +98,6 @@ def test_ctrl_c(tmp_path: Path, whole: dict[str, bytes]) -> None:
     assert check(folder, whole) >= 5
     make(folder)
     assert store_bytes(folder) == whole
-
-
-def flip(path: Path) -> None:
-    """Change one bit in the middle of a file."""
-    data = bytearray(path.read_bytes())
-    data[len(data) // 2] ^= 1
-    path.write_bytes(data)
-
-
-def test_a_damaged_batch_is_seen_and_made_again(tmp_path: Path, whole: dict[str, bytes]) -> None:
-    folder = tmp_path / "s"
-    make(folder)
-    flip(folder / "data.zarr" / "tension_max" / "c.3")
-    (folder / "data.zarr" / "status" / "c.5").unlink()
-    (folder / "data.zarr" / "reason" / "c.11").unlink()  # one of its runs broke
-    assert SweepFolder.open(folder).standing()[1] == [3, 5, 11]
-    assert rw.sweep.open(folder).status.values[9:13].tolist() == ["finished", "", "", "finished"]
-    assert rw.sweep.open(folder).status.values[-3:].tolist() == ["finished", "", ""]
-    with pytest.raises(
-        RunError, match=r"tension_max/c\.3: is damaged \(runs 6 to 7\).*makes these"
-    ):
-        rw.sweep.open(folder).tension_max.load()
-    told = "\n".join(faults(SweepFolder.open(folder)))
-    for file, runs in (("tension_max/c.3", "6 to 7"), ("status/c.5", "10 to 11")):
-        assert f"{file}: is damaged (runs {runs})" in told
-    with pytest.warns(
-        UserWarning, match="3 stored batches are damaged and are made again: 3, 5, 11"
-    ):
-        make(folder)
-    assert store_bytes(folder) == whole
-    assert faults(SweepFolder.open(folder)) == []
-
-
-@pytest.mark.parametrize("name", ["length/c.0", "run/c.0", "anchor/c.0", "EA/zarr.json"])
-def test_values_and_labels_are_checked_and_mended(
-    tmp_path: Path, whole: dict[str, bytes], name: str
-) -> None:
-    """Of a finished sweep, and of one that has still runs to make from these values."""
-    folder = tmp_path / "s"
-    make(folder)
-    for marks in ([], [4, 7]):
-        SweepFolder.open(folder).unmark(marks)
-        path = folder / "data.zarr" / name
-        flip(path)
-        (told,) = faults(SweepFolder.open(folder))
-        assert told.startswith(f"{path}: is damaged")
-        if name == "length/c.0":
-            with pytest.raises(RunError, match=r"length/c\.0: is damaged \(runs 0 to 23\)"):
-                rw.sweep.open(folder).length.load()
-            with pytest.raises(RunError, match=r"length/c\.0: is damaged \(runs 0 to 23\)"):
-                rw.sweep.replay(folder, 3)
-        with pytest.warns(UserWarning, match=f"put right: data.zarr/{name}"):
-            make(folder)
-        assert store_bytes(folder) == whole
-
-
-def test_values_that_are_lost_are_told(tmp_path: Path, whole: dict[str, bytes]) -> None:
-    folder = tmp_path / "s"
-    make(folder)
-    copy = folder / "values" / "length.c.0"
-    flip(copy)
-    assert faults(SweepFolder.open(folder))[0].startswith(f"{copy}: a copy of values is damaged")
-    with pytest.warns(UserWarning, match=r"put right: values/length\.c\.0"):
-        make(folder)
-    flip(copy)
-    flip(folder / "data.zarr" / "length" / "c.0")
-    with pytest.raises(
-        RunError, match=r"what was asked of runs 0 to 23 is lost; make the sweep anew"
-    ):
-        make(folder)
 
 
 def test_two_cannot_write_one_sweep(tmp_path: Path) -> None:
@@ -329,8 +236,7 @@ CLIENT = """
 import sys
 import ropewalk as rw
 from distributed import LocalCluster
-from sweeps.test_kills import TABLE, RUNS
-from sweeps.scenes import swing
+from sweeps.scenes import TABLE, swing
 from ropewalk.sweeps import plan
 from types import SimpleNamespace
 

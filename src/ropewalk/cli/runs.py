@@ -24,7 +24,7 @@ def open_run(folder: Path) -> Result:
 
 def is_sweep(folder: Path) -> bool:
     """Tell whether a folder holds a sweep rather than a run."""
-    return (folder / "sweep.json").is_file()
+    return any((folder / name).is_file() for name in ("sweep.json", "values/sweep.json"))
 
 
 def parse_node(text: str, result: Result) -> tuple[str, int]:

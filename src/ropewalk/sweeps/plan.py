@@ -13,9 +13,10 @@ import numpy as np
 from ropewalk.sweeps.batch import Recipe
 from ropewalk.sweeps.keep import Kept, parse
 
-FORMAT = 2
-#: Formats that can be read: 1 had chunks of values as small as a batch, and no copies of them.
-READS = (1, FORMAT)
+FORMAT = 3
+#: Formats that can be read: 1 had chunks of values as small as a batch, and no copies of them; 2 had no
+#: checksum and no copy of what was asked, and marks that plain xarray took for data.
+READS = (1, 2, FORMAT)
 _PIECE = 65536  # runs whose values lie in one chunk, about
 
 

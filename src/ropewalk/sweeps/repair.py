@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from pathlib import Path
 
 from ropewalk.record.errors import RunError
 from ropewalk.record.files import writing
 from ropewalk.record.zarr_format import opened
-from ropewalk.sweeps.store import COPIES, DATA, SweepFolder, runs_in_words
+from ropewalk.sweeps import facts
+from ropewalk.sweeps.store import COPIES, DATA, SCENE, SweepFolder, runs_in_words
 
 
 def _fault(path: Path) -> str:
@@ -25,9 +27,7 @@ def _fault(path: Path) -> str:
 
 def faults(sweep: SweepFolder) -> list[str]:
     """Return a sentence for every file of a sweep that is damaged, each with its path and runs."""
-    found = [
-        f"{path}: {sweep.damage(path, 'it is not as it was written')}" for path in _changed(sweep)
-    ]
+    found = [f"{path}: {sweep.damage(path, why)}" for path, why, _ in _changed(sweep)]
     for _, path, copy in sweep.value_files():
         if why := _fault(path):
             found.append(f"{path}: {sweep.damage(path, why)}")
@@ -54,19 +54,21 @@ def _of_batch(sweep: SweepFolder, number: int) -> list[str]:
     return [f"{sweep.folder}: batch {number} ({runs}) is damaged: {what}; {remedy}"]
 
 
-def _changed(sweep: SweepFolder) -> list[Path]:
-    """Return the files that the plan decides and that are not as it says."""
-    found: list[Path] = []
+def _changed(sweep: SweepFolder) -> list[tuple[Path, str, bytes]]:
+    """Return files of the plan that are not as it says, what is wrong, and what they should be."""
+    found: list[tuple[Path, str, bytes]] = []
     if sweep.plan.format == 1:  # other words stood there
         return found
-    for name, data in sweep.known_files():
-        path = sweep.folder / DATA / name
-        try:
+    known = [(sweep.folder / DATA / name, data) for name, data in sweep.known_files()]
+    known.append((sweep.folder / SCENE, sweep.plan.recipe.scene.encode()))
+    for path, data in known:
+        with suppress(OSError):
             if path.read_bytes() == data:
                 continue
-        except OSError:
-            pass
-        found.append(path)
+        found.append((path, "it is not as it was written", data))
+    if sweep.plan.format > 2:
+        wrong = ((path, facts.fault(path)) for path in sweep.facts_files())
+        found += [(path, why, sweep.facts()) for path, why in wrong if why]
     return found
 
 
@@ -78,13 +80,12 @@ def mend(sweep: SweepFolder) -> list[str]:
     """
     mended = []
     with writing(sweep.folder):
-        changed = set(_changed(sweep))
-        for name, data in sweep.known_files():
-            if sweep.folder / DATA / name in changed:
-                (sweep.folder / DATA / name).parent.mkdir(parents=True, exist_ok=True)
-                sweep.put(name, data)
-                mended.append(f"{DATA}/{name}")
         (sweep.folder / COPIES).mkdir(exist_ok=True)
+        for path, _, data in _changed(sweep):
+            path.parent.mkdir(parents=True, exist_ok=True)
+            name = path.relative_to(sweep.folder).as_posix()
+            sweep.put(f"../{name}", data)
+            mended.append(name)
         for name, path, copy in sweep.value_files():
             wrong, copy_wrong = _fault(path), _fault(copy)
             if wrong and copy_wrong:

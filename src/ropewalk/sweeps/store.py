@@ -2,7 +2,8 @@
 
 A batch's data are written first, each file whole or not at all, then its mark in `done`: a checksum over
 those files and the sweep's id. A mark that is there and right says that the batch is there, whole and right.
-The values of the runs are written before anything runs, and a copy of them, from which `resume` mends them.
+The values of the runs are written before anything runs, then what was asked; both have a copy, from which
+`resume` mends them.
 """
 
 from __future__ import annotations
@@ -20,10 +21,11 @@ import google_crc32c
 import numpy as np
 
 from ropewalk.record.errors import RunError
-from ropewalk.record.files import read_json, reading, writing
+from ropewalk.record.files import reading, writing
 from ropewalk.record.zarr_format import decode, group_metadata, opened
 from ropewalk.scene import Scene, dumps, loads
 from ropewalk.sweeps.batch import Batch
+from ropewalk.sweeps.facts import read_facts, sealed
 from ropewalk.sweeps.layout import (
     DONE,
     OF_BROKEN,
@@ -38,7 +40,7 @@ from ropewalk.sweeps.layout import (
 from ropewalk.sweeps.plan import READS, SweepPlan
 
 FACTS, SCENE, DATA, PARTIAL = "sweep.json", "scene.toml", "data.zarr", ".partial"
-#: A second time the values of the runs: nothing else could bring them back.
+#: A second time the values of the runs and what was asked: nothing else could bring them back.
 COPIES = "values"
 _NONE_BROKE = 1 << 32  # in the mark of a batch of which no run broke
 
@@ -50,7 +52,7 @@ def runs_in_words(runs: range) -> str:
 
 def is_sweep(folder: Path) -> bool:
     """Tell whether a folder holds a sweep."""
-    return (folder / FACTS).is_file()
+    return (folder / FACTS).is_file() or (folder / COPIES / FACTS).is_file()
 
 
 class SweepFolder:
@@ -69,7 +71,7 @@ class SweepFolder:
         if not is_sweep(folder):
             what = "holds no sweep" if folder.is_dir() else "no such sweep"
             raise RunError(folder, what)
-        facts = read_json(folder / FACTS)
+        facts = read_facts(folder / FACTS, folder / COPIES / FACTS)
         if facts.get("format") not in READS:
             rule = f"is of format {facts.get('format')}; this version of ropewalk reads {READS[-1]}"
             raise RunError(folder / FACTS, rule)
@@ -84,11 +86,12 @@ class SweepFolder:
     ) -> SweepFolder:
         """Write a new sweep with the values of all its runs and no results.
 
-        It is there as soon as its facts are, which are written last. Raises RunError.
+        It is there as soon as its facts are, which are written last, but for their copy. Raises RunError.
         """
         made = cls(folder, plan)
         with writing(folder):
-            (folder / FACTS).unlink(missing_ok=True)  # of one that is overwritten; the first to go
+            for facts in made.facts_files():  # of one that is overwritten; the first to go
+                facts.unlink(missing_ok=True)
             for left in (DATA, COPIES):
                 shutil.rmtree(folder / left, ignore_errors=True)
             (folder / PARTIAL).mkdir(parents=True, exist_ok=True)
@@ -100,9 +103,18 @@ class SweepFolder:
                 made.put(name, data)
             made._write_values(values)
             made.put(f"../{SCENE}", dumps(scene).encode())
-            facts = json.dumps(plan.plain(), indent=1, ensure_ascii=False)
-            made.put(f"../{FACTS}", facts.encode())
+            facts_now = made.facts()
+            for file in reversed(made.facts_files()):
+                made.put(f"../{file.relative_to(folder).as_posix()}", facts_now)
         return made
+
+    def facts_files(self) -> tuple[Path, Path]:
+        """Return where what was asked stands: the copy, which is there only beside the other, and that."""
+        return self.folder / COPIES / FACTS, self.folder / FACTS
+
+    def facts(self) -> bytes:
+        """Return what was asked as its files hold it."""
+        return sealed(json.dumps(self.plan.plain(), indent=1, ensure_ascii=False))
 
     @property
     def scene(self) -> Scene:
@@ -122,7 +134,7 @@ class SweepFolder:
         }
 
     def known_files(self) -> Iterator[tuple[str, bytes]]:
-        """Yield name and content of the files of the store that the plan alone decides."""
+        """Yield name and content of the files that the plan alone decides."""
         arrays = {spec.name: spec.metadata() for spec in self.specs.values()}
         for name, array in arrays.items():
             yield f"{name}/zarr.json", json.dumps(array).encode()
@@ -293,7 +305,9 @@ class SweepFolder:
 
     def damage(self, path: Path, why: str) -> str:
         """Say that a file of the store is damaged, whose it is, and what to do."""
-        name, _, chunk = path.relative_to(self.folder / DATA).as_posix().partition("/c.")
+        name, _, chunk = (
+            path.relative_to(self.folder).as_posix().removeprefix(f"{DATA}/").partition("/c.")
+        )
         spec = self.specs.get(name)
         number = chunk.partition(".")[0]
         where, remedy = "", "puts it right"
