@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from importlib import import_module
 from typing import Any
 
@@ -14,19 +14,19 @@ from ropewalk.api import SceneLike, as_scene
 from ropewalk.core.arrays import Floats
 from ropewalk.record.errors import InputError
 from ropewalk.scene import Scene, SceneError
-from ropewalk.scene.errors import NO_VALUE, Fault
 from ropewalk.sweeps import measurements
 from ropewalk.sweeps.batch import REST, RUN
+from ropewalk.sweeps.bounds import Scale, make_scales
 from ropewalk.sweeps.function import SweepFunction
-from ropewalk.sweeps.identify import Findings, identify
+from ropewalk.sweeps.identify import Findings, identify, verdict
 from ropewalk.sweeps.measurements import Measurement, as_measurements
 from ropewalk.sweeps.misfit import misfit
 from ropewalk.sweeps.parameters import short_names
 from ropewalk.sweeps.profile import profile_intervals
+from ropewalk.sweeps.whole import refuse_unless_whole
 from ropewalk.sweeps.workshop import Workshop
 
 _PLOTS = "ropewalk.plots.residuals"  # a layer above this one, so it is looked up when it is needed
-_LOGARITHMIC = 20.0  # bounds this far apart are searched by factors
 _STEP = 1e-4  # of the differences, as a share of the range
 _LOST = 1e6  # least residual of a run that broke, in standard deviations
 
@@ -35,40 +35,18 @@ class NotFitted(RuntimeError):  # noqa: N818 - it is what happened, not a mistak
     """No start led to a fit: all runs broke."""
 
 
-@dataclass(frozen=True)
-class Scale:
-    """A parameter's range as 0 to 1, by factors where it is wide."""
-
-    low: float
-    high: float
-
-    @property
-    def logarithmic(self) -> bool:
-        """Whether equal steps are equal factors."""
-        return self.low > 0.0 and self.high / self.low >= _LOGARITHMIC
-
-    def value(self, share: Any) -> Any:
-        """Return the value at a share of the range."""
-        if self.logarithmic:
-            return self.low * (self.high / self.low) ** np.asarray(share)
-        return self.low + np.asarray(share) * (self.high - self.low)
-
-    def share(self, value: float) -> float:
-        """Return the share of the range at a value."""
-        if self.logarithmic:
-            return math.log(value / self.low) / math.log(self.high / self.low)
-        return (value - self.low) / (self.high - self.low)
-
-
 class Residuals:
     """Predicted less measured, in standard deviations, as a function of shares of the ranges."""
 
     def __init__(
-        self, scene: Scene, found: tuple[Measurement, ...], bounds: Mapping[str, Any], options: Any
+        self,
+        scene: Scene,
+        found: tuple[Measurement, ...],
+        scales: Mapping[str, Scale],
+        options: Any,
     ) -> None:
         self.measurements = found
-        self.paths = tuple(bounds)
-        self.scales = tuple(Scale(float(low), float(high)) for low, high in bounds.values())
+        self.paths, self.scales = tuple(scales), tuple(scales.values())
         self._workshop = Workshop(scene, self.paths, ["float"] * len(self.paths))
         keep = tuple(dict.fromkeys(text for m in found for text in m.keep))
         rest = tuple(dict.fromkeys(text for m in found for text in m.rest))
@@ -84,6 +62,7 @@ class Residuals:
         self.size = self.weights.size
         self.evaluations = 0
         self.lost = _LOST
+        self.reason = ""  # of the first run that broke
 
     def values(self, shares: Floats) -> Floats:
         """Return the parameters (N, D) at shares of their ranges."""
@@ -96,6 +75,7 @@ class Residuals:
         kept: dict[str, dict[str, Floats]] = {RUN: {}, REST: {}}
         for what, function in self._functions.items():
             kept[what] = function.runs(table)
+            self.reason = self.reason or next(filter(None, function.last.reason), "")
         self.evaluations += len(table)
         return np.stack([self._row(row, number, kept) for number, row in enumerate(table.tolist())])
 
@@ -107,7 +87,8 @@ class Residuals:
             return np.concatenate([m.predicted(runs, rests, scene) for m in self.measurements])
         except InputError:  # of the measurement, not of these values
             raise
-        except (SceneError, RuntimeError, ValueError):
+        except (SceneError, RuntimeError, ValueError) as error:
+            self.reason = self.reason or str(error)
             return np.full(self.size, math.nan)
 
     def found(self, shares: Floats) -> Floats:
@@ -136,6 +117,11 @@ class Residuals:
         table[at, at], table[width + at, at] = low, high
         found = self.many(table)
         return np.asarray(((found[width:] - found[:width]) / (high - low)[:, None]).T)
+
+    def intervals(self, ends: Sequence[tuple[float, float]]) -> dict[str, tuple[float, float]]:
+        """Return intervals of shares in the parameters' units, by path; nothing for no intervals."""
+        parts = zip(self.paths, self.scales, ends, strict=False)
+        return {path: (float(s.value(low)), float(s.value(high))) for path, s, (low, high) in parts}
 
     def close(self) -> None:
         """End the clusters that were started."""
@@ -190,6 +176,7 @@ class Calibration:
             low, high = self.profile.get(path) or self.intervals[path]
             unit = self.units.get(path, "")
             about = f"{100 * self.level:g} % from {low:.5g} to {high:.5g}"
+            about = "interval not known" if math.isnan(low) else about
             lines.append(f"  {path} = {value:.6g} {unit} ({about})")
         return "\n".join([*lines, *(f"  {text}" for text in self.words)])
 
@@ -214,7 +201,8 @@ def calibrate(
             `kept`, or a mapping from what a sweep keeps to (values, error).
         bounds: by path, (low, high); far apart ones are searched by factors.
         level: of the intervals [1].
-        starts: places to start from besides the scene's own values; the best three are followed.
+        starts: places to start from besides the scene's own values, made the next power of two; the best
+            three are followed.
         seed: of the starts.
         profile: also make intervals by profile likelihood, which takes more runs.
         on, workers: as of `sweep`; the differences of a step are made side by side.
@@ -226,43 +214,30 @@ def calibrate(
     """
     loaded = as_scene(scene)
     found = as_measurements(measured)
-    _refuse(found, bounds, level)
-    residuals = Residuals(loaded, found, bounds, {"on": on, "workers": workers})
+    _refuse(found, level, starts, seed)
+    scales = make_scales(loaded, bounds)
+    residuals = Residuals(loaded, found, scales, {"on": on, "workers": workers})
     try:
         share, same = _search(residuals, loaded, starts, seed)
         jacobian = residuals.jacobian(share)
         left = residuals.one(share)
         known = residuals.known
         findings = identify(jacobian, left, known, level, short_names(residuals.paths))
-        intervals = _mapped(residuals, share, findings)
-        profiles = {}
+        near = _ends(share, findings)
+        far: list[tuple[float, float]] = []
         if profile and np.isfinite(findings.deviation).all():
-            ends = profile_intervals(residuals.one, residuals.jacobian, share, findings)
-            profiles = {
-                path: (float(s.value(low)), float(s.value(high)))
-                for path, s, (low, high) in zip(
-                    residuals.paths, residuals.scales, ends, strict=True
-                )
-            }
-        return _answer(loaded, residuals, share, findings, (intervals, profiles), (same, level))
+            far = profile_intervals(residuals.one, residuals.jacobian, share, findings)
+        told = verdict(findings.words, far or near, short_names(residuals.paths))
+        intervals = residuals.intervals(near), residuals.intervals(far)
+        return _answer(
+            loaded, residuals, share, replace(findings, words=told), intervals, (same, level)
+        )
     finally:
         residuals.close()
 
 
-def _refuse(found: tuple[Measurement, ...], bounds: Mapping[str, Any], level: float) -> None:
-    faults = (
-        [] if bounds else [Fault("bounds", NO_VALUE, "is empty: name at least one path to fit")]
-    )
-    for path, pair in bounds.items():
-        try:
-            low, high = (float(value) for value in pair)
-        except (TypeError, ValueError):
-            faults.append(Fault(path, str(pair), "must be bounds (low, high)"))
-            continue
-        if not (math.isfinite(low) and math.isfinite(high) and low < high):
-            faults.append(Fault(path, [low, high], "must be bounds (low, high), low below high"))
-    if faults:
-        raise SceneError(faults)
+def _refuse(found: tuple[Measurement, ...], level: float, starts: int, seed: int) -> None:
+    """Refuse what no fit can be made of. Raises InputError."""
     if len({m.error is None for m in found}) > 1:
         missing = ", ".join(m.name for m in found if m.error is None)
         raise InputError(
@@ -272,8 +247,10 @@ def _refuse(found: tuple[Measurement, ...], bounds: Mapping[str, Any], level: fl
     if found[0].error is None and len(units) > 1:
         rule = f"is needed: numbers in {', '.join(sorted(units))} cannot be weighed otherwise"
         raise InputError("error", None, rule)
-    if not 0.0 < level < 1.0:
+    if not (isinstance(level, (int, float)) and 0.0 < level < 1.0):
         raise InputError("level", level, "must be between 0 and 1")
+    refuse_unless_whole("starts", starts, 0)
+    refuse_unless_whole("seed", seed, 0)
 
 
 def _search(
@@ -294,7 +271,8 @@ def _search(
     order = [i for i in np.argsort(costs) if np.isfinite(costs[i])][:3]
     if not order:
         raise NotFitted(
-            "every start broke: no run ended well anywhere in the bounds that were tried"
+            "every start broke: no run ended well anywhere in the bounds that were tried; "
+            f"the first: {residuals.reason or 'no number came of it'}"
         )
     # A run that breaks must never look better than one that only lies far off.
     residuals.lost = max(_LOST, 10.0 * float(np.abs(found[np.isfinite(found)]).max()))
@@ -323,18 +301,11 @@ def _own_start(residuals: Residuals, scene: Scene) -> Floats:
     return np.array([found])
 
 
-def _mapped(residuals: Residuals, share: Floats, findings: Findings) -> dict[str, Any]:
-    """Return the intervals of the covariance in the parameters' units, cut at the bounds."""
-    made = {}
+def _ends(share: Floats, findings: Findings) -> list[tuple[float, float]]:
+    """Return the intervals of the covariance as shares of the ranges, cut at the bounds."""
     half = findings.quantile * findings.deviation
-    parts = zip(residuals.paths, residuals.scales, share, half, strict=True)
-    for path, scale, middle, width in parts:
-        if math.isnan(width):
-            made[path] = (math.nan, math.nan)
-            continue
-        ends = np.clip([middle - width, middle + width], 0.0, 1.0)
-        made[path] = (float(scale.value(ends[0])), float(scale.value(ends[1])))
-    return made
+    ends = np.clip([share - half, share + half], 0.0, 1.0)  # NaN stays
+    return [(float(low), float(high)) for low, high in ends.T]
 
 
 def _answer(

@@ -17,6 +17,8 @@ _LOOSE = 0.3
 _PART = 0.25  # a value takes part in a direction with at least this share of it
 _TIED = 0.98  # correlation of values that the measurement hardly tells apart
 _TINY = 1e-12
+_AT = 1e-3  # of the bounds: nearer to one of them is at it
+_UNSEEN = "{} does not show in this measurement."
 
 
 @dataclass(frozen=True)
@@ -58,8 +60,8 @@ def identify(
     variance = sigma**2
     if math.isnan(sigma):
         words.append(
-            f"{m} numbers for {d} values: nothing is left to judge the fit by; give the error of the "
-            "measurement for intervals."
+            f"{m} number{'s' * (m != 1)} for {d} value{'s' * (d != 1)}: nothing is left to judge the fit by; "
+            "give the error of the measurement for intervals."
         )
         sigma = 0.0
     words += _words(jacobian, sizes, directions, sigma * quantile, correlation, names)
@@ -79,7 +81,7 @@ def _words(
     strength = np.linalg.norm(jacobian, axis=0)
     least = max(scale / _WIDE, 1e-9 * float(strength.max()))
     unseen = {i for i in range(len(names)) if strength[i] <= least}
-    told += [f"{names[i]} does not show in this measurement." for i in sorted(unseen)]
+    told += [_UNSEEN.format(names[i]) for i in sorted(unseen)]
     tied: set[frozenset[int]] = set()
     for size, direction in zip(sizes, directions, strict=True):
         loose = size <= max(scale / _LOOSE, 1e-9 * float(sizes.max()))
@@ -95,10 +97,37 @@ def _words(
                     f"{_listed(names, {i, j})} are tied (correlation {correlation[i, j]:.3f}): what one "
                     "loses the other makes up."
                 )
-    if not told:
+    return told
+
+
+def verdict(
+    words: Sequence[str], ends: Sequence[tuple[float, float]], names: Sequence[str]
+) -> tuple[str, ...]:
+    """Return the words of a fit with what its intervals say of every value.
+
+    Args:
+        words: those of `identify`.
+        ends: of the interval of every value, as shares of its bounds; NaN where it cannot be told.
+        names: of the values.
+
+    A value whose interval is cut by a bound, or takes up most of the way between them, is not determined:
+    there the bounds speak, not the measurement.
+    """
+    told = list(words)
+    for name, (low, high) in zip(names, ends, strict=True):
+        at = [word for word, hit in (("lower", low < _AT), ("upper", high > 1.0 - _AT)) if hit]
+        if _UNSEEN.format(name) in words:
+            continue
+        if len(at) == 2:
+            told.append(f"{name} is not determined: its interval spans its bounds.")
+        elif at:
+            told.append(f"{name} is not determined: its interval ends at its {at[0]} bound.")
+        elif high - low > _WIDE:
+            told.append(f"{name} is not determined: its interval spans most of its bounds.")
+    if not told and np.isfinite(ends).all():
         alone = f"The measurement determines {names[0]}."
         told.append("The measurement tells all of them apart." if len(names) > 1 else alone)
-    return told
+    return tuple(told)
 
 
 def _listed(names: Sequence[str], group: set[int] | frozenset[int]) -> str:

@@ -20,6 +20,7 @@ from ropewalk.sweeps.batch import GOOD
 from ropewalk.sweeps.designs import SALTELLI, Design
 from ropewalk.sweeps.many import make_runs, sweep
 from ropewalk.sweeps.parameters import Parameter, make_parameters
+from ropewalk.sweeps.whole import refuse_unless_whole
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -99,7 +100,8 @@ def uncertain(
         what: "run", or "rest" for the equilibrium.
         options: of `sweep`: store, on, workers, progress.
 
-    Raises SceneError for values that nothing makes uncertain and for fewer than 2 samples, else as `sweep`.
+    Raises SceneError for values that nothing makes uncertain, InputError for samples or a seed that are no
+    whole numbers and for fewer than 2 samples, else as `sweep`.
     """
     loaded = as_scene(scene)
     parameters = make_parameters(loaded, spreads)
@@ -107,9 +109,10 @@ def uncertain(
     if fixed:
         rule = "must be a range (low, high) or a distribution"
         raise SceneError([Fault(path, NO_VALUE, rule) for path in fixed])
-    if samples < 2:
-        raise SceneError([Fault("samples", samples, "must be at least 2")])
-    if seed is None:
+    refuse_unless_whole("samples", samples, 2)
+    if seed is not None:
+        refuse_unless_whole("seed", seed, 0)
+    else:
         seed = int(np.random.SeedSequence().generate_state(1)[0] >> 1)
     kept = [*_default_keep(loaded, what), *(keep or ())]
     if find_spec("SALib") is None:

@@ -1,0 +1,16 @@
+"""Counts and seeds that are given: whole numbers, or one clear sentence."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from ropewalk.record.errors import InputError
+
+
+def refuse_unless_whole(name: str, value: Any, least: int) -> None:
+    """Refuse anything but a whole number from `least` on. Raises InputError."""
+    number = isinstance(value, (int, np.integer)) and not isinstance(value, bool)
+    if not (number and value >= least):
+        raise InputError(name, value, f"must be a whole number from {least} on")
