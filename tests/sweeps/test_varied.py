@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import warnings
 from pathlib import Path
 from typing import Any
@@ -250,3 +251,14 @@ def test_options_that_cannot_be_are_told_before_a_folder_is_made(
     assert not store.exists()
     right = asked | {"keep": "tension.max", "on": "here", "batch": None, "workers": None}
     rw.sweep(swing(), {EA: [1e3, 2e3]}, store=store, **right)
+
+
+def test_a_function_rounds_whole_numbers_and_a_sweep_refuses_fractions() -> None:
+    """Samplers draw fractions; one that is no number at all is a run that is refused."""
+    f = rw.sweep.function(swing(0.02), ["rope.segments"], "tension.max", what="rest")
+    found = f([[3.6], [4.0], [4.5], [5.0], [math.nan], [math.inf]])[:, 0]
+    assert found[0] == found[1] == found[2] != found[3]
+    assert np.isnan(found[4:]).all()
+    assert f.last.status[4:] == ["refused", "refused"]
+    with pytest.raises(rw.SceneError, match="whole number"):
+        rw.sweep(swing(0.02), {"rope.segments": [4.5]}, on="here")

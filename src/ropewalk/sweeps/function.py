@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Sequence
 from contextlib import ExitStack
 from typing import Any
@@ -27,7 +28,9 @@ class SweepFunction:
     """Maps values (N, D) to what is kept of their runs (N, K): `columns` names the K.
 
     A run that breaks gives a row of NaN; `last` has status and reason of every run of the last call. One
-    row (D,) gives one row (K,). Use it as a context manager, or `close` it, when it has a cluster.
+    row (D,) gives one row (K,). What is a whole number in the scene is rounded to the nearest one (halves to
+    the even one), since samplers draw fractions; `sweep` refuses those. Use it as a context manager, or
+    `close` it, when it has a cluster.
     """
 
     def __init__(
@@ -73,7 +76,7 @@ class SweepFunction:
         """Make the runs of (N, D) values and return what is kept by name, each (N, ...)."""
         whole = [parameter.kind == INT for parameter in self.parameters]
         rows = [
-            [round(v) if i else v for v, i in zip(row, whole, strict=True)]
+            [round(v) if i and math.isfinite(v) else v for v, i in zip(row, whole, strict=True)]
             for row in table.tolist()
         ]
         recipe = json.dumps(self.recipe.plain())
