@@ -129,6 +129,16 @@ def test_panels_show_every_run_at_its_values() -> None:
         np.testing.assert_array_equal(points.get_offsets(), np.column_stack([columns[name], y]))
         by = "gravity_2" if name == "EA" else "EA"
         np.testing.assert_array_equal(points.get_array(), columns[by])
+    pairs = {("EA", "gravity_2"), ("EA", "length"), ("gravity_2", "length")}
+    for one, other in pairs:
+        expected = np.column_stack([columns[one], columns[other]])
+        (points,) = [
+            c
+            for axes in figure.axes
+            for c in axes.collections
+            if isinstance(c, PathCollection) and np.array_equal(c.get_offsets(), expected)
+        ]
+        np.testing.assert_array_equal(points.get_array(), y)
     assert {"EA [N]", "gravity_2 [m/s2]", "length [m]", "largest tension [N]"} == labels_of(figure)
 
 

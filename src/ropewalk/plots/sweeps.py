@@ -1,4 +1,4 @@
-"""Figures of sweeps: lines for one parameter, a map for two, scatters for more, a band in time."""
+"""Figures of sweeps: lines for one parameter, a map for two, pairs for more, a band in time."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
+from ropewalk.plots.pairs import Column, draw_pairs
 from ropewalk.plots.style import (
     COLOURS,
     FAINT,
@@ -30,6 +31,7 @@ _FEW = 5  # values, each with a tick of its own
 #: Room that a tick's text takes up, as shares of a map's sides: a letter and a gap across, a line down.
 _LETTER, _GAP, _LINE = 0.024, 0.03, 0.06
 _MOST_POINTS = 5000
+_MOST_PAIRED = 5  # parameters drawn against each other: those that the result follows most
 
 
 @styled
@@ -37,7 +39,7 @@ def sweep(data: xr.Dataset, variable: str | None = None) -> Figure:
     """Draw one thing that a sweep kept, in the way that suits its parameters.
 
     Along time: the band that holds 90 % of the runs. Else lines against one parameter, a map over a grid
-    of two, and for more one panel per parameter. Broken runs are marked.
+    of two, and for more one panel per parameter and a pair plot. Broken runs are marked.
 
     Args:
         data: what `rw.sweep` returned.
@@ -253,13 +255,16 @@ def _apart(values: Floats, edges: Floats, scale: str, room: float) -> set[int]:
 
 
 def _panels(data: xr.Dataset, name: str, parameters: list[str]) -> Figure:
-    """One panel per parameter, coloured by another one: what moves the result, and with what."""
+    """One panel per parameter, coloured by another one: what moves the result, and with what; then pairs."""
     table = data if "run" in data[name].dims else _table(data, parameters)
     shown = parameters[:_MOST_PANELS]
     columns = 2 if len(shown) in (2, 4) else min(3, len(shown))
     rows = -(-len(shown) // columns)
-    figure = new_figure(3.3 * columns + 0.6, 3.0 * rows + 0.7)
-    panels = figure.subplots(rows, columns, squeeze=False, sharey=True)
+    paired = min(len(parameters), _MOST_PAIRED)
+    heights = 3.0 * rows, 2.2 * (paired - 1) + 0.4
+    figure = new_figure(3.3 * columns + 0.6, sum(heights) + 0.7)
+    top, foot = figure.subfigures(2, 1, squeeze=False, height_ratios=heights)[:, 0]
+    panels = top.subplots(rows, columns, squeeze=False, sharey=True)
     parts = _parts(table, name)
     y = np.max([part.values for _, part in parts], axis=0).astype(np.float64)
     good = np.isfinite(y)
@@ -274,7 +279,7 @@ def _panels(data: xr.Dataset, name: str, parameters: list[str]) -> Figure:
         drawn = axes.scatter(
             x[good][::step], y[good][::step], c=colour[good][::step], s=9, cmap="viridis"
         )
-        figure.colorbar(drawn, ax=axes, label=f"{by} [{table[by].attrs.get('units', '1')}]")
+        top.colorbar(drawn, ax=axes, label=f"{by} [{table[by].attrs.get('units', '1')}]")
         _mark_broken(axes, x[_is_broken(table)])
         axes.set_xlabel(f"{parameter} [{table[parameter].attrs.get('units', '1')}]")
         if labels:
@@ -283,7 +288,20 @@ def _panels(data: xr.Dataset, name: str, parameters: list[str]) -> Figure:
             axes.set_ylabel(f"{words} [{data[name].attrs['units']}]")
     for axes in list(panels.flat)[len(shown) :]:
         axes.set_visible(False)
-    notes = ["Colours: another parameter, the one that the result follows most."]
+    strong = sorted(parameters, key=lambda p: -_rank_correlation(xs[p][0][good], y[good]))[:paired]
+    pairs = [
+        Column(f"{p} [{table[p].attrs.get('units', '1')}]", *xs[p])
+        for p in parameters
+        if p in strong
+    ]
+    told = f"{words} [{data[name].attrs['units']}]"
+    draw_pairs(foot, pairs, (y, told), np.flatnonzero(good)[::step], _is_broken(table))
+    notes = [
+        "Above, colours: another parameter, the one that the result follows most. "
+        "Below: parameters against each other, coloured by the result; crosses: runs that broke."
+    ]
+    if len(parameters) > paired:
+        notes.append(f"Pairs of the {paired} parameters that the result follows most.")
     if len(parts) > 1:
         notes.append(f"The largest of {', '.join(label for label, _ in parts)}.")
     set_note(figure, notes)
