@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import json
 import shutil
+import warnings
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+import xarray as xr
 
 import ropewalk as rw
 from ropewalk.record.errors import RunError
@@ -161,18 +163,47 @@ def test_facts_of_another_sweep_are_not_taken(tmp_path: Path, half: Path) -> Non
         rw.sweep.open(folder)
 
 
+@pytest.mark.parametrize("consolidated", [True, False])
+def test_plain_xarray_gives_a_row_per_run(half: Path, consolidated: bool) -> None:
+    """The marks of the batches have a dimension of their own: pandas would make runs x batches rows."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        plain = xr.open_zarr(half / "data.zarr", consolidated=consolidated)
+    assert set(plain.dims) == {"run", "node", "axis", "anchor"}
+    assert len(plain.drop_dims(["node", "anchor", "axis"]).to_dataframe()) == RUNS
+    assert len(plain.drop_dims("anchor").to_dataframe()) == RUNS * 5 * 3
+
+
+def old_store(folder: Path) -> None:
+    """Make a folder what it was in format 2: facts without a checksum and a copy, `done` an array."""
+    facts = json.loads((folder / "sweep.json").read_text())
+    del facts["checksum"]
+    (folder / "sweep.json").write_text(json.dumps(facts | {"format": 2}, indent=1))
+    (folder / "values" / "sweep.json").unlink()
+    group = folder / "data.zarr" / "done"
+    for file in (group / "marks").iterdir():
+        file.rename(group / file.name)
+    (group / "marks").rmdir()
+    root = folder / "data.zarr" / "zarr.json"
+    about = json.loads(root.read_text())
+    known = about["consolidated_metadata"]["metadata"]
+    known["done"] = known.pop("done/marks")
+    root.write_text(json.dumps(about))
+
+
 def test_a_sweep_whose_facts_have_no_checksum_still_opens(
     tmp_path: Path, half: Path, whole: dict[str, bytes]
 ) -> None:
     """As format 2 was."""
     folder = Path(shutil.copytree(half, tmp_path / "s"))
-    facts = json.loads((folder / "sweep.json").read_text())
-    del facts["checksum"]
-    (folder / "sweep.json").write_text(json.dumps(facts | {"format": 2}, indent=1))
-    (folder / "values" / "sweep.json").unlink()
+    old_store(folder)
     assert faults(SweepFolder.open(folder)) == []
     rw.sweep.resume(folder, on="here", progress=False)
-    assert store_bytes(folder) == whole
+    made = store_bytes(folder)
+    marks = {name.replace("done/marks", "done"): data for name, data in whole.items()}
+    assert {n: d for n, d in made.items() if "json" not in n} == {
+        n: d for n, d in marks.items() if "json" not in n
+    }
     assert rw.sweep.open(folder).sizes["run"] == RUNS
     (folder / "sweep.json").write_bytes((folder / "sweep.json").read_bytes()[:-9])
     with pytest.raises(RunError, match=r"holds no JSON.*it is missing.*make the sweep anew"):

@@ -99,7 +99,7 @@ def test_any_error_of_a_worker_is_told_in_words(
         raise error
 
     rw.sweep(swing(0.02), VARY, batch=2, on="here", store=tmp_path / "s")
-    for mark in (tmp_path / "s" / "data.zarr" / "done").glob("c*"):
+    for mark in (tmp_path / "s" / "data.zarr" / "done" / "marks").glob("c*"):
         mark.unlink()
     monkeypatch.setattr(worker.Batcher, "make", broken)
     with pytest.raises(RunError, match=f"worker: cannot make batch .*{type(error).__name__}"):

@@ -62,7 +62,9 @@ def _stored(sweep: SweepFolder) -> xr.Dataset:
     from ropewalk.sweeps.checked import CheckedStore
 
     store = CheckedStore.of(sweep)
-    found: xr.Dataset = xr.open_zarr(store, chunks=None, drop_variables=["run", DONE])
+    found: xr.Dataset = xr.open_zarr(
+        store, chunks=None, drop_variables=["run", DONE]
+    )  # DONE: until format 2
     found = found.assign_attrs(sweep=str(sweep.folder))
     found = found.assign_coords(_numbers(sweep.plan.runs))
     plan, unmarked = sweep.plan, sweep.unmarked_runs()

@@ -14,6 +14,8 @@ from ropewalk.sweeps.parameters import FLOAT, INT
 from ropewalk.sweeps.plan import SweepPlan
 
 RUN, DONE, STATUS, REASON, BROKE_AT = "run", "done", "status", "reason", "broke_at"
+#: The array of the marks, in a group that plain xarray leaves aside; until format 2 it was `done` itself.
+_MARKS = f"{DONE}/marks"
 #: Files that a batch has only where one of its runs broke.
 OF_BROKEN = (BROKE_AT, REASON)
 
@@ -45,11 +47,17 @@ def array_specs(plan: SweepPlan) -> Iterator[ArraySpec]:
         dims, shape = ("run", *variable.dims), (plan.runs, *variable.sizes)
         chunk = (plan.batch, *(max(1, size) for size in variable.sizes))
         yield ArraySpec(variable.name, dims, shape, chunk, "float64", variable.attributes)
+
+
+def marks_spec(plan: SweepPlan) -> ArraySpec:
+    """Return the array of the marks. It is in a group of its own: its dimension is not one of the runs."""
     about = {
         "long_name": "1 + checksum (CRC-32C) of the sweep's id and a batch's files, + 2^32 where no run of "
         "it broke; 0: not done"
     }
-    yield ArraySpec(DONE, ("batch",), (plan.batches,), (1,), "int64", about)
+    return ArraySpec(
+        DONE if plan.format < 3 else _MARKS, ("batch",), (plan.batches,), (1,), "int64", about
+    )
 
 
 def encoded(spec: ArraySpec, values: Any) -> bytes:

@@ -1,7 +1,8 @@
 """A sweep on disk: a folder with the scene, what was asked, and a Zarr store with one chunk per batch.
 
-A batch's data are written first, each file whole or not at all, then its mark in `done`: a checksum over
-those files and the sweep's id. A mark that is there and right says that the batch is there, whole and right.
+A batch's data are written first, each file whole or not at all, then its mark in `done/marks`: a checksum
+over those files and the sweep's id. A mark that is there and right says that the batch is there, whole and
+right.
 The values of the runs are written before anything runs, then what was asked; both have a copy, from which
 `resume` mends them.
 """
@@ -35,6 +36,7 @@ from ropewalk.sweeps.layout import (
     array_specs,
     decoded_texts,
     encoded,
+    marks_spec,
     nothing_broke,
 )
 from ropewalk.sweeps.plan import READS, SweepPlan
@@ -60,7 +62,7 @@ class SweepFolder:
 
     def __init__(self, folder: Path, plan: SweepPlan) -> None:
         self.folder, self.plan = folder, plan
-        self.specs = {spec.name: spec for spec in array_specs(plan)}
+        self.specs = {spec.name: spec for spec in array_specs(plan)} | {DONE: marks_spec(plan)}
         # So that a late worker of a sweep that was overwritten cannot mark a batch of this one.
         self._seed = int(google_crc32c.value(plan.id.encode()))
         self._piece: tuple[int, list[Any]] = -1, []  # the values that were read last
@@ -136,6 +138,8 @@ class SweepFolder:
     def known_files(self) -> Iterator[tuple[str, bytes]]:
         """Yield name and content of the files that the plan alone decides."""
         arrays = {spec.name: spec.metadata() for spec in self.specs.values()}
+        if self.specs[DONE].name != DONE:
+            arrays[DONE] = group_metadata({}, {})
         for name, array in arrays.items():
             yield f"{name}/zarr.json", json.dumps(array).encode()
         yield "zarr.json", json.dumps(group_metadata(self._attributes(), arrays)).encode()
