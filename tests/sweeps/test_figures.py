@@ -26,7 +26,10 @@ def fake(sizes: dict[str, np.ndarray], values: np.ndarray, kept: dict[str, Any])
     data = xr.Dataset(
         {
             name: ((*sizes, *own), values),
-            "status": (tuple(sizes), np.full([len(v) for v in sizes.values()], "finished")),
+            "status": (
+                tuple(sizes),
+                np.full([len(v) for v in sizes.values()], "finished", dtype=object),
+            ),
         },
         sizes | own,
         {"design": "grid", "title": "made up"},
@@ -140,6 +143,23 @@ def test_panels_show_every_run_at_its_values() -> None:
         ]
         np.testing.assert_array_equal(points.get_array(), y)
     assert {"EA [N]", "gravity_2 [m/s2]", "length [m]", "largest tension [N]"} == labels_of(figure)
+
+
+def test_pairs_show_where_runs_broke() -> None:
+    """Crosses at their values; also where no run has a value at all."""
+    axis = np.array([1.0, 2.0])
+    sizes = {"EA": axis, "gravity_2": -axis, "length": 3.0 * axis}
+    values = np.arange(8.0).reshape(2, 2, 2)
+    for lost in (values > 6.0, values > -1.0):
+        number = (tuple(sizes), np.arange(8).reshape(2, 2, 2))
+        data = fake(sizes, np.where(lost, np.nan, values), {"name": "tension_max"})
+        data = data.assign_coords(run=number)
+        data["status"].values[:] = np.where(lost, "broke", "finished")
+        pairs = [axes for axes in sweep(data).axes if axes.get_ylabel() == "gravity_2 [m/s2]"]
+        (crosses,) = pairs[-1].get_lines()  # before it are colour bars
+        at = np.argwhere(lost)
+        np.testing.assert_array_equal(crosses.get_xdata(), axis[at[:, 0]])
+        np.testing.assert_array_equal(crosses.get_ydata(), -axis[at[:, 1]])
 
 
 def test_a_band_in_time_holds_90_percent_of_the_runs() -> None:
