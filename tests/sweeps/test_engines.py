@@ -6,6 +6,7 @@ import json
 import os
 import subprocess
 import sys
+import warnings
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -262,3 +263,20 @@ def test_no_worker_compiles_what_this_process_has_compiled(tmp_path: Path) -> No
     assert mine[0] > 0
     assert len(others) == 2
     assert all(misses == 0 and hits > 0 for misses, hits in others), told
+
+
+def test_without_dask_runs_are_made_here_and_it_is_told_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    vary = {EA: [1000.0, 1500.0, 2000.0, 2500.0]}
+    here = rw.sweep(swing(0.02), vary, batch=1, keep="tension.max", on="here")
+    monkeypatch.setattr(engines, "has_dask", lambda: False)
+    monkeypatch.setattr(engines, "WORTH_A_CLUSTER", 0.0)
+    monkeypatch.setattr("ropewalk.sweeps.many._told_of_extra", False)
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always")
+        for name in ("a", "b"):
+            made = rw.sweep(swing(0.02), vary, batch=1, keep="tension.max", store=tmp_path / name)
+            assert same(made.tension_max.values, here.tension_max.values)
+    words = [str(one.message) for one in told if issubclass(one.category, UserWarning)]
+    assert [word[:34] for word in words] == ["this sweep runs in one process; wi"]
