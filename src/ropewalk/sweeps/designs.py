@@ -15,6 +15,7 @@ from ropewalk.scene import SceneError
 from ropewalk.scene.errors import NO_VALUE, Fault
 from ropewalk.sweeps.labels import Label
 from ropewalk.sweeps.parameters import FLOAT, INT, Parameter
+from ropewalk.sweeps.whole import is_whole
 from ropewalk.words.nearest import nearest
 
 DESIGNS = ("sobol", "lhs", "halton", "random")
@@ -111,12 +112,10 @@ def make_design(
     if design not in DESIGNS:
         rule = f"must be one of {', '.join(DESIGNS)}; {nearest(design, DESIGNS)}"
         faults.append(Fault("design", design, rule))
-    whole = isinstance(samples, (int, np.integer)) and not isinstance(samples, bool)
-    if samples is not None and not (whole and 1 <= samples <= MOST_RUNS):
+    if samples is not None and not (is_whole(samples, 1) and samples <= MOST_RUNS):
         rule = f"must be a whole number from 1 to {MOST_RUNS}"
         faults.append(Fault("samples", samples, rule))
-    number = isinstance(seed, (int, np.integer)) and not isinstance(seed, bool)
-    if seed is not None and not (number and seed >= 0):
+    if seed is not None and not is_whole(seed, 0):
         faults.append(Fault("seed", seed, "must be a whole number from 0 on"))
     spread = [parameter.path for parameter in parameters if parameter.spread is not None]
     if samples is None and spread:

@@ -5,8 +5,6 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from ropewalk.record.errors import InputError, RunError
 from ropewalk.record.lock import is_locked
 from ropewalk.scene import SceneError
@@ -16,6 +14,7 @@ from ropewalk.sweeps.batch import REST, RUN
 from ropewalk.sweeps.designs import Design
 from ropewalk.sweeps.store import COPIES, DATA, PARTIAL, SCENE, is_sweep
 from ropewalk.sweeps.trial import Trial
+from ropewalk.sweeps.whole import is_whole
 
 MOST_IN_MEMORY = 1_000_000_000  # bytes
 
@@ -25,8 +24,7 @@ def check_options(what: str, batch: int | None, workers: int | None) -> None:
     if what not in (RUN, REST):
         raise InputError("what", what, 'must be "run" or "rest"')
     for name, value, of in (("batch", batch, "runs"), ("workers", workers, "processes")):
-        whole = isinstance(value, (int, np.integer)) and not isinstance(value, bool)
-        if value is not None and not (whole and value >= 1):
+        if value is not None and not is_whole(value, 1):
             raise InputError(name, value, f"must be a whole number of {of} from 1 on")
 
 

@@ -9,8 +9,13 @@ import numpy as np
 from ropewalk.record.errors import InputError
 
 
+def is_whole(value: Any, least: int) -> bool:
+    """Tell whether a value is a whole number from `least` on."""
+    number = isinstance(value, (int, np.integer)) and not isinstance(value, bool)
+    return number and bool(value >= least)
+
+
 def refuse_unless_whole(name: str, value: Any, least: int) -> None:
     """Refuse anything but a whole number from `least` on. Raises InputError."""
-    number = isinstance(value, (int, np.integer)) and not isinstance(value, bool)
-    if not (number and value >= least):
+    if not is_whole(value, least):
         raise InputError(name, value, f"must be a whole number from {least} on")
