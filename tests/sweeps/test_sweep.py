@@ -111,6 +111,18 @@ def test_every_text_of_a_list_is_tried() -> None:
     assert {row[1] for row in tried} == {2, 8}
 
 
+def test_what_two_values_make_wrong_is_told_among_many_corners() -> None:
+    """A start and an end farther apart than the rope is long; the other four make it 144 corners."""
+    ends = {
+        "rope.shape.start": [[0.0, 0.0, 0.0], [-3.0, 0.0, 0.0], [0.1, 0.0, 0.0]],
+        "rope.shape.end": [[8.0, 0.0, 1.0], [11.0, 0.0, 0.0], [8.1, 0.0, 1.0]],
+    }
+    more = {f"gravity[{k}]": [-9.8 * (k == 2), -9.7 + 9.8 * (k != 2)] for k in range(3)}
+    mass = {"rope.made_of.mass_per_length": [0.05, 0.06]}
+    with pytest.raises(rw.SceneError, match="14 m"):
+        rw.sweep(rigid(), {**ends, **more, **mass}, keep="tension.max", on="here")
+
+
 @pytest.mark.parametrize(
     ("vary", "more", "words"),
     [

@@ -30,6 +30,7 @@ from ropewalk.sweeps.plan import Variable
 from ropewalk.sweeps.workshop import Workshop
 
 _MOST_CORNERS = 64
+_MOST_PAIRS = 512
 _MOST_TEXTS = 256
 _TOLD = 20  # faults
 
@@ -48,7 +49,7 @@ class Trial:
 
 
 def corners(ends: Sequence[Sequence[Any]]) -> Iterator[list[Any]]:
-    """Yield the corners of the values, about 64 of them: every end of every parameter is in some."""
+    """Yield the corners of the values; of more than 64 every end by itself, and up to 512 pairs of ends."""
     if math.prod(map(len, ends)) <= _MOST_CORNERS:
         yield from (list(corner) for corner in itertools.product(*ends))
         return
@@ -58,6 +59,16 @@ def corners(ends: Sequence[Sequence[Any]]) -> Iterator[list[Any]]:
     for place, values in enumerate(ends):
         for value in values[1:]:
             yield [*base[:place], value, *base[place + 1 :]]
+    yield from itertools.islice(_pairs(ends), _MOST_PAIRS)
+
+
+def _pairs(ends: Sequence[Sequence[Any]]) -> Iterator[list[Any]]:
+    """Yield the corners in which two parameters are at other ends than the first: most faults are of two."""
+    for one, other in itertools.combinations(range(len(ends)), 2):
+        for a, b in itertools.product(ends[one][1:], ends[other][1:]):
+            corner = [values[0] for values in ends]
+            corner[one], corner[other] = a, b
+            yield corner
 
 
 def _ends(parameter: Parameter, drawn: Sequence[Any] | None) -> tuple[Any, ...]:
