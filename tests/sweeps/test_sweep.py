@@ -111,6 +111,32 @@ def test_every_text_of_a_list_is_tried() -> None:
     assert {row[1] for row in tried} == {2, 8}
 
 
+def test_of_very_many_values_some_are_tried(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The least and the largest always; all of 200 are."""
+    from ropewalk.sweeps.parameters import make_parameters
+    from ropewalk.sweeps.trial import _ends, value_faults
+    from ropewalk.sweeps.workshop import Workshop
+
+    tried: list[float] = []
+    scene = Workshop.scene
+
+    def note(self: Workshop, row: list[float]) -> rw.Scene:
+        tried.append(row[0])
+        return scene(self, row)
+
+    monkeypatch.setattr(Workshop, "scene", note)
+    for count, most in ((200, 200), (5000, 260)):
+        tried.clear()
+        values = [1000.0 + i for i in range(count)]
+        values[3] = -1.0  # the only wrong one
+        values[7] = 1e9
+        (parameter,) = made = make_parameters(swing(), {EA: values})
+        faults = value_faults(Workshop(swing(), [EA], ["float"]), made, [_ends(parameter, None)])
+        assert len(faults) == 1
+        assert {-1.0, 1e9} <= set(tried)
+        assert len(tried) <= most
+
+
 def test_what_two_values_make_wrong_is_told_among_many_corners() -> None:
     """A start and an end farther apart than the rope is long; the other four make it 144 corners."""
     ends = {
