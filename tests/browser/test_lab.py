@@ -72,7 +72,7 @@ def test_an_anchor_that_lets_go_inside_a_step(
         own = rw.Simulation(scene.replace(run=run, anchors=anchors))
         own.advance_frames(steps)
         error = np.abs(found - np.array([own.arrays.x, own.arrays.v])).max()
-        assert (error < 1e-11) is same, (moment, error)
+        assert bool(error < 1e-11) is same, (moment, error)
 
 
 @pytest.mark.browser

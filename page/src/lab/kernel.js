@@ -133,8 +133,17 @@ export class Rope {
       if (anchor.held && anchor.release !== null && anchor.release <= this.time + 1e-6 * dt) {
         anchor.held = false;
         this.inverse[anchor.node] = 1 / this.mass[anchor.node];
-        this.renew();
+        this.#let(anchor.node);
       }
+    }
+  }
+
+  /** Let a node that was held go with the forces of the step that ends. @param {number} i */
+  #let(i) {
+    for (let k = 0; k < 3; k++) {
+      const [e, c] = [this.pull[k], this.friction[k]];
+      const force = e[i + 1] + c[i + 1] - (e[i] + c[i]);
+      this.a[k][i] = force * this.inverse[i] + this.gravity[k];
     }
   }
 
