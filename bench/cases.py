@@ -20,7 +20,7 @@ from bench.page import page, page_memory
 from bench.row import Row
 from bench.yardsticks import bare_loop, numpy_loop
 from ropewalk import Anchor, Rope, RunSettings, Scene, Simulation, Springs
-from ropewalk.build import build
+from ropewalk.lowering import build
 from ropewalk.methods.recording import make_recording
 from ropewalk.methods.registry import METHODS
 from ropewalk.record.run import record_run

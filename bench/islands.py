@@ -7,8 +7,9 @@ from collections.abc import Callable
 
 from bench.clock import take_turns
 from bench.row import Row
-from ropewalk import Anchor, Material, Rope, RunSettings, Scene, Simulation, islands
-from ropewalk.build import build
+from ropewalk import Anchor, Material, Rope, RunSettings, Scene, Simulation
+from ropewalk.engine import islands
+from ropewalk.lowering import build
 from ropewalk.scene import Slack
 
 STEP = 1.0 / 60.0

@@ -24,7 +24,7 @@ import numpy as np
 import ropewalk as rw
 from bench.row import Row
 from ropewalk import Anchor, Rope, RunSettings, Scene, Springs
-from ropewalk.build import build
+from ropewalk.lowering import build
 from ropewalk.record.simulate import simulate_in_memory
 
 RUNS, SEGMENTS, DT, STEPS = 1024, 20, 1e-3, 1000

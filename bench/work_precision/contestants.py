@@ -15,7 +15,7 @@ from bench.work_precision.numpy_euler import numpy_euler
 from bench.work_precision.scenes import Case
 from ropewalk import Simulation
 from ropewalk.analysis.stability import stability
-from ropewalk.build import Model
+from ropewalk.lowering import Model
 from ropewalk.methods.registry import METHODS
 
 HALVINGS = 11

@@ -15,7 +15,7 @@ import numba
 import numpy as np
 from numpy.typing import NDArray
 
-from ropewalk.build import Model
+from ropewalk.lowering import Model
 from ropewalk.motions.table import CODES
 from ropewalk.scene import Scene
 

@@ -13,7 +13,7 @@ from bench.work_precision.contestants import Entry, Series, all_series
 from bench.work_precision.equations import Floats, equations
 from bench.work_precision.reference import Reference, distance, reference
 from bench.work_precision.scenes import Case
-from ropewalk.build import build
+from ropewalk.lowering import build
 
 ROUNDS = 7  # at most, per entry
 SHARE = 0.25  # [s] of repeats per entry, after the first

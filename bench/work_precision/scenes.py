@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ropewalk import Anchor, Material, Rope, RunSettings, Scene, preset
-from ropewalk.build import build
+from ropewalk.lowering import build
 from ropewalk.scene.shapes import Points, Slack
 
 SEGMENTS = 100

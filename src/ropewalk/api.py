@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
-from ropewalk.build import Model, build
+from ropewalk.lowering import Model, build
 from ropewalk.record.facts import INTERRUPTED
 from ropewalk.record.result import Result
 from ropewalk.record.simulate import Progress, simulate_in_memory

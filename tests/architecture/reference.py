@@ -12,8 +12,8 @@ from typing import Any
 
 import ropewalk as rw
 from ropewalk.analysis.check import Check
-from ropewalk.drum import WinchHandle
-from ropewalk.hand import AnchorHandle
+from ropewalk.hands.drum import WinchHandle
+from ropewalk.hands.hand import AnchorHandle
 from ropewalk.live.cell import Replay
 from ropewalk.live.view import View
 from ropewalk.record.drawing import Plots

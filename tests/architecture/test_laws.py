@@ -9,15 +9,18 @@ from architecture.sources import PACKAGE, SOURCES, name_of
 from ropewalk.laws.registry import NODE_LAWS
 from ropewalk.scene import Scene
 
-ENGINE = {"core", "laws", "methods", "motions", "build", "statics", "vibration"}
+ENGINE = {
+    "core", "engine", "hands", "laws", "lowering", "methods", "motions", "simulation", "statics",
+    "vibration",
+}  # fmt: skip
 OWN = {f"laws/{name}.py" for name in ("air", "air_drag", "air_tangent", "ground", "registry")}
 ALLOWED = {
-    "build/motion_rows.py": "above_ground, a field of the scene's anchors",
+    "lowering/motion_rows.py": "above_ground, a field of the scene's anchors",
     "core/arrays.py": "above_ground, the same in the table of anchors",
     "laws/anchors.py": "above_ground, read there",
     "statics/rest.py": "grounded, a field of Statics that users read",
     "statics/refusal.py": "a sentence on what is missing",
-    "build/chains.py": "'in the air', the name of a case of the bound of the step, which users read",
+    "lowering/chains.py": "'in the air', the name of a case of the bound of the step, which users read",
 }
 
 

@@ -15,8 +15,8 @@ from typing import Any
 import pytest
 from rich.console import Console
 
-from ropewalk import bar
 from ropewalk.cli import progress
+from ropewalk.display import bar
 from ropewalk.scene.presets import preset
 from ropewalk.simulation import Simulation
 from ropewalk.sweeps.bar import RunsBar

@@ -327,7 +327,7 @@ def test_an_error_in_ropewalk_itself(
     def fail(*_: Any, **__: Any) -> None:
         raise ZeroDivisionError("by nought")
 
-    monkeypatch.setattr("ropewalk.build.build", fail)
+    monkeypatch.setattr("ropewalk.lowering.build", fail)
     monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
     done = ropewalk("run", scene)
     assert done.exit_code == 1

@@ -17,11 +17,11 @@ import pytest
 
 import ropewalk as rw
 import runs
+from ropewalk.engine.slices import Slices
 from ropewalk.record.errors import RunError
 from ropewalk.record.result import Result
 from ropewalk.record.resume import resume_run
 from ropewalk.record.run import record_run
-from ropewalk.slices import Slices
 
 CHUNK = 16
 CHILD = """

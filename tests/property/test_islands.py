@@ -12,13 +12,13 @@ import numpy as np
 import pytest
 from hypothesis import HealthCheck, Phase, assume, given, settings
 
-from ropewalk import islands
-from ropewalk.block import Block, join
-from ropewalk.build import build
-from ropewalk.partition import partition
+from ropewalk.engine import islands
+from ropewalk.engine.partition import partition
+from ropewalk.lowering import build
 from ropewalk.record.simulate import simulate_in_memory
 from ropewalk.scene import Anchor, Material, Rope, Scene, SceneError, Slack, Velocity
 from ropewalk.simulation import Simulation
+from ropewalk.simulation.block import Block, join
 from strategies import scenes
 
 RELAXED = settings(

@@ -9,13 +9,13 @@ import pytest
 from hypothesis import HealthCheck, Phase, assume, given, settings
 from hypothesis import strategies as st
 
-from ropewalk.block import Block, join
 from ropewalk.core.status import BROKEN, OK, UNSOLVED
 from ropewalk.methods.recording import bends
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import Anchor, Load, Points, Rope, Scene, SceneError, Springs
 from ropewalk.scene.rope import Kick
 from ropewalk.simulation import Broken, Simulation
+from ropewalk.simulation.block import Block, join
 from strategies import ALL_METHODS, axes, numbers, scenes, vectors
 
 RELAXED = settings(

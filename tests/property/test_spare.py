@@ -7,11 +7,11 @@ import pytest
 from hypothesis import HealthCheck, Phase, assume, given, settings
 
 import ropewalk as rw
-from ropewalk import spare as spares
-from ropewalk.build import build
+from ropewalk.engine import spare as spares
+from ropewalk.engine.spare import Spare
+from ropewalk.lowering import build
 from ropewalk.record.simulate import simulate_in_memory
 from ropewalk.scene import Scene, SceneError
-from ropewalk.spare import Spare
 from ropewalk.statics import NoRest
 from strategies import scenes
 from sweeps.scenes import swing

@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 import ropewalk as rw
-from ropewalk import islands
+from ropewalk.engine import islands
 from ropewalk.record.errors import RunError
 from ropewalk.sweeps import engines, worker
 from ropewalk.sweeps.worker import packed_rows, unpacked_rows

@@ -12,9 +12,9 @@ import numpy as np
 import pytest
 
 import ropewalk as rw
-from ropewalk.build import Model, build
-from ropewalk.build.pieces import same
 from ropewalk.core.arrays import flatten
+from ropewalk.lowering import Model, build
+from ropewalk.lowering.pieces import same
 from ropewalk.scene import SceneError, apply_overrides
 from ropewalk.scene.files import scene_table
 from ropewalk.scene.overrides import Places
@@ -213,6 +213,6 @@ def test_threads_of_one_worker_do_not_mix_their_runs() -> None:
 
 
 def test_a_piece_that_misses_a_change_would_be_seen(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("ropewalk.build.pieces.same", lambda one, other: True)
+    monkeypatch.setattr("ropewalk.lowering.pieces.same", lambda one, other: True)
     with pytest.raises(AssertionError, match="rope.length"):
         compare(swing(), "rope.length", ["2.0", "2.1"])

@@ -6,8 +6,8 @@ import pytest
 
 import ropewalk as rw
 from ropewalk.analysis.apart import torn_apart
-from ropewalk.build import build
 from ropewalk.core.status import BROKEN, OK, UNSOLVED
+from ropewalk.lowering import build
 from ropewalk.scene import Anchor, Limiter, Material, Rope, RunSettings, Scene, Straight, Velocity
 from ropewalk.simulation import Simulation
 

@@ -8,7 +8,7 @@ import pytest
 
 from ropewalk.analysis.bending import bending_warnings
 from ropewalk.analysis.units import unit_slips
-from ropewalk.build import build
+from ropewalk.lowering import build
 from ropewalk.scene import (
     Anchor,
     Clamp,

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 import ropewalk as rw
-from ropewalk.build import bounce, build
-from ropewalk.build.bounce import Bounce, bounce_growth, largest_bounce_step
-from ropewalk.build.steps import predicted_step, uncovered
+from ropewalk.lowering import bounce, build
+from ropewalk.lowering.bounce import Bounce, bounce_growth, largest_bounce_step
+from ropewalk.lowering.steps import predicted_step, uncovered
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import (
     Anchor,

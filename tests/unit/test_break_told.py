@@ -7,11 +7,11 @@ import pytest
 
 import ropewalk as rw
 from ropewalk.analysis.diagnosis import explain
-from ropewalk.build import build
+from ropewalk.engine.start import started
+from ropewalk.lowering import build
 from ropewalk.record.simulate import simulate_in_memory
 from ropewalk.scene import Air, Anchor, Rope, RunSettings, Scene, Springs, Straight
 from ropewalk.simulation import Simulation
-from ropewalk.start import started
 from ropewalk.statics import NoRest, static_shape
 
 

@@ -11,8 +11,8 @@ from click.testing import CliRunner
 
 import ropewalk as rw
 from ropewalk.analysis.compare import compare_runs
-from ropewalk.build import build
 from ropewalk.cli.app import main
+from ropewalk.lowering import build
 from ropewalk.record.resume import resume_run
 from ropewalk.record.run import record_run
 from ropewalk.scene import Anchor, Material, Rope, Scene, Slack, Velocity, save

@@ -11,7 +11,7 @@ from ropewalk.analysis.check import check
 from ropewalk.analysis.cost import seconds_per_step
 from ropewalk.analysis.units import unit_slips
 from ropewalk.api import simulate
-from ropewalk.build import build
+from ropewalk.lowering import build
 from ropewalk.scene import (
     Anchor,
     Ground,

@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 import ropewalk as rw
-from ropewalk.build import build
-from ropewalk.build.choice import AIM, ERROR, candidates
-from ropewalk.build.plan import Plan
-from ropewalk.build.steps import predicted_step
+from ropewalk.lowering import build
+from ropewalk.lowering.choice import AIM, ERROR, candidates
+from ropewalk.lowering.plan import Plan
+from ropewalk.lowering.steps import predicted_step
 from ropewalk.methods.registry import METHODS
 from ropewalk.record.facts import provenance
 from ropewalk.scene import Anchor, Limiter, Material, Rope, RunSettings, Scene, Winch

@@ -6,7 +6,7 @@ import warnings
 
 import pytest
 
-from ropewalk.crawl import MANY, Crawl, CrawlWarning
+from ropewalk.engine.crawl import MANY, Crawl, CrawlWarning
 from ropewalk.scene import Anchor, Material, Rope, RunSettings, Scene, Straight
 from ropewalk.simulation import Simulation
 

@@ -10,9 +10,9 @@ import pytest
 
 from ropewalk.analysis.diagnosis import Diagnosis, diagnose, explain, retrace
 from ropewalk.analysis.stability import stability
-from ropewalk.broken import ACCOUNTED
-from ropewalk.build import build
 from ropewalk.core.status import OK
+from ropewalk.engine.broken import ACCOUNTED
+from ropewalk.lowering import build
 from ropewalk.scene import Anchor, Rope, RunSettings, Scene, Springs, Straight
 from ropewalk.simulation import Simulation
 

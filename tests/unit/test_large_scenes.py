@@ -8,7 +8,7 @@ from types import FrameType
 from typing import Any
 
 from ropewalk.analysis.check import check
-from ropewalk.build import build
+from ropewalk.lowering import build
 from ropewalk.scene import Anchor, Material, Rope, RunSettings, Scene, Slack
 from ropewalk.simulation import Simulation
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from ropewalk.build.layout import Layout, make_layout
+from ropewalk.lowering.layout import Layout, make_layout
 from ropewalk.scene import Anchor, Material, Rope, Scene, Straight, Winch
 
 

@@ -10,7 +10,7 @@ import pytest
 
 import ropewalk as rw
 from ropewalk.analysis.check import check
-from ropewalk.build import build
+from ropewalk.lowering import build
 from ropewalk.record.resume import resume_run
 from ropewalk.scene import Air, Anchor, Ground, Material, Rope, Scene, Springs, Straight
 from ropewalk.statics import static_shape

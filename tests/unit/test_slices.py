@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from ropewalk.core.arrays import flatten
+from ropewalk.engine.slices import GROWTH, SLICE, Slices
 from ropewalk.scene import Scene
 from ropewalk.simulation import Simulation
-from ropewalk.slices import GROWTH, SLICE, Slices
 from runs import hanging
 
 

@@ -10,7 +10,7 @@ import pytest
 
 from ropewalk.analysis.linear import sideways_share
 from ropewalk.analysis.stability import Stability, rounded_down, stability
-from ropewalk.build import build
+from ropewalk.lowering import build
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import (
     Air,
@@ -283,7 +283,7 @@ def test_rods_of_next_to_no_stiffness(weak: float) -> None:
 def test_only_what_is_asked_for_is_computed(monkeypatch: pytest.MonkeyPatch) -> None:
     """A verdict on one method asks for no other bound, no rest shape, no largest stiffness."""
     from ropewalk.analysis import linear
-    from ropewalk.build.steps import Cases
+    from ropewalk.lowering.steps import Cases
 
     asked: list[str] = []
     real = Cases.largest

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from ropewalk.analysis.check import check
-from ropewalk.build import build
+from ropewalk.lowering import build
 from ropewalk.scene import Anchor, Ground, Load, Material, Rope, Scene, Slack, Springs, Straight
 from ropewalk.statics import Statics, rest, static_shape
 

@@ -18,7 +18,7 @@ from bench.work_precision.run import write_points, write_table
 from bench.work_precision.scenes import Case, cases, swinging
 
 from ropewalk import Anchor, Limiter, Rope, Scene, Springs, preset
-from ropewalk.build import build
+from ropewalk.lowering import build
 from ropewalk.methods.loop import prepare
 from ropewalk.scene import Hanging
 

@@ -6,10 +6,10 @@ from typing import Any
 
 import numpy as np
 
-from ropewalk.build import build
 from ropewalk.core import arrays
 from ropewalk.core.band import dense
 from ropewalk.laws.tangent import stiffness_and_friction
+from ropewalk.lowering import build
 from ropewalk.methods.loop import prepare
 from ropewalk.scene import Anchor, Clamp, Material, Rope, RunSettings, Scene
 

@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 
 from ropewalk.analysis.check import check
-from ropewalk.build import build
 from ropewalk.laws.registry import NAMES
+from ropewalk.lowering import build
 from ropewalk.methods.recording import LAWS
 from ropewalk.methods.stage import HISTORY, ITERATIONS
 from ropewalk.scene import Anchor, Material, Rope, RunSettings, Scene, Springs, Straight

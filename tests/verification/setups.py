@@ -9,13 +9,13 @@ from typing import Any
 
 import numpy as np
 
-from ropewalk.block import Block, join
 from ropewalk.core.status import OK
 from ropewalk.methods.loop import prepare
 from ropewalk.methods.recording import LAWS
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import Anchor, Points, Rope, RunSettings, Scene, Springs
 from ropewalk.simulation import Simulation
+from ropewalk.simulation.block import Block, join
 
 ALL = tuple(name for name, method in METHODS.items() if method.fixed)
 IMPLICIT = tuple(name for name in ALL if METHODS[name].implicit)

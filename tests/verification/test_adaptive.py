@@ -16,9 +16,8 @@ import numpy as np
 import pytest
 
 import ropewalk as rw
-from ropewalk.block import Block
-from ropewalk.build import build
 from ropewalk.core.status import OK, UNSOLVED
+from ropewalk.lowering import build
 from ropewalk.methods.controller import break_times
 from ropewalk.record.resume import resume_run
 from ropewalk.record.run import record_run
@@ -37,6 +36,7 @@ from ropewalk.scene import (
     Winch,
 )
 from ropewalk.simulation import Broken, Simulation
+from ropewalk.simulation.block import Block
 from verification.setups import run
 
 RATE = 64.0  # a power of two, so that frames of all rates are at the same times to the last bit

@@ -9,7 +9,7 @@ import pytest
 
 from ropewalk.analysis.stability import stability
 from ropewalk.api import simulate
-from ropewalk.build.steps import predicted_step
+from ropewalk.lowering.steps import predicted_step
 from ropewalk.record.result import Result
 from ropewalk.scene import Air, Anchor, Clamp, Points, RunSettings, Velocity
 from ropewalk.simulation import Broken, Simulation

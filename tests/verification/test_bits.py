@@ -11,7 +11,6 @@ import numpy as np
 import pytest
 
 import ropewalk
-from ropewalk.block import join
 from ropewalk.methods.recording import Recording
 from ropewalk.scene import (
     Air,
@@ -27,6 +26,7 @@ from ropewalk.scene import (
     Winch,
 )
 from ropewalk.simulation import Simulation
+from ropewalk.simulation.block import join
 from verification.setups import ALL, EXPLICIT
 
 

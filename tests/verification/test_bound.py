@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from ropewalk.build.chains import chains
+from ropewalk.lowering.chains import chains
 from ropewalk.methods.bound import largest_step
 from ropewalk.scene import Air, Anchor, Rope, Scene
 from ropewalk.simulation import Simulation

@@ -8,7 +8,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from ropewalk.build.chains import chains
+from ropewalk.lowering.chains import chains
 from ropewalk.methods.bound import largest_step
 from ropewalk.scene import Ground, Rope, Scene, Springs, Straight, Winch
 from ropewalk.simulation import Simulation

@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from ropewalk.block import Block, join
 from ropewalk.core.status import OK, UNSOLVED
 from ropewalk.methods.recording import LAWS
 from ropewalk.methods.registry import METHODS
@@ -30,6 +29,7 @@ from ropewalk.scene import (
     Winch,
 )
 from ropewalk.simulation import Simulation
+from ropewalk.simulation.block import Block, join
 
 ABLE = [name for name in METHODS if METHODS[name].implicit and METHODS[name].holds_links]
 FRAME = 1.0 / 60.0

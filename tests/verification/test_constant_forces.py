@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 import ropewalk as rw
-from ropewalk.build import build
 from ropewalk.live.edits import cut
+from ropewalk.lowering import build
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import (
     Anchor,

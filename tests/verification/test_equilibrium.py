@@ -10,7 +10,7 @@ import pytest
 from scipy.optimize import brentq
 
 import ropewalk as rw
-from ropewalk.build import build
+from ropewalk.lowering import build
 from ropewalk.scene import Air, Ground, Load, Points, Rope, Straight
 from ropewalk.statics import NoRest, static_shape
 from ropewalk.statics.balance import Balance

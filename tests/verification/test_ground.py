@@ -7,10 +7,10 @@ import math
 import numpy as np
 import pytest
 
-from ropewalk.build import build
 from ropewalk.core import arrays
 from ropewalk.core.band import dense
 from ropewalk.laws.tangent import stiffness_and_friction
+from ropewalk.lowering import build
 from ropewalk.methods.loop import prepare
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import Ground, Material, Points, Rope, RunSettings, Scene

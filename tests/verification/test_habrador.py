@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from ropewalk.build.chains import chains
+from ropewalk.lowering.chains import chains
 from ropewalk.methods.bound import largest_step
 from ropewalk.scene import Scene
 from ropewalk.scene.presets import preset

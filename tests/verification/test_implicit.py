@@ -12,6 +12,7 @@ import pytest
 from ropewalk.analysis.diagnosis import explain
 from ropewalk.analysis.stability import stability
 from ropewalk.core.status import BROKEN, OK, UNSOLVED
+from ropewalk.engine.unsolved import describe
 from ropewalk.methods.characteristic import growth
 from ropewalk.methods.stage import (
     HISTORY,
@@ -35,7 +36,6 @@ from ropewalk.scene import (
 )
 from ropewalk.simulation import Broken, Simulation
 from ropewalk.theory import lumped_chain
-from ropewalk.unsolved import describe
 from verification.setups import DOWN, IMPLICIT, chain, hold, off, run, scene, springs
 
 FRAME = 1.0 / 60.0

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from ropewalk.api import simulate
-from ropewalk.build import build
+from ropewalk.lowering import build
 from ropewalk.methods.kinks import next_kink
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import Anchor, Clamp, Load, Material, Rope, Scene, Straight, Table, Velocity

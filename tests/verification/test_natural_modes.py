@@ -9,7 +9,7 @@ import pytest
 
 import ropewalk as rw
 from ropewalk import theory
-from ropewalk.build import build
+from ropewalk.lowering import build
 from ropewalk.scene import Air, Load, Points, Rope, Slack, Straight
 from ropewalk.vibration import modes
 

@@ -11,9 +11,9 @@ import pytest
 
 from ropewalk.analysis.apart import jerks, torn_apart
 from ropewalk.analysis.stability import stability
-from ropewalk.build import build
-from ropewalk.build.steps import uncovered
 from ropewalk.core.status import OK
+from ropewalk.lowering import build
+from ropewalk.lowering.steps import uncovered
 from ropewalk.scene import SceneError
 from ropewalk.simulation import Simulation
 from verification.random_scenes import random_scene

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from ropewalk.analysis.stability import stability
-from ropewalk.build import build
+from ropewalk.lowering import build
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import Scene
 from ropewalk.scene.presets import preset

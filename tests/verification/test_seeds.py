@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from ropewalk.analysis.stability import stability
-from ropewalk.build.plan import divide
+from ropewalk.lowering.plan import divide
 from ropewalk.scene import RunSettings, Scene
 from ropewalk.scene.presets import preset
 from ropewalk.simulation import Simulation

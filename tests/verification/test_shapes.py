@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from ropewalk.build import build
+from ropewalk.lowering import build
 from ropewalk.scene import Hanging, Material, Polyline, Rope, Slack, Straight
 from ropewalk.simulation import Simulation
 from verification.setups import DOWN, forces_at, g, hold, off, scene

@@ -62,7 +62,7 @@ class Case:
     """One scene's tables, and its forces as a function of positions and velocities."""
 
     def __init__(self, parts: dict[str, Any]) -> None:
-        from ropewalk.build import build
+        from ropewalk.lowering import build
 
         model = build(Scene(gravity=(0.1, 0.2, -9.0), **parts))
         self.system, self.state = model.system, arrays.copy(model.state)

@@ -6,10 +6,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ropewalk.build import Model
-from ropewalk.build.apart import Span, spans, stretch_of
-from ropewalk.build.chains import anchor_speed
 from ropewalk.core.arrays import Floats
+from ropewalk.lowering import Model
+from ropewalk.lowering.apart import Span, spans, stretch_of
+from ropewalk.lowering.chains import anchor_speed
 from ropewalk.methods.registry import METHODS
 
 _ROUNDING = 1e-9  # [1]

@@ -6,8 +6,8 @@ import math
 
 import numpy as np
 
-from ropewalk.build import Model
 from ropewalk.laws.acting import flow
+from ropewalk.lowering import Model
 from ropewalk.scene import Material, Rope
 
 _FLAT = 1e-6  # [1] what counts as in a plane

@@ -9,7 +9,6 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from ropewalk import cells
 from ropewalk.analysis.apart import Torn, jerks, torn_apart
 from ropewalk.analysis.bending import bending_warnings
 from ropewalk.analysis.cost import seconds_per_step
@@ -18,13 +17,14 @@ from ropewalk.analysis.plan_notes import plan_notes
 from ropewalk.analysis.stability import Stability, milliseconds, rounded_down, stability
 from ropewalk.analysis.strains import breaking_warnings, overlong_at_start, percent, strain_warnings
 from ropewalk.analysis.units import unit_slips
-from ropewalk.build import Model, build
 from ropewalk.core.arrays import Floats
+from ropewalk.display import cells
+from ropewalk.engine.start import started
+from ropewalk.lowering import Model, build
 from ropewalk.record.margins import breaking_load, margin_words
 from ropewalk.record.rest import as_result
 from ropewalk.scene import Scene
 from ropewalk.scene.from_library import origin_words
-from ropewalk.start import started
 from ropewalk.statics import Statics, static_shape
 from ropewalk.words.prefixes import prefixed
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import time
 
-from ropewalk.build import Model
 from ropewalk.core.cache import is_compiled
+from ropewalk.lowering import Model
 from ropewalk.methods.registry import METHODS
 from ropewalk.simulation import Broken, Simulation
 

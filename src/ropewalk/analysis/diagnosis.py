@@ -21,11 +21,11 @@ from numpy.typing import NDArray
 
 from ropewalk.analysis.json_values import plain
 from ropewalk.analysis.stability import Stability, milliseconds, stability
-from ropewalk.broken import ACCOUNTED
-from ropewalk.build import Layout
 from ropewalk.core.status import OK
+from ropewalk.engine.broken import ACCOUNTED
+from ropewalk.engine.unsolved import CALMER
+from ropewalk.lowering import Layout
 from ropewalk.simulation import Broken, Simulation
-from ropewalk.unsolved import CALMER
 
 Floats = NDArray[np.float64]
 

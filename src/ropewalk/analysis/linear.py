@@ -12,10 +12,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ropewalk.build import Model
-from ropewalk.build.bounce import bounce_growth
-from ropewalk.build.plan import bounds_stretch
-from ropewalk.build.steps import Cases
+from ropewalk.lowering import Model
+from ropewalk.lowering.bounce import bounce_growth
+from ropewalk.lowering.plan import bounds_stretch
+from ropewalk.lowering.steps import Cases
 from ropewalk.methods.bound import (
     Chain,
     growth_per_step,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from ropewalk.build import Model
+from ropewalk.lowering import Model
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import Scene, Winch
 

@@ -17,11 +17,12 @@ from ropewalk.analysis.linear import (
     Theory,
     why_none,
 )
-from ropewalk.build import Model, build
-from ropewalk.build.chains import calms_with_speed, chains
-from ropewalk.build.links import has_links
-from ropewalk.build.plan import bounds_stretch
-from ropewalk.build.steps import step_cases, uncovered
+from ropewalk.engine.unsolved import CALMER, RINGING
+from ropewalk.lowering import Model, build
+from ropewalk.lowering.chains import calms_with_speed, chains
+from ropewalk.lowering.links import has_links
+from ropewalk.lowering.plan import bounds_stretch
+from ropewalk.lowering.steps import step_cases, uncovered
 from ropewalk.methods.bound import (
     growth_per_step,
     largest_step,
@@ -29,7 +30,6 @@ from ropewalk.methods.bound import (
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import Scene
 from ropewalk.statics import Statics
-from ropewalk.unsolved import CALMER, RINGING
 
 # Of the implicit methods, the one to recommend: true tensions, one solve, and from any start (ADR 0011).
 STIFF = "bdf2"
@@ -221,7 +221,7 @@ def milliseconds(seconds: float) -> str:
 def stability(source: Scene | Model, statics: Statics | None = None) -> Stability:
     """Return the stability of a scene or a built model at its own step and method.
 
-    Quadratic drag is linearised at `build.chains.fastest`. `statics`, when it is already
+    Quadratic drag is linearised at `lowering.chains.fastest`. `statics`, when it is already
     known, saves solving for the tension that makes sideways motion stiff.
     """
     model = source if isinstance(source, Model) else build(source)

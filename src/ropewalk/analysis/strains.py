@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ropewalk.build import Model
+from ropewalk.lowering import Model
 from ropewalk.scene import Springs
 from ropewalk.statics import Statics
 from ropewalk.words.prefixes import prefixed

@@ -11,7 +11,7 @@ import math
 
 import numpy as np
 
-from ropewalk.build import Model
+from ropewalk.lowering import Model
 from ropewalk.scene import Material, Rope, Scene, Springs
 
 # Speed of sound along a rope, sqrt(EA / mass per length) [m/s].

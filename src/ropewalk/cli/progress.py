@@ -8,12 +8,12 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
-from ropewalk.bar import Bar
 from ropewalk.cli.console import tell
+from ropewalk.display.bar import Bar
 
 if TYPE_CHECKING:
-    from ropewalk.block import Block
     from ropewalk.scene import Scene
+    from ropewalk.simulation.block import Block
 
 
 def is_compiled(method: str) -> bool:

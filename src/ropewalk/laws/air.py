@@ -18,7 +18,7 @@ from ropewalk.laws.air_tangent import (
 from ropewalk.laws.node_law import NodeLaw, Rest
 
 if TYPE_CHECKING:
-    from ropewalk.build.layout import Layout
+    from ropewalk.lowering.layout import Layout
     from ropewalk.methods.bound import Chain
     from ropewalk.scene import Air as AirInScene
 

@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 
-from ropewalk.build import Layout
 from ropewalk.core.arrays import Floats
 from ropewalk.live import edits
 from ropewalk.live.commands import (
@@ -36,6 +35,7 @@ from ropewalk.live.remedies import calm_moment, implicit_method, suggested_step
 from ropewalk.live.session import Session
 from ropewalk.live.sources import Read, Start, from_toml, scene_of
 from ropewalk.live.track import Track
+from ropewalk.lowering import Layout
 from ropewalk.scene import Scene
 from ropewalk.simulation import Simulation
 

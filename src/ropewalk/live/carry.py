@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from ropewalk.build import Model, build
 from ropewalk.core.arrays import Floats, State, flatten
+from ropewalk.lowering import Model, build
 from ropewalk.scene import Scene
 from ropewalk.simulation import Simulation
 

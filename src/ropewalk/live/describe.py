@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 
 from ropewalk.analysis.json_values import plain
-from ropewalk.build import Layout, Span
 from ropewalk.core.arrays import Floats
 from ropewalk.live.frame import HEADER, SCALARS, Shape
 from ropewalk.live.parameters import PARAMETERS, ROPE, Parameter
@@ -17,6 +16,7 @@ from ropewalk.live.session import Session
 from ropewalk.live.sources import START
 from ropewalk.live.themes import menu, title
 from ropewalk.live.track import RIGID_FIXED, WINCH_SAFE, WITH_LINKS, Track
+from ropewalk.lowering import Layout, Span
 from ropewalk.scene import Scene, Springs
 from ropewalk.scene.presets import preset
 

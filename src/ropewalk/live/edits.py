@@ -13,9 +13,9 @@ from typing import Any
 
 import numpy as np
 
-from ropewalk.build.layout import Layout, make_layout
 from ropewalk.core.arrays import Floats
 from ropewalk.live.parameters import refusal
+from ropewalk.lowering.layout import Layout, make_layout
 from ropewalk.scene import Anchor, Force, Hand, Load, Material, Rope, Scene, Straight
 
 MOST_ANCHORS, MOST_ROPES = 100, 200

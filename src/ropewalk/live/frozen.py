@@ -7,10 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from ropewalk.build import Layout
 from ropewalk.core.arrays import Floats
 from ropewalk.live.parameters import initial
 from ropewalk.live.session import Session
+from ropewalk.lowering import Layout
 from ropewalk.scene import Kick, Points, Scene, SceneError
 
 

@@ -18,11 +18,10 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from ropewalk.block import Block
-from ropewalk.build import Layout, Plan
 from ropewalk.live.commands import Command
 from ropewalk.live.frozen import Frozen, scene_now
 from ropewalk.live.session import Session
+from ropewalk.lowering import Layout, Plan
 from ropewalk.record.errors import RunError
 from ropewalk.record.events import log
 from ropewalk.record.facts import FINISHED, RUNNING, Facts, provenance
@@ -32,6 +31,7 @@ from ropewalk.record.lock import locked
 from ropewalk.record.place import DATA, PROVENANCE, new_folder
 from ropewalk.record.store import Writer
 from ropewalk.scene import Scene
+from ropewalk.simulation.block import Block
 
 COMMIT_SECONDS = 1.0
 BYTES_PER_SECOND = (

@@ -13,16 +13,16 @@ from typing import Any
 import numpy as np
 
 from ropewalk import __version__
-from ropewalk.build import Model, build
 from ropewalk.core.arrays import AXIAL, BENDING
+from ropewalk.engine.start import started
 from ropewalk.laws.registry import NODE_LAWS
 from ropewalk.live.share import HERE, as_data, in_script, policy
+from ropewalk.lowering import Model, build
 from ropewalk.motions.table import FIXED, VELOCITY
 from ropewalk.record.files import write, writing
 from ropewalk.scene import Scene, SceneError
 from ropewalk.scene.errors import NO_VALUE, Fault
 from ropewalk.scene.presets import preset
-from ropewalk.start import started
 
 SECTIONS = tuple(law.section for law in NODE_LAWS)
 PRESETS = ("r4", "r1", "r2", "r3", "r9")

@@ -13,13 +13,13 @@ from ropewalk.analysis.stability import (
     rounded_down,
     stability,
 )
-from ropewalk.build import Model
-from ropewalk.build.links import has_links
-from ropewalk.build.steps import step_cases
+from ropewalk.engine.unsolved import RINGING
+from ropewalk.lowering import Model
+from ropewalk.lowering.links import has_links
+from ropewalk.lowering.steps import step_cases
 from ropewalk.methods.bound import meter
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import Springs
-from ropewalk.unsolved import RINGING
 
 GREEN = 0.9  # of the bound
 _FRICTION = {"semi-implicit-euler": (2.0, "a + 2b"), "verlet": (4.0, "a + 4b")}

@@ -6,8 +6,8 @@ import threading
 import time
 from typing import Any
 
-from ropewalk.build import Model
 from ropewalk.live.meter import measure
+from ropewalk.lowering import Model
 
 _REST = 1.0  # times the time that a measurement took, before the next
 

@@ -6,9 +6,9 @@ import math
 from typing import TYPE_CHECKING, Any
 
 from ropewalk.analysis.stability import STIFF
-from ropewalk.build import Layout
-from ropewalk.build.steps import predicted_step
 from ropewalk.live.history import Moment
+from ropewalk.lowering import Layout
+from ropewalk.lowering.steps import predicted_step
 from ropewalk.simulation import Simulation
 
 if TYPE_CHECKING:

@@ -9,8 +9,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ropewalk.block import Block
-from ropewalk.build import Plan, build
 from ropewalk.core.arrays import Floats
 from ropewalk.core.peaks import Peaks
 from ropewalk.core.status import OK
@@ -21,9 +19,11 @@ from ropewalk.live.edits import Edit
 from ropewalk.live.hands import CONTROL, Hands
 from ropewalk.live.parameters import named, refusal
 from ropewalk.live.seen import Interval
+from ropewalk.lowering import Plan, build
 from ropewalk.methods.recording import CONSERVATIVE, bends, work_names
 from ropewalk.scene import Scene
 from ropewalk.simulation import Simulation, Snapshot
+from ropewalk.simulation.block import Block
 
 LOSSES = ("friction", *(law.name for law in NODE_LAWS))
 # What may be changed while a winch works: it changes tables that all else is made of.

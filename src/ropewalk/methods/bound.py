@@ -3,7 +3,7 @@
 A chain is reduced to one unknown per node. The stiffness of a segment, as a matrix, lies between
 -k I and k I for any shape in which no segment is pressed below half its length (k along it,
 k (1 - L/r) across it), so the chain with k everywhere bounds every shape from above and is exact
-along a straight one. Bends become springs between neighbours (`build.bends`). An eigenvector of
+along a straight one. Bends become springs between neighbours (`lowering.bends`). An eigenvector of
 
     M x'' + C x' + K x = 0
 

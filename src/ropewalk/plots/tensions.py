@@ -10,7 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.colors import Colormap, LinearSegmentedColormap, Normalize
 from matplotlib.figure import Figure
 
-from ropewalk.build import Span
+from ropewalk.lowering import Span
 from ropewalk.plots.curves import mark_break, time_limits
 from ropewalk.plots.margins import margin_notes
 from ropewalk.plots.style import (

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from ropewalk.record.good import good_part, remembered
 
 if TYPE_CHECKING:
-    from ropewalk.build.layout import Span
+    from ropewalk.lowering.layout import Span
     from ropewalk.record.result import Result
 
 Floats = NDArray[np.float64]

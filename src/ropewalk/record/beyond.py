@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from ropewalk.build import Layout
 from ropewalk.core.arrays import Floats
 from ropewalk.core.status import UNSOLVED
+from ropewalk.lowering import Layout
 from ropewalk.record.errors import RunError
 from ropewalk.record.files import reading, write
 from ropewalk.record.place import BEYOND as NAME

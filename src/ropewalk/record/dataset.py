@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ropewalk.build import Layout
 from ropewalk.core.arrays import Floats
+from ropewalk.lowering import Layout
 from ropewalk.record.quantities import (
     BY_NAME,
     joined,

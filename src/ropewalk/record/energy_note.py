@@ -13,7 +13,7 @@ from ropewalk.methods.registry import METHODS
 from ropewalk.scene import Material, Scene
 
 if TYPE_CHECKING:
-    from ropewalk.build import Plan
+    from ropewalk.lowering import Plan
     from ropewalk.record.result import Result
 
 MOST = 0.01  # [1] of weight times length

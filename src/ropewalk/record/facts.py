@@ -9,7 +9,7 @@ from datetime import UTC, datetime
 from functools import cache
 from typing import Any
 
-from ropewalk.build import Plan
+from ropewalk.lowering import Plan
 from ropewalk.record.ends import End
 from ropewalk.record.identity import source_hash
 

@@ -17,8 +17,8 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-from ropewalk.build import Layout, Plan
-from ropewalk.build.layout import make_layout
+from ropewalk.lowering import Layout, Plan
+from ropewalk.lowering.layout import make_layout
 from ropewalk.methods.registry import METHODS
 from ropewalk.record import beyond
 from ropewalk.record.ends import from_dicts

@@ -27,12 +27,13 @@ FOLDERS = (
     "scene",
     "library",
     "words",
-    "build",
+    "lowering",
     "statics",
     "vibration",
+    "engine",
+    "hands",
+    "simulation",
 )
-# of the package's own folder; how progress looks is no physics
-NOT_PHYSICS = ("__init__.py", "__main__.py", "api.py", "bar.py")
 REMEMBERED = (
     "sources.json"  # hashes of syntax trees by those of their files; parsing takes a second
 )
@@ -41,8 +42,7 @@ MOST_REMEMBERED = 2000
 
 def sources() -> list[Path]:
     """Return the files that decide what a run computes."""
-    folders = [path for folder in FOLDERS for path in sorted((PACKAGE / folder).rglob("*.py"))]
-    return folders + [path for path in sorted(PACKAGE.glob("*.py")) if path.name not in NOT_PHYSICS]
+    return [path for folder in FOLDERS for path in sorted((PACKAGE / folder).rglob("*.py"))]
 
 
 @cache

@@ -10,7 +10,7 @@ import numpy as np
 from ropewalk.core.arrays import Floats
 
 if TYPE_CHECKING:
-    from ropewalk.build import Layout
+    from ropewalk.lowering import Layout
     from ropewalk.scene import Scene
 
 

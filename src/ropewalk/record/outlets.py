@@ -8,7 +8,7 @@ from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, cast
 
-from ropewalk import cells
+from ropewalk.display import cells
 from ropewalk.record.drawing import Plots
 from ropewalk.record.selection import DEFAULT
 

@@ -7,12 +7,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ropewalk.block import Block
-from ropewalk.build import Layout
 from ropewalk.core.arrays import Floats
 from ropewalk.core.peaks import BOUNDS, EXTREMES
+from ropewalk.lowering import Layout
 from ropewalk.methods.recording import energy_names, work_names
 from ropewalk.scene import Scene
+from ropewalk.simulation.block import Block
 
 AXES = ("x", "y", "z")
 ENERGY = "energy; that of gravity is 0 in the scene's own shape"

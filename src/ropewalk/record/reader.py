@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ropewalk.build import Layout
 from ropewalk.core.arrays import Floats
+from ropewalk.lowering import Layout
 from ropewalk.record.errors import RunError
 from ropewalk.record.files import read_json, reading
 from ropewalk.record.quantities import BY_NAME, stored

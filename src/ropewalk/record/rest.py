@@ -7,10 +7,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from ropewalk.block import Block
-from ropewalk.build import Model, build
 from ropewalk.core import arrays
 from ropewalk.laws.clamps import start_clamps
+from ropewalk.lowering import Model, build
 from ropewalk.methods.loop import prepare
 from ropewalk.methods.recording import ENERGIES, Recording, make_recording, record_frame
 from ropewalk.methods.scratch import make_sums
@@ -20,6 +19,7 @@ from ropewalk.record.quantities import recorded
 from ropewalk.record.result import Result
 from ropewalk.record.source import Memory
 from ropewalk.scene import Scene
+from ropewalk.simulation.block import Block
 from ropewalk.statics import Statics, checked_shape
 
 

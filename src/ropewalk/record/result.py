@@ -10,8 +10,8 @@ from typing import Any
 
 import numpy as np
 
-from ropewalk.build import Layout, Plan
 from ropewalk.core.arrays import Floats
+from ropewalk.lowering import Layout, Plan
 from ropewalk.record.beyond import Beyond
 from ropewalk.record.beyond import load as load_beyond
 from ropewalk.record.ends import End

@@ -6,7 +6,7 @@ from contextlib import ExitStack
 from dataclasses import replace
 from pathlib import Path
 
-from ropewalk.build import build
+from ropewalk.lowering import build
 from ropewalk.record import checkpoint
 from ropewalk.record.errors import RunError
 from ropewalk.record.events import log

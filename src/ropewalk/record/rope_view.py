@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ropewalk.build import Span
 from ropewalk.core.arrays import Floats
+from ropewalk.lowering import Span
 from ropewalk.record.ends import End
 from ropewalk.record.margins import breaking_load
 

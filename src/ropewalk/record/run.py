@@ -13,10 +13,10 @@ from itertools import cycle
 from pathlib import Path
 from types import FrameType
 
-from ropewalk.block import Block
-from ropewalk.build import Model
 from ropewalk.core.status import OK
-from ropewalk.engine import counts
+from ropewalk.engine.engine import counts
+from ropewalk.engine.slices import NODE_STEP
+from ropewalk.lowering import Model
 from ropewalk.methods.registry import METHODS
 from ropewalk.record import beyond, checkpoint
 from ropewalk.record.background import Background
@@ -35,7 +35,7 @@ from ropewalk.record.simulate import Explain, Progress, Runner, no_explanation
 from ropewalk.record.store import Writer
 from ropewalk.scene import Scene
 from ropewalk.simulation import Simulation
-from ropewalk.slices import NODE_STEP
+from ropewalk.simulation.block import Block
 
 CHUNK_SECONDS = 0.25  # about this long a chunk of frames is simulated [s]
 COMMIT_SECONDS = 1.0  # at least this long between two commits [s]

@@ -5,9 +5,9 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 
-from ropewalk.block import Block, join
-from ropewalk.build import Model
 from ropewalk.core.status import OK, UNSOLVED
+from ropewalk.engine.spare import Spare
+from ropewalk.lowering import Model
 from ropewalk.methods.recording import Recording
 from ropewalk.record.beyond import Beyond, look_beyond
 from ropewalk.record.ends import End, in_words
@@ -19,7 +19,7 @@ from ropewalk.record.source import Memory
 from ropewalk.record.watch import Watch
 from ropewalk.scene import Scene
 from ropewalk.simulation import Simulation
-from ropewalk.spare import Spare
+from ropewalk.simulation.block import Block, join
 
 #: Called after every block with the frames done, frames planned and the block.
 Progress = Callable[[int, int, Block], None]

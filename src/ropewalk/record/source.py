@@ -6,9 +6,9 @@ from typing import Protocol
 
 import numpy as np
 
-from ropewalk.block import Block
 from ropewalk.core.arrays import Floats
 from ropewalk.record.quantities import BY_NAME, raw
+from ropewalk.simulation.block import Block
 
 
 class Source(Protocol):

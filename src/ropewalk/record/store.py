@@ -16,9 +16,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ropewalk.block import Block
-from ropewalk.build import Layout
 from ropewalk.core.arrays import Floats
+from ropewalk.lowering import Layout
 from ropewalk.methods.recording import LARGE
 from ropewalk.record.dataset import TIME, attributes, coordinates
 from ropewalk.record.files import sync_all, write, write_json, write_pages
@@ -32,6 +31,7 @@ from ropewalk.record.zarr_format import (
     group_metadata,
 )
 from ropewalk.scene import Scene
+from ropewalk.simulation.block import Block
 
 if TYPE_CHECKING:
     from ropewalk.record.reader import Stored

@@ -8,7 +8,7 @@ from collections.abc import Iterable
 import numpy as np
 
 from ropewalk.core.arrays import Floats, Ints
-from ropewalk.drum import EMPTY, RELEASED, limit_reached
+from ropewalk.hands.drum import EMPTY, RELEASED, limit_reached
 from ropewalk.methods.registry import METHODS
 from ropewalk.record.events import Event
 from ropewalk.simulation import Simulation

@@ -8,15 +8,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ropewalk.block import join
-from ropewalk.build import build
 from ropewalk.core.arrays import Floats
 from ropewalk.core.status import OK
+from ropewalk.lowering import build
 from ropewalk.scene import Scene
 from ropewalk.scene.files import scene_table
 from ropewalk.scene.overrides import apply_overrides
 from ropewalk.scene.presets import preset
 from ropewalk.simulation import Simulation
+from ropewalk.simulation.block import join
 from ropewalk.statics import Statics, static_shape
 
 

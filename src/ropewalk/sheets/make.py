@@ -9,7 +9,7 @@ from typing import Any
 
 from ropewalk import __version__
 from ropewalk.api import SceneLike, as_scene, equilibrium, simulate
-from ropewalk.build import build
+from ropewalk.lowering import build
 from ropewalk.plots.dimensions import dimensions
 from ropewalk.record.result import Result
 from ropewalk.scene import Scene, SceneError, dumps

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ropewalk.api import equilibrium, simulate
-from ropewalk.build import build
+from ropewalk.lowering import build
 from ropewalk.record.extremes import extremes
 from ropewalk.scene import Scene, SceneError
 from ropewalk.scene.recut import recut

@@ -22,7 +22,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from ropewalk.build import Model, Span
 from ropewalk.core import arrays
 from ropewalk.core.arrays import BENDING, Floats
 from ropewalk.core.band_lu import solve_band
@@ -30,6 +29,7 @@ from ropewalk.laws.acting import at_rest
 from ropewalk.laws.clamps import start_clamps
 from ropewalk.laws.others import other_forces, other_stiffness
 from ropewalk.laws.tangent import law_band
+from ropewalk.lowering import Model, Span
 
 _TINY = 1e-300
 _CLOSED = 1e-9  # error that counts as at rest [1]

@@ -10,8 +10,8 @@ import itertools
 
 import numpy as np
 
-from ropewalk.build import Model, Span
 from ropewalk.core.arrays import Floats
+from ropewalk.lowering import Model, Span
 from ropewalk.scene import SceneError
 from ropewalk.scene.errors import Fault
 from ropewalk.theory.chain import hang

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ropewalk.build import Model, build
 from ropewalk.core.arrays import Floats
 from ropewalk.laws.acting import borne
 from ropewalk.laws.node_law import Rest
+from ropewalk.lowering import Model, build
 from ropewalk.scene import Scene
 from ropewalk.statics.balance import Balance
 from ropewalk.statics.hung import hung

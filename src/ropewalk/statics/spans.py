@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ropewalk.build import Model, Span
 from ropewalk.core.arrays import Floats
+from ropewalk.lowering import Model, Span
 from ropewalk.statics.hung import held_nodes, upward
 
 

@@ -8,7 +8,7 @@ import time
 from collections.abc import Callable
 from typing import Any
 
-from ropewalk.bar import Bar, terminal
+from ropewalk.display.bar import Bar, terminal
 
 _log = logging.getLogger("ropewalk.sweep")
 

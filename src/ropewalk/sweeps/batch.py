@@ -10,15 +10,15 @@ from typing import Any
 import numpy as np
 
 from ropewalk.api import explain
-from ropewalk.build import Model
 from ropewalk.core.arrays import Floats
+from ropewalk.engine.spare import Spare
+from ropewalk.lowering import Model
 from ropewalk.record.facts import AT_REST, BROKE, FINISHED
 from ropewalk.record.rest import rest_result
 from ropewalk.record.result import Result
 from ropewalk.record.simulate import simulate_in_memory
 from ropewalk.scene import Scene, SceneError, dumps, loads
 from ropewalk.simulation import Simulation
-from ropewalk.spare import Spare
 from ropewalk.statics import NoRest
 from ropewalk.sweeps.identity import sweep_hash
 from ropewalk.sweeps.keep import Kept, parse

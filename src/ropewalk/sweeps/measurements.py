@@ -15,8 +15,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ropewalk.build import build
 from ropewalk.core.arrays import Floats
+from ropewalk.lowering import build
 from ropewalk.record.errors import InputError, RunError
 from ropewalk.scene import Material, Scene
 from ropewalk.sweeps.keep import parse

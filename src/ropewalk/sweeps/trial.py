@@ -11,8 +11,8 @@ from typing import Any
 
 import numpy as np
 
-from ropewalk.build import Model
 from ropewalk.core.arrays import Floats
+from ropewalk.lowering import Model
 from ropewalk.record.facts import Facts
 from ropewalk.record.quantities import labels, recorded
 from ropewalk.record.rest import rest_result

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from ropewalk.islands import one_after_another
+from ropewalk.engine.islands import one_after_another
 from ropewalk.record.errors import RunError
 from ropewalk.sweeps.batch import GOOD, Batch, Batcher, Recipe
 from ropewalk.sweeps.identity import sweep_hash

@@ -1,8 +1,8 @@
 """Makes scene and model of every run: once whole, then only what its values change.
 
-The model of a run is that of the one before but for the pieces that other values change (`build.pieces`), and
-so is the scene; runs of one layout, method and set of laws share all else. Both are equal, bit for bit, to
-those made anew.
+The model of a run is that of the one before but for the pieces that other values change (`lowering.pieces`),
+and so is the scene; runs of one layout, method and set of laws share all else. Both are equal, bit for bit,
+to those made anew.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from ropewalk.build import Model, Pieces, build
+from ropewalk.lowering import Model, Pieces, build
 from ropewalk.scene import Scene
 from ropewalk.scene.overrides import Places
 from ropewalk.sweeps.parameters import TEXT

@@ -18,12 +18,12 @@ from typing import Any
 
 import numpy as np
 
-from ropewalk.build import Model
 from ropewalk.core import arrays
 from ropewalk.core.arrays import BENDING, Floats, Ints
 from ropewalk.core.band import Band, triplets
 from ropewalk.laws.others import other_stiffness
 from ropewalk.laws.tangent import assemble_tangent, law_band
+from ropewalk.lowering import Model
 
 _SYMMETRIC = 1e-12  # of the largest entry: what a difference from the transpose may be [1]
 

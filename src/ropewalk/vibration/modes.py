@@ -8,14 +8,14 @@ from typing import Any, Literal
 
 import numpy as np
 
-from ropewalk import cells
-from ropewalk.build import Layout, Model, build
-from ropewalk.build.links import has_links
 from ropewalk.core import arrays
 from ropewalk.core.arrays import BENDING, Floats
 from ropewalk.core.saddle import make_saddle
+from ropewalk.display import cells
 from ropewalk.laws.acting import at_rest
 from ropewalk.laws.node_law import Rest
+from ropewalk.lowering import Layout, Model, build
+from ropewalk.lowering.links import has_links
 from ropewalk.methods.loop import prepare_links
 from ropewalk.scene import Scene, SceneError
 from ropewalk.scene.errors import Fault

@@ -7,8 +7,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ropewalk.build import Model, Span
 from ropewalk.core.arrays import Floats
+from ropewalk.lowering import Model, Span
 
 Complex = NDArray[np.complex128]
 _SEEN = 0.05  # of the largest displacement: what counts as a motion of its own [1]

@@ -14,7 +14,7 @@ from ropewalk.cli.sources import json_option
 from ropewalk.cli.summary import print_results
 
 if TYPE_CHECKING:
-    from ropewalk.build import Plan
+    from ropewalk.lowering import Plan
     from ropewalk.record.result import Result
 
 MOST_NAMED = 20  # damaged chunks

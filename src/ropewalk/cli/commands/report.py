@@ -6,11 +6,11 @@ from pathlib import Path
 
 import click
 
-from ropewalk.bar import Bar, terminal
 from ropewalk.cli.commands.run import RUNS
 from ropewalk.cli.console import print_table, tell
 from ropewalk.cli.errors import Refusal
 from ropewalk.cli.files import claimed, refuse_parent
+from ropewalk.display.bar import Bar, terminal
 
 
 @click.command()

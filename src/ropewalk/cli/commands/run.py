@@ -16,7 +16,7 @@ from ropewalk.cli.startup import without_scipy
 from ropewalk.cli.summary import print_result_json, print_results
 
 if TYPE_CHECKING:
-    from ropewalk.build import Model
+    from ropewalk.lowering import Model
     from ropewalk.record.result import Result
     from ropewalk.scene import Scene
 
@@ -131,7 +131,7 @@ def run_scene(
     """
     with without_scipy():
         from ropewalk.api import explain
-        from ropewalk.build import build
+        from ropewalk.lowering import build
         from ropewalk.record.run import record_run
 
         model = build(scene)

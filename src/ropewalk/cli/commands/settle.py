@@ -45,7 +45,7 @@ def settle(
     with without_scipy():
         if output is not None:
             refuse_run(output, overwrite)
-        from ropewalk.build import build
+        from ropewalk.lowering import build
         from ropewalk.record.rest import rest_result
         from ropewalk.statics import rest_spans
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ropewalk.build import Model
+from ropewalk.lowering import Model
 from ropewalk.methods.registry import METHODS
 from ropewalk.motions.table import TABLE, VELOCITY
 

@@ -9,12 +9,12 @@ from typing import Any
 
 import numpy as np
 
-from ropewalk.build import Model, Pieces, Span
-from ropewalk.build.layout import make_layout
-from ropewalk.build.tables import make_tables
 from ropewalk.core.arrays import Floats, Ints, State, System, copy, flatten
 from ropewalk.core.peaks import EXTREMES, FORCE, LEAST_TENSION, LOWEST, PLACE, SINCE, UNTIL, VALUE
 from ropewalk.laws.registry import NAMES
+from ropewalk.lowering import Model, Pieces, Span
+from ropewalk.lowering.layout import make_layout
+from ropewalk.lowering.tables import make_tables
 from ropewalk.methods.recording import (
     Recording,
     bends,

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ropewalk.build.choice import Candidate, choose, reason
-from ropewalk.build.steps import BEYOND, predicted_step, uncovered
 from ropewalk.core.arrays import State, System
 from ropewalk.laws.winch import WINCH_SHARE
+from ropewalk.lowering.choice import Candidate, choose, reason
+from ropewalk.lowering.steps import BEYOND, predicted_step, uncovered
 from ropewalk.methods.controller import LONGEST_STEP
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import RunSettings, Scene, SceneError

@@ -10,26 +10,26 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, cast
 
 import numpy as np
 
-from ropewalk.block import Block
-from ropewalk.build import Model, build
-from ropewalk.build.plan import divide
 from ropewalk.core import arrays
 from ropewalk.core.arrays import APPLIED, Floats, Ints, State
 from ropewalk.core.peaks import Peaks
 from ropewalk.core.status import BROKEN, OK, UNSOLVED
-from ropewalk.drive import Driven, Goal
-from ropewalk.drum import WinchHandle
-from ropewalk.engine import Fall, counts, working_space
-from ropewalk.hand import AnchorHandle
-from ropewalk.islands import make_engine
+from ropewalk.engine.engine import Fall, counts, working_space
+from ropewalk.engine.islands import make_engine
+from ropewalk.engine.slices import Edges
+from ropewalk.engine.spare import Spare
+from ropewalk.hands.drive import Driven, Goal
+from ropewalk.hands.drum import WinchHandle
+from ropewalk.hands.hand import AnchorHandle
+from ropewalk.lowering import Model, build
+from ropewalk.lowering.plan import divide
 from ropewalk.methods.adaptive import Walk
 from ropewalk.methods.recording import ENERGIES, Recording, make_recording, record_frame
 from ropewalk.methods.scratch import make_sums
 from ropewalk.methods.watch import watch
 from ropewalk.motions.table import HAND
 from ropewalk.scene import Scene
-from ropewalk.slices import Edges
-from ropewalk.spare import Spare
+from ropewalk.simulation.block import Block
 
 if TYPE_CHECKING:
     from ropewalk.live.view import View

@@ -14,9 +14,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ropewalk.build.chains import speed_scale
-from ropewalk.build.steps import step_cases, uncovered
 from ropewalk.core.arrays import State, System
+from ropewalk.lowering.chains import speed_scale
+from ropewalk.lowering.steps import step_cases, uncovered
 from ropewalk.methods.registry import METHODS
 from ropewalk.motions.table import ORBIT, SHAKE
 from ropewalk.scene import Scene, SceneError

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from ropewalk.build.layout import Layout, Span, make_layout
-from ropewalk.build.pieces import Pieces
-from ropewalk.build.plan import Plan, make_plan
-from ropewalk.build.tables import make_tables
 from ropewalk.core.arrays import State, System
+from ropewalk.lowering.layout import Layout, Span, make_layout
+from ropewalk.lowering.pieces import Pieces
+from ropewalk.lowering.plan import Plan, make_plan
+from ropewalk.lowering.tables import make_tables
 from ropewalk.scene import Scene
 
 __all__ = ["Layout", "Model", "Pieces", "Plan", "Span", "build"]
@@ -26,7 +26,9 @@ class Model:
     gravity_zero: (
         float  # gravity's potential in the scene's own shape [J], from where it is counted
     )
-    started: bool = False  # whether `state` is that in which the run starts; see `ropewalk.start`
+    started: bool = (
+        False  # whether `state` is that in which the run starts; see `ropewalk.engine.start`
+    )
 
 
 def build(scene: Scene, pieces: Pieces | None = None) -> Model:

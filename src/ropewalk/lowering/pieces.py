@@ -7,7 +7,7 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from ropewalk.build.layout import Layout
+from ropewalk.lowering.layout import Layout
 
 T = TypeVar("T")
 

@@ -11,11 +11,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ropewalk.build import Model
-from ropewalk.build.layout import Layout
 from ropewalk.core import arrays
 from ropewalk.core.arrays import Floats, State
 from ropewalk.laws.links import solve_links
+from ropewalk.lowering import Model
+from ropewalk.lowering.layout import Layout
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import SceneError
 from ropewalk.scene.errors import Fault

@@ -6,12 +6,12 @@ import math
 
 import numpy as np
 
-from ropewalk.build.apart import recoil_of_releases
-from ropewalk.build.bends import bends
 from ropewalk.core.arrays import Floats, State, System
 from ropewalk.laws.acting import acting, flow
 from ropewalk.laws.registry import NODE_LAWS
 from ropewalk.laws.winch import MERGE, SPLIT
+from ropewalk.lowering.apart import recoil_of_releases
+from ropewalk.lowering.bends import bends
 from ropewalk.methods.bound import Chain
 from ropewalk.motions.table import ORBIT, SHAKE, TABLE, VELOCITY
 

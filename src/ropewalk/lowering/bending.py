@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from ropewalk.build.layout import Layout
-from ropewalk.build.pieces import Pieces
 from ropewalk.core.arrays import BENDING, Bending, Floats, State, System
+from ropewalk.lowering.layout import Layout
+from ropewalk.lowering.pieces import Pieces
 from ropewalk.scene import Anchor, Clamp, Material, Rope, Scene
 
 

@@ -6,12 +6,12 @@ from dataclasses import replace
 
 import numpy as np
 
-from ropewalk.build import Model
-from ropewalk.build.bounds import with_bounds
-from ropewalk.build.links import with_links
 from ropewalk.core import arrays
 from ropewalk.core.arrays import Floats, State, System
 from ropewalk.laws.clamps import start_clamps
+from ropewalk.lowering import Model
+from ropewalk.lowering.bounds import with_bounds
+from ropewalk.lowering.links import with_links
 from ropewalk.methods.recording import bends
 from ropewalk.scene import SceneError
 from ropewalk.scene.errors import Fault
@@ -22,8 +22,8 @@ from ropewalk.statics import checked_shape
 def started(model: Model) -> Model:
     """Return the model as its run starts; itself when that is as the scene draws it.
 
-    Rigid links start at their lengths (`build.links`), whatever chords the shape has, and segments within the
-    bounds of a limiter that is solved for (`build.bounds`).
+    Rigid links start at their lengths (`lowering.links`), whatever chords the shape has, and segments within
+    the bounds of a limiter that is solved for (`lowering.bounds`).
 
     With `start = "at-rest"` its places are those of the equilibrium, and its velocities zero but for kicks,
     anchors that move at once, and the mode that `ring` names.

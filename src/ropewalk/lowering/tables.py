@@ -9,12 +9,6 @@ from typing import Any
 
 import numpy as np
 
-from ropewalk.build.bending import add_bending, no_bending
-from ropewalk.build.curve import initial_points
-from ropewalk.build.layout import Layout, Span
-from ropewalk.build.limiter_order import limiter_order
-from ropewalk.build.motion_rows import anchor_tables
-from ropewalk.build.pieces import Pieces
 from ropewalk.core.arrays import (
     Anchors,
     Floats,
@@ -30,6 +24,12 @@ from ropewalk.core.peaks import no_peaks
 from ropewalk.core.status import BREAK_STRETCH
 from ropewalk.laws.anchors import anchor_places
 from ropewalk.laws.registry import NODE_LAWS, NodeArrays, NodeTables
+from ropewalk.lowering.bending import add_bending, no_bending
+from ropewalk.lowering.curve import initial_points
+from ropewalk.lowering.layout import Layout, Span
+from ropewalk.lowering.limiter_order import limiter_order
+from ropewalk.lowering.motion_rows import anchor_tables
+from ropewalk.lowering.pieces import Pieces
 from ropewalk.methods.kinks import kink_times
 from ropewalk.scene import Limiter as LimiterInScene
 from ropewalk.scene import Material, Rope, Scene, Springs

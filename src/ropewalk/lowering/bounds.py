@@ -7,10 +7,10 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from ropewalk.build import Model
-from ropewalk.build.links import TAUT, fit_lengths, reaches
 from ropewalk.core import arrays
 from ropewalk.core.arrays import Floats
+from ropewalk.lowering import Model
+from ropewalk.lowering.links import TAUT, fit_lengths, reaches
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import Limiter, SceneError
 from ropewalk.scene.errors import NO_VALUE, Fault

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ropewalk.core.arrays import Floats, Ints, State, flatten
-from ropewalk.shares import INDICES, PEAKS, SUMS, Share
+from ropewalk.engine.shares import INDICES, PEAKS, SUMS, Share
 
 
 class Links(NamedTuple):

@@ -13,9 +13,9 @@ from numpy.typing import ArrayLike
 from ropewalk.core.arrays import APPLIED, Floats, State, System
 
 if TYPE_CHECKING:
-    from ropewalk.block import Block
-    from ropewalk.build import Layout, Model
+    from ropewalk.lowering import Layout, Model
     from ropewalk.simulation import Snapshot
+    from ropewalk.simulation.block import Block
 
 _ROUNDING = 1e-9  # [1] of the places: what lies this near to a goal has reached it
 _OPPOSITE = 1e-9  # [rad] from the opposite direction: no way round is the shortest

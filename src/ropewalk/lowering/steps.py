@@ -3,7 +3,7 @@
 Linear theory (`methods.bound`) has a case for every place a rope may be in, and covers all shapes in which no
 segment is pressed below half its length. Beyond it, for explicit methods:
 
-* segments that go slack and taut gain energy from the steps themselves (`build.bounce`);
+* segments that go slack and taut gain energy from the steps themselves (`lowering.bounce`);
 * two-way springs that something can press below half their length, as it can where speeds come near to that
   of waves along the rope, are not what the theorem speaks of. Methods that neither lose nor gain energy
   cannot turn such springs over without making some up; `rk4` loses more;
@@ -20,11 +20,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ropewalk.build.apart import recoil_of_releases
-from ropewalk.build.bounce import Bounce, bounce_of, largest_bounce_step
-from ropewalk.build.chains import FREE, fastest, free_chains, recoil, with_cases
 from ropewalk.core.arrays import State, System
 from ropewalk.laws.acting import acting
+from ropewalk.lowering.apart import recoil_of_releases
+from ropewalk.lowering.bounce import Bounce, bounce_of, largest_bounce_step
+from ropewalk.lowering.chains import FREE, fastest, free_chains, recoil, with_cases
 from ropewalk.methods.bound import Chain, largest_step
 from ropewalk.methods.registry import METHODS
 

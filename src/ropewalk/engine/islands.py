@@ -22,20 +22,29 @@ from time import perf_counter
 
 import numpy as np
 
-from ropewalk.build import Model
 from ropewalk.core.arrays import APPLIED, Floats, Ints, flatten, pooled
 from ropewalk.core.peaks import Peaks
 from ropewalk.core.status import BROKEN, OK, PAUSED
-from ropewalk.engine import Asked, Controls, Engine, Fall, Moved, controlled, controls_of, never
-from ropewalk.links import find_links, pool_size
+from ropewalk.engine.engine import (
+    Asked,
+    Controls,
+    Engine,
+    Fall,
+    Moved,
+    controlled,
+    controls_of,
+    never,
+)
+from ropewalk.engine.partition import partition
+from ropewalk.engine.places import find_links, pool_size
+from ropewalk.engine.shares import collect, gather_peaks, held_frames, shares_of
+from ropewalk.engine.slices import Edges, Slices
+from ropewalk.engine.spare import Spare
+from ropewalk.engine.start import started
+from ropewalk.lowering import Model
 from ropewalk.methods.adaptive import Walk
 from ropewalk.methods.recording import Recording, make_recording
 from ropewalk.methods.registry import METHODS
-from ropewalk.partition import partition
-from ropewalk.shares import collect, gather_peaks, held_frames, shares_of
-from ropewalk.slices import Edges, Slices
-from ropewalk.spare import Spare
-from ropewalk.start import started
 
 #: So many threads move islands side by side, where none is told to work alone (`one_after_another`).
 threads = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ropewalk.core.arrays import Floats
-from ropewalk.drive import shortest_turn
+from ropewalk.hands.drive import shortest_turn
 
 if TYPE_CHECKING:
     from ropewalk.simulation import Simulation

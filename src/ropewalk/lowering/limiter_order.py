@@ -6,8 +6,8 @@ from collections import deque
 
 import numpy as np
 
-from ropewalk.build.layout import Layout, Span
 from ropewalk.core.arrays import Floats, Ints
+from ropewalk.lowering.layout import Layout, Span
 
 
 def limiter_order(layout: Layout) -> tuple[Ints, Floats]:

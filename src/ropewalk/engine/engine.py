@@ -7,14 +7,16 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ropewalk import broken, unsolved
-from ropewalk.build import Model
-from ropewalk.build.links import has_links
 from ropewalk.core import arrays
 from ropewalk.core.arrays import TENSION_ONLY, Floats, Ints, State, System, pooled
 from ropewalk.core.status import BROKEN, UNSOLVED
-from ropewalk.crawl import Crawl
+from ropewalk.engine import broken, unsolved
+from ropewalk.engine.crawl import Crawl
+from ropewalk.engine.slices import Slices
+from ropewalk.engine.start import set_first_reactions
 from ropewalk.laws.ledger import gravity_energy
+from ropewalk.lowering import Model
+from ropewalk.lowering.links import has_links
 from ropewalk.methods import adaptive
 from ropewalk.methods.adaptive import Walk
 from ropewalk.methods.controller import (
@@ -32,8 +34,6 @@ from ropewalk.methods.registry import METHODS
 from ropewalk.methods.scratch import make_sums
 from ropewalk.methods.verdict import HONEST, LAST, ZERO, energy_now
 from ropewalk.methods.watch import begin_interval
-from ropewalk.slices import Slices
-from ropewalk.start import set_first_reactions
 
 #: Tells whether to stop at the last whole frame.
 Asked = Callable[[], bool]

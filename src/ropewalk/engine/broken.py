@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from ropewalk.build import Layout
 from ropewalk.core.arrays import State, System
+from ropewalk.lowering import Layout
 from ropewalk.methods.verdict import HONEST, ZERO, energy_now
 
 #: Ends a reason where the numbers are right: a rope was stretched beyond what is one.

@@ -1,0 +1,7 @@
+"""Ropes simulated step by step, and the blocks of frames that come of it."""
+
+from __future__ import annotations
+
+from ropewalk.simulation.simulation import Broken, Simulation, Snapshot
+
+__all__ = ["Broken", "Simulation", "Snapshot"]
