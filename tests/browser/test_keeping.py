@@ -11,7 +11,7 @@ from PIL import Image
 
 from browser.window import Window
 from live.drive import slack_rope
-from ropewalk.live.keep import parts
+from ropewalk.live.keeper import parts
 from ropewalk.live.relive import relive
 from ropewalk.live.replay import serve_run
 from ropewalk.live.serve import ViewServer

@@ -13,9 +13,9 @@ import pytest
 
 from browser.window import Window
 from live.drive import slack_rope
+from ropewalk.live.broadcast import Broadcast
 from ropewalk.live.serve import ViewServer
 from ropewalk.live.session import Session
-from ropewalk.live.stage import Stage
 
 pytestmark = pytest.mark.browser
 Open = Callable[..., Window]
@@ -92,7 +92,7 @@ def test_a_lost_server_is_said_and_found_again(serve: Serve, open_window: Open) 
     window.until("window.banners.ended")
     assert "Trying again" in window.page.evaluate("() => window.banners.ended")
     time = window.ask("r.time")
-    stage = Stage(Session(slack_rope(20)), playing=True)
+    stage = Broadcast(Session(slack_rope(20)), playing=True)
     back = ViewServer(port=server.port, token=server.token)
     back.show(stage)
     assert back.port == server.port
@@ -116,7 +116,7 @@ def test_the_page_waits_for_the_simulation(open_window: Open, tmp_path: Path) ->
         there = window.page.locator(", ".join(NEEDS_A_SIMULATION))
         assert there.count() == len(NEEDS_A_SIMULATION)
         assert not any(one.is_visible() for one in there.all())
-        early.show(Stage(Session(slack_rope(20)), playing=True))
+        early.show(Broadcast(Session(slack_rope(20)), playing=True))
         window.until("r.state === 'playing' && r.drawn > 0")
         assert not window.page.locator("#banner").is_visible()
         assert all(one.is_visible() for one in there.all())

@@ -19,7 +19,7 @@ from ropewalk.cli import progress
 from ropewalk.display import bar
 from ropewalk.scene.presets import preset
 from ropewalk.simulation import Simulation
-from ropewalk.sweeps.bar import RunsBar
+from ropewalk.sweeps.runs_bar import RunsBar
 
 LONG = "A rope with a name that is a little long"
 

@@ -11,10 +11,10 @@ import pytest
 
 from live.drive import slack_rope
 from live.pages import Page
+from ropewalk.live.broadcast import Broadcast
 from ropewalk.live.launch import prepare
 from ropewalk.live.serve import ViewServer
 from ropewalk.live.session import Session
-from ropewalk.live.stage import Stage
 from ropewalk.scene import SceneError
 
 
@@ -36,7 +36,7 @@ def test_the_page_comes_first_and_its_socket_when_there_is_something_to_see(
     waiting.start()
     waiting.join(0.5)
     assert waiting.is_alive()
-    server.show(Stage(Session(slack_rope(20)), playing=False), title="late")
+    server.show(Broadcast(Session(slack_rope(20)), playing=False), title="late")
     waiting.join(30.0)
     with came[0] as page:
         assert page.message("hello")["title"] == "late"

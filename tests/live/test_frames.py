@@ -9,15 +9,15 @@ import pytest
 
 from live.drive import do, r4, slack_rope
 from ropewalk.live import describe, pace
+from ropewalk.live.broadcast import Broadcast
 from ropewalk.live.commands import parse
 from ropewalk.live.frame import HEADER, SCALARS
 from ropewalk.live.hub import UNACKNOWLEDGED, Mailbox
 from ropewalk.live.session import Session
-from ropewalk.live.stage import Stage
 from ropewalk.scene import Force
 
 
-def parts(stage: Stage, variant: int = 0) -> dict[str, np.ndarray]:
+def parts(stage: Broadcast, variant: int = 0) -> dict[str, np.ndarray]:
     """Take a frame apart as the layout message says."""
     data, layout = stage.frame(), describe.layout(stage.session)
     about = layout["variants"][variant]
@@ -36,13 +36,13 @@ def parts(stage: Stage, variant: int = 0) -> dict[str, np.ndarray]:
 
 
 @pytest.fixture
-def stage() -> Stage:
+def stage() -> Broadcast:
     session = r4()
     session.advance(900)
-    return Stage(session, playing=False)
+    return Broadcast(session, playing=False)
 
 
-def test_a_frame_holds_what_the_simulation_has(stage: Stage) -> None:
+def test_a_frame_holds_what_the_simulation_has(stage: Broadcast) -> None:
     do(stage.session, "grab", node=7, target=[7.0, 2.0, 0.0])
     stage.session.advance(5)
     simulation, found = stage.session.main.simulation, parts(stage)
@@ -67,7 +67,7 @@ def test_a_frame_holds_what_the_simulation_has(stage: Stage) -> None:
     assert found["grabs"][0, 4:7] == pytest.approx(stage.session.main.hands.grabs[0].force)
 
 
-def test_the_header_says_when_and_how(stage: Stage) -> None:
+def test_the_header_says_when_and_how(stage: Broadcast) -> None:
     head = HEADER.unpack_from(stage.frame())
     assert head[0] == int.from_bytes(b"RWPF", "little")
     assert head[1] == stage.layout_number
@@ -87,7 +87,7 @@ def test_the_layout_tells_what_the_scene_gives() -> None:
     assert plain["ropes"][0]["submerged_weight"] is None
 
 
-def test_every_variant_has_its_place(stage: Stage) -> None:
+def test_every_variant_has_its_place(stage: Broadcast) -> None:
     do(stage.session, "compare", variants=[{"changes": {"segments": 60, "time_step": 2e-4}}])
     stage.session.advance(200)
     stage.refresh()
@@ -100,7 +100,7 @@ def test_every_variant_has_its_place(stage: Stage) -> None:
     assert dict(zip(SCALARS, first["scalars"], strict=True))["difference"] == 0.0
 
 
-def test_a_new_layout_is_counted_only_when_frames_change(stage: Stage) -> None:
+def test_a_new_layout_is_counted_only_when_frames_change(stage: Broadcast) -> None:
     before = stage.layout_number
     do(stage.session, "set", name="mass", value=3.0)
     stage.refresh()
@@ -112,7 +112,7 @@ def test_a_new_layout_is_counted_only_when_frames_change(stage: Stage) -> None:
 
 def test_the_energies_of_a_frame_balance() -> None:
     session = Session(slack_rope(20))
-    stage = Stage(session, playing=False)
+    stage = Broadcast(session, playing=False)
     for kind, keys in (
         ("set", {"name": "mass", "value": 4.0}),
         ("kick", {"node": 5, "velocity": [0.0, 2.0, 1.0]}),
@@ -131,7 +131,7 @@ def test_the_energies_of_a_frame_balance() -> None:
     assert abs(found["energy_error"]) < 0.02 * abs(found["put_in"])
 
 
-def test_of_many_alike_only_the_last_is_carried_out(stage: Stage) -> None:
+def test_of_many_alike_only_the_last_is_carried_out(stage: Broadcast) -> None:
     answers: list[dict[str, object]] = []
     for number, value in enumerate((2.0, 2.5, 3.0)):
         command = parse({"type": "set", "name": "mass", "value": value, "id": number})

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 from live.drive import do, r4, slack_rope
-from ropewalk.live.keep import Keeper, parts
+from ropewalk.live.keeper import Keeper, parts
 from ropewalk.live.relive import relive
-from ropewalk.live.replay import ReplayStage
+from ropewalk.live.replay import ReplayBroadcast
 from ropewalk.live.session import Session
 from ropewalk.record.errors import RunError
 from ropewalk.record.result import Result
@@ -154,7 +154,7 @@ def test_a_replay_shows_what_was_recorded(tmp_path: Path) -> None:
     do(session, "pin", node=10)
     session.advance(90)
     keeper.close()
-    stage = ReplayStage(tmp_path / "run", playing=False)
+    stage = ReplayBroadcast(tmp_path / "run", playing=False)
     assert len(stage.times) == 32
     assert stage.duration == pytest.approx(270 * session.main.dt)
     data = b"".join(stage.frames_between(0, 40, 1))

@@ -10,18 +10,18 @@ import pytest
 import ropewalk as rw
 from live.drive import do
 from ropewalk.live import describe
+from ropewalk.live.broadcast import Broadcast
 from ropewalk.live.commands import parse
 from ropewalk.live.frame import HEADER, SCALARS, Ranges, Shape, combined
 from ropewalk.live.hub import Mailbox
-from ropewalk.live.keep import Keeper
+from ropewalk.live.keeper import Keeper
+from ropewalk.live.packed_run import record
 from ropewalk.live.packing import Packed, unpack
 from ropewalk.live.pictures import combiner
-from ropewalk.live.program import ProgramStage
-from ropewalk.live.recording import record
-from ropewalk.live.replay import ReplayStage
+from ropewalk.live.program import ProgramBroadcast
+from ropewalk.live.replay import ReplayBroadcast
 from ropewalk.live.seen import Seen
 from ropewalk.live.session import Session
-from ropewalk.live.stage import Stage
 from ropewalk.record.result import Result
 from ropewalk.scene import Anchor, Kick, Load, Material, Rope, RunSettings, Scene, Straight
 from ropewalk.simulation import Simulation
@@ -66,8 +66,8 @@ class Kept:
         """Hear nothing."""
 
 
-def on_stage(session: Session) -> tuple[Stage, Kept]:
-    stage = Stage(session, playing=False)
+def on_stage(session: Session) -> tuple[Broadcast, Kept]:
+    stage = Broadcast(session, playing=False)
     stage.audience = kept = Kept()
     return stage, kept
 
@@ -228,7 +228,7 @@ def test_what_a_page_did_not_get_is_in_its_next_frame() -> None:
 
 def test_a_program_that_takes_several_steps_misses_none() -> None:
     simulation, every = Simulation(catch()), Every(catch())
-    stage = ProgramStage(simulation)
+    stage = ProgramBroadcast(simulation)
     stage.audience = kept = Kept()
     simulation.step(100 * DT)
     simulation.step(60 * DT)
@@ -245,7 +245,7 @@ def test_a_program_that_takes_several_steps_misses_none() -> None:
 
 def test_replays_show_what_the_frames_passed_over_have() -> None:
     result = rw.simulate(catch(1000.0))
-    stage = ReplayStage(result, playing=False)
+    stage = ReplayBroadcast(result, playing=False)
     stage.audience = kept = Kept()
     layout = stage._layout_message(0)
 
@@ -268,7 +268,7 @@ def test_replays_show_what_the_frames_passed_over_have() -> None:
 def test_a_run_without_extremes_is_replayed_by_its_frames() -> None:
     scene = catch(1000.0)
     result = rw.simulate(scene.replace(run=scene.run.replace(extremes=False)))
-    stage = ReplayStage(result, playing=False)
+    stage = ReplayBroadcast(result, playing=False)
     layout = stage._layout_message(0)
     scalars, found = read(stage._frame(17, 1, 0), layout)
     assert scalars["tension_max"] == pytest.approx(float(result.tension[1:18].max()), rel=1e-6)

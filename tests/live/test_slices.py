@@ -11,13 +11,13 @@ import pytest
 
 from live.drive import do, r4, slack_rope
 from ropewalk.core.status import OK
-from ropewalk.live import breaks, describe, opening, steps
+from ropewalk.live import breaks, describe, opening, stepper
+from ropewalk.live.broadcast import Broadcast
 from ropewalk.live.commands import parse
 from ropewalk.live.inbox import MOST_WAITING, Inbox, Item
-from ropewalk.live.keep import Keeper
+from ropewalk.live.keeper import Keeper
 from ropewalk.live.relive import relive
 from ropewalk.live.session import Session
-from ropewalk.live.stage import Stage
 from ropewalk.live.toil import MANY, takes_long
 from ropewalk.scene import RunSettings, Scene
 
@@ -61,19 +61,19 @@ def gate() -> Iterator[threading.Event]:
     made.set()
 
 
-def on_stage(told: Told, session: Session, *, playing: bool = False) -> Stage:
+def on_stage(told: Told, session: Session, *, playing: bool = False) -> Broadcast:
     """Return a stage that an audience sees."""
-    stage = Stage(session, playing=playing)
+    stage = Broadcast(session, playing=playing)
     stage.audience = told
     return stage
 
 
-def send(stage: Stage, told: Told, kind: str, client: int = 1, **keys: Any) -> None:
+def send(stage: Broadcast, told: Told, kind: str, client: int = 1, **keys: Any) -> None:
     """Send a command."""
     stage.submit(parse({"type": kind, **keys}), client, told.tell)
 
 
-def tick_until(stage: Stage, ready: Callable[[], Any]) -> None:
+def tick_until(stage: Broadcast, ready: Callable[[], Any]) -> None:
     """Tick until something is there."""
     end = time.monotonic() + SOON
     while not ready():
@@ -98,12 +98,12 @@ class Costly:
 @pytest.mark.parametrize("cost", [1e-6, 1e-4, 3e-3, 0.2])
 def test_steps_are_taken_while_there_is_time(monkeypatch: pytest.MonkeyPatch, cost: float) -> None:
     session: Any = Costly(cost)
-    monkeypatch.setattr(steps.time, "perf_counter", lambda: session.now)
-    done = steps.advance_within(session, 10_000, 0.014)
+    monkeypatch.setattr(stepper.time, "perf_counter", lambda: session.now)
+    done = stepper.advance_within(session, 10_000, 0.014)
     assert done == session.count
     assert session.now - 50.0 <= 0.014 + cost  # a single step is not divided
     assert done == 10_000 or session.now - 50.0 >= 0.9 * 0.014
-    assert steps.advance_within(session, 3, 1e9) == 3
+    assert stepper.advance_within(session, 3, 1e9) == 3
 
 
 def test_many_steps_of_a_large_scene_come_in_slices(told: Told) -> None:
@@ -280,7 +280,7 @@ def test_a_page_that_comes_is_told_of_the_presets_without_reading_them(
     monkeypatch: pytest.MonkeyPatch, told: Told
 ) -> None:
     """They take 50 ms of a tick; they were read when the stage was made."""
-    stage = Stage(Session(slack_rope(20)), playing=False)
+    stage = Broadcast(Session(slack_rope(20)), playing=False)
     monkeypatch.setattr(describe, "preset", None)
     stage.join(told.tell)
     [message] = told.of("presets")

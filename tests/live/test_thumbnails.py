@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from ropewalk.live.preset_pictures import shipped, svg
-from ropewalk.live.shapes import HEIGHT, WIDTH, draw, shot
+from ropewalk.live.shape_picture import HEIGHT, WIDTH, draw, shot
 from ropewalk.live.thumbnails.telling import TELLING, picture
 from ropewalk.scene import Anchor, Rope, Scene, Springs, Straight
 from ropewalk.scene.presets import names, preset
@@ -86,11 +86,11 @@ def test_the_program_s_own_scene_is_drawn_at_time_zero() -> None:
     )
     scene = Scene(name="a <b> & c", ropes=[rope], anchors=[Anchor(node=0)])
 
-    class Stage:
+    class Broadcast:
         class session:  # noqa: N801
             start = (scene, None)
 
-    text = svg("start", Stage)
+    text = svg("start", Broadcast)
     assert text is not None
     assert "<title>a &lt;b&gt; &amp; c</title>" in text
     (_, line), *_ = _lines(text)

@@ -15,7 +15,7 @@ def one_id() -> Iterator[None]:
     """All sweeps get the same id here: the marks hold it, and stores are compared byte by byte."""
     with pytest.MonkeyPatch.context() as patch:
         made = SimpleNamespace(uuid4=lambda: SimpleNamespace(hex="0" * 32))
-        patch.setattr("ropewalk.sweeps.plan.uuid", made)
+        patch.setattr("ropewalk.sweeps.sweep_plan.uuid", made)
         yield
 
 

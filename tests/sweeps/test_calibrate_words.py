@@ -10,8 +10,8 @@ import pytest
 
 import ropewalk as rw
 from ropewalk.record.errors import InputError
-from ropewalk.sweeps.bounds import make_scales
 from ropewalk.sweeps.calibration import NotFitted
+from ropewalk.sweeps.fit_ranges import make_scales
 from ropewalk.sweeps.identify import verdict
 from sweeps.scenes import EA, rigid, swing
 

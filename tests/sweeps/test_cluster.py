@@ -17,7 +17,7 @@ import pytest
 
 import ropewalk as rw
 from ropewalk.record.errors import RunError
-from ropewalk.sweeps.store import SweepFolder
+from ropewalk.sweeps.sweep_folder import SweepFolder
 from sweeps.scenes import EA, STIFF, same, store_bytes, swing
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -14,7 +14,7 @@ import xarray as xr
 import ropewalk as rw
 from ropewalk.record.errors import RunError
 from ropewalk.sweeps.repair import faults
-from ropewalk.sweeps.store import SweepFolder
+from ropewalk.sweeps.sweep_folder import SweepFolder
 from sweeps.scenes import RUNS, flip, make, store_bytes
 
 

@@ -21,7 +21,7 @@ from deaths import Disk, Killed
 from ropewalk.record.errors import RunError
 from ropewalk.sweeps import identity, many
 from ropewalk.sweeps.batch import Batcher
-from ropewalk.sweeps.store import SweepFolder
+from ropewalk.sweeps.sweep_folder import SweepFolder
 from sweeps.scenes import EA, RUNS, TABLE, alone, make, store_bytes, swing
 
 
@@ -117,7 +117,7 @@ def test_the_mark_of_another_sweep_is_not_taken(
     late = SweepFolder.open(folder)
     batch = Batcher(late.plan.recipe).make(late.rows(1))
     other = SimpleNamespace(uuid4=lambda: SimpleNamespace(hex="1" * 32))
-    monkeypatch.setattr("ropewalk.sweeps.plan.uuid", other)
+    monkeypatch.setattr("ropewalk.sweeps.sweep_plan.uuid", other)
     rw.sweep(swing(0.04), TABLE, store=folder, batch=2, on="here", overwrite=True)
     late.write(1, batch)
     assert late.is_done(1)
@@ -157,7 +157,7 @@ def test_other_sources_are_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPat
     monkeypatch.setattr("ropewalk.sweeps.many.sweep_hash", lambda: "other")
     with pytest.raises(RunError, match="other sources"):
         make(tmp_path / "s")
-    monkeypatch.setattr("ropewalk.sweeps.replay.sweep_hash", lambda: "other")
+    monkeypatch.setattr("ropewalk.sweeps.rerun.sweep_hash", lambda: "other")
     with pytest.warns(UserWarning, match="may not have the bits of the sweep"):
         rw.sweep.replay(tmp_path / "s", 1)
 
@@ -237,10 +237,10 @@ import sys
 import ropewalk as rw
 from distributed import LocalCluster
 from sweeps.scenes import TABLE, swing
-from ropewalk.sweeps import plan
+from ropewalk.sweeps import sweep_plan
 from types import SimpleNamespace
 
-plan.uuid = SimpleNamespace(uuid4=lambda: SimpleNamespace(hex="0" * 32))
+sweep_plan.uuid = SimpleNamespace(uuid4=lambda: SimpleNamespace(hex="0" * 32))
 
 def told(standing):
     print(standing.done, flush=True)

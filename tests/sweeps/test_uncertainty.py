@@ -15,8 +15,8 @@ import pytest
 import scipy.stats
 
 import ropewalk as rw
-from ropewalk.sweeps.store import SweepFolder
 from ropewalk.sweeps.summary import summary
+from ropewalk.sweeps.sweep_folder import SweepFolder
 from sweeps.scenes import DOWN, swing
 
 MASS = "rope.made_of.mass_per_length"

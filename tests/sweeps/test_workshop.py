@@ -16,10 +16,10 @@ from ropewalk.core.arrays import flatten
 from ropewalk.lowering import Model, build
 from ropewalk.lowering.pieces import same
 from ropewalk.scene import SceneError, apply_overrides
-from ropewalk.scene.files import scene_table
 from ropewalk.scene.overrides import Places
 from ropewalk.scene.paths import by_tag, keys, kind_of, sections, tag
 from ropewalk.scene.scene import Scene
+from ropewalk.scene.toml_text import scene_table
 from ropewalk.sweeps.parameters import TEXT
 from ropewalk.sweeps.workshop import Workshop
 from sweeps.scenes import DOWN, EA, alone, swing

@@ -6,8 +6,8 @@ from typing import Any
 
 import pytest
 
-from ropewalk.analysis.bending import bending_warnings
-from ropewalk.analysis.units import unit_slips
+from ropewalk.analysis.bending_notes import bending_warnings
+from ropewalk.analysis.unit_slips import unit_slips
 from ropewalk.lowering import build
 from ropewalk.scene import (
     Anchor,

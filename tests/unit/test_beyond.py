@@ -16,7 +16,7 @@ import ropewalk as rw
 import runs
 from ropewalk import plots
 from ropewalk.cli import main
-from ropewalk.cli.summary import results_rows
+from ropewalk.cli.results_table import results_rows
 from ropewalk.plots.torn import BROKEN
 from ropewalk.record.result import Result
 from ropewalk.scene import dumps

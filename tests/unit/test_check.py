@@ -9,7 +9,7 @@ import pytest
 
 from ropewalk.analysis.check import check
 from ropewalk.analysis.cost import seconds_per_step
-from ropewalk.analysis.units import unit_slips
+from ropewalk.analysis.unit_slips import unit_slips
 from ropewalk.api import simulate
 from ropewalk.lowering import build
 from ropewalk.scene import (

@@ -13,7 +13,7 @@ from click.testing import CliRunner
 import ropewalk as rw
 import runs
 from ropewalk.cli import main
-from ropewalk.record.events import log, read_events
+from ropewalk.record.event_log import log, read_events
 from ropewalk.record.result import Result
 from ropewalk.record.resume import resume_run
 from ropewalk.record.run import record_run
@@ -78,7 +78,7 @@ def test_events_come_in_order_of_time() -> None:
 
 def test_a_drum_sized_by_the_duration_says_so() -> None:
     """Beyond its plan a run in steps of its own outruns the drum that the plan sized."""
-    from ropewalk.record.watch import Watch
+    from ropewalk.record.happenings import Watch
     from ropewalk.simulation import Simulation
 
     simulation = Simulation(wound(Winch(end="start", speed=0.5), duration=0.5))

@@ -15,7 +15,7 @@ import ropewalk as rw
 from live.drive import slack_rope
 from ropewalk.plots import compare
 from ropewalk.plots.dimensions import dimensions
-from ropewalk.plots.given import GIVEN, given_notes
+from ropewalk.plots.given_forces import GIVEN, given_notes
 from ropewalk.scene import Force
 
 

@@ -13,8 +13,8 @@ from matplotlib.figure import Figure
 import runs
 from ropewalk import equilibrium, plots
 from ropewalk.plots.energies import energy_curves
+from ropewalk.plots.sight import good_frames
 from ropewalk.plots.tensions import colour_scale, thinned
-from ropewalk.plots.view import good_frames
 from ropewalk.record.simulate import simulate_in_memory
 from ropewalk.scene import Scene, apply_overrides
 from ropewalk.scene.presets import preset

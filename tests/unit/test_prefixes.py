@@ -7,7 +7,7 @@ import math
 import pytest
 
 import ropewalk as rw
-from ropewalk.cli.summary import results_rows
+from ropewalk.cli.results_table import results_rows
 from ropewalk.words.prefixes import prefix_of, prefixed
 
 

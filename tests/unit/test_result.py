@@ -74,7 +74,7 @@ def test_the_kinetic_balance_closes_to_round_off(name: str, request: pytest.Fixt
 
 
 def test_the_balance_notices_a_work_left_out(result: Result) -> None:
-    from ropewalk.record.ledger import balance_residual
+    from ropewalk.record.balances import balance_residual
 
     work = dict(result.work) | {"air": np.zeros(result.frames)}
     left = balance_residual(result.energy, work, result.read("jump"), True)

@@ -10,8 +10,8 @@ import pytest
 
 import ropewalk as rw
 from ropewalk.library import families, names, rope, search, sources
+from ropewalk.library.catalogue import _SOURCES, _table, faults
 from ropewalk.library.entry import UNITS
-from ropewalk.library.store import _SOURCES, _table, faults
 from ropewalk.scene import SceneError, apply_overrides, dumps, loads, schema
 from ropewalk.scene.from_library import origin, origin_words
 

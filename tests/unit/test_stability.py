@@ -8,7 +8,7 @@ import math
 import numpy as np
 import pytest
 
-from ropewalk.analysis.linear import sideways_share
+from ropewalk.analysis.linear_theory import sideways_share
 from ropewalk.analysis.stability import Stability, rounded_down, stability
 from ropewalk.lowering import build
 from ropewalk.methods.registry import METHODS
@@ -282,7 +282,7 @@ def test_rods_of_next_to_no_stiffness(weak: float) -> None:
 
 def test_only_what_is_asked_for_is_computed(monkeypatch: pytest.MonkeyPatch) -> None:
     """A verdict on one method asks for no other bound, no rest shape, no largest stiffness."""
-    from ropewalk.analysis import linear
+    from ropewalk.analysis import linear_theory
     from ropewalk.lowering.steps import Cases
 
     asked: list[str] = []
@@ -291,13 +291,13 @@ def test_only_what_is_asked_for_is_computed(monkeypatch: pytest.MonkeyPatch) -> 
         Cases, "largest", lambda self, method: asked.append(method) or real(self, method)
     )
     for name in ("static_shape", "largest_stiffness_factor", "growth_per_step", "worst_mode"):
-        real_one = getattr(linear, name)
+        real_one = getattr(linear_theory, name)
 
         def seen(*args: object, name: str = name, real_one: object = real_one, **more: object):
             asked.append(name)
             return real_one(*args, **more)
 
-        monkeypatch.setattr(linear, name, seen)
+        monkeypatch.setattr(linear_theory, name, seen)
     made = build(preset("r4"))
     asked.clear()
     found = stability(made)

@@ -11,7 +11,7 @@ from click.testing import CliRunner
 import ropewalk as rw
 import runs
 from ropewalk.cli import main
-from ropewalk.cli.summary import results_rows
+from ropewalk.cli.results_table import results_rows
 from ropewalk.record.result import Result
 
 

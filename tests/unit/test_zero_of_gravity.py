@@ -9,7 +9,7 @@ import pytest
 
 import ropewalk as rw
 from ropewalk.plots.energies import energy_curves
-from ropewalk.record.ledger import turned_over
+from ropewalk.record.balances import turned_over
 from ropewalk.scene import Anchor, Rope, RunSettings, Scene, Straight
 
 

@@ -9,9 +9,9 @@ import numpy as np
 
 import ropewalk as rw
 from ropewalk.analysis.stability import stability
-from ropewalk.report.answer import FINE, answer
 from ropewalk.report.outcome import Answer
 from ropewalk.report.runs import changed, record
+from ropewalk.report.stiff_rope import FINE, answer
 
 
 @cache

@@ -10,13 +10,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ropewalk.analysis.apart import Torn, jerks, torn_apart
-from ropewalk.analysis.bending import bending_warnings
+from ropewalk.analysis.bending_notes import bending_warnings
 from ropewalk.analysis.cost import seconds_per_step
 from ropewalk.analysis.json_values import plain
 from ropewalk.analysis.plan_notes import plan_notes
 from ropewalk.analysis.stability import Stability, milliseconds, rounded_down, stability
 from ropewalk.analysis.strains import breaking_warnings, overlong_at_start, percent, strain_warnings
-from ropewalk.analysis.units import unit_slips
+from ropewalk.analysis.unit_slips import unit_slips
 from ropewalk.core.arrays import Floats
 from ropewalk.display import cells
 from ropewalk.engine.start import started

@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from ropewalk.analysis.json_values import plain
-from ropewalk.analysis.linear import (
+from ropewalk.analysis.linear_theory import (
     NEED_DAMPING,
     LargestSteps,
     RigidTheory,
@@ -20,7 +20,7 @@ from ropewalk.analysis.linear import (
 from ropewalk.engine.unsolved import CALMER, RINGING
 from ropewalk.lowering import Model, build
 from ropewalk.lowering.chains import calms_with_speed, chains
-from ropewalk.lowering.links import has_links
+from ropewalk.lowering.link_lengths import has_links
 from ropewalk.lowering.plan import bounds_stretch
 from ropewalk.lowering.steps import step_cases, uncovered
 from ropewalk.methods.bound import (

@@ -15,7 +15,7 @@ from typing import Any
 import click
 
 from ropewalk import __version__
-from ropewalk.cli import errors
+from ropewalk.cli import failures
 from ropewalk.cli.commands.check import check
 from ropewalk.cli.commands.compare import compare
 from ropewalk.cli.commands.demo import demo
@@ -43,7 +43,7 @@ from ropewalk.words.nearest import nearest
 
 def _set_debug(context: click.Context, _: click.Parameter, value: bool) -> None:
     if value:
-        context.find_object(errors.Settings).debug = True  # type: ignore[union-attr]
+        context.find_object(failures.Settings).debug = True  # type: ignore[union-attr]
 
 
 def debug_option() -> click.Option:
@@ -86,20 +86,20 @@ class RopewalkGroup(click.Group):
         **extra: Any,
     ) -> Any:
         """Run; exits with the command's status unless `standalone_mode` is off."""
-        extra.setdefault("obj", errors.Settings(debug=bool(os.environ.get("ROPEWALK_DEBUG"))))
+        extra.setdefault("obj", failures.Settings(debug=bool(os.environ.get("ROPEWALK_DEBUG"))))
         name = prog_name or "ropewalk"
         if not standalone_mode:
             return super().main(args, name, complete_var, standalone_mode=False, **extra)
         try:
-            with warnings.catch_warnings(), errors.interrupts() as interrupts:
+            with warnings.catch_warnings(), failures.interrupts() as interrupts:
                 warnings.simplefilter("ignore", RuntimeWarning)  # numpy's, of broken runs
-                warnings.showwarning = errors.show_warning
-                errors.refuse_closed_stdout()
+                warnings.showwarning = failures.show_warning
+                failures.refuse_closed_stdout()
                 status = super().main(args, name, complete_var, standalone_mode=False, **extra)
             sys.stdout.flush()
         except Exception as error:  # the one place where errors become messages
-            lost = interrupts and errors.explain(error)[0] == errors.BUG
-            status = errors.report(click.Abort() if lost else error, extra["obj"])
+            lost = interrupts and failures.explain(error)[0] == failures.BUG
+            status = failures.report(click.Abort() if lost else error, extra["obj"])
         sys.exit(status if isinstance(status, int) else 0)
 
 

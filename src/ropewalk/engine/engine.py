@@ -16,7 +16,7 @@ from ropewalk.engine.slices import Slices
 from ropewalk.engine.start import set_first_reactions
 from ropewalk.laws.ledger import gravity_energy
 from ropewalk.lowering import Model
-from ropewalk.lowering.links import has_links
+from ropewalk.lowering.link_lengths import has_links
 from ropewalk.methods import adaptive
 from ropewalk.methods.adaptive import Walk
 from ropewalk.methods.controller import (

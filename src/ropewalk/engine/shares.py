@@ -14,7 +14,7 @@ from ropewalk.core.peaks import EXTREMES, FORCE, LEAST_TENSION, LOWEST, PLACE, S
 from ropewalk.laws.registry import NAMES
 from ropewalk.lowering import Model, Pieces, Span
 from ropewalk.lowering.layout import make_layout
-from ropewalk.lowering.tables import make_tables
+from ropewalk.lowering.system import make_tables
 from ropewalk.methods.recording import (
     Recording,
     bends,

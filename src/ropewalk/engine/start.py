@@ -10,11 +10,11 @@ from ropewalk.core import arrays
 from ropewalk.core.arrays import Floats, State, System
 from ropewalk.laws.clamps import start_clamps
 from ropewalk.lowering import Model
-from ropewalk.lowering.bounds import with_bounds
-from ropewalk.lowering.links import with_links
+from ropewalk.lowering.limiter_bounds import with_bounds
+from ropewalk.lowering.link_lengths import with_links
 from ropewalk.methods.recording import bends
 from ropewalk.scene import SceneError
-from ropewalk.scene.errors import Fault
+from ropewalk.scene.faults import Fault
 from ropewalk.scene.ring import Ring
 from ropewalk.statics import checked_shape
 
@@ -22,8 +22,8 @@ from ropewalk.statics import checked_shape
 def started(model: Model) -> Model:
     """Return the model as its run starts; itself when that is as the scene draws it.
 
-    Rigid links start at their lengths (`lowering.links`), whatever chords the shape has, and segments within
-    the bounds of a limiter that is solved for (`lowering.bounds`).
+    Rigid links start at their lengths (`lowering.link_lengths`), whatever chords the shape has, and segments
+    within the bounds of a limiter that is solved for (`lowering.limiter_bounds`).
 
     With `start = "at-rest"` its places are those of the equilibrium, and its velocities zero but for kicks,
     anchors that move at once, and the mode that `ring` names.

@@ -9,7 +9,7 @@ import numpy as np
 
 from ropewalk.core.arrays import State
 from ropewalk.lowering import Layout, Model
-from ropewalk.lowering.links import has_links, reaches
+from ropewalk.lowering.link_lengths import has_links, reaches
 from ropewalk.methods import adaptive
 from ropewalk.methods.controller import END, SHORTEST_STEP
 from ropewalk.methods.implicit import MOST_HALVINGS, SMALLEST_PART

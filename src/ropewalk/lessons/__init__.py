@@ -5,7 +5,7 @@ from __future__ import annotations
 from importlib.resources import files
 
 from ropewalk.scene import Scene
-from ropewalk.scene.files import loads
+from ropewalk.scene.toml_text import loads
 
 #: In the order of the lessons.
 NAMES = (

@@ -3,8 +3,8 @@
 It knows of no scenes. `rope("dynamic-single-9.8")` is an entry; `names()` are all.
 """
 
+from ropewalk.library.catalogue import UnknownRope, families, names, rope, search, sources
 from ropewalk.library.entry import LibraryRope, Number
-from ropewalk.library.store import UnknownRope, families, names, rope, search, sources
 
 __all__ = [
     "LibraryRope",

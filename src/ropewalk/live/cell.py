@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from html import escape
 
-from ropewalk.live.recording import record
+from ropewalk.live.packed_run import record
 from ropewalk.live.share import page
 from ropewalk.record.result import Result
 

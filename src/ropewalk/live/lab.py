@@ -21,7 +21,7 @@ from ropewalk.lowering import Model, build
 from ropewalk.motions.table import FIXED, VELOCITY
 from ropewalk.record.files import write, writing
 from ropewalk.scene import Scene, SceneError
-from ropewalk.scene.errors import NO_VALUE, Fault
+from ropewalk.scene.faults import NO_VALUE, Fault
 from ropewalk.scene.presets import preset
 
 SECTIONS = tuple(law.section for law in NODE_LAWS)

@@ -84,11 +84,11 @@ def serve_session(
 
 def _show(server: Any, session: Any, folder: Path | None, go_on: bool, playing: bool) -> None:
     """Put a session on a server's stage."""
-    from ropewalk.live.keep import Keeper
-    from ropewalk.live.stage import Stage
+    from ropewalk.live.broadcast import Broadcast
+    from ropewalk.live.keeper import Keeper
 
     session.main.simulation.advance_frames(0)  # compiles before anybody waits for a frame
-    stage = Stage(session, playing=playing)
+    stage = Broadcast(session, playing=playing)
     keeper = Keeper(session, folder, go_on=go_on) if folder is not None else None
     if keeper is not None:
         stage.on_save = lambda: str(keeper.flush())

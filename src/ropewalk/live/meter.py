@@ -6,7 +6,7 @@ import math
 from typing import Any
 
 from ropewalk.analysis.json_values import plain
-from ropewalk.analysis.linear import largest_factor
+from ropewalk.analysis.linear_theory import largest_factor
 from ropewalk.analysis.stability import (
     Stability,
     milliseconds,
@@ -15,7 +15,7 @@ from ropewalk.analysis.stability import (
 )
 from ropewalk.engine.unsolved import RINGING
 from ropewalk.lowering import Model
-from ropewalk.lowering.links import has_links
+from ropewalk.lowering.link_lengths import has_links
 from ropewalk.lowering.steps import step_cases
 from ropewalk.methods.bound import meter
 from ropewalk.methods.registry import METHODS

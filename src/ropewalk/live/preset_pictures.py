@@ -6,7 +6,7 @@ from functools import lru_cache
 from importlib.resources import files
 from typing import Any
 
-from ropewalk.live.shapes import document, draw, shot
+from ropewalk.live.shape_picture import document, draw, shot
 from ropewalk.live.sources import START
 from ropewalk.scene import Scene, SceneError
 from ropewalk.scene.presets import names

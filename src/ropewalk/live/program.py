@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
+from ropewalk.live.broadcast import Broadcast
 from ropewalk.live.pictures import combiner
 from ropewalk.live.session import Session
-from ropewalk.live.stage import Stage
 from ropewalk.simulation import Simulation
 
 LONGEST = 0.1  # [s] of simulated time that a force of a hand is held at most
 
 
-class ProgramStage(Stage):
+class ProgramBroadcast(Broadcast):
     """Shows a simulation whenever it is told to, and lets hands pull it in between.
 
     The simulation stays the user's: nothing that would put another in its place is possible.

@@ -18,7 +18,7 @@ from ropewalk.live.commands import LONGEST_TEXT
 from ropewalk.live.parameters import refusal
 from ropewalk.live.sources import from_toml
 from ropewalk.scene import Scene, SceneError
-from ropewalk.scene.errors import NO_VALUE
+from ropewalk.scene.faults import NO_VALUE
 
 SECONDS = 5  # of computing
 PATIENCE = 20.0  # [s] on the clock, where the computer is busy or knows no limits

@@ -8,7 +8,7 @@ from typing import Any
 from ropewalk.live.commands import parse
 from ropewalk.live.session import Break, Session
 from ropewalk.record.errors import RunError
-from ropewalk.record.events import read_events
+from ropewalk.record.event_log import read_events
 from ropewalk.record.folder import read_scene
 from ropewalk.record.place import EVENTS as NAME
 from ropewalk.scene import SceneError

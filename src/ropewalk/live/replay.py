@@ -13,6 +13,7 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats
 from ropewalk.live.audience import Audience, Combine, Nobody
+from ropewalk.live.broadcast import STATUS_SECONDS
 from ropewalk.live.commands import Command, Seek, Speed, Step
 from ropewalk.live.describe import anchor_list, force_list, load_list, rope_list, view_box
 from ropewalk.live.frame import (
@@ -27,18 +28,17 @@ from ropewalk.live.frame import (
     encode,
 )
 from ropewalk.live.inbox import Reply
-from ropewalk.live.keep import parts
+from ropewalk.live.keeper import parts
 from ropewalk.live.messages import error_message
 from ropewalk.live.parameters import refusal
 from ropewalk.live.recorded import Recorded
-from ropewalk.live.stage import STATUS_SECONDS
 from ropewalk.record.result import Result
 from ropewalk.scene import Scene, SceneError
 
 STEP_SHOWN = 0.1  # [s] that a step past a break is seen
 
 
-class ReplayStage:
+class ReplayBroadcast:
     """A run, or the parts of a live session one after another, as a stage."""
 
     mode = "replay"
@@ -190,7 +190,9 @@ class ReplayStage:
     def frames_between(self, first: int, count: int, every: int) -> Iterator[bytes]:
         """Yield frames one after another, for a page that wants many at once."""
         last = min(first + count * every, len(self.times))
-        reader = ReplayStage.__new__(ReplayStage)  # a reader of its own: this is another thread
+        reader = ReplayBroadcast.__new__(
+            ReplayBroadcast
+        )  # a reader of its own: this is another thread
         reader.__dict__ = {**self.__dict__, "parts": [Recorded(one.result) for one in self.parts]}
         for index in range(first, last, every):
             yield reader._frame(index, index, index - every)
@@ -276,7 +278,7 @@ def serve_run(
     """Return a server, ready to start, that replays a run. Raises RunError, OSError."""
     from ropewalk.live.serve import ViewServer
 
-    stage = ReplayStage(run, playing=playing)
+    stage = ReplayBroadcast(run, playing=playing)
     server = ViewServer(host=host, port=port, page=page)
     folder = run if isinstance(run, Path) else None
     server.show(stage, title=stage.scene.name, folder=folder)

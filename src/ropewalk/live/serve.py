@@ -19,7 +19,7 @@ from ropewalk.live.hub import Hub
 from ropewalk.live.player import Player
 
 if TYPE_CHECKING:
-    from ropewalk.live.keep import Keeper
+    from ropewalk.live.keeper import Keeper
     from ropewalk.scene import Scene
 
 PORT = 8712

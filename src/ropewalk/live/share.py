@@ -14,7 +14,7 @@ import re
 from pathlib import Path
 from typing import Any
 
-from ropewalk.live.recording import Recording, record
+from ropewalk.live.packed_run import Recording, record
 from ropewalk.record.errors import RunError
 from ropewalk.record.files import write, writing
 from ropewalk.record.result import Result

@@ -103,11 +103,11 @@ def view_simulation(
 ) -> View:
     """Show a simulation that the caller steps; see `Simulation.view`."""
     check_installed()
-    from ropewalk.live.program import ProgramStage
+    from ropewalk.live.program import ProgramBroadcast
     from ropewalk.live.serve import ViewServer
 
     server = ViewServer(port=port, page=page)
-    server.show(ProgramStage(simulation), title=simulation.scene.name, play=False)
+    server.show(ProgramBroadcast(simulation), title=simulation.scene.name, play=False)
     return View(server, open_browser=open_browser)
 
 

@@ -8,7 +8,7 @@ from ropewalk.core.arrays import State, System
 from ropewalk.lowering.layout import Layout, Span, make_layout
 from ropewalk.lowering.pieces import Pieces
 from ropewalk.lowering.plan import Plan, make_plan
-from ropewalk.lowering.tables import make_tables
+from ropewalk.lowering.system import make_tables
 from ropewalk.scene import Scene
 
 __all__ = ["Layout", "Model", "Pieces", "Plan", "Span", "build"]

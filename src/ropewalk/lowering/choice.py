@@ -20,7 +20,7 @@ from ropewalk.lowering.steps import step_cases, uncovered
 from ropewalk.methods.registry import METHODS
 from ropewalk.motions.table import ORBIT, SHAKE
 from ropewalk.scene import Scene, SceneError
-from ropewalk.scene.errors import Fault
+from ropewalk.scene.faults import Fault
 
 #: Candidates and their C [1], the cheaper first where two cost the same.
 ERROR = {"semi-implicit-euler": 0.4, "verlet": 2.0, "rk4": 20.0, "esdirk3": 5.0}

@@ -14,7 +14,7 @@ from ropewalk.lowering.steps import BEYOND, predicted_step, uncovered
 from ropewalk.methods.controller import LONGEST_STEP
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import RunSettings, Scene, SceneError
-from ropewalk.scene.errors import Fault
+from ropewalk.scene.faults import Fault
 
 # The rule of NeHe's lesson: whole number of steps whose length stays below the given one.
 _ROUND_OFF = 1e-9  # [1] a frame this close to a whole number of steps counts as whole

@@ -16,7 +16,7 @@ from matplotlib.figure import Figure
 
 from ropewalk.plots.comparison import compare
 from ropewalk.plots.energies import energy
-from ropewalk.plots.files import FORMATS, save
+from ropewalk.plots.figure_files import FORMATS, save
 from ropewalk.plots.films import film
 from ropewalk.plots.forces import forces
 from ropewalk.plots.heights import height
@@ -25,7 +25,7 @@ from ropewalk.plots.movies import MovieError, movie
 from ropewalk.plots.phases import phase
 from ropewalk.plots.reaction_forces import reactions
 from ropewalk.plots.rolling import rolling
-from ropewalk.plots.shapes import shape
+from ropewalk.plots.shape_figure import shape
 from ropewalk.plots.sweeps import sweep
 from ropewalk.plots.tensions import tension
 

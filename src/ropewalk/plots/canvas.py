@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from matplotlib.axes import Axes
 
-from ropewalk.plots.style import EARTH
-from ropewalk.plots.view import (
+from ropewalk.plots.sight import (
     Floats,
     Sight,
     anchors_at,
@@ -21,6 +20,7 @@ from ropewalk.plots.view import (
     sight,
     spread,
 )
+from ropewalk.plots.style import EARTH
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -122,7 +122,7 @@ def draw_loads(axes: Axes, result: Result, view: Sight, frame: int, **style: obj
 
 
 @dataclass(frozen=True)
-class Stage:
+class Backdrop:
     """All that drawings of one run share: the plane, the box, how far the run is good."""
 
     view: Sight
@@ -131,8 +131,8 @@ class Stage:
     good: int
 
 
-def stage(result: Result, plane: str | None, frames: list[int] | None = None) -> Stage:
-    """Set the stage: the box holds the rope at the good ones of `frames` (default: of all frames)."""
+def backdrop(result: Result, plane: str | None, frames: list[int] | None = None) -> Backdrop:
+    """Make the backdrop: its box holds the rope at the good ones of `frames` (default: of all frames)."""
     view, good = sight(result, plane), good_frames(result)
     ground = ground_height(result, view)
     if frames is None:
@@ -140,7 +140,7 @@ def stage(result: Result, plane: str | None, frames: list[int] | None = None) ->
     inside = [f for f in frames if f < good] or [good - 1]
     points = np.stack([positions_of(result, slice(f, f + 1))[0] for f in inside])
     broken = good < len(result.time)
-    return Stage(view, box_around(view.project(points), ground, roomy=broken), ground, good)
+    return Backdrop(view, box_around(view.project(points), ground, roomy=broken), ground, good)
 
 
 def magnification_note(box: Box) -> list[str]:

@@ -13,20 +13,21 @@ from matplotlib.gridspec import GridSpec
 
 from ropewalk.analysis.compare import Comparison, compare_runs
 from ropewalk.plots.canvas import (
+    Backdrop,
     Box,
-    Stage,
+    backdrop,
     draw_anchors,
     draw_ground,
     draw_loads,
     label,
     magnification_note,
     prepare,
-    stage,
 )
 from ropewalk.plots.curves import drawable, mark_break
 from ropewalk.plots.energies import energy_curves
-from ropewalk.plots.given import arrow_scale, arrows_note, draw_forces
-from ropewalk.plots.shapes import draw_ropes
+from ropewalk.plots.given_forces import arrow_scale, arrows_note, draw_forces
+from ropewalk.plots.shape_figure import draw_ropes
+from ropewalk.plots.sight import frame_at, limits, telling_frames
 from ropewalk.plots.style import (
     COLOURS,
     GREY,
@@ -41,7 +42,6 @@ from ropewalk.plots.style import (
     styled,
     times_map,
 )
-from ropewalk.plots.view import frame_at, limits, telling_frames
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -64,37 +64,37 @@ def compare(
     outside a run.
     """
     found = results if isinstance(results, Comparison) else compare_runs(results, labels)
-    stages = _common_stages(found, plane)
+    backdrops = _common_backdrops(found, plane)
     columns = min(len(found.results), _COLUMNS)
     rows = -(-len(found.results) // columns)
-    ratio = float(np.clip(stages[0].box.height / stages[0].box.width, 0.25, 1.6))
+    ratio = float(np.clip(backdrops[0].box.height / backdrops[0].box.width, 0.25, 1.6))
     tall = min(8.4 / columns * ratio + 0.55, 3.6)
     figure = new_figure(8.8, rows * tall + 3.6)
     grid = GridSpec(2, 1, figure=figure, height_ratios=(rows * tall, 2.4))
     shapes = grid[0].subgridspec(rows, columns)
     upper = list(np.ravel(shapes.subplots(sharex=True, sharey=True, squeeze=False)))
     lower = list(np.ravel(grid[1].subgridspec(1, 3).subplots(squeeze=False)))
-    _draw_shapes(upper, columns, found, stages, times)
+    _draw_shapes(upper, columns, found, backdrops, times)
     _draw_distance(lower[0], found)
     for axes, name in ((lower[1], "kinetic"), (lower[2], "total")):
-        _draw_energy(axes, found, stages, name)
+        _draw_energy(axes, found, backdrops, name)
     handles, names = lower[2].get_legend_handles_labels()
     names = [shorten(name, 22) for name in names]
     figure.legend(handles, names, loc="outside right center", title="run")
     scenes = {result.scene.name for result in found.results}
     title = f"{scenes.pop()}: comparison" if len(scenes) == 1 else "comparison of runs"
     set_title(figure, title, _subtitle(found))
-    set_note(figure, _notes(found, stages))
+    set_note(figure, _notes(found, backdrops))
     return figure
 
 
-def _common_stages(found: Comparison, plane: str | None) -> list[Stage]:
+def _common_backdrops(found: Comparison, plane: str | None) -> list[Backdrop]:
     """One box for all runs, in the plane of the first."""
-    own = [stage(result, plane) for result in found.results]
+    own = [backdrop(result, plane) for result in found.results]
     view = own[0].view
     names = view.across_name + view.up_name
     if plane is None and len(names) == 2:
-        own = [own[0], *(stage(result, names) for result in found.results[1:])]
+        own = [own[0], *(backdrop(result, names) for result in found.results[1:])]
     boxes = [one.box for one in own]
     box = Box(
         min(b.left for b in boxes),
@@ -110,18 +110,18 @@ def _draw_shapes(
     grid: list[Axes],
     columns: int,
     found: Comparison,
-    stages: list[Stage],
+    backdrops: list[Backdrop],
     times: Sequence[float] | None,
 ) -> None:
     """Draw one panel per run, with the ropes at the same times."""
     colours = times_map()
-    chosen = _times(found, stages, times)
-    scale = arrow_scale(stages[0], *found.results)
+    chosen = _times(found, backdrops, times)
+    scale = arrow_scale(backdrops[0], *found.results)
     for number, axes in enumerate(grid):
         if number >= len(found.results):
             axes.set_visible(False)
             continue
-        result, seen = found.results[number], stages[number]
+        result, seen = found.results[number], backdrops[number]
         prepare(axes, seen.box)
         draw_ground(axes, seen.ground, seen.box)
         frame = 0
@@ -152,11 +152,13 @@ def _draw_shapes(
     grid[0].figure.legend(handles, names, loc="outside right upper", title="time")
 
 
-def _times(found: Comparison, stages: list[Stage], times: Sequence[float] | None) -> list[float]:
+def _times(
+    found: Comparison, backdrops: list[Backdrop], times: Sequence[float] | None
+) -> list[float]:
     """The times of the shapes: given ones, or some over the time of the longest good run."""
     ends = [
         (result.time[seen.good - 1], i)
-        for i, (result, seen) in enumerate(zip(found.results, stages, strict=True))
+        for i, (result, seen) in enumerate(zip(found.results, backdrops, strict=True))
     ]
     longest = max(ends)[1]
     result = found.results[longest]
@@ -184,13 +186,13 @@ def _draw_distance(axes: Axes, found: Comparison) -> None:
     axes.set_xlim(0.0, None)
 
 
-def _draw_energy(axes: Axes, found: Comparison, stages: list[Stage], name: str) -> None:
+def _draw_energy(axes: Axes, found: Comparison, backdrops: list[Backdrop], name: str) -> None:
     """Draw one energy of all runs, the gravity part counted from the run's start."""
     parts = []
     end = 0.0
-    pairs = zip(found.results, stages, strict=True)
+    pairs = zip(found.results, backdrops, strict=True)
     sound = any(seen.good == len(result.time) for result, seen in pairs)
-    for number, (result, seen) in enumerate(zip(found.results, stages, strict=True)):
+    for number, (result, seen) in enumerate(zip(found.results, backdrops, strict=True)):
         values = energy_curves(result)[name]
         if seen.good == len(result.time) or not sound:
             parts.append(values[: seen.good])
@@ -213,7 +215,7 @@ def _subtitle(found: Comparison) -> str:
     return "; ".join(f"{name}: {way}" for name, way in zip(found.labels, ways, strict=True))
 
 
-def _notes(found: Comparison, stages: list[Stage]) -> list[str]:
+def _notes(found: Comparison, backdrops: list[Backdrop]) -> list[str]:
     """What has to be said of the runs and of the distance."""
     first = found.labels[0]
     notes = []
@@ -223,7 +225,7 @@ def _notes(found: Comparison, stages: list[Stage]) -> list[str]:
             notes.append(f"{name}: {distance.note}.")
         elif distance.way != "node by node":
             notes.append(f"{name} {distance.way}.")
-    for label_, result, seen in zip(found.labels, found.results, stages, strict=True):
+    for label_, result, seen in zip(found.labels, found.results, backdrops, strict=True):
         if seen.good < len(result.time) or result.status == "broke":
             notes.append(f"{label_} broke after t = {result.time[seen.good - 1]:.4g} s.")
     shown = found.settings[:4]
@@ -233,4 +235,4 @@ def _notes(found: Comparison, stages: list[Stage]) -> list[str]:
         tail = f"; and {more} more" if more else ""
         notes.append(f"Scenes differ in {'; '.join(parts)}{tail}.")
     notes += arrows_note(*(result.scene for result in found.results))
-    return [escape(note) for note in notes + magnification_note(stages[0].box)]
+    return [escape(note) for note in notes + magnification_note(backdrops[0].box)]

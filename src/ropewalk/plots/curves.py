@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from matplotlib.axes import Axes
 
+from ropewalk.plots.sight import Floats, limits
 from ropewalk.plots.torn import BROKEN
-from ropewalk.plots.view import Floats, limits
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result

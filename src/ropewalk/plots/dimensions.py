@@ -10,16 +10,17 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ropewalk.plots.canvas import (
-    Stage,
+    Backdrop,
+    backdrop,
     draw_anchors,
     draw_ground,
     draw_loads,
     label,
     magnification_note,
     prepare,
-    stage,
 )
-from ropewalk.plots.given import draw_forces, given_notes
+from ropewalk.plots.given_forces import draw_forces, given_notes
+from ropewalk.plots.sight import Floats, anchors_at, positions_of, rope_lines
 from ropewalk.plots.style import (
     COLOURS,
     GREY,
@@ -30,7 +31,6 @@ from ropewalk.plots.style import (
     set_title,
     styled,
 )
-from ropewalk.plots.view import Floats, anchors_at, positions_of, rope_lines
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -49,7 +49,7 @@ def dimensions(result: Result, *, plane: str | None = None) -> Figure:
 
     Raises ValueError for a plane that is none.
     """
-    seen = stage(result, plane, [0])
+    seen = backdrop(result, plane, [0])
     height = float(np.clip(6.4 * seen.box.height / seen.box.width, 2.0, 3.8))
     figure = new_figure(7.2, height + 1.3)
     axes = figure.subplots()
@@ -88,7 +88,7 @@ def _ends(result: Result, points: Floats) -> Floats:
     return found
 
 
-def _measure_ends(axes: Axes, ends: Floats, seen: Stage) -> None:
+def _measure_ends(axes: Axes, ends: Floats, seen: Backdrop) -> None:
     """Write how far the outer anchors are apart, across below the drawing and upward beside it."""
     box = seen.box
     size = max(box.width, box.high - box.low)
@@ -128,7 +128,7 @@ def _measure(axes: Axes, a: Any, b: Any, text: str, *, beside: bool = False) -> 
     )
 
 
-def _write_sags(axes: Axes, result: Result, points: Floats, seen: Stage) -> list[str]:
+def _write_sags(axes: Axes, result: Result, points: Floats, seen: Backdrop) -> list[str]:
     """Draw the sag of every span between anchors of a scene at rest; return what could not be drawn."""
     if result.status != "at rest" or not any(result.scene.gravity):
         return []
@@ -172,7 +172,7 @@ def _chord(part: Floats, up: Floats) -> Floats:
     return chord
 
 
-def _name_anchors(axes: Axes, result: Result, seen: Stage) -> None:
+def _name_anchors(axes: Axes, result: Result, seen: Backdrop) -> None:
     names = result.layout.anchor_names
     places = seen.view.project(anchors_at(result, 0))
     if not 0 < len(places) <= _MOST or len(places) != len(names):
@@ -199,7 +199,7 @@ def _name_anchors(axes: Axes, result: Result, seen: Stage) -> None:
         )
 
 
-def _name_loads(axes: Axes, result: Result, flat: Floats, seen: Stage) -> None:
+def _name_loads(axes: Axes, result: Result, flat: Floats, seen: Backdrop) -> None:
     """Write the mass of every load below it."""
     loads = [
         (span.start + rope.node_index(load.node), load.mass)
@@ -220,7 +220,7 @@ def _name_loads(axes: Axes, result: Result, flat: Floats, seen: Stage) -> None:
         )
 
 
-def _depth(result: Result, points: Floats, seen: Stage) -> list[str]:
+def _depth(result: Result, points: Floats, seen: Backdrop) -> list[str]:
     """Say how far the ropes reach out of the plane of the drawing, where they do."""
     normal = np.cross(seen.view.across, seen.view.up)
     reach = float(np.ptp(points @ normal))

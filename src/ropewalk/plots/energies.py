@@ -10,6 +10,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import SymmetricalLogLocator
 
 from ropewalk.plots.curves import drawable, mark_break, set_limits, time_limits
+from ropewalk.plots.sight import Floats, good_frames
 from ropewalk.plots.style import (
     COLOURS,
     GREY,
@@ -22,8 +23,7 @@ from ropewalk.plots.style import (
     styled,
 )
 from ropewalk.plots.torn import broken_note
-from ropewalk.plots.view import Floats, good_frames
-from ropewalk.record.ledger import turned_over
+from ropewalk.record.balances import turned_over
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result

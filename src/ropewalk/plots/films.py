@@ -11,20 +11,20 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from ropewalk.plots.canvas import (
-    Stage,
+    Backdrop,
+    backdrop,
     draw_anchors,
     draw_ground,
     draw_loads,
     label,
     magnification_note,
     prepare,
-    stage,
 )
-from ropewalk.plots.given import arrows_note, draw_forces
-from ropewalk.plots.shapes import draw_points, draw_ropes
+from ropewalk.plots.given_forces import arrows_note, draw_forces
+from ropewalk.plots.shape_figure import draw_points, draw_ropes
+from ropewalk.plots.sight import spread_frames
 from ropewalk.plots.style import COLOURS, FAINT, describe, new_figure, set_note, set_title, styled
 from ropewalk.plots.torn import BROKEN, broken_note, broken_shapes
-from ropewalk.plots.view import spread_frames
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -42,7 +42,7 @@ def film(
 
     Raises ValueError for frames that are not there and for a plane that is none.
     """
-    seen = stage(result, plane)
+    seen = backdrop(result, plane)
     chosen = _chosen(result, frames, seen.good)
     torn = broken_shapes(result) if chosen[-1] == result.frames - 1 else []
     count = len(chosen) + len(torn)
@@ -77,7 +77,7 @@ def film(
     return figure
 
 
-def _draw_frame(axes: Axes, result: Result, seen: Stage, frame: int) -> None:
+def _draw_frame(axes: Axes, result: Result, seen: Backdrop, frame: int) -> None:
     """Draw one recorded frame with its time."""
     colour = COLOURS[0] if frame < seen.good else BROKEN
     draw_ropes(axes, result, seen, frame, colour, "rope")

@@ -12,17 +12,18 @@ from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 
 from ropewalk.plots.canvas import (
-    Stage,
+    Backdrop,
+    backdrop,
     draw_anchors,
     draw_ground,
     draw_loads,
     label,
     magnification_note,
     prepare,
-    stage,
 )
-from ropewalk.plots.given import arrow_scale, draw_forces, given_notes
-from ropewalk.plots.margins import margin_notes
+from ropewalk.plots.given_forces import arrow_scale, draw_forces, given_notes
+from ropewalk.plots.margin_notes import margin_notes
+from ropewalk.plots.sight import anchors_at, good_frames, limits, shown_positions
 from ropewalk.plots.style import (
     COLOURS,
     describe,
@@ -36,7 +37,6 @@ from ropewalk.plots.style import (
 )
 from ropewalk.plots.tensions import colour_scale, line_map, reach
 from ropewalk.plots.torn import broken_note
-from ropewalk.plots.view import anchors_at, good_frames, limits, shown_positions
 from ropewalk.words.prefixes import prefixed
 
 if TYPE_CHECKING:
@@ -54,7 +54,7 @@ def forces(result: Result, *, plane: str | None = None) -> Figure:
     """
     good = good_frames(result)
     frame = good - 1
-    seen = stage(result, plane, [frame])
+    seen = backdrop(result, plane, [frame])
     box = seen.box
     height = float(np.clip(6.4 * box.height / box.width, 1.6, 4.6))
     figure = new_figure(7.2, height + 3.2)
@@ -82,7 +82,7 @@ def forces(result: Result, *, plane: str | None = None) -> Figure:
 
 
 def _draw_shape(
-    axes: Axes, result: Result, seen: Stage, frame: int, scale: Normalize, colours: str
+    axes: Axes, result: Result, seen: Backdrop, frame: int, scale: Normalize, colours: str
 ) -> None:
     points = seen.view.project(shown_positions(result, frame))
     ends = np.stack([points[:-1], points[1:]], axis=1)
@@ -106,7 +106,7 @@ def _draw_shape(
     label(axes, seen.view)
 
 
-def _draw_forces(axes: Axes, result: Result, seen: Stage, frame: int) -> None:
+def _draw_forces(axes: Axes, result: Result, seen: Backdrop, frame: int) -> None:
     """Draw the anchors' forces as arrows, and write their sizes beside them."""
     forces = np.nan_to_num(result.reactions[frame])  # NaN: of a rope that broke before
     sizes = np.linalg.norm(forces, axis=1)

@@ -11,6 +11,16 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from ropewalk.plots.curves import drawable, mark_break, set_limits, time_limits
+from ropewalk.plots.sight import (
+    Floats,
+    along,
+    good_frames,
+    limits,
+    node_index,
+    node_name,
+    telling_nodes,
+    up_label,
+)
 from ropewalk.plots.style import (
     ALL_STEPS,
     BAND,
@@ -23,16 +33,6 @@ from ropewalk.plots.style import (
     styled,
 )
 from ropewalk.plots.torn import BROKEN, PAST, broken_note
-from ropewalk.plots.view import (
-    Floats,
-    along,
-    good_frames,
-    limits,
-    node_index,
-    node_name,
-    telling_nodes,
-    up_label,
-)
 from ropewalk.record.beyond import Torn, until_torn
 
 if TYPE_CHECKING:

@@ -8,8 +8,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from ropewalk.plots.sight import Floats, Sight
 from ropewalk.plots.style import COLOURS, EARTH, GREY, new_figure, set_note, set_title, styled
-from ropewalk.plots.view import Floats, Sight
 
 if TYPE_CHECKING:
     from ropewalk.vibration import Modes

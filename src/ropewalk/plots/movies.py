@@ -20,17 +20,18 @@ from PIL import Image
 from ropewalk.plots.canvas import (
     ANCHOR,
     LOAD,
+    Backdrop,
     Box,
-    Stage,
+    backdrop,
     draw_ground,
     label,
     magnification_note,
     prepare,
-    stage,
 )
 from ropewalk.plots.ffmpeg import MovieError, Mp4Writer
 from ropewalk.plots.gif import GifWriter, make_palette
-from ropewalk.plots.given import GIVEN, GivenForces, given_notes
+from ropewalk.plots.given_forces import GIVEN, GivenForces, given_notes
+from ropewalk.plots.sight import Floats, held_nodes, load_nodes, tame
 from ropewalk.plots.style import (
     method_and_step,
     scaled_axis,
@@ -41,7 +42,6 @@ from ropewalk.plots.style import (
 )
 from ropewalk.plots.tensions import colour_scale, line_map, reach
 from ropewalk.plots.torn import BROKEN, broken_note
-from ropewalk.plots.view import Floats, held_nodes, load_nodes, tame
 from ropewalk.record.beyond import until_torn
 
 if TYPE_CHECKING:
@@ -83,7 +83,7 @@ def movie(
     """
     path = Path(path)
     _check(path, fps, size, speed)
-    seen = stage(result, plane)
+    seen = backdrop(result, plane)
     times = movie_times(result, fps, speed, seen.good)
     past = _past(result, fps)
     count = len(times) + len(past)
@@ -184,7 +184,7 @@ def _moments(result: Result, times: Floats, good: int) -> Iterator[_Moment]:
 class _Painter:
     """Draws pictures: what stays is drawn once, what moves is drawn over it."""
 
-    def __init__(self, result: Result, seen: Stage, size: tuple[int, int], speed: float) -> None:
+    def __init__(self, result: Result, seen: Backdrop, size: tuple[int, int], speed: float) -> None:
         self._result, self._size = result, size
         self._scale, name = _tension_scale(result, seen.good)
         self.colours = line_map(name).with_extremes(bad=BROKEN)

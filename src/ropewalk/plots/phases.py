@@ -10,9 +10,7 @@ from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 
 from ropewalk.plots.curves import drawable
-from ropewalk.plots.style import describe, new_figure, set_note, set_title, styled, times_map
-from ropewalk.plots.torn import broken_note
-from ropewalk.plots.view import (
+from ropewalk.plots.sight import (
     AXES,
     Floats,
     along,
@@ -23,6 +21,8 @@ from ropewalk.plots.view import (
     telling_nodes,
     up_label,
 )
+from ropewalk.plots.style import describe, new_figure, set_note, set_title, styled, times_map
+from ropewalk.plots.torn import broken_note
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result

@@ -9,6 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ropewalk.plots.curves import drawable, mark_break, set_limits, time_limits
+from ropewalk.plots.sight import AXES, Floats, good_frames
 from ropewalk.plots.style import (
     COLOURS,
     GREY,
@@ -22,7 +23,6 @@ from ropewalk.plots.style import (
     styled,
 )
 from ropewalk.plots.torn import broken_note
-from ropewalk.plots.view import AXES, Floats, good_frames
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result

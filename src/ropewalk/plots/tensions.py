@@ -12,7 +12,8 @@ from matplotlib.figure import Figure
 
 from ropewalk.lowering import Span
 from ropewalk.plots.curves import mark_break, time_limits
-from ropewalk.plots.margins import margin_notes
+from ropewalk.plots.margin_notes import margin_notes
+from ropewalk.plots.sight import Floats, frame_at, good_frames, limits
 from ropewalk.plots.style import (
     ALL_STEPS,
     BAND,
@@ -29,7 +30,6 @@ from ropewalk.plots.style import (
     times_map,
 )
 from ropewalk.plots.torn import BROKEN, broken_note
-from ropewalk.plots.view import Floats, frame_at, good_frames, limits
 from ropewalk.record.beyond import Torn, until_torn
 
 if TYPE_CHECKING:

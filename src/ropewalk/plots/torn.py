@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from ropewalk.plots.sight import Floats
 from ropewalk.plots.style import COLOURS
-from ropewalk.plots.view import Floats
 from ropewalk.record.beyond import until_torn
 from ropewalk.record.ends import shortly
 

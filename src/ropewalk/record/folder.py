@@ -23,7 +23,7 @@ from ropewalk.methods.registry import METHODS
 from ropewalk.record import beyond
 from ropewalk.record.ends import from_dicts
 from ropewalk.record.errors import RunError
-from ropewalk.record.events import log, read_events
+from ropewalk.record.event_log import log, read_events
 from ropewalk.record.facts import INTERRUPTED, RUNNING, Facts, now
 from ropewalk.record.files import read_json, reading, write, write_json
 from ropewalk.record.lock import is_locked

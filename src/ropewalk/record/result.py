@@ -12,12 +12,12 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats
 from ropewalk.lowering import Layout, Plan
+from ropewalk.record.balances import balance_residual, energy_error
 from ropewalk.record.beyond import Beyond
 from ropewalk.record.beyond import load as load_beyond
 from ropewalk.record.ends import End
 from ropewalk.record.facts import AT_REST, Facts
 from ropewalk.record.good import good_part
-from ropewalk.record.ledger import balance_residual, energy_error
 from ropewalk.record.outlets import Outlets
 from ropewalk.record.quantities import has_rope, labels, rest_length_at_start
 from ropewalk.record.rope_view import RopeView

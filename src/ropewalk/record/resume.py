@@ -9,7 +9,7 @@ from pathlib import Path
 from ropewalk.lowering import build
 from ropewalk.record import checkpoint
 from ropewalk.record.errors import RunError
-from ropewalk.record.events import log
+from ropewalk.record.event_log import log
 from ropewalk.record.facts import AT_REST, BROKE, FINISHED, Facts
 from ropewalk.record.files import writing
 from ropewalk.record.folder import check_scene, is_packed, read_facts, read_scene

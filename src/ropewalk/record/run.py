@@ -23,7 +23,7 @@ from ropewalk.record.background import Background
 from ropewalk.record.checkpoint import Checkpoint
 from ropewalk.record.ends import in_words
 from ropewalk.record.errors import RunError
-from ropewalk.record.events import Event, log
+from ropewalk.record.event_log import Event, log
 from ropewalk.record.facts import BROKE, FINISHED, INTERRUPTED, RUNNING, Facts, provenance
 from ropewalk.record.files import sync_all, writing
 from ropewalk.record.folder import begin, open_result, write_end, write_status

@@ -11,12 +11,12 @@ from ropewalk.lowering import Model
 from ropewalk.methods.recording import Recording
 from ropewalk.record.beyond import Beyond, look_beyond
 from ropewalk.record.ends import End, in_words
-from ropewalk.record.events import Event
+from ropewalk.record.event_log import Event
 from ropewalk.record.facts import BROKE, FINISHED, ROPE_BROKE, Facts, provenance
+from ropewalk.record.happenings import Watch
 from ropewalk.record.quantities import recorded
 from ropewalk.record.result import Result
 from ropewalk.record.source import Memory
-from ropewalk.record.watch import Watch
 from ropewalk.scene import Scene
 from ropewalk.simulation import Simulation
 from ropewalk.simulation.block import Block, join

@@ -12,7 +12,7 @@ from ropewalk.report.claims_model import G, K, L, M
 from ropewalk.report.outcome import Number, Outcome, Part
 from ropewalk.report.runs import Run, at_rest, changed, record
 from ropewalk.scene import Scene
-from ropewalk.scene.files import scene_table
+from ropewalk.scene.toml_text import scene_table
 from ropewalk.statics import Statics, static_shape
 
 SPAN = 20.0  # [m] and springs between two anchors

@@ -11,12 +11,12 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
 from ropewalk.report import draw
-from ropewalk.report.answer import answer
+from ropewalk.report.claims import CLAIMS
+from ropewalk.report.figures import pictures
 from ropewalk.report.html import html_page
 from ropewalk.report.markdown import markdown_page
 from ropewalk.report.outcome import Answer, Claim, Outcome
-from ropewalk.report.pictures import pictures
-from ropewalk.report.registry import CLAIMS
+from ropewalk.report.stiff_rope import answer
 
 
 @dataclass(frozen=True)

@@ -12,9 +12,9 @@ from ropewalk.core.arrays import Floats
 from ropewalk.core.status import OK
 from ropewalk.lowering import build
 from ropewalk.scene import Scene
-from ropewalk.scene.files import scene_table
 from ropewalk.scene.overrides import apply_overrides
 from ropewalk.scene.presets import preset
+from ropewalk.scene.toml_text import scene_table
 from ropewalk.simulation import Simulation
 from ropewalk.simulation.block import join
 from ropewalk.statics import Statics, static_shape

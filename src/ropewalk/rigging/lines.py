@@ -22,7 +22,7 @@ from ropewalk.scene import (
     Slack,
     Straight,
 )
-from ropewalk.scene.errors import MISSING, NO_VALUE
+from ropewalk.scene.faults import MISSING, NO_VALUE
 from ropewalk.scene.from_library import entry
 from ropewalk.scene.units import WrongUnit, in_unit
 from ropewalk.theory import Cable, elastic_catenary

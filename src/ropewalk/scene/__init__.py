@@ -2,8 +2,7 @@
 
 from ropewalk.scene.anchor import Anchor, Clamp
 from ropewalk.scene.environment import Air, Ground, Limiter
-from ropewalk.scene.errors import Fault, SceneError, SceneFileError
-from ropewalk.scene.files import dumps, load, loads, save, schema
+from ropewalk.scene.faults import Fault, SceneError, SceneFileError
 from ropewalk.scene.motions import Fixed, Hand, Motion, Orbit, Shake, Table, Velocity
 from ropewalk.scene.overrides import apply_overrides
 from ropewalk.scene.ring import Ring
@@ -11,6 +10,7 @@ from ropewalk.scene.rope import Force, Kick, Load, Material, Rope, Springs
 from ropewalk.scene.run_settings import RunSettings
 from ropewalk.scene.scene import Scene
 from ropewalk.scene.shapes import Hanging, Points, Polyline, Shape, Slack, Straight
+from ropewalk.scene.toml_text import dumps, load, loads, save, schema
 from ropewalk.scene.winch import Winch
 
 __all__ = [

@@ -19,7 +19,7 @@ from ropewalk.scene.base import (
     refuse,
     vector,
 )
-from ropewalk.scene.errors import Fault
+from ropewalk.scene.faults import Fault
 from ropewalk.scene.motions import (
     Fixed,
     Hand,

@@ -21,7 +21,7 @@ from pydantic import (
 )
 from pydantic_core import PydanticCustomError
 
-from ropewalk.scene.errors import Fault, SceneError
+from ropewalk.scene.faults import Fault, SceneError
 from ropewalk.scene.signatures import docstring, signature
 from ropewalk.scene.units import WrongUnit, in_unit
 
@@ -255,7 +255,7 @@ class Model(BaseModel, metaclass=_Sentences):
 
     @classmethod
     def _scene_error(cls, error: ValidationError, data: Any, context: Any) -> SceneError:
-        from ropewalk.scene.messages import faults_of
+        from ropewalk.scene.sentences import faults_of
 
         faults = faults_of(cls, error)
         known = {fault.path for fault in faults}

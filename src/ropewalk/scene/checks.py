@@ -9,7 +9,7 @@ from itertools import chain, islice
 from ropewalk.scene.anchor import Anchor
 from ropewalk.scene.base import MOST_ON_DRUM, MOST_SEGMENTS
 from ropewalk.scene.environment import Limiter
-from ropewalk.scene.errors import MISSING, NO_VALUE, Fault
+from ropewalk.scene.faults import MISSING, NO_VALUE, Fault
 from ropewalk.scene.rope import Rope, node_range
 from ropewalk.scene.shapes import Slack
 from ropewalk.scene.winch import Winch

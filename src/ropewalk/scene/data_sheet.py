@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from ropewalk.library.wire_factors import wire_factors
-from ropewalk.scene.errors import Fault, SceneError
+from ropewalk.scene.faults import Fault, SceneError
 from ropewalk.scene.units import WrongUnit, in_unit
 from ropewalk.theory.fall import rope_from_fall
 

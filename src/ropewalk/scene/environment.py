@@ -15,7 +15,7 @@ from ropewalk.scene.base import (
     refuse,
     vector,
 )
-from ropewalk.scene.errors import Fault
+from ropewalk.scene.faults import Fault
 
 
 class Air(Model):

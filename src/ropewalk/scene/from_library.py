@@ -6,9 +6,9 @@ from collections.abc import Mapping
 from typing import Any
 
 from ropewalk.library import LibraryRope, UnknownRope, rope
-from ropewalk.library.store import nearest
+from ropewalk.library.catalogue import nearest
 from ropewalk.scene.base import refuse
-from ropewalk.scene.errors import Fault
+from ropewalk.scene.faults import Fault
 
 #: What a material always has; where one of them is missing, the library gives it.
 _NEEDED = ("EA", "mass_per_length")

@@ -20,7 +20,7 @@ from ropewalk.scene.base import (
     refuse,
     vector,
 )
-from ropewalk.scene.errors import MISSING, NO_VALUE, Fault
+from ropewalk.scene.faults import MISSING, NO_VALUE, Fault
 from ropewalk.scene.shapes import folder_of
 
 
@@ -74,7 +74,7 @@ class Table(Model):
     @model_validator(mode="before")
     @classmethod
     def _read(cls, data: Any, info: ValidationInfo) -> Any:
-        from ropewalk.scene.tables import read_columns
+        from ropewalk.scene.csv_columns import read_columns
 
         if not isinstance(data, dict) or not isinstance(data.get("file"), str):
             return data

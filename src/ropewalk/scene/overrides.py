@@ -11,11 +11,11 @@ from typing import Any, NamedTuple, TypeVar
 from pydantic.fields import FieldInfo
 
 from ropewalk.scene.base import Model
-from ropewalk.scene.errors import NO_VALUE, Fault, SceneError, join
-from ropewalk.scene.files import as_table, plain, scene_table
+from ropewalk.scene.faults import NO_VALUE, Fault, SceneError, join
 from ropewalk.scene.paths import ModelType, by_tag, keys, kind_of, siblings, tag, toml_name
 from ropewalk.scene.run_settings import RunSettings
 from ropewalk.scene.scene import Scene
+from ropewalk.scene.toml_text import as_table, plain, scene_table
 from ropewalk.words.nearest import nearest
 
 M = TypeVar("M", bound=Model)

@@ -11,7 +11,7 @@ from typing import Annotated, Any, Union, get_args, get_origin
 from pydantic import AliasChoices, BaseModel
 from pydantic.fields import FieldInfo
 
-from ropewalk.scene.errors import join
+from ropewalk.scene.faults import join
 
 ModelType = type[BaseModel]
 

@@ -6,9 +6,9 @@ import re
 from importlib.resources import files
 from pathlib import Path
 
-from ropewalk.scene.errors import Fault, SceneError
-from ropewalk.scene.files import loads
+from ropewalk.scene.faults import Fault, SceneError
 from ropewalk.scene.scene import Scene
+from ropewalk.scene.toml_text import loads
 from ropewalk.words.nearest import nearest
 
 #: The report's scenes first, then NeHe's and Habrador's, then all others.

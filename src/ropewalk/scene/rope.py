@@ -28,7 +28,7 @@ from ropewalk.scene.base import (
     vector,
 )
 from ropewalk.scene.data_sheet import FromDataSheet
-from ropewalk.scene.errors import MISSING, Fault
+from ropewalk.scene.faults import MISSING, Fault
 from ropewalk.scene.from_library import filled, with_diameter
 from ropewalk.scene.shapes import Points, Shape, Slack, Straight
 

@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal
 from pydantic import BeforeValidator, Field, model_validator
 
 from ropewalk.scene.base import HUGE, TINY, Model, Number, not_negative, positive, refuse
-from ropewalk.scene.errors import NO_VALUE, Fault
+from ropewalk.scene.faults import NO_VALUE, Fault
 from ropewalk.scene.ring import Ring
 from ropewalk.scene.units import WrongUnit
 

@@ -14,7 +14,7 @@ from ropewalk.scene.anchor import Anchor
 from ropewalk.scene.base import Many, Model, Text, Vector, Whole, listed, refuse, vector
 from ropewalk.scene.checks import scene_faults
 from ropewalk.scene.environment import Air, Ground, Limiter
-from ropewalk.scene.errors import Fault, SceneError
+from ropewalk.scene.faults import Fault, SceneError
 from ropewalk.scene.rope import Rope, Springs
 from ropewalk.scene.run_settings import RunSettings
 from ropewalk.scene.winch import Winch

@@ -10,7 +10,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, ValidationInfo, model_validator
 
 from ropewalk.scene.base import HUGE, Many, Model, Text, Vector, refuse, vector
-from ropewalk.scene.errors import MISSING, NO_VALUE, Fault
+from ropewalk.scene.faults import MISSING, NO_VALUE, Fault
 
 _ZERO = (0.0, 0.0, 0.0)
 _VELOCITY = "Initial velocity of all nodes"
@@ -107,7 +107,7 @@ class Points(Model):
     @model_validator(mode="before")
     @classmethod
     def _read(cls, data: Any, info: ValidationInfo) -> Any:
-        from ropewalk.scene.tables import read_columns
+        from ropewalk.scene.csv_columns import read_columns
 
         if not isinstance(data, dict) or not isinstance(data.get("file"), str):
             return data

@@ -8,7 +8,7 @@ from typing import Literal
 from pydantic import Field, model_validator
 
 from ropewalk.scene.base import Model, Number, Text, not_negative, positive, quantity, refuse
-from ropewalk.scene.errors import Fault
+from ropewalk.scene.faults import Fault
 from ropewalk.scene.motions import interval_faults
 from ropewalk.scene.rope import NAME
 

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from ropewalk.library.store import sources
+from ropewalk.library.catalogue import sources
 from ropewalk.record.margins import breaking_load
 from ropewalk.scene import Rope, Scene, Springs
 from ropewalk.scene.from_library import origin, origin_words

@@ -13,7 +13,7 @@ import numpy as np
 from ropewalk.core.arrays import Floats
 from ropewalk.lowering import Model, Span
 from ropewalk.scene import SceneError
-from ropewalk.scene.errors import Fault
+from ropewalk.scene.faults import Fault
 from ropewalk.theory.chain import hang
 
 

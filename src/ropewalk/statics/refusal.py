@@ -10,7 +10,7 @@ from ropewalk.laws.acting import at_rest
 from ropewalk.laws.node_law import Rest
 from ropewalk.lowering import Model, Span
 from ropewalk.scene import SceneError
-from ropewalk.scene.errors import Fault
+from ropewalk.scene.faults import Fault
 from ropewalk.statics.hung import held_nodes
 
 

@@ -13,10 +13,10 @@ import numpy as np
 
 from ropewalk.record.errors import RunError
 from ropewalk.sweeps.designs import GRID
-from ropewalk.sweeps.layout import DONE
 from ropewalk.sweeps.memory import SweepMemory
-from ropewalk.sweeps.plan import SweepPlan
-from ropewalk.sweeps.store import SweepFolder
+from ropewalk.sweeps.store_layout import DONE
+from ropewalk.sweeps.sweep_folder import SweepFolder
+from ropewalk.sweeps.sweep_plan import SweepPlan
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -16,7 +16,7 @@ from ropewalk.record.errors import InputError
 from ropewalk.scene import Scene, SceneError
 from ropewalk.sweeps import measurements
 from ropewalk.sweeps.batch import REST, RUN
-from ropewalk.sweeps.bounds import Scale, make_scales
+from ropewalk.sweeps.fit_ranges import Scale, make_scales
 from ropewalk.sweeps.function import SweepFunction
 from ropewalk.sweeps.identify import Findings, identify, verdict
 from ropewalk.sweeps.measurements import Measurement, as_measurements

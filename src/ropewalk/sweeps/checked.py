@@ -8,7 +8,7 @@ from zarr.storage import LocalStore
 
 from ropewalk.record.errors import RunError
 from ropewalk.record.zarr_format import opened
-from ropewalk.sweeps.store import DATA, SweepFolder
+from ropewalk.sweeps.sweep_folder import DATA, SweepFolder
 
 if TYPE_CHECKING:
     from zarr.abc.store import ByteRequest

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ropewalk.scene import SceneError
-from ropewalk.scene.errors import NO_VALUE, Fault
+from ropewalk.scene.faults import NO_VALUE, Fault
 from ropewalk.sweeps.labels import Label
 from ropewalk.sweeps.parameters import FLOAT, INT, Parameter
 from ropewalk.sweeps.whole import is_whole

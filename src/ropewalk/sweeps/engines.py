@@ -15,7 +15,7 @@ from typing import Any, Protocol
 from ropewalk.record.errors import InputError, RunError
 from ropewalk.sweeps.batch import Batch
 from ropewalk.sweeps.parameters import TEXT
-from ropewalk.sweeps.plan import SweepPlan
+from ropewalk.sweeps.sweep_plan import SweepPlan
 from ropewalk.sweeps.worker import (
     CARRIED,
     REFUSED,

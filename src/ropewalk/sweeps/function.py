@@ -15,7 +15,7 @@ from ropewalk.api import SceneLike, as_scene
 from ropewalk.core.arrays import Floats
 from ropewalk.record.errors import InputError
 from ropewalk.scene import SceneError
-from ropewalk.scene.errors import Fault
+from ropewalk.scene.faults import Fault
 from ropewalk.sweeps import engines
 from ropewalk.sweeps.batch import RUN, Batch, make_recipe
 from ropewalk.sweeps.keep import make_keep

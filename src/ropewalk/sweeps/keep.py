@@ -21,7 +21,7 @@ from ropewalk.core.arrays import Floats
 from ropewalk.record.quantities import BY_NAME, labels
 from ropewalk.record.result import Result
 from ropewalk.scene import SceneError
-from ropewalk.scene.errors import NO_VALUE, Fault
+from ropewalk.scene.faults import NO_VALUE, Fault
 from ropewalk.words.nearest import nearest
 
 DEFAULT = ("tension.max", "reactions.max", "positions[-1]")

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from ropewalk.scene import SceneError
-from ropewalk.scene.errors import Fault
+from ropewalk.scene.faults import Fault
 from ropewalk.sweeps.parameters import (
     FLOAT,
     INT,

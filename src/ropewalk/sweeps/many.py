@@ -18,7 +18,6 @@ from ropewalk.record.files import writing
 from ropewalk.record.lock import locked
 from ropewalk.scene import Scene
 from ropewalk.sweeps import answer, engines
-from ropewalk.sweeps.bar import RunsBar
 from ropewalk.sweeps.batch import RUN, Batch, Recipe, make_recipe
 from ropewalk.sweeps.designs import Design, make_design
 from ropewalk.sweeps.identity import sweep_hash
@@ -26,7 +25,6 @@ from ropewalk.sweeps.keep import Kept, make_keep
 from ropewalk.sweeps.labels import make_labels
 from ropewalk.sweeps.memory import SweepMemory
 from ropewalk.sweeps.parameters import gives_runs, make_parameters
-from ropewalk.sweeps.plan import SweepPlan, rows_of
 from ropewalk.sweeps.refusals import (
     check_free,
     check_on,
@@ -35,7 +33,9 @@ from ropewalk.sweeps.refusals import (
     refuse_too_much,
 )
 from ropewalk.sweeps.repair import mend
-from ropewalk.sweeps.store import SweepFolder, is_sweep
+from ropewalk.sweeps.runs_bar import RunsBar
+from ropewalk.sweeps.sweep_folder import SweepFolder, is_sweep
+from ropewalk.sweeps.sweep_plan import SweepPlan, rows_of
 from ropewalk.sweeps.trial import Trial, try_out
 from ropewalk.sweeps.worker import batcher_of, count_broken, job_of
 

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from ropewalk.sweeps.batch import Batch
-from ropewalk.sweeps.plan import SweepPlan
+from ropewalk.sweeps.sweep_plan import SweepPlan
 
 
 class SweepMemory:

@@ -13,7 +13,7 @@ import numpy as np
 
 from ropewalk.record.quantities import BY_NAME
 from ropewalk.scene import Scene, SceneError
-from ropewalk.scene.errors import NO_VALUE, Fault
+from ropewalk.scene.faults import NO_VALUE, Fault
 from ropewalk.scene.overrides import Places, as_value
 from ropewalk.sweeps.keep import DERIVED
 

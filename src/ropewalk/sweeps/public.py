@@ -45,7 +45,7 @@ class Sweep:
         Raises RunError for a folder without a sweep or a run that is not there, SceneError for a run that
         the sweep has as refused.
         """
-        from ropewalk.sweeps.replay import replay
+        from ropewalk.sweeps.rerun import replay
 
         return replay(Path(folder), run)
 

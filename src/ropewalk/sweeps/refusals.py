@@ -8,11 +8,11 @@ from typing import Any
 from ropewalk.record.errors import InputError, RunError
 from ropewalk.record.lock import is_locked
 from ropewalk.scene import SceneError
-from ropewalk.scene.errors import Fault
+from ropewalk.scene.faults import Fault
 from ropewalk.sweeps import engines
 from ropewalk.sweeps.batch import REST, RUN
 from ropewalk.sweeps.designs import Design
-from ropewalk.sweeps.store import COPIES, DATA, PARTIAL, SCENE, is_sweep
+from ropewalk.sweeps.sweep_folder import COPIES, DATA, PARTIAL, SCENE, is_sweep
 from ropewalk.sweeps.trial import Trial
 from ropewalk.sweeps.whole import is_whole
 

@@ -9,7 +9,7 @@ from ropewalk.record.errors import RunError
 from ropewalk.record.files import writing
 from ropewalk.record.zarr_format import opened
 from ropewalk.sweeps import facts
-from ropewalk.sweeps.store import COPIES, DATA, SCENE, SweepFolder, runs_in_words
+from ropewalk.sweeps.sweep_folder import COPIES, DATA, SCENE, SweepFolder, runs_in_words
 
 
 def _fault(path: Path) -> str:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from ropewalk.sweeps.answer import stored
 from ropewalk.sweeps.batch import GOOD
-from ropewalk.sweeps.store import SweepFolder
+from ropewalk.sweeps.sweep_folder import SweepFolder
 
 _MOST_NUMBERS = 10_000_000  # that quantiles are made of
 _NUMBER = re.compile(r"[-+]?\d+(\.\d+)?(e[-+]?\d+)?", re.IGNORECASE)

@@ -19,14 +19,14 @@ from ropewalk.record.rest import rest_result
 from ropewalk.record.result import Result
 from ropewalk.record.source import Memory
 from ropewalk.scene import Scene, SceneError
-from ropewalk.scene.errors import NO_VALUE, Fault, show
+from ropewalk.scene.faults import NO_VALUE, Fault, show
 from ropewalk.simulation import Simulation
 from ropewalk.statics import NoRest
 from ropewalk.sweeps.batch import REST
 from ropewalk.sweeps.designs import GIVEN, Design
 from ropewalk.sweeps.keep import Kept
 from ropewalk.sweeps.parameters import TEXT, Parameter
-from ropewalk.sweeps.plan import Variable
+from ropewalk.sweeps.sweep_plan import Variable
 from ropewalk.sweeps.workshop import Workshop
 
 _MOST_CORNERS = 64

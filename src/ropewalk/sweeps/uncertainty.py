@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from ropewalk.api import SceneLike, as_scene
 from ropewalk.scene import Scene, SceneError
-from ropewalk.scene.errors import NO_VALUE, Fault
+from ropewalk.scene.faults import NO_VALUE, Fault
 from ropewalk.sweeps.batch import GOOD
 from ropewalk.sweeps.designs import SALTELLI, Design
 from ropewalk.sweeps.many import make_runs, sweep
@@ -26,9 +26,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 QUANTILES = (0.05, 0.5, 0.95)
-_PLOTS = (
-    "ropewalk.plots.uncertainty"  # a layer above this one, so it is looked up when it is needed
-)
+_PLOTS = "ropewalk.plots.uncertainty_bands"  # a layer above this one, so it is looked up when it is needed
 
 
 @dataclass(frozen=True)

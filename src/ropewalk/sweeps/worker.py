@@ -14,8 +14,8 @@ from ropewalk.engine.islands import one_after_another
 from ropewalk.record.errors import RunError
 from ropewalk.sweeps.batch import GOOD, Batch, Batcher, Recipe
 from ropewalk.sweeps.identity import sweep_hash
-from ropewalk.sweeps.plan import SweepPlan
-from ropewalk.sweeps.store import SweepFolder
+from ropewalk.sweeps.sweep_folder import SweepFolder
+from ropewalk.sweeps.sweep_plan import SweepPlan
 
 #: What a worker says of a batch.
 STORED, CARRIED, REFUSED = "stored", "carried", "refused"

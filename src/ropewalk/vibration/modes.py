@@ -15,10 +15,10 @@ from ropewalk.display import cells
 from ropewalk.laws.acting import at_rest
 from ropewalk.laws.node_law import Rest
 from ropewalk.lowering import Layout, Model, build
-from ropewalk.lowering.links import has_links
+from ropewalk.lowering.link_lengths import has_links
 from ropewalk.methods.loop import prepare_links
 from ropewalk.scene import Scene, SceneError
-from ropewalk.scene.errors import Fault
+from ropewalk.scene.faults import Fault
 from ropewalk.statics import checked_shape
 from ropewalk.vibration.drawing import ModePlots
 from ropewalk.vibration.linear import linearise

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 import click
 
 from ropewalk.cli.console import print_json, say, warn
-from ropewalk.cli.errors import BROKE
+from ropewalk.cli.failures import BROKE
 from ropewalk.cli.progress import telling_of_compiling
-from ropewalk.cli.sources import json_option, load_scene, named, run_options
+from ropewalk.cli.scene_argument import json_option, load_scene, named, run_options
 
 if TYPE_CHECKING:
     from ropewalk.analysis.check import Check

@@ -10,11 +10,11 @@ import click
 
 from ropewalk.cli.commands.run import refuse_run
 from ropewalk.cli.console import print_json, print_table, say, tell, warn
-from ropewalk.cli.errors import Refusal
-from ropewalk.cli.files import free_name, refuse_existing
+from ropewalk.cli.failures import Refusal
+from ropewalk.cli.output_files import free_name, refuse_existing
 from ropewalk.cli.progress import RunProgress, tell_compiling
-from ropewalk.cli.runs import open_run
-from ropewalk.cli.sources import json_option, load_scene, named, run_options, short_name
+from ropewalk.cli.run_argument import open_run
+from ropewalk.cli.scene_argument import json_option, load_scene, named, run_options, short_name
 
 if TYPE_CHECKING:
     from ropewalk.analysis.compare import Comparison

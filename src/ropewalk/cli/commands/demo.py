@@ -8,9 +8,9 @@ import click
 
 from ropewalk.cli.commands.run import RUNS, refuse_run, run_scene
 from ropewalk.cli.console import print_table, say, tell
-from ropewalk.cli.sources import load_scene
+from ropewalk.cli.results_table import print_results
+from ropewalk.cli.scene_argument import load_scene
 from ropewalk.cli.startup import without_scipy
-from ropewalk.cli.summary import print_results
 
 PRESET = "r4"
 PAGE = "page.html"

@@ -8,8 +8,8 @@ from typing import Any
 import click
 
 from ropewalk.cli.console import say
-from ropewalk.cli.errors import Refusal
-from ropewalk.cli.runs import open_run, run_argument
+from ropewalk.cli.failures import Refusal
+from ropewalk.cli.run_argument import open_run, run_argument
 
 FORMATS = ("csv", "parquet", "npz", "vtk")
 _FLAGS = {

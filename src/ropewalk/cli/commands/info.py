@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from ropewalk.cli.console import print_json, print_table, say, tell
-from ropewalk.cli.errors import Refusal
-from ropewalk.cli.runs import is_sweep, open_run, run_argument
-from ropewalk.cli.sources import json_option
-from ropewalk.cli.summary import print_results
+from ropewalk.cli.failures import Refusal
+from ropewalk.cli.results_table import print_results
+from ropewalk.cli.run_argument import is_sweep, open_run, run_argument
+from ropewalk.cli.scene_argument import json_option
 
 if TYPE_CHECKING:
     from ropewalk.lowering import Plan

@@ -7,9 +7,9 @@ from pathlib import Path
 import click
 
 from ropewalk.cli.console import say
-from ropewalk.cli.errors import Refusal
-from ropewalk.cli.files import free_name, refuse_existing
-from ropewalk.cli.sources import load_scene, named, set_option
+from ropewalk.cli.failures import Refusal
+from ropewalk.cli.output_files import free_name, refuse_existing
+from ropewalk.cli.scene_argument import load_scene, named, set_option
 
 
 @click.command()

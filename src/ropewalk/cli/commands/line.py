@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from ropewalk.cli.console import print_json, print_table, say
-from ropewalk.cli.errors import Refusal
-from ropewalk.cli.files import refuse_existing
-from ropewalk.cli.sources import json_option
+from ropewalk.cli.failures import Refusal
+from ropewalk.cli.output_files import refuse_existing
+from ropewalk.cli.scene_argument import json_option
 
 if TYPE_CHECKING:
     from ropewalk.rigging import Line, Rolling
@@ -80,7 +80,7 @@ def line(
 
 
 def _check_output(output: Path, load: str | None) -> None:
-    from ropewalk.plots.files import FORMATS
+    from ropewalk.plots.figure_files import FORMATS
 
     kind = output.suffix.lower().removeprefix(".")
     if kind not in ("toml", *FORMATS):

@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 import click
 
 from ropewalk.cli.console import print_json, print_table, say
-from ropewalk.cli.errors import Refusal
-from ropewalk.cli.files import refuse_existing
+from ropewalk.cli.failures import Refusal
+from ropewalk.cli.output_files import refuse_existing
 from ropewalk.cli.progress import telling_of_compiling
-from ropewalk.cli.sources import json_option, load_scene, set_option
+from ropewalk.cli.scene_argument import json_option, load_scene, set_option
 
 if TYPE_CHECKING:
     from ropewalk.vibration import Modes
@@ -61,7 +61,7 @@ def modes(
     """
     loaded = load_scene(scene, overrides)
     if output is not None:
-        from ropewalk.plots.files import FORMATS
+        from ropewalk.plots.figure_files import FORMATS
 
         if output.suffix.lower().removeprefix(".") not in FORMATS:
             raise Refusal(f"{output}: must end in .{', .'.join(FORMATS)}")

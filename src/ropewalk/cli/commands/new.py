@@ -9,8 +9,8 @@ from pathlib import Path
 import click
 
 from ropewalk.cli.console import say, tell
-from ropewalk.cli.files import write_new
-from ropewalk.cli.sources import short_name
+from ropewalk.cli.output_files import write_new
+from ropewalk.cli.scene_argument import short_name
 from ropewalk.words.nearest import close_name
 
 _LIKE = 0.7  # how like a preset's name a name is that may be meant for it; 1: the same

@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from ropewalk.cli.console import say
-from ropewalk.cli.errors import Refusal
-from ropewalk.cli.files import refuse_existing
-from ropewalk.cli.runs import is_sweep, open_run, parse_node, run_argument
+from ropewalk.cli.failures import Refusal
+from ropewalk.cli.output_files import refuse_existing
+from ropewalk.cli.run_argument import is_sweep, open_run, parse_node, run_argument
 from ropewalk.words.nearest import nearest
 
 if TYPE_CHECKING:

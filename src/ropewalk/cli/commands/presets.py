@@ -5,7 +5,7 @@ from __future__ import annotations
 import click
 
 from ropewalk.cli.console import print_json, print_table, say
-from ropewalk.cli.sources import json_option
+from ropewalk.cli.scene_argument import json_option
 
 
 @click.command()

@@ -8,8 +8,8 @@ import click
 
 from ropewalk.cli.commands.run import RUNS
 from ropewalk.cli.console import print_table, tell
-from ropewalk.cli.errors import Refusal
-from ropewalk.cli.files import claimed, refuse_parent
+from ropewalk.cli.failures import Refusal
+from ropewalk.cli.output_files import claimed, refuse_parent
 from ropewalk.display.bar import Bar, terminal
 
 

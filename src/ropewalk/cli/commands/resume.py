@@ -10,10 +10,10 @@ import click
 from ropewalk.cli.commands.run import conclude, quiet_option
 from ropewalk.cli.commands.sweep import on_options
 from ropewalk.cli.console import warn
-from ropewalk.cli.errors import Refusal
+from ropewalk.cli.failures import Refusal
 from ropewalk.cli.progress import RunProgress, tell_compiling
-from ropewalk.cli.runs import is_sweep, open_run, run_argument
-from ropewalk.cli.sources import json_option
+from ropewalk.cli.run_argument import is_sweep, open_run, run_argument
+from ropewalk.cli.scene_argument import json_option
 from ropewalk.cli.startup import without_scipy
 
 

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from ropewalk.cli.console import print_json, print_table, say
-from ropewalk.cli.errors import Refusal
-from ropewalk.cli.sources import json_option
+from ropewalk.cli.failures import Refusal
+from ropewalk.cli.scene_argument import json_option
 
 if TYPE_CHECKING:
     from ropewalk.library import LibraryRope, Number

@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING
 import click
 
 from ropewalk.cli.console import say, tell, warn
-from ropewalk.cli.errors import BROKE, INTERRUPTED, Refusal
-from ropewalk.cli.files import claimed, refuse_parent
+from ropewalk.cli.failures import BROKE, INTERRUPTED, Refusal
+from ropewalk.cli.output_files import claimed, refuse_parent
 from ropewalk.cli.progress import RunProgress, tell_compiling
-from ropewalk.cli.sources import json_option, load_scene, named, run_options, short_name
+from ropewalk.cli.results_table import print_result_json, print_results
+from ropewalk.cli.scene_argument import json_option, load_scene, named, run_options, short_name
 from ropewalk.cli.startup import without_scipy
-from ropewalk.cli.summary import print_result_json, print_results
 
 if TYPE_CHECKING:
     from ropewalk.lowering import Model

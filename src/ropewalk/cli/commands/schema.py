@@ -8,7 +8,7 @@ from pathlib import Path
 import click
 
 from ropewalk.cli.console import say
-from ropewalk.cli.files import write_new
+from ropewalk.cli.output_files import write_new
 
 
 @click.command()

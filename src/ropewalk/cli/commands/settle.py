@@ -10,9 +10,9 @@ import click
 from ropewalk.cli.commands.run import refuse_run
 from ropewalk.cli.console import print_json, print_table, say, warn
 from ropewalk.cli.progress import telling_of_compiling
-from ropewalk.cli.sources import json_option, load_scene, set_option
+from ropewalk.cli.results_table import print_results
+from ropewalk.cli.scene_argument import json_option, load_scene, set_option
 from ropewalk.cli.startup import without_scipy
-from ropewalk.cli.summary import print_results
 from ropewalk.words.prefixes import prefix_of, prefixed
 
 if TYPE_CHECKING:

@@ -7,9 +7,9 @@ from pathlib import Path
 import click
 
 from ropewalk.cli.console import say, tell
-from ropewalk.cli.errors import Refusal
-from ropewalk.cli.files import refuse_existing
-from ropewalk.cli.runs import open_run, run_argument
+from ropewalk.cli.failures import Refusal
+from ropewalk.cli.output_files import refuse_existing
+from ropewalk.cli.run_argument import open_run, run_argument
 
 
 @click.command()

@@ -7,10 +7,10 @@ from pathlib import Path
 import click
 
 from ropewalk.cli.console import print_json, say, tell
-from ropewalk.cli.errors import BROKE, Refusal
-from ropewalk.cli.files import free_name, refuse_existing
+from ropewalk.cli.failures import BROKE, Refusal
+from ropewalk.cli.output_files import free_name, refuse_existing
 from ropewalk.cli.progress import tell_compiling
-from ropewalk.cli.sources import json_option, load_scene, named, run_options, short_name
+from ropewalk.cli.scene_argument import json_option, load_scene, named, run_options, short_name
 
 
 @click.command()

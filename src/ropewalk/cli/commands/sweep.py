@@ -11,10 +11,10 @@ from typing import Any
 import click
 
 from ropewalk.cli.console import print_json, print_table, say, tell, warn
-from ropewalk.cli.errors import INTERRUPTED, Refusal
-from ropewalk.cli.files import claimed, refuse_parent
+from ropewalk.cli.failures import INTERRUPTED, Refusal
+from ropewalk.cli.output_files import claimed, refuse_parent
 from ropewalk.cli.progress import tell_compiling
-from ropewalk.cli.sources import json_option, load_scene, named, run_options, short_name
+from ropewalk.cli.scene_argument import json_option, load_scene, named, run_options, short_name
 
 SWEEPS = Path("sweeps")
 _TOLD = 20  # damaged files
@@ -140,7 +140,7 @@ def telling() -> Iterator[None]:
 
 def _ended(folder: Path, make: Any, as_json: bool) -> int:
     """Make a sweep and print how it ended; return the exit status."""
-    from ropewalk.sweeps.store import SweepFolder, is_sweep
+    from ropewalk.sweeps.sweep_folder import SweepFolder, is_sweep
 
     try:
         make()
@@ -159,8 +159,8 @@ def _ended(folder: Path, make: Any, as_json: bool) -> int:
 def info_folder(folder: Path, *, as_json: bool, checked: bool = False) -> None:
     """Say what is in a sweep's folder. With `checked` raises Refusal where batches are damaged."""
     from ropewalk.sweeps.repair import faults
-    from ropewalk.sweeps.store import SweepFolder
     from ropewalk.sweeps.summary import summary
+    from ropewalk.sweeps.sweep_folder import SweepFolder
 
     sweep = SweepFolder.open(folder)
     if checked and (wrong := faults(sweep)):

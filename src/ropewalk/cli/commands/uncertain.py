@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from ropewalk.cli.commands.sweep import SWEEPS, telling
 from ropewalk.cli.console import print_json, print_table, say, tell
-from ropewalk.cli.files import claimed
+from ropewalk.cli.output_files import claimed
 from ropewalk.cli.progress import tell_compiling
 
 if TYPE_CHECKING:

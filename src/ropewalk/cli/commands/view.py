@@ -12,11 +12,11 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from ropewalk.cli.console import say, tell, warn
-from ropewalk.cli.errors import Refusal
-from ropewalk.cli.files import claimed
+from ropewalk.cli.failures import Refusal
+from ropewalk.cli.output_files import claimed
 from ropewalk.cli.progress import tell_compiling
-from ropewalk.cli.runs import is_sweep
-from ropewalk.cli.sources import load_scene, run_options, short_name
+from ropewalk.cli.run_argument import is_sweep
+from ropewalk.cli.scene_argument import load_scene, run_options, short_name
 from ropewalk.cli.startup import without_scipy
 
 if TYPE_CHECKING:
@@ -119,7 +119,7 @@ def _is_run(path: Path) -> bool:
 
 def _run_of_sweep(folder: Path, number: int | None) -> Any:
     """Make a run of a sweep again."""
-    from ropewalk.sweeps.replay import replay
+    from ropewalk.sweeps.rerun import replay
 
     if number is None:
         raise Refusal(f"{folder}: is a sweep; say which run of it: --run 0")

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ropewalk.live.shapes import Manner, Shot, draw, shot
+from ropewalk.live.shape_picture import Manner, Shot, draw, shot
 from ropewalk.scene.presets import preset
 from ropewalk.simulation import Broken, Simulation
 

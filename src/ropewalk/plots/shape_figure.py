@@ -14,26 +14,17 @@ from matplotlib.figure import Figure
 from ropewalk.plots.canvas import (
     ANCHOR,
     LOAD,
-    Stage,
+    Backdrop,
+    backdrop,
     draw_anchors,
     draw_ground,
     draw_loads,
     label,
     magnification_note,
     prepare,
-    stage,
 )
-from ropewalk.plots.given import draw_forces, given_notes
-from ropewalk.plots.style import (
-    describe,
-    new_figure,
-    set_note,
-    set_title,
-    styled,
-    times_map,
-)
-from ropewalk.plots.torn import BROKEN, broken_note, broken_shapes
-from ropewalk.plots.view import (
+from ropewalk.plots.given_forces import draw_forces, given_notes
+from ropewalk.plots.sight import (
     Floats,
     frame_at,
     held_nodes,
@@ -44,6 +35,15 @@ from ropewalk.plots.view import (
     tame,
     telling_frames,
 )
+from ropewalk.plots.style import (
+    describe,
+    new_figure,
+    set_note,
+    set_title,
+    styled,
+    times_map,
+)
+from ropewalk.plots.torn import BROKEN, broken_note, broken_shapes
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -61,12 +61,12 @@ def shape(
 
     Raises ValueError for times outside the run and for a plane that is none.
     """
-    whole = stage(result, plane)
+    whole = backdrop(result, plane)
     frames = telling_frames(result, 6, 2) if times is None else frame_at(result, times)
     frames = sorted(set(frames))
     if not frames:
         raise ValueError("times: () - must be at least one time")
-    seen = stage(result, plane, frames)
+    seen = backdrop(result, plane, frames)
     upright = _upright(result, seen, frames)
     figure = new_figure(*_size(seen, upright))
     axes = figure.add_subplot()
@@ -85,7 +85,7 @@ def shape(
     return figure
 
 
-def _size(seen: Stage, upright: bool) -> tuple[float, float]:
+def _size(seen: Backdrop, upright: bool) -> tuple[float, float]:
     """Figure size [inch] that suits the box: no large empty margins."""
     if upright:
         return 7.2, 4.8
@@ -94,7 +94,7 @@ def _size(seen: Stage, upright: bool) -> tuple[float, float]:
     return width, float(np.clip(5.2 * ratio + 1.35, 2.9, 6.8))
 
 
-def _draw_over(axes: Axes, result: Result, seen: Stage, frames: list[int]) -> None:
+def _draw_over(axes: Axes, result: Result, seen: Backdrop, frames: list[int]) -> None:
     """Draw all times over one another, coloured from early to late."""
     colours = times_map()
     scale = Normalize(float(result.time[frames[0]]), float(result.time[frames[-1]]) or 1.0)
@@ -123,7 +123,7 @@ def _draw_over(axes: Axes, result: Result, seen: Stage, frames: list[int]) -> No
 
 
 def draw_ropes(
-    axes: Axes, result: Result, seen: Stage, frame: int, colour: object, name: str
+    axes: Axes, result: Result, seen: Backdrop, frame: int, colour: object, name: str
 ) -> None:
     """Draw all ropes at a frame; the first one's line carries the name."""
     points = shown_positions(result, frame)
@@ -133,7 +133,7 @@ def draw_ropes(
 def draw_points(
     axes: Axes,
     result: Result,
-    seen: Stage,
+    seen: Backdrop,
     places: Floats,
     colour: object,
     name: str,
@@ -185,7 +185,7 @@ def _legend(axes: Axes, result: Result, with_times: bool) -> None:
 # -- ropes that hang straight down -------------------------------------------------------
 
 
-def _upright(result: Result, seen: Stage, frames: list[int]) -> bool:
+def _upright(result: Result, seen: Backdrop, frames: list[int]) -> bool:
     """Whether all shapes lie on one upright line, so that they would hide one another."""
     good = [f for f in frames if f < seen.good]
     if len(good) < 2:
@@ -196,7 +196,7 @@ def _upright(result: Result, seen: Stage, frames: list[int]) -> bool:
     return bool(spread[0] < 0.02 * spread[1])
 
 
-def _draw_upright(axes: Axes, result: Result, seen: Stage, frames: list[int]) -> None:
+def _draw_upright(axes: Axes, result: Result, seen: Backdrop, frames: list[int]) -> None:
     """Draw the shapes side by side, one column per time."""
     view, colours = seen.view, times_map()
     good = [f for f in frames if f < seen.good]

@@ -27,7 +27,7 @@ from ropewalk.record.zarr_format import decode, group_metadata, opened
 from ropewalk.scene import Scene, dumps, loads
 from ropewalk.sweeps.batch import Batch
 from ropewalk.sweeps.facts import read_facts, sealed
-from ropewalk.sweeps.layout import (
+from ropewalk.sweeps.store_layout import (
     DONE,
     OF_BROKEN,
     REASON,
@@ -39,7 +39,7 @@ from ropewalk.sweeps.layout import (
     marks_spec,
     nothing_broke,
 )
-from ropewalk.sweeps.plan import READS, SweepPlan
+from ropewalk.sweeps.sweep_plan import READS, SweepPlan
 
 FACTS, SCENE, DATA, PARTIAL = "sweep.json", "scene.toml", "data.zarr", ".partial"
 #: A second time the values of the runs and what was asked: nothing else could bring them back.

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from ropewalk.cli.errors import Refusal
+from ropewalk.cli.failures import Refusal
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result

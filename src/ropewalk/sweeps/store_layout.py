@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from ropewalk.record.zarr_format import ArraySpec, encode, encode_texts
 from ropewalk.sweeps.parameters import FLOAT, INT
-from ropewalk.sweeps.plan import SweepPlan
+from ropewalk.sweeps.sweep_plan import SweepPlan
 
 RUN, DONE, STATUS, REASON, BROKE_AT = "run", "done", "status", "reason", "broke_at"
 #: The array of the marks, in a group that plain xarray leaves aside; until format 2 it was `done` itself.

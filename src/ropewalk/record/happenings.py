@@ -10,7 +10,7 @@ import numpy as np
 from ropewalk.core.arrays import Floats, Ints
 from ropewalk.hands.drum import EMPTY, RELEASED, limit_reached
 from ropewalk.methods.registry import METHODS
-from ropewalk.record.events import Event
+from ropewalk.record.event_log import Event
 from ropewalk.simulation import Simulation
 
 STOPPED, LET_GO = "winch stopped", "released"

@@ -11,7 +11,7 @@ from pydantic import ValidationError
 
 from ropewalk.scene.base import TINY
 from ropewalk.scene.checks import MOST_TOLD
-from ropewalk.scene.errors import MISSING, NO_VALUE, Fault, join
+from ropewalk.scene.faults import MISSING, NO_VALUE, Fault, join
 from ropewalk.scene.paths import ModelType, Place, by_tag, keys, kind_of, place, sections, tag
 from ropewalk.words.nearest import nearest
 

@@ -1,4 +1,4 @@
-"""A session on the stage: commands from pages come in, frames and messages go out, time goes on.
+"""A session that is broadcast: commands from pages come in, frames and messages go out, time goes on.
 
 Everything here runs in one thread, the player's or the user's own; what comes from other threads waits
 in a queue.
@@ -30,12 +30,12 @@ from ropewalk.live.pace import BUDGET, Pace
 from ropewalk.live.pictures import Compared, combiner, pictures
 from ropewalk.live.session import Session
 from ropewalk.live.sources import address
-from ropewalk.live.steps import Steps, advance_within
+from ropewalk.live.stepper import Steps, advance_within
 from ropewalk.live.toil import takes_long
 from ropewalk.methods.registry import METHODS
 from ropewalk.record.errors import RunError
 from ropewalk.scene import Fault, SceneError
-from ropewalk.scene.errors import NO_VALUE
+from ropewalk.scene.faults import NO_VALUE
 
 STATUS_SECONDS = 0.25
 LIVE = "live"
@@ -43,7 +43,7 @@ LIVE = "live"
 _JUMPS = frozenset(["play", "pause", "reset", "back", "remedy"])
 
 
-class Stage:
+class Broadcast:
     """A session with its clock, its audience and the commands that wait."""
 
     mode = LIVE
@@ -84,7 +84,9 @@ class Stage:
 
     # -- commands -----------------------------------------------------------------------
 
-    def submit(self, what: Command | Callable[[Stage], None], client: int, reply: Reply) -> None:
+    def submit(
+        self, what: Command | Callable[[Broadcast], None], client: int, reply: Reply
+    ) -> None:
         """Put a command, or something to be done on the stage, in the queue (from any thread)."""
         self.inbox.put(Item(what, client, reply))
 

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from ropewalk.scene.base import HUGE, refuse
-from ropewalk.scene.errors import Fault
+from ropewalk.scene.faults import Fault
 
 _MOST_FAULTS = 10
 

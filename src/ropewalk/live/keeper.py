@@ -23,7 +23,7 @@ from ropewalk.live.frozen import Frozen, scene_now
 from ropewalk.live.session import Session
 from ropewalk.lowering import Layout, Plan
 from ropewalk.record.errors import RunError
-from ropewalk.record.events import log
+from ropewalk.record.event_log import log
 from ropewalk.record.facts import FINISHED, RUNNING, Facts, provenance
 from ropewalk.record.files import read_json, write_json, writing
 from ropewalk.record.folder import begin, write_end, write_status

@@ -11,8 +11,8 @@ from matplotlib.patches import FancyArrowPatch
 from matplotlib.text import Text
 
 from ropewalk.core.arrays import Ints
-from ropewalk.plots.canvas import Stage
-from ropewalk.plots.view import Floats, shown_positions
+from ropewalk.plots.canvas import Backdrop
+from ropewalk.plots.sight import Floats, shown_positions
 from ropewalk.scene import Scene
 from ropewalk.words.prefixes import prefixed
 
@@ -49,7 +49,7 @@ def arrows_note(*scenes: Scene, written: bool = False) -> list[str]:
     return [f"Brown arrows: {about}."]
 
 
-def arrow_scale(seen: Stage, *results: Result, largest: float = 0.0) -> float:
+def arrow_scale(seen: Backdrop, *results: Result, largest: float = 0.0) -> float:
     """Return a good length of arrows per force [m/N] where forces of `largest` [N] are drawn, too."""
     size = max(largest, *(float(_forces(result)[2].max(initial=0.0)) for result in results))
     return _LONGEST * max(seen.box.width, seen.box.height) / size if size > 0.0 else 0.0
@@ -72,7 +72,7 @@ class GivenForces:
     """The arrows of a scene's constant forces in one drawing, to be moved from frame to frame."""
 
     def __init__(
-        self, axes: Axes, result: Result, seen: Stage, *, scale: float = 0.0, sizes: bool = True
+        self, axes: Axes, result: Result, seen: Backdrop, *, scale: float = 0.0, sizes: bool = True
     ) -> None:
         """Make the arrows, each with its size where `sizes` are wanted and there are few.
 
@@ -130,7 +130,13 @@ def _size_text(axes: Axes, size: float, *, left: bool) -> Text:
 
 
 def draw_forces(
-    axes: Axes, result: Result, seen: Stage, frame: int, *, scale: float = 0.0, sizes: bool = True
+    axes: Axes,
+    result: Result,
+    seen: Backdrop,
+    frame: int,
+    *,
+    scale: float = 0.0,
+    sizes: bool = True,
 ) -> Floats:
     """Draw the constant forces at their nodes at a frame; see `GivenForces`. Return the tips (m, 2) [m]."""
     arrows = GivenForces(axes, result, seen, scale=scale, sizes=sizes)

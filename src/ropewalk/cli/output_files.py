@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from ropewalk.cli.errors import Refusal
+from ropewalk.cli.failures import Refusal
 
 
 def refuse_existing(path: Path, *, overwrite: bool = False) -> None:

@@ -9,7 +9,7 @@ from ropewalk.record.result import Result
 from ropewalk.scene import Scene
 from ropewalk.sweeps.batch import Batcher
 from ropewalk.sweeps.identity import sweep_hash
-from ropewalk.sweeps.store import SweepFolder
+from ropewalk.sweeps.sweep_folder import SweepFolder
 
 
 def scene_of(folder: Path, run: int) -> Scene:

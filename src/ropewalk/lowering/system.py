@@ -24,7 +24,7 @@ from ropewalk.core.peaks import no_peaks
 from ropewalk.core.status import BREAK_STRETCH
 from ropewalk.laws.anchors import anchor_places
 from ropewalk.laws.registry import NODE_LAWS, NodeArrays, NodeTables
-from ropewalk.lowering.bending import add_bending, no_bending
+from ropewalk.lowering.bending_tables import add_bending, no_bending
 from ropewalk.lowering.curve import initial_points
 from ropewalk.lowering.layout import Layout, Span
 from ropewalk.lowering.limiter_order import limiter_order

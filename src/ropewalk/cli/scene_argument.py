@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
-from ropewalk.cli.errors import Refusal
+from ropewalk.cli.failures import Refusal
 from ropewalk.words.nearest import nearest
 
 if TYPE_CHECKING:

@@ -18,7 +18,7 @@ from ropewalk.lowering import Model
 from ropewalk.lowering.layout import Layout
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import SceneError
-from ropewalk.scene.errors import Fault
+from ropewalk.scene.faults import Fault
 
 TAUT = 1e-9  # a span this close to its rope's length leaves no room [1]
 _OFF = 0.05  # a start this much too long or short is a mistake, not a curve cut into chords [1]

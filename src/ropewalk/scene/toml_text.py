@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from ropewalk.scene.base import Model
-from ropewalk.scene.errors import NO_VALUE, Fault, SceneError, SceneFileError
+from ropewalk.scene.faults import NO_VALUE, Fault, SceneError, SceneFileError
 from ropewalk.scene.paths import keys
 from ropewalk.scene.scene import Scene
 

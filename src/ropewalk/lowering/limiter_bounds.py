@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 from ropewalk.core import arrays
 from ropewalk.core.arrays import Floats
 from ropewalk.lowering import Model
-from ropewalk.lowering.links import TAUT, fit_lengths, reaches
+from ropewalk.lowering.link_lengths import TAUT, fit_lengths, reaches
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import Limiter, SceneError
-from ropewalk.scene.errors import NO_VALUE, Fault
+from ropewalk.scene.faults import NO_VALUE, Fault
 
 _AT_BOUND = 1e-9  # [1] a stretch this close to its bound counts as at it
 

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from ropewalk.scene import Scene, SceneError
-from ropewalk.scene.errors import NO_VALUE, Fault
+from ropewalk.scene.faults import NO_VALUE, Fault
 from ropewalk.scene.overrides import Places
 
 _LOGARITHMIC = 20.0  # bounds this far apart are searched by factors

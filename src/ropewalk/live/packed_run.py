@@ -12,7 +12,7 @@ from ropewalk import __version__
 from ropewalk.core.arrays import Floats
 from ropewalk.live.frame import SCALARS, Picture
 from ropewalk.live.packing import LARGEST, Packed, pack
-from ropewalk.live.replay import ReplayStage
+from ropewalk.live.replay import ReplayBroadcast
 from ropewalk.record.errors import RunError
 from ropewalk.record.result import Result
 
@@ -55,7 +55,7 @@ def record(run: Path | Result, rate: float = 60.0) -> Recording:
 
     Raises RunError when there is nothing to show.
     """
-    stage = ReplayStage(run, playing=False)
+    stage = ReplayBroadcast(run, playing=False)
     where = run if isinstance(run, Path) else (run.folder or "result")
     frames = len(stage.times)
     usual = _thinned(stage.times[: frames - stage.single], rate)

@@ -135,7 +135,7 @@ def show_warning(
 
 def _is_refusal(error: Exception) -> bool:
     """Whether the error is one that the package raises for what it was given."""
-    from ropewalk.scene.errors import SceneError
+    from ropewalk.scene.faults import SceneError
 
     if isinstance(error, SceneError):
         return True
