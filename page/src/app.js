@@ -108,6 +108,7 @@ export class App {
       " ": () => this.controls.toggle(),
       ".": () => this.controls.doStep(),
       r: () => this.controls.doReset(),
+      undo: () => this.controls.doUndo(), // Ctrl and Z
       f: () => this.stage.fit(),
       g: () => this.graphs.toggle(),
       p: () => this.togglePanel(),

@@ -22,6 +22,10 @@ const MOST_POSTS = 24;
 const STILL = new Set(["fixed", "velocity", "table"]); // motions of anchors that may stand on a post
 const FOOT = 5; // height of a post's foot [CSS pixels]
 
+/** The force of a hand, and whether it can pull no harder. @param {number} force @param {number} most [N] */
+const pulls = (force, most) =>
+  `${quantity(force, "N")}${most > 0 && force > 0.995 * most ? " (no more)" : ""}`;
+
 export class Marks {
   /** @param {Stage} stage */
   constructor(stage) {
@@ -218,13 +222,9 @@ export class Marks {
           pixels: 16,
         });
         const [fx, fy, fz] = part.grabs.subarray(i + 4, i + 7);
-        if (v === 0)
-          this.labels.push({
-            from,
-            at: to,
-            text: quantity(Math.hypot(fx, fy, fz), "N"),
-            kind: "grab",
-          });
+        if (v > 0) continue;
+        const text = pulls(Math.hypot(fx, fy, fz), part.grabs[i + 7]);
+        this.labels.push({ from, at: to, text, kind: "grab" });
       }
     });
   }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
 
 import numpy as np
@@ -266,3 +267,67 @@ def test_tab_goes_from_place_to_place_and_enter_opens_the_menu(
     window.press("Escape")
     assert "paused" in window.page.locator("#voice").inner_text()
     assert "3 anchors hold" in window.page.locator("#voice").inner_text()
+
+
+def test_what_was_done_is_undone_by_button_and_key(window: Window) -> None:
+    undo = window.page.locator("#undo")
+    assert undo.is_disabled()
+    window.click("#tool-cut")
+    window.page.mouse.click(*window.screen(12))
+    window.until(f"{VARIANT}.ropes.length === 2")
+    window.until("document.getElementById('undo').getAttribute('aria-label') === 'Undo the cut'")
+    undo.click()
+    window.until(f"{VARIANT}.ropes.length === 1")
+    window.until("document.getElementById('undo').disabled")
+    window.settled()
+    window.click("#tool-pin")
+    window.page.mouse.click(*window.screen(15))
+    window.until(f"{VARIANT}.anchors.length === 3")
+    window.until("!document.getElementById('undo').disabled")
+    window.press("Control+z")
+    window.until(f"{VARIANT}.anchors.length === 2")
+
+
+def test_a_rope_let_go_in_motion_is_thrown(window: Window) -> None:
+    """The events say when they were, however slow this machine is."""
+    window.press(" ")
+    window.until("r.state === 'playing'")
+    window.page.evaluate(
+        """() => { window.sent = []; const { source } = window.ropewalk.session;
+            const send = source.send.bind(source);
+            source.send = (command) => {
+              if (command.type === "let_go") window.sent.push(command);
+              send(command);
+            }; }"""
+    )
+    mouse = window.page.context.new_cdp_session(window.page)
+    for rest in (0.01, 0.5):  # [s] before the release
+        x, y = window.screen(20)
+        now = time.time()
+
+        def tell(kind: str, way: float, after: float, x: float = x, y: float = y) -> None:
+            about = {"type": kind, "x": x, "y": y - way, "timestamp": now + after}  # noqa: B023
+            pressed = {"button": "left", "buttons": 1, "clickCount": 1}
+            mouse.send("Input.dispatchMouseEvent", about | pressed)
+
+        tell("mousePressed", 0.0, 0.0)
+        for part in range(1, 9):
+            tell("mouseMoved", 8.0 * part, 0.01 * part)
+        tell("mouseReleased", 64.0, 0.08 + rest)
+        window.until("window.sent.length > 0")
+        velocity = window.page.evaluate("() => window.sent.pop().velocity")
+        if rest < 0.1:
+            assert velocity[2] > 1.0  # upwards, as the hand was
+        else:
+            assert velocity is None  # the twin: a hand that rested throws nothing
+
+
+def test_a_pull_is_limited_and_says_so(window: Window, server: ViewServer) -> None:
+    window.page.locator("#pull-limit").fill("5")
+    window.page.locator("#pull-limit").press("Enter")
+    window.press(" ")
+    window.drag(window.screen(20), (0.0, -150.0))
+    window.until("document.querySelector('.labels .grab')?.innerText === '5 N (no more)'")
+    (grab,) = server.stage.session.main.hands.grabs
+    assert np.linalg.norm(grab.force) == pytest.approx(5.0)
+    window.page.mouse.up()

@@ -2,12 +2,16 @@
 
 import { figures } from "../view/range.js";
 import { length, minus, plus, times } from "../view/vector.js";
+import { paceOf, throwOf } from "./throw.js";
 
 /** @typedef {import("../stage.js").Stage} Stage */
 /** @typedef {import("./pick.js").Hit} Hit */
 /** @typedef {import("../view/vector.js").Vector} Vector */
 
 const APART = 8; // ms between two targets at least
+const RECENT = 80; // ms before its release in which the hand's velocity is taken
+const TRACE = 40; // places of late that are kept
+const THROW = 0.05; // [m/s] of a throw at least
 const KICK = 0.05; // [m/s] of velocity per pixel of arrow
 
 export class Hand {
@@ -20,10 +24,13 @@ export class Hand {
     this.place = hit.place;
     this.sent = -Infinity; // when [ms]
     this.pending = 0;
+    /** Where it was of late. @type {import("./throw.js").Trace} */ this.trace = [];
+    /** The largest force of a pull [N]; null: what hands may at most. @type {number | null} */
+    this.limit = null;
   }
 
-  /** @param {number} px @param {number} py */
-  moveTo(px, py) {
+  /** @param {number} px @param {number} py @param {number} time of the event [ms] */
+  moveTo(px, py, time) {
     const { stage, hit } = this;
     this.place = stage.camera.onPlane(px, py, hit.place, stage.axis);
     if (this.way === "kick") {
@@ -32,6 +39,8 @@ export class Hand {
       stage.marks.dirty = true;
       return;
     }
+    this.trace.push({ time, place: this.place });
+    if (this.trace.length > TRACE) this.trace.shift();
     const wait = this.sent + APART - performance.now();
     if (wait <= 0) this.sendTarget();
     else this.pending ||= window.setTimeout(() => this.sendTarget(), wait);
@@ -43,9 +52,11 @@ export class Hand {
     if (this.over) return;
     this.sent = performance.now();
     const target = minus(this.place, this.stage.shifts[this.hit.variant]);
+    const { hit, limit } = this;
     const { session } = this.stage;
-    if (this.hit.kind === "anchor") session.send({ type: "drag", anchor: this.hit.anchor, target });
-    else session.send({ type: "grab", node: this.hit.node, target });
+    const pace = paceOf(session.frame, session.status);
+    if (hit.kind === "anchor") session.send({ type: "drag", anchor: hit.anchor, target, pace });
+    else session.send({ type: "grab", node: hit.node, target, pace, limit });
   }
 
   /** The velocity of a kick [m/s], as long as its arrow is on the screen. */
@@ -55,8 +66,8 @@ export class Hand {
     return times(minus(this.place, this.hit.place), KICK / perPixel);
   }
 
-  /** The pointer is up. @param {boolean} keep hold on to a grabbed node */
-  release(keep) {
+  /** The pointer is up. @param {boolean} keep hold on to a grabbed node @param {number} time of the event [ms] */
+  release(keep, time) {
     const { session, marks } = this.stage;
     if (this.way === "kick") {
       marks.kick = null;
@@ -66,8 +77,15 @@ export class Hand {
     } else if (this.hit.kind === "anchor") {
       this.sendTarget();
       session.send({ type: "drop", anchor: this.hit.anchor });
-    } else if (!keep) session.send({ type: "let_go", node: this.hit.node });
-    else this.sendTarget();
+    } else if (keep) this.sendTarget();
+    else {
+      const pace = paceOf(session.frame, session.status);
+      const thrown = session.status?.playing
+        ? times(throwOf(this.trace, time, RECENT), 1 / pace)
+        : [0, 0, 0];
+      const velocity = length(thrown) > THROW ? thrown : null;
+      session.send({ type: "let_go", node: this.hit.node, velocity });
+    }
     this.over = true;
   }
 

@@ -36,7 +36,15 @@ export class Keys {
 
   /** @param {KeyboardEvent} event */
   press(event) {
-    if (event.ctrlKey || event.metaKey || event.altKey || takesKey(event)) return;
+    if (takesKey(event)) return;
+    if (event.ctrlKey || event.metaKey || event.altKey) {
+      const undo = !event.altKey && !event.shiftKey && event.key.toLowerCase() === "z";
+      if (undo && this.shortcuts.undo) {
+        event.preventDefault();
+        this.shortcuts.undo();
+      }
+      return;
+    }
     const hand = HANDS.findIndex((codes) => codes.includes(event.code));
     if (hand >= 0 && this.anchor(hand) !== null && this.session.can("move")) {
       event.preventDefault();

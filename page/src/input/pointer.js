@@ -24,6 +24,8 @@ export class Pointer {
     this.actions = actions;
     /** @type {Tool} */ this.tool = "hand";
     this.keep = false; // grabs stay when the pointer is up
+    /** The largest force of a pull [N]; null: what hands may at most. @type {number | null} */
+    this.limit = null;
     /** @type {Map<number, {x: number, y: number}>} */ this.down = new Map();
     /** The hand of each pointer: on a touch screen there may be several. @type {Map<number, Hand>} */
     this.hands = new Map();
@@ -94,7 +96,9 @@ export class Pointer {
     const way = this.tool === "kick" ? "kick" : hit.kind === "anchor" ? "drag" : "grab";
     if (this.tool !== "hand" && this.tool !== "kick") return false;
     if (way !== "kick" && !this.stage.session.can(way)) return false;
-    this.hands.set(id, new Hand(this.stage, hit, way));
+    const hand = new Hand(this.stage, hit, way);
+    hand.limit = this.limit;
+    this.hands.set(id, hand);
     return true;
   }
 
@@ -121,7 +125,7 @@ export class Pointer {
     if (this.menuOpened) return;
     const hand = this.hands.get(event.pointerId);
     if (hand) {
-      hand.moveTo(x, y);
+      hand.moveTo(x, y, event.timeStamp);
       this.stage.marks.hover = hand.way === "kick" ? null : hand.ring;
       this.stage.marks.dirty = true;
     } else if (this.hands.size) return;
@@ -135,7 +139,7 @@ export class Pointer {
     const hand = this.hands.get(event.pointerId);
     if (!hand || !this.moved || this.menuOpened) return;
     const { x, y } = this.at(event);
-    hand.moveTo(x, y);
+    hand.moveTo(x, y, event.timeStamp);
   }
 
   /** @param {PointerEvent} event */
@@ -144,9 +148,9 @@ export class Pointer {
     clearTimeout(this.longPress);
     const { x, y } = this.at(event);
     const hand = this.hands.get(event.pointerId);
-    if (hand && this.moved) hand.moveTo(x, y);
+    if (hand && this.moved) hand.moveTo(x, y, event.timeStamp);
     const hadHand = hand !== undefined && this.moved;
-    this.dropHand(event.pointerId, event.shiftKey || this.keep, this.moved);
+    this.dropHand(event.pointerId, event.shiftKey || this.keep, this.moved, event.timeStamp);
     if (this.moved || this.menuOpened || hadHand || this.down.size) return;
     if (event.button === 2) this.openMenu(x, y);
     else if (event.button === 0) this.click(event.timeStamp);
@@ -176,12 +180,12 @@ export class Pointer {
   }
 
   /** @param {number} id of the pointer @param {boolean} keep @param {boolean} [used] whether the hand did
-   * anything */
-  dropHand(id, keep, used = true) {
+   * anything @param {number} [time] of the event [ms] */
+  dropHand(id, keep, used = true, time = Infinity) {
     const hand = this.hands.get(id);
     if (!hand) return;
     this.hands.delete(id);
-    if (used) hand.release(keep);
+    if (used) hand.release(keep, time);
     this.hover(null);
   }
 

@@ -20,6 +20,7 @@ export class Controls {
       key: "R",
       id: "reset",
     });
+    this.undo = button("undo", "Undo", () => this.doUndo(), { id: "undo" });
     this.play = button("play", "Play", () => this.toggle(), {
       key: "space",
       id: "play",
@@ -55,7 +56,7 @@ export class Controls {
     this.seeking = 0;
     this.shown = -Infinity; // when the clock was last changed [ms]
     host.append(
-      h("div", { className: "group" }, this.reset, this.play, this.step),
+      h("div", { className: "group" }, this.reset, this.undo, this.play, this.step),
       this.clock,
       this.seek,
       h(
@@ -81,11 +82,16 @@ export class Controls {
     this.play.hidden = !session.can("play");
     this.step.hidden = !session.can("step");
     this.reset.hidden = !session.can("reset");
+    this.undo.hidden = !session.can("undo");
     const label = /** @type {HTMLElement} */ (this.speed.parentElement);
     label.hidden = !session.can("speed");
     this.seek.hidden = !session.can("seek") || !status?.duration;
     if (!status) return;
     if (!status.playing && session.frame) this.showTime(session.frame.time);
+    const undo = status.undo ? `Undo ${status.undo}` : "Nothing to undo";
+    this.undo.disabled = !status.undo;
+    this.undo.title = `${undo} (Ctrl+Z)`;
+    this.undo.setAttribute("aria-label", undo);
     this.play.disabled = status.broken;
     this.step.disabled = status.broken || status.playing;
     const name = status.playing ? "pause" : "play";
@@ -130,6 +136,10 @@ export class Controls {
 
   doReset() {
     if (this.session.can("reset")) this.session.tell({ type: "reset" });
+  }
+
+  doUndo() {
+    if (this.session.status?.undo && this.session.can("undo")) this.session.tell({ type: "undo" });
   }
 
   setSpeed() {

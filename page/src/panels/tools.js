@@ -45,10 +45,22 @@ export class Tools {
         const mass = readNumber(this.massField.value);
         if (mass >= 0) this.mass = mass;
         this.massField.value = String(this.mass);
+        this.massField.blur(); // the keys are the rope's again
       },
     });
     this.massBox = h("label", { className: "mass", hidden: true }, this.massField, "kg");
-    this.bar.append(this.massBox);
+    this.pullField = h("input", {
+      type: "text",
+      inputMode: "decimal",
+      value: "",
+      placeholder: "auto",
+      id: "pull-limit",
+      title: "Pull with at most this force; empty: 20 times the rope's weight",
+      "aria-label": "Largest force of a pull [N]; empty: 20 times the rope's weight",
+      onchange: () => this.limitPull(),
+    });
+    this.pullBox = h("label", { className: "mass pull", hidden: true }, this.pullField, "N");
+    this.bar.append(this.massBox, this.pullBox);
     host.append(this.bar);
     stage.session.on("hello", () => this.refresh());
     this.refresh();
@@ -67,7 +79,16 @@ export class Tools {
     if (this.pointer) this.pointer.tool = tool;
     for (const [name, one] of this.buttons) one.setAttribute("aria-pressed", String(name === tool));
     this.massBox.hidden = tool !== "load";
+    this.pullBox.hidden = tool !== "hand" || !this.stage.session.can("grab");
     this.host.dataset.tool = tool;
+  }
+
+  limitPull() {
+    const newtons = readNumber(this.pullField.value);
+    const limit = newtons > 0 ? newtons : null;
+    if (this.pointer) this.pointer.limit = limit;
+    this.pullField.value = limit === null ? "" : String(limit);
+    this.pullField.blur(); // the keys are the rope's again
   }
 
   /** Use a tool on what was pressed. @param {Tool} tool @param {Hit} hit */

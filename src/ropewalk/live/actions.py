@@ -27,9 +27,12 @@ from ropewalk.live.commands import (
     SceneCommand,
     Set,
     Speed,
+    Undo,
     Unpin,
+    Vector,
 )
-from ropewalk.live.hands import MOST_GRABS, Target
+from ropewalk.live.hands import FASTEST, MOST_GRABS, Target
+from ropewalk.live.hands import Grab as Grabbed
 from ropewalk.live.parameters import named, refusal
 from ropewalk.live.remedies import calm_moment, implicit_method, suggested_step
 from ropewalk.live.session import Session
@@ -85,7 +88,9 @@ def move(session: Session, command: Move, client: int) -> str:
 def drag(session: Session, command: Drag, client: int) -> str:
     for track in session.tracks:
         if _anchor(track, command.anchor, required=track is session.main) is not None:
-            track.hands.targets[command.anchor] = Target(np.array(command.target), client)
+            track.hands.targets[command.anchor] = Target(
+                np.array(command.target), client, command.pace
+            )
             track.hands.fresh = True
     return ""
 
@@ -109,7 +114,15 @@ def grab(session: Session, command: Grab, client: int) -> str:
     for track in session.tracks:
         node = counterpart(main.simulation, track.simulation, command.node)
         if node is not None and track.holder(node) is None:
-            track.hands.grab(node, np.array(command.target), client)
+            track.hands.grab(
+                Grabbed(
+                    node,
+                    np.array(command.target),
+                    client,
+                    allowed=command.limit,
+                    pace=command.pace,
+                )
+            )
     return ""
 
 
@@ -119,10 +132,19 @@ def let_go(session: Session, command: LetGo, client: int) -> str:
         if node is not None:
             node = counterpart(session.main.simulation, track.simulation, node)
         if command.node is None or node is not None:
+            held = any((one.node, one.owner) == (node, client) for one in track.hands.grabs)
             track.hands.let_go(track.simulation, client, node)
+            if node is not None and held and command.velocity is not None:
+                track.throw(node, _no_faster(command.velocity))
         if command.node is None:
             track.hands.stop(track.simulation, client)
     return ""
+
+
+def _no_faster(velocity: Vector) -> Floats:
+    """A hand's velocity [m/s], at most what hands may have."""
+    size = float(np.linalg.norm(velocity))
+    return np.array(velocity) * min(1.0, FASTEST / max(size, 1e-9))
 
 
 def pin(session: Session, command: Pin, client: int) -> str:
@@ -200,6 +222,7 @@ def compare(session: Session, command: Compare, client: int) -> str:
         made.append(session.main.clone(label, changes))
     session.tracks = made
     session.broken = None
+    session.undo.clear()
     session.remember(clear=True)
     session.changed()
     return ""
@@ -214,6 +237,12 @@ def back(session: Session, command: Back, client: int) -> str:
         found = next((one for one in moments if one.time <= latest), moments[-1])
     session.go_back(found)
     session.broken = None
+    return ""
+
+
+def undo(session: Session, command: Undo, client: int) -> str:
+    if not session.undo_last():
+        raise refusal("undo", None, "there is nothing to undo")
     return ""
 
 
@@ -344,5 +373,5 @@ def _segment(main: Simulation, other: Simulation, segment: int) -> int | None:
 ACTIONS: dict[str, Callable[[Session, Any, int], str]] = {
     "speed": speed, "reset": reset, "set": set_, "move": move, "drag": drag, "drop": drop,
     "grab": grab, "let_go": let_go, "pin": pin, "unpin": unpin, "cut": cut, "load": load,
-    "kick": kick, "scene": scene, "compare": compare, "back": back, "remedy": remedy,
+    "kick": kick, "scene": scene, "compare": compare, "back": back, "undo": undo, "remedy": remedy,
 }  # fmt: skip

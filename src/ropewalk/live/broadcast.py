@@ -40,7 +40,7 @@ from ropewalk.scene.faults import NO_VALUE
 STATUS_SECONDS = 0.25
 LIVE = "live"
 # What ends the steps that are still to be taken.
-_JUMPS = frozenset(["play", "pause", "reset", "back", "remedy"])
+_JUMPS = frozenset(["play", "pause", "reset", "back", "undo", "remedy"])
 
 
 class Broadcast:
@@ -312,7 +312,9 @@ class Broadcast:
             self.meter.ask([track.simulation.model for track in self.session.tracks])
             loaded = (self.session.loaded, self.session.preset)
             self._address = address(self.session.start, loaded, self.session.changes)
-        now = (self.playing, self.session.speed, self.session.broken, self._address, self.text)
+        session = self.session
+        about = (session.speed, session.broken, session.undo.word)
+        now = (self.playing, *about, self._address, self.text)
         if now != self._told:
             self._told = now
             self._tell_status(time.perf_counter())
@@ -358,6 +360,7 @@ class Broadcast:
             "broken": session.broken is not None,
             "clients": self.audience.size,
             "address": self._address,
+            "undo": session.undo.word,
             "duration": self.duration,
         }
 

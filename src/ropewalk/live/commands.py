@@ -26,6 +26,7 @@ def _number(value: Any) -> Any:
 Number = Annotated[float, BeforeValidator(_number), Field(strict=True, allow_inf_nan=False)]
 Coordinate = Annotated[Number, Field(ge=-FAR, le=FAR)]
 Vector = tuple[Coordinate, Coordinate, Coordinate]
+Pace = Annotated[Number, Field(ge=0.0, le=100.0)]  # simulated seconds in one of the user's
 Index = Annotated[int, Field(strict=True, ge=0, le=100_000_000)]
 Name = Annotated[str, Field(strict=True, max_length=100)]
 Id = Annotated[int, Field(strict=True, ge=0, le=LARGEST_ID)]
@@ -86,6 +87,7 @@ class Drag(Command):
     type: Literal["drag"]
     anchor: Name
     target: Vector
+    pace: Pace = 1.0
 
 
 class Drop(Command):
@@ -97,11 +99,14 @@ class Grab(Command):
     type: Literal["grab"]
     node: Index
     target: Vector
+    pace: Pace = 1.0
+    limit: Annotated[Number, Field(gt=0.0, le=1e12)] | None = None
 
 
 class LetGo(Command):
     type: Literal["let_go"]
     node: Index | None = None
+    velocity: Vector | None = None
 
 
 class Pin(Command):
@@ -157,6 +162,10 @@ class Back(Command):
     seconds: Annotated[Number, Field(ge=0.0, le=1e6)] | None = None
 
 
+class Undo(Command):
+    type: Literal["undo"]
+
+
 class Remedy(Command):
     type: Literal["remedy"]
     remedy: Literal["back", "step", "implicit", "on"]
@@ -175,7 +184,7 @@ COMMANDS: dict[str, type[Command]] = {
     str(model.model_fields["type"].annotation.__args__[0]): model  # type: ignore[union-attr]
     for model in (
         Ack, Play, Pause, Step, Speed, Reset, Set, Move, Drag, Drop, Grab, LetGo, Pin, Unpin, Cut,
-        Load, Kick, SceneCommand, Compare, Back, Remedy, Save, Seek,
+        Load, Kick, SceneCommand, Compare, Back, Undo, Remedy, Save, Seek,
     )
 }  # fmt: skip
 # Those that change the simulation, and so are kept in a session's log.
@@ -197,6 +206,7 @@ PHYSICAL = frozenset(
         "scene",
         "compare",
         "back",
+        "undo",
         "remedy",
     ]
 )

@@ -135,7 +135,8 @@ def _write(data: bytearray, spot: Places, picture: Picture) -> None:
     grabs = _view(data, spot.grabs, 8 * MOST_GRABS).reshape(MOST_GRABS, 8)
     grabs[:, 0] = -1.0
     for row, grab in enumerate(picture.grabs[:MOST_GRABS]):
-        grabs[row, 0], grabs[row, 1:4], grabs[row, 4:7] = grab.node, grab.target, grab.force
+        grabs[row, 0], grabs[row, 7] = grab.node, grab.most
+        grabs[row, 1:4], grabs[row, 4:7] = grab.target, grab.force
 
 
 def _write_seen(data: bytearray, spot: Places, seen: Seen, ranges: Ranges) -> None:

@@ -4,8 +4,13 @@ Both are brought up to date every `CONTROL` seconds of simulated time, at whole 
 between. A soft spring F = K (target - x) - C v is bounded in three ways, so that it pulls hard
 enough and cannot break anything: K lifts all the rope with a stretch of 1 % of its length and
 K H^2 <= m / 4, C damps a tenth of the rope critically and C H <= m / 4, and |F| is at most 20 times
-the rope's weight (H the time between two updates, m the node's mass). With C >= K H / 2 a sampled
-spring gives no energy out (Colgate & Schenkel 1997, passivity of a virtual wall).
+the rope's weight (H the time between two updates, m the node's mass), or what the user allows if that
+is less. With C >= K H / 2 a sampled spring gives no energy out (Colgate & Schenkel 1997, passivity of a
+virtual wall).
+
+Hands act in the user's time. Where the computer manages only a part p of the speed that is asked for, K is
+1 / p^2 and C 1 / p times as large, as far as the bounds above allow: the pointer is reached in the same
+time on the clock. Anchors follow 1 / p times as fast, also where a low speed is asked for.
 """
 
 from __future__ import annotations
@@ -22,6 +27,7 @@ CONTROL = 1.0 / 960.0  # [s] between two updates, or one step
 FOLLOW = 0.02  # [s] in which an anchor makes up 63 % of the way to its target
 FASTEST = 30.0  # [m/s] of an anchor on its way to its target
 MOST_GRABS = 8
+SLOWEST = 0.01  # pace that hands still make up for
 _LIFT, _SHARE, _FORCE = 100.0, 0.1, 20.0
 
 
@@ -33,6 +39,9 @@ class Grab:
     target: Floats  # (3,) [m]
     owner: int = 0
     force: Floats = field(default_factory=lambda: np.zeros(3))  # on the node [N]
+    allowed: float | None = None  # by the user, largest force [N]
+    pace: float = 1.0  # simulated seconds in one of the user's
+    most: float = 0.0  # largest force [N] since the last update
 
 
 class Target(NamedTuple):
@@ -40,6 +49,7 @@ class Target(NamedTuple):
 
     place: Floats  # (3,) [m]
     owner: int
+    pace: float = 1.0  # simulated seconds in one of the user's
 
 
 class Hands:
@@ -63,10 +73,10 @@ class Hands:
         made.movers = dict(self.movers)
         return made
 
-    def grab(self, node: int, target: Floats, owner: int) -> None:
+    def grab(self, made: Grab) -> None:
         """Take hold of a node, or move the target of a grab."""
-        kept = [one for one in self.grabs if (one.node, one.owner) != (node, owner)]
-        self.grabs = [*kept, Grab(node, target, owner)]
+        kept = [one for one in self.grabs if (one.node, one.owner) != (made.node, made.owner)]
+        self.grabs = [*kept, made]
         self.fresh = True
 
     def let_go(self, simulation: Simulation, owner: int | None, node: int | None = None) -> None:
@@ -118,29 +128,34 @@ class Hands:
             if handle is None or not handle.holds:
                 del self.targets[name]
                 continue
-            time = max(FOLLOW * min(max(speed, 0.01), 1.0), interval)
+            time = max(FOLLOW * min(max(min(target.pace, speed), SLOWEST), 1.0), interval)
             velocity = (target.place - handle.position) / time
             size = float(np.linalg.norm(velocity))
             handle.velocity = velocity * min(1.0, FASTEST / size) if size > 0.0 else velocity
         if not self.grabs:
             return
-        self.grabs = [self._pulled(simulation, one, interval) for one in self.grabs]
+        self.grabs = [self._pulled(simulation, one, interval, speed) for one in self.grabs]
         forces: dict[int, Floats] = {}
         for one in self.grabs:
             forces[one.node] = forces.get(one.node, np.zeros(3)) + one.force
         simulation.push(forces)
 
-    def _pulled(self, simulation: Simulation, grab: Grab, interval: float) -> Grab:
+    def _pulled(self, simulation: Simulation, grab: Grab, interval: float, speed: float) -> Grab:
         state, i = simulation.arrays, grab.node
-        stiffness, damping, most = soft_spring(simulation, i, interval)
+        pace = min(max(grab.pace / speed, SLOWEST), 1.0)
+        stiffness, damping, most = soft_spring(simulation, i, interval, pace)
+        if grab.allowed is not None:
+            most = min(most, grab.allowed)
         force = stiffness * (grab.target - state.x[:, i]) - damping * state.v[:, i]
         size = float(np.linalg.norm(force))
         if not size <= most:
             force = force * (most / size) if np.isfinite(size) else np.zeros(3)
-        return replace(grab, force=force)
+        return replace(grab, force=force, most=most)
 
 
-def soft_spring(simulation: Simulation, node: int, interval: float) -> tuple[float, float, float]:
+def soft_spring(
+    simulation: Simulation, node: int, interval: float, pace: float = 1.0
+) -> tuple[float, float, float]:
     """Return stiffness [N/m], damping [N s/m] and largest force [N] of a grab of a node."""
     state, layout = simulation.arrays, simulation.layout
     name, _ = layout.rope_of(node)
@@ -149,7 +164,7 @@ def soft_spring(simulation: Simulation, node: int, interval: float) -> tuple[flo
     mass = float(state.mass[span.start : span.end + 1].sum())
     weight = mass * max(float(np.linalg.norm(simulation.system.gravity)), 1.0)
     own = float(state.mass[node])
-    stiffness = min(_LIFT * weight / length, 0.25 * own / interval**2)
+    stiffness = min(_LIFT * weight / length / pace**2, 0.25 * own / interval**2)
     damping = 2.0 * float(np.sqrt(stiffness * _SHARE * mass))
     damping = max(min(damping, 0.25 * own / interval), 0.5 * stiffness * interval)
     return stiffness, damping, _FORCE * weight

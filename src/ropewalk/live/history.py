@@ -24,7 +24,9 @@ class Moment(NamedTuple):
 class History:
     """The last moments, as many as fit."""
 
-    def __init__(self) -> None:
+    def __init__(self, longest: int = LONGEST) -> None:
+        """Keep at most so many."""
+        self._longest = longest
         self._moments: deque[Moment] = deque()
         self._bytes: deque[int] = deque()
 
@@ -32,11 +34,19 @@ class History:
         """Keep a moment; forget the oldest beyond the limits."""
         self._moments.append(moment)
         self._bytes.append(sum(_size(saved) for saved in moment.tracks))
-        while len(self._moments) > LONGEST or (
+        while len(self._moments) > self._longest or (
             len(self._moments) > 2 and sum(self._bytes) > MOST_BYTES
         ):
             self._moments.popleft()
             self._bytes.popleft()
+
+    def __len__(self) -> int:
+        return len(self._moments)
+
+    def pop(self) -> Moment:
+        """Return the newest moment, and forget it. Raises IndexError where there is none."""
+        self._bytes.pop()
+        return self._moments.pop()
 
     def newest_first(self) -> list[Moment]:
         """Return all moments, the newest first."""

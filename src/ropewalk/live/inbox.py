@@ -78,7 +78,7 @@ def _replaceable(item: Item) -> bool:
 
 def _subject(item: Item) -> tuple[Any, ...]:
     """What a command is about."""
-    about = item.what.model_dump(exclude={"id", "value", "target", "velocity"})
+    about = item.what.model_dump(exclude={"id", "value", "target", "velocity", "pace"})
     return (item.client, *sorted((key, str(value)) for key, value in about.items()))
 
 

@@ -39,7 +39,7 @@ BYTES_PER_SECOND = (
 )
 CHUNK_FRAMES = 120
 MOST_PARTS = 1000
-_JUMPS = frozenset(["reset", "scene", "back", "remedy"])
+_JUMPS = frozenset(["reset", "scene", "back", "undo", "remedy"])
 
 
 @dataclass

@@ -16,6 +16,7 @@ from ropewalk.live.commands import PHYSICAL, Command
 from ropewalk.live.history import EVERY, History, Moment
 from ropewalk.live.parameters import initial, named
 from ropewalk.live.track import Saved, Track, planned
+from ropewalk.live.undo import WORDS, Undo
 from ropewalk.scene import Scene
 from ropewalk.simulation import Simulation
 
@@ -43,6 +44,7 @@ class Session:
         self.on_break: Callable[[int, int], None] = lambda count, variant: None
         self.on_frame: Callable[[Session], None] = lambda session: None
         self.history = History()
+        self.undo = Undo()
         self.revision = 0  # counts all that a page must be told of
         self.speed = 1.0
         self.broken: Break | None = None
@@ -71,6 +73,7 @@ class Session:
         self.tracks = [other.main]
         self.preset, self.loaded, self.changes = other.preset, other.loaded, dict(other.changes)
         self.broken = None
+        self.undo.clear()
         self.remember(clear=True)
         self.changed()
 
@@ -80,6 +83,7 @@ class Session:
         self.preset = preset
         self.loaded = planned(scene, track.simulation.plan)
         self.changes = {}
+        self.undo.clear()
         self.remember(clear=True)
         self.changed()
 
@@ -156,19 +160,39 @@ class Session:
         """Keep the present moment in the history."""
         if clear:
             self.history.clear()
+        self.history.add(self._moment())
+
+    def _moment(self) -> Moment:
         saved = tuple(track.save() for track in self.tracks)
         about = (self.loaded, self.preset, dict(self.changes), list(self.tracks))
-        self.history.add(Moment(self.time, saved, about))
+        return Moment(self.time, saved, about)
 
     def go_back(self, moment: Moment) -> None:
         """Go back to a moment of the history."""
+        self._put(moment)
+        self.history.forget_after(moment)
+        self.undo.forget_after(moment.time)
+
+    def undo_last(self) -> bool:
+        """Go to just before what was done last; tell whether there was anything. Hands let go."""
+        moment = self.undo.take()
+        if moment is None:
+            return False
+        self._put(moment)
+        for track in self.tracks:  # what they held then they may have let go of since
+            track.hands.let_go(track.simulation, None)
+            track.hands.stop(track.simulation, None)
+        self.broken = None
+        self.remember(clear=True)
+        return True
+
+    def _put(self, moment: Moment) -> None:
         self.loaded, self.preset, changes, tracks = moment.session
         count = self.count
         self.changes, self.tracks = dict(changes), list(tracks)
         for track, saved in zip(self.tracks, moment.tracks, strict=True):
             track.restore(saved)
         self.main.count = count
-        self.history.forget_after(moment)
         self.changed()
 
     # -- commands -----------------------------------------------------------------------
@@ -185,6 +209,7 @@ class Session:
             raise KeyError(command.type)
         count = self.count
         before = self._everything()
+        moment = self._moment() if command.type in WORDS else None
         try:
             if opened is not None:
                 self.adopt(opened)
@@ -194,6 +219,8 @@ class Session:
         except BaseException:
             self._put_back(before)
             raise
+        if moment is not None:
+            self.undo.note(command.type, moment)
         self.on_command(count, client, command)
         return note
 

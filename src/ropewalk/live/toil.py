@@ -6,7 +6,9 @@ from ropewalk.live.commands import Command, Compare, Remedy, Set
 from ropewalk.live.session import Session
 
 MANY = 500  # nodes; to build so many anew takes some milliseconds
-_BUILDING = frozenset(["reset", "set", "pin", "unpin", "cut", "load", "compare", "back", "remedy"])
+_BUILDING = frozenset(
+    ["reset", "set", "pin", "unpin", "cut", "load", "compare", "back", "undo", "remedy"]
+)
 
 
 def takes_long(command: Command, session: Session) -> bool:

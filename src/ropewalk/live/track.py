@@ -185,8 +185,16 @@ class Track:
         name = self.holder(index)
         if name is not None:
             raise refusal("node", index, f"is held by anchor {name!r}")
+        self._give(index, self.simulation.arrays.v[:, index] + velocity)
+
+    def throw(self, index: int, velocity: Floats) -> None:
+        """Give a node the velocity [m/s] of the hand that lets go of it, unless an anchor holds it."""
+        if self.holder(index) is None:
+            self._give(index, velocity)
+
+    def _give(self, index: int, velocity: Floats) -> None:
         before = self.energy
-        self.simulation.arrays.v[:, index] += velocity
+        self.simulation.arrays.v[:, index] = velocity
         self.simulation.arrays.past[0] = 0.0  # a multistep method begins anew
         self.simulation.push({})  # brings forces and accelerations up to date
         self.edited += self.energy - before
