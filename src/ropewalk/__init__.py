@@ -128,7 +128,9 @@ if not TYPE_CHECKING:
     def __getattr__(name: str) -> object:
         if name not in _HOMES:
             raise AttributeError(f"module 'ropewalk' has no attribute {name!r}")
-        return getattr(import_module(f"ropewalk.{_HOMES[name]}"), name)
+        from ropewalk.words.annotations import unquoted
+
+        return unquoted(getattr(import_module(f"ropewalk.{_HOMES[name]}"), name))
 
 
 def __dir__() -> list[str]:

@@ -6,7 +6,7 @@ import threading
 
 import pytest
 
-from ropewalk.record.background import Background
+from ropewalk.record.run import Background
 
 
 def test_tasks_run_one_after_another_beside_the_caller() -> None:

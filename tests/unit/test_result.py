@@ -236,3 +236,24 @@ def test_numbers_of_a_broken_run_come_without_numpys_warnings() -> None:
         assert "broke" in repr(result)
         assert result.node(3)["height"].shape == (result.frames,)
     assert np.isfinite(result.energy_error[:3]).all()
+
+
+def test_the_energy_error_that_a_result_shows_is_the_largest(result: Result) -> None:
+    """Of every step, not that of the last frame, which may be small by chance."""
+    largest, last = result.table["largest energy error [J]"], abs(result.energy_error[-1])
+    assert largest > last
+    assert f"energy error at most {largest:.3g} J" in repr(result)
+    without = rw.simulate(runs.hanging(duration=0.1), ledger=False)
+    assert "no energy ledger" in repr(without)
+
+
+def test_completion_of_a_simulation_shows_what_users_have() -> None:
+    """Each of it is there and has a meaning; what recorders and pages use besides is not shown."""
+    simulation = rw.Simulation(runs.hanging())
+    shown = dir(simulation)
+    assert {"step", "frames", "positions", "anchors", "tension", "apply_force", "view"} <= set(
+        shown
+    )
+    assert not any(name.startswith("_") for name in shown)
+    assert all(hasattr(simulation, name) for name in shown)
+    assert {"arrays", "system", "take_in_hand", "watchers", "slices"} & set(shown) == set()

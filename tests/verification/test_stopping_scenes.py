@@ -14,7 +14,7 @@ import pytest
 
 import ropewalk as rw
 from ropewalk.core.arrays import Floats
-from ropewalk.record.energy_note import weight_times_length
+from ropewalk.record.balances import weight_times_length
 from verification.stopping_scenes import METHODS, stopping_scene
 
 SCENES = int(os.environ.get("ROPEWALK_STOPPING_SCENES", "120"))

@@ -26,6 +26,7 @@ from ropewalk.record.rest import as_result
 from ropewalk.scene import Scene
 from ropewalk.scene.from_library import origin_words
 from ropewalk.statics import Statics, static_shape
+from ropewalk.words.annotations import unquoted
 from ropewalk.words.prefixes import prefixed
 
 __all__ = ["Check", "RopeCheck", "check", "milliseconds"]
@@ -80,6 +81,7 @@ class RopeCheck:
         return waves
 
 
+@unquoted
 @dataclass(frozen=True)
 class Check:
     """Everything that `ropewalk check` says."""

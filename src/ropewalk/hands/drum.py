@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from ropewalk.core.arrays import State, Winches
 from ropewalk.laws.winch import SPLIT, WINCH_SHARE
+from ropewalk.words.annotations import unquoted
 
 if TYPE_CHECKING:
     from ropewalk.simulation import Simulation
@@ -17,6 +18,7 @@ LAST, HELD_NODE, RELEASED = "last segment", "held node", "released"
 _ROUNDING = 1e-9  # [1] of a segment
 
 
+@unquoted
 class WinchHandle:
     """One winch of a running simulation."""
 

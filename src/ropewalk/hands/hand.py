@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike
 
 from ropewalk.core.arrays import Floats
 from ropewalk.hands.drive import shortest_turn
+from ropewalk.words.annotations import unquoted
 
 if TYPE_CHECKING:
     from ropewalk.simulation import Simulation
@@ -25,6 +26,7 @@ def three(name: str, value: ArrayLike, unit: str) -> Floats:
     return vector
 
 
+@unquoted
 class AnchorHandle:
     """One anchor of a running simulation; once it has let go it follows the node that it held."""
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -35,12 +35,14 @@ from ropewalk.live.hands import FASTEST, MOST_GRABS, Target
 from ropewalk.live.hands import Grab as Grabbed
 from ropewalk.live.parameters import named, refusal
 from ropewalk.live.remedies import calm_moment, implicit_method, suggested_step
-from ropewalk.live.session import Session
 from ropewalk.live.sources import Read, Start, from_toml, scene_of
 from ropewalk.live.track import Track
 from ropewalk.lowering import Layout
 from ropewalk.scene import Scene
 from ropewalk.simulation import Simulation
+
+if TYPE_CHECKING:
+    from ropewalk.live.session import Session
 
 
 def speed(session: Session, command: Speed, client: int) -> str:
@@ -196,14 +198,16 @@ def kick(session: Session, command: Kick, client: int) -> str:
 
 
 def scene(session: Session, command: SceneCommand, client: int) -> str:
-    session.adopt(opened(command, session.start))
+    session.adopt(opened(type(session), command, session.start))
     return ""
 
 
-def opened(command: SceneCommand, start: Start, read: Read = from_toml) -> Session:
+def opened(
+    kind: type[Session], command: SceneCommand, start: Start, read: Read = from_toml
+) -> Session:
     """Return a session of the scene that a command asks for, at time zero. Raises SceneError."""
     made, preset, settings = scene_of(command, start, read)
-    session = Session(made, preset)
+    session = kind(made, preset)
     for name, rope, value in settings:
         session.set(name, value, rope, None)
     if settings:

@@ -7,10 +7,12 @@ from html import escape
 from ropewalk.live.packed_run import record
 from ropewalk.live.share import page
 from ropewalk.record.result import Result
+from ropewalk.words.annotations import unquoted
 
 _LEAST = 100  # pixels
 
 
+@unquoted
 class Replay:
     """A run's replay; as the last line of a notebook's cell it shows itself."""
 

@@ -65,6 +65,6 @@ class Opening:
 
 
 def _open(command: SceneCommand, start: Start) -> Session:
-    made = opened(command, start, read_apart)
+    made = opened(Session, command, start, read_apart)
     made.main.simulation.advance_frames(0)  # compiles before anybody waits for a frame
     return made

@@ -12,6 +12,7 @@ from typing import Any
 
 from ropewalk.core.status import BROKEN, OK
 from ropewalk.live import edits
+from ropewalk.live.actions import ACTIONS
 from ropewalk.live.commands import PHYSICAL, Command
 from ropewalk.live.history import EVERY, History, Moment
 from ropewalk.live.parameters import initial, named
@@ -203,8 +204,6 @@ class Session:
         All or nothing: when it is refused (SceneError), nothing has changed. `opened` is what a command for
         a scene asks for, where it is there already.
         """
-        from ropewalk.live.actions import ACTIONS
-
         if command.type not in PHYSICAL:
             raise KeyError(command.type)
         count = self.count

@@ -13,10 +13,12 @@ from ropewalk.live.launch import check_installed
 from ropewalk.record.result import Result
 from ropewalk.scene import Scene
 from ropewalk.simulation import Simulation
+from ropewalk.words.annotations import unquoted
 
 _HEIGHT = 640
 
 
+@unquoted
 class View:
     """A page that shows something, and the server behind it.
 

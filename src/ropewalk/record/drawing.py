@@ -6,6 +6,8 @@ from collections.abc import Sequence
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+from ropewalk.words.annotations import unquoted
+
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
@@ -14,6 +16,7 @@ if TYPE_CHECKING:
 _HOME = "ropewalk.plots"  # a layer above this one, so it is looked up by name when it is needed
 
 
+@unquoted
 class Plots:
     """The figures of one result, as methods. Each returns a matplotlib Figure.
 

@@ -15,24 +15,26 @@ import hashlib
 from contextlib import suppress
 from dataclasses import asdict
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ropewalk.lowering import Layout, Plan
 from ropewalk.lowering.layout import make_layout
 from ropewalk.methods.registry import METHODS
-from ropewalk.record import beyond
+from ropewalk.record import beyond, checkpoint
 from ropewalk.record.ends import from_dicts
 from ropewalk.record.errors import RunError
 from ropewalk.record.event_log import log, read_events
 from ropewalk.record.facts import INTERRUPTED, RUNNING, Facts, now
 from ropewalk.record.files import read_json, reading, write, write_json
 from ropewalk.record.lock import is_locked
-from ropewalk.record.place import DATA, PROVENANCE, SCENE, STATUS, new_folder
+from ropewalk.record.place import CHECKPOINT, DATA, PROVENANCE, SCENE, STATUS, new_folder
 from ropewalk.record.reader import Stored, reads
-from ropewalk.record.result import Result
 from ropewalk.record.store import CHECKED, FORMAT, READABLE, Writer
 from ropewalk.scene import Scene, SceneError, dumps, load
 from ropewalk.scene.from_library import origin
+
+if TYPE_CHECKING:
+    from ropewalk.record.result import Result
 
 PACKING_STEPS = 130  # explicit steps that take ten times as long as compressing the frame
 
@@ -145,24 +147,18 @@ def _hash(text: bytes) -> str:
 
 def open_parts(folder: Path) -> tuple[Scene, Facts, Stored]:
     """Open the scene, the facts and the store of a run folder. Raises RunError."""
-    scene = read_scene(folder)
-    facts = read_facts(folder)
-    stored = Stored(folder / DATA, scene, make_layout(scene))
-    check_scene(folder, scene, facts)
+    try:
+        scene = read_scene(folder)
+        facts = read_facts(folder)
+        stored = Stored(folder / DATA, scene, make_layout(scene))
+        check_scene(folder, scene, facts)
+    except PermissionError:
+        raise RunError(folder, "cannot be read: there is no permission") from None
     return scene, facts, stored
 
 
-def open_result(folder: Path) -> Result:
-    """Open a run folder as a result. Raises RunError."""
-    try:
-        scene, facts, stored = open_parts(folder)
-        return Result(scene, make_layout(scene), stored, facts, folder)
-    except PermissionError:
-        raise RunError(folder, "cannot be read: there is no permission") from None
-
-
-def save_result(result: Result, folder: Path, overwrite: bool) -> Result:
-    """Write a result as a run folder and open it from there. Raises RunError."""
+def save_result(result: Result, folder: Path, overwrite: bool) -> None:
+    """Write a result as a run folder. Raises RunError."""
     if not result.has_total_tension:
         rule = (
             "is of an older format, whose tension is the elastic one only; copy its folder instead"
@@ -188,9 +184,37 @@ def save_result(result: Result, folder: Path, overwrite: bool) -> Result:
         for event in result.events:
             log(made, **event)
         log(made, "saved", status=facts.status)
-    return open_result(folder)
 
 
 def _about(result: Result) -> dict[str, Any]:
     about = {k: v for k, v in result.facts.provenance.items() if k != "format"}
     return {"plan": asdict(result.plan), "ledger": result.facts.ledger, **about}
+
+
+class Verdict(NamedTuple):
+    """What was looked at and what is damaged: one error for each file."""
+
+    chunks: int
+    faults: tuple[RunError, ...]
+
+
+def verify(folder: Path) -> Verdict:
+    """Read every chunk of a run, and its checkpoint, and compare them with their checksums.
+
+    Raises RunError when the folder is so damaged that one cannot tell what should be there.
+    """
+    _, _, stored = open_parts(folder)
+    if not stored.checked:
+        raise RunError(folder, "was written before runs had checksums: it cannot be verified")
+    faults: list[RunError] = []
+    chunks = 0
+    for path in stored.files():
+        chunks += 1
+        if fault := stored.fault(path):
+            faults.append(fault)
+    if (folder / CHECKPOINT).exists():
+        try:
+            checkpoint.read(folder)
+        except RunError as error:
+            faults.append(error)
+    return Verdict(chunks, tuple(faults))

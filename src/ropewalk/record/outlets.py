@@ -85,7 +85,7 @@ class Outlets:
         Raises InputError (a ValueError) for a table, nodes, times or a rope that are not there, RunError
         where there is no pandas.
         """
-        from ropewalk.record.pandas_table import to_pandas
+        from ropewalk.record.tables import to_pandas
 
         return to_pandas(self._result, table, nodes, times, every, rope)
 

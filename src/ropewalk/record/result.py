@@ -12,11 +12,13 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats
 from ropewalk.lowering import Layout, Plan
+from ropewalk.lowering.layout import make_layout
 from ropewalk.record.balances import balance_residual, energy_error
 from ropewalk.record.beyond import Beyond
 from ropewalk.record.beyond import load as load_beyond
 from ropewalk.record.ends import End
 from ropewalk.record.facts import AT_REST, Facts
+from ropewalk.record.folder import open_parts, save_result
 from ropewalk.record.good import good_part
 from ropewalk.record.outlets import Outlets
 from ropewalk.record.quantities import has_rope, labels, rest_length_at_start
@@ -24,11 +26,13 @@ from ropewalk.record.rope_view import RopeView
 from ropewalk.record.source import Source
 from ropewalk.record.summary import summary
 from ropewalk.scene import Scene
+from ropewalk.words.annotations import unquoted
 from ropewalk.words.prefixes import prefixed
 
 Bools = np.ndarray[Any, np.dtype[np.bool_]]
 
 
+@unquoted
 class Result(Outlets):
     """What a run recorded. All SI; frame 0 is the initial state.
 
@@ -57,9 +61,8 @@ class Result(Outlets):
 
         Raises RunError when it is none, or damaged.
         """
-        from ropewalk.record.folder import open_result
-
-        return open_result(Path(folder))
+        scene, facts, stored = open_parts(Path(folder))
+        return cls(scene, make_layout(scene), stored, facts, Path(folder))
 
     def save(self, folder: str | Path, *, overwrite: bool = False) -> Result:
         """Write the result as a run folder and return it as opened from there.
@@ -67,9 +70,8 @@ class Result(Outlets):
         Raises RunError when the folder exists (unless `overwrite` and it is a run folder) or cannot
         be written.
         """
-        from ropewalk.record.folder import save_result
-
-        return save_result(self, Path(folder), overwrite)
+        save_result(self, Path(folder), overwrite)
+        return type(self).open(folder)
 
     # -- what was recorded ---------------------------------------------------------------
 
@@ -387,5 +389,9 @@ class Result(Outlets):
         return f"{counts['accepted']} {self.plan.pace} and {counts['rejected']} rejected"
 
     def _drift(self) -> str:
-        error = self.energy_error[-1]
-        return f"energy error {error:.3g} J" if self.facts.ledger else "no energy ledger"
+        errors = np.abs(self.energy_errors[: self.good_frames])
+        if not self.facts.ledger or not np.isfinite(errors).any():
+            return "no energy ledger"
+        return (
+            f"energy error at most {np.max(errors, where=np.isfinite(errors), initial=0.0):.3g} J"
+        )

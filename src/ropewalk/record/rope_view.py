@@ -10,11 +10,13 @@ from ropewalk.core.arrays import Floats
 from ropewalk.lowering import Span
 from ropewalk.record.ends import End
 from ropewalk.record.margins import breaking_load
+from ropewalk.words.annotations import unquoted
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
 
 
+@unquoted
 class RopeView:
     """One rope's share of a result, views where it can be.
 

@@ -5,13 +5,14 @@ from __future__ import annotations
 import signal
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass, field
 from functools import partial
 from itertools import cycle
 from pathlib import Path
-from types import FrameType
+from types import FrameType, TracebackType
 
 from ropewalk.core.status import OK
 from ropewalk.engine.engine import counts
@@ -19,20 +20,18 @@ from ropewalk.engine.slices import NODE_STEP
 from ropewalk.lowering import Model
 from ropewalk.methods.registry import METHODS
 from ropewalk.record import beyond, checkpoint
-from ropewalk.record.background import Background
 from ropewalk.record.checkpoint import Checkpoint
 from ropewalk.record.ends import in_words
 from ropewalk.record.errors import RunError
 from ropewalk.record.event_log import Event, log
 from ropewalk.record.facts import BROKE, FINISHED, INTERRUPTED, RUNNING, Facts, provenance
 from ropewalk.record.files import sync_all, writing
-from ropewalk.record.folder import begin, open_result, write_end, write_status
+from ropewalk.record.folder import begin, write_end, write_status
 from ropewalk.record.identity import source_hash
 from ropewalk.record.place import DATA, new_folder
 from ropewalk.record.result import Result
-from ropewalk.record.room import Room
 from ropewalk.record.simulate import Explain, Progress, Runner, no_explanation
-from ropewalk.record.store import Writer
+from ropewalk.record.store import Room, Writer
 from ropewalk.scene import Scene
 from ropewalk.simulation import Simulation
 from ropewalk.simulation.block import Block
@@ -193,7 +192,7 @@ def finish(recorder: Recorder, progress: Progress | None) -> Result:
     with writing(folder):
         write_end(folder)
         log(folder, **recorder.runner.ending(status, recorder.writer.frames))
-    return open_result(folder)
+    return Result.open(folder)
 
 
 def chunk_frames(simulation: Simulation) -> int:
@@ -222,3 +221,38 @@ def stop_requests() -> Iterator[list[int]]:
         yield requests
     finally:
         signal.signal(signal.SIGINT, before)
+
+
+class Background:
+    """Runs tasks in a thread, one after another; what a task raises comes out of the next `wait`.
+
+    Use as a context manager: at its end the task in flight, if any, is waited for.
+    """
+
+    def __init__(self) -> None:
+        self._pool = ThreadPoolExecutor(1, "ropewalk-writer")
+        self._running: Future[None] | None = None
+
+    def start(self, task: Callable[[], None]) -> None:
+        """Start a task when the one before is done. Raises what that one raised."""
+        self.wait()
+        self._running = self._pool.submit(task)
+
+    def wait(self) -> None:
+        """Wait until nothing is in flight. Raises what the task raised."""
+        running, self._running = self._running, None
+        if running is not None:
+            running.result()
+
+    def __enter__(self) -> Background:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self._pool.shutdown()
+        if kind is None:
+            self.wait()

@@ -10,25 +10,29 @@ Behind the last frame of a chunk that is not full lie NaNs: what is read beyond 
 
 from __future__ import annotations
 
+import mmap
 from math import prod
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ropewalk.core.arrays import Floats
+from ropewalk.core.arrays import Floats, State
 from ropewalk.lowering import Layout
-from ropewalk.methods.recording import LARGE
+from ropewalk.methods.recording import LARGE, Recording, make_recording
 from ropewalk.record.dataset import TIME, attributes, coordinates
 from ropewalk.record.files import sync_all, write, write_json, write_pages
 from ropewalk.record.quantities import Quantity, raw, recorded, sizes
-from ropewalk.record.room import Room
 from ropewalk.record.zarr_format import (
+    CHECKSUM,
+    HEADER,
     ArraySpec,
+    checksum,
     encode,
     encode_stored,
     encode_texts,
     group_metadata,
+    stored_header,
 )
 from ropewalk.scene import Scene
 from ropewalk.simulation.block import Block
@@ -204,3 +208,34 @@ class Writer:
         path = self.folder / spec.key(self.frames // spec.chunk[0])
         write(path, encode(full), sync=True)
         self._touched.add(path.parent)
+
+
+class Room:
+    """Buffers for a chunk whose large arrays lie in memory as their files will, header and all.
+
+    `pages` has that memory by field: whole pages of it, so that the system can take them as they are.
+    """
+
+    def __init__(self, state: State, frames: int, with_lengths: bool) -> None:
+        found: list[mmap.mmap] = []
+
+        def empty(shape: tuple[int, ...]) -> Floats:
+            size = 8 * prod(shape)
+            pages = mmap.mmap(-1, -(-(HEADER + size + CHECKSUM) // mmap.PAGESIZE) * mmap.PAGESIZE)
+            pages[:HEADER] = stored_header(size)
+            found.append(pages)
+            return np.frombuffer(pages, count=prod(shape), offset=HEADER).reshape(shape)
+
+        self.recording = make_recording(state, frames, with_lengths, empty)
+        self.pages = dict(zip(LARGE, found, strict=True))
+
+    def seal(self, field: str) -> int:
+        """Put the checksum behind what `field` holds; return the bytes of its file."""
+        pages = self.pages[field]
+        end: int = HEADER + getattr(self.recording, field).nbytes
+        pages[end : end + CHECKSUM] = checksum(np.frombuffer(pages, np.uint8, end))
+        return end + CHECKSUM
+
+    def part(self, start: int, stop: int) -> Recording:
+        """Return the buffers of the frames from `start` to `stop`."""
+        return self.recording.part(start, stop)

@@ -9,9 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ropewalk.core.arrays import Floats
-from ropewalk.record.balances import turned_over
+from ropewalk.record.balances import energy_note, turned_over
 from ropewalk.record.ends import shortly
-from ropewalk.record.energy_note import energy_note
 from ropewalk.record.extremes import SEEN, UTILISATION, Extreme, extremes, place_of
 from ropewalk.record.facts import AT_REST, BROKE
 from ropewalk.record.margins import margin_rows

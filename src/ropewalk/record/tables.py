@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -10,12 +10,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ropewalk.core.peaks import BOUNDS, EXTREMES
+from ropewalk.record.errors import InputError, RunError
 from ropewalk.record.quantities import AXES, BY_NAME, EXTREME_UNITS, law_names
-from ropewalk.record.selection import Indices, Selection, take
+from ropewalk.record.selection import EXPORTED, Indices, Selection, select, take
+from ropewalk.words.nearest import nearest
 
 if TYPE_CHECKING:
+    import pandas as pd
+
     from ropewalk.record.result import Result
 
+NAMES = ("nodes", "segments", "anchors", "run")
 Columns = list[NDArray[Any]]
 
 
@@ -196,3 +201,27 @@ OF_EXTREMES = {
 }
 OF_ERRORS = {"energy_errors": "", "energy_error_times": "time of the "}
 OF_THE_RUN = ("energy", "work", "momentum", "angular_momentum", *OF_EXTREMES, *OF_ERRORS)
+
+
+def to_pandas(
+    result: Result,
+    table: str,
+    nodes: Sequence[int] | None,
+    times: Sequence[float] | None,
+    every: int | None,
+    rope: str | None,
+) -> pd.DataFrame:
+    """Return a table of a result; see `Result.to_pandas`."""
+    if table not in NAMES:
+        raise InputError("table", table, f"no such table; {nearest(table, NAMES)}")
+    try:
+        import pandas
+    except ImportError:
+        raise RunError("to_pandas", "needs one package more: pip install pandas") from None
+    chosen = select(result, EXPORTED, nodes, times, every, rope)
+    found = {made.name: made for made in tables(result, chosen, "long")}
+    if table not in found:
+        raise InputError("table", table, f"this run has none; there is {', '.join(found)}")
+    pieces = list(found[table].pieces())
+    columns = [np.concatenate(parts) for parts in zip(*pieces, strict=True)]
+    return pandas.DataFrame(dict(zip(found[table].headers, columns, strict=True)))

@@ -11,7 +11,7 @@ import base64
 import shutil
 from collections.abc import Iterable
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 from xml.sax.saxutils import quoteattr
 
 import numpy as np
@@ -20,8 +20,10 @@ from numpy.typing import NDArray
 from ropewalk.record.errors import RunError
 from ropewalk.record.files import PARTIAL, write, writing
 from ropewalk.record.quantities import has_rope, rest_length_at_start, rope_numbers
-from ropewalk.record.result import Result
 from ropewalk.record.selection import Indices, Selection, take
+
+if TYPE_CHECKING:
+    from ropewalk.record.result import Result
 
 _TYPES = {"f8": "Float64", "i8": "Int64"}
 _HEAD = (

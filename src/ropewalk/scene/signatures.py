@@ -10,14 +10,7 @@ from typing import Annotated, Any, Literal, Union, get_args, get_origin
 from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
-
-class _Words(str):
-    """What a signature shows as it is, without quotes."""
-
-    __slots__ = ()
-
-    def __repr__(self) -> str:
-        return str(self)
+from ropewalk.words.annotations import Bare
 
 
 def signature(model: type[BaseModel]) -> inspect.Signature:
@@ -28,7 +21,7 @@ def signature(model: type[BaseModel]) -> inspect.Signature:
                 name,
                 inspect.Parameter.KEYWORD_ONLY,
                 default=inspect.Parameter.empty if field.is_required() else _default(field),
-                annotation=_Words(_type(field.annotation)),
+                annotation=Bare(_type(field.annotation)),
             )
             for name, field in _given(model)
         ]
@@ -58,7 +51,7 @@ def _meaning(field: FieldInfo) -> str:
 def _default(field: FieldInfo) -> Any:
     default = field.default
     if isinstance(default, BaseModel):
-        return _Words(f"{type(default).__name__}()")
+        return Bare(f"{type(default).__name__}()")
     return default
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
-from ropewalk.simulation.simulation import Broken, Simulation, Snapshot
+from ropewalk.simulation.simulation import Broken, Simulation
+from ropewalk.simulation.snapshot import Snapshot
 
 __all__ = ["Broken", "Simulation", "Snapshot"]

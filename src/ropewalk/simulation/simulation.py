@@ -6,12 +6,12 @@ import math
 from collections.abc import Iterator
 from functools import partial
 from importlib import import_module
-from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, cast
+from typing import TYPE_CHECKING, Any, Protocol, cast
 
 import numpy as np
 
 from ropewalk.core import arrays
-from ropewalk.core.arrays import APPLIED, Floats, Ints, State
+from ropewalk.core.arrays import APPLIED, Floats, State
 from ropewalk.core.peaks import Peaks
 from ropewalk.core.status import BROKEN, OK, UNSOLVED
 from ropewalk.engine.engine import Fall, counts, working_space
@@ -23,13 +23,14 @@ from ropewalk.hands.drum import WinchHandle
 from ropewalk.hands.hand import AnchorHandle
 from ropewalk.lowering import Model, build
 from ropewalk.lowering.plan import divide
-from ropewalk.methods.adaptive import Walk
 from ropewalk.methods.recording import ENERGIES, Recording, make_recording, record_frame
 from ropewalk.methods.scratch import make_sums
 from ropewalk.methods.watch import watch
 from ropewalk.motions.table import HAND
 from ropewalk.scene import Scene
 from ropewalk.simulation.block import Block
+from ropewalk.simulation.snapshot import Snapshot
+from ropewalk.words.annotations import unquoted
 
 if TYPE_CHECKING:
     from ropewalk.live.view import View
@@ -39,6 +40,14 @@ _ROUNDING = 1e-12  # [1]
 _VIEW = "ropewalk.live.view"  # a layer above this one, so it is looked up when it is needed
 BLOCK_BYTES = 16_000_000  # positions and velocities of one block of frames
 LONGEST_BLOCK = 2048  # frames
+
+
+#: What a Simulation offers to those who step it; `dir` shows these alone.
+PUBLIC = (
+    "advance_frames", "advance_steps", "anchors", "applied_forces", "apply_force", "failure", "frames",
+    "layout", "ledger", "plan", "positions", "reactions", "reason", "reset", "restore", "scene", "state",
+    "step", "step_counts", "tension", "time", "velocities", "view", "winches",
+)  # fmt: skip
 
 
 class Watcher(Protocol):
@@ -55,20 +64,7 @@ class Broken(RuntimeError):  # noqa: N818 - it is what happened, not a mistake
     """The simulation broke: a coordinate is not finite or a segment absurdly long."""
 
 
-class Snapshot(NamedTuple):
-    """All that a simulation needs to go on to the same bits."""
-
-    state: State
-    start: float  # [s] time at step 0 of the present step length
-    dt: float  # [s]
-    step: int
-    motion_kinds: Ints  # (a,) which anchors have been taken in hand
-    winch_drive: Floats  # (3, w) speed [m/s], start and stop [s] of the winches
-    walk: Walk  # of the adaptive method
-    clamp_turns: Floats  # (3, a, 3) direction, axis and turn of the clamps, see `arrays.Bending`
-    inner: Floats  # (m,) what islands keep to themselves; (0,) where all is one
-
-
+@unquoted
 class Simulation(Driven):
     """A scene in motion.
 
@@ -117,6 +113,10 @@ class Simulation(Driven):
         self.winches = {
             winch.name: WinchHandle(self, row) for row, winch in enumerate(self.scene.winches)
         }
+
+    def __dir__(self) -> list[str]:
+        """What completion shows: not what recorders and pages use besides."""
+        return list(PUBLIC)
 
     def _prepare(self) -> None:
         self._engine.prepare(self.time)

@@ -17,6 +17,7 @@ from ropewalk.statics.hung import hung
 from ropewalk.statics.newton import Found, settle
 from ropewalk.statics.refusal import refuse_impossible, undetermined_ropes, unheld_ropes
 from ropewalk.statics.spans import RestSpan, rest_spans
+from ropewalk.words.annotations import unquoted
 from ropewalk.words.prefixes import prefixed
 
 _SOFT = 1e-6  # compliance of rigid links on the way to their shape, in the model's units [1]
@@ -29,6 +30,7 @@ class NoRest(ArithmeticError):  # noqa: N818 - it is what happened, not a mistak
     """No shape of rest was found."""
 
 
+@unquoted
 @dataclass(frozen=True)
 class Statics:
     """The rest shape of a scene, as the masses and segments have it: the exact discrete solution."""

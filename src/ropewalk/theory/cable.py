@@ -8,9 +8,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ropewalk.words.annotations import unquoted
+
 Floats = NDArray[np.float64]
 
 
+@unquoted
 @dataclass(frozen=True)
 class Cable:
     """A cable of constant weight per unstretched length, hung between two points.

@@ -25,10 +25,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from ropewalk.theory.catenary import parameter
 from ropewalk.theory.given import need_ends
+from ropewalk.words.annotations import unquoted
 
 Floats = NDArray[np.float64]
 
 
+@unquoted
 class Hung(NamedTuple):
     """A chain of s segments at rest, in the upright plane through its two ends."""
 

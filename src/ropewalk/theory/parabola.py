@@ -17,10 +17,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ropewalk.theory.given import need, need_ends, need_stiff
+from ropewalk.words.annotations import unquoted
 
 Floats = NDArray[np.float64]
 
 
+@unquoted
 @dataclass(frozen=True)
 class Parabola:
     """A shallow cable between two points."""

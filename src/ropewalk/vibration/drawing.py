@@ -5,6 +5,8 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING
 
+from ropewalk.words.annotations import unquoted
+
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
@@ -13,6 +15,7 @@ if TYPE_CHECKING:
 _HOME = "ropewalk.plots"  # a layer above this one, so it is looked up by name when it is needed
 
 
+@unquoted
 class ModePlots:
     """The figures of modes, as methods. Each returns a matplotlib Figure."""
 

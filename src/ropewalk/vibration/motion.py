@@ -9,12 +9,14 @@ from numpy.typing import NDArray
 
 from ropewalk.core.arrays import Floats
 from ropewalk.lowering import Model, Span
+from ropewalk.words.annotations import unquoted
 
 Complex = NDArray[np.complex128]
 _SEEN = 0.05  # of the largest displacement: what counts as a motion of its own [1]
 _STRAIGHT = 1e-8  # of the extent: a shape narrower than this is a straight line [1]
 
 
+@unquoted
 class Motion(NamedTuple):
     """One mode in words; the shares are of its kinetic energy and add up to 1."""
 

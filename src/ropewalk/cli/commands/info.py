@@ -66,7 +66,7 @@ def info(folder: Path, checked: bool, as_json: bool) -> None:
 
 def _verified(folder: Path) -> int:
     """Return how many chunks there are, all sound. Raises Refusal that names those that are not."""
-    from ropewalk.record.verify import verify
+    from ropewalk.record.folder import verify
 
     verdict = verify(folder)
     if verdict.faults:
