@@ -9,7 +9,7 @@ import pytest
 
 from live.drive import do, r4, refused, slack_rope
 from ropewalk.live.hands import FASTEST, soft_spring
-from ropewalk.live.keep import Keeper
+from ropewalk.live.keeper import Keeper
 from ropewalk.live.relive import relive
 from ropewalk.live.session import Session
 from ropewalk.live.undo import LONGEST
