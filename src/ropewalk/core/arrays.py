@@ -82,6 +82,14 @@ class Bending(NamedTuple):
     turn: Floats  # (a, 3) rate [rad/s], start [s], stop [s]
 
 
+class Joints(NamedTuple):
+    """Joints, and which of them every anchor holds; `member` is cut at `first`."""
+
+    first: Ints  # (j + 1,) into the members
+    member: Ints  # (p,) nodes, those of a joint side by side
+    of_anchor: Ints  # (a,) the joint whose node the anchor holds, -1: none
+
+
 class System(NamedTuple):
     """All that stays the same during a run."""
 
@@ -96,6 +104,7 @@ class System(NamedTuple):
     anchors: Anchors
     winches: Winches
     bending: Bending
+    joints: Joints
     kinks: Floats  # (k,) times at which the velocity of an anchor or clamp jumps [s], sorted
 
 
@@ -159,6 +168,8 @@ class State(NamedTuple):
     moment: (
         Floats  # (a, 6) of the clamps on the rope at the last step's end [N m]: elastic, friction
     )
+    tied: Ints  # (j,) 1 while the joint ties its nodes
+    joint_force: Floats  # (p, 3) force of a joint on each of its nodes, mean over the last step [N]
     forces: Forces
     work: Work
     most: Floats  # (a + 1,) largest work so far of every anchor, and of all winches [J]

@@ -153,3 +153,55 @@ def plus_line(m, sign, across, along, direction, j):
         m[3] + q1 * t0, m[4] + d + q1 * t1, m[5] + q1 * t2,
         m[6] + q2 * t0, m[7] + q2 * t1, m[8] + d + q2 * t2,
     )  # fmt: skip
+
+
+@small
+def triangles(m):
+    """Return the factors L U of a block: L below the diagonal, whose own is 1, and 1 over U's diagonal.
+
+    Where a block is stiff along one line an inverse by cofactors loses what it has across, factors do not.
+    """
+    over0 = 1.0 / m[0]
+    l3, l6 = m[3] * over0, m[6] * over0
+    u4, u5 = m[4] - l3 * m[1], m[5] - l3 * m[2]
+    over4 = 1.0 / u4
+    l7 = (m[7] - l6 * m[1]) * over4
+    over8 = 1.0 / (m[8] - l6 * m[2] - l7 * u5)
+    return over0, m[1], m[2], l3, over4, u5, l6, l7, over8
+
+
+@small
+def solve3(f, a):
+    """Return m^-1 a for the factors `f` of m."""
+    y1 = a[1] - f[3] * a[0]
+    z2 = (a[2] - f[6] * a[0] - f[7] * y1) * f[8]
+    z1 = (y1 - f[5] * z2) * f[4]
+    return (a[0] - f[1] * z1 - f[2] * z2) * f[0], z1, z2
+
+
+@small
+def solve_left3(a, f):
+    """Return a^T m^-1 for the factors `f` of m."""
+    y0 = a[0] * f[0]
+    y1 = (a[1] - y0 * f[1]) * f[4]
+    z2 = (a[2] - y0 * f[2] - y1 * f[5]) * f[8]
+    z1 = y1 - z2 * f[7]
+    return y0 - z1 * f[3] - z2 * f[6], z1, z2
+
+
+@small
+def solve9(f, b):
+    """Return the block m^-1 b for the factors `f` of m."""
+    p = solve3(f, (b[0], b[3], b[6]))
+    q = solve3(f, (b[1], b[4], b[7]))
+    r = solve3(f, (b[2], b[5], b[8]))
+    return p[0], q[0], r[0], p[1], q[1], r[1], p[2], q[2], r[2]
+
+
+@small
+def solve_left9(b, f):
+    """Return the block b m^-1 for the factors `f` of m."""
+    p = solve_left3((b[0], b[1], b[2]), f)
+    q = solve_left3((b[3], b[4], b[5]), f)
+    r = solve_left3((b[6], b[7], b[8]), f)
+    return p[0], p[1], p[2], q[0], q[1], q[2], r[0], r[1], r[2]

@@ -9,7 +9,7 @@ number in the elimination grows with k, and k = inf (e = 0) is a rigid link.
 
 The matrix is given in two parts: inertia of the nodes and across I + (along - across) t t^T of the segments,
 which most ropes need only, and a band of blocks for all else. `sweep` solves the first kind from both ends
-at once, `band_sweep` any.
+at once, `band_sweep` any; where joints tie nodes, `network` does.
 """
 
 from __future__ import annotations
@@ -20,6 +20,7 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats
 from ropewalk.core.band import Band, dense, make_band
+from ropewalk.core.network import Network, no_network
 
 
 class Saddle(NamedTuple):
@@ -39,13 +40,15 @@ class Saddle(NamedTuple):
     pulled: Floats  # (s,) solution T' [N]
     factor: Floats  # (n, 16) what the way back needs
     far_factor: Floats  # (n, 12) the same of second off-diagonals; (0, 12) without them
+    network: Network  # of nodes that joints tie; an empty one without joints
 
 
 def make_saddle(nodes: int, second: bool = False, marks: int = 0) -> Saddle:
     """Return equations of zeros; `second` and `marks` are those of the band, see `make_band`."""
     n, s = nodes, nodes - 1
     shapes = (n, n, s, s, (3, s), s, s, (3, n), s, (3, n), s, (n, 16), (n * second, 12))
-    return Saddle(make_band(n, second, marks), *(np.zeros(shape) for shape in shapes))
+    arrays = [np.zeros(shape) for shape in shapes]
+    return Saddle._make((make_band(n, second, marks), *arrays, no_network()))
 
 
 def dense_saddle(saddle: Saddle) -> tuple[Floats, Floats]:

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from ropewalk.core import arrays
-from ropewalk.core.arrays import TENSION_ONLY, Floats, Ints, State, System, pooled
+from ropewalk.core.arrays import BENDING, TENSION_ONLY, Floats, Ints, State, System, pooled
+from ropewalk.core.elimination import tied_network
+from ropewalk.core.network import Network
 from ropewalk.core.status import BROKEN, UNSOLVED
 from ropewalk.engine import broken, unsolved
 from ropewalk.engine.crawl import Crawl
@@ -122,8 +124,19 @@ class Engine:
             limits = plan.tolerance, plan.longest
             self._scratch = adaptive.adapt(self.system, self.state, here, *limits)
             self.walk = self._scratch.walk
+        self._tied = np.zeros(0, np.int64)
+        self._tie()
         self.crawl = Crawl(plan.tolerance, self.system.flags[TENSION_ONLY] == 1)
         self.inner = np.zeros(0)  # nothing but the state, the controls and the walk
+
+    def _tie(self) -> None:
+        """Find out anew what is coupled, where joints were cut or tied since."""
+        if not self._method.implicit or np.array_equal(self._tied, self.state.tied):
+            return
+        self._tied = self.state.tied.copy()
+        alive, bends = self.state.stiffness > 0.0, bool(self.system.flags[BENDING])
+        network = tied_network(self.system.joints, self._tied, alive, bends)
+        self._scratch = with_network(self._scratch, network)
 
     # -- the beginning -------------------------------------------------------------------
 
@@ -136,6 +149,7 @@ class Engine:
 
     def prepare(self, time: float) -> None:
         """Evaluate the forces at the state itself, tensions of rigid links included."""
+        self._tie()
         if self._method.implicit:
             prepare_links(self.system, self.state, time, self._scratch.stage.saddle)
         else:
@@ -173,6 +187,7 @@ class Engine:
         edges of `slices.Edges`. It is brought forward with the state, whatever is raised. Nobody is asked:
         a call is short.
         """
+        self._tie()
         common = (self.system, self.state, self._scratch, self._extras, now, frames)
         fixed = self._method.fixed
         if not fixed:
@@ -216,6 +231,15 @@ class Engine:
     def begin_anew(self, row: int) -> None:
         """Let the adaptive method walk on from the state that is shown, as anchor `row` was taken in hand."""
         self.walk.control[BEGUN:] = 0.0
+
+
+def with_network(scratch: Any, network: Network) -> Any:
+    """Return the working arrays of a method that solves with another network in them."""
+    saddle = scratch.stage.saddle._replace(network=network)
+    stage = scratch.stage._replace(saddle=saddle)
+    if hasattr(scratch, "solver"):
+        return scratch._replace(stage=stage, solver=scratch.solver._replace(stage=stage))
+    return scratch._replace(stage=stage)
 
 
 def working_space(state: State) -> tuple[Floats, Floats]:

@@ -7,6 +7,7 @@ import numpy as np
 from ropewalk.lowering import Model
 from ropewalk.methods.registry import METHODS
 from ropewalk.motions.table import TABLE, VELOCITY
+from ropewalk.scene.joint import tied_ropes
 
 #: Of more ropes than these the calls of their kernels would show in the time of a run.
 MOST_APART = 64
@@ -18,8 +19,9 @@ def partition(model: Model, apart: bool = False) -> list[list[int]]:
     With `apart` ropes of an explicit method have islands of their own, too, unless they are very many.
     """
     method, count = METHODS[model.plan.method], len(model.scene.ropes)
+    tied = tied_ropes(model.scene.ropes, model.scene.joints)
     if method.implicit or not method.fixed or (apart and count <= MOST_APART):
-        return [[i] for i in range(count)]
+        return tied
     single = {winch.rope for winch in model.scene.winches}
     anchors, bending = model.system.anchors, model.system.bending
     for row, anchor in enumerate(model.scene.anchors):
@@ -30,6 +32,8 @@ def partition(model: Model, apart: bool = False) -> list[list[int]]:
             times += list(bending.turn[row, 1:])
         if anchors.kind[row] == TABLE or any(0.0 < time < np.inf for time in times):
             single.add(anchor.rope)
-    together = [i for i, rope in enumerate(model.scene.ropes) if rope.name not in single]
-    alone = [[i] for i, rope in enumerate(model.scene.ropes) if rope.name in single]
+    names = [rope.name for rope in model.scene.ropes]
+    alone = [group for group in tied if any(names[i] in single for i in group)]
+    others = {i for group in alone for i in group}
+    together = [i for i in range(count) if i not in others]
     return ([together] if together else []) + alone

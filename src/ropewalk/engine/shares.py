@@ -42,6 +42,7 @@ ANCHORS = (
     *("clamp_direction", "clamp_spin", "moment", "work.anchors", "work.clamps"),
 )
 WINCHES = ("winch_exit", "winch_rate", "winch_debt", "winch_paid")
+JOINTS, POINTS = ("tied",), ("joint_force",)
 # Of all ropes together; and what is each island's own: the verdict, a method's memory.
 SUMS = ("work.limiter", "work.winch")
 OWN = ("past", "most", "balance")
@@ -59,7 +60,8 @@ ADDED = (
 )
 NODES_RECORDED = ("x", "v", "speed_high", "lowest", "highest")
 INDICES = ("anchor_node", "winch_exit")  # hold indices of nodes
-_KINDS = {name: kind for kind in (NODES, SEGMENTS, BETWEEN, ANCHORS, WINCHES) for name in kind}
+_COUNTED = (NODES, SEGMENTS, BETWEEN, ANCHORS, WINCHES, JOINTS, POINTS)
+_KINDS = {name: kind for kind in _COUNTED for name in kind}
 _APART = frozenset(SUMS + OWN)
 Place = Ints | slice
 
@@ -72,6 +74,8 @@ class Share:
     spans: tuple[tuple[Span, Span], ...]  # in the whole and in the share
     anchors: Ints  # rows in the whole
     winches: Ints  # rows in the whole
+    joints: Ints  # rows in the whole
+    points: Ints  # of these joints, rows in the whole
     moved: dict[str, Ints]  # what to take from the whole's indices, by the name of their array
 
     @cached_property
@@ -96,6 +100,8 @@ class Share:
         spots: dict[tuple[str, ...], tuple[bool, Place, Place]] = {
             ANCHORS: (False, self.anchors, slice(0, anchors)),
             WINCHES: (False, self.winches, slice(0, winches)),
+            JOINTS: (False, self.joints, slice(0, len(self.joints))),
+            POINTS: (False, self.points, slice(0, len(self.points))),
         }
         if len(self.spans) == 1:
             ((there, _),) = self.spans
@@ -158,11 +164,15 @@ def shares_of(model: Model, groups: list[list[int]]) -> list[Share]:
         anchors[anchor.rope].append(row)
     for row, winch in enumerate(scene.winches):
         winches[winch.rope].append(row)
+    first_point = np.cumsum([0] + [len(joint.points) for joint in scene.joints])
     shares = []
     for group in groups:
         names = [scene.ropes[i].name for i in group]
         held = sorted(row for name in names for row in anchors[name])
         wound = sorted(row for name in names for row in winches[name])
+        here = set(names)
+        joints = [j for j, joint in enumerate(scene.joints) if joint.points[0].rope in here]
+        points = [k for j in joints for k in range(first_point[j], first_point[j + 1])]
         pairs, first = [], 0
         for i in group:
             pairs.append((spans[i], replace(spans[i], first=first)))
@@ -177,11 +187,13 @@ def shares_of(model: Model, groups: list[list[int]]) -> list[Share]:
                 "ropes": tuple(scene.ropes[i] for i in group),
                 "anchors": tuple(scene.anchors[row] for row in held),
                 "winches": tuple(scene.winches[row] for row in wound),
+                "joints": tuple(scene.joints[j] for j in joints),
             }
         )
-        rows = (np.array(held, np.int64), np.array(wound, np.int64))
+        rows = [np.array(part, np.int64) for part in (held, wound, joints, points)]
         shifts = {name: np.array(by, np.int64) for name, by in moved.items()}
-        shares.append(Share(part, tuple(pairs), *rows, shifts))
+        own = Share(part, tuple(pairs), rows[0], rows[1], rows[2], rows[3], shifts)
+        shares.append(own)
     return shares
 
 
@@ -207,6 +219,7 @@ def collect(
         out.work[:frames, len(names[1]) + share.anchors] = found.work[:frames, len(works) :]
         out.reaction[:frames, share.anchors] = found.reaction[:frames]
         out.reaction_high[:frames, share.anchors] = found.reaction_high[:frames]
+        out.joint_force[:frames, share.points] = found.joint_force[:frames]
         if found.moment.shape[1]:
             out.moment[:frames, share.anchors] = found.moment[:frames]
             out.moment_high[:frames, share.anchors] = found.moment_high[:frames]
@@ -237,6 +250,7 @@ GONE = (
         "speed_high",
     ),
     *("lowest", "highest", "reaction", "reaction_high", "moment", "moment_high"),
+    "joint_force",
     *("extremes", "extreme_since", "extreme_until"),
 )
 

@@ -61,17 +61,33 @@ def _velocity(model: Model, ring: Ring) -> Floats:
 
 
 def set_first_reactions(system: System, state: State) -> None:
-    """At time zero an anchor's reaction balances the forces on its node, which are evaluated already."""
-    forces = state.forces
+    """At time zero an anchor's reaction balances the forces on its node, which are evaluated already.
+
+    And on what is tied to that node. A joint's force on a node is what this one needs for its acceleration.
+    """
+    joints = system.joints
     for row, i in enumerate(state.anchor_node):
-        total = forces.elastic[:, i + 1] - forces.elastic[:, i]
-        total = total + forces.friction[:, i + 1] - forces.friction[:, i]
-        if bends(state):
-            total = total + forces.bending[:, i + 1] - forces.bending[:, i]
-        if system.limiter.active:
-            total = total + forces.limiter[:, i + 1] - forces.limiter[:, i]
-        for channel in (*forces.node, forces.applied):
-            total = total + channel[:, i]
-        total = total + state.mass[i] * system.gravity
-        state.reaction[row] = -total if state.held[row] else 0.0
+        j = joints.of_anchor[row]
+        nodes = [i] if j < 0 else joints.member[joints.first[j] : joints.first[j + 1]]
+        state.reaction[row] = 0.0
+        for node in nodes if state.held[row] else ():
+            state.reaction[row] -= _total_force(system, state, node)
+    for p, i in enumerate(joints.member):
+        push = state.mass[i] * state.acceleration[:, i] - _total_force(system, state, i)
+        state.joint_force[p] = push
     start_clamps(system, state)
+
+
+def _total_force(system: System, state: State, i: int) -> Floats:
+    """Return the force of all laws on a node, weight included [N], (3,)."""
+    forces = state.forces
+    total: Floats = forces.elastic[:, i + 1] - forces.elastic[:, i]
+    total = total + forces.friction[:, i + 1] - forces.friction[:, i]
+    if bends(state):
+        total = total + forces.bending[:, i + 1] - forces.bending[:, i]
+    if system.limiter.active:
+        total = total + forces.limiter[:, i + 1] - forces.limiter[:, i]
+    for channel in (*forces.node, forces.applied):
+        total = total + channel[:, i]
+    weight: Floats = state.mass[i] * system.gravity
+    return total + weight

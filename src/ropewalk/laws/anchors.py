@@ -13,6 +13,8 @@ import math
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.ranges import ALL
 from ropewalk.laws.clamps import close_clamps, let_bend, turn_clamps
+from ropewalk.laws.joint_forces import write_joint_forces
+from ropewalk.laws.joints import follow, tie, tied_to
 from ropewalk.laws.nodes import hold_up
 from ropewalk.laws.table import force_on_node
 from ropewalk.motions.table import HAND, place
@@ -78,6 +80,9 @@ def place_stage(system, state, t, ahead, x, v, point, speed):
             for k in range(3):
                 x[k, i] = point[k]
                 v[k, i] = speed[k]
+            first, last = tied_to(system, state, row)
+            follow(system.joints.member, first, last, i, x)
+            follow(system.joints.member, first, last, i, v)
     turn_clamps(system, state, t)
 
 
@@ -91,12 +96,17 @@ def move_anchors(system, state, forces, t, dt, middle, point, speed, lo=0, hi=AL
             continue
         i = max(state.anchor_node[row], 0)
         anchor_target(system, state, row, t, dt, point, speed)
-        done = 0.0
+        done, member = 0.0, system.joints.member
+        first, last = tied_to(system, state, row)
         for k in range(3):
             before = state.v[k, i]
             push = state.mass[i] * (speed[k] - before) / dt - force_on_node(
                 system, state, forces, i, k
             )
+            for p in range(first, last):  # the others that are tied to it
+                if member[p] != i:
+                    push += state.mass[member[p]] * (speed[k] - before) / dt
+                    push -= force_on_node(system, state, forces, member[p], k)
             mean = 0.5 * (before + speed[k])
             done += dt * push * mean
             middle[k, i] = mean
@@ -105,8 +115,12 @@ def move_anchors(system, state, forces, t, dt, middle, point, speed, lo=0, hi=AL
             state.anchor_v[row, k] = speed[k]
             state.x[k, i] = point[k]
             state.v[k, i] = speed[k]
+        follow(member, first, last, i, middle)
+        follow(member, first, last, i, state.x)
+        follow(member, first, last, i, state.v)
         state.work.anchors[row] += done
         state.most[row] = max(state.most[row], abs(state.work.anchors[row]))
+    write_joint_forces(system, state, forces, middle, dt)
     close_clamps(system, state, t, dt)
 
 
@@ -136,6 +150,15 @@ def release_anchors(system, state, t, little, lo=0, hi=ALL):
                 state.acceleration[k, i] = (
                     force_on_node(system, state, state.forces, i, k) / state.mass[i]
                 )
+            first, last = tied_to(system, state, row)
+            for p in range(first, last):
+                other = system.joints.member[p]
+                state.inverse_mass[other] = 1.0 / state.mass[other]
+                for k in range(3):
+                    force = force_on_node(system, state, state.forces, other, k)
+                    state.acceleration[k, other] = force / state.mass[other]
+            if last > first:
+                tie(system, state, state.acceleration)
     return others
 
 

@@ -20,8 +20,12 @@ import math
 
 import numpy as np
 
+from ropewalk.core.band import clear_band
 from ropewalk.core.jit import kernel, part
+from ropewalk.core.network import SOFTEST, solve_network
 from ropewalk.laws.anchors import anchor_target
+from ropewalk.laws.joint_forces import note_joint_forces
+from ropewalk.laws.joints import are_tied, follow, tied_to
 from ropewalk.laws.stretch import segment_tension
 from ropewalk.laws.table import accelerate, force_on_node
 
@@ -33,6 +37,7 @@ LINK, LONGEST, SHORTEST, BETWEEN = (
     3.0,
     4.0,
 )  # what is held to its length; BETWEEN equal bounds
+ROUNDS = 4  # of multipliers, see `core.network`
 ATTEMPTS = 8  # solves at most; each but the last lets go of what would push
 
 
@@ -56,7 +61,10 @@ def hold_links(system, state, t, saddle):
     sway_anchors(system, state, t, saddle.factor[0], saddle.factor[1])
     for _ in range(ATTEMPTS):
         gather_links(state.v, state.acceleration, state.inverse_mass, saddle)
-        solve_links(saddle.across, saddle.along, saddle.misfit)
+        if are_tied(system):
+            solve_tied_links(state.mass, state.inverse_mass, saddle)
+        else:
+            solve_links(saddle.across, saddle.along, saddle.misfit)
         if drop_pushing(saddle.misfit, system.slack_floor, saddle.carries) == 0:
             break
     found, carries, direction = saddle.misfit, saddle.carries, saddle.direction
@@ -89,20 +97,30 @@ def sway_anchors(system, state, t, point, speed):
                 least = size
                 for k in range(3):
                     state.acceleration[k, i] = (speed[k] - (now0, now1, now2)[k]) / side
+        first, last = tied_to(system, state, row)
+        follow(system.joints.member, first, last, i, state.acceleration)
 
 
 @part
 def note_reactions(system, state, t, saddle):
     """Write the anchors' forces at time `t` [s], no mean of a step."""
     sway_anchors(system, state, t, saddle.factor[0], saddle.factor[1])
+    note_joint_forces(system, state)
     for row in range(state.held.shape[0]):
         if state.held[row] == 0:
             continue
-        i = state.anchor_node[row]
+        i, member = state.anchor_node[row], system.joints.member
+        first, last = tied_to(system, state, row)
         for k in range(3):
             force = force_on_node(system, state, state.forces, i, k)
             state.reaction[row, k] = state.mass[i] * state.acceleration[k, i] - force
+            for p in range(first, last):
+                if member[p] != i:
+                    force = force_on_node(system, state, state.forces, member[p], k)
+                    push = state.mass[member[p]] * state.acceleration[k, i] - force
+                    state.reaction[row, k] += push
             state.acceleration[k, i] = 0.0
+        follow(member, first, last, i, state.acceleration)
 
 
 @kernel
@@ -185,6 +203,51 @@ def solve_links(diagonal, upper, right):
     for back in range(last):
         j = last - 1 - back
         right[j] = (right[j] - upper[j] * right[j + 1]) / diagonal[j]
+
+
+@kernel
+def solve_tied_links(mass, inverse_mass, saddle):
+    """Solve those of ropes that are tied, from the right sides in `misfit`; the solution is there, too.
+
+    As equations of a network that nodes move by accelerations, in a few rounds: it softens links, and what
+    is left of the equations is solved for again.
+    """
+    network_of_links(mass, inverse_mass, saddle)
+    misfit, keep, t = saddle.misfit, saddle.factor, saddle.direction
+    for _ in range(ROUNDS):
+        solve_network(saddle)
+        for i in range(mass.shape[0]):
+            for k in range(3):
+                keep[i, 8 + k] += saddle.moved[k, i]
+                saddle.force[k, i] = -mass[i] * keep[i, 8 + k]
+        for j in range(misfit.shape[0]):
+            keep[j, 11] += saddle.pulled[j]
+            misfit[j] = keep[j, 12]
+            for k in range(3):
+                pull = keep[j, 11] * t[k, j]
+                saddle.force[k, j] += pull
+                saddle.force[k, j + 1] -= pull
+                misfit[j] += saddle.carries[j] * t[k, j] * (keep[j + 1, 8 + k] - keep[j, 8 + k])
+    for j in range(misfit.shape[0]):
+        saddle.compliance[j], misfit[j] = keep[j, 13], keep[j, 11]
+
+
+@kernel
+def network_of_links(mass, inverse_mass, saddle):
+    """Begin to solve: inertia alone, and what is put by: accelerations, tensions, right side and 1 / r."""
+    misfit, keep = saddle.misfit, saddle.factor
+    clear_band(saddle.band)
+    for i in range(mass.shape[0]):
+        saddle.inertia[i], saddle.free[i] = mass[i], 1.0 if inverse_mass[i] > 0.0 else 0.0
+        keep[i, 11] = 0.0
+        for k in range(3):
+            saddle.force[k, i], keep[i, 8 + k] = 0.0, 0.0
+    for j in range(misfit.shape[0]):
+        saddle.across[j], saddle.along[j] = 0.0, 0.0
+        if saddle.carries[j] == 0.0 or saddle.free[j] + saddle.free[j + 1] == 0.0:
+            misfit[j] = 0.0
+        keep[j, 12], keep[j, 13] = misfit[j], saddle.compliance[j]
+        saddle.compliance[j] = SOFTEST / min(mass[j], mass[j + 1])
 
 
 @kernel

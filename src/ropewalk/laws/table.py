@@ -7,6 +7,7 @@ from ropewalk.core.jit import kernel, part
 from ropewalk.core.ranges import ALL, rows
 from ropewalk.laws.bending import bending_forces, bending_friction
 from ropewalk.laws.clamps import clamp_forces
+from ropewalk.laws.joints import are_tied, tie
 from ropewalk.laws.nodes import add_node_force, any_acts, node_forces, on_channels
 from ropewalk.laws.stretch import (
     axial_friction,
@@ -92,7 +93,10 @@ _add_nodes_over_mass = on_channels(_over_mass)
 
 @part
 def accelerate(system, state, forces, a, lo=0, hi=ALL):
-    """Write every node's acceleration [m/s^2], (3, n): total force over mass; zero for held nodes."""
+    """Write every node's acceleration [m/s^2], (3, n): total force over mass; zero for held nodes.
+
+    Nodes that are tied to each other share it.
+    """
     weigh_segments(forces.elastic, forces.friction, state.inverse_mass, system.gravity, a, lo, hi)
     if system.flags[BENDING] == 1:
         add_segments_over_mass(forces.bending, state.inverse_mass, a)
@@ -101,6 +105,7 @@ def accelerate(system, state, forces, a, lo=0, hi=ALL):
     if system.flags[APPLIED] == 1:
         add_over_mass(forces.applied, state.inverse_mass, a, lo, hi)
     _add_nodes_over_mass(system, forces.node, forces.node, state.inverse_mass, a, lo, hi)
+    tie(system, state, a)
 
 
 @kernel
@@ -133,9 +138,9 @@ def add_segments_over_mass(force, inverse_mass, a):
 
 @part
 def has_plain_forces(system):
-    """Tell whether nothing acts but springs, their friction and weight."""
+    """Tell whether nothing acts but springs, their friction and weight, and no nodes are tied."""
     flags = system.flags[BENDING] == 1 or system.flags[APPLIED] == 1
-    return not (flags or any_acts(system))
+    return not (flags or any_acts(system) or are_tied(system))
 
 
 @part
@@ -184,8 +189,8 @@ def add_up_and_look(system, state, x, v, total, rubs, over, height, lo, hi):
 
 @part
 def reaches_neighbours_only(system):
-    """Tell whether the force on a node depends on itself and the nodes next to it alone."""
-    return system.flags[BENDING] == 0
+    """Tell whether a node's acceleration depends on itself and the nodes next to it alone."""
+    return system.flags[BENDING] == 0 and not are_tied(system)
 
 
 @part

@@ -51,6 +51,7 @@ class Layout:
     nodes: int
     bends: bool = False  # whether any rope has bending stiffness
     clamped: bool = False  # whether any anchor holds a direction
+    ties: tuple[str, ...] = ()  # what each joint ties: "joint0:rope[4]"
 
     @property
     def segments(self) -> int:
@@ -115,6 +116,11 @@ def make_layout(scene: Scene) -> Layout:
         spans[number[anchor.rope]].start + scene.ropes[number[anchor.rope]].node_index(anchor.node)
         for anchor in scene.anchors
     )
+    ties = tuple(
+        f"{joint.name}:{tie.rope}[{scene.ropes[number[tie.rope]].node_index(tie.node)}]"
+        for joint in scene.joints
+        for tie in joint.points
+    )
     return Layout(
         tuple(spans),
         tuple(anchor.name for anchor in scene.anchors),
@@ -122,6 +128,7 @@ def make_layout(scene: Scene) -> Layout:
         first,
         any(rope.bending_stiffness > 0.0 for rope in scene.ropes),
         any(anchor.clamp is not None for anchor in scene.anchors),
+        ties,
     )
 
 

@@ -12,7 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ropewalk.core import arrays
-from ropewalk.core.arrays import Floats, State
+from ropewalk.core.arrays import Floats, Ints, State
+from ropewalk.core.elimination import points_of
 from ropewalk.laws.links import solve_links
 from ropewalk.lowering import Model
 from ropewalk.lowering.layout import Layout
@@ -24,6 +25,7 @@ TAUT = 1e-9  # a span this close to its rope's length leaves no room [1]
 _OFF = 0.05  # a start this much too long or short is a mistake, not a curve cut into chords [1]
 _ITERATIONS = 50
 _EXACT = 1e-13  # length error of the start that rounding may leave [1]
+_LITTLE = 1e-12  # [1] added to the pivots of links that joints couple, over the largest
 _EPSILON = float(np.finfo(np.float64).eps)
 
 
@@ -149,21 +151,69 @@ def _equations(inverse_mass: Floats, t: Floats, active: NDArray[np.bool_]) -> tu
     return diagonal, upper
 
 
-def _shift(inverse_mass: Floats, t: Floats, impulse: Floats) -> Floats:
-    """Return what impulses along the links do to the nodes, (3, n)."""
+def _shift(state: State, number: Ints | None, t: Floats, impulse: Floats) -> Floats:
+    """Return what impulses along the links do to the nodes, (3, n); `number` as in `impulses`."""
     pull = t * impulse
-    moved = np.zeros((3, inverse_mass.size))
+    moved = np.zeros((3, state.inverse_mass.size))
     moved[:, :-1] += pull
     moved[:, 1:] -= pull
-    return moved * inverse_mass
+    if number is None:
+        return moved * state.inverse_mass
+    over = _over_mass(state, number)
+    together = np.stack([np.bincount(number, row) for row in moved])
+    found: Floats = (together * over)[:, number]
+    return found
+
+
+def _over_mass(state: State, number: Ints) -> Floats:
+    """Return one over the mass of the points, (m,); 0 for held ones."""
+    mass = np.bincount(number, state.mass)
+    held = np.bincount(number, state.inverse_mass == 0.0) > 0.0
+    found: Floats = np.where(held, 0.0, 1.0 / mass)
+    return found
+
+
+def _impulses(
+    state: State, number: Ints | None, t: Floats, active: NDArray[np.bool_], gap: Floats
+) -> Floats:
+    """Return the impulses along the active links that take up the gaps, (s,).
+
+    Nodes that joints tie have the same `number` (n,), or it is None: then links are coupled to the next ones
+    only.
+    """
+    if number is None:
+        diagonal, upper = _equations(state.inverse_mass, t, active)
+        found = gap.copy()
+        solve_links(diagonal, upper, found)
+        return found
+    from scipy import sparse
+    from scipy.sparse.linalg import splu
+
+    over, s = _over_mass(state, number), gap.size
+    ends, rows = np.concatenate((number[:-1], number[1:])), np.tile(np.arange(s), 2)
+    signed = np.concatenate((-t * active, t * active), axis=1)
+    columns = (3 * ends + np.arange(3)[:, None]).ravel()
+    shape = (s, 3 * over.size)
+    pull = sparse.csr_array((signed.ravel(), (np.tile(rows, 3), columns)), shape=shape)
+    matrix = (
+        pull @ sparse.dia_array((np.repeat(over, 3)[None], [0]), shape=(shape[1],) * 2) @ pull.T
+    )
+    pivots = matrix.diagonal()
+    little = _LITTLE * pivots.max(initial=0.0)  # of links that say the same as others
+    more = sparse.dia_array((np.where(pivots > little, little, 1.0)[None], [0]), shape=(s, s))
+    factors = splu(sparse.csc_array(matrix + more))
+    return np.asarray(factors.solve(np.where(active, gap, 0.0)))
 
 
 def fit_lengths(
-    state: State, gaps: Callable[[], tuple[Floats, Floats, NDArray[np.bool_]]]
+    state: State,
+    gaps: Callable[[], tuple[Floats, Floats, NDArray[np.bool_]]],
+    number: Ints | None = None,
 ) -> int | None:
     """Move the nodes until no segment has a gap; return the worst one, None when all fit.
 
     `gaps` returns unit vectors (3, s), what each segment is too long [m] and which lengths count, (s,).
+    Nodes that joints tie have the same `number`, (n,).
     Newton's method: Ryckaert, Ciccotti & Berendsen 1977, J. Comput. Phys. 23:327.
     """
     exact = _EXACT * state.rest_length + 8.0 * _EPSILON * np.abs(state.x).max(initial=0.0)
@@ -171,14 +221,20 @@ def fit_lengths(
         t, gap, counts = gaps()
         if (np.abs(gap) <= exact).all():
             return None
-        diagonal, upper = _equations(state.inverse_mass, t, counts)
-        solve_links(diagonal, upper, gap)
         with np.errstate(invalid="ignore", over="ignore"):
-            step = _shift(state.inverse_mass, t, gap)
+            step = _shift(state, number, t, _impulses(state, number, t, counts, gap))
         if not np.isfinite(step).all():
             break
         state.x[...] += step
     return int(np.nanargmax(np.abs(gaps()[1])))
+
+
+def _points(model: Model) -> Ints | None:
+    """Return the number of every node's point, (n,); None where nothing is tied."""
+    joints = model.system.joints
+    if not joints.member.size:
+        return None
+    return points_of(joints, model.state.tied, model.layout.nodes)
 
 
 def _fit_links(model: Model) -> None:
@@ -188,7 +244,7 @@ def _fit_links(model: Model) -> None:
         t, gap = _gaps(model.state, one_way)
         return t, gap, gap != 0.0
 
-    worst = fit_lengths(model.state, gaps)
+    worst = fit_lengths(model.state, gaps, _points(model))
     if worst is None:
         return
     rope, _ = model.layout.rope_of(worst)
@@ -211,11 +267,9 @@ def _fit_velocities(model: Model) -> None:
     if not rate[active].any():
         return
     for _ in range(active.size):
-        impulse = np.where(active, rate, 0.0)
-        diagonal, upper = _equations(state.inverse_mass, t, active)
-        solve_links(diagonal, upper, impulse)
+        impulse = _impulses(state, _points(model), t, active, np.where(active, rate, 0.0))
         pushing = active & one_way & (impulse < 0.0)
         if not pushing.any():
             break
         active &= ~pushing
-    state.v[...] += _shift(state.inverse_mass, t, impulse)
+    state.v[...] += _shift(state, _points(model), t, impulse)

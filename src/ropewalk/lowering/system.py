@@ -26,6 +26,7 @@ from ropewalk.laws.anchors import anchor_places
 from ropewalk.laws.registry import NODE_LAWS, NodeArrays, NodeTables
 from ropewalk.lowering.bending_tables import add_bending, no_bending
 from ropewalk.lowering.curve import initial_points
+from ropewalk.lowering.joints import join, joint_tables
 from ropewalk.lowering.layout import Layout, Span
 from ropewalk.lowering.limiter_order import limiter_order
 from ropewalk.lowering.motion_rows import anchor_tables
@@ -38,6 +39,7 @@ from ropewalk.scene import Material, Rope, Scene, Springs
 def make_tables(scene: Scene, layout: Layout, keep: Pieces) -> tuple[System, State]:
     """Return the constant tables and the state at time zero; `keep` has their pieces."""
     state = _ropes(scene, layout, keep)
+    join(scene, layout, state)
     system = _system(scene, layout, state, keep)
     system, state = add_bending(scene, layout, system, state, keep)
     system = system._replace(kinks=keep("kinks", kink_times, system.anchors, system.bending))
@@ -183,6 +185,8 @@ def _ropes(scene: Scene, layout: Layout, keep: Pieces) -> State:
         clamp_direction=np.zeros((0, 3)),
         clamp_spin=np.zeros((0, 3)),
         moment=np.zeros((0, 6)),
+        tied=np.ones(len(scene.joints), np.int64),
+        joint_force=np.zeros((sum(len(joint.points) for joint in scene.joints), 3)),
         forces=_no_forces(n, applied, scene.limiter is not None),
         work=_no_work(s, n, a),
         most=np.zeros(a + 1),
@@ -246,6 +250,7 @@ def _system(scene: Scene, layout: Layout, state: State, keep: Pieces) -> System:
         anchors=keep("anchors", anchor_tables, scene.anchors, origins, state.anchor_node),
         winches=_winches(scene, layout) if scene.winches else keep("no winches", _table_of, ()),
         bending=no_bending(),
+        joints=keep("joints", joint_tables, scene.joints, layout),
         kinks=np.zeros(0),
     )
 
@@ -351,6 +356,12 @@ def _hold(system: System, state: State, keep: Pieces) -> None:
     nodes = nodes[held]
     state.x[:, nodes], state.v[:, nodes] = points[held].T, speeds[held].T
     state.inverse_mass[nodes] = 0.0
+    joints = system.joints
+    for row in np.flatnonzero(held & (joints.of_anchor >= 0)):
+        j, node = joints.of_anchor[row], state.anchor_node[row]
+        others = joints.member[joints.first[j] : joints.first[j + 1]]
+        state.x[:, others], state.v[:, others] = state.x[:, [node]], state.v[:, [node]]
+        state.inverse_mass[others] = 0.0
 
 
 def _starts(

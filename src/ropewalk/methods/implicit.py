@@ -52,7 +52,8 @@ class ImplicitScratch(NamedTuple):
     mean: Forces
     point: Floats  # (3,)
     speed: Floats  # (3,)
-    reaction: Floats  # (a, 3) sum over the parts of a step [N s]
+    reaction: Floats  # (a, 3) sum over the parts of a step [N]
+    joint_force: Floats  # (p, 3) the same
     limiter: Floats  # (7, n)
     sums: Floats
     pull: Floats  # (2, s) tensions, see `watch`
@@ -73,6 +74,7 @@ def make_implicit_scratch(state: State, tableau: Tableau) -> ImplicitScratch:
         point=np.zeros(3),
         speed=np.zeros(3),
         reaction=np.zeros_like(state.reaction),
+        joint_force=np.zeros_like(state.joint_force),
         limiter=np.zeros((7, state.x.shape[1])),
         sums=make_sums(),
         pull=np.zeros((2, state.rest_length.shape[0])),
@@ -323,7 +325,7 @@ def follows(dt, held, exits, past):
 
 @kernel
 def gather(reaction, share, total):
-    """Add a part's mean reaction, (a, 3), times its share of the step."""
+    """Add a part's mean forces, (a, 3), times its share of the step."""
     for row in range(total.shape[0]):
         for k in range(3):
             total[row, k] += share * reaction[row, k]
@@ -331,7 +333,7 @@ def gather(reaction, share, total):
 
 @kernel
 def settle_reaction(total, reaction):
-    """Write the mean reaction of a step taken in parts, and clear the sum."""
+    """Write the mean forces of a step taken in parts, and clear the sum."""
     for row in range(total.shape[0]):
         for k in range(3):
             reaction[row, k] = total[row, k]
@@ -376,11 +378,13 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
                 break
             scratch.stage.report[SPLITS] += 1.0
             gather(state.reaction, 1.0 / 2.0**level, scratch.reaction)
+            gather(state.joint_force, 1.0 / 2.0**level, scratch.joint_force)
             place += 1
             while place % 2 == 0 and level > 0:
                 level, place = level - 1, place // 2
             if level == 0:
                 settle_reaction(scratch.reaction, state.reaction)
+                settle_reaction(scratch.joint_force, state.joint_force)
                 break
         elif level == MOST_HALVINGS:
             break

@@ -14,6 +14,7 @@ from ropewalk.core.arrays import Anchors, Bending, Floats
 from ropewalk.core.jit import kernel, part
 from ropewalk.laws.anchors import anchor_target
 from ropewalk.laws.clamps import spins_jump, turn_clamps
+from ropewalk.laws.joints import follow, tied_to
 from ropewalk.motions.table import HAND, TABLE, VELOCITY
 
 JUST_BELOW = 1.0 - 2.3e-16
@@ -115,14 +116,19 @@ def _take_up(system, state, row, t, point, speed):
     """Give the node that an anchor holds its rate just after time `t` [s]; book the jump as work."""
     anchor_target(system, state, row, t, 0.0, point, speed)
     jumps, i = 0, state.anchor_node[row]
+    first, last = tied_to(system, state, row)
+    mass = state.mass[i]
+    for p in range(first, last):
+        mass += state.mass[system.joints.member[p]] if system.joints.member[p] != i else 0.0
     for k in range(3):
         old, new = state.v[k, i], speed[k]
         if old != new:
             jumps += 1
-            state.work.anchors[row] += 0.5 * state.mass[i] * (new * new - old * old)
+            state.work.anchors[row] += 0.5 * mass * (new * new - old * old)
             state.most[row] = max(state.most[row], abs(state.work.anchors[row]))
             state.anchor_v[row, k] = new
             state.v[k, i] = new
+    follow(system.joints.member, first, last, i, state.v)
     return jumps
 
 

@@ -59,6 +59,7 @@ class Recording(NamedTuple):
     moment_high: Floats  # (f, a) greatest moment of each clamp [N m]; (f, 0) without a clamp
     error_range: Floats  # (f, 2) least and greatest energy error since the frame before [J] ...
     error_times: Floats  # (f, 2) ... and when [s]; NaN without a ledger
+    joint_force: Floats  # (f, p, 3) force of a joint on each of its nodes [N]
 
     def part(self, start: int, stop: int) -> Recording:
         """Return the frames from `start` to `stop`, views."""
@@ -87,7 +88,7 @@ def make_recording(
     shapes += [peaks.stretch.shape] * 3 + [peaks.speed.shape] * 3
     shapes += [(s if with_lengths else 0,), (energies,), (laws + a,), (2,), (a, 3), (3,), (3,)]
     shapes += [(clamps, 3), *[(wide,)] * 4, peaks.reaction.shape, peaks.moment.shape]
-    shapes += [(peaks.error.shape[0],)] * 2
+    shapes += [(peaks.error.shape[0],)] * 2 + [state.joint_force.shape]
     large = [empty((frames, *shape)) for shape in shapes[: len(LARGE)]]
     return Recording(*large, *(np.zeros((frames, *shape)) for shape in shapes[len(LARGE) :]))
 
@@ -272,6 +273,9 @@ def record_frame(system, state, ledger, sums, frame, out):
     for row in range(state.held.shape[0]):
         for k in range(3):
             out.reaction[frame, row, k] = state.reaction[row, k]
+    for row in range(out.joint_force.shape[1]):
+        for k in range(3):
+            out.joint_force[frame, row, k] = state.joint_force[row, k]
     p, spin = out.momentum[frame], out.angular_momentum[frame]
     record_motion(state.x, state.v, state.mass, system.gravity, sums, energy, p, spin)
     record_peaks(state.peaks, frame, out)

@@ -26,9 +26,11 @@ import numpy as np
 from ropewalk.core.arrays import AXIAL, BENDING, Floats, Forces, State, blank
 from ropewalk.core.band_sweep import band_sweep
 from ropewalk.core.jit import kernel, part
+from ropewalk.core.network import soften, solve_network
 from ropewalk.core.saddle import Saddle, make_saddle
 from ropewalk.core.status import OK, UNSOLVED
 from ropewalk.core.sweep import sweep
+from ropewalk.laws.joints import are_tied
 from ropewalk.laws.nodes import add_diagonals, are_diagonal
 from ropewalk.laws.registry import NODE_LAWS
 from ropewalk.laws.stage_forces import evaluate_stage, mark_stage
@@ -303,7 +305,7 @@ def newton_step(system, state, stage, c1, c2, exact, leap):
     saddle, segments, inertia = stage.saddle, stage.segments, 1.0 / (c1 * c2)
     rubs = saddle.band.rubs
     held_back = stiffen(stage.tension, segments.over, segments.weight, exact, saddle.across)
-    if is_simple(system, state):
+    if is_simple(system, state) and not are_tied(system):
         rub_along(state.damping_vector, rubs, 1.0 / c1, state.mass, saddle.free, inertia, saddle)
         add_diagonals(system, 1.0 / c1, saddle.free, saddle.inertia)
         sweep(saddle)
@@ -311,7 +313,11 @@ def newton_step(system, state, stage, c1, c2, exact, leap):
         rub_along(state.damping_vector, rubs, 0.0, state.mass, saddle.free, inertia, saddle)
         begin_tangent(system, state, stage.x, stage.v, 1.0, 1.0 / c1, leap, saddle.band)
         add_tangents(system, state, stage.x, stage.v, 1.0, 1.0 / c1, saddle.band)
-        band_sweep(saddle)
+        if are_tied(system):
+            soften(segments.weight, saddle.carries, saddle.compliance)
+            solve_network(saddle)
+        else:
+            band_sweep(saddle)
     stage.report[SOLVES] += 1.0
     return held_back
 

@@ -65,6 +65,9 @@ QUANTITIES = (
         "reactions", ("time", "anchor", "axis"), "N", "anchor's force on the rope", "reaction"
     ),
     Quantity("moments", ("time", "anchor", "axis"), "N m", "clamp's moment on the rope", "moment"),
+    Quantity(
+        "joint_forces", ("time", "tie", "axis"), "N", "joint's force on a rope", "joint_force"
+    ),
     Quantity("momentum", ("time", "axis"), "kg m/s", "momentum", "momentum"),
     Quantity(
         "angular_momentum",
@@ -93,6 +96,7 @@ def labels(layout: Layout) -> dict[str, tuple[str, ...]]:
         "anchor": layout.anchor_names,
         "extreme": EXTREMES,
         "bound": BOUNDS,
+        "tie": layout.ties,
     }
 
 
@@ -120,6 +124,8 @@ def recorded(layout: Layout, scene: Scene) -> tuple[Quantity, ...]:
     left_out = set() if layout.anchor_names else {"reactions", "greatest_reactions"}
     if not layout.clamped:
         left_out |= {"moments", "greatest_moments"}
+    if not layout.ties:
+        left_out.add("joint_forces")
     if not scene.winches:
         left_out.add("rest_length")
     if not scene.run.extremes:

@@ -25,6 +25,7 @@ from ropewalk.record.quantities import has_rope, labels, rest_length_at_start
 from ropewalk.record.rope_view import RopeView
 from ropewalk.record.source import Source
 from ropewalk.record.summary import summary
+from ropewalk.record.ties import Ties
 from ropewalk.scene import Scene
 from ropewalk.words.annotations import unquoted
 from ropewalk.words.prefixes import prefixed
@@ -33,7 +34,7 @@ Bools = np.ndarray[Any, np.dtype[np.bool_]]
 
 
 @unquoted
-class Result(Outlets):
+class Result(Ties, Outlets):
     """What a run recorded. All SI; frame 0 is the initial state.
 
     Arrays hold all ropes one after another, `rope(name)` gives one rope's own. The segment between two

@@ -29,6 +29,7 @@ DEFAULT = (
         "work",
         "reactions",
         "moments",
+        "joint_forces",
         "greatest_reactions",
         "greatest_moments",
         "extremes",

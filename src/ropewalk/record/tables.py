@@ -37,17 +37,19 @@ def tables(result: Result, chosen: Selection, layout: str) -> list[Table]:
     """Return the tables that hold the chosen quantities, `long` or `wide`.
 
     nodes: positions and velocities; segments: tensions and unstretched length; anchors: reactions
-    and moments;
+    and moments; joints: their forces on each rope;
     run: energies, works, momentum, one row per frame in either layout.
     """
     ropes, numbers = _node_labels(result)
     at_nodes = [f"{ropes[i]}[{numbers[i]}]" for i in chosen.nodes]
     at_segments = [f"{ropes[j]}[{numbers[j]}]" for j in chosen.segments]
-    anchors = np.arange(len(result.layout.anchor_names))
+    names, ties = list(result.layout.anchor_names), list(result.layout.ties)
+    anchors, tied = np.arange(len(names)), np.arange(len(ties))
     kinds = (
         ("nodes", "node", chosen.nodes, at_nodes, _OF_NODES),
         ("segments", "segment", chosen.segments, at_segments, _OF_SEGMENTS),
-        ("anchors", "anchor", anchors, list(result.layout.anchor_names), _OF_ANCHORS),
+        ("anchors", "anchor", anchors, names, _OF_ANCHORS),
+        ("joints", "tie", tied, ties, ("joint_forces",)),
     )
     found = []
     for name, noun, places, shown, quantities in kinds:
@@ -57,8 +59,8 @@ def tables(result: Result, chosen: Selection, layout: str) -> list[Table]:
         if layout == "wide":
             found.append(_wide(result, chosen, name, places, shown, wanted))
         else:
-            keys: dict[str, NDArray[Any]] = {"anchor": np.array(shown, dtype=object)}
-            if noun != "anchor":
+            keys: dict[str, NDArray[Any]] = {noun: np.array(shown, dtype=object)}
+            if noun in ("node", "segment"):
                 keys = {"rope": ropes[places], noun: numbers[places]}
             found.append(_long(result, chosen, name, places, keys, wanted))
     if run := _run_table(result, chosen):
@@ -72,7 +74,13 @@ def _node_labels(result: Result) -> tuple[NDArray[Any], Indices]:
     return ropes, np.array([number for _, number in labelled])
 
 
-_SYMBOLS = {"positions": "", "velocities": "v", "reactions": "f", "moments": "m"}
+_SYMBOLS = {
+    "positions": "",
+    "velocities": "v",
+    "reactions": "f",
+    "moments": "m",
+    "joint_forces": "f",
+}
 
 
 _OF_NODES = ("positions", "velocities", "greatest_speed", "least_height", "greatest_height")

@@ -3,6 +3,7 @@
 from ropewalk.scene.anchor import Anchor, Clamp
 from ropewalk.scene.environment import Air, Ground, Limiter
 from ropewalk.scene.faults import Fault, SceneError, SceneFileError
+from ropewalk.scene.joint import Joint, Tie
 from ropewalk.scene.motions import Fixed, Hand, Motion, Orbit, Shake, Table, Velocity
 from ropewalk.scene.overrides import apply_overrides
 from ropewalk.scene.ring import Ring
@@ -23,6 +24,7 @@ __all__ = [
     "Ground",
     "Hand",
     "Hanging",
+    "Joint",
     "Kick",
     "Limiter",
     "Load",
@@ -43,6 +45,7 @@ __all__ = [
     "Springs",
     "Straight",
     "Table",
+    "Tie",
     "Velocity",
     "Winch",
     "apply_overrides",

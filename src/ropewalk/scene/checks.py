@@ -10,6 +10,7 @@ from ropewalk.scene.anchor import Anchor
 from ropewalk.scene.base import MOST_ON_DRUM, MOST_SEGMENTS
 from ropewalk.scene.environment import Limiter
 from ropewalk.scene.faults import MISSING, NO_VALUE, Fault
+from ropewalk.scene.joint import Joint, Tie
 from ropewalk.scene.rope import Rope, node_range
 from ropewalk.scene.shapes import Slack
 from ropewalk.scene.winch import Winch
@@ -26,6 +27,7 @@ def scene_faults(
     anchors: Sequence[Anchor | None],
     winches: Sequence[Winch | None],
     limiter: Limiter | None,
+    joints: Sequence[Joint | None] = (),
 ) -> list[Fault]:
     """The faults between the parts, of very many the first; None is a part that is faulty in itself."""
     found = chain(
@@ -34,6 +36,8 @@ def scene_faults(
         _anchors(ropes, anchors),
         _winches(ropes, anchors, winches),
         _weights(gravity, ropes, winches),
+        _joints(ropes, anchors, winches, joints),
+        _joined_limits(joints, limiter),
     )
     told = list(islice(found, MOST_TOLD))
     if next(found, None) is not None:
@@ -105,8 +109,8 @@ class _Names:
             if rope is not None:
                 self._index.setdefault(rope.name, i)
 
-    def of(self, part: Anchor | Winch) -> int | Fault:
-        """The index of the rope that an anchor or winch names, or what is wrong with the name."""
+    def of(self, part: Anchor | Winch | Tie) -> int | Fault:
+        """The index of the rope that a part names, or what is wrong with the name."""
         if not part.rope:
             if self._count == 1:
                 return 0
@@ -217,3 +221,88 @@ def _winch_lengths(winch: Winch, rope: Rope) -> Iterator[Fault]:
     if winch.on_drum is not None and winch.on_drum > most:
         rule = f"must be at most {most:g} m, a million segments of this rope"
         yield Fault("on_drum", winch.on_drum, rule)
+
+
+def _joined_limits(joints: Sequence[Joint | None], limiter: Limiter | None) -> Iterator[Fault]:
+    if joints and limiter is not None:
+        rule = "cannot limit ropes that joints tie: leave it out, or the joints"
+        yield Fault("limiter", NO_VALUE, rule)
+
+
+def _joints(
+    ropes: Sequence[Rope | None],
+    anchors: Sequence[Anchor | None],
+    winches: Sequence[Winch | None],
+    joints: Sequence[Joint | None],
+) -> Iterator[Fault]:
+    if not joints:
+        return
+    names: dict[str, int] = {}
+    tied: dict[tuple[int, int], tuple[int, int]] = {}
+    known, wound = _Names(ropes), [winch.rope for winch in winches if winch is not None]
+    for i, joint in enumerate(joints):
+        if joint is None:
+            continue
+        name = joint.name or f"joint{i}"
+        if names.setdefault(name, i) != i:
+            yield Fault(f"joint[{i}].name", name, f"is the name of joint[{names[name]}] already")
+        for k, tie in enumerate(joint.points):
+            path = f"joint[{i}].points[{k}]"
+            index = known.of(tie)
+            if isinstance(index, Fault):
+                yield index.below(path)
+                continue
+            rope = ropes[index] if index >= 0 else None
+            if rope is None:
+                continue
+            if not -rope.nodes <= tie.node < rope.nodes:
+                yield Fault(f"{path}.node", tie.node, node_range(rope))
+                continue
+            if wound and (rope.name in wound or "" in wound):
+                rule = "is on a winch, which cannot wind a rope that is tied: leave out the winch"
+                yield Fault(f"{path}.rope", rope.name, f"{rule}, or the joint")
+            yield from _tied_once(tied, (index, tie.node % rope.nodes), (i, k), tie.node)
+    yield from _held_once(ropes, anchors, tied)
+
+
+def _tied_once(
+    tied: dict[tuple[int, int], tuple[int, int]],
+    point: tuple[int, int],
+    place: tuple[int, int],
+    node: int,
+) -> Iterator[Fault]:
+    """A node that is tied already, by `place` of a joint and a point, or to its neighbour."""
+    path = f"joint[{place[0]}].points[{place[1]}].node"
+    joint, k = tied.setdefault(point, place)
+    if joint == place[0] and k != place[1]:
+        yield Fault(path, node, f"is points[{k}] already")
+    elif joint != place[0]:
+        rule = f"is tied by joint[{joint}] already: list all nodes that meet in one joint"
+        yield Fault(path, node, rule)
+    for beside in (-1, 1):
+        other = tied.get((point[0], point[1] + beside))
+        if other is not None and other[0] == place[0] and other[1] < place[1]:
+            rule = (
+                f"is the neighbour of points[{other[1]}]: the segment between would have no length"
+            )
+            yield Fault(path, node, rule)
+
+
+def _held_once(
+    ropes: Sequence[Rope | None],
+    anchors: Sequence[Anchor | None],
+    tied: dict[tuple[int, int], tuple[int, int]],
+) -> Iterator[Fault]:
+    """Joints that two anchors hold."""
+    known, first = _Names(ropes), dict[int, int]()
+    for i, anchor in enumerate(anchors):
+        index = known.of(anchor) if anchor is not None else -1
+        rope = ropes[index] if isinstance(index, int) and index >= 0 else None
+        if anchor is None or rope is None:
+            continue
+        place = tied.get((ropes.index(rope), anchor.node % rope.nodes))
+        if place is not None and first.setdefault(place[0], i) != i:
+            rule = (
+                f"is tied by joint[{place[0]}] to the node that anchor[{first[place[0]]}] holds: "
+            )
+            yield Fault(f"anchor[{i}].node", anchor.node, f"{rule}leave out one of the two")

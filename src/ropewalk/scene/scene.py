@@ -15,6 +15,7 @@ from ropewalk.scene.base import Many, Model, Text, Vector, Whole, listed, refuse
 from ropewalk.scene.checks import scene_faults
 from ropewalk.scene.environment import Air, Ground, Limiter
 from ropewalk.scene.faults import Fault, SceneError
+from ropewalk.scene.joint import Joint
 from ropewalk.scene.rope import Rope, Springs
 from ropewalk.scene.run_settings import RunSettings
 from ropewalk.scene.winch import Winch
@@ -44,6 +45,9 @@ class Scene(Model):
     limiter: Limiter | None = Field(default=None, description="Stretch limiter; none without it")
     winches: Many[Winch] = listed(
         "Winches, at most one per rope end", "winch", "winches", default=()
+    )
+    joints: Many[Joint] = listed(
+        "Joints: nodes that are tied to each other", "joint", "joints", default=()
     )
 
     @property
@@ -87,6 +91,18 @@ class Scene(Model):
         there = ", ".join(anchor.name for anchor in self.anchors) or "none"
         raise KeyError(f"no anchor {name!r}; there is {there}")
 
+    def joint_named(self, name: str) -> Joint:
+        """The joint of that name.
+
+        Raises:
+            KeyError: when there is none.
+        """
+        for joint in self.joints:
+            if joint.name == name:
+                return joint
+        there = ", ".join(joint.name for joint in self.joints) or "none"
+        raise KeyError(f"no joint {name!r}; there is {there}")
+
     def anchor_node(self, anchor: Anchor) -> int:
         """The node that an anchor of this scene holds, counted from 0 within its rope."""
         return self.rope_named(anchor.rope).node_index(anchor.node)
@@ -128,7 +144,8 @@ class Scene(Model):
 
     @model_validator(mode="after")
     def _check(self) -> Scene:
-        refuse(scene_faults(self.gravity, self.ropes, self.anchors, self.winches, self.limiter))
+        parts = self.ropes, self.anchors, self.winches
+        refuse(scene_faults(self.gravity, *parts, self.limiter, self.joints))
         refuse(_start_faults(self.run, self.ropes))
         self._fill_in_names()
         self._fill_in_method()
@@ -146,7 +163,7 @@ class Scene(Model):
             self.__dict__["run"] = run
 
     def _fill_in_names(self) -> None:
-        """Give every anchor its name and every anchor and winch its rope's name."""
+        """Give every part its name, and its rope's name where it has one."""
         rope = self.ropes[0].name
         anchors = tuple(
             _filled(anchor, name=f"anchor{i}", rope=rope) for i, anchor in enumerate(self.anchors)
@@ -154,7 +171,8 @@ class Scene(Model):
         winches = tuple(
             _filled(winch, name=f"winch{i}", rope=rope) for i, winch in enumerate(self.winches)
         )
-        self.__dict__.update(anchors=anchors, winches=winches)  # frozen for everyone else
+        joints = tuple(_tied(joint, i, rope) for i, joint in enumerate(self.joints))
+        self.__dict__.update(anchors=anchors, winches=winches, joints=joints)  # frozen for all else
 
     @classmethod
     def _more_faults(cls, data: Any, context: Any) -> list[Fault]:
@@ -164,15 +182,17 @@ class Scene(Model):
         ropes = [_part(Rope, item, context) for item in _items(data, "rope", "ropes")]
         anchors = [_part(Anchor, item, context) for item in _items(data, "anchor", "anchors")]
         winches = [_part(Winch, item, context) for item in _items(data, "winch", "winches")]
+        joints = [_part(Joint, item, context) for item in _items(data, "joint", "joints")]
         limiter = _part(Limiter, data.get("limiter"), context)
-        return scene_faults(None, ropes, anchors, winches, limiter)
+        return scene_faults(None, ropes, anchors, winches, limiter, joints)
 
     def __str__(self) -> str:
         run = self.run
         segments = sum(rope.segments for rope in self.ropes)
         ropes = f"{_count(len(self.ropes), 'rope')} of {_count(segments, 'segment')}"
+        tied = f", {_count(len(self.joints), 'joint')}" if self.joints else ""
         how = f"{run.duration:g} s at {run.frame_rate:g} frames/s with {run.method}"
-        return f"Scene {self.name!r}: {ropes}, {_count(len(self.anchors), 'anchor')}, {how}."
+        return f"Scene {self.name!r}: {ropes}, {_count(len(self.anchors), 'anchor')}{tied}, {how}."
 
     __repr__ = __str__
 
@@ -195,6 +215,12 @@ def _filled(part: _P, **defaults: str) -> _P:
     """A copy of a part with its empty names filled in."""
     empty = {key: value for key, value in defaults.items() if not getattr(part, key)}
     return part.model_copy(update=empty) if empty else part
+
+
+def _tied(joint: Joint, number: int, rope: str) -> Joint:
+    """A joint with its name and its ropes' names filled in."""
+    points = tuple(_filled(tie, rope=rope) for tie in joint.points)
+    return _filled(joint.model_copy(update={"points": points}), name=f"joint{number}")
 
 
 def _part(kind: type[_P], item: Any, context: Any) -> _P | None:

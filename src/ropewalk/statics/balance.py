@@ -30,6 +30,7 @@ from ropewalk.laws.clamps import start_clamps
 from ropewalk.laws.others import other_forces, other_stiffness
 from ropewalk.laws.tangent import law_band
 from ropewalk.lowering import Model, Span
+from ropewalk.statics.tied import points, solve_tied, together
 
 _TINY = 1e-300
 _CLOSED = 1e-9  # error that counts as at rest [1]
@@ -60,6 +61,7 @@ class Balance:
         self.rests = at_rest(model.system)
         self._plain = not (self.rests or self.bends or state.forces.applied.any())
         self._band = law_band(self.nodes, self.bends)
+        self.number = points(model)  # (n,), where joints tie nodes
         self._set_scales()
 
     def leave_out(self, rope: Span) -> None:
@@ -124,12 +126,15 @@ class Balance:
         return d / np.maximum(r, _TINY), r
 
     def imbalance(self, x: Floats, tension: Floats) -> Floats:
-        """Return the force that is left on every node [N], (3, n), anchors left out."""
+        """Return the force that is left on every node [N], (3, n), anchors left out.
+
+        On one that is tied that on all nodes of its joint.
+        """
         t, _ = self.directions(x)
         left = self.others(x)
         left[:, :-1] += tension * t
         left[:, 1:] -= tension * t
-        return left
+        return left if self.number is None else together(self.number, left)
 
     # -- Newton's equations ----------------------------------------------------------------
 
@@ -190,9 +195,11 @@ class Balance:
             matrix[4 * held + k] = 0.0
             matrix[4 * held + k, reach] = 1.0
         right[held, :3] = 0.0
-        pivot = solve_band(
-            matrix, right.reshape(-1), reach, reach
-        )  # a view: `right` is the solution
+        found = right.reshape(-1)  # a view: `right` is the solution
+        if self.number is None:
+            pivot = solve_band(matrix, found, reach, reach)
+        else:
+            pivot = solve_tied(matrix, found, reach, self.number)
         return np.ascontiguousarray(right[:, :3].T), right[:-1, 3] * unit, float(pivot)
 
     def _put_blocks(

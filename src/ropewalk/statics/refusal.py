@@ -12,11 +12,12 @@ from ropewalk.lowering import Model, Span
 from ropewalk.scene import SceneError
 from ropewalk.scene.faults import Fault
 from ropewalk.statics.hung import held_nodes
+from ropewalk.statics.tied import partners, tied_nodes
 
 
 def unheld_ropes(model: Model) -> tuple[str, ...]:
-    """Return the names of the ropes that no anchor holds at time zero."""
-    return tuple(rope.name for rope in model.layout.ropes if not held_nodes(model, rope))
+    """Return the names of the ropes that no anchor holds at time zero, nor another rope that one holds."""
+    return tuple(rope.name for rope in model.layout.ropes if not _is_held(model, rope))
 
 
 def undetermined_ropes(model: Model) -> tuple[str, ...]:
@@ -42,8 +43,9 @@ def _fault_of(model: Model, rope: Span) -> str:
     if Rest.HOLDS in rests:
         return ""
     windy = Rest.CARRIES in rests
-    if not held:
+    if not _is_held(model, rope):
         return _unheld(model, rope, heavy, rests)
+    held = sorted({*held, *tied_nodes(model, rope)})
     bends = model.scene.ropes[model.scene.rope_index(rope.name)].bending_stiffness > 0.0
     if heavy or windy or bends or _is_pushed(model, rope):
         return ""
@@ -76,6 +78,13 @@ def _unheld(model: Model, rope: Span, heavy: bool, rests: set[Rest]) -> str:
     if Rest.BEARS not in rests:
         return f"{missing}, and there is no ground: it falls; hold a node of it with an anchor"
     return ""
+
+
+def _is_held(model: Model, rope: Span) -> bool:
+    """Whether an anchor holds the rope, or one that it is tied to."""
+    if not tied_nodes(model, rope):
+        return bool(held_nodes(model, rope))
+    return any(held_nodes(model, one) for one in partners(model, rope))
 
 
 def _is_pushed(model: Model, rope: Span) -> bool:

@@ -17,6 +17,7 @@ from ropewalk.statics.hung import hung
 from ropewalk.statics.newton import Found, settle
 from ropewalk.statics.refusal import refuse_impossible, undetermined_ropes, unheld_ropes
 from ropewalk.statics.spans import RestSpan, rest_spans
+from ropewalk.statics.tied import tied_nodes
 from ropewalk.words.annotations import unquoted
 from ropewalk.words.prefixes import prefixed
 
@@ -102,7 +103,14 @@ def checked_shape(source: Scene | Model) -> Statics:
 def _find(model: Model, balance: Balance, *, patient: bool) -> Found:
     """Solve from the hung shape, or from the scene's own where other laws decide."""
     x, tension = hung(model)
-    own = _grounded(model, x).any() or Rest.HOLDS in balance.rests or balance.bends
+    if balance.number is not None:
+        x = _tied_start(model, x)
+    own = (
+        balance.number is not None
+        or _grounded(model, x).any()
+        or Rest.HOLDS in balance.rests
+        or balance.bends
+    )
     if x.shape[1] > _LARGE:
         hangs = _evaluated(balance, x, tension)
         if hangs.at_rest and not own:
@@ -122,6 +130,14 @@ def _find(model: Model, balance: Balance, *, patient: bool) -> Found:
         best = found if best is None or found.error < best.error else best
     assert best is not None
     return best
+
+
+def _tied_start(model: Model, x: Floats) -> Floats:
+    """Return the places (3, n) with ropes that are tied where the scene has them: they do not hang alone."""
+    for rope in model.layout.ropes:
+        if tied_nodes(model, rope):
+            x[:, rope.first : rope.last + 1] = model.state.x[:, rope.first : rope.last + 1]
+    return x
 
 
 def _evaluated(balance: Balance, x: Floats, tension: Floats) -> Found:
@@ -152,6 +168,8 @@ def _stable(balance: Balance, found: Found) -> Found:
     if not (found.tension[balance.live] < -_PUSHED * balance.force).any():
         return found
     noise = np.random.default_rng(0).normal(size=found.x.shape)  # the same for every call
+    if balance.number is not None:
+        noise = noise[:, np.unique(balance.number, return_index=True)[1]][:, balance.number]
     moved = found.x + np.where(balance.free, _NUDGE * balance.length * noise, 0.0)
     again = settle(balance, moved, np.maximum(found.tension, 0.0), 1.0)
     return again if again.at_rest else found

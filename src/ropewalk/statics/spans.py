@@ -10,11 +10,12 @@ import numpy as np
 from ropewalk.core.arrays import Floats
 from ropewalk.lowering import Model, Span
 from ropewalk.statics.hung import held_nodes, upward
+from ropewalk.statics.tied import tied_nodes
 
 
 @dataclass(frozen=True)
 class RestSpan:
-    """One stretch of a rope at rest: between two held nodes, or a tail beyond the last one."""
+    """One stretch of a rope at rest: between two held or tied nodes, or a tail beyond the last one."""
 
     rope: str
     kind: str  # "span" or "tail"
@@ -63,7 +64,7 @@ def rest_spans(model: Model, positions: Floats, tension: Floats) -> tuple[RestSp
     """Return the spans of a rest shape; `positions` (n, 3) [m], `tension` (s,) [N]."""
     found = []
     for rope in model.layout.ropes:
-        nodes = held_nodes(model, rope)
+        nodes = sorted({*held_nodes(model, rope), *tied_nodes(model, rope)})
         if not nodes:
             continue
         if nodes[0] > rope.start:

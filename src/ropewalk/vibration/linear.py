@@ -24,15 +24,22 @@ from ropewalk.core.band import Band, triplets
 from ropewalk.laws.others import other_stiffness
 from ropewalk.laws.tangent import assemble_tangent, law_band
 from ropewalk.lowering import Model
+from ropewalk.statics.tied import points
 
 _SYMMETRIC = 1e-12  # of the largest entry: what a difference from the transpose may be [1]
 
 
 @dataclass(frozen=True)
 class Linear:
-    """Matrices over the free unknowns, three for each free node, as scipy.sparse matrices."""
+    """Matrices over the free unknowns, three for each free node, as scipy.sparse matrices.
 
-    nodes: Ints  # (f,) indices of the free nodes
+    Nodes that joints tie to each other are one.
+    """
+
+    nodes: Ints  # (f,) indices of the free nodes, the first one of a joint
+    follows: (
+        Ints  # (n,) for every node the index in `nodes` of the one it moves with, -1: it is held
+    )
     mass: Floats  # (3 f,) [kg]
     other: Any  # S [N/m], (3 f, 3 f)
     friction: Any  # C [N s/m], (3 f, 3 f)
@@ -93,8 +100,21 @@ def linearise(model: Model, x: Floats, tension: Floats, *, springs_only: bool = 
     """
     load_scipy()
     state, n = model.state, model.state.mass.size
-    nodes = np.flatnonzero((state.inverse_mass > 0.0) & (state.mass > 0.0))
+    number = points(model)
+    lead = np.arange(n) if number is None else np.unique(number, return_index=True)[1][number]
+    nodes = np.flatnonzero((state.inverse_mass > 0.0) & (state.mass > 0.0) & (lead == np.arange(n)))
+    place = np.full(n, -1)
+    place[nodes] = np.arange(nodes.size)
+    follows = place[lead]
     unknown = (3 * nodes[:, None] + np.arange(3)).ravel()
+    spread = None if number is None else _spread(follows, nodes.size)
+
+    def over_free(matrix: Any) -> Any:
+        """The same over the free unknowns."""
+        if spread is None:
+            return matrix[unknown][:, unknown].tocsc()
+        return (spread.T @ matrix @ spread).tocsc()
+
     still = np.zeros_like(x)
     friction, other = _bands(model, x, still) if not springs_only else _nothing(n)
     d = np.diff(x, axis=1)
@@ -105,14 +125,28 @@ def linearise(model: Model, x: Floats, tension: Floats, *, springs_only: bool = 
     across = np.where(taut, tension / np.maximum(r, 1e-300), 0.0)
     other = other + _geometric(n, t, across)
     segments = np.flatnonzero(taut)
+    free = follows >= 0
+    pulls = _lengths(n, t, segments)
     return Linear(
         nodes=nodes,
-        mass=np.repeat(state.mass[nodes], 3),
-        other=other[unknown][:, unknown].tocsc(),
-        friction=friction[unknown][:, unknown].tocsc(),
-        lengths=_lengths(n, t, segments)[:, unknown].tocsr(),
+        follows=follows,
+        mass=np.repeat(np.bincount(follows[free], state.mass[free], nodes.size), 3),
+        other=over_free(other),
+        friction=over_free(friction),
+        lengths=(pulls[:, unknown] if spread is None else pulls @ spread).tocsr(),
         soft=1.0 / state.stiffness[segments],
     )
+
+
+def _spread(follows: Ints, count: int) -> Any:
+    """Return what takes the free unknowns to the places of all nodes, (3 n, 3 count), of ones."""
+    from scipy.sparse import coo_array
+
+    nodes = np.flatnonzero(follows >= 0)
+    rows = (3 * nodes[:, None] + np.arange(3)).ravel()
+    columns = (3 * follows[nodes][:, None] + np.arange(3)).ravel()
+    shape = (3 * follows.size, 3 * count)
+    return coo_array((np.ones(rows.size), (rows, columns)), shape=shape).tocsr()
 
 
 def _bands(model: Model, x: Floats, still: Floats) -> tuple[Any, Any]:

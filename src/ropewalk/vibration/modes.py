@@ -10,6 +10,7 @@ import numpy as np
 
 from ropewalk.core import arrays
 from ropewalk.core.arrays import BENDING, Floats
+from ropewalk.core.elimination import tied_network
 from ropewalk.core.saddle import make_saddle
 from ropewalk.display import cells
 from ropewalk.laws.acting import at_rest
@@ -127,7 +128,8 @@ def modes(source: Scene | Model, about: About = "equilibrium", count: int = 10) 
     flat = untangle(values, flat, linear.mass, np.tile(normal, linear.nodes.size))
     values, flat = values[:count], flat[:count]
     shapes = np.zeros((len(values), x.shape[1], 3), dtype=complex)
-    shapes[:, linear.nodes] = flat.reshape(len(values), linear.nodes.size, 3)
+    free = linear.follows >= 0
+    shapes[:, free] = flat.reshape(len(values), linear.nodes.size, 3)[:, linear.follows[free]]
     return Modes(
         scene=model.scene,
         layout=model.layout,
@@ -178,7 +180,9 @@ def _held_tension(model: Model) -> Floats:
     """Return the tensions (s,) [N] that keep rigid links at their lengths as they let go, at rest."""
     state = arrays.copy(model.state)
     state.v[...] = 0.0
-    prepare_links(model.system, state, 0.0, make_saddle(state.x.shape[1]))
+    network = tied_network(model.system.joints, state.tied, state.stiffness > 0.0, second=False)
+    saddle = make_saddle(state.x.shape[1])._replace(network=network)
+    prepare_links(model.system, state, 0.0, saddle)
     return np.asarray(state.tension)
 
 

@@ -1,0 +1,43 @@
+"""What joints do to the ropes that they tie, as a part of every result."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, cast
+
+import numpy as np
+
+from ropewalk.core.arrays import Floats
+
+if TYPE_CHECKING:
+    from ropewalk.record.result import Result
+
+
+class Ties:
+    """The forces of joints; part of every Result."""
+
+    @property
+    def joint_forces(self) -> Floats:
+        """Force of a joint on each node that it ties [N], (frames, ties, 3), mean over the last step.
+
+        In the order of the scene's joints and their points, as in `layout.ties`; `joint_force` gives one
+        joint's. Of the steps between two frames nothing is kept.
+        """
+        result = cast("Result", self)
+        if "joint_forces" not in result.source.names:
+            return np.zeros((result.frames, 0, 3))
+        return result.read("joint_forces")
+
+    def joint_force(self, name: str) -> Floats:
+        """Force of one joint on each node that it ties [N], (frames, points, 3), mean over the last step.
+
+        Over the points it adds up to nothing, or to the force of the anchor that holds the joint.
+
+        Raises KeyError where the scene has no joint of that name.
+        """
+        scene, first = cast("Result", self).scene, 0
+        wanted = scene.joint_named(name)
+        for joint in scene.joints:
+            if joint.name == wanted.name:
+                break
+            first += len(joint.points)
+        return self.joint_forces[:, first : first + len(wanted.points)]
