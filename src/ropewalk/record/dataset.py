@@ -62,6 +62,7 @@ def coordinates(scene: Scene, layout: Layout) -> dict[str, tuple[str, Any, dict[
         "law": "law or anchor that does the work",
         "cause": "what put it in",
         "anchor": "anchor",
+        "tie": "what a joint ties",
         "extreme": "greatest or least of all steps since the frame before",
         "bound": "least or greatest of all steps since the frame before",
     }

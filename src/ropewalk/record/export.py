@@ -42,8 +42,8 @@ def export(
 ) -> tuple[Path, ...]:
     """Write a run for other programs, in pieces; return the files to open.
 
-    csv and parquet make up to four tables in the folder `out` (nodes, segments, anchors, run), or the
-    file `out` itself where one table is asked for and `out` ends in .csv or .parquet. npz makes the
+    csv and parquet make up to five tables in the folder `out` (nodes, segments, anchors, joints, run), or
+    the file `out` itself where one table is asked for and `out` ends in .csv or .parquet. npz makes the
     file `out`; vtk a folder with a .pvd for ParaView and one .vtp a frame.
 
     Args:
@@ -51,7 +51,8 @@ def export(
         to: csv, parquet, npz or vtk.
         out: file or folder to make.
         quantities: of positions, velocities, tension, elastic_tension, rest_length, energy, work,
-            reactions, moments, momentum, angular_momentum. Those that a run does not record are left out.
+            reactions, moments, joint_forces, momentum, angular_momentum. Those that a run does not
+            record are left out.
         nodes: only these nodes of every rope (negative: from its end), and the segments next to them.
         times: only the frames nearest to these times [s].
         every: only every so many frames.
