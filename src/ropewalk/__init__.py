@@ -36,8 +36,8 @@ if TYPE_CHECKING:  # what type checkers and editors see; `_HOMES` loads the same
     from ropewalk.scene import Clamp as Clamp
     from ropewalk.scene import Force as Force
     from ropewalk.scene import Ground as Ground
-    from ropewalk.scene import Limiter as Limiter
     from ropewalk.scene import Joint as Joint
+    from ropewalk.scene import Limiter as Limiter
     from ropewalk.scene import Load as Load
     from ropewalk.scene import Material as Material
     from ropewalk.scene import Ring as Ring
