@@ -10,6 +10,9 @@ import pytest
 
 import ropewalk as rw
 from ropewalk.api import simulate
+from ropewalk.live import edits
+from ropewalk.live.carry import carry_over
+from ropewalk.live.segments import resegment
 from ropewalk.lowering import build
 from ropewalk.lowering.steps import predicted_step
 from ropewalk.methods.registry import METHODS
@@ -149,6 +152,63 @@ def test_an_anchor_on_a_joint_holds_all_that_it_ties_until_it_lets_go() -> None:
         steps = 2e-2 if method == "semi-implicit-euler" else 1e-6
         change = momentum - np.asarray(result.momentum)[hold][-1]
         assert change[2] == pytest.approx(-fall, rel=steps)
+
+
+@pytest.mark.parametrize("method", ["semi-implicit-euler", "bdf2", "adaptive"])
+def test_a_joint_that_is_cut_lets_its_ropes_go_their_own_ways(method: str) -> None:
+    """As ropes that were never tied do from there; in an island beside another rope, too."""
+    scene = star(method)
+    other = Rope(
+        name="other", segments=2, length=1.0, made_of=Material(EA=100, mass_per_length=0.1)
+    )
+    scene = scene.replace(
+        ropes=[other, *scene.ropes], anchors=[Anchor(rope="other", node=0), *scene.anchors]
+    )
+    simulation = Simulation(scene)
+    simulation.step(0.02)
+    simulation.cut_joint("knot")
+    x, v = simulation.arrays.x.copy(), simulation.arrays.v.copy()
+    simulation.step(0.03)
+    found = simulation.arrays
+    assert np.abs(found.x[:, 9] - found.x[:, 16]).max() > 1e-3
+    assert (found.joint_force == 0.0).all()
+    ropes = []
+    for rope, span in zip(scene.ropes, simulation.layout.ropes, strict=True):
+        nodes = range(span.first, span.last + 1)
+        shape = Points(points=[tuple(float(c) for c in x[:, i]) for i in nodes])
+        kicks = [
+            {"node": i - span.first, "velocity": tuple(float(c) for c in v[:, i])} for i in nodes
+        ]
+        ropes.append(rope.replace(shape=shape, kicks=kicks))
+    alone = final(scene.replace(ropes=ropes, joints=[]), 0.03).arrays
+    assert np.abs(alone.x - found.x).max() < (1e-12 if METHODS[method].fixed else 1e-6)
+    with pytest.raises(KeyError, match="no joint 'not'"):
+        simulation.cut_joint("not")
+
+
+def test_live_edits_keep_joints() -> None:
+    """A load, a pin and a cut rope carry over; what is tied stays tied, and segments stay as many."""
+    scene = star("verlet")
+    before = Simulation(scene)
+    before.step(0.02)
+    loaded = edits.load(edits.neutral(scene), before.layout, 3, 0.2)
+    after = carry_over(before, loaded.scene, loaded.source)
+    assert (after.arrays.x == before.arrays.x).all()
+    after.step(0.02)
+    assert together(after)
+    cutting = edits.cut(loaded.scene, after.layout, 17)  # a segment of the last leg
+    parts = carry_over(after, cutting.scene, cutting.source)
+    assert [tie.rope for tie in parts.scene.joints[0].points] == ["leg0", "leg1", "leg2-2"]
+    parts.step(0.02)
+    assert together(parts)
+    pinned = edits.pin(cutting.scene, parts.layout, 6)
+    held = carry_over(parts, pinned.scene, pinned.source)
+    place = held.arrays.x[:, 6].copy()
+    held.step(0.02)
+    assert together(held)
+    assert (held.arrays.x[:, 13] == place).all()
+    with pytest.raises(SceneError, match="while joints tie the rope"):
+        resegment(scene, 0, 12)
 
 
 # -- loops --------------------------------------------------------------------------------------

@@ -138,7 +138,7 @@ class Share:
     def cut(self, model: Model, whole: dict[str, Floats]) -> Model:
         """Return the model of the share: tables of its own, with the state that `model` has, `whole`."""
         layout = make_layout(self.scene)
-        system, made = make_tables(self.scene, layout, Pieces())
+        system, made = make_tables(self.scene, layout, Pieces(), drawn=False)
         state = copy(made)  # nobody writes to what is made
         own = flatten(state)
         for name in self.names(own):

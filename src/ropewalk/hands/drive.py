@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ropewalk.core.arrays import APPLIED, Floats, State, System
+from ropewalk.lowering.joints import tied_with
 
 if TYPE_CHECKING:
     from ropewalk.lowering import Layout, Model
@@ -191,7 +192,9 @@ class Driven:
                 state.anchor_v[row] = 0.0
                 little = _ROUNDING * float(np.abs([place, state.anchor_x[row]]).max())
                 if np.abs(state.anchor_x[row] - place).max() <= little:  # not held up by the ground
-                    state.anchor_x[row] = state.x[:, state.anchor_node[row]] = place
+                    nodes = tied_with(self.system.joints, state.tied, int(state.anchor_node[row]))
+                    state.anchor_x[row] = place
+                    state.x[:, nodes] = place[:, None]
             if goal.direction is not None:
                 state.clamp_direction[row] = goal.direction
                 self._turn(row, self.system.bending.axis[row].copy(), 0.0)

@@ -6,6 +6,7 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats, State, flatten
 from ropewalk.lowering import Model, build
+from ropewalk.lowering.joints import tied_with
 from ropewalk.scene import Scene
 from ropewalk.simulation import Simulation
 
@@ -30,7 +31,7 @@ def carry_over(old: Simulation, scene: Scene, source: Floats) -> Simulation:
     nodes: place and velocity are then interpolated. Raises SceneError when the scene cannot be
     planned.
     """
-    model = build(scene)
+    model = build(scene, drawn=False)
     state = model.state
     state.x[...] = _interpolated(old.arrays.x, source)
     state.v[...] = _interpolated(old.arrays.v, source)
@@ -94,9 +95,10 @@ def _carry_anchors(old: Simulation, model: Model) -> np.ndarray[tuple[int], np.d
             state.held[row] = 1
         _carry_clamp(old, model, row, rows.get(name))
         if state.held[row]:
-            state.inverse_mass[node] = 0.0
-            state.x[:, node] = state.anchor_x[row]
-            state.v[:, node] = state.anchor_v[row]
+            nodes = tied_with(system.joints, state.tied, node)
+            state.inverse_mass[nodes] = 0.0
+            state.x[:, nodes] = state.anchor_x[row][:, None]
+            state.v[:, nodes] = state.anchor_v[row][:, None]
     return kinds
 
 

@@ -8,6 +8,7 @@ they are put aside for straight ones, which fit any number of nodes.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -16,7 +17,7 @@ import numpy as np
 from ropewalk.core.arrays import Floats
 from ropewalk.live.parameters import refusal
 from ropewalk.lowering.layout import Layout, make_layout
-from ropewalk.scene import Anchor, Force, Hand, Load, Material, Rope, Scene, Straight
+from ropewalk.scene import Anchor, Force, Hand, Joint, Load, Material, Rope, Scene, Straight
 
 MOST_ANCHORS, MOST_ROPES = 100, 200
 MOST_NODES = 200_000
@@ -163,13 +164,27 @@ def cut(scene: Scene, layout: Layout, segment: int) -> Edit:
         for low, high, new in ends:
             if low <= node <= high:
                 anchors.append(anchor.replace(rope=new, node=node - low))
+    joints = [one for joint in scene.joints if (one := _retied(joint, rope, ends)) is not None]
     kept = np.ones(layout.nodes, dtype=bool)
     kept[span.start : span.end + 1] = False
     for low, high, _ in ends:
         kept[span.start + low : span.start + high + 1] = True
     note = "" if len(ends) == 2 else "the last node is no rope any more and was dropped"
-    made = scene.replace(ropes=ropes, anchors=anchors)
+    made = scene.replace(ropes=ropes, anchors=anchors, joints=joints)
     return Edit(made, np.flatnonzero(kept).astype(np.float64), note)
+
+
+def _retied(joint: Joint, rope: Rope, ends: Sequence[tuple[int, int, str]]) -> Joint | None:
+    """Return a joint with the nodes of a cut rope in its parts; None where it ties no two any more."""
+    points = []
+    for tie in joint.points:
+        node = rope.node_index(tie.node) if tie.rope == rope.name else 0
+        if tie.rope != rope.name:
+            points.append(tie)
+        for low, high, new in ends if tie.rope == rope.name else ():
+            if low <= node <= high:
+                points.append(tie.replace(rope=new, node=node - low))
+    return joint.replace(points=points) if len(points) > 1 else None
 
 
 def _two_names(scene: Scene, name: str) -> tuple[str, str]:

@@ -132,6 +132,7 @@ def _refused(model: Model) -> list[tuple[str, str]]:
     scene, system = model.scene, model.system
     found = [(name, name) for name in (*SECTIONS, "limiter") if getattr(scene, name) is not None]
     found += [("winch", "winches")] if scene.winches else []
+    found += [("joint", "joints")] if scene.joints else []
     found += [("rope.made_of.EI", "bending stiffness")] if system.flags[BENDING] else []
     found += [("rope.force", "constant forces")] if model.state.forces.applied.any() else []
     found += [("rope.made_of", "rigid links")] if any(rope.rigid for rope in scene.ropes) else []

@@ -5,7 +5,19 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from ropewalk.scene import Anchor, Force, Kick, Load, Points, Polyline, Rope, Scene, Springs
+from ropewalk.scene import (
+    Anchor,
+    Fault,
+    Force,
+    Kick,
+    Load,
+    Points,
+    Polyline,
+    Rope,
+    Scene,
+    SceneError,
+    Springs,
+)
 
 _MOST_PIECES = 10  # between anchors; more of them would leave too few numbers to choose from
 
@@ -44,9 +56,14 @@ def resegment(scene: Scene, index: int, segments: int) -> Scene:
 
     Length, mass and EA stay; so do friction times segment length and the places of anchors and loads.
     With springs, whose every node weighs the same, the ends' share of the mass changes a little.
-    Raises SceneError when two anchors would hold the same node.
+    Raises SceneError when two anchors would hold the same node, and for a rope that joints tie.
     """
     rope = scene.ropes[index]
+    if segments != rope.segments and any(
+        tie.rope == rope.name for joint in scene.joints for tie in joint.points
+    ):
+        rule = "cannot be changed while joints tie the rope: its nodes are theirs"
+        raise SceneError([Fault(f"rope[{index}].segments", segments, rule)])
     segments = fitting(scene, rope, segments)
     if segments == rope.segments:
         return scene

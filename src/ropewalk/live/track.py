@@ -20,6 +20,7 @@ from ropewalk.live.hands import CONTROL, Hands
 from ropewalk.live.parameters import named, refusal
 from ropewalk.live.seen import Interval
 from ropewalk.lowering import Plan, build
+from ropewalk.lowering.joints import tied_with
 from ropewalk.methods.recording import CONSERVATIVE, bends, work_names
 from ropewalk.scene import Scene
 from ropewalk.simulation import Simulation, Snapshot
@@ -194,16 +195,20 @@ class Track:
 
     def _give(self, index: int, velocity: Floats) -> None:
         before = self.energy
-        self.simulation.arrays.v[:, index] = velocity
+        state = self.simulation.arrays
+        nodes = tied_with(self.simulation.system.joints, state.tied, index)
+        state.v[:, nodes] = velocity[:, None]
         self.simulation.arrays.past[0] = 0.0  # a multistep method begins anew
         self.simulation.push({})  # brings forces and accelerations up to date
         self.edited += self.energy - before
 
     def holder(self, index: int) -> str | None:
-        """Return the name of the anchor that holds a node, if one does."""
+        """Return the name of the anchor that holds a node, or one that is tied to it, if one does."""
+        state = self.simulation.arrays
+        nodes = tied_with(self.simulation.system.joints, state.tied, index)
         for name, handle in self.simulation.anchors.items():
             row = self.simulation.layout.anchor_names.index(name)
-            if handle.holds and int(self.simulation.arrays.anchor_node[row]) == index:
+            if handle.holds and state.anchor_node[row] in nodes:
                 return name
         return None
 

@@ -31,17 +31,18 @@ class Model:
     )
 
 
-def build(scene: Scene, pieces: Pieces | None = None) -> Model:
+def build(scene: Scene, pieces: Pieces | None = None, *, drawn: bool = True) -> Model:
     """Build a scene. Raises SceneError when it cannot be planned, TypeError for what is no scene.
 
-    `pieces` of earlier builds save those that are the same again; the model has the same bits.
+    `pieces` of earlier builds save those that are the same again; the model has the same bits. With `drawn`
+    off the ropes get other places than their shapes say, so that joints need not fit those.
     """
     if not isinstance(scene, Scene):
         raise TypeError(f"{scene!r} is no scene; rw.preset(name) and rw.load(path) give one")
     keep = Pieces() if pieces is None else pieces
     keep.made.clear()
     layout = keep("layout", _itself, make_layout(scene))
-    system, state = make_tables(scene, layout, keep)
+    system, state = make_tables(scene, layout, keep, drawn=drawn)
     plan = make_plan(scene, system, state)
     zero = -float(system.gravity @ (state.x * state.mass).sum(axis=1))
     return Model(scene, system, state, layout, plan, zero)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ropewalk.core.arrays import Floats, Joints, State
+from ropewalk.core.arrays import Floats, Ints, Joints, State
 from ropewalk.lowering.layout import Layout
 from ropewalk.scene import Joint, Rope, Scene, SceneError, Tie
 from ropewalk.scene.faults import Fault
@@ -82,3 +82,12 @@ def _name(tie: Tie) -> str:
 
 def _place(x: Floats) -> str:
     return f"({x[0]:.6g}, {x[1]:.6g}, {x[2]:.6g})"
+
+
+def tied_with(joints: Joints, tied: Ints, node: int) -> Ints:
+    """Return the nodes that are tied to one now, itself included, as indices of the arrays."""
+    for j in np.flatnonzero(tied):
+        member = joints.member[joints.first[j] : joints.first[j + 1]]
+        if node in member:
+            return member
+    return np.array([node])

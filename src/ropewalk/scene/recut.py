@@ -23,7 +23,7 @@ class Recut(NamedTuple):
 def recut(scene: Scene) -> Recut:
     """Return the scene with half the segments; with twice as many where nodes would be lost.
 
-    Nodes that anchors, loads and forces name stay where they are on the rope.
+    Nodes that anchors, joints, loads and forces name stay where they are on the rope.
     """
     for rope in scene.ropes:
         if isinstance(rope.made_of, Springs):
@@ -40,6 +40,7 @@ def _named(scene: Scene, rope: Rope) -> list[int]:
     """Return the nodes of a rope that something of the scene names, counted from 0."""
     own = [load.node for load in rope.loads] + [force.node for force in rope.forces]
     own += [anchor.node for anchor in scene.anchors if anchor.rope == rope.name]
+    own += [tie.node for joint in scene.joints for tie in joint.points if tie.rope == rope.name]
     return [rope.node_index(node) for node in own]
 
 
@@ -65,7 +66,11 @@ def _cut(scene: Scene, *, half: bool) -> Scene:
             changes["shape"] = rope.shape.replace(points=_thinned(rope.shape.points, half))
         ropes.append(rope.replace(**changes))
     anchors = [moved(scene.rope_named(anchor.rope), anchor) for anchor in scene.anchors]
-    return scene.replace(ropes=ropes, anchors=anchors)
+    joints = [
+        joint.replace(points=[moved(scene.rope_named(tie.rope), tie) for tie in joint.points])
+        for joint in scene.joints
+    ]
+    return scene.replace(ropes=ropes, anchors=anchors, joints=joints)
 
 
 def _thinned(points: Any, half: bool) -> list[Any]:

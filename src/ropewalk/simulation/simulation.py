@@ -44,9 +44,9 @@ LONGEST_BLOCK = 2048  # frames
 
 #: What a Simulation offers to those who step it; `dir` shows these alone.
 PUBLIC = (
-    "advance_frames", "advance_steps", "anchors", "applied_forces", "apply_force", "failure", "frames",
-    "layout", "ledger", "plan", "positions", "reactions", "reason", "reset", "restore", "scene", "state",
-    "step", "step_counts", "tension", "time", "velocities", "view", "winches",
+    "advance_frames", "advance_steps", "anchors", "applied_forces", "apply_force", "cut_joint", "failure",
+    "frames", "layout", "ledger", "plan", "positions", "reactions", "reason", "reset", "restore", "scene",
+    "state", "step", "step_counts", "tension", "time", "velocities", "view", "winches",
 )  # fmt: skip
 
 
@@ -355,6 +355,17 @@ class Simulation(Driven):
         """Let the winch in a `row` turn at `speed` [m/s] from now on, whatever the scene told it."""
         self._drive[:, row] = speed, -math.inf, math.inf
         self._begin_anew(int(self.system.winches.anchor[row]))
+
+    def cut_joint(self, name: str) -> None:
+        """Let the nodes of a joint go their own ways from now on. Raises KeyError for no such joint."""
+        joints, state = self.system.joints, self._state
+        j = self.scene.joints.index(self.scene.joint_named(name))
+        member = joints.member[joints.first[j] : joints.first[j + 1]]
+        state.tied[j], state.past[0] = 0, 0.0
+        held = state.anchor_node[state.held == 1]
+        state.inverse_mass[member] = 1.0 / state.mass[member]
+        state.inverse_mass[held] = 0.0
+        self._prepare()
 
     def _begin_anew(self, row: int) -> None:
         """Let the adaptive method walk on from the state that is shown, where anchor `row` holds a rope."""
