@@ -13,6 +13,7 @@ from ropewalk.analysis.apart import Torn, jerks, torn_apart
 from ropewalk.analysis.bending_notes import bending_warnings
 from ropewalk.analysis.cost import seconds_per_step
 from ropewalk.analysis.json_values import plain
+from ropewalk.analysis.obstacle_notes import obstacle_warnings
 from ropewalk.analysis.plan_notes import plan_notes
 from ropewalk.analysis.stability import Stability, milliseconds, rounded_down, stability
 from ropewalk.analysis.strains import breaking_warnings, overlong_at_start, percent, strain_warnings
@@ -308,7 +309,7 @@ def _warnings(
                 f"rope {rope.name!r}: {rope.short} of {rope.segments} segments start shorter than "
                 "their rest length"
             )
-        if rope.slack:
+        if rope.slack and not model.layout.more:
             warnings.append(
                 f"rope {rope.name!r}: {rope.slack} of {rope.segments} segments carry no tension "
                 "at rest"
@@ -319,7 +320,7 @@ def _warnings(
     ]
     warnings += strain_warnings(model, statics, ropes) + breaking_warnings(ropes)
     warnings += _limiter_warnings(model, statics) + _rest_warnings(statics)
-    warnings += bending_warnings(model)
+    warnings += bending_warnings(model) + obstacle_warnings(model)
     return warnings + plan_notes(model) + unit_slips(model)
 
 

@@ -170,6 +170,9 @@ class State(NamedTuple):
     )
     tied: Ints  # (j,) 1 while the joint ties its nodes
     joint_force: Floats  # (p, 3) force of a joint on each of its nodes, mean over the last step [N]
+    now: Floats  # (2,) time of the forces in hand, and of what laws of nodes remember [s]
+    jolt: Floats  # (1,) 1 where something was hit in the last step: a method that rings goes on softly
+    memory: Any  # by name of the law of nodes, (0,) of one without
     forces: Forces
     work: Work
     most: Floats  # (a + 1,) largest work so far of every anchor, and of all winches [J]

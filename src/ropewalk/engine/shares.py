@@ -21,6 +21,7 @@ from ropewalk.methods.recording import (
     energy_names,
     make_recording,
     record_frame,
+    remembering,
     work_names,
 )
 from ropewalk.methods.scratch import make_sums
@@ -45,7 +46,8 @@ WINCHES = ("winch_exit", "winch_rate", "winch_debt", "winch_paid")
 JOINTS, POINTS = ("tied",), ("joint_force",)
 # Of all ropes together; and what is each island's own: the verdict, a method's memory.
 SUMS = ("work.limiter", "work.winch")
-OWN = ("past", "most", "balance")
+OWN = ("past", "now", "jolt", "most", "balance")
+MEMORY = "memory."  # of laws of nodes
 PEAKS = "peaks."  # every island looks at its own steps
 SEGMENTS_RECORDED = (
     *("tension", "elastic_tension", "rest_length"),
@@ -58,7 +60,7 @@ ADDED = (
     *("energy", "work", "jump", "momentum", "angular_momentum", "moment", "moment_high"),
     *("error_range", "error_times"),
 )
-NODES_RECORDED = ("x", "v", "speed_high", "lowest", "highest")
+NODES_RECORDED = ("x", "v", "speed_high", "lowest", "highest", "contact")
 INDICES = ("anchor_node", "winch_exit")  # hold indices of nodes
 _COUNTED = (NODES, SEGMENTS, BETWEEN, ANCHORS, WINCHES, JOINTS, POINTS)
 _KINDS = {name: kind for kind in _COUNTED for name in kind}
@@ -120,7 +122,7 @@ class Share:
 
         First in the whole, then in the share. Raises KeyError for an array that nobody has placed.
         """
-        return self._spots[_KINDS[name]]
+        return self._spots[NODES if name.startswith(MEMORY) else _KINDS[name]]
 
     def rows(self, name: str) -> Ints:
         """Return where the entries of an array lie in the whole, as indices."""
@@ -249,7 +251,7 @@ GONE = (
         "stretch_high",
         "speed_high",
     ),
-    *("lowest", "highest", "reaction", "reaction_high", "moment", "moment_high"),
+    *("lowest", "highest", "reaction", "reaction_high", "moment", "moment_high", "contact"),
     "joint_force",
     *("extremes", "extreme_since", "extreme_until"),
 )
@@ -309,7 +311,7 @@ def gather_peaks(shares: list[Share], own: list[State], whole: State) -> None:
 
 def _columns(state: State) -> tuple[tuple[str, ...], tuple[str, ...]]:
     """Return the columns of energies and of works of a state's recording."""
-    return energy_names(bends(state)), work_names(bends(state))
+    return energy_names(bends(state)), work_names(bends(state), remembering(state))
 
 
 def _collect_lines(out: Recording, frames: int, share: Share, found: Recording) -> None:

@@ -12,6 +12,7 @@ from ropewalk.laws.clamps import start_clamps
 from ropewalk.lowering import Model
 from ropewalk.lowering.limiter_bounds import with_bounds
 from ropewalk.lowering.link_lengths import with_links
+from ropewalk.lowering.system import with_memory
 from ropewalk.methods.recording import bends
 from ropewalk.scene import SceneError
 from ropewalk.scene.faults import Fault
@@ -36,12 +37,17 @@ def started(model: Model) -> Model:
         return model
     run = model.scene.run
     if run.start != "at-rest":
-        return replace(with_bounds(with_links(model)), started=True)
+        return _remembering(with_bounds(with_links(model)))
     state = arrays.copy(model.state)
     state.x[...] = checked_shape(model).positions.T
     if run.ring is not None:
         state.v[...] += run.ring.speed * _velocity(model, run.ring)
-    return replace(with_bounds(with_links(replace(model, state=state))), started=True)
+    return _remembering(with_bounds(with_links(replace(model, state=state))))
+
+
+def _remembering(model: Model) -> Model:
+    """Return the model, started: laws of nodes remember the places in which it does."""
+    return replace(model, state=with_memory(model.system, model.state), started=True)
 
 
 def _velocity(model: Model, ring: Ring) -> Floats:

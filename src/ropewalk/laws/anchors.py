@@ -15,7 +15,7 @@ from ropewalk.core.ranges import ALL
 from ropewalk.laws.clamps import close_clamps, let_bend, turn_clamps
 from ropewalk.laws.joint_forces import write_joint_forces
 from ropewalk.laws.joints import follow, tie, tied_to
-from ropewalk.laws.nodes import hold_up
+from ropewalk.laws.nodes import hold_up, remember_step
 from ropewalk.laws.table import force_on_node
 from ropewalk.motions.table import HAND, place
 
@@ -73,6 +73,7 @@ def anchor_places(system, state, row, times, x, v, places):
 @part
 def place_stage(system, state, t, ahead, x, v, point, speed):
     """Put the held nodes of a stage's arrays where their anchors are at the stage's time."""
+    state.now[0] = t
     for row in range(state.held.shape[0]):
         if state.held[row] == 1:
             anchor_target(system, state, row, t, ahead, point, speed)
@@ -88,7 +89,10 @@ def place_stage(system, state, t, ahead, x, v, point, speed):
 
 @part
 def move_anchors(system, state, forces, t, dt, middle, point, speed, lo=0, hi=ALL):
-    """Move the held nodes to the end of the step at time `t`; book reaction and work."""
+    """Move the held nodes to the end of the step at time `t`; book reaction and work.
+
+    So every method ends a step that it accepts: laws with a memory keep what they need of it.
+    """
     order = system.anchors.order
     for index in range(first_index(order, state, lo), last_index(order, state, hi)):
         row = max(order[index], 0)  # never negative: saves numba's checks of every index
@@ -122,6 +126,7 @@ def move_anchors(system, state, forces, t, dt, middle, point, speed, lo=0, hi=AL
         state.most[row] = max(state.most[row], abs(state.work.anchors[row]))
     write_joint_forces(system, state, forces, middle, dt)
     close_clamps(system, state, t, dt)
+    remember_step(system, state, t)
 
 
 @part

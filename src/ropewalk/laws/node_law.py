@@ -4,7 +4,8 @@ A law of nodes puts a force on every node that follows from the places and veloc
 neighbours. It is one file that ends in a `NodeLaw`, and an entry in `registry`; `nodes` folds the parts of
 all laws into one function each, so that a registered law costs what a call by name did. Its table is
 `system.node.NAME`, its force `forces.node.NAME` (3, n) [N], its work `work.node.NAME` (n,) [J]; the work is
-recorded under its name.
+recorded under its name. What it remembers of the last accepted step is `state.memory.NAME`. `state.now` holds
+the time for which forces are evaluated, and that of the last accepted step [s].
 
 Parts are compiled (`core.jit.part`) and get the law's table first, of a law that acts. Those that are None
 are left out.
@@ -34,7 +35,7 @@ class NodeLaw(NamedTuple):
     name: str
     section: str  # the field of the scene that it is made from
     lower: Callable[..., Any]  # (section or None, *inputs): its table, a named tuple
-    inputs: tuple[str, ...]  # what else that follows from: "layout", "diameters", "up"
+    inputs: tuple[str, ...]  # what else that follows from: "layout", "diameters", "ropes", "up"
     acts: Callable[[Any], bool]  # (table): whether there is any force
     force: Any  # part (table, state, x, v, force, lo, hi): write it, for nodes `lo` to `hi - 1`
     # part (table, state, x, v, weight_x, weight_v, marks, band): add -(weight_x dF/dx + weight_v dF/dv)
@@ -55,11 +56,26 @@ class NodeLaw(NamedTuple):
     energy: Any = None  # part (table, x): potential energy [J], which its work takes up
     power: Any = None  # part (table, x): the most that it can put in per time beyond that [W]
 
+    # A law with a memory. It is part of the state, and so of snapshots, islands and checkpoints.
+    # (table, x, stiffness of the segments): at the start, a named tuple of arrays; the last axis counts nodes
+    memory: Callable[..., Any] | None = None
+    remember: Any = (
+        None  # part (table, state): write it, where a step was accepted; return what it hit
+    )
+    hits: Any = None  # part (table, state, x, v): what is hit in a step from the state to there
+    touch: Any = (
+        None  # part (table, state, force): add what touches the nodes at the state [N], (3, n)
+    )
+    rounding: Any = (
+        None  # part (table, x): what rounding of the places does to the force of a stiff one [N]
+    )
+
     hold_up: Any = (
         None  # part (table, x, v): put an anchor, (3,) each, on the surface that stops it
     )
 
     # For the host.
+    kinks: Callable[[Any], Floats] | None = None  # (table): when what it does changes abruptly [s]
     at_rest: Callable[[Any], Rest] | None = None  # (table), of a law that acts; None: HOLDS
     bears: Callable[[Any, Floats], Any] | None = None  # (table, x): which nodes lie on it, (n,)
     flow: Callable[[Any], Floats] | None = None  # (table): velocity of what flows [m/s], (3,)

@@ -230,6 +230,99 @@ hold_up = fold(_stopping, _no_stop, "hold_up")
 """hold_up(system, x, v): put an anchor that was moved too far on the surfaces that stop it, (3,) each."""
 
 
+# -- memory ----------------------------------------------------------------------------------
+
+
+@part
+def _nothing_to_remember(system, state):
+    return 0.0
+
+
+def _remembering(law: NodeLaw, k: int, rest: Any) -> Any:
+    remember = law.remember
+
+    @part
+    def _remember_nodes(system, state):
+        hits = rest(system, state)
+        if system.acts[k] == 1:
+            hits += remember(system.node[k], state)
+        return hits
+
+    return _remember_nodes
+
+
+_remember_all = fold(_remembering, _nothing_to_remember, "remember")
+
+
+@part
+def remember_step(system, state, t):
+    """Let the laws keep what they need of a step that is accepted, at its end at time `t` [s]."""
+    state.now[0] = t
+    hits = _remember_all(system, state)
+    state.now[1] = t
+    state.jolt[0] = 1.0 if hits > 0.0 else 0.0
+
+
+@part
+def _nothing_hit(system, state, x, v):
+    return 0.0
+
+
+def _hitting(law: NodeLaw, k: int, rest: Any) -> Any:
+    hits = law.hits
+
+    @part
+    def _hits(system, state, x, v):
+        found = rest(system, state, x, v)
+        if system.acts[k] == 1:
+            found += hits(system.node[k], state, x, v)
+        return found
+
+    return _hits
+
+
+hits = fold(_hitting, _nothing_hit, "hits")
+"""hits(system, state, x, v): return how many contacts close in a step from the state to there."""
+
+
+@part
+def _nothing_touches(system, state, force):
+    pass
+
+
+def _touching(law: NodeLaw, k: int, rest: Any) -> Any:
+    touch = law.touch
+
+    @part
+    def _touch_nodes(system, state, force):
+        if system.acts[k] == 1:
+            touch(system.node[k], state, force)
+        rest(system, state, force)
+
+    return _touch_nodes
+
+
+touch_nodes = fold(_touching, _nothing_touches, "touch")
+"""touch_nodes(system, state, force): write what touches the nodes at the state [N], (3, n)."""
+
+
+@part
+def _none_remembers(system):
+    return False
+
+
+def _asking(law: NodeLaw, k: int, rest: Any) -> Any:
+    @part
+    def _remembers(system):
+        return system.acts[k] == 1 or rest(system)
+
+    return _remembers
+
+
+remembers = fold(_asking, _none_remembers, "remember")
+"""remembers(system): tell whether a law that acts has a memory."""
+
+
 # -- energy ----------------------------------------------------------------------------------
 
 
@@ -258,6 +351,8 @@ node_energy = _adding_up("energy")
 """node_energy(system, x): return the potential energy of all laws [J]."""
 node_power = _adding_up("power")
 """node_power(system, x): return the most that they can put in per time beyond that [W]."""
+node_rounding = _adding_up("rounding")
+"""node_rounding(system, x): return what rounding of the places does to the forces of stiff laws [N]."""
 
 
 # -- channels --------------------------------------------------------------------------------

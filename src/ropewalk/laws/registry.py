@@ -8,11 +8,12 @@ from typing import Any
 from ropewalk.laws.air import AIR
 from ropewalk.laws.ground import GROUND
 from ropewalk.laws.node_law import NodeLaw
+from ropewalk.laws.obstacle import OBSTACLE
 
 #: Forces are summed and works recorded in this order.
-NODE_LAWS: tuple[NodeLaw, ...] = (AIR, GROUND)
+NODE_LAWS: tuple[NodeLaw, ...] = (AIR, GROUND, OBSTACLE)
 
 NAMES = tuple(law.name for law in NODE_LAWS)
 _named: Any = namedtuple  # mypy wants the names in letters
 NodeTables: Any = _named("NodeTables", NAMES, module=__name__)  # of `System.node`
-NodeArrays: Any = _named("NodeArrays", NAMES, module=__name__)  # of `Forces.node` and `Work.node`
+NodeArrays: Any = _named("NodeArrays", NAMES, module=__name__)  # of forces, works and memories

@@ -8,7 +8,7 @@ from ropewalk.core.ranges import ALL, rows
 from ropewalk.laws.bending import bending_forces, bending_friction
 from ropewalk.laws.clamps import clamp_forces
 from ropewalk.laws.joints import are_tied, tie
-from ropewalk.laws.nodes import add_node_force, any_acts, node_forces, on_channels
+from ropewalk.laws.nodes import add_node_force, any_acts, node_forces, on_channels, remembers
 from ropewalk.laws.stretch import (
     axial_friction,
     drop_slack_friction,
@@ -189,8 +189,11 @@ def add_up_and_look(system, state, x, v, total, rubs, over, height, lo, hi):
 
 @part
 def reaches_neighbours_only(system):
-    """Tell whether a node's acceleration depends on itself and the nodes next to it alone."""
-    return system.flags[BENDING] == 0 and not are_tied(system)
+    """Tell whether a node's acceleration depends on itself and the nodes next to it alone.
+
+    A law with a memory keeps it of whole steps, and so of all nodes at once.
+    """
+    return system.flags[BENDING] == 0 and not are_tied(system) and not remembers(system)
 
 
 @part

@@ -59,7 +59,7 @@ class Recorded:
         result = self.result
         positions, velocities = data["positions"][row], data["velocities"][row]
         energy, work = data["energy"][row], data["work"][row]
-        losses, gifts = losses_and_gifts(work, result.layout.bends)
+        losses, gifts = losses_and_gifts(work, result.layout.bends, result.layout.more)
         total = float(energy.sum())
         heights = positions @ np.array(result.scene.up)
         tension = data["tension"][row]

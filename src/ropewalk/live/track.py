@@ -216,7 +216,9 @@ class Track:
 
     def books(self, energy: float, work: Floats) -> tuple[float, float, float]:
         """Return lost, put in, and the method's error [J], of total energy and work by law and anchor."""
-        losses, gifts = losses_and_gifts(work, bends(self.simulation.arrays))
+        losses, gifts = losses_and_gifts(
+            work, bends(self.simulation.arrays), self.simulation.layout.more
+        )
         gifts += self.edited
         return -losses, gifts, energy - self.first_energy - losses - gifts
 
@@ -266,9 +268,9 @@ class Track:
         return made
 
 
-def losses_and_gifts(work: Floats, bending: bool) -> tuple[float, float]:
+def losses_and_gifts(work: Floats, bending: bool, more: tuple[str, ...]) -> tuple[float, float]:
     """Return the work [J] of what takes energy out, and of all else but springs and weight."""
-    names = work_names(bending)
+    names = work_names(bending, more)
     losses = float(sum(work[i] for i, name in enumerate(names) if name in LOSSES))
     kept = float(sum(work[i] for i, name in enumerate(names) if name in CONSERVATIVE))
     return losses, float(work.sum()) - losses - kept

@@ -7,6 +7,7 @@ from bisect import bisect_left
 from dataclasses import dataclass
 from functools import cached_property
 
+from ropewalk.laws.registry import NODE_LAWS
 from ropewalk.scene import Rope, Scene, Winch
 from ropewalk.scene.base import MOST_ON_DRUM
 
@@ -52,6 +53,7 @@ class Layout:
     bends: bool = False  # whether any rope has bending stiffness
     clamped: bool = False  # whether any anchor holds a direction
     ties: tuple[str, ...] = ()  # what each joint ties: "joint0:rope[4]"
+    more: tuple[str, ...] = ()  # names of the laws of nodes with a memory, where there are any
 
     @property
     def segments(self) -> int:
@@ -129,6 +131,11 @@ def make_layout(scene: Scene) -> Layout:
         any(rope.bending_stiffness > 0.0 for rope in scene.ropes),
         any(anchor.clamp is not None for anchor in scene.anchors),
         ties,
+        tuple(
+            law.name
+            for law in NODE_LAWS
+            if law.memory is not None and getattr(scene, law.section, None)
+        ),
     )
 
 

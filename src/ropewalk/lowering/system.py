@@ -48,9 +48,27 @@ def make_tables(
         join(scene, layout, state)
     system = _system(scene, layout, state, keep)
     system, state = add_bending(scene, layout, system, state, keep)
-    system = system._replace(kinks=keep("kinks", kink_times, system.anchors, system.bending))
+    turns = tuple(
+        law.kinks(table)
+        for law, table in zip(NODE_LAWS, system.node, strict=True)
+        if law.kinks is not None
+    )
+    kinks = keep("kinks", kink_times, system.anchors, system.bending, *turns)
+    system = system._replace(kinks=kinks)
     _hold(system, state, keep)
-    return system, state
+    return system, with_memory(system, state)
+
+
+def with_memory(system: System, state: State) -> State:
+    """Return the state with what laws of nodes remember where it stands: nothing has moved yet."""
+    return state._replace(
+        memory=NodeArrays(
+            *(
+                np.zeros(0) if law.memory is None else law.memory(table, state.x, state.stiffness)
+                for law, table in zip(NODE_LAWS, system.node, strict=True)
+            )
+        )
+    )
 
 
 def line_density(rope: Rope) -> float:
@@ -193,6 +211,9 @@ def _ropes(scene: Scene, layout: Layout, keep: Pieces) -> State:
         moment=np.zeros((0, 6)),
         tied=np.ones(len(scene.joints), np.int64),
         joint_force=np.zeros((sum(len(joint.points) for joint in scene.joints), 3)),
+        now=np.zeros(2),
+        jolt=np.zeros(1),
+        memory=NodeArrays(*(np.zeros(0) for _ in NODE_LAWS)),
         forces=_no_forces(n, applied, scene.limiter is not None),
         work=_no_work(s, n, a),
         most=np.zeros(a + 1),
@@ -264,7 +285,8 @@ def _system(scene: Scene, layout: Layout, state: State, keep: Pieces) -> System:
 def _node_tables(scene: Scene, layout: Layout, keep: Pieces) -> Any:
     """Return the tables of the laws of nodes, each made from its section of the scene."""
     thick = tuple(rope.diameter for rope in scene.ropes)
-    inputs: dict[str, Any] = {"layout": layout, "diameters": thick, "up": scene.up}
+    inputs: dict[str, Any] = {"layout": layout, "diameters": thick}
+    inputs |= {"up": scene.up, "ropes": scene.ropes}
     return NodeTables(
         *(
             keep(

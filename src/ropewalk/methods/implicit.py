@@ -1,8 +1,9 @@
 """Implicit methods: tables of coefficients over the stage solve of `stage`.
 
 One kernel serves all; `tableaus` has the coefficients. A step that finds no solution, or makes up energy,
-is taken in halves, and these in halves again, by implicit Euler. The work ledger is exact: every method's
-change of momentum is the step times a mean of forces,
+is taken in halves, and these in halves again, by implicit Euler. So are, in one piece, a step in which a
+contact closes and the next one: else the impulse would be taken for a force that lasts. The work
+ledger is exact: every method's change of momentum is the step times a mean of forces,
     DIRK                m (v1 - v0) = h sum b_s F_s
     BDF2                m (v1 - v0) = h (F' / 3 + 2/3 F),   F' the mean of the step before
     generalized-alpha   m (v1 - v0) = h ((1 - gamma) G' + gamma G),   (1 - alpha_m) G + alpha_m G' = F
@@ -17,13 +18,14 @@ import numpy as np
 from ropewalk.core.arrays import BENDING, Floats, Forces, State, blank
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.ranges import ALL
-from ropewalk.core.status import OK, UNSOLVED
+from ropewalk.core.status import HIT, OK, UNSOLVED
 from ropewalk.laws.anchors import move_anchors, place_stage
 from ropewalk.laws.ledger import account
-from ropewalk.laws.nodes import on_channels
+from ropewalk.laws.nodes import hits, on_channels
 from ropewalk.laws.table import accelerate
 from ropewalk.methods import tableaus
 from ropewalk.methods.gain import makes_up_energy
+from ropewalk.methods.generalized_alpha import end_alpha, prepare_alpha
 from ropewalk.methods.loop import make_advance, prepare_links
 from ropewalk.methods.scratch import (
     add,
@@ -148,42 +150,6 @@ def prepare_bdf2(system, state, scratch, dt):
 
 
 @part
-def prepare_alpha(state, scratch, numbers, dt):
-    """Write what is known of generalized-alpha's stage, at t + (1 - alpha_f) h.
-
-    With a' at the step's start and a at its end, both filtered, and q = (1 - alpha_f) h
-        X = x + q v + q h ((1/2 - beta) a' + beta a),   V = v + q ((1 - gamma) a' + gamma a)
-        (1 - alpha_m) a + alpha_m a' = F / m .
-    """
-    stage, before = scratch.stage, state.acceleration
-    am, af, beta, gamma = numbers[0], numbers[1], numbers[2], numbers[3]
-    ahead = (1.0 - af) * dt
-    c1, c2 = beta / gamma * dt, ahead * gamma / (1.0 - am)
-    axpy(state.v, ahead * (1.0 - gamma) - c2 * am, before, stage.v_known)
-    axpy(state.x, ahead - c1, state.v, stage.x_known)
-    add(before, ahead * dt * (0.5 - beta) - c1 * ahead * (1.0 - gamma), stage.x_known)
-    put(before, stage.a)
-    return c1, c2
-
-
-@part
-def end_alpha(system, state, scratch, numbers, dt):
-    """Write the end of generalized-alpha's step, its mean forces and its filtered ones."""
-    stage, mean, before = scratch.stage, scratch.mean, scratch.k[0]
-    am, beta, gamma = numbers[0], numbers[2], numbers[3]
-    add_forces(system, state.forces, (1.0 - gamma) - gamma * am / (1.0 - am), mean)
-    add_forces(system, stage.forces, gamma / (1.0 - am), mean)
-    put(state.acceleration, before)
-    _filter(system, state, stage.forces, am)
-    accelerate(system, state, state.forces, state.acceleration)
-    axpy(state.x, dt, state.v, stage.x)
-    add(before, dt * dt * (0.5 - beta), stage.x)
-    add(state.acceleration, dt * dt * beta, stage.x)
-    axpy(state.v, dt * (1.0 - gamma), before, stage.v)
-    add(state.acceleration, dt * gamma, stage.v)
-
-
-@part
 def end_dirk(state, scratch, A, b, dt):
     """Write the end of a DIRK step: the last stage, or the sum over all where it is not the end.
 
@@ -204,9 +170,10 @@ def end_dirk(state, scratch, A, b, dt):
 
 @part
 def end_stages(system, state, scratch, dt, watch, kind, A, b):
-    """Write the end of a DIRK or BDF2 step, its forces and accelerations; return whether it may stand.
+    """Write the end of a DIRK or BDF2 step, its forces and accelerations; return OK where it may stand.
 
-    With `watch` a step that makes up energy may not.
+    With `watch` a step that makes up energy may not, nor one in which something is hit, but by implicit
+    Euler, and but for steps as short as their error asks for.
     """
     stage, mean, ends_here = scratch.stage, scratch.mean, True
     if kind == BDF2:
@@ -215,20 +182,29 @@ def end_stages(system, state, scratch, dt, watch, kind, A, b):
     else:
         ends_here = end_dirk(state, scratch, A, b, dt)
     if watch and ends_here and makes_up_energy(system, state, stage, mean, dt):
-        return False
+        return UNSOLVED
+    free = stage.saddle.band.frozen[0] == 0 and not is_soft(kind, A)
+    if watch and free and hits(system, state, stage.x, stage.v) > 0.0:
+        return HIT
     if kind == BDF2:
         put_forces(system, mean, state.forces)
     else:
         put_forces(system, stage.forces, state.forces)
     put(stage.a, state.acceleration)
-    return True
+    return OK
+
+
+@part
+def is_soft(kind, A):
+    """Tell whether a step is one of implicit Euler, which lets nothing bounce."""
+    return kind == DIRK and A.shape[0] == 1 and A[0, 0] == 1.0
 
 
 @kernel
 def take_step(system, state, scratch, t, after, dt, ledger, watch, kind, A, b, c, numbers):
-    """Take one step from time `t` [s]; return OK, or UNSOLVED with the state as it was.
+    """Take one step from time `t` [s]; return OK, or UNSOLVED or HIT with the state as it was.
 
-    With `watch` a step that makes up energy counts as unsolved.
+    With `watch` a step that makes up energy counts as unsolved, and one that hits something is told.
     """
     stage, mean = scratch.stage, scratch.mean
     clear_forces(system, mean)
@@ -271,8 +247,10 @@ def take_step(system, state, scratch, t, after, dt, ledger, watch, kind, A, b, c
             add_forces(system, stage.forces, b[s], mean)
     if kind == GENERALIZED_ALPHA:
         end_alpha(system, state, scratch, numbers, dt)
-    elif not end_stages(system, state, scratch, dt, watch, kind, A, b):
-        return UNSOLVED
+    else:
+        status = end_stages(system, state, scratch, dt, watch, kind, A, b)
+        if status != OK:
+            return status
     middle = scratch.middle
     half_way(state.x, state.v, stage.x, stage.v, state.inverse_mass, middle, state.drift)
     move_anchors(system, state, mean, after, dt, middle, scratch.point, scratch.speed)
@@ -280,34 +258,6 @@ def take_step(system, state, scratch, t, after, dt, ledger, watch, kind, A, b, c
         account(system, state, mean, middle, dt)
     put_row(stage.tension, state.tension)
     return OK
-
-
-@kernel
-def blend(values, weight, others, other_weight):
-    """Write weight * values + other_weight * others into `values`, arrays (3, m)."""
-    for k in range(3):
-        row, more = values[k], others[k]
-        for i in range(row.shape[0]):
-            row[i] = weight * row[i] + other_weight * more[i]
-
-
-@part
-def _blend_channel(values, others, weight, other_weight, lo, hi):
-    blend(values, weight, others, other_weight)
-
-
-_blend_nodes = on_channels(_blend_channel)
-
-
-@part
-def _filter(system, state, forces, am):
-    """Put (F - am G) / (1 - am) in place of every filtered force G."""
-    old, new = -am / (1.0 - am), 1.0 / (1.0 - am)
-    blend(state.forces.elastic, old, forces.elastic, new)
-    blend(state.forces.friction, old, forces.friction, new)
-    if system.flags[BENDING] == 1:
-        blend(state.forces.bending, old, forces.bending, new)
-    _blend_nodes(system, state.forces.node, forces.node, old, new, 0, ALL)
 
 
 @kernel
@@ -344,7 +294,8 @@ def settle_reaction(total, reaction):
 def step(system, state, scratch, t, after, dt, ledger, tableau):
     """Advance the state by one step of `dt` from time `t` [s]; return OK or UNSOLVED.
 
-    The step is part `place` of 2^level parts; one that finds no solution is halved.
+    The step is part `place` of 2^level parts; one that finds no solution is halved. One that hits something,
+    and the next, are taken by implicit Euler.
     """
     kind, A, b, c = tableau.kind, tableau.A, tableau.b, tableau.c
     if not follows(dt, state.held, state.winch_exit, state.past) and kind == BDF2:
@@ -353,8 +304,12 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
             prepare_links(system, state, t, scratch.stage.saddle)
             state.past[0] = dt
     level, place = 0, 0
-    status = OK
+    fixed = scratch.stage.saddle.band.frozen[0] == 0
+    status = HIT if fixed and state.jolt[0] > 0.0 and not is_soft(kind, A) else OK
     while True:
+        if status == HIT:  # its impulse is not to be carried on as a force
+            kind, A, b, c = DIRK, scratch.rescue.A, scratch.rescue.b, scratch.rescue.c
+            state.past[0] = 0.0
         h = dt / 2.0**level
         begin = t + place * h
         end = after if place + 1 == 2**level else begin + h
@@ -386,6 +341,8 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
                 settle_reaction(scratch.reaction, state.reaction)
                 settle_reaction(scratch.joint_force, state.joint_force)
                 break
+        elif status == HIT:
+            continue
         elif level == MOST_HALVINGS:
             break
         else:

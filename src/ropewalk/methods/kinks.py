@@ -22,17 +22,18 @@ AT = 1e-6  # [1] a kink this near to an end of a step, over its length, is at th
 ROUNDING = 1e-15  # [1] ... or by this share of the time
 
 
-def kink_times(anchors: Anchors, bending: Bending) -> Floats:
+def kink_times(anchors: Anchors, bending: Bending, *laws: Floats) -> Floats:
     """Return the times of all kinks after time zero [s], sorted.
 
-    Starts and stops of motions and of turning clamps, corners of tables, and releases.
+    Starts and stops of motions and of turning clamps, corners of tables, releases, and what `laws` of nodes
+    add.
     """
     times = [anchors.params[anchors.kind == VELOCITY, 6:8].ravel(), anchors.release]
     for row in np.flatnonzero(anchors.kind == TABLE):
         first = anchors.table_start[row]
         times.append(_corners(anchors.table[first : first + anchors.table_rows[row]]))
     times.append(bending.turn[bending.clamped == 1, 1:].ravel())
-    return in_order(times)
+    return in_order([*times, *laws])
 
 
 def in_order(times: list[Floats]) -> Floats:

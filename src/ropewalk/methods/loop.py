@@ -25,6 +25,7 @@ from ropewalk.methods.watch import close_interval, open_interval, watch
 @kernel
 def prepare(system, state):
     """Evaluate all forces and accelerations at the state itself; what a method kept is void."""
+    state.now[0] = state.now[1]
     evaluate(system, state, state.x, state.v, state.forces)
     if system.limiter.active == 1:
         clear(state.forces.limiter)

@@ -13,13 +13,14 @@ from ropewalk.core.jit import kernel, part
 from ropewalk.core.ranges import rows
 from ropewalk.laws.clamps import bent_energy
 from ropewalk.laws.node_law import NodeLaw
-from ropewalk.laws.nodes import fold
-from ropewalk.laws.registry import NAMES
+from ropewalk.laws.nodes import fold, touch_nodes
+from ropewalk.laws.registry import NODE_LAWS
 from ropewalk.methods.peaks import record_peaks
 from ropewalk.methods.scratch import LANES, clear_row, put
 
 ENERGIES = ("kinetic", "gravity", "elastic")
-LAWS = ("elastic", "friction", "weight", *NAMES, "applied", "limiter", "winch")
+_EVER = tuple(law.name for law in NODE_LAWS if law.memory is None)
+LAWS = ("elastic", "friction", "weight", *_EVER, "applied", "limiter", "winch")
 # What a system with bending stiffness has besides.
 BENT_ENERGIES = ("bending",)
 BENT_LAWS = ("bending", "clamps")
@@ -43,7 +44,7 @@ class Recording(NamedTuple):
     highest: Floats  # (f, n) greatest
     rest_length: Floats  # (f, s) [m]; (f, 0) without a winch
     energy: Floats  # (f, 3 or 4) kinetic, gravity, elastic and, where there is any, bending [J]
-    work: Floats  # (f, 8 or 10 + a) work by law, then by anchor [J]
+    work: Floats  # (f, 8 or more + a) work by law, see `work_names`, then by anchor [J]
     jump: Floats  # (f, 2) kinetic energy put in by limiter and winch [J]
     reaction: Floats  # (f, a, 3) [N]
     momentum: Floats  # (f, 3) [kg m/s]
@@ -57,6 +58,7 @@ class Recording(NamedTuple):
     extreme_until: Floats  # (f, 8) ... nor after this one
     reaction_high: Floats  # (f, a) greatest force of each anchor since the frame before [N]
     moment_high: Floats  # (f, a) greatest moment of each clamp [N m]; (f, 0) without a clamp
+    contact: Floats  # (f, 3, n) force of what the nodes touch [N]; (f, 3, 0) where there is no such thing
     error_range: Floats  # (f, 2) least and greatest energy error since the frame before [J] ...
     error_times: Floats  # (f, 2) ... and when [s]; NaN without a ledger
     joint_force: Floats  # (f, p, 3) force of a joint on each of its nodes [N]
@@ -81,14 +83,15 @@ def make_recording(
     touch but the recording's.
     """
     n, s, a = state.x.shape[1], state.rest_length.shape[0], state.held.shape[0]
-    energies, laws = len(energy_names(bends(state))), len(work_names(bends(state)))
+    more = remembering(state)
+    energies, laws = len(energy_names(bends(state))), len(work_names(bends(state), more))
     peaks, clamps = state.peaks, state.moment.shape[0]
     wide = peaks.found.shape[1] if peaks.speed.size else 0
     shapes: list[tuple[int, ...]] = [(3, n), (3, n), (s,), (s,)]
     shapes += [peaks.stretch.shape] * 3 + [peaks.speed.shape] * 3
     shapes += [(s if with_lengths else 0,), (energies,), (laws + a,), (2,), (a, 3), (3,), (3,)]
     shapes += [(clamps, 3), *[(wide,)] * 4, peaks.reaction.shape, peaks.moment.shape]
-    shapes += [(peaks.error.shape[0],)] * 2 + [state.joint_force.shape]
+    shapes += [(3, n if more else 0), *[(peaks.error.shape[0],)] * 2, state.joint_force.shape]
     large = [empty((frames, *shape)) for shape in shapes[: len(LARGE)]]
     return Recording(*large, *(np.zeros((frames, *shape)) for shape in shapes[len(LARGE) :]))
 
@@ -103,9 +106,15 @@ def energy_names(bending: bool) -> tuple[str, ...]:
     return ENERGIES + BENT_ENERGIES if bending else ENERGIES
 
 
-def work_names(bending: bool) -> tuple[str, ...]:
-    """Return the columns of `work` before those of the anchors."""
-    return LAWS + BENT_LAWS if bending else LAWS
+def remembering(state: State) -> tuple[str, ...]:
+    """Return the names of the laws with a memory that act: their works come after all others."""
+    pairs = zip(NODE_LAWS, state.memory, strict=True)
+    return tuple(law.name for law, kept in pairs if any(np.size(part) for part in kept))
+
+
+def work_names(bending: bool, more: tuple[str, ...] = ()) -> tuple[str, ...]:
+    """Return the columns of `work` before those of the anchors; `more` are laws with a memory."""
+    return (LAWS + BENT_LAWS if bending else LAWS) + more
 
 
 SOLVED = 1e-13  # [1] length error of a segment that is as long as its tension makes it ...
@@ -279,6 +288,8 @@ def record_frame(system, state, ledger, sums, frame, out):
     p, spin = out.momentum[frame], out.angular_momentum[frame]
     record_motion(state.x, state.v, state.mass, system.gravity, sums, energy, p, spin)
     record_peaks(state.peaks, frame, out)
+    if out.contact.shape[2] > 0:
+        touch_nodes(system, state, out.contact[frame])
     if ledger:
         record_works(system, state.work, sums, out.work[frame], out.jump[frame])
 
@@ -290,17 +301,23 @@ ELASTIC, FRICTION, WEIGHT, APPLIED, LIMITER, WINCH, BENT, CLAMPS = (
 
 
 @part
-def _no_works(works, sums, total):
+def _no_works(system, works, sums, total, column):
     pass
 
 
 def _recording(law: NodeLaw, k: int, rest: Any) -> Any:
-    column = LAWS.index(law.name)
+    place = LAWS.index(law.name) if law.name in LAWS else -1
 
     @part
-    def _record(works, sums, total):
-        total[column] = add_up(works[k], sums)
-        rest(works, sums, total)
+    def _record(system, works, sums, total, column):
+        if place >= 0:
+            total[place] = add_up(works[k], sums)
+            rest(system, works, sums, total, column)
+        elif system.acts[k] == 1:
+            total[column] = add_up(works[k], sums)
+            rest(system, works, sums, total, column + 1)
+        else:
+            rest(system, works, sums, total, column)
 
     return _record
 
@@ -314,7 +331,8 @@ def record_works(system, work, sums, total, jump):
     total[ELASTIC] = add_up(work.elastic, sums)
     total[FRICTION] = add_up(work.friction, sums)
     total[WEIGHT] = add_up(work.weight, sums)
-    _record_node_works(work.node, sums, total)
+    more = BENT if system.flags[BENDING] == 0 else CLAMPS + 1
+    _record_node_works(system, work.node, sums, total, more)
     total[APPLIED] = add_up(work.applied, sums)
     total[LIMITER] = work.limiter[0] + work.limiter[1]
     total[WINCH] = work.winch[0] + work.winch[1]

@@ -31,7 +31,7 @@ from ropewalk.core.saddle import Saddle, make_saddle
 from ropewalk.core.status import OK, UNSOLVED
 from ropewalk.core.sweep import sweep
 from ropewalk.laws.joints import are_tied
-from ropewalk.laws.nodes import add_diagonals, are_diagonal
+from ropewalk.laws.nodes import add_diagonals, are_diagonal, node_rounding
 from ropewalk.laws.registry import NODE_LAWS
 from ropewalk.laws.stage_forces import evaluate_stage, mark_stage
 from ropewalk.laws.table import accelerate
@@ -192,7 +192,7 @@ def bound_rounding(limiter):
 @part
 def rounding(system, state, stage):
     """Return the residual that rounding leaves of forces much larger than those of the report's scale [N]."""
-    left = 0.0
+    left = node_rounding(system, stage.x)
     if system.flags[BENDING] == 1:
         clamps, node = system.bending.clamp_stiffness, state.anchor_node
         stiffness = state.bending_stiffness

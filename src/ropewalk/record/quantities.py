@@ -68,6 +68,14 @@ QUANTITIES = (
     Quantity(
         "joint_forces", ("time", "tie", "axis"), "N", "joint's force on a rope", "joint_force"
     ),
+    Quantity(
+        "contact_force",
+        ("time", "node", "axis"),
+        "N",
+        "force of obstacles on the rope",
+        "contact",
+        True,
+    ),
     Quantity("momentum", ("time", "axis"), "kg m/s", "momentum", "momentum"),
     Quantity(
         "angular_momentum",
@@ -83,7 +91,10 @@ BY_NAME = {quantity.name: quantity for quantity in QUANTITIES}
 
 def law_names(layout: Layout) -> tuple[str, ...]:
     """Return the columns of `work`: the laws, then the anchors."""
-    return (*work_names(layout.bends), *(f"anchor:{name}" for name in layout.anchor_names))
+    return (
+        *work_names(layout.bends, layout.more),
+        *(f"anchor:{name}" for name in layout.anchor_names),
+    )
 
 
 def labels(layout: Layout) -> dict[str, tuple[str, ...]]:
@@ -126,6 +137,8 @@ def recorded(layout: Layout, scene: Scene) -> tuple[Quantity, ...]:
         left_out |= {"moments", "greatest_moments"}
     if not layout.ties:
         left_out.add("joint_forces")
+    if not layout.more:
+        left_out.add("contact_force")
     if not scene.winches:
         left_out.add("rest_length")
     if not scene.run.extremes:

@@ -214,6 +214,13 @@ class Result(Ties, Outlets):
         return self._all("moments")
 
     @property
+    def contact_force(self) -> Floats:
+        """Force of all obstacles on each node at each frame [N], (frames, nodes, 3); 0 without obstacles."""
+        if "contact_force" not in self.source.names:
+            return np.zeros((self.frames, self.layout.nodes, 3))
+        return self._all("contact_force")
+
+    @property
     def momentum(self) -> Floats:
         """Momentum [kg m/s], (frames, 3)."""
         return self._all("momentum")

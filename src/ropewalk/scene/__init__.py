@@ -5,6 +5,16 @@ from ropewalk.scene.environment import Air, Ground, Limiter
 from ropewalk.scene.faults import Fault, SceneError, SceneFileError
 from ropewalk.scene.joint import Joint, Tie
 from ropewalk.scene.motions import Fixed, Hand, Motion, Orbit, Shake, Table, Velocity
+from ropewalk.scene.obstacles import (
+    Box,
+    Capsule,
+    Cylinder,
+    Obstacle,
+    Plane,
+    Sphere,
+    Spin,
+    Torus,
+)
 from ropewalk.scene.overrides import apply_overrides
 from ropewalk.scene.ring import Ring
 from ropewalk.scene.rope import Force, Kick, Load, Material, Rope, Springs
@@ -17,7 +27,10 @@ from ropewalk.scene.winch import Winch
 __all__ = [
     "Air",
     "Anchor",
+    "Box",
+    "Capsule",
     "Clamp",
+    "Cylinder",
     "Fault",
     "Fixed",
     "Force",
@@ -30,7 +43,9 @@ __all__ = [
     "Load",
     "Material",
     "Motion",
+    "Obstacle",
     "Orbit",
+    "Plane",
     "Points",
     "Polyline",
     "Ring",
@@ -42,10 +57,13 @@ __all__ = [
     "Shake",
     "Shape",
     "Slack",
+    "Sphere",
+    "Spin",
     "Springs",
     "Straight",
     "Table",
     "Tie",
+    "Torus",
     "Velocity",
     "Winch",
     "apply_overrides",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import chain, islice
 
 from ropewalk.scene.anchor import Anchor
@@ -43,6 +43,16 @@ def scene_faults(
     if next(found, None) is not None:
         told.append(Fault("", NO_VALUE, "and more faults, not told here"))
     return told
+
+
+def obstacle_faults(names: Iterable[str]) -> list[Fault]:
+    """The faults of obstacles' names, which are filled in."""
+    seen: dict[str, int] = {}
+    return [
+        Fault(f"obstacle[{i}].name", name, f"is the name of obstacle[{seen[name]}] already")
+        for i, name in enumerate(names)
+        if seen.setdefault(name, i) != i
+    ]
 
 
 def _weights(

@@ -12,10 +12,11 @@ from pydantic import Field, field_validator, model_validator
 
 from ropewalk.scene.anchor import Anchor
 from ropewalk.scene.base import Many, Model, Text, Vector, Whole, listed, refuse, vector
-from ropewalk.scene.checks import scene_faults
+from ropewalk.scene.checks import obstacle_faults, scene_faults
 from ropewalk.scene.environment import Air, Ground, Limiter
 from ropewalk.scene.faults import Fault, SceneError
 from ropewalk.scene.joint import Joint
+from ropewalk.scene.obstacles import Obstacle
 from ropewalk.scene.rope import Rope, Springs
 from ropewalk.scene.run_settings import RunSettings
 from ropewalk.scene.winch import Winch
@@ -42,6 +43,9 @@ class Scene(Model):
     anchors: Many[Anchor] = listed("Anchors, at most one per node", "anchor", "anchors", default=())
     air: Air | None = Field(default=None, description="Air drag; none without it")
     ground: Ground | None = Field(default=None, description="Ground; none without it")
+    obstacles: Many[Obstacle] = listed(
+        "Bodies that ropes touch, with friction", "obstacle", "obstacles", default=()
+    )
     limiter: Limiter | None = Field(default=None, description="Stretch limiter; none without it")
     winches: Many[Winch] = listed(
         "Winches, at most one per rope end", "winch", "winches", default=()
@@ -147,6 +151,8 @@ class Scene(Model):
         parts = self.ropes, self.anchors, self.winches
         refuse(scene_faults(self.gravity, *parts, self.limiter, self.joints))
         refuse(_start_faults(self.run, self.ropes))
+        names = (body.name or f"obstacle{i}" for i, body in enumerate(self.obstacles))
+        refuse(obstacle_faults(names))
         self._fill_in_names()
         self._fill_in_method()
         return self
@@ -172,7 +178,11 @@ class Scene(Model):
             _filled(winch, name=f"winch{i}", rope=rope) for i, winch in enumerate(self.winches)
         )
         joints = tuple(_tied(joint, i, rope) for i, joint in enumerate(self.joints))
-        self.__dict__.update(anchors=anchors, winches=winches, joints=joints)  # frozen for all else
+        obstacles = tuple(
+            _filled(body, name=f"obstacle{i}") for i, body in enumerate(self.obstacles)
+        )
+        named = {"anchors": anchors, "winches": winches, "joints": joints, "obstacles": obstacles}
+        self.__dict__.update(named)  # frozen for all else
 
     @classmethod
     def _more_faults(cls, data: Any, context: Any) -> list[Fault]:

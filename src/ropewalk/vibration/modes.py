@@ -19,7 +19,7 @@ from ropewalk.lowering import Layout, Model, build
 from ropewalk.lowering.link_lengths import has_links
 from ropewalk.methods.loop import prepare_links
 from ropewalk.scene import Scene, SceneError
-from ropewalk.scene.faults import Fault
+from ropewalk.scene.faults import NO_VALUE, Fault
 from ropewalk.statics import checked_shape
 from ropewalk.vibration.drawing import ModePlots
 from ropewalk.vibration.linear import linearise
@@ -118,6 +118,9 @@ def modes(source: Scene | Model, about: About = "equilibrium", count: int = 10) 
     if count < 1:
         raise ValueError(f"count: {count!r} - must be at least 1")
     model = source if isinstance(source, Model) else build(source)
+    if model.layout.more:
+        rule = "modes of a rope that touches obstacles are not found; leave the obstacles out"
+        raise SceneError([Fault("obstacle", NO_VALUE, rule)])
     x, tension = shape_about(model, about)
     linear = linearise(model, x, tension)
     if linear.loose:

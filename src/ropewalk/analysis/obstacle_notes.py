@@ -1,0 +1,64 @@
+"""What `check` says of obstacles: what the rope's nodes may miss, and how much contacts yield."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from ropewalk.lowering import Model
+from ropewalk.lowering.chains import fastest
+from ropewalk.scene.obstacles import Obstacle
+
+_YIELDS = 0.1  # of a rope's radius, or an obstacle's: contacts that yield more are told of [1]
+
+
+def thinnest(body: Obstacle) -> float:
+    """Return the least radius of a body [m]; inf for a plane."""
+    match body.kind:
+        case "plane":
+            return math.inf
+        case "box":
+            return body.edge_radius
+        case "torus":
+            return body.bar_radius
+    return body.radius
+
+
+def obstacle_warnings(model: Model) -> list[str]:
+    """Return a sentence for everything that a scene with obstacles does otherwise than its user may think."""
+    scene, system = model.scene, model.system
+    if not scene.obstacles:
+        return []
+    found = [
+        "with obstacles no rest shape is looked for: with friction it depends on how the rope comes there; "
+        "what is said of tensions at rest is left out"
+    ]
+    table = system.node.obstacle
+    longest = max(rope.segment_length for rope in scene.ropes)
+    thick = float(table.thickness.max())
+    step = model.plan.dt if model.plan.longest is None else model.plan.longest
+    way = fastest(system, model.state) * step
+    weight = float(np.linalg.norm(system.gravity) * model.state.mass.sum())
+    for row, body in enumerate(scene.obstacles):
+        name, radius = f"obstacle {body.name!r}", thinnest(body) + thick
+        if longest > 2.0 * radius:
+            found.append(
+                f"{name}: segments of {1e3 * longest:.4g} mm are longer than twice its radius "
+                f"({1e3 * radius:.4g} mm, the rope's half diameter counted in): only nodes touch, so it may "
+                "slip through between two of them; take more segments"
+            )
+        if way > radius:
+            found.append(
+                f"{name}: a node may move {1e3 * way:.4g} mm in a step, more than its radius "
+                f"({1e3 * radius:.4g} mm): it may pass through; take steps of at most "
+                f"{1e3 * step * radius / way:.3g} ms"
+            )
+        yields = weight / float(table.stiffness[row].min())
+        least = min(radius, thick) if thick > 0.0 else radius
+        if yields > _YIELDS * least:
+            found.append(
+                f"{name}: all weight on one node presses it in by {1e3 * yields:.3g} mm; give a "
+                "smaller compliance where that matters"
+            )
+    return found

@@ -1,0 +1,251 @@
+"""Contact of nodes with obstacles: Coulomb friction that sticks.
+
+With g the gap, v the velocity over the surface, D the way over it since the last accepted step, R' the
+friction spring's force then, P = I - n n^T and k the contact's stiffness,
+    R_n = max(0, -k g - c n.v)                            a damper that never pulls
+    q   = P (R' - k D) - c P v
+    R_t = q            where |q| <= mu R_n                it sticks
+          mu R_n q/|q| elsewhere                          it slips
+What is kept to the next step is the spring's part, P (R' - k D), cut to mu R_n. A contact that sticks does
+not creep: its memory is a force. With c = 2 sqrt(k m) a node that hits a surface on its own stays there.
+Sources: Cundall & Strack 1979, Geotechnique 29:47 (friction with memory); Simo & Hughes, Computational
+Inelasticity, 1998, ch. 2 (return mapping).
+
+Where nodes lie round a surface with the turning angle a each, a polygon's tensions grow by more than
+exp(mu a). So mu is replaced by
+    tanh(mu a / 2) / tan(a / 2),
+with which two equal chords have exactly T2 / T1 = (1 + mu' tan(a/2)) / (1 - mu' tan(a/2)) = exp(mu a).
+"""
+
+from __future__ import annotations
+
+import math
+
+from ropewalk.core.jit import kernel
+from ropewalk.laws.obstacle_shapes import probe
+
+GRIP, PUSH = (
+    3,
+    4,
+)  # rows of `Memory.grip` after the spring's force: the coefficient of friction, R_n
+
+
+@kernel
+def turned(spin, row, t):
+    """Return the angle by which an obstacle has turned at time `t` [rad]; `spin` is rate, start, stop."""
+    return spin[row, 0] * min(max(t - spin[row, 1], 0.0), spin[row, 2] - spin[row, 1])
+
+
+@kernel
+def spin_rate(spin, row, t):
+    """Return how fast an obstacle turns just after time `t` [rad/s]."""
+    return spin[row, 0] if spin[row, 1] <= t < spin[row, 2] else 0.0
+
+
+@kernel
+def rotated(axis, c, s, x, y, z):
+    """Return a vector turned about an axis by the angle of cosine `c` and sine `s`."""
+    ex, ey, ez = axis[0], axis[1], axis[2]
+    along = (ex * x + ey * y + ez * z) * (1.0 - c)
+    return (
+        c * x + s * (ey * z - ez * y) + along * ex,
+        c * y + s * (ez * x - ex * z) + along * ey,
+        c * z + s * (ex * y - ey * x) + along * ez,
+    )
+
+
+@kernel
+def carried(center, axis, angle, grip, place, i, x, y, z):
+    """Return the spring's force R' [N] and the way D [m], both turned with the surface by `angle`."""
+    fx, fy, fz = grip[0, i], grip[1, i], grip[2, i]
+    ox, oy, oz = place[0, i] - center[0], place[1, i] - center[1], place[2, i] - center[2]
+    if angle != 0.0:
+        c, s = math.cos(angle), math.sin(angle)
+        fx, fy, fz = rotated(axis, c, s, fx, fy, fz)
+        ox, oy, oz = rotated(axis, c, s, ox, oy, oz)
+    return fx, fy, fz, x - center[0] - ox, y - center[1] - oy, z - center[2] - oz
+
+
+@kernel
+def spring_pull(k, center, axis, angle, grip, place, i, x, y, z):
+    """Return R' - k D [N]."""
+    fx, fy, fz, dx, dy, dz = carried(center, axis, angle, grip, place, i, x, y, z)
+    return fx - k * dx, fy - k * dy, fz - k * dz
+
+
+@kernel
+def contact_forces(x, v, obstacles, memory, now, force, lo, hi):
+    """Write the force of all obstacles on nodes `lo` to `hi - 1` [N], (3, n).
+
+    `now` holds the time of `x` and `v`, and that of the memory [s].
+    """
+    last, place = min(hi, x.shape[1]), memory.place
+    for i in range(lo, last):
+        force[0, i], force[1, i], force[2, i] = 0.0, 0.0, 0.0
+    for o in range(obstacles.kind.shape[0]):
+        kind, center, axis = obstacles.kind[o], obstacles.center[o], obstacles.axis[o]
+        size, grip = obstacles.size[o], memory.grip[o]
+        angle = turned(obstacles.spin, o, now[0]) - turned(obstacles.spin, o, now[1])
+        rate = spin_rate(obstacles.spin, o, now[0])
+        wx, wy, wz = rate * axis[0], rate * axis[1], rate * axis[2]
+        for i in range(lo, last):
+            px, py, pz = x[0, i], x[1, i], x[2, i]
+            g, nx, ny, nz, _, _, _, _, _ = probe(kind, center, axis, size, px, py, pz)
+            vx, vy, vz = v[0, i], v[1, i], v[2, i]
+            rise = nx * vx + ny * vy + nz * vz  # the surface stays where it is
+            k, c = obstacles.stiffness[o, i], obstacles.damping[o, i]
+            push = -k * (g - obstacles.thickness[i]) - c * rise
+            if not push > 0.0:
+                continue
+            sx, sy, sz = 0.0, 0.0, 0.0
+            bound = grip[GRIP, i] * push
+            if bound > 0.0:
+                ox, oy, oz = px - center[0], py - center[1], pz - center[2]
+                vx, vy, vz = (
+                    vx - (wy * oz - wz * oy),
+                    vy - (wz * ox - wx * oz),
+                    vz - (wx * oy - wy * ox),
+                )
+                sx, sy, sz = spring_pull(k, center, axis, angle, grip, place, i, px, py, pz)
+                sx, sy, sz = sx - c * vx, sy - c * vy, sz - c * vz
+                across = nx * sx + ny * sy + nz * sz
+                sx, sy, sz = sx - across * nx, sy - across * ny, sz - across * nz
+                total = math.sqrt(sx * sx + sy * sy + sz * sz)
+                if total > bound:
+                    sx, sy, sz = sx * (bound / total), sy * (bound / total), sz * (bound / total)
+            force[0, i] += push * nx + sx
+            force[1, i] += push * ny + sy
+            force[2, i] += push * nz + sz
+
+
+@kernel
+def remember_contacts(x, v, obstacles, memory, now, stiffness):
+    """Keep what the contacts carry at `x` and `v`, the places, and the coefficients of friction there.
+
+    Return how many contacts have closed.
+    """
+    n, place, closed = x.shape[1], memory.place, 0.0
+    for o in range(obstacles.kind.shape[0]):
+        kind, center, axis = obstacles.kind[o], obstacles.center[o], obstacles.axis[o]
+        size, grip = obstacles.size[o], memory.grip[o]
+        angle = turned(obstacles.spin, o, now[0]) - turned(obstacles.spin, o, now[1])
+        for i in range(n):
+            px, py, pz = x[0, i], x[1, i], x[2, i]
+            g, nx, ny, nz, _, _, _, _, _ = probe(kind, center, axis, size, px, py, pz)
+            rise = nx * v[0, i] + ny * v[1, i] + nz * v[2, i]
+            k = obstacles.stiffness[o, i]
+            push = -k * (g - obstacles.thickness[i]) - obstacles.damping[o, i] * rise
+            if push > 0.0 and grip[PUSH, i] == 0.0:
+                closed += 1.0
+            grip[PUSH, i] = max(push, 0.0)
+            bound = grip[GRIP, i] * grip[PUSH, i]
+            sx, sy, sz = 0.0, 0.0, 0.0
+            if bound > 0.0:
+                sx, sy, sz = spring_pull(k, center, axis, angle, grip, place, i, px, py, pz)
+                across = nx * sx + ny * sy + nz * sz
+                sx, sy, sz = sx - across * nx, sy - across * ny, sz - across * nz
+                total = math.sqrt(sx * sx + sy * sy + sz * sz)
+                if total > bound:
+                    sx, sy, sz = sx * (bound / total), sy * (bound / total), sz * (bound / total)
+            grip[0, i], grip[1, i], grip[2, i] = sx, sy, sz
+            turn = turn_towards(x, i, nx, ny, nz, stiffness)
+            grip[GRIP, i] = on_polygon(obstacles.friction[o], turn)
+    for k in range(3):
+        for i in range(n):
+            place[k, i] = x[k, i]
+    return closed
+
+
+@kernel
+def count_closing(x, v, obstacles, memory):
+    """Return how many contacts that were open close on the way to `x` and `v`."""
+    closing = 0.0
+    for o in range(obstacles.kind.shape[0]):
+        kind, center, axis = obstacles.kind[o], obstacles.center[o], obstacles.axis[o]
+        size, grip = obstacles.size[o], memory.grip[o]
+        for i in range(x.shape[1]):
+            if grip[PUSH, i] > 0.0:
+                continue
+            g, nx, ny, nz, _, _, _, _, _ = probe(
+                kind, center, axis, size, x[0, i], x[1, i], x[2, i]
+            )
+            rise = nx * v[0, i] + ny * v[1, i] + nz * v[2, i]
+            push = -obstacles.stiffness[o, i] * (g - obstacles.thickness[i])
+            if push - obstacles.damping[o, i] * rise > 0.0:
+                closing += 1.0
+    return closing
+
+
+@kernel
+def turn_towards(x, i, nx, ny, nz, stiffness):
+    """Return the angle by which the rope turns at node `i` round a surface of this normal [rad]; else 0."""
+    if i == 0 or i == x.shape[1] - 1 or stiffness[i - 1] == 0.0 or stiffness[i] == 0.0:
+        return 0.0
+    ax, ay, az = x[0, i] - x[0, i - 1], x[1, i] - x[1, i - 1], x[2, i] - x[2, i - 1]
+    bx, by, bz = x[0, i + 1] - x[0, i], x[1, i + 1] - x[1, i], x[2, i + 1] - x[2, i]
+    a, b = math.sqrt(ax * ax + ay * ay + az * az), math.sqrt(bx * bx + by * by + bz * bz)
+    if not (a > 0.0 and b > 0.0):
+        return 0.0
+    towards = nx * (ax / a - bx / b) + ny * (ay / a - by / b) + nz * (az / a - bz / b)
+    if not towards > 0.0:
+        return 0.0
+    cx, cy, cz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
+    return math.atan2(math.sqrt(cx * cx + cy * cy + cz * cz), ax * bx + ay * by + az * bz)
+
+
+@kernel
+def on_polygon(friction, turn):
+    """Return the coefficient with which a node that turns by `turn` [rad] acts as its arc would."""
+    if turn < 1e-6:
+        return friction
+    return math.tanh(0.5 * friction * turn) / math.tan(0.5 * turn)
+
+
+@kernel
+def contact_energy(x, obstacles):
+    """Return what the obstacles' surfaces have stored where they are pressed in [J]."""
+    total = 0.0
+    for o in range(obstacles.kind.shape[0]):
+        kind, center, axis = obstacles.kind[o], obstacles.center[o], obstacles.axis[o]
+        size = obstacles.size[o]
+        for i in range(x.shape[1]):
+            g = probe(kind, center, axis, size, x[0, i], x[1, i], x[2, i])[0]
+            depth = obstacles.thickness[i] - g
+            if depth > 0.0:
+                total += 0.5 * obstacles.stiffness[o, i] * depth * depth
+    return total
+
+
+@kernel
+def contact_power(x, obstacles):
+    """Return the most that friction on what turns can put in per time [W], at these depths."""
+    total = 0.0
+    for o in range(obstacles.kind.shape[0]):
+        rate = abs(obstacles.spin[o, 0])
+        if rate == 0.0:
+            continue
+        kind, center, axis = obstacles.kind[o], obstacles.center[o], obstacles.axis[o]
+        size = obstacles.size[o]
+        for i in range(x.shape[1]):
+            g = probe(kind, center, axis, size, x[0, i], x[1, i], x[2, i])[0]
+            depth = obstacles.thickness[i] - g
+            if depth > 0.0:
+                px, py, pz = x[0, i] - center[0], x[1, i] - center[1], x[2, i] - center[2]
+                arm = math.sqrt(px * px + py * py + pz * pz)
+                total += obstacles.friction[o] * obstacles.stiffness[o, i] * depth * rate * arm
+    return total
+
+
+@kernel
+def contact_rounding(x, obstacles):
+    """Return what rounding of the places does to the forces of contacts [N]."""
+    size, most = 0.0, 0.0
+    for k in range(3):
+        for i in range(x.shape[1]):
+            size = max(size, abs(x[k, i]))
+        for o in range(obstacles.kind.shape[0]):
+            size = max(size, abs(obstacles.center[o, k]))
+    for o in range(obstacles.kind.shape[0]):
+        for i in range(x.shape[1]):
+            most = max(most, obstacles.stiffness[o, i])
+    return 16.0 * 2.220446049250313e-16 * most * size

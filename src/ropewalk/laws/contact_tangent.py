@@ -1,0 +1,122 @@
+"""How the forces of contacts change with places and velocities; see `contact`.
+
+With H of the surface, b = mu R_n, q before it is cut and s = q/|q|,
+    -dR_n = k n.dx + c (n.dv + v.H dx)      of a contact that pushes
+    -dq   = k P dx + c P dv + (n.w) H dx + n (w.H dx),   w = R' - k D - c v
+    -dR   = n (-dR_n) - R_n H dx + (-dq                                  where it sticks
+                                    mu s (-dR_n) + (b/|q|) (I - s s^T) (-dq)   where it slips)
+The last but one makes it unsymmetric. The surface's own velocity changes with the place by its spin.
+"""
+
+from __future__ import annotations
+
+import math
+
+from ropewalk.core.jit import kernel
+from ropewalk.laws.contact import GRIP, spin_rate, spring_pull, turned
+from ropewalk.laws.obstacle_shapes import probe
+
+
+@kernel
+def contact_tangent(x, v, obstacles, memory, now, weight_x, weight_v, band):
+    """Add -(weight_x dR/dx + weight_v dR/dv) of all contacts to the band's diagonal."""
+    diagonal, place = band.diagonal, memory.place
+    for o in range(obstacles.kind.shape[0]):
+        kind, center, axis = obstacles.kind[o], obstacles.center[o], obstacles.axis[o]
+        size, grip = obstacles.size[o], memory.grip[o]
+        angle = turned(obstacles.spin, o, now[0]) - turned(obstacles.spin, o, now[1])
+        rate = spin_rate(obstacles.spin, o, now[0])
+        wx, wy, wz = rate * axis[0], rate * axis[1], rate * axis[2]
+        for i in range(x.shape[1]):
+            px, py, pz = x[0, i], x[1, i], x[2, i]
+            g, nx, ny, nz, ax, ay, az, ca, cb = probe(kind, center, axis, size, px, py, pz)
+            vx, vy, vz = v[0, i], v[1, i], v[2, i]
+            k, c = obstacles.stiffness[o, i], obstacles.damping[o, i]
+            push = -k * (g - obstacles.thickness[i]) - c * (nx * vx + ny * vy + nz * vz)
+            if not push > 0.0:
+                continue
+            n = (nx, ny, nz)
+            a = (ax, ay, az)
+            vH = across(ca, cb, n, a, (vx, vy, vz))
+            # -dR_n = drop . (weighted step)
+            drop = (
+                weight_x * (k * nx + c * vH[0]) + weight_v * c * nx,
+                weight_x * (k * ny + c * vH[1]) + weight_v * c * ny,
+                weight_x * (k * nz + c * vH[2]) + weight_v * c * nz,
+            )
+            bend = -weight_x * push  # R_n H
+            for p in range(3):
+                for r in range(3):
+                    diagonal[i, 3 * p + r] += n[p] * drop[r] + bend * curve(ca, cb, n, a, p, r)
+            bound = grip[GRIP, i] * push
+            if bound > 0.0:
+                ox, oy, oz = px - center[0], py - center[1], pz - center[2]
+                vx, vy, vz = (
+                    vx - (wy * oz - wz * oy),
+                    vy - (wz * ox - wx * oz),
+                    vz - (wx * oy - wy * ox),
+                )
+                sx, sy, sz = spring_pull(k, center, axis, angle, grip, place, i, px, py, pz)
+                pull = (sx - c * vx, sy - c * vy, sz - c * vz)
+                own, turn = weight_x * k + weight_v * c, weight_x * c
+                turning = (turn * wx, turn * wy, turn * wz)
+                mu = grip[GRIP, i]
+                rub(diagonal, i, n, a, ca, cb, pull, bound, mu, drop, own, turning, weight_x)
+
+
+@kernel
+def rub(diagonal, i, n, a, ca, cb, pull, bound, friction, drop, own, turning, weight_x):
+    """Add the derivative of R_t. `pull` is R' - k D - c v, `own` the weighted k and c.
+
+    `turning` is the weighted c times the surface's angular velocity.
+    """
+    tx, ty, tz = turning
+    along = n[0] * pull[0] + n[1] * pull[1] + n[2] * pull[2]
+    q = (pull[0] - along * n[0], pull[1] - along * n[1], pull[2] - along * n[2])
+    total = math.sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2])
+    slips = total > bound
+    share = bound / total if slips else 1.0
+    over = 1.0 / total if slips else 0.0
+    s = (over * q[0], over * q[1], over * q[2])
+    wH = across(ca, cb, n, a, pull)
+    for r in range(3):
+        # column r of -dq
+        e = (own * (r == 0), own * (r == 1), own * (r == 2))
+        # c dv: less the surface's velocity w x dx
+        if r == 0:
+            e = (e[0], e[1] - tz, e[2] + ty)
+        elif r == 1:
+            e = (e[0] + tz, e[1], e[2] - tx)
+        else:
+            e = (e[0] - ty, e[1] + tx, e[2])
+        lift = n[0] * e[0] + n[1] * e[1] + n[2] * e[2]
+        d0 = e[0] - lift * n[0] + weight_x * (along * curve(ca, cb, n, a, 0, r) + n[0] * wH[r])
+        d1 = e[1] - lift * n[1] + weight_x * (along * curve(ca, cb, n, a, 1, r) + n[1] * wH[r])
+        d2 = e[2] - lift * n[2] + weight_x * (along * curve(ca, cb, n, a, 2, r) + n[2] * wH[r])
+        if slips:
+            ahead = s[0] * d0 + s[1] * d1 + s[2] * d2
+            more = friction * drop[r]
+            d0 = share * (d0 - ahead * s[0]) + more * s[0]
+            d1 = share * (d1 - ahead * s[1]) + more * s[1]
+            d2 = share * (d2 - ahead * s[2]) + more * s[2]
+        diagonal[i, r] += d0
+        diagonal[i, 3 + r] += d1
+        diagonal[i, 6 + r] += d2
+
+
+@kernel
+def curve(ca, cb, n, a, p, r):
+    """Return entry (p, r) of H."""
+    one = 1.0 if p == r else 0.0
+    return ca * (one - n[p] * n[r] - a[p] * a[r]) + cb * a[p] * a[r]
+
+
+@kernel
+def across(ca, cb, n, a, u):
+    """Return H u."""
+    along, aside = n[0] * u[0] + n[1] * u[1] + n[2] * u[2], a[0] * u[0] + a[1] * u[1] + a[2] * u[2]
+    return (
+        ca * (u[0] - along * n[0] - aside * a[0]) + cb * aside * a[0],
+        ca * (u[1] - along * n[1] - aside * a[1]) + cb * aside * a[1],
+        ca * (u[2] - along * n[2] - aside * a[2]) + cb * aside * a[2],
+    )

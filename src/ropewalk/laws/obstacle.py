@@ -1,0 +1,280 @@
+"""Obstacles as a law of nodes: bodies that nodes touch, with Coulomb friction. See `contact`.
+
+By default a contact is as stiff as lets it be solved for at frame rates: 1/0.15 times what a chain shows to a
+force at one of its nodes in a step of 1/60 s, whatever the run's own steps are,
+    sqrt(k0^2 + 4 k k0),   k0 = m / (1/60 s)^2,   k that of the segments,
+but no more than the whole rope's inertia in that time, nor than its segments are (those lighter than that
+step allows for, than k0).
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from ropewalk.core.arrays import Floats, Ints
+from ropewalk.core.jit import part
+from ropewalk.core.ranges import ALL
+from ropewalk.laws.contact import (
+    contact_energy,
+    contact_forces,
+    contact_power,
+    contact_rounding,
+    count_closing,
+    remember_contacts,
+)
+from ropewalk.laws.contact_tangent import contact_tangent
+from ropewalk.laws.node_law import NodeLaw, Rest
+from ropewalk.laws.obstacle_shapes import BOX, CAPSULE, CYLINDER, PLANE, SPHERE, TORUS, probe
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from ropewalk.lowering.layout import Layout
+    from ropewalk.methods.bound import Chain
+    from ropewalk.scene import Rope
+    from ropewalk.scene.obstacles import Obstacle
+
+FRAME = 1.0 / 60.0  # [s]
+SHARE = 0.15  # [1] compliance of a contact over the rope's own at a node
+DAMPING = 1.0  # [1] damping ratio of a node on its own: it does not bounce
+KINDS = {
+    "plane": PLANE,
+    "sphere": SPHERE,
+    "cylinder": CYLINDER,
+    "capsule": CAPSULE,
+    "box": BOX,
+    "torus": TORUS,
+}
+
+
+class Obstacles(NamedTuple):
+    """Obstacles, one row each; k of them."""
+
+    kind: Ints  # (k,)
+    center: Floats  # (k, 3) a point of the plane, or the middle [m]
+    axis: Floats  # (k, 3) unit vector; the normal of a plane
+    # (k, 4) radius, half length; of a ring that of the circle and of the bar; of a box without its edges
+    # half sizes, then the edges' radius [m]
+    size: Floats
+    friction: Floats  # (k,) [1]
+    spin: Floats  # (k, 3) [rad/s], start and stop [s]
+    stiffness: Floats  # (k, n) of a contact, across and along [N/m]
+    damping: Floats  # (k, n) [N s/m]
+    thickness: Floats  # (n,) from the rope's middle to its surface [m]
+
+
+class Memory(NamedTuple):
+    """What contacts remember of the last accepted step."""
+
+    grip: Floats  # (k, 5, n) force of the friction spring [N], coefficient of friction, R_n [N]
+    place: Floats  # (3, n) [m]
+
+
+def lower(obstacles: Sequence[Obstacle] | None, layout: Layout, ropes: Sequence[Rope]) -> Obstacles:
+    """Return the table of a scene's obstacles."""
+    bodies = tuple(obstacles or ())
+    count, n = len(bodies), layout.nodes
+    own, mass = np.zeros(n), np.zeros(n)
+    thickness = np.zeros(n)
+    for rope, span in zip(ropes, layout.ropes, strict=True):
+        nodes = slice(span.first, span.last + 1)  # those still on a drum, too
+        stiff, weight = node_stiffness(rope)
+        own[nodes], mass[nodes] = stiff, weight
+        here = slice(span.start, span.end + 1)
+        own[here], mass[here] = _loaded(rope, stiff, weight)
+        thickness[nodes] = radius_of(rope)
+    stiffness = np.empty((count, n))
+    for row, body in enumerate(bodies):
+        stiffness[row] = own if body.compliance is None else 1.0 / body.compliance
+    places = [_place(body) for body in bodies]
+    return Obstacles(
+        kind=np.array([KINDS[body.kind] for body in bodies], dtype=np.int64),
+        center=np.array([place[0] for place in places], dtype=np.float64).reshape(count, 3),
+        axis=np.array([place[1] for place in places], dtype=np.float64).reshape(count, 3),
+        size=np.array([place[2] for place in places], dtype=np.float64).reshape(count, 4),
+        friction=np.array([body.friction for body in bodies], dtype=np.float64),
+        spin=np.array([_spin(body) for body in bodies], dtype=np.float64).reshape(count, 3),
+        stiffness=stiffness,
+        damping=2.0 * DAMPING * np.sqrt(stiffness * mass),
+        thickness=thickness,
+    )
+
+
+def radius_of(rope: Rope) -> float:
+    """Return half a rope's diameter where one is given [m], else 0."""
+    return 0.5 * rope.diameter if "diameter" in rope.model_fields_set else 0.0
+
+
+def node_stiffness(rope: Rope, mass: float | None = None) -> tuple[float, float]:
+    """Return the stiffness of a contact [N/m] and the mass [kg] of an inner node, or one of `mass`."""
+    own = rope.own_mass / max(rope.nodes, 1) if mass is None else mass
+    inert, whole = own / FRAME**2, rope.total_mass / FRAME**2
+    k = rope.segment_stiffness
+    shown = math.sqrt(inert**2 + 4.0 * k * inert) if math.isfinite(k) else whole
+    return min(min(shown, whole) / SHARE, max(k, inert)), own
+
+
+def _loaded(rope: Rope, stiffness: float, mass: float) -> tuple[Floats, Floats]:
+    """Return stiffness and mass of all nodes, those with loads on them stiffer, (nodes,) each."""
+    masses, found = np.full(rope.nodes, mass), np.full(rope.nodes, stiffness)
+    for load in rope.loads:
+        masses[rope.node_index(load.node)] += load.mass
+    for node in {rope.node_index(load.node) for load in rope.loads}:
+        found[node] = node_stiffness(rope, float(masses[node]))[0]
+    return found, masses
+
+
+def _place(body: Any) -> tuple[Any, Any, Any]:
+    """Return centre [m], axis [1] and size [m] of an obstacle, see `Obstacles`."""
+    match body.kind:
+        case "plane":
+            return body.point, _unit(body.normal), (0.0, 0.0, 0.0, 0.0)
+        case "sphere":
+            return body.center, _unit(body.axis), (body.radius, 0.0, 0.0, 0.0)
+        case "torus":
+            return body.center, _unit(body.axis), (body.radius, body.bar_radius, 0.0, 0.0)
+        case "box":
+            inner = [half - body.edge_radius for half in body.half_sizes]
+            return body.center, (0.0, 0.0, 1.0), (*inner, body.edge_radius)
+    start, end = np.array(body.start, dtype=np.float64), np.array(body.end, dtype=np.float64)
+    half = 0.5 * float(np.linalg.norm(end - start))
+    if body.kind == "cylinder" and body.endless:
+        half = math.inf
+    return 0.5 * (start + end), _unit(end - start), (body.radius, half, 0.0, 0.0)
+
+
+def _unit(direction: Any) -> Floats:
+    found = np.array(direction, dtype=np.float64)
+    found /= np.abs(found).max()
+    unit: Floats = found / np.linalg.norm(found)
+    return unit
+
+
+def _spin(body: Any) -> tuple[float, float, float]:
+    spin = getattr(body, "spin", None)
+    return (0.0, 0.0, math.inf) if spin is None else (spin.rate, spin.start, spin.stop)
+
+
+def acts(obstacles: Obstacles) -> bool:
+    """Tell whether there is any obstacle."""
+    return len(obstacles.kind) > 0
+
+
+def memory(obstacles: Obstacles, x: Floats, stiffness: Floats) -> Memory:
+    """Return what is remembered at the start, for nodes at places (3, n) [m]: no force."""
+    count, n = len(obstacles.kind), x.shape[1]
+    if count == 0:
+        return Memory(np.zeros((0, 5, n)), np.zeros((3, 0)))
+    found = Memory(np.zeros((count, 5, n)), x.copy())
+    remember_contacts(x, np.zeros_like(x), obstacles, found, np.zeros(2), stiffness)
+    return found
+
+
+def kinks(obstacles: Obstacles) -> Floats:
+    """Return the times at which an obstacle begins or ceases to turn [s]."""
+    return obstacles.spin[:, 1:].ravel()
+
+
+@part
+def force(obstacles, state, x, v, force, lo, hi):
+    """Write the force of all obstacles on every node [N], (3, n)."""
+    contact_forces(x, v, obstacles, state.memory.obstacle, state.now, force, lo, hi)
+
+
+@part
+def tangent(obstacles, state, x, v, weight_x, weight_v, marks, band):
+    """Add the derivatives of the force."""
+    contact_tangent(x, v, obstacles, state.memory.obstacle, state.now, weight_x, weight_v, band)
+
+
+@part
+def remember(obstacles, state):
+    """Keep what contacts carry at the state; return how many have closed."""
+    memory = state.memory.obstacle
+    return remember_contacts(state.x, state.v, obstacles, memory, state.now, state.stiffness)
+
+
+@part
+def hits(obstacles, state, x, v):
+    """Return how many contacts close on the way from the state to `x` and `v`."""
+    return count_closing(x, v, obstacles, state.memory.obstacle)
+
+
+@part
+def touch(obstacles, state, force):
+    """Write the force of all obstacles at the state itself [N], (3, n)."""
+    memory, now = state.memory.obstacle, state.now
+    contact_forces(state.x, state.v, obstacles, memory, now, force, 0, ALL)
+
+
+@part
+def rounding(obstacles, x):
+    """Return what rounding of the places does to the force [N]."""
+    return contact_rounding(x, obstacles)
+
+
+@part
+def energy(obstacles, x):
+    """Return what the surfaces have stored [J]."""
+    return contact_energy(x, obstacles)
+
+
+@part
+def power(obstacles, x):
+    """Return the most that turning obstacles can put in per time [W]."""
+    return contact_power(x, obstacles)
+
+
+def at_rest(obstacles: Obstacles) -> Rest:
+    """They bear what lies on them."""
+    return Rest.BEARS
+
+
+def touched(obstacles: Obstacles, x: Floats) -> Any:
+    """Return which nodes are below the surface of an obstacle, (n,)."""
+    return (depths(obstacles, x) > 0.0).any(axis=0)
+
+
+def depths(obstacles: Obstacles, x: Floats) -> Floats:
+    """Return how deep nodes at places (3, n) [m] are in every obstacle, (k, n) [m]; negative outside."""
+    found = np.empty((len(obstacles.kind), x.shape[1]))
+    for o, kind in enumerate(obstacles.kind):
+        parts = obstacles.center[o], obstacles.axis[o], obstacles.size[o]
+        found[o] = [probe(kind, *parts, *map(float, place))[0] for place in x.T]
+    return obstacles.thickness - found
+
+
+def cases(obstacles: Obstacles, chain: Chain) -> dict[str, Chain]:
+    """Return a chain all of whose nodes are pressed to the stiffest obstacle, or to two of them at once."""
+    most = min(len(obstacles.kind), 2)
+    return {
+        "pressed to obstacles": chain._replace(
+            node_stiffness=chain.node_stiffness + most * obstacles.stiffness.max(axis=0),
+            node_damping=chain.node_damping + most * obstacles.damping.max(axis=0),
+        )
+    }
+
+
+OBSTACLE = NodeLaw(
+    name="obstacle",
+    section="obstacles",
+    lower=lower,
+    inputs=("layout", "ropes"),
+    acts=acts,
+    force=force,
+    tangent=tangent,
+    memory=memory,
+    remember=remember,
+    hits=hits,
+    touch=touch,
+    rounding=rounding,
+    kinks=kinks,
+    energy=energy,
+    power=power,
+    at_rest=at_rest,
+    bears=touched,
+    cases=cases,
+)

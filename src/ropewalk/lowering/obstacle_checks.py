@@ -1,0 +1,82 @@
+"""Scenes with obstacles that cannot be run: methods that ring, and ropes that start inside a body."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ropewalk.core.arrays import Floats, State, System
+from ropewalk.laws.obstacle import Obstacles, depths
+from ropewalk.lowering.layout import Layout
+from ropewalk.methods.registry import METHODS
+from ropewalk.scene import Scene, SceneError
+from ropewalk.scene.faults import Fault
+
+#: Methods that keep stiff modes ringing, so that no contact comes to rest.
+RINGING = ("implicit-midpoint", "generalized-alpha")
+
+
+def touches(method: str) -> bool:
+    """Tell whether a method can work with obstacles."""
+    return method not in RINGING
+
+
+def refuse_obstacles(
+    scene: Scene, system: System, state: State, layout: Layout, *, drawn: bool = True
+) -> None:
+    """Raise SceneError for a scene that cannot be run for its obstacles.
+
+    With `drawn` off ropes get other places than those of the state.
+    """
+    if not scene.obstacles:
+        return
+    faults = []
+    if not touches(scene.run.method):
+        able = ", ".join(name for name in METHODS if touches(name))
+        rule = (
+            "cannot work with obstacles: it keeps stiff modes ringing, so that nothing comes to rest on "
+            f"them; methods that can: {able}"
+        )
+        faults.append(Fault("run.method", scene.run.method, rule))
+    if scene.run.start == "at-rest":
+        faults.append(Fault("run.start", "at-rest", NO_REST))
+    faults += _buried(scene, system, state, layout) if drawn else []
+    if faults:
+        raise SceneError(faults)
+
+
+NO_REST = (
+    "the rest of a rope that touches obstacles depends on how it came there, and is not looked for; draw the "
+    "shape near rest and let the run settle, with some axial_damping"
+)
+
+
+def _buried(scene: Scene, system: System, state: State, layout: Layout) -> list[Fault]:
+    """Return a fault for every rope that starts deeper in an obstacle than it could press itself."""
+    table: Obstacles = system.node.obstacle
+    deep = depths(table, state.x)
+    allowed = squeeze(table, system, state)
+    deep[:, state.anchor_node[state.held == 1]] = 0.0  # an anchor may stand anywhere
+    faults = []
+    for number, span in enumerate(layout.ropes):
+        own = slice(span.start, span.end + 1)
+        over = np.where(deep[:, own] > allowed[:, own], deep[:, own], 0.0)
+        if not over.any():
+            continue
+        row, node = np.unravel_index(int(np.argmax(over)), over.shape)
+        body = scene.obstacles[int(row)]
+        rule = (
+            f"starts {1e3 * over[row, node]:.4g} mm inside obstacle {body.name!r}, half its diameter "
+            "counted in; move the rope or the obstacle"
+        )
+        faults.append(Fault(f"rope[{number}].shape", f"node {node}", rule))
+    return faults
+
+
+def squeeze(table: Obstacles, system: System, state: State) -> Floats:
+    """Return how deep nodes can be pressed in by all weight and the tensions at the start [m], (k, n)."""
+    weight = float(np.linalg.norm(system.gravity) * state.mass.sum())
+    size = np.linalg.norm(np.diff(state.x, axis=1), axis=0)
+    gives = np.isfinite(state.stiffness)
+    pull = np.where(gives, state.stiffness, 0.0) * np.maximum(size - state.rest_length, 0.0)
+    found: Floats = (weight + 2.0 * float(pull.max(initial=0.0))) / table.stiffness + 1e-9
+    return found

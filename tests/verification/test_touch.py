@@ -1,0 +1,383 @@
+"""Obstacles: Coulomb friction that sticks, against closed forms.
+
+An incline holds below atan mu and lets slide with g (sin - mu cos) above; a sliding body stops after
+v^2 / (2 mu g); round a drum tensions grow by exp(mu theta), whatever the number of nodes; a drum that turns
+drags with the same factor at any speed.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+
+import ropewalk as rw
+from ropewalk.core import arrays
+from ropewalk.core.arrays import Floats, flatten
+from ropewalk.laws.contact import contact_forces, on_polygon
+from ropewalk.laws.contact_tangent import contact_tangent
+from ropewalk.laws.tangent import law_band
+from ropewalk.lowering import build
+from ropewalk.lowering.obstacle_checks import touches
+from ropewalk.methods.registry import METHODS
+from ropewalk.scene import (
+    Anchor,
+    Box,
+    Capsule,
+    Cylinder,
+    Force,
+    Ground,
+    Load,
+    Material,
+    Obstacle,
+    Plane,
+    Points,
+    Rope,
+    RunSettings,
+    Scene,
+    SceneError,
+    Sphere,
+    Spin,
+    Torus,
+)
+from ropewalk.simulation import Simulation
+
+g = 9.81
+MU = 0.3
+ABLE = tuple(name for name in METHODS if touches(name) and name not in ("euler", "heun"))
+BODIES: dict[str, Obstacle] = {
+    "plane": Plane(normal=(0.3, 0.2, 1), spin=Spin(rate=2.0)),
+    "sphere": Sphere(center=(0, 0, 0), radius=1.0, axis=(1, 1, 0), spin=Spin(rate=2.0)),
+    "cylinder": Cylinder(start=(0, -1, -0.6), end=(0.2, 1, 0.5), radius=0.6, spin=Spin(rate=-3.0)),
+    "endless": Cylinder(start=(0, -1, 0), end=(0, 1, 0.5), radius=0.8, endless=True),
+    "capsule": Capsule(start=(0, -0.4, -0.2), end=(0.2, 0.4, 0.5), radius=0.6, spin=Spin(rate=1.0)),
+    "box": Box(center=(0, 0, 0), half_sizes=(0.6, 0.7, 0.8), edge_radius=0.5),
+    "torus": Torus(
+        center=(0, 0, 0), radius=0.8, bar_radius=0.3, axis=(0, 0.3, 1), spin=Spin(rate=1.0)
+    ),
+}
+
+
+def incline(
+    degrees: float, method: str, *, speed: float = 0.0, **more: Any
+) -> tuple[Scene, Floats]:
+    """A straight rope of 0.3 m on an incline, and the direction down it, (3,)."""
+    slope = math.radians(degrees)
+    down = np.array([math.cos(slope), 0.0, -math.sin(slope)])
+    shape = Points(points=[tuple(0.05 * i * down) for i in range(7)], velocity=tuple(speed * down))
+    rope = Rope(segments=6, length=0.3, made_of=Material(EA=1e3, mass_per_length=0.1), shape=shape)
+    step = {"time_step": 1.0 / 60.0} if METHODS[method].implicit else {}
+    run = RunSettings(**({"duration": 5.0, "frame_rate": 60.0, "method": method} | step | more))
+    plane = Plane(normal=(math.sin(slope), 0.0, math.cos(slope)), friction=MU)
+    return Scene(ropes=[rope], obstacles=[plane], run=run), down
+
+
+def moved(scene: Scene) -> float:
+    """How far any node moves from 1 s to 5 s [m]."""
+    simulation = Simulation(scene)
+    simulation.advance_frames(60)
+    before = simulation.positions.copy()
+    simulation.advance_frames(240)
+    return float(np.abs(simulation.positions - before).max())
+
+
+@pytest.mark.parametrize("method", ABLE)
+def test_an_incline_below_the_angle_of_friction_holds(method: str) -> None:
+    """atan 0.3 = 16.70 degrees: at 16.5 nothing moves by 1e-6 mm in four seconds."""
+    assert moved(incline(16.5, method)[0]) < 1e-9
+
+
+def test_viscous_friction_creeps_where_a_plane_holds() -> None:
+    """The twin: 0.28 of the weight moves a rope on NeHe's ground, and none on a plane of mu = 0.3."""
+    scene, _ = incline(0.0, "esdirk3")
+    rope = scene.ropes[0]
+    share = np.array([0.5, *[1.0] * 5, 0.5]) * rope.total_mass / 6.0
+    forces = [Force(node=i, force=(0.28 * g * m, 0.0, 0.0)) for i, m in enumerate(share)]
+    pushed = scene.replace(ropes=[rope.replace(forces=forces)])
+    assert moved(pushed) < 1e-9
+    assert moved(pushed.replace(obstacles=[], ground=Ground())) > 1e-2
+
+
+@pytest.mark.parametrize("degrees", [16.9, 25.0])
+@pytest.mark.parametrize("method", ABLE)
+def test_an_incline_above_it_lets_slide(degrees: float, method: str) -> None:
+    """a = g (sin - mu cos), to 1e-5."""
+    scene, down = incline(degrees, method)
+    simulation = Simulation(scene)
+    share = (
+        simulation.arrays.mass / simulation.arrays.mass.sum()
+    )  # all is at one speed but for waves
+    simulation.advance_frames(30)
+    first = float(share @ simulation.velocities @ down)
+    simulation.advance_frames(30)
+    slope = math.radians(degrees)
+    expected = g * (math.sin(slope) - MU * math.cos(slope))
+    found = (float(share @ simulation.velocities @ down) - first) / 0.5
+    assert found == pytest.approx(expected, rel=1e-5)
+
+
+@pytest.mark.parametrize(("method", "within"), [("implicit-euler", 0.06), ("esdirk3", 0.006)])
+def test_sliding_stops_where_it_should(method: str, within: float) -> None:
+    """From 1 m/s after v^2 / (2 mu g) = 169.89 mm; friction then has taken m v^2 / 2."""
+    scene, down = incline(0.0, method, speed=1.0, duration=1.0)
+    result = rw.simulate(scene)
+    way = float(((result.positions[-1] - result.positions[0]) @ down).mean())
+    assert way == pytest.approx(1.0 / (2.0 * MU * g), rel=within)
+    energy = 0.5 * scene.ropes[0].total_mass
+    assert float(result.work["obstacle"][-1]) == pytest.approx(-energy, rel=2e-3)
+    assert np.abs(result.velocities[-1]).max() < 1e-9
+
+
+# -- round a drum ----------------------------------------------------------------------------
+
+
+def capstan(
+    theta: float, mu: float, f: float, *, per: int = 24, pinned: bool = False, **more: Any
+) -> Scene:
+    """Weights of 10 N and f exp(mu theta) times as much on a nearly massless rope round a drum of 5 cm.
+
+    Theta in degrees, `per` nodes for each half turn. It starts with the tensions of rest, but what friction
+    holds.
+    """
+    turn, count, radius = math.radians(theta), round(per * theta / 180.0), 0.055
+    most = math.exp(mu * turn)
+    light, heavy = 10.0, 10.0 * f * most
+    ratio = min(f * most, most)
+    tension = light * ratio ** ((np.arange(count) + 0.5) / count)
+    own = 2.0 * radius * math.sin(0.5 * turn / count)  # of a chord
+    EA, free = 1e5, 5
+    for _ in range(50):  # the rest length with which the stretched chords fit
+        chords = own * (1.0 + tension / EA)
+        own *= turn / float(2.0 * np.arcsin(0.5 * chords / radius).sum())
+    angle = np.concatenate([[0.0], np.cumsum(2.0 * np.arcsin(0.5 * chords / radius))])
+    circle = radius * np.stack((np.cos(angle), 0.0 * angle, np.sin(angle)), axis=1)
+    away = np.arange(1, free + 1)[:, None] * np.array([[0.0, 0.0, -own]])
+    points = [
+        *(circle[0] + away * (1.0 + light / EA))[::-1],
+        *circle,
+        *(circle[-1] + away * (1.0 + heavy / EA)),
+    ]
+    rope = Rope(
+        segments=len(points) - 1,
+        length=own * (len(points) - 1),
+        made_of=Material(EA=EA, mass_per_length=1e-3),
+        diameter=0.01,
+        shape=Points(points=[tuple(map(float, point)) for point in points]),
+        loads=[Load(node=0, mass=light / g), Load(node=-1, mass=heavy / g)],
+    )
+    drum = Cylinder(start=(0, -1, 0), end=(0, 1, 0), radius=0.05, friction=mu, compliance=1e-6)
+    settings = {"duration": 5.0, "frame_rate": 60.0, "method": "esdirk3", "time_step": 1.0 / 60.0}
+    anchors = [Anchor(node=0)] if pinned else []
+    run = RunSettings(**(settings | more))
+    return Scene(ropes=[rope], anchors=anchors, obstacles=[drum], run=run)
+
+
+@pytest.mark.parametrize("f", [0.95, 0.99])
+@pytest.mark.parametrize(("theta", "mu"), [(180, 0.2), (180, 0.5), (540, 0.2), (540, 0.5)])
+def test_a_capstan_holds_below_its_limit(theta: float, mu: float, f: float) -> None:
+    """From 1 s to 5 s no node of the wrap moves by 1e-3 mm."""
+    simulation = Simulation(capstan(theta, mu, f, method="implicit-euler"))
+    simulation.advance_frames(60)
+    before = simulation.positions.copy()
+    simulation.advance_frames(240)
+    assert np.abs(simulation.positions - before)[7:-7].max() < 1e-6
+
+
+@pytest.mark.parametrize("method", ["implicit-euler", "esdirk3", "bdf2"])
+@pytest.mark.parametrize(("theta", "mu"), [(180, 0.2), (180, 0.5), (540, 0.2)])
+def test_a_capstan_slips_above_its_limit(theta: float, mu: float, method: str) -> None:
+    """a = g (f - 1) / (f + 1) for weights of P and f exp(mu theta) P on a massless rope."""
+    simulation = Simulation(capstan(theta, mu, 1.05, method=method))
+    simulation.advance_frames(6)
+    before = simulation.velocities[-1, 2]
+    simulation.advance_frames(6)
+    found = float(before - simulation.velocities[-1, 2]) / 0.1
+    assert found == pytest.approx(g * 0.05 / 2.05, rel=0.03)
+
+
+@pytest.mark.parametrize(("per", "within"), [(12, 0.005), (24, 0.002)])
+def test_tensions_grow_by_the_angle_whatever_the_polygon(per: int, within: float) -> None:
+    """exp(mu theta); a plain polygon of twelve nodes for half a turn errs by 1.3 % at mu = 0.5."""
+    simulation = Simulation(capstan(180, 0.5, 1.01, per=per, method="implicit-euler"))
+    simulation.advance_frames(8)
+    tension = simulation.recording().recording.tension[0]
+    assert tension[-3] / tension[2] == pytest.approx(math.exp(0.5 * math.pi), rel=within)
+
+
+@pytest.mark.parametrize("turn", [1e-8, 0.1, 0.5, math.pi / 2])
+def test_a_nodes_friction_is_that_of_its_arc(turn: float) -> None:
+    for mu in (0.2, 0.5, 0.9):
+        slope = on_polygon(mu, turn) * math.tan(0.5 * turn)
+        assert (1.0 + slope) / (1.0 - slope) == pytest.approx(math.exp(mu * turn), rel=1e-12)
+
+
+@pytest.mark.parametrize("rate", [2.0, -2.0, 20.0])
+def test_a_drum_drags_with_the_same_factor_at_any_speed(rate: float) -> None:
+    """One end pinned, a weight on the other: the ratio of tensions is exp(+-mu theta)."""
+    scene = capstan(180, MU, 0.2, pinned=True, method="implicit-euler", duration=1.0)
+    drum = scene.obstacles[0].replace(spin=Spin(rate=rate))
+    result = rw.simulate(scene.replace(obstacles=[drum]))
+    tension = result.tension[-1]
+    expected = math.exp(math.copysign(MU * math.pi, rate))
+    assert tension[-3] / tension[2] == pytest.approx(expected, rel=5e-3)
+
+
+# -- the law ---------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", BODIES)
+def test_tangents_are_the_derivatives_of_the_forces(name: str) -> None:
+    """Central differences, for contacts that stick and slip, on bodies at rest and turning."""
+    rng = np.random.default_rng(1)
+    body = BODIES[name].replace(friction=0.4, compliance=0.02)
+    rope = Rope(segments=4, length=4.0, made_of=Material(EA=1.0, mass_per_length=0.1), diameter=0.3)
+    far = rope.replace(shape=Points(points=[(9.0, 9.0, 9.0 + i) for i in range(5)]))
+    model = build(Scene(ropes=[far], obstacles=[body]))
+    system, state = model.system, arrays.copy(model.state)
+    table, memory = system.node.obstacle, state.memory.obstacle
+    now, touched = np.array([0.35, 0.3]), 0
+    band = law_band(5)
+
+    def force(x: Floats, v: Floats) -> Floats:
+        found = np.zeros((3, 5))
+        contact_forces(x, v, table, memory, now, found, 0, 5)
+        return found
+
+    for _ in range(30):
+        x = rng.normal(size=(3, 5))
+        x *= rng.uniform(0.5, 1.1, 5) / np.linalg.norm(x, axis=0)
+        v = 0.5 * rng.normal(size=(3, 5))
+        memory.place[:] = x + 0.05 * rng.normal(size=(3, 5))
+        memory.grip[:, :3] = 2.0 * rng.normal(size=(1, 3, 5))
+        touched += int(np.count_nonzero(np.abs(force(x, v)).max(axis=0)))
+        for weights in ((1.0, 0.0), (0.0, 1.0)):
+            band.diagonal[:] = 0.0
+            contact_tangent(x, v, table, memory, now, *weights, band)
+            for c in range(3):
+                step = np.zeros((3, 5))
+                step[c] = 1e-6
+                dx, dv = weights[0] * step, weights[1] * step
+                slope = (force(x - dx, v - dv) - force(x + dx, v + dv)) / 2e-6
+                found = band.diagonal.reshape(5, 3, 3)[:, :, c].T
+                assert np.abs(slope - found).max() < 1e-5 * max(np.abs(slope).max(), 1.0)
+    assert touched > 50
+
+
+def pile(seed: int, **more: Any) -> Scene:
+    """A random rope that falls over random bodies."""
+    rng = np.random.default_rng(seed)
+    steps = rng.normal(size=(31, 3)) * (1.0, 1.0, 0.1)
+    steps *= 0.03 / np.linalg.norm(steps, axis=1)[:, None]
+    points = np.cumsum(steps, axis=0)
+    points -= points.mean(axis=0) - (0.0, 0.0, 0.45)
+    rope = Rope(
+        segments=30,
+        length=0.9,
+        diameter=0.01,
+        made_of=Material(EA=float(10 ** rng.uniform(3, 5)), mass_per_length=0.1, EI=1e-4),
+        shape=Points(points=[tuple(map(float, point)) for point in points]),
+    )
+    mu = float(rng.uniform(0.0, 0.8))
+    bodies: list[Obstacle] = [
+        Plane(friction=mu),
+        Sphere(center=(0.1, 0, 0.1), radius=0.15, friction=mu),
+        Capsule(start=(-0.2, -0.3, 0.2), end=(-0.1, 0.3, 0.15), radius=0.08, friction=mu),
+    ]
+    run = RunSettings(**({"duration": 1.0, "frame_rate": 60.0, "method": "esdirk3"} | more))
+    return Scene(ropes=[rope], obstacles=bodies, run=run)
+
+
+@pytest.mark.parametrize("method", ["implicit-euler", "esdirk3", "bdf2"])
+@pytest.mark.parametrize("seed", range(4))
+def test_friction_never_puts_energy_in(seed: int, method: str) -> None:
+    """Bodies at rest only take work, but for what they have stored; all of it is booked."""
+    result = rw.simulate(pile(seed, method=method))
+    assert np.isfinite(result.positions).all()
+    work = result.work["obstacle"]
+    scale = float(np.ptp(result.energy["gravity"]))
+    assert work[-1] < 0.0
+    assert np.diff(work).max() < 0.02 * scale
+    assert np.abs(result.contact_force).max() > 0.0
+
+
+def test_a_snapshot_goes_on_to_the_same_bits() -> None:
+    """With contacts that stick, slip and close."""
+    simulation = Simulation(pile(1))
+    simulation.advance_frames(25)
+    kept = simulation.state
+    simulation.advance_frames(10)
+    first = {name: part.copy() for name, part in flatten(simulation.arrays).items()}
+    simulation.restore(kept)
+    simulation.advance_frames(10)
+    last = flatten(simulation.arrays)
+    assert [
+        n for n, part in last.items() if not np.array_equal(part, first[n], equal_nan=True)
+    ] == []
+    assert simulation.arrays.memory.obstacle.grip[:, 4].max() > 0.0
+
+
+def test_beside_another_rope_it_moves_as_alone() -> None:
+    scene = pile(1)
+    other = pile(2).ropes[0].replace(name="other")
+    alone, both = (
+        Simulation(scene),
+        Simulation(scene.replace(ropes=[scene.ropes[0].replace(name="one"), other])),
+    )
+    for simulation in (alone, both):
+        simulation.advance_frames(40)
+    assert np.array_equal(alone.positions, both.positions[:31])
+    one, two = alone.arrays.memory.obstacle, both.arrays.memory.obstacle
+    assert np.array_equal(one.grip, two.grip[:, :, :31])
+
+
+# -- refusals --------------------------------------------------------------------------------
+
+
+def refused(scene: Scene, **run: Any) -> dict[str, str]:
+    """Return the rules of the faults that a scene has, by path."""
+    with pytest.raises(SceneError) as error:
+        build(scene.replace(run=scene.run.replace(**run)))
+    return {fault.path: fault.rule for fault in error.value.faults}
+
+
+def test_what_cannot_be_run_is_refused_by_name() -> None:
+    scene, _ = incline(10.0, "esdirk3")
+    for method in ("implicit-midpoint", "generalized-alpha"):
+        assert "cannot work with obstacles" in refused(scene, method=method)["run.method"]
+    assert "depends on how it came there" in refused(scene, start="at-rest")["run.start"]
+    deep = scene.replace(obstacles=[scene.obstacles[0].replace(point=(0.0, 0.0, 0.2))])
+    assert "mm inside obstacle 'obstacle0'" in refused(deep)["rope[0].shape"]
+    with pytest.raises(SceneError, match="depends on how it came there"):
+        rw.equilibrium(scene)
+    with pytest.raises(SceneError, match="leave the obstacles out"):
+        rw.modes(scene)
+
+
+@pytest.mark.parametrize(
+    ("kind", "given", "path"),
+    [
+        (Sphere, {"center": (0, 0, 0), "radius": 0.0}, "radius"),
+        (Plane, {"friction": -0.1}, "friction"),
+        (Plane, {"friction": math.inf}, "friction"),
+        (Plane, {"normal": (0, 0, 0)}, "normal"),
+        (Cylinder, {"start": (0, 0, 0), "end": (0, 0, 0), "radius": 1.0}, "to"),
+        (Box, {"center": (0, 0, 0), "half_sizes": (1, 1, 1), "edge_radius": 2.0}, "edge_radius"),
+        (Torus, {"center": (0, 0, 0), "radius": 1.0, "bar_radius": 1.0}, "bar_radius"),
+    ],
+)
+def test_faulty_bodies_are_refused(kind: Any, given: dict[str, Any], path: str) -> None:
+    with pytest.raises(SceneError) as error:
+        kind(**given)
+    assert [fault.path for fault in error.value.faults] == [path]
+
+
+def test_check_warns_of_what_nodes_may_miss() -> None:
+    scene, _ = incline(10.0, "esdirk3")
+    thin = Sphere(center=(5, 0, 0), radius=0.01)
+    warnings = rw.check(scene.replace(obstacles=[thin]), measure=False).warnings
+    assert any("longer than twice its radius" in text for text in warnings)
+    assert any("may pass through" in text for text in warnings)
+    wide = rw.check(scene, measure=False).warnings
+    assert not any("longer than twice" in text or "pass through" in text for text in wide)
