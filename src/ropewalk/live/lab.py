@@ -130,7 +130,7 @@ def _anchor(model: Model, row: int) -> dict[str, Any]:
 def _refused(model: Model) -> list[tuple[str, str]]:
     """Return what of a scene the lab's kernel does not have, with its path."""
     scene, system = model.scene, model.system
-    found = [(name, name) for name in (*SECTIONS, "limiter") if getattr(scene, name) is not None]
+    found = [(name, name) for name in (*SECTIONS, "limiter") if getattr(scene, name)]
     found += [("winch", "winches")] if scene.winches else []
     found += [("joint", "joints")] if scene.joints else []
     found += [("rope.made_of.EI", "bending stiffness")] if system.flags[BENDING] else []

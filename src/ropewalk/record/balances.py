@@ -122,7 +122,7 @@ def weight_times_length(scene: Scene) -> float:
 def is_damped(scene: Scene) -> bool:
     """Tell whether anything in a scene takes energy."""
     sections = (*(law.section for law in NODE_LAWS), "limiter")
-    if any(getattr(scene, section, None) is not None for section in sections):
+    if any(getattr(scene, section, None) for section in sections):
         return True
     rubs = any(rope.segment_friction > 0.0 for rope in scene.ropes)
     bends = (rope.made_of for rope in scene.ropes if isinstance(rope.made_of, Material))
