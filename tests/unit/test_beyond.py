@@ -106,6 +106,15 @@ def test_the_tension_figure_draws_the_zigzag_past_the_break(broken: Result) -> N
     )
 
 
+def test_all_panels_of_the_tension_figure_are_in_one_unit() -> None:
+    """R6 breaks from 321 N to 53 kN in one step: the same number is as high in both panels."""
+    result = rw.simulate("r6", on_failure="return")
+    figure = plots.tension(result, times=[0.05])
+    labels = [axes.get_ylabel() for axes in figure.axes if axes.get_ylabel().endswith("N]")]
+    assert len(labels) == 3  # profiles, break, colour bar
+    assert {label[label.index("[") :] for label in labels} == {"[N]"}
+
+
 def test_a_movie_ends_in_the_break_in_orange(broken: Result, tmp_path: Path) -> None:
     def pictures(result: Result) -> list[np.ndarray]:
         path = plots.movie(result, tmp_path / "it.gif", fps=10, size=(480, 300))

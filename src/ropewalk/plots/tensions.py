@@ -91,11 +91,14 @@ def tension(
         image, ax=list(grid[: len(shown)]), extend=extend, pad=0.015, aspect=18 * min(len(shown), 3)
     )
     since = ", largest since the frame before" if result.has_extremes else ""
-    scaled_axis(bar.ax, result.tension_name + since, "N", reach(scale))
+    unit_of = reach(scale)  # one unit in all panels, so that their numbers compare
+    scaled_axis(bar.ax, result.tension_name + since, "N", unit_of)
     if frames:
         _draw_profiles(grid[len(shown)], result, maps, shown, frames, good)
+        scaled_axis(grid[len(shown)], result.tension_name, "N", unit_of)
     if past is not None:
-        _draw_break(grid[-1], result, past, shown)
+        name = _draw_break(grid[-1], result, past, shown)
+        scaled_axis(grid[-1], result.tension_name + name, "N", unit_of)
     set_title(figure, f"{result.scene.name}: {result.tension_name}", describe(result))
     set_note(figure, broken_note(result, good) + notes + margin_notes(result, 0, good))
     return figure
@@ -253,7 +256,6 @@ def _draw_profiles(
     axes.set_ylim(*limits(curves))
     axes.set_xlim(0.0, max(found.length for found in maps))
     axes.set_xlabel(f"{maps[0].origin} [m]")
-    scaled_axis(axes, result.tension_name, "N", max(map(abs, axes.get_ylim())))
     axes.legend(ncols=min(number + 1, 6), fontsize=8.0, loc="lower left", bbox_to_anchor=(0.0, 1.0))
 
 
@@ -272,8 +274,11 @@ def _broke(result: Result, past: Torn, shown: list[int]) -> list[Span]:
     return [span for span in spans if np.isfinite(past.positions[0, span.first]).all()]
 
 
-def _draw_break(axes: Axes, result: Result, past: Torn, shown: list[int]) -> None:
-    """Draw the tension along the rope that broke: the last good frame, and in orange steps past it."""
+def _draw_break(axes: Axes, result: Result, past: Torn, shown: list[int]) -> str:
+    """Draw the tension along the rope that broke: the last good frame, and in orange steps past it.
+
+    Returns whose it is, where there are several.
+    """
     assert past.tension is not None
     last = past.last
     with np.errstate(all="ignore"):
@@ -292,9 +297,7 @@ def _draw_break(axes: Axes, result: Result, past: Torn, shown: list[int]) -> Non
         )
         axes.plot(arc, curve, label=f"{time:.6g} s{' (broken)' if number else ''}", **broken)  # type: ignore[arg-type]
     axes.set_xlim(float(arc[0]), float(arc[-1]) if arc[-1] > arc[0] else float(arc[0]) + 1.0)
-    low, high = limits(curves)
-    axes.set_ylim(low, high)
+    axes.set_ylim(*limits(curves))
     axes.set_xlabel("unstretched arc length [m]")
-    name = f" of {escape(span.name)}" if len(result.layout.ropes) > 1 else ""
-    scaled_axis(axes, f"{result.tension_name}{name}", "N", max(abs(low), abs(high)))
     axes.legend(ncols=3, fontsize=8.0, loc="lower left", bbox_to_anchor=(0.0, 1.0))
+    return f" of {escape(span.name)}" if len(result.layout.ropes) > 1 else ""
