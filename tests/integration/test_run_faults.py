@@ -17,9 +17,10 @@ import ropewalk as rw
 import runs
 from ropewalk.record import lock
 from ropewalk.record.errors import RunError
-from ropewalk.record.folder import verify
 from ropewalk.record.result import Result
 from ropewalk.record.run import record_run
+from ropewalk.record.seal import write_sealed
+from ropewalk.record.verify import verify
 
 AS_ROOT = hasattr(os, "geteuid") and os.geteuid() == 0
 
@@ -75,8 +76,10 @@ def fill_disk(monkeypatch: pytest.MonkeyPatch, after: int) -> None:
 
 
 def edit(path: Path, key: str, value: object) -> None:
-    """Change one value of a JSON file."""
-    path.write_text(json.dumps(json.loads(path.read_text()) | {key: value}))
+    """Change one value of a JSON file, and its checksum with it."""
+    found = json.loads(path.read_text()) | {key: value}
+    found.pop("checksum")
+    write_sealed(path, found)
 
 
 def damage_root(folder: Path, change: Callable[[dict[str, object]], None]) -> None:
@@ -103,16 +106,16 @@ FAULTS: dict[str, tuple[Callable[[Path], object], str]] = {
         "provenance.json: is damaged: it holds no JSON",
     ),
     "empty provenance": (
-        lambda f: (f / "provenance.json").write_text('{"format": 3}'),
+        lambda f: write_sealed(f / "provenance.json", {"format": 5}),
         "does not describe a run",
     ),
     "another version": (
         lambda f: edit(f / "provenance.json", "format", 99),
-        "has the format 99; this version of ropewalk reads 2, 3 and 4",
+        "has the format 99; this version of ropewalk reads 2, 3, 4 and 5",
     ),
     "another store": (
-        lambda f: damage_root(f, lambda root: root["attributes"].update(ropewalk_format=5)),  # type: ignore[attr-defined]
-        "has the format 5",
+        lambda f: damage_root(f, lambda root: root["attributes"].update(ropewalk_format=6)),  # type: ignore[attr-defined]
+        "has the format 6",
     ),
     "no store": (lambda f: shutil.rmtree(f / "data.zarr"), "zarr.json: is missing"),
     "no root": (lambda f: (f / "data.zarr" / "zarr.json").unlink(), "zarr.json: is missing"),
@@ -323,7 +326,7 @@ def flip(path: Path, place: int) -> None:
 def test_one_bit_in_any_chunk_is_found(folder: Path) -> None:
     chunks = [path for path in (folder / "data.zarr").glob("*/c.*") if path.is_file()]
     assert len(chunks) > 20
-    assert verify(folder) == (len(chunks), ())
+    assert verify(folder) == (len(chunks), (), True)
     before = Result.open(folder)
     kept = {name: before.read(name) for name in before.source.names}
     for number, path in enumerate(chunks):

@@ -152,7 +152,7 @@ def test_a_scene_that_was_changed_is_told(tmp_path: Path, half: Path) -> None:
 
 
 def test_facts_of_another_sweep_are_not_taken(tmp_path: Path, half: Path) -> None:
-    from ropewalk.sweeps.facts import sealed
+    from ropewalk.record.seal import sealed
 
     folder = Path(shutil.copytree(half, tmp_path / "s"))
     facts = json.loads((folder / "sweep.json").read_text())

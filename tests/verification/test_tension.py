@@ -158,6 +158,7 @@ def made_old(folder: Path) -> Path:
         if "format" in found:
             found["format"] = 2
             found.pop("scene_hash")
+            found.pop("checksum")
         else:
             found["attributes"]["ropewalk_format"] = 2
             arrays = found["consolidated_metadata"]["metadata"]

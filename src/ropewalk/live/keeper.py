@@ -14,7 +14,7 @@ import time
 from collections.abc import Callable
 from concurrent.futures import Future
 from contextlib import ExitStack, suppress
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -24,11 +24,11 @@ from ropewalk.live.session import Session
 from ropewalk.lowering import Layout, Plan
 from ropewalk.record.errors import RunError
 from ropewalk.record.event_log import log
-from ropewalk.record.facts import FINISHED, RUNNING, Facts, provenance
-from ropewalk.record.files import read_json, write_json, writing
-from ropewalk.record.folder import begin, write_end, write_status
+from ropewalk.record.facts import FINISHED, RUNNING, Facts, now, provenance
+from ropewalk.record.files import writing
+from ropewalk.record.folder import begin, change_provenance, write_status
 from ropewalk.record.lock import locked
-from ropewalk.record.place import DATA, PROVENANCE, new_folder
+from ropewalk.record.place import DATA, new_folder
 from ropewalk.record.store import Writer
 from ropewalk.scene import Scene
 from ropewalk.simulation.block import Block
@@ -165,10 +165,7 @@ class Keeper:
         plan = replace(part.facts.plan, frames=max(part.frames - 1, 1))
         part.facts = part.facts.but(status=FINISHED, plan=plan)
         self._commit()
-        found = read_json(part.folder / PROVENANCE)
-        about = {**found, "plan": {**found["plan"], "frames": plan.frames}}
-        write_json(part.folder / PROVENANCE, about)
-        write_end(part.folder)
+        change_provenance(part.folder, plan=asdict(plan), ended=now())
         self._part = None
 
     def _log(self, event: str, **more: Any) -> None:

@@ -1,30 +1,31 @@
 """The log of a run: `events.jsonl`, one JSON object a line, oldest first.
 
-Every event has `at` (the wall clock) and `event`; what happened in the scene has its `time` [s] too.
+Every event has `at` (the wall clock) and `event`; what happened in the scene has its `time` [s] too; every
+line ends with a checksum.
 """
 
 from __future__ import annotations
 
 import json
-import os
 from pathlib import Path
 from typing import Any
 
 from ropewalk.record.facts import ROPE_BROKE, now
 from ropewalk.record.place import EVENTS as NAME
+from ropewalk.record.seal import sealed_line
 
 Event = dict[str, Any]
+_LAST = 1 << 18  # bytes at the end of a log, in which the line before is looked for
 
 
 def log(folder: Path, event: str, **more: Any) -> None:
-    """Add a line to the log. Raises OSError."""
-    line = json.dumps({"at": now(), "event": event, **more}, ensure_ascii=False).encode() + b"\n"
+    """Add a line to the log, with its checksum. Raises OSError."""
+    line = json.dumps({"at": now(), "event": event, **more}, ensure_ascii=False).encode()
     with open(folder / NAME, "ab+", buffering=0) as file:
-        if file.tell() > 0:
-            file.seek(-1, os.SEEK_END)
-            if file.read(1) != b"\n":  # the process was killed in the middle of a line
-                line = b"\n" + line
-        file.write(line)
+        file.seek(max(0, file.tell() - _LAST))
+        last = file.read()
+        begun = last and not last.endswith(b"\n")  # the process was killed in the middle of a line
+        file.write((b"\n" if begun else b"") + sealed_line(line, last) + b"\n")
 
 
 def read_events(folder: Path) -> tuple[Event, ...]:
@@ -42,6 +43,7 @@ def read_events(folder: Path) -> tuple[Event, ...]:
             continue
         if not isinstance(event, dict) or not isinstance(event.get("event"), str):
             continue
+        event.pop("checksum", None)
         if "anchor" in event or "winch" in event or event["event"] == ROPE_BROKE:
             what = {key: value for key, value in event.items() if key != "at"}
             if what in told:

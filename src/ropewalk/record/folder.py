@@ -15,21 +15,22 @@ import hashlib
 from contextlib import suppress
 from dataclasses import asdict
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from ropewalk.lowering import Layout, Plan
 from ropewalk.lowering.layout import make_layout
 from ropewalk.methods.registry import METHODS
-from ropewalk.record import beyond, checkpoint
+from ropewalk.record import beyond
 from ropewalk.record.ends import from_dicts
 from ropewalk.record.errors import RunError
 from ropewalk.record.event_log import log, read_events
 from ropewalk.record.facts import INTERRUPTED, RUNNING, Facts, now
-from ropewalk.record.files import read_json, reading, write, write_json
+from ropewalk.record.files import read_json, reading, write
 from ropewalk.record.lock import is_locked
-from ropewalk.record.place import CHECKPOINT, DATA, PROVENANCE, SCENE, STATUS, new_folder
+from ropewalk.record.place import DATA, PROVENANCE, SCENE, STATUS, new_folder
 from ropewalk.record.reader import Stored, reads
-from ropewalk.record.store import CHECKED, FORMAT, READABLE, Writer
+from ropewalk.record.seal import read_sealed, write_sealed
+from ropewalk.record.store import CHECKED, FORMAT, READABLE, SEALED, Writer
 from ropewalk.scene import Scene, SceneError, dumps, load
 from ropewalk.scene.from_library import origin
 
@@ -46,7 +47,7 @@ def begin(folder: Path, scene: Scene, layout: Layout, facts: Facts, chunk: int) 
     provenance = {**facts.provenance, "format": FORMAT, "scene_hash": _hash(text)}
     if ropes := {rope.name: about for rope in scene.ropes if (about := origin(rope.made_of))}:
         provenance["ropes_of_the_library"] = ropes
-    write_json(folder / PROVENANCE, provenance, sync=True)
+    write_sealed(folder / PROVENANCE, provenance, sync=True)
     writer = Writer(folder / DATA, scene, layout, chunk, is_packed(facts.plan))
     writer.create(provenance)
     return writer
@@ -72,13 +73,24 @@ def write_status(folder: Path, facts: Facts, frames: int, time: float) -> None:
         status["ends"] = [end.as_dict() for end in facts.ends]
     if facts.step_counts:
         status["steps"] = facts.step_counts
-    write_json(folder / STATUS, status)
+    write_sealed(folder / STATUS, status)
 
 
 def write_end(folder: Path) -> None:
     """Add the time of the run's end to its provenance. Raises OSError."""
-    found = read_json(folder / PROVENANCE)
-    write_json(folder / PROVENANCE, {**found, "ended": now()}, sync=True)
+    change_provenance(folder, ended=now())
+
+
+def change_provenance(folder: Path, **more: Any) -> None:
+    """Replace parts of a run's provenance. Raises RunError, OSError."""
+    write_sealed(folder / PROVENANCE, {**read_provenance(folder), **more}, sync=True)
+
+
+def read_provenance(folder: Path) -> dict[str, Any]:
+    """Read the provenance of a run. Raises RunError."""
+    if (version := read_json(folder / PROVENANCE).get("format")) not in READABLE:
+        raise RunError(folder, f"has the format {version!r}; {reads()}")
+    return read_sealed(folder / PROVENANCE, lambda found: found.get("format") == SEALED)
 
 
 def read_scene(folder: Path) -> Scene:
@@ -101,12 +113,10 @@ def read_scene(folder: Path) -> Scene:
 
 def read_facts(folder: Path) -> Facts:
     """Read provenance and status of a run. Raises RunError."""
-    provenance = read_json(folder / PROVENANCE)
-    if (version := provenance.get("format")) not in READABLE:
-        raise RunError(folder, f"has the format {version!r}; {reads()}")
+    provenance = read_provenance(folder)
     status: dict[str, Any] = {"status": RUNNING}
     if (folder / STATUS).exists():
-        status = read_json(folder / STATUS)
+        status = read_sealed(folder / STATUS, lambda _: provenance["format"] >= SEALED)
     state = status.get("status", RUNNING)
     if state == RUNNING and not is_locked(folder):
         state = INTERRUPTED
@@ -189,32 +199,3 @@ def save_result(result: Result, folder: Path, overwrite: bool) -> None:
 def _about(result: Result) -> dict[str, Any]:
     about = {k: v for k, v in result.facts.provenance.items() if k != "format"}
     return {"plan": asdict(result.plan), "ledger": result.facts.ledger, **about}
-
-
-class Verdict(NamedTuple):
-    """What was looked at and what is damaged: one error for each file."""
-
-    chunks: int
-    faults: tuple[RunError, ...]
-
-
-def verify(folder: Path) -> Verdict:
-    """Read every chunk of a run, and its checkpoint, and compare them with their checksums.
-
-    Raises RunError when the folder is so damaged that one cannot tell what should be there.
-    """
-    _, _, stored = open_parts(folder)
-    if not stored.checked:
-        raise RunError(folder, "was written before runs had checksums: it cannot be verified")
-    faults: list[RunError] = []
-    chunks = 0
-    for path in stored.files():
-        chunks += 1
-        if fault := stored.fault(path):
-            faults.append(fault)
-    if (folder / CHECKPOINT).exists():
-        try:
-            checkpoint.read(folder)
-        except RunError as error:
-            faults.append(error)
-    return Verdict(chunks, tuple(faults))

@@ -14,7 +14,16 @@ from ropewalk.lowering import Layout
 from ropewalk.record.errors import RunError
 from ropewalk.record.files import read_json, reading
 from ropewalk.record.quantities import BY_NAME, stored
-from ropewalk.record.store import CHECKED, LEADING, READABLE, ROOT, array_specs
+from ropewalk.record.store import (
+    CHECKED,
+    LEADING,
+    READABLE,
+    ROOT,
+    SEAL,
+    SEALED,
+    array_specs,
+    seal_of,
+)
 from ropewalk.record.zarr_format import ArraySpec, decode, opened
 from ropewalk.scene import Scene
 
@@ -41,7 +50,7 @@ class Stored:
         if self._frames < 1 or self._chunk < 1:
             raise RunError(folder / ROOT, "is damaged: it has no frames")
         self.shown = self._frames  # frames that the store's own metadata tell of
-        self.checked = version >= CHECKED
+        self.checked, self.sealed = version >= CHECKED, version >= SEALED
         quantities = stored(layout, scene, version)
         specs = array_specs(quantities, layout, self._chunk, self.checked)
         self._specs = {spec.name: spec for spec in specs}
@@ -70,6 +79,8 @@ class Stored:
 
         Raises RunError when they are not there, or a chunk that holds any of them is damaged.
         """
+        if fault := self.root_fault():  # a resumed run takes from it what it writes
+            raise fault
         self._frames = frames
         there = int(np.isfinite(self.read_raw("time")).sum())
         if there < frames:
@@ -78,6 +89,28 @@ class Stored:
         for path in self.files():
             if fault := self.fault(path):
                 raise fault
+
+    def root_fault(self) -> RunError | None:
+        """Return what is wrong with the root's zarr.json, of a store in which it has a checksum."""
+        if self.sealed and self.root["attributes"].get(SEAL) != seal_of(self.root):
+            return RunError(self.folder / ROOT, "is damaged: it does not fit its checksum")
+        return None
+
+    def header_faults(self, written: int) -> Iterator[RunError]:
+        """Go through the zarr.json of single arrays and say which are not what the root says of them.
+
+        Those of a run that is not finished may have as many frames as were `written` already.
+        """
+        for name, about in self.root["consolidated_metadata"]["metadata"].items():
+            path = self.folder / name / ROOT
+            sound = [about]
+            if name in self._specs:
+                sound.append(self._specs[name].metadata(written))
+            try:
+                if read_json(path) not in sound:
+                    yield RunError(path, "is damaged: it is not what the store's own zarr.json has")
+            except RunError as error:
+                yield error
 
     def files(self) -> Iterator[Path]:
         """Go through the files of all chunks, those of fixed coordinates included."""

@@ -23,6 +23,7 @@ from ropewalk.methods.recording import LARGE, Recording, make_recording
 from ropewalk.record.dataset import TIME, attributes, coordinates
 from ropewalk.record.files import sync_all, write, write_json, write_pages
 from ropewalk.record.quantities import Quantity, raw, recorded, sizes
+from ropewalk.record.seal import crc_of
 from ropewalk.record.zarr_format import (
     CHECKSUM,
     HEADER,
@@ -40,10 +41,12 @@ from ropewalk.simulation.block import Block
 if TYPE_CHECKING:
     from ropewalk.record.reader import Stored
 
-FORMAT = 4  # of the run folder
-READABLE = (2, 3, FORMAT)
+FORMAT = 5  # of the run folder
+READABLE = (2, 3, 4, FORMAT)
 CHECKED = 3  # from this format on every chunk has a checksum
+SEALED = 5  # from this one on the rest has, too
 ROOT = "zarr.json"
+SEAL = "ropewalk_checksum"  # attribute of the root
 LEADING = "positions"  # the array whose chunks are the frames that are written at a time
 LONGEST_FILE = 4096  # [frames] of small arrays in one file
 FILE_BYTES = 1_000_000  # of them, before compression
@@ -67,6 +70,12 @@ def array_specs(
         name, dims, swapped = quantity.name, quantity.dims, quantity.swapped
         specs.append(ArraySpec(name, dims, shape, form, "float64", about, swapped, checked))
     return specs
+
+
+def seal_of(root: dict[str, Any]) -> str:
+    """Return the checksum of the root's metadata without its own."""
+    about = {name: value for name, value in root["attributes"].items() if name != SEAL}
+    return crc_of({**root, "attributes": about})
 
 
 def _frames(chunk: int, size: int) -> int:
@@ -197,7 +206,8 @@ class Writer:
         for spec in self._specs:
             arrays[spec.name] = spec.metadata(self.frames)
             write_json(self.folder / spec.name / ROOT, arrays[spec.name], indent=None)
-        whole = group_metadata(self._attributes, arrays)
+        whole = group_metadata(dict(self._attributes), arrays)
+        whole["attributes"][SEAL] = seal_of(whole)
         write_json(self.folder / ROOT, whole, indent=None, sync=True)
         sync_all([self.folder])
 

@@ -5,36 +5,15 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-import google_crc32c
-
 from ropewalk.record.errors import RunError
-from ropewalk.record.files import read_json, reading
+from ropewalk.record.seal import read_sealed
 
-_KEY = b'"checksum": "'
-_TAIL = len(_KEY) + len(' 00000000"\n}')
-_UNSEALED = (1, 2)  # formats that had neither checksum nor copy
-
-
-def _tail(body: bytes) -> bytes:
-    return b" " + _KEY + f'{google_crc32c.value(body):08x}"\n}}'.encode()
-
-
-def sealed(text: str) -> bytes:
-    """Return a JSON object with the CRC-32C (hexadecimal) of all that stands before it as its last entry."""
-    body = text.rstrip().removesuffix("}").rstrip().encode() + b",\n"
-    return body + _tail(body)
+_SEALED = 3  # the format from which on there are checksum and copy
 
 
 def _sound(path: Path) -> dict[str, Any]:
     """Return the facts of a file. Raises RunError when it is missing or not as it was written."""
-    facts = read_json(path)
-    with reading(path):
-        data = path.read_bytes()
-    has_seal = _KEY in data[-_TAIL:] or facts.get("format") == _UNSEALED[-1] + 1
-    if has_seal and data[-_TAIL:] != _tail(data[:-_TAIL]):
-        raise RunError(path, f"is damaged: its {len(data)} bytes do not fit their checksum")
-    facts.pop("checksum", None)
-    return facts
+    return read_sealed(path, lambda facts: facts.get("format") == _SEALED)
 
 
 def fault(path: Path) -> str:

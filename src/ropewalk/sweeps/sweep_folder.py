@@ -23,10 +23,11 @@ import numpy as np
 
 from ropewalk.record.errors import RunError
 from ropewalk.record.files import reading, writing
+from ropewalk.record.seal import sealed
 from ropewalk.record.zarr_format import decode, group_metadata, opened
 from ropewalk.scene import Scene, dumps, loads
 from ropewalk.sweeps.batch import Batch
-from ropewalk.sweeps.facts import read_facts, sealed
+from ropewalk.sweeps.facts import read_facts
 from ropewalk.sweeps.store_layout import (
     DONE,
     OF_BROKEN,

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from ropewalk.lowering import Plan
     from ropewalk.record.result import Result
 
-MOST_NAMED = 20  # damaged chunks
+MOST_NAMED = 20  # damaged files
 _PROVENANCE = ("started", "ended", "ropewalk", "python", "numpy", "numba", "platform")
 
 
@@ -27,7 +27,7 @@ _PROVENANCE = ("started", "ended", "ropewalk", "python", "numpy", "numba", "plat
     "--verify",
     "checked",
     is_flag=True,
-    help="Compare every chunk of numbers with its checksum first; exit status 2 if one is damaged.",
+    help="Compare all that the folder holds with its checksums first; exit status 2 if any is damaged.",
 )
 @json_option
 def info(folder: Path, checked: bool, as_json: bool) -> None:
@@ -42,7 +42,7 @@ def info(folder: Path, checked: bool, as_json: bool) -> None:
         return
     result = open_run(folder)
     if checked:
-        tell(f"{_verified(folder)} chunks of numbers, all as they were written")
+        tell(_verified(folder))
     if as_json:
         print_json(_facts(result))
         return
@@ -64,17 +64,22 @@ def info(folder: Path, checked: bool, as_json: bool) -> None:
         say(f"go on with: ropewalk resume {folder}")
 
 
-def _verified(folder: Path) -> int:
-    """Return how many chunks there are, all sound. Raises Refusal that names those that are not."""
-    from ropewalk.record.folder import verify
+def _verified(folder: Path) -> str:
+    """Return what was compared with its checksums and is sound. Raises Refusal that names what is not."""
+    from ropewalk.record.verify import verify
 
     verdict = verify(folder)
     if verdict.faults:
         named = [str(fault) for fault in verdict.faults[:MOST_NAMED]]
         if len(verdict.faults) > MOST_NAMED:
-            named.append(f"and {len(verdict.faults) - MOST_NAMED} more of {verdict.chunks} chunks")
+            named.append(f"and {len(verdict.faults) - MOST_NAMED} more, of {verdict.chunks} chunks")
         raise Refusal("\n".join(named))
-    return verdict.chunks
+    if verdict.sealed:
+        return f"{verdict.chunks} chunks of numbers and all beside them, as they were written"
+    return (
+        f"{verdict.chunks} chunks of numbers, as they were written; provenance, status and events of this "
+        "older format have no checksums"
+    )
 
 
 def _rows(result: Result) -> list[tuple[str, str]]:

@@ -1,0 +1,133 @@
+"""Text in a run folder is checked as its numbers are: provenance, status, log, metadata of the store."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+import ropewalk as rw
+import runs
+from ropewalk.record import store
+from ropewalk.record.errors import RunError
+from ropewalk.record.result import Result
+from ropewalk.record.run import record_run
+from ropewalk.record.seal import write_sealed
+from ropewalk.record.verify import verify
+
+
+@pytest.fixture
+def stopped(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A run that the disk refused to take any more of."""
+    seen, real = 0, store.write
+
+    def filling(path: Path, *data: object, **more: object) -> None:
+        nonlocal seen
+        seen += 1
+        if seen > 49:
+            raise OSError(28, "No space left on device", str(path))
+        real(path, *data, **more)  # type: ignore[arg-type]
+
+    monkeypatch.setattr("ropewalk.record.run.chunk_frames", lambda simulation: 16)
+    with monkeypatch.context() as patch:
+        patch.setattr(store, "write", filling)
+        with pytest.raises(RunError, match="no space left"):
+            record_run(runs.hanging(), tmp_path / "run", commit_seconds=0.0)
+    return tmp_path / "run"
+
+
+def flip(path: Path, place: int) -> None:
+    """Change one bit of a file."""
+    data = bytearray(path.read_bytes())
+    data[place] ^= 1 << (place % 8)
+    path.write_bytes(data)
+
+
+def faults(folder: Path) -> tuple[RunError, ...]:
+    """Return what is found wrong, in a folder that cannot even be opened too."""
+    try:
+        return verify(folder).faults
+    except RunError as error:
+        return (error,)
+
+
+def rewrite(path: Path, change: dict[str, object], *, sealed: bool) -> None:
+    """Change some values of a JSON file that has a checksum."""
+    found = json.loads(path.read_text())
+    found.pop("checksum")
+    if sealed:
+        write_sealed(path, found | change)
+    else:
+        path.write_text(json.dumps(found | change))
+
+
+def rewrite_root(folder: Path, **change: object) -> None:
+    """Change attributes of a run's store, not its checksum."""
+    path = folder / "data.zarr" / "zarr.json"
+    root = json.loads(path.read_text())
+    root["attributes"] |= change
+    path.write_text(json.dumps(root))
+
+
+TEXTS = ["provenance.json", "status.json", "events.jsonl", "data.zarr/*.json", "data.zarr/*/*.json"]
+
+
+@pytest.mark.parametrize("pattern", TEXTS)
+def test_one_bit_in_any_text_is_found(stopped: Path, pattern: str) -> None:
+    """Names, steps, times of events and headers too; before, half of these were not looked at."""
+    whole = Result.open(stopped)
+    for number, path in enumerate(sorted(stopped.glob(pattern))):
+        for place in range(7 + number, path.stat().st_size, 101):
+            flip(path, place)
+            told = faults(stopped)
+            assert told, (path, place)
+            assert all(str(stopped) in str(fault) for fault in told)
+            flip(path, place)
+    assert verify(stopped).faults == ()
+    assert Result.open(stopped).events == whole.events
+
+
+def test_lost_lines_of_the_log_are_found_and_torn_ones_are_none(stopped: Path) -> None:
+    """A run that was killed within a line goes on, and the log stays sound; a line taken out is missed."""
+    log = stopped / "events.jsonl"
+    with open(log, "ab") as file:
+        file.write(b'{"at": "2026-')
+    assert verify(stopped).faults == ()
+    rw.resume(stopped)
+    assert verify(stopped).faults == ()
+    lines = log.read_bytes().splitlines(keepends=True)
+    assert len(lines) > 3
+    for number in range(len(lines) - 1):
+        log.write_bytes(b"".join(lines[:number] + lines[number + 1 :]))
+        found = verify(stopped).faults
+        torn = not lines[number].endswith(b'"}\n')
+        assert len(found) == (0 if torn else 1)
+
+
+def test_a_resumed_run_takes_nothing_from_a_damaged_root(stopped: Path) -> None:
+    rewrite_root(stopped, title="another")
+    with pytest.raises(RunError, match=r"zarr\.json: is damaged"):
+        rw.resume(stopped)
+
+
+def test_folders_of_the_format_before_are_read_and_verified_as_far_as_can_be(stopped: Path) -> None:
+    rewrite(stopped / "provenance.json", {"format": 4}, sealed=False)
+    rewrite(stopped / "status.json", {}, sealed=False)
+    rewrite_root(stopped, ropewalk_format=4)
+    assert verify(stopped)[1:] == ((), False)
+    assert Result.open(stopped).status == "interrupted"
+    with pytest.raises(RunError, match="older format"):
+        rw.resume(stopped)
+
+
+def test_a_changed_status_is_refused_and_a_sealed_one_is_not(stopped: Path) -> None:
+    """The twin of the refusal: the same change with the checksum that belongs to it."""
+    path = stopped / "status.json"
+    sound = path.read_bytes()
+    rewrite(path, {"seconds": 1.0}, sealed=True)
+    assert Result.open(stopped).facts.seconds == 1.0
+    path.write_bytes(sound)
+    rewrite(path, {"seconds": 1.0}, sealed=False)
+    with pytest.raises(RunError, match=r"status\.json: is damaged"):
+        Result.open(stopped)
