@@ -76,7 +76,7 @@ TEXTS = ["provenance.json", "status.json", "events.jsonl", "data.zarr/*.json", "
 @pytest.mark.parametrize("pattern", TEXTS)
 def test_one_bit_in_any_text_is_found(stopped: Path, pattern: str) -> None:
     """Names, steps, times of events and headers too; before, half of these were not looked at."""
-    whole = Result.open(stopped)
+    whole = rw.resume(stopped)
     for number, path in enumerate(sorted(stopped.glob(pattern))):
         for place in range(7 + number, path.stat().st_size, 101):
             flip(path, place)

@@ -3,7 +3,17 @@
 from __future__ import annotations
 
 import ropewalk as rw
-from ropewalk.scene import Anchor, Material, Rope, RunSettings, Scene, Slack, Straight
+from ropewalk.scene import (
+    Anchor,
+    Limiter,
+    Material,
+    Rope,
+    RunSettings,
+    Scene,
+    Shake,
+    Slack,
+    Straight,
+)
 
 
 def fallen(**more: object) -> rw.Result:
@@ -21,8 +31,8 @@ def fallen(**more: object) -> rw.Result:
 
 
 def test_energy_lost_is_told() -> None:
-    """rk4 damps the waves that slack segments make. The twins: a fine step, a step that was asked for,
-    and friction that hides it.
+    """rk4 damps the waves that slack segments make. The twins: a fine step, a step that was asked for.
+    Beside friction it is told as a share of what is turned over.
     """
     table = fallen().table
     text = table["about the energy"]
@@ -33,7 +43,9 @@ def test_energy_lost_is_told() -> None:
     assert share > 0.01
     assert "about the energy" not in fallen(auto_fraction=0.05).table
     assert "about the energy" not in fallen(time_step=0.001).table
-    assert "about the energy" not in fallen(axial_damping=0.01).table
+    rubbed = fallen(axial_damping=0.01).table
+    assert rubbed["largest energy error, share of the energy turned over [%]"] > 5.0
+    assert "are in no law's work" in rubbed["about the energy"]
     lossy = fallen(method="esdirk3").table["about the energy"]  # numerical damping is no law's work
     assert "are in no law's work" in lossy
     assert "about the energy" not in fallen(method="esdirk3", time_step=0.001).table
@@ -62,3 +74,21 @@ def test_an_automatic_implicit_run_that_miscounts_its_energy_says_so() -> None:
     assert whipped(method="esdirk3").table["about the energy"] == text
     assert "about the energy" not in whipped(method="esdirk3", time_step=1 / 60).table
     assert "about the energy" not in whipped(time_step=1 / 480, frame_rate=60.0).table
+
+
+def test_an_explicit_run_that_a_limiter_drives_says_so() -> None:
+    """Its friction, or the limiter, is no reason to be silent of 38 % of the energy turned over. The twin:
+    Verlet, which errs by 1.4 %.
+    """
+    line = Material(EA=2000.0, mass_per_length=0.1, axial_damping=0.5)
+    rope = Rope(segments=20, length=2.0, made_of=line, shape=Straight(end=(2, 0, 0)))
+    hand = Anchor(node=-1, motion=Shake(axis=(0, 0, 1), amplitude=0.2, frequency=1.7))
+    limits = Limiter(min_stretch=0.9, max_stretch=1.01)
+
+    def told(method: str) -> str:
+        run = RunSettings(method=method, duration=3.0)
+        shaken = Scene(ropes=[rope], anchors=[Anchor(node=0), hand], limiter=limits, run=run)
+        return str(rw.simulate(shaken).table.get("about the energy", ""))
+
+    assert "% of the energy turned over, are in no law's work" in told("semi-implicit-euler")
+    assert told("verlet") == ""

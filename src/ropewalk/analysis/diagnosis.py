@@ -315,6 +315,15 @@ def _text(
         )
     found = f": {reason}" if reason else ""
     shorter = f"time_step = {0.5 * theory.step:.3g} s"
+    stable = f"The step is stable ({milliseconds(theory.step)} of {milliseconds(theory.bound)})"
+    if math.isinf(theory.bound):
+        stable = f"{theory.method} is stable at any step"
+    # of what a limiter gives the ledger cannot tell whether it was its to give
+    if reason.endswith(ACCOUNTED) and "limiter" not in theory.uncovered:
+        return (
+            f"{head} {stable} and {reason}, so this is not the method; look for anchors that move apart, a "
+            "rope too soft for its load, or places and lengths in different units."
+        )
     if theory.uncovered:
         return (
             f"{head} No bound holds for {theory.method} here{found}: {theory.uncovered}. Change to method = "
@@ -322,14 +331,8 @@ def _text(
         )
     if zigzag < _CLEAR and growth > 1.0:
         return (
-            f"{head} The step is {100 * theory.margin:.2g} % below the bound for ropes at "
-            f"their length, so a segment was pressed or thrown far from it{found}; try {shorter}."
-        )
-    stable = f"The step is stable ({milliseconds(theory.step)} of {milliseconds(theory.bound)})"
-    if reason.endswith(ACCOUNTED):
-        return (
-            f"{head} {stable} and {reason}, so this is not the method; look for anchors that move apart, a "
-            "rope too soft for its load, or places and lengths in different units."
+            f"{head} {stable} for ropes at their length, so a segment was pressed or thrown far from "
+            f"it{found}; try {shorter}."
         )
     return (
         f"{head} {stable} for ropes at their length{found}; try {shorter}, or look for jerked anchors, "

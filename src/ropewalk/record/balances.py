@@ -82,9 +82,9 @@ def energy_note(result: Result, error: Floats, share: float) -> str:
         error: of the energy at the frames to look at [J], (frames,).
         share: the largest error, of the energy turned over [%].
 
-    An explicit run of an undamped rope may err by `MOST` of weight times length. Of friction, air, ground
-    and limiter there must be none: what they take hides what steps make up. A run whose method was left to
-    Ropewalk, or the steps of an implicit one, may err by `TURNED` of the energy turned over.
+    An explicit run of an undamped rope may err by `MOST` of weight times length. Where there is friction,
+    air, ground or a limiter, or steps are implicit, by `TURNED` of the energy turned over: what those take
+    hides a part of what steps make up.
     """
     scene, plan = result.scene, result.plan
     error = error[np.isfinite(error)]
@@ -94,8 +94,7 @@ def energy_note(result: Result, error: Floats, share: float) -> str:
     worst, scale = float(error[np.argmax(np.abs(error))]), weight_times_length(scene)
     if not METHODS[plan.method].implicit and not is_damped(scene):
         return _made_up(plan, worst, scale) if abs(worst) > MOST * scale > 0.0 else ""
-    chosen = scene.run.method == "auto" or METHODS[plan.method].implicit
-    if not chosen or not share > TURNED or abs(worst) <= _NOTHING * scale:
+    if not share > TURNED or abs(worst) <= _NOTHING * scale:
         return ""
     return (
         f"{abs(worst):.3g} J, {share:.3g} % of the energy turned over, are in no law's work: some of the "

@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from ropewalk.record import beyond, checkpoint
 from ropewalk.record.errors import RunError
+from ropewalk.record.facts import INTERRUPTED, RUNNING
 from ropewalk.record.files import reading
 from ropewalk.record.folder import open_parts
 from ropewalk.record.place import BEYOND, CHECKPOINT, EVENTS
@@ -30,29 +31,24 @@ def verify(folder: Path) -> Verdict:
     chunks, checkpoint and scene can be verified. Raises RunError when the folder is so damaged that one
     cannot tell what should be there.
     """
-    _, _, stored = open_parts(folder)
+    _, facts, stored = open_parts(folder)
     if not stored.checked:
         raise RunError(folder, "was written before runs had checksums: it cannot be verified")
     paths = list(stored.files())
     faults = [fault for path in paths if (fault := stored.fault(path))]
-    frames = stored.frames
-    if (folder / CHECKPOINT).exists():
-        try:
-            frames = int(checkpoint.read(folder)["run.frames"])
-        except RunError as error:
-            faults.append(error)
-    if (folder / BEYOND).exists():
-        faults += _raised(lambda: beyond.load(folder))
+    for part, read in ((CHECKPOINT, checkpoint.read), (BEYOND, beyond.load)):
+        if (folder / part).exists():
+            faults += _raised(read, folder)
     if stored.sealed:
-        faults += _of_texts(folder, stored, frames)
+        faults += _of_texts(folder, stored, ended=facts.status not in (RUNNING, INTERRUPTED))
     return Verdict(len(paths), tuple(faults), stored.sealed)
 
 
-def _of_texts(folder: Path, stored: Stored, written: int) -> Iterator[RunError]:
+def _of_texts(folder: Path, stored: Stored, *, ended: bool) -> Iterator[RunError]:
     if fault := stored.root_fault():
         yield fault
     else:
-        yield from stored.header_faults(written)
+        yield from stored.header_faults(ended=ended)
     path = folder / EVENTS
     if path.exists():
         with reading(path):
@@ -62,8 +58,8 @@ def _of_texts(folder: Path, stored: Stored, written: int) -> Iterator[RunError]:
             yield RunError(path, f"is damaged: lines that do not fit their checksums: {lines}")
 
 
-def _raised(do: Callable[[], object]) -> Iterator[RunError]:
+def _raised(read: Callable[[Path], object], folder: Path) -> Iterator[RunError]:
     try:
-        do()
+        read(folder)
     except RunError as error:
         yield error
