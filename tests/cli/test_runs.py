@@ -19,6 +19,7 @@ import pytest
 from cli.conftest import SCENE
 from cli.test_bad_input import refused, tree
 from ropewalk import Result
+from ropewalk.record.seal import write_sealed
 
 HEAVY = ("matplotlib", "xarray", "pandas", "scipy", "zarr", "PIL", "pyarrow")
 # Takes some seconds, most of them in steps between frames.
@@ -181,7 +182,7 @@ def test_folders_that_are_no_runs(ropewalk: Any, scene: Path, command: str) -> N
     path.write_text(json.dumps(json.loads(path.read_text()) | {"format": 99}))
     refused(
         ropewalk(command, "a", *more),
-        "a: has the format 99; this version of ropewalk reads 2, 3 and 4",
+        "a: has the format 99; this version of ropewalk reads 2, 3, 4 and 5",
     )
     path.write_text("{")
     refused(ropewalk(command, "a", *more), "provenance.json: is damaged")
@@ -267,7 +268,9 @@ def test_a_run_by_other_sources_is_resumed_only_by_force(
     ropewalk("run", scene, "-o", "a")
     for name, change in [("provenance", {"source_hash": "0"}), ("status", {"status": "running"})]:
         path = tmp_path / f"a/{name}.json"
-        path.write_text(json.dumps(json.loads(path.read_text()) | change))
+        found = json.loads(path.read_text()) | change
+        found.pop("checksum")
+        write_sealed(path, found)
     refused(ropewalk("resume", "a"), "other sources of ropewalk", "give --force")
     done = ropewalk("resume", "a", "--force")
     assert done.exit_code == 0, done.output
@@ -356,7 +359,7 @@ def test_info_verifies_every_chunk(ropewalk: Any, scene: Path, tmp_path: Path) -
     assert ropewalk("run", scene, "-o", "a").exit_code == 0
     done = ropewalk("info", "a", "--verify")
     assert done.exit_code == 0, done.output
-    assert "chunks of numbers, all as they were written" in done.stderr
+    assert "chunks of numbers and all beside them, as they were written" in done.stderr
     chunks = sorted((tmp_path / "a/data.zarr").glob("*/c.*"))
     for path in chunks[:2]:
         data = bytearray(path.read_bytes())
