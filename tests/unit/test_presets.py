@@ -18,6 +18,7 @@ EXPECTED = {
     *("fishing-rod", "wire-arch"),
     *("climbing-fall", "zip-line", "highline", "rescue-lower", "tow"),
     *("crane-snap", "hoist-stop", "guyed-mast", "suspension-cable", "power-line-in-wind"),
+    *("three-leg-sling", "net"),
 }
 
 

@@ -340,6 +340,9 @@ def test_forces_of_joints_are_kept_in_files_and_tables(tmp_path: Path) -> None:
     table = (tmp_path / "csv" / "joints.csv").read_text().splitlines()
     assert table[0] == "time [s],tie,fx [N],fy [N],fz [N]"
     assert table[1].split(",")[1] == "knot:leg0[6]"
+    assert len(saved.to_pandas("joints")) == 3 * result.frames
+    assert saved.datasets["joints"]["joint_forces"].dims == ("time", "tie", "axis")
+    assert "joint_forces" not in saved.datasets["run"]
     assert saved.dataset["joint_forces"].shape == (result.frames, 3, 3)
 
 

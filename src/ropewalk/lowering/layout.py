@@ -54,6 +54,7 @@ class Layout:
     clamped: bool = False  # whether any anchor holds a direction
     ties: tuple[str, ...] = ()  # what each joint ties: "joint0:rope[4]"
     more: tuple[str, ...] = ()  # names of the laws of nodes with a memory, where there are any
+    tied_nodes: tuple[int, ...] = ()  # their indices
 
     @property
     def segments(self) -> int:
@@ -118,11 +119,11 @@ def make_layout(scene: Scene) -> Layout:
         spans[number[anchor.rope]].start + scene.ropes[number[anchor.rope]].node_index(anchor.node)
         for anchor in scene.anchors
     )
-    ties = tuple(
-        f"{joint.name}:{tie.rope}[{scene.ropes[number[tie.rope]].node_index(tie.node)}]"
+    tied = [
+        (joint.name, number[tie.rope], scene.ropes[number[tie.rope]].node_index(tie.node))
         for joint in scene.joints
         for tie in joint.points
-    )
+    ]
     return Layout(
         tuple(spans),
         tuple(anchor.name for anchor in scene.anchors),
@@ -130,12 +131,13 @@ def make_layout(scene: Scene) -> Layout:
         first,
         any(rope.bending_stiffness > 0.0 for rope in scene.ropes),
         any(anchor.clamp is not None for anchor in scene.anchors),
-        ties,
+        tuple(f"{name}:{spans[rope].name}[{node}]" for name, rope, node in tied),
         tuple(
             law.name
             for law in NODE_LAWS
             if law.memory is not None and getattr(scene, law.section, None)
         ),
+        tuple(spans[rope].start + node for _, rope, node in tied),
     )
 
 

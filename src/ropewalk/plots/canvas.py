@@ -28,6 +28,7 @@ if TYPE_CHECKING:
 _FLAT = 20.0  # a box flatter than this is drawn with unequal scales
 ANCHOR = {"marker": "s", "color": "black", "markersize": 5.5, "linestyle": "none"}
 LOAD = {"marker": "o", "color": "#404040", "markersize": 7.0, "linestyle": "none"}
+JOINT = {"marker": "o", "color": "#404040", "markersize": 3.0, "linestyle": "none"}
 
 
 @dataclass(frozen=True)
@@ -114,7 +115,12 @@ def draw_anchors(axes: Axes, result: Result, view: Sight, frame: int, **style: o
 
 
 def draw_loads(axes: Axes, result: Result, view: Sight, frame: int, **style: object) -> None:
-    """Draw the extra masses."""
+    """Draw the extra masses, and a dot where ropes are tied."""
+    tied = list(result.layout.tied_nodes)
+    if tied:
+        at = view.project(shown_positions(result, frame)[tied])
+        own = {key: value for key, value in style.items() if key != "markersize"}
+        axes.plot(at[:, 0], at[:, 1], **{**JOINT, "zorder": 3.4, **own})  # type: ignore[arg-type]
     nodes = load_nodes(result)
     if nodes:
         at = view.project(shown_positions(result, frame)[nodes])

@@ -13,6 +13,7 @@ from matplotlib.figure import Figure
 
 from ropewalk.plots.canvas import (
     ANCHOR,
+    JOINT,
     LOAD,
     Backdrop,
     backdrop,
@@ -174,6 +175,9 @@ def _legend(axes: Axes, result: Result, with_times: bool) -> None:
     if load_nodes(result):
         handles += axes.plot([], [], **{**LOAD, **grey})  # type: ignore[arg-type]
         names.append("load")
+    if result.scene.joints:
+        handles += axes.plot([], [], **{**JOINT, **grey})  # type: ignore[arg-type]
+        names.append("joint")
     if with_times:
         axes.figure.legend(handles, names, title="time", loc="outside right upper")
     elif names:

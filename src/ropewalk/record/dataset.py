@@ -129,7 +129,7 @@ def make_dataset(result: Result) -> RunDataset:
 
 
 def split_dataset(result: Result) -> Mapping[str, xr.Dataset]:
-    """Return datasets of nodes, segments, anchors and the run; see `Result.datasets`."""
+    """Return datasets of nodes, segments, anchors, joints and the run; see `Result.datasets`."""
     from ropewalk.record.run_dataset import split
 
     return split(result, result.dataset)

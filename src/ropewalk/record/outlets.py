@@ -26,7 +26,7 @@ _CELL, _PLOTS, _SHARE, _VIEW = (
     f"ropewalk.{name}" for name in ("live.cell", "plots", "live.share", "live.view")
 )
 
-TableName = Literal["nodes", "segments", "anchors", "run"]
+TableName = Literal["nodes", "segments", "anchors", "joints", "run"]
 
 
 class Outlets:
@@ -55,8 +55,9 @@ class Outlets:
         """The result as xarray Datasets by name, each with its own dimensions only.
 
         `nodes` (time, node, axis), `segments` (time, segment), `anchors` (time, anchor, axis), where there
-        are anchors, and `run` (time,) with a variable for each energy, work and component. Units are in
-        `attrs["units"]` of every variable. Each can be made into a table by `to_dataframe`.
+        are anchors, `joints` (time, tie, axis), where there are joints, and `run` (time,) with a variable
+        for each energy, work and component. Units are in `attrs["units"]` of every variable. Each can be
+        made into a table by `to_dataframe`.
         """
         from ropewalk.record.dataset import split_dataset
 
@@ -75,8 +76,8 @@ class Outlets:
 
         Args:
             table: "nodes" (a row per frame and node: x, y, z [m], vx, vy, vz [m/s]), "segments" (a row
-                per frame and segment: tension [N] ..), "anchors" (forces [N], moments [N m]) or "run" (a row
-                per frame: energies and works [J], momenta).
+                per frame and segment: tension [N] ..), "anchors" (forces [N], moments [N m]), "joints"
+                (their forces on the ropes [N]) or "run" (a row per frame: energies and works [J], momenta).
             nodes: only these nodes of every rope (negative: from its end), and the segments next to them.
             times: only the frames nearest to these times [s].
             every: only every so many frames.
@@ -104,8 +105,8 @@ class Outlets:
     ) -> tuple[Path, ...]:
         """Write the result for other programs, in pieces; return the files to open.
 
-        csv and parquet make up to four tables in the folder `out` (nodes, segments, anchors, run), or the
-        file `out` itself where one table is asked for and `out` ends in .csv or .parquet. npz makes the
+        csv and parquet make up to five tables in the folder `out` (nodes, segments, anchors, joints, run), or
+        the file `out` itself where one table is asked for and `out` ends in .csv or .parquet. npz makes the
         file `out`; vtk a folder with a .pvd for ParaView and one .vtp a frame.
 
         Args:

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
     from ropewalk.record.result import Result
 
-_PLACES = {"node": "nodes", "segment": "segments", "anchor": "anchors"}
+_PLACES = {"node": "nodes", "segment": "segments", "anchor": "anchors", "tie": "joints"}
 
 
 class RunDataset(xr.Dataset):  # type: ignore[no-untyped-call]
@@ -45,7 +45,7 @@ class RunDataset(xr.Dataset):  # type: ignore[no-untyped-call]
 
 
 def split(result: Result, whole: xr.Dataset) -> dict[str, xr.Dataset]:
-    """Return the parts of a dataset by what they are of: nodes, segments, anchors, the run."""
+    """Return the parts of a dataset by what they are of: nodes, segments, anchors, joints, the run."""
     names: dict[str, list[str]] = {}
     for name in result.source.names:
         part = next((_PLACES[dim] for dim in BY_NAME[name].dims if dim in _PLACES), "run")

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
     from ropewalk.record.result import Result
 
-NAMES = ("nodes", "segments", "anchors", "run")
+NAMES = ("nodes", "segments", "anchors", "joints", "run")
 Columns = list[NDArray[Any]]
 
 

@@ -75,7 +75,7 @@ def export(
 ) -> None:
     """Write the numbers of the run in DIR for other programs.
 
-    csv and parquet make tables (nodes, segments, anchors, run), npz a NumPy archive, vtk a series that
+    csv and parquet make tables (nodes, segments, anchors, joints, run), npz a NumPy file, vtk a series that
     ParaView opens. Columns carry units.
     """
     from ropewalk.record.errors import InputError
