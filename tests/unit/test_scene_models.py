@@ -169,3 +169,13 @@ def test_sentences() -> None:
 def test_a_simulation_of_a_name_says_what_gives_a_scene() -> None:
     with pytest.raises(TypeError, match=r"'r3' is no scene; rw.preset"):
         Simulation("r3")  # type: ignore[arg-type]
+
+
+def test_the_scene_lists_the_methods_that_there_are() -> None:
+    """Its list is written apart, so that a scene loads without kernels."""
+    from typing import get_args
+
+    from ropewalk.methods.registry import METHODS
+    from ropewalk.scene.run_settings import Method
+
+    assert set(get_args(Method)) == {*METHODS, "auto"}

@@ -25,7 +25,6 @@ from ropewalk.core.status import BREAK_STRETCH
 from ropewalk.laws.anchors import anchor_places
 from ropewalk.laws.registry import NODE_LAWS, NodeArrays, NodeTables
 from ropewalk.lowering.bending_tables import add_bending, no_bending
-from ropewalk.lowering.curve import initial_points
 from ropewalk.lowering.joints import join, joint_tables
 from ropewalk.lowering.layout import Layout, Span
 from ropewalk.lowering.limiter_order import limiter_order
@@ -133,7 +132,7 @@ def _places(layout: Layout, forms: tuple[tuple[Any, ...], ...], up: Any) -> Floa
     """Return the places of all nodes [m], (3, n); rope on a drum waits where the drum is."""
     x = np.zeros((3, layout.nodes))
     for (shape, segments, length, one), span in zip(forms, layout.ropes, strict=True):
-        x[:, span.start : span.end + 1] = initial_points(shape, segments, length, one, up).T
+        x[:, span.start : span.end + 1] = shape.places(segments, length, one, up).T
         x[:, span.first : span.start] = x[:, span.start, None]
         x[:, span.end + 1 : span.last + 1] = x[:, span.end, None]
     return x

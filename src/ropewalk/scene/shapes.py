@@ -1,22 +1,31 @@
-"""Initial shapes: where the nodes of a rope are, and how fast they move, at time zero."""
+"""Initial shapes: where the nodes of a rope are, and how fast they move, at time zero.
+
+Each is a `ShapeModel`, of which `places` is all that the engine asks. The union at the end names them all.
+"""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from itertools import pairwise
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
+import numpy as np
 from pydantic import Field, ValidationInfo, model_validator
 
-from ropewalk.scene.base import HUGE, Many, Model, Text, Vector, refuse, vector
+from ropewalk.scene.base import HUGE, Many, Text, Vector, refuse, vector
 from ropewalk.scene.faults import MISSING, NO_VALUE, Fault
+from ropewalk.scene.shape_model import ShapeModel
+
+if TYPE_CHECKING:
+    from ropewalk.core.arrays import Floats
 
 _ZERO = (0.0, 0.0, 0.0)
 _VELOCITY = "Initial velocity of all nodes"
 
 
-class Straight(Model):
+class Straight(ShapeModel):
     """A straight line of evenly spaced nodes.
 
     Without ``end`` the rope lies at its unstretched length from ``start`` along ``direction``
@@ -43,8 +52,21 @@ class Straight(Model):
         refuse(faults)
         return self
 
+    def places(
+        self, segments: int, length: float, segment_length: float, up: Sequence[float]
+    ) -> Floats:
+        """See `ShapeModel.places`."""
+        start = np.array(self.start, dtype=np.float64)
+        if self.end is not None:
+            share = np.arange(segments + 1) / segments
+            return np.asarray(start + share[:, None] * (np.array(self.end) - start))
+        way = np.array(self.direction or (1.0, 0.0, 0.0), dtype=np.float64)
+        way /= np.linalg.norm(way)
+        # node by node, so that a rope at rest length has no stretch from rounding
+        return start + np.arange(segments + 1)[:, None] * (segment_length * way)
 
-class Polyline(Model):
+
+class Polyline(ShapeModel):
     """Nodes evenly spaced by arc length along a line through given corner points."""
 
     kind: Literal["polyline"] = "polyline"
@@ -60,16 +82,33 @@ class Polyline(Model):
         refuse(coincident(self.points))
         return self
 
+    def places(
+        self, segments: int, length: float, segment_length: float, up: Sequence[float]
+    ) -> Floats:
+        """See `ShapeModel.places`."""
+        from ropewalk.scene.curves import along_polyline
 
-class Hanging(Model):
+        share = np.arange(segments + 1) / segments
+        return along_polyline(np.array(self.points, dtype=np.float64), share)
+
+
+class Hanging(ShapeModel):
     """Straight along gravity from ``start``, the first node on top, at unstretched length."""
 
     kind: Literal["hanging"] = "hanging"
     start: Vector = vector("Place of the first node, on top", "m", default=_ZERO)
     velocity: Vector = vector(_VELOCITY, "m/s", default=_ZERO)
 
+    def places(
+        self, segments: int, length: float, segment_length: float, up: Sequence[float]
+    ) -> Floats:
+        """See `ShapeModel.places`."""
+        share = np.arange(segments + 1) / segments
+        along = share[:, None] * length * -np.array(up)
+        return np.asarray(self.start + along, dtype=np.float64)
 
-class Slack(Model):
+
+class Slack(ShapeModel):
     """A smooth sagging curve (catenary) of the rope's own length between two points; straight if shorter."""
 
     kind: Literal["slack"] = "slack"
@@ -88,8 +127,18 @@ class Slack(Model):
         """Distance between the two ends [m]."""
         return math.dist(self.start, self.end)
 
+    def places(
+        self, segments: int, length: float, segment_length: float, up: Sequence[float]
+    ) -> Floats:
+        """See `ShapeModel.places`."""
+        from ropewalk.scene.curves import catenary_points
 
-class Points(Model):
+        start, end = np.array(self.start, float), np.array(self.end, float)
+        share = np.arange(segments + 1) / segments
+        return catenary_points(start, end, length, -np.array(up), share)
+
+
+class Points(ShapeModel):
     """One given point per node, inline or from a CSV file with columns x, y, z.
 
     A file is read at once and its points kept; the scene no longer needs it afterwards.
@@ -123,6 +172,12 @@ class Points(Model):
             refuse([Fault("points", MISSING, "give points = [[x, y, z], ...] or file")])
         refuse(coincident(self.points))
         return self
+
+    def places(
+        self, segments: int, length: float, segment_length: float, up: Sequence[float]
+    ) -> Floats:
+        """See `ShapeModel.places`."""
+        return np.array(self.points, dtype=np.float64)
 
 
 def coincident(points: Many[Vector]) -> list[Fault]:

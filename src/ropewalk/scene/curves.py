@@ -1,46 +1,13 @@
-"""Initial places of a rope's nodes."""
+"""Points along the lines that initial shapes are made of."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 
 import numpy as np
 
 from ropewalk.core.arrays import Floats
-from ropewalk.scene import Hanging, Points, Polyline, Slack, Straight
-from ropewalk.scene.shapes import Shape
 from ropewalk.theory.catenary import parameter
-
-
-def initial_points(
-    shape: Shape, segments: int, length: float, segment_length: float, up: Sequence[float]
-) -> Floats:
-    """Return the initial place of every node of a rope [m], (segments + 1, 3).
-
-    From its shape, its unstretched length and a segment's [m], and the unit vector upward.
-    """
-    down = -np.array(up)
-    share = np.arange(segments + 1) / segments
-    match shape:
-        case Points():
-            return np.array(shape.points, dtype=np.float64)
-        case Polyline():
-            return along_polyline(np.array(shape.points, dtype=np.float64), share)
-        case Hanging():
-            along = share[:, None] * length * down
-            return np.asarray(shape.start + along, dtype=np.float64)
-        case Slack():
-            start, end = np.array(shape.start, float), np.array(shape.end, float)
-            return catenary_points(start, end, length, down, share)
-    assert isinstance(shape, Straight)
-    start = np.array(shape.start, dtype=np.float64)
-    if shape.end is not None:
-        return np.asarray(start + share[:, None] * (np.array(shape.end) - start))
-    way = np.array(shape.direction or (1.0, 0.0, 0.0), dtype=np.float64)
-    way /= np.linalg.norm(way)
-    # node by node, so that a rope at rest length has no stretch from rounding
-    return start + np.arange(segments + 1)[:, None] * (segment_length * way)
 
 
 def along_polyline(corners: Floats, share: Floats) -> Floats:
