@@ -99,6 +99,7 @@ SHARED = {
     "facts": "what is known of a run, of a sweep, besides their numbers",
     "html": "a page in HTML: of the report, of a sheet",
     "identity": "what decides the bits of a run, and with it of a sweep",
+    "joints": "nodes tied to each other: in the scene, as tables, as a law",
     "parameters": "what of a scene is varied: by a sweep, while it runs",
     "peaks": "the greatest and least of every step: the table, and the kernels that keep it",
     "registry": "the one list: of laws, of methods",
@@ -117,7 +118,8 @@ def test_a_name_says_which_module_is_meant() -> None:
     for path in SOURCES:
         if not path.stem.startswith("__") and path.parent.name != "commands":
             homes[path.stem].add(path.parent)
-    assert {name for name, folders in homes.items() if len(folders) > 1} == set(SHARED)
+    shared = {name for name, folders in homes.items() if len(folders) > 1}
+    assert shared == set(SHARED), "take another name, or say above what it means in all of them"
 
 
 def test_nothing_but_the_way_in_lies_at_the_root() -> None:

@@ -86,7 +86,7 @@ class Polyline(ShapeModel):
         self, segments: int, length: float, segment_length: float, up: Sequence[float]
     ) -> Floats:
         """See `ShapeModel.places`."""
-        from ropewalk.scene.curves import along_polyline
+        from ropewalk.scene.shape_lines import along_polyline
 
         share = np.arange(segments + 1) / segments
         return along_polyline(np.array(self.points, dtype=np.float64), share)
@@ -131,7 +131,7 @@ class Slack(ShapeModel):
         self, segments: int, length: float, segment_length: float, up: Sequence[float]
     ) -> Floats:
         """See `ShapeModel.places`."""
-        from ropewalk.scene.curves import catenary_points
+        from ropewalk.scene.shape_lines import catenary_points
 
         start, end = np.array(self.start, float), np.array(self.end, float)
         share = np.arange(segments + 1) / segments
