@@ -28,11 +28,12 @@ from ropewalk.lowering.bending_tables import add_bending, no_bending
 from ropewalk.lowering.joints import join, joint_tables
 from ropewalk.lowering.layout import Layout, Span
 from ropewalk.lowering.limiter_order import limiter_order
+from ropewalk.lowering.masses import line, line_density, masses
 from ropewalk.lowering.motion_rows import anchor_tables
 from ropewalk.lowering.pieces import Pieces
 from ropewalk.methods.kinks import kink_times
 from ropewalk.scene import Limiter as LimiterInScene
-from ropewalk.scene import Material, Rope, Scene, Springs
+from ropewalk.scene import Rope, Scene, Springs
 
 
 def make_tables(
@@ -68,37 +69,6 @@ def with_memory(system: System, state: State) -> State:
             )
         )
     )
-
-
-def line_density(rope: Rope) -> float:
-    """Return mass per unstretched length [kg/m]; a spring rope's node mass over segment length."""
-    if isinstance(rope.made_of, Material):
-        return rope.made_of.mass_per_length
-    length = rope.segment_length
-    return rope.made_of.node_mass / length if length > 0.0 else 0.0
-
-
-def _line(rope: Rope) -> tuple[Any, ...]:
-    """What the masses of a rope's nodes follow from: that of a node, whether halved at the ends, loads."""
-    made_of, nodes = rope.made_of, rope.nodes
-    loads = tuple((load.node % nodes, load.mass) for load in rope.loads)
-    if isinstance(made_of, Springs):
-        return made_of.node_mass, False, loads
-    return made_of.mass_per_length * rope.segment_length, True, loads
-
-
-def _masses(layout: Layout, lines: tuple[tuple[Any, ...], ...]) -> tuple[Floats, Floats]:
-    """Return the mass of every node, loads included [kg], and one over it, (n,) each."""
-    mass = np.zeros(layout.nodes)
-    for span, (own, halved, loads) in zip(layout.ropes, lines, strict=True):
-        part = mass[span.start : span.end + 1]
-        part[:] = own
-        if halved:
-            part[0] *= 0.5
-            part[-1] *= 0.5
-        for node, more in loads:
-            part[node] += more
-    return mass, np.divide(1.0, mass, out=np.zeros_like(mass), where=mass > 0.0)
 
 
 def _applied(layout: Layout, ropes: tuple[Rope | None, ...], gravity: float, up: Any) -> Floats:
@@ -171,7 +141,7 @@ def _ropes(scene: Scene, layout: Layout, keep: Pieces) -> State:
     x = keep("places", _places, layout, forms, up).copy()
     kicked = tuple((rope.shape.velocity, rope.kicks) for rope in ropes)
     v = keep("velocities", _velocities, layout, kicked).copy()
-    mass, inverse = keep("masses", _masses, layout, tuple(map(_line, ropes)))
+    mass, inverse = keep("masses", masses, layout, tuple(map(line, ropes)))
     pushed = tuple(r if r.forces or r.submerged_weight is not None else None for r in ropes)
     upward = (math.hypot(*scene.gravity), up) if any(pushed) else (0.0, ())
     applied = keep("applied", _applied, layout, pushed, *upward)
