@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -78,3 +79,33 @@ def test_settle_warns_of_a_limiter(ropewalk: Call) -> None:
     done = ropewalk("settle", "h2")
     assert done.exit_code == 0, done.output
     assert "the stretch limiter takes no part" in done.stderr
+
+
+def test_settle_of_tied_ropes_in_a_process_of_its_own(process: Any, tmp_path: Path) -> None:
+    """A new process keeps numba from importing scipy, whose sparse matrices the statics of joints need."""
+    points = {
+        "left": [[-0.8, 0.0, 0.0], [0.0, 0.0, -0.5]],
+        "right": [[0.8, 0.0, 0.0], [0.0, 0.0, -0.5]],
+    }
+    text = "".join(
+        f"""
+[[rope]]
+name = "{name}"
+segments = 4
+length = 0.95
+made_of = {{ kind = "material", EA = 1e4, mass_per_length = 0.1 }}
+shape = {{ kind = "polyline", points = {places} }}
+[[anchor]]
+rope = "{name}"
+node = 0
+"""
+        for name, places in points.items()
+    )
+    tied = '[[joint]]\npoints = [{ rope = "left", node = -1 }, { rope = "right", node = -1 }]\n'
+    path = tmp_path / "tied.toml"
+    path.write_text(text + tied)
+    done = process("settle", path, "--json")
+    assert done.returncode == 0, done.stderr
+    up = sum(force[2] for force in json.loads(done.stdout)["anchors"].values())
+    weight = 2 * 0.95 * 0.1 * 9.81
+    assert up == pytest.approx(weight, rel=1e-9)

@@ -17,6 +17,7 @@ from ropewalk.core.elimination import points_of
 from ropewalk.laws.links import solve_links
 from ropewalk.lowering import Model
 from ropewalk.lowering.layout import Layout
+from ropewalk.lowering.sparse import load_scipy
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import SceneError
 from ropewalk.scene.faults import Fault
@@ -186,6 +187,7 @@ def _impulses(
         found = gap.copy()
         solve_links(diagonal, upper, found)
         return found
+    load_scipy()
     from scipy import sparse
     from scipy.sparse.linalg import splu
 

@@ -7,6 +7,7 @@ import numpy as np
 from ropewalk.core.arrays import Floats, Ints
 from ropewalk.core.elimination import points_of
 from ropewalk.lowering import Model, Span
+from ropewalk.lowering.sparse import load_scipy
 from ropewalk.scene.joint import tied_ropes
 
 
@@ -30,6 +31,7 @@ def solve_tied(matrix: Floats, right: Floats, reach: int, number: Ints) -> float
     `matrix` (4 n, 3 reach + 1) and `right` (4 n,) are those of the nodes by themselves: three places and the
     tension of the segment after it for each. The solution is in `right`.
     """
+    load_scipy()
     from scipy import sparse
     from scipy.sparse.linalg import splu
 

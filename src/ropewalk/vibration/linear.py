@@ -10,10 +10,8 @@ the slow modes of ropes of any stiffness, rigid links (1/k = 0) included.
 
 from __future__ import annotations
 
-import sys
 from dataclasses import dataclass
 from functools import cached_property
-from importlib import import_module
 from typing import Any
 
 import numpy as np
@@ -24,6 +22,7 @@ from ropewalk.core.band import Band, triplets
 from ropewalk.laws.others import other_stiffness
 from ropewalk.laws.tangent import assemble_tangent, law_band
 from ropewalk.lowering import Model
+from ropewalk.lowering.sparse import load_scipy
 from ropewalk.statics.tied import points
 
 _SYMMETRIC = 1e-12  # of the largest entry: what a difference from the transpose may be [1]
@@ -84,13 +83,6 @@ class Linear:
         matrix = self.other + shift * self.friction + diags_array(shift**2 * self.mass)
         below = self.lengths
         return block_array([[matrix, below.T], [below, diags_array(-self.soft)]]).tocsc()
-
-
-def load_scipy() -> None:
-    """Import scipy, also where the command line keeps numba from doing so."""
-    if sys.modules.get("scipy", 0) is None:
-        del sys.modules["scipy"]
-    import_module("scipy.sparse.linalg")
 
 
 def linearise(model: Model, x: Floats, tension: Floats, *, springs_only: bool = False) -> Linear:
