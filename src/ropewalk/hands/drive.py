@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ropewalk.core.arrays import APPLIED, Floats, State, System
-from ropewalk.lowering.joints import tied_with
+from ropewalk.lowering.joint_tables import tied_with
 
 if TYPE_CHECKING:
     from ropewalk.lowering import Layout, Model

@@ -6,7 +6,7 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats, State, flatten
 from ropewalk.lowering import Model, build
-from ropewalk.lowering.joints import tied_with
+from ropewalk.lowering.joint_tables import tied_with
 from ropewalk.scene import Scene
 from ropewalk.simulation import Simulation
 

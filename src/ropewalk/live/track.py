@@ -20,7 +20,7 @@ from ropewalk.live.hands import CONTROL, Hands
 from ropewalk.live.parameters import named, refusal
 from ropewalk.live.seen import Interval
 from ropewalk.lowering import Plan, build
-from ropewalk.lowering.joints import tied_with
+from ropewalk.lowering.joint_tables import tied_with
 from ropewalk.methods.recording import CONSERVATIVE, bends, work_names
 from ropewalk.scene import Scene
 from ropewalk.simulation import Simulation, Snapshot

@@ -25,7 +25,7 @@ from ropewalk.core.status import BREAK_STRETCH
 from ropewalk.laws.anchors import anchor_places
 from ropewalk.laws.registry import NODE_LAWS, NodeArrays, NodeTables
 from ropewalk.lowering.bending_tables import add_bending, no_bending
-from ropewalk.lowering.joints import join, joint_tables
+from ropewalk.lowering.joint_tables import join, joint_tables
 from ropewalk.lowering.layout import Layout, Span
 from ropewalk.lowering.limiter_order import limiter_order
 from ropewalk.lowering.masses import line, line_density, masses

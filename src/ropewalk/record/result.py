@@ -21,11 +21,11 @@ from ropewalk.record.facts import AT_REST, Facts
 from ropewalk.record.folder import open_parts, save_result
 from ropewalk.record.good import good_part
 from ropewalk.record.outlets import Outlets
+from ropewalk.record.point_forces import PointForces
 from ropewalk.record.quantities import has_rope, labels, rest_length_at_start
 from ropewalk.record.rope_view import RopeView
 from ropewalk.record.source import Source
 from ropewalk.record.summary import summary
-from ropewalk.record.ties import Ties
 from ropewalk.scene import Scene
 from ropewalk.words.annotations import unquoted
 from ropewalk.words.prefixes import prefixed
@@ -34,7 +34,7 @@ Bools = np.ndarray[Any, np.dtype[np.bool_]]
 
 
 @unquoted
-class Result(Ties, Outlets):
+class Result(PointForces, Outlets):
     """What a run recorded. All SI; frame 0 is the initial state.
 
     Arrays hold all ropes one after another, `rope(name)` gives one rope's own. The segment between two
@@ -212,13 +212,6 @@ class Result(Ties, Outlets):
         if "moments" not in self.source.names:
             return np.zeros((self.frames, len(self.layout.anchor_names), 3))
         return self._all("moments")
-
-    @property
-    def contact_force(self) -> Floats:
-        """Force of all obstacles on each node at each frame [N], (frames, nodes, 3); 0 without obstacles."""
-        if "contact_force" not in self.source.names:
-            return np.zeros((self.frames, self.layout.nodes, 3))
-        return self._all("contact_force")
 
     @property
     def momentum(self) -> Floats:

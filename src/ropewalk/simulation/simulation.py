@@ -357,7 +357,10 @@ class Simulation(Driven):
         self._begin_anew(int(self.system.winches.anchor[row]))
 
     def cut_joint(self, name: str) -> None:
-        """Let the nodes of a joint go their own ways from now on. Raises KeyError for no such joint."""
+        """Let the nodes of the joint called `name` go their own ways from now on.
+
+        Raises KeyError where there is none of that name.
+        """
         joints, state = self.system.joints, self._state
         j = self.scene.joints.index(self.scene.joint_named(name))
         member = joints.member[joints.first[j] : joints.first[j + 1]]

@@ -1,4 +1,4 @@
-"""What joints do to the ropes that they tie, as a part of every result."""
+"""What joints and obstacles do to nodes, as a part of every result."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ if TYPE_CHECKING:
     from ropewalk.record.result import Result
 
 
-class Ties:
-    """The forces of joints; part of every Result."""
+class PointForces:
+    """The forces of joints and obstacles; part of every Result."""
 
     @property
     def joint_forces(self) -> Floats:
@@ -41,3 +41,11 @@ class Ties:
                 break
             first += len(joint.points)
         return self.joint_forces[:, first : first + len(wanted.points)]
+
+    @property
+    def contact_force(self) -> Floats:
+        """Force of all obstacles on each node at each frame [N], (frames, nodes, 3); 0 without obstacles."""
+        result = cast("Result", self)
+        if "contact_force" not in result.source.names:
+            return np.zeros((result.frames, result.layout.nodes, 3))
+        return result.read("contact_force")
