@@ -99,7 +99,6 @@ SHARED = {
     "facts": "what is known of a run, of a sweep, besides their numbers",
     "html": "a page in HTML: of the report, of a sheet",
     "identity": "what decides the bits of a run, and with it of a sweep",
-    "joints": "nodes tied to each other: in the scene, as tables, as a law",
     "parameters": "what of a scene is varied: by a sweep, while it runs",
     "peaks": "the greatest and least of every step: the table, and the kernels that keep it",
     "registry": "the one list: of laws, of methods",
