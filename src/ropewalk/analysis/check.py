@@ -16,7 +16,13 @@ from ropewalk.analysis.json_values import plain
 from ropewalk.analysis.obstacle_notes import obstacle_warnings
 from ropewalk.analysis.plan_notes import plan_notes
 from ropewalk.analysis.stability import Stability, milliseconds, rounded_down, stability
-from ropewalk.analysis.strains import breaking_warnings, overlong_at_start, percent, strain_warnings
+from ropewalk.analysis.strains import (
+    breaking_warnings,
+    overlong_at_start,
+    percent,
+    pressed_at_start,
+    strain_warnings,
+)
 from ropewalk.analysis.unit_slips import unit_slips
 from ropewalk.core.arrays import Floats
 from ropewalk.display import cells
@@ -319,6 +325,7 @@ def _warnings(
         for name in statics.unheld
     ]
     warnings += strain_warnings(model, statics, ropes) + breaking_warnings(ropes)
+    warnings += pressed_at_start(model, statics, ropes)
     warnings += _limiter_warnings(model, statics) + _rest_warnings(statics)
     warnings += bending_warnings(model) + obstacle_warnings(model)
     return warnings + plan_notes(model) + unit_slips(model)

@@ -14,6 +14,7 @@ from ropewalk.words.prefixes import prefixed
 if TYPE_CHECKING:
     from ropewalk.analysis.check import RopeCheck
 
+_NOTHING = 1e-3  # [N]
 _STRAINED = 0.1  # [1] strain at rest that few ropes bear
 
 
@@ -63,6 +64,33 @@ def overlong_at_start(model: Model) -> list[str]:
                 f"{worst:.3g} times their rest length: the run breaks at once, as one beyond {most:.4g} "
                 "times counts as broken. Look at the shape's ends and the rope's length"
             )
+    return found
+
+
+def pressed_at_start(model: Model, statics: Statics, ropes: tuple[RopeCheck, ...]) -> list[str]:
+    """Return a sentence for each rope whose shape presses it at the start by more than it carries at rest.
+
+    Nodes of a slack shape lie at equal arcs, so that chords are a little shorter than the rope between.
+    """
+    found: list[str] = []
+    if not statics.solved or model.scene.run.start == "at-rest":
+        return found
+    state = model.state
+    for span, rope in zip(model.layout.ropes, ropes, strict=True):
+        part = slice(span.start, span.end)
+        size = np.linalg.norm(np.diff(state.x[:, span.start : span.end + 1], axis=1), axis=0)
+        k = state.stiffness[part]
+        pushes = np.isfinite(k) & (model.system.slack_floor[part] < 0.0)
+        push = np.where(pushes, k, 0.0) * (state.rest_length[part] - size)
+        most = float(push.max(initial=0.0))
+        if rope.short or not most > max(rope.largest_tension, _NOTHING):
+            continue
+        found.append(
+            f"rope {rope.name!r}: its shape starts it pressed, by up to {prefixed(most, 'N')}, where it "
+            f"carries {prefixed(rope.largest_tension, 'N')} at rest: chords of a curve are shorter than the "
+            "rope between. Waves of that size run at first, and largest tensions may be theirs; take "
+            'run.start = "at-rest"'
+        )
     return found
 
 
