@@ -17,7 +17,7 @@ from ropewalk.record.balances import balance_residual, energy_error
 from ropewalk.record.beyond import Beyond
 from ropewalk.record.beyond import load as load_beyond
 from ropewalk.record.ends import End
-from ropewalk.record.facts import AT_REST, Facts
+from ropewalk.record.facts import Facts
 from ropewalk.record.folder import open_parts, save_result
 from ropewalk.record.good import good_part
 from ropewalk.record.outlets import Outlets
@@ -25,10 +25,9 @@ from ropewalk.record.point_forces import PointForces
 from ropewalk.record.quantities import has_rope, labels, rest_length_at_start
 from ropewalk.record.rope_view import RopeView
 from ropewalk.record.source import Source
-from ropewalk.record.summary import summary
+from ropewalk.record.summary import in_words, summary
 from ropewalk.scene import Scene
 from ropewalk.words.annotations import unquoted
-from ropewalk.words.prefixes import prefixed
 
 Bools = np.ndarray[Any, np.dtype[np.bool_]]
 
@@ -364,35 +363,4 @@ class Result(PointForces, Outlets):
     # -- in words -------------------------------------------------------------------------
 
     def __repr__(self) -> str:
-        names = ", ".join(repr(span.name) for span in self.layout.ropes[:3])
-        more = len(self.layout.ropes) - 3
-        ropes = ("rope " if len(self.layout.ropes) == 1 else "ropes ") + names
-        ropes += f" and {more} more" if more > 0 else ""
-        segments = sum(rope.segments for rope in self.scene.ropes)
-        where = f" in {self.folder}" if self.folder else ""
-        if self.status == AT_REST:
-            return (
-                f"Equilibrium of {self.scene.name!r}{where}: {ropes} with {segments} segments, "
-                f"largest tension {prefixed(self.table[f'largest {self.tension_name} [N]'], 'N', 6)}, "
-                f"at most {self.residual:.2g} N left on a node."
-            )
-        said = (
-            f"Result of {self.scene.name!r}{where}: {ropes} with {segments} segments, "
-            f"{self.time[-1]:.6g} s in {self.frames} frames by {self.plan.method} "
-            f"in {self._steps()}, {self._drift()}; {self.status}."
-        )
-        return f"{said} {self.diagnosis}".rstrip()
-
-    def _steps(self) -> str:
-        counts = self.facts.step_counts
-        if not counts:
-            return f"steps of {self.plan.dt:.4g} s"
-        return f"{counts['accepted']} {self.plan.pace} and {counts['rejected']} rejected"
-
-    def _drift(self) -> str:
-        errors = np.abs(self.energy_errors[: self.good_frames])
-        if not self.facts.ledger or not np.isfinite(errors).any():
-            return "no energy ledger"
-        return (
-            f"energy error at most {np.max(errors, where=np.isfinite(errors), initial=0.0):.3g} J"
-        )
+        return in_words(self)

@@ -1,4 +1,4 @@
-"""A result in a dozen numbers."""
+"""A result in a dozen numbers, and in a sentence."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ from ropewalk.record.extremes import SEEN, UTILISATION, Extreme, extremes, place
 from ropewalk.record.facts import AT_REST, BROKE
 from ropewalk.record.margins import margin_rows
 from ropewalk.record.tension_notes import peak_note, push_note
+from ropewalk.words.prefixes import prefixed
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -69,6 +70,42 @@ def summary(result: Result) -> dict[str, Any]:
         "wall time [s]": seconds,
         "simulated time over wall time [1]": float(time[-1]) / seconds if seconds > 0 else math.nan,
     }
+
+
+def in_words(result: Result) -> str:
+    """Return what a result is, in a sentence."""
+    names = ", ".join(repr(span.name) for span in result.layout.ropes[:3])
+    more = len(result.layout.ropes) - 3
+    ropes = ("rope " if len(result.layout.ropes) == 1 else "ropes ") + names
+    ropes += f" and {more} more" if more > 0 else ""
+    segments = sum(rope.segments for rope in result.scene.ropes)
+    where = f" in {result.folder}" if result.folder else ""
+    if result.status == AT_REST:
+        return (
+            f"Equilibrium of {result.scene.name!r}{where}: {ropes} with {segments} segments, "
+            f"largest tension {prefixed(result.table[f'largest {result.tension_name} [N]'], 'N', 6)}, "
+            f"at most {result.residual:.2g} N left on a node."
+        )
+    said = (
+        f"Result of {result.scene.name!r}{where}: {ropes} with {segments} segments, "
+        f"{result.time[-1]:.6g} s in {result.frames} frames by {result.plan.method} "
+        f"in {_pace(result)}, {_drift(result)}; {result.status}."
+    )
+    return f"{said} {result.diagnosis}".rstrip()
+
+
+def _pace(result: Result) -> str:
+    counts = result.facts.step_counts
+    if not counts:
+        return f"steps of {result.plan.dt:.4g} s"
+    return f"{counts['accepted']} {result.plan.pace} and {counts['rejected']} rejected"
+
+
+def _drift(result: Result) -> str:
+    errors = np.abs(result.energy_errors[: result.good_frames])
+    if not result.facts.ledger or not np.isfinite(errors).any():
+        return "no energy ledger"
+    return f"energy error at most {np.max(errors, where=np.isfinite(errors), initial=0.0):.3g} J"
 
 
 def _broken(result: Result) -> dict[str, Any]:
