@@ -17,7 +17,8 @@ import { forget, layoutOf, numberOf, readFrame } from "./source/frame.js";
 
 /** @typedef {{hello: Hello, layout: Layout, parameters: Parameter[], presets: Preset[],
  *   status: Status, stability: Stability[], broken: Broken | null, frame: Frame,
- *   saved: {folder: string}, exported: {name: string, url: string}, note: {text: string},
+ *   saved: {folder: string}, sound: {seconds: number, forces: number[]},
+ *   exported: {name: string, url: string}, note: {text: string},
  *   bye: {text: string},
  *   error: Fault, connection: {state: string, text: string}}} Events */
 

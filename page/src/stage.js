@@ -37,6 +37,7 @@ export class Stage {
     this.range = new Range();
     /** @type {Colouring} */
     this.colouring = "tension";
+    this.most = 0; // the greatest value behind the colours
     this.dots = false;
     this.apart = false;
     /** @type {number[][]} */ this.shifts = [[0, 0, 0]];
@@ -151,6 +152,7 @@ export class Stage {
     tame(nodes, nodesOf(layout), layout.view);
     this.past = this.session.broken !== null || (frame.flags & BROKEN) !== 0;
     if (!(frame.flags & BROKEN)) {
+      this.most = extremes.most;
       this.range.follow(extremes.low, extremes.high, Math.min(0.2, (now - this.lastPush) / 1000));
     }
     this.lastPush = now;
@@ -230,6 +232,7 @@ export class Stage {
   held = () => false;
 
   lastLook = 0;
+  windowShape = innerWidth / innerHeight;
 
   /** @param {Pose} pose */
   setPose(pose) {
@@ -316,12 +319,14 @@ export class Stage {
 
   /** @param {number} width @param {number} height CSS pixels */
   resize(width, height) {
-    const before = this.camera.width / this.camera.height;
     const own = this.camera.version === this.ownVersion;
     this.camera.resize(width, height);
     if (own) this.ownVersion = this.camera.version;
     this.renderer.resize(width, height, Math.min(2, devicePixelRatio || 1));
-    if (this.following && Math.abs(width / height / before - 1) > 0.3) this.lookPending = true;
+    const shape = innerWidth / innerHeight; // of the window: what is opened in it keeps the camera
+    if (this.following && Math.abs(shape / this.windowShape - 1) > 0.3) this.lookPending = true;
+    this.windowShape = shape;
+    if (this.following) this.uncover();
     const { layout, frame } = this.session;
     if (layout && frame && this.lookPending) this.look(layout);
     this.renderer.clear(); // at once: a canvas of another size is empty, which is black

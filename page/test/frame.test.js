@@ -119,10 +119,26 @@ test("other bytes and other layouts are refused", () => {
 test("gather puts places with their shift and values into the drawn array", () => {
   const read = readFrame(frame(), layout);
   const out = new Float32Array(12);
-  assert.deepEqual(gather(read, layout, "tension", [[1, 0, 0]], out), { low: -10, high: 30 });
+  assert.deepEqual(gather(read, layout, "tension", [[1, 0, 0]], out), {
+    low: -10,
+    high: 30,
+    most: 30,
+  });
   assert.deepEqual([...out], [1.5, 1.5, 2.5, -10, 4.5, 4.5, 5.5, 10, 7.5, 7.5, 8.5, 30]);
   gather(read, layout, "strain", [[0, 0, 0]], out);
   assert.ok(Math.abs(out[11] - 30 / 50) < 1e-6);
+  const strong = structuredClone(layout);
+  for (const rope of strong.variants[0].ropes) rope.breaking_load = 120;
+  assert.deepEqual(gather(read, strong, "utilisation", [[0, 0, 0]], out), {
+    low: 0, // colours mean the same at every moment: from nothing to the breaking load
+    high: 1,
+    most: 0.25,
+  });
+  assert.equal(out[11], 0.25);
+  for (const rope of strong.variants[0].ropes) rope.breaking_load = 20;
+  assert.equal(gather(read, strong, "utilisation", [[0, 0, 0]], out).high, 1.5); // it has parted
+  gather(read, layout, "utilisation", [[0, 0, 0]], out);
+  assert.equal(out[11], 0); // nothing is known
   assert.equal(gather(read, layout, "speed", [[0, 0, 0]], out).high, 8);
   assert.ok(Math.abs(out[7] - 4) < 1e-3);
   assert.equal(out[11], 8);

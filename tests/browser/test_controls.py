@@ -314,3 +314,117 @@ def test_panel_and_theme_by_their_buttons(window: Window) -> None:
     window.settled()
     assert window.picture()[400, 400].sum() < 200
     assert window.at_rope(range(2, 39)) > 0.9
+
+
+RANGE = "(({min, max}) => [min, max])(r.app.graphs.panels.get('energies').plot.uplot.scales.x)"
+
+
+def test_no_future_is_on_the_axis_of_a_graph(window: Window) -> None:
+    window.press("g", " ")
+    window.until("r.time > 0.5")
+    window.press(" ")
+    window.until("r.state === 'paused'")
+    window.settled()
+    last = window.ask("r.app.graphs.history.last")
+    assert window.ask(RANGE)[1] == pytest.approx(last)
+    assert window.ask("r.app.graphs.window") > last  # the twin: there is room for more
+
+
+def test_lines_of_a_graph_may_have_scales_of_their_own(window: Window) -> None:
+    window.press("g", " ")
+    window.until("r.time > 0.5")
+    window.press(" ")
+    window.until("r.state === 'paused'")
+    scales = "Object.entries(r.app.graphs.panels.get('energies').plot.uplot.scales)"
+    ends = f"{scales}.filter(([key, {{ min }}]) => key !== 'x' && min !== null)"
+    ends += ".map(([, { min, max }]) => max - min)"
+    (common,) = window.ask(ends)
+    window.click("#own-scales")
+    window.until(f"{ends}.length === 4 && {ends}.every(Number.isFinite)")
+    spans = window.ask(ends)
+    columns = "['kinetic', 'gravity', 'elastic', 'lost'].map((name) => "
+    columns += "[...r.app.graphs.history.between(0, 99, [name])[1]])"
+    for span, column in zip(spans, window.ask(columns), strict=True):
+        assert 1.0 <= span / (max(column) - min(column)) < 1.5  # it fills the height
+    assert min(spans) < 0.5 * common  # the twin: on one scale it did not
+
+
+def test_opening_graphs_and_panel_keeps_the_camera(open_window: Open, serve: Serve) -> None:
+    window = open_window(serve().address, viewport={"width": 1100, "height": 620}).ready()
+    window.settled()
+    window.drag((700.0, 150.0), (60.0, 20.0))  # to another side
+    window.page.mouse.up()
+    for following in (False, True):
+        window.page.evaluate(
+            f"() => {{ window.ropewalk.stage.following = {str(following).lower()}; }}"
+        )
+        pose = "(({azimuth, elevation}) => [azimuth, elevation])(r.stage.camera.pose)"
+        before = window.ask(pose)
+        for key in "gg":
+            window.press(key)
+            window.settled()
+            assert window.ask(pose) == before
+
+
+def test_the_colours_may_tell_how_near_a_rope_is_to_breaking(
+    open_window: Open, serve: Serve
+) -> None:
+    scene = slack_rope()
+    strong = scene.ropes[0].made_of.replace(breaking_load=100.0)
+    scene = scene.replace(ropes=[scene.ropes[0].replace(made_of=strong)])
+    window = open_window(serve(Session(scene)).address).ready()
+    window.settled()
+    window.page.locator("#colouring").select_option("utilisation")
+    window.until("r.stage.range.high === 1")
+    window.press(" ")
+    window.until("r.time > 0.5")
+    window.press(" ")
+    window.until("r.state === 'paused'")
+    window.settled()
+    most = window.ask("r.stage.most")
+    parts = "r.session.frame.parts[0].scalars[r.session.layout.scalars.indexOf('tension_max')]"
+    assert most == pytest.approx(window.ask(parts) / 100.0, rel=1e-3)
+    text = window.page.locator("#margin").inner_text()
+    assert text.startswith("Most: ")
+    assert "safety factor" in text
+    numbers = window.page.locator("#legend-numbers").inner_text()
+    assert numbers.split()[-2:] == ["100", "%"]
+    # where no breaking load is known it cannot be chosen
+    window.tell(type="scene", preset="r4")
+    window.until("r.stage.colouring === 'tension' && r.session.layout.scene.preset === 'r4'")
+    assert window.ask("document.querySelector('#colouring [value=utilisation]').disabled")
+
+
+@pytest.mark.parametrize("size", [(390, 844), (360, 640)])
+def test_whatever_a_finger_presses_is_large_enough_and_in_reach(
+    open_window: Open, serve: Serve, size: tuple[int, int]
+) -> None:
+    phone = {"viewport": {"width": size[0], "height": size[1]}, "has_touch": True}
+    window = open_window(serve().address, **phone, is_mobile=True).ready()
+    _fits_fingers(window)
+    for key in "pg":
+        window.press(key)
+        _fits_fingers(window)
+        window.press(key)
+
+
+def _fits_fingers(window: Window) -> None:
+    """Check sizes of all that can be pressed, and that it is in the window or can be scrolled to."""
+    found = window.page.evaluate(
+        """() => [...document.querySelectorAll("button, input, select, summary")]
+            .filter((e) => e.checkVisibility({ visibilityProperty: true }) && e.offsetWidth)
+            .map((e) => {
+              if (e.closest(".panel, .graph-bar, .toolbar")) e.scrollIntoView();
+              const box = (e.type === "checkbox" ? e.closest("label") : e).getBoundingClientRect();
+              const { x, y, width, height, right, bottom } = box;
+              return { name: e.id || e.className, width, height,
+                       away: Math.max(-x, -y, right - innerWidth, bottom - innerHeight) };
+            })"""
+    )
+    assert len(found) > 20
+    for one in found:
+        assert one["height"] >= 44, one
+        assert one["width"] >= (42 if "open-" in one["name"] or "toggle-" in one["name"] else 44), (
+            one
+        )
+        assert one["away"] < 1, one

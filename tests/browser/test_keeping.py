@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -16,8 +17,10 @@ from ropewalk.live.relive import relive
 from ropewalk.live.replay import serve_run
 from ropewalk.live.serve import ViewServer
 from ropewalk.live.session import Session
+from ropewalk.live.sources import scene_at
 from ropewalk.record.result import Result
 from ropewalk.scene import loads
+from ropewalk.scene.presets import preset
 
 pytestmark = pytest.mark.browser
 Open = Callable[..., Window]
@@ -109,6 +112,13 @@ def test_a_link_opens_the_same_set_up(open_window: Open, serve: Serve, tmp_path:
         "r.session.parameters.find((p) => p.name === 'mass').value.toFixed(9) === '3.500000000'"
     )
     assert other.stage.session.scene.ropes[0].own_mass == pytest.approx(3.5)
+    window.click("#open-keep")
+    window.click("#keep-command")
+    window.page.get_by_text("The command is copied").wait_for()
+    command = window.page.evaluate("() => navigator.clipboard.readText()")
+    program, view, at, address = shlex.split(command)
+    assert [program, view, at] == ["ropewalk", "view", "--at"]
+    assert scene_at(address, (preset("r3"), "r3")).ropes[0].own_mass == pytest.approx(3.5)
 
 
 @pytest.fixture

@@ -122,3 +122,17 @@ def test_node_is_grabbed_by_a_soft_spring(open_window: Open, serve: Serve) -> No
     window.until("/^[\\d.]+ m?N$/.test(document.querySelector('.labels .grab')?.innerText)")
     window.page.mouse.up()
     window.until("r.session.frame.parts[0].grabs[0] < 0")
+
+
+def test_the_anchors_force_is_played_when_it_is_asked_for(window: Window) -> None:
+    sound = window.page.locator("#sound")
+    assert sound.get_attribute("aria-pressed") == "false"
+    window.press(" ")
+    window.until("r.time > 0.2")
+    hearing = "r.app.controls.hearing"
+    assert window.ask(f"[{hearing}.sound.on, {hearing}.heard]") == [False, 0]
+    sound.click()
+    assert sound.get_attribute("aria-pressed") == "true"
+    window.until(f"{hearing}.heard > 50 && {hearing}.sound.loudest > 0")
+    sound.click()
+    assert window.ask(f"{hearing}.sound.on") is False

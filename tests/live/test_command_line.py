@@ -9,12 +9,15 @@ import subprocess
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
+from importlib import import_module
 from pathlib import Path
 from urllib.request import urlopen
 
 import pytest
+from click.testing import CliRunner
 
 from ropewalk.live.relive import relive
+from ropewalk.scene import Scene
 
 
 @contextmanager
@@ -103,3 +106,30 @@ def test_bad_input(tmp_path: Path) -> None:
     assert "is no run folder" in said
     assert "Ctrl-C" not in said  # before a browser is opened
     assert (tmp_path / "full" / "notes.txt").read_text() == "mine"
+
+
+def test_a_copied_set_up_is_opened_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    shown: list[tuple[Scene, str | None]] = []
+    module = import_module("ropewalk.cli.commands.view")
+    monkeypatch.setattr(
+        module, "_live", lambda scene, start, early, _: shown.append((scene, start))
+    )
+    monkeypatch.setattr(module, "_serve", lambda make, *_: make(None) or 0)
+    for link in (
+        "scene=r1&mass=2&gravity=[0,-5,0]",
+        "http://127.0.0.1:8712/#scene=r1&mass=2&gravity=[0,-5,0]",
+    ):
+        words = ["--at", link, "--no-save"]
+        done = CliRunner().invoke(module.view, words, catch_exceptions=False)
+        assert done.exit_code == 0
+        scene, start = shown.pop()
+        assert start is None
+        assert scene.gravity == (0.0, -5.0, 0.0)
+        assert scene.ropes[0].own_mass == pytest.approx(2.0)
+
+
+def test_a_set_up_that_is_none_is_refused(tmp_path: Path) -> None:
+    assert "leave out SCENE" in fails(tmp_path, "r1", "--at", "scene=r1")
+    assert "no such preset" in fails(tmp_path, "--at", "scene=no-such")
+    assert "keep that scene as TOML" in fails(tmp_path, "--at", "scene=start&mass=2")
+    assert "must be" in fails(tmp_path, "--at", "scene=r1&mass=-2")

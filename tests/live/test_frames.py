@@ -124,11 +124,25 @@ def test_the_energies_of_a_frame_balance() -> None:
     session.advance(500)
     found = dict(zip(SCALARS, parts(stage)["scalars"], strict=True))
     now = found["kinetic"] + found["gravity"] + found["elastic"]
-    first = session.main.first_energy
+    first = session.main.first_energy - session.main.first_gravity
     assert now - first == pytest.approx(
         found["put_in"] - found["lost"] + found["energy_error"], abs=1e-3
     )
     assert abs(found["energy_error"]) < 0.02 * abs(found["put_in"])
+
+
+def test_gravity_is_counted_from_the_start() -> None:
+    scene = slack_rope(20)
+    shape = scene.ropes[0].shape.replace(start=(0.0, 0.0, 5000.0), end=(8.0, 0.0, 5000.0))
+    session = Session(scene.replace(ropes=[scene.ropes[0].replace(shape=shape)]))
+    stage = Broadcast(session, playing=False)
+    at = SCALARS.index("gravity")
+    assert parts(stage)["scalars"][at] == 0.0  # on a mountain, too
+    heights = session.main.simulation.positions[:, 2].copy()
+    session.advance(3000)
+    fallen = session.main.simulation.positions[:, 2] - heights
+    expected = 9.81 * float(session.main.simulation.arrays.mass @ fallen)
+    assert parts(stage)["scalars"][at] == pytest.approx(expected, rel=1e-3)
 
 
 def test_of_many_alike_only_the_last_is_carried_out(stage: Broadcast) -> None:

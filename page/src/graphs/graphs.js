@@ -15,6 +15,7 @@ import { samplesOf } from "./samples.js";
 /** @typedef {{kind: Kind, box: HTMLElement, plot: Plot | PhasePlane | null}} Panel */
 
 const WINDOWS = [2, 5, 10, 30, 60, Infinity]; // s
+const LEAST = 0.1; // s on the axis at least
 const REFRESH = 66; // ms between two drawings of a graph
 const TITLES = {
   energies: "Energies",
@@ -26,7 +27,7 @@ const TITLES = {
 };
 const ENERGIES = /** @type {[string, string, string][]} */ ([
   ["kinetic", "kinetic", ROPES[0]],
-  ["gravity", "gravity", ROPES[2]],
+  ["gravity", "gravity, from the start", ROPES[2]],
   ["elastic", "elastic", ROPES[1]],
   ["lost", "lost", ROPES[3]],
 ]);
@@ -88,12 +89,26 @@ export class Graphs {
       h("option", { value: "height" }, "Height"),
       h("option", { value: "speed" }, "Speed"),
     );
+    this.own = false; // whether each line has a scale of its own
+    this.ownScales = h(
+      "button",
+      {
+        type: "button",
+        className: "chip",
+        id: "own-scales",
+        "aria-pressed": "false",
+        title: "Each line fills the height: its shape is seen, whatever its size",
+        onclick: () => this.setOwn(!this.own),
+      },
+      "Own scales",
+    );
     host.append(
       h(
         "div",
         { className: "graph-bar" },
         this.chips,
         this.quantityChoice,
+        this.ownScales,
         h("label", {}, "Last", this.windowChoice),
         this.scroll,
       ),
@@ -210,7 +225,7 @@ export class Graphs {
       motion: this.quantity === "height" ? "m" : "m/s",
       difference: "m",
     }[kind];
-    return new Plot(box, unit, this.series(kind));
+    return new Plot(box, unit, this.series(kind), this.own);
   }
 
   /** @param {Kind} kind @returns {import("./plot.js").Series[]} */
@@ -262,8 +277,8 @@ export class Graphs {
   /** @param {Panel} panel */
   draw({ kind, plot }) {
     if (!Number.isFinite(this.history.last)) return;
-    const from = Math.max(this.history.last - this.back - this.span, this.history.first);
-    const to = from + this.span;
+    const to = this.history.last - this.back; // what has not been yet is not on the axis
+    const from = Math.min(Math.max(to - this.span, this.history.first), to - LEAST);
     if (plot instanceof Plot) {
       plot.show(this.history.between(from, to, plot.names), from, to);
     } else if (plot && kind === "phase") {
@@ -316,6 +331,13 @@ export class Graphs {
     this.wanted();
     this.bounds();
     this.drawAll();
+  }
+
+  /** @param {boolean} own */
+  setOwn(own) {
+    this.own = own;
+    this.ownScales.setAttribute("aria-pressed", String(own));
+    this.rebuild();
   }
 
   setQuantity() {

@@ -13,8 +13,9 @@ const colour = (/** @type {string} */ name) =>
   getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
 export class Plot {
-  /** @param {HTMLElement} host @param {string} unit @param {Series[]} series */
-  constructor(host, unit, series) {
+  /** @param {HTMLElement} host @param {string} unit @param {Series[]} series
+   * @param {boolean} [own] whether each has a scale of its own, and shows its shape only */
+  constructor(host, unit, series, own = false) {
     this.host = host;
     this.series = series;
     const banded = series.filter(({ low, high }) => low && high);
@@ -23,15 +24,22 @@ export class Plot {
       ...series.map(({ name }) => name),
       ...banded.flatMap(({ low, high }) => [low ?? "", high ?? ""]),
     ];
-    const bound = (/** @type {string} */ stroke) => ({
+    this.own = own && series.length > 1;
+    const scaleOf = (/** @type {number} */ i) => (this.own ? `y${i}` : "y");
+    const bound = (/** @type {string} */ stroke, /** @type {number} */ i) => ({
+      scale: scaleOf(i),
       stroke: `${stroke}80`,
       width: 1,
       class: "bound", // without a line in the legend
       points: { show: false },
       gaps: gapsOf,
     });
-    /** @type {number | null} */ this.low = null;
-    /** @type {number | null} */ this.high = null;
+    /** What the columns of each scale lie between. @type {[number | null, number | null][]} */
+    this.extremes = [];
+    const scales = (this.own ? series : [null]).map((_, i) => [
+      scaleOf(i),
+      { range: () => roomy(...(this.extremes[i] ?? [null, null])) },
+    ]);
     const ink = () => colour("--faint");
     const line = { stroke: () => colour("--line"), width: 1 };
     const font = "11px system-ui, sans-serif";
@@ -44,7 +52,7 @@ export class Plot {
         legend: { live: true },
         scales: {
           x: { time: false, auto: false, range: (_, low, high) => [low, high] },
-          y: { range: () => roomy(this.low, this.high) },
+          ...Object.fromEntries(scales),
         },
         axes: [
           {
@@ -55,20 +63,25 @@ export class Plot {
             size: 24,
             values: (_, ticks) => ticks.map((t) => `${figures(t)} s`),
           },
-          {
-            stroke: ink,
-            grid: line,
+          // With scales of their own the first two lines have an axis each, in their colour.
+          ...(this.own ? series.slice(0, 2) : [null]).map((one, i) => ({
+            scale: scaleOf(i),
+            side: i === 0 ? 3 : 1,
+            stroke: one ? one.colour : ink,
+            grid: i === 0 ? line : { show: false },
             ticks: { ...line, size: 4 },
             font,
             size: 52,
             space: 20, // between two marks [CSS pixels]: a low graph has more than one
-            values: (_, ticks) => ticks.map((v) => quantity(v, unit)),
-          },
+            values: (/** @type {uPlot} */ _, /** @type {number[]} */ ticks) =>
+              ticks.map((v) => quantity(v, unit)),
+          })),
         ],
         series: [
           { label: "time", value: (_, value) => (value === null ? "" : `${value.toFixed(2)} s`) },
-          ...series.map(({ label, colour: stroke }) => ({
+          ...series.map(({ label, colour: stroke }, i) => ({
             label,
+            scale: scaleOf(i),
             stroke,
             width: 1.6,
             points: { show: false },
@@ -76,7 +89,10 @@ export class Plot {
             value: (/** @type {uPlot} */ _, /** @type {number} */ value) =>
               value === null ? "" : quantity(value, unit),
           })),
-          ...banded.flatMap(({ colour: stroke }) => [bound(stroke), bound(stroke)]),
+          ...banded.flatMap((one) => {
+            const at = series.indexOf(one);
+            return [bound(one.colour, at), bound(one.colour, at)];
+          }),
         ],
         bands: banded.map(({ colour: fill }, i) => ({
           series: [series.length + 2 * i + 2, series.length + 2 * i + 1],
@@ -101,11 +117,20 @@ export class Plot {
 
   /** @param {Float64Array[]} columns @param {number} from @param {number} to [s] */
   show(columns, from, to) {
-    [this.low, this.high] = extremes(columns);
+    this.extremes = this.own
+      ? this.series.map((_, i) => extremes(this.columnsOf(i, columns)))
+      : [extremes(columns)];
     this.uplot.batch(() => {
       this.uplot.setData(/** @type {any} */ (columns), false);
       this.uplot.setScale("x", { min: from, max: to });
     });
+  }
+
+  /** Times, and the columns of one line with its bounds. @param {number} i @param {Float64Array[]} columns */
+  columnsOf(i, columns) {
+    const { name, low, high } = this.series[i];
+    const wanted = new Set([name, low, high]);
+    return columns.filter((_, k) => k === 0 || wanted.has(this.names[k - 1]));
   }
 
   destroy() {

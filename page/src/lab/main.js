@@ -6,7 +6,8 @@ import { follow } from "./hand.js";
 import { METHODS, Rope } from "./kernel.js";
 import { energies, isBroken, tensions } from "./measures.js";
 import { Probe } from "./probe.js";
-import { Resampler, Sound, bridge } from "./sound.js";
+import { Resampler, Sound } from "../sound.js";
+import { bridge } from "./bridge.js";
 import { Strip } from "./strip.js";
 
 /** @typedef {import("./kernel.js").Scene} Scene */

@@ -2,6 +2,7 @@
 
 import { figures } from "../view/range.js";
 import { button, h, icon } from "./dom.js";
+import { Hearing } from "./hearing.js";
 
 /** @typedef {import("../session.js").Session} Session */
 
@@ -53,6 +54,7 @@ export class Controls {
       key: "G",
       id: "toggle-graphs",
     });
+    this.hearing = new Hearing(session);
     this.seeking = 0;
     this.shown = -Infinity; // when the clock was last changed [ms]
     host.append(
@@ -68,6 +70,7 @@ export class Controls {
       ),
       this.reached,
       h("span", { className: "gap" }),
+      this.hearing.button,
       this.graphs,
     );
     session.on("hello", () => this.refresh());

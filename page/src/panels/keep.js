@@ -40,6 +40,12 @@ export class Keep {
         show: session.can("scene"),
         press: () => this.copyLink(),
       },
+      {
+        label: "Copy the command line",
+        id: "keep-command",
+        show: session.can("scene") && commandOf(session.status?.address) !== "",
+        press: () => this.copyCommand(),
+      },
       { label: "Picture (PNG)", id: "keep-png", show: true, press: () => this.picture() },
       ...(hello?.exports ?? []).map((name) => ({
         label: FILES[name] ?? name,
@@ -94,13 +100,36 @@ export class Keep {
   async copyLink() {
     const status = this.stage.session.status;
     const address = `${location.href.split("#")[0]}${status?.address ? `#${status.address}` : ""}`;
+    await this.copy(
+      address,
+      "The link is copied. It opens this scene with these constants, as long as this view runs.",
+    );
+  }
+
+  /** What starts this set-up when the view has ended, on another computer, too. */
+  async copyCommand() {
+    const command = commandOf(this.stage.session.status?.address);
+    await this.copy(command, "The command is copied. In a terminal it opens this set-up again.");
+  }
+
+  /** @param {string} text @param {string} done what to say then */
+  async copy(text, done) {
     try {
-      await navigator.clipboard.writeText(address);
-      this.notices.say("The link is copied. It opens this scene with these constants.");
+      await navigator.clipboard.writeText(text);
+      this.notices.say(done);
     } catch {
-      this.notices.say(address); // no clipboard: it can be copied from here
+      this.notices.say(text); // no clipboard: it can be copied from here
     }
   }
+}
+
+/** The command that opens a set-up; "" where its scene is only in the program that shows it.
+ * @param {string | undefined} address */
+export function commandOf(address) {
+  const scene = new URLSearchParams(address ?? "");
+  const named = scene.get("toml") || !["", "start"].includes(scene.get("scene") ?? "");
+  if (!address || !named) return "";
+  return `ropewalk view --at "${address}"`;
 }
 
 /** @param {string} name */

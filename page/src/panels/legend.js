@@ -14,10 +14,18 @@ const NOTHING = 2e-9; // of a range's width: see `Range.follow`
 /** The unit for the numbers of a colouring, and what they are multiplied with.
  * @param {Colouring} colouring @param {number} most @returns {[string, number]} */
 function unitFor(colouring, most) {
-  if (colouring === "strain") return ["%", 100];
+  if (colouring === "strain" || colouring === "utilisation") return ["%", 100];
   if (colouring === "speed") return ["m/s", 1];
   if (most >= 1e7) return ["MN", 1e-6];
   return most >= 1e4 ? ["kN", 1e-3] : ["N", 1];
+}
+
+/** How near to breaking, in words. @param {number} most tension over breaking load */
+export function marginText(most) {
+  if (!(most > 0)) return "Most: 0 %";
+  const share = `Most: ${figures(Number((100 * most).toPrecision(3)))} %`;
+  if (most > 1) return `${share}: it would have parted`;
+  return `${share}, safety factor ${figures(Number((1 / most).toPrecision(3)))}`;
 }
 
 export class Legend {
@@ -30,6 +38,7 @@ export class Legend {
       { id: "colouring", "aria-label": "Colour of the ropes", onchange: () => this.choose() },
       h("option", { value: "tension" }, "Tension"),
       h("option", { value: "strain" }, "Tension / EA"),
+      (this.near = h("option", { value: "utilisation", hidden: true }, "Tension / breaking load")),
       h("option", { value: "speed" }, "Speed"),
       h("option", { value: "plain" }, "Plain colours"),
     );
@@ -50,6 +59,7 @@ export class Legend {
     this.dots = this.check("Nodes", "show-nodes", false, (on) => (stage.dots = on));
     this.posts = this.check("Posts", "show-posts", true, (on) => (stage.marks.standing = on));
     this.posts.className = "posts";
+    this.margin = h("div", { className: "numbers", id: "margin", hidden: true });
     this.given = h("div", { className: "numbers", id: "given", hidden: true });
     this.grid = h("span", {});
     this.thick = h("span", {});
@@ -60,6 +70,7 @@ export class Legend {
         this.select,
         this.bar,
         this.numbers,
+        this.margin,
         this.ropes,
         h("div", { className: "row" }, this.arrows, this.dots, this.posts),
         h("div", { className: "numbers drawn-as" }, this.grid, this.thick),
@@ -100,7 +111,16 @@ export class Legend {
     const plain = this.stage.colouring === "plain";
     this.bar.hidden = this.numbers.hidden = plain;
     this.ropes.replaceChildren();
-    if (layout) this.tellGiven(layout);
+    if (layout) {
+      this.tellGiven(layout);
+      const known = layout.variants.some(({ ropes }) => ropes.some((one) => one.breaking_load));
+      this.near.hidden = this.near.disabled = !known;
+      if (!known && this.stage.colouring === "utilisation") {
+        this.select.value = "tension";
+        return this.choose();
+      }
+    }
+    this.margin.hidden = this.stage.colouring !== "utilisation";
     if (!layout || !plain) return;
     const many = layout.variants.length > 1;
     const entries = many
@@ -150,6 +170,7 @@ export class Legend {
   refresh() {
     this.paint();
     this.written = performance.now();
+    if (!this.margin.hidden) write(this.margin, marginText(this.stage.most));
     const { range, colouring } = this.stage;
     const { low, high } = range;
     const [unit, scale] = unitFor(colouring, Math.max(Math.abs(low), Math.abs(high)));

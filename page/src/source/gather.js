@@ -4,13 +4,21 @@ import { scalar } from "./frame.js";
 
 /** @typedef {import("./protocol.js").Layout} Layout */
 /** @typedef {import("./frame.js").Frame} Frame */
-/** @typedef {"tension" | "strain" | "speed" | "plain"} Colouring */
+/** @typedef {"tension" | "strain" | "utilisation" | "speed" | "plain"} Colouring */
+
+/** What a newton of tension is worth in a rope. @param {import("./protocol.js").Rope} rope
+ * @param {Colouring} colouring */
+function perNewton(rope, colouring) {
+  if (colouring === "strain") return 1 / rope.EA;
+  if (colouring === "utilisation") return rope.breaking_load ? 1 / rope.breaking_load : 0;
+  return 1;
+}
 
 /** Write x, y, z, value of all nodes of all variants; returns the extremes of what has values. These are the
  * greatest since the frame before, so that no colour misses what came in between.
  * @param {Frame} frame @param {Layout} layout @param {Colouring} colouring
  * @param {number[][]} shifts [m] of each variant @param {Float32Array} out
- * @returns {{low: number, high: number}} */
+ * @returns {{low: number, high: number, most: number}} what the colours run between, and the greatest value */
 export function gather(frame, layout, colouring, shifts, out) {
   let at = 0;
   let [lowest, highest] = [Infinity, -Infinity];
@@ -34,7 +42,7 @@ export function gather(frame, layout, colouring, shifts, out) {
       const low = scalar(layout, part, "tension_low");
       const step = (scalar(layout, part, "tension_high") - low) / 65535;
       for (const rope of variant.ropes) {
-        const per = colouring === "strain" ? 1 / rope.EA : 1;
+        const per = perNewton(rope, colouring);
         const last = rope.first + rope.nodes - 1;
         const { greatestTension, leastTension } = part.seen;
         let before = greatestTension[rope.first];
@@ -52,5 +60,7 @@ export function gather(frame, layout, colouring, shifts, out) {
     }
     at += 4 * variant.nodes;
   });
-  return { low: lowest, high: highest };
+  if (colouring === "utilisation")
+    return { low: 0, high: Math.max(1, highest), most: Math.max(0, highest) };
+  return { low: lowest, high: highest, most: Math.max(0, highest) };
 }

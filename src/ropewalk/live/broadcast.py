@@ -20,6 +20,7 @@ from ropewalk.live import describe
 from ropewalk.live.aside import aside
 from ropewalk.live.audience import Audience, Nobody
 from ropewalk.live.commands import Back, Command, Remedy, SceneCommand, Set
+from ropewalk.live.ear import Ear
 from ropewalk.live.explainer import Explainer
 from ropewalk.live.frame import BROKEN, GRABBED, PLAYING, SLOW, Clockwork, encode
 from ropewalk.live.inbox import Inbox, Item, Reply
@@ -55,6 +56,7 @@ class Broadcast:
         self.inbox = Inbox(self._done)
         self.wake: Callable[[], None] = lambda: None  # has the next tick come at once
         self.pace = Pace()
+        self.ear = Ear()
         self.frame_number = self.layout_number = 0
         self.text = ""
         self.on_save: Callable[[], str] | None = None
@@ -166,6 +168,8 @@ class Broadcast:
             self.playing = self.session.broken is None
         elif kind == "pause":
             self.playing = False
+        elif kind == "listen":
+            self.ear.listen(item.client, command.on)
         else:
             self._note(self.session.apply(command, item.client))
             if isinstance(command, Remedy | Back):
@@ -239,6 +243,7 @@ class Broadcast:
         """End what a page held: its grabs, drags and keys."""
         from ropewalk.live.commands import LetGo
 
+        self.ear.listen(client, False)
         if any(track.hands.holds(client) for track in self.session.tracks):
             self.session.apply(LetGo(type="let_go"), client)
             self._dirty = True
@@ -280,8 +285,10 @@ class Broadcast:
         main = self.session.main
         steps = self.pace.steps(main.dt, self.session.speed)
         if steps > 0:
+            self.ear.attend(main)
             self.pace.begin()
             self.pace.end(advance_within(self.session, steps, BUDGET), steps)
+            self.ear.tell(self.audience, main.dt, self.session.speed)
             self._dirty = True
         self.pace.note(self.session.time)
 
@@ -339,19 +346,14 @@ class Broadcast:
         session = self.session
         plan = session.main.simulation.plan
         slow = self.playing and self.pace.slow
-        text = self.text
-        if slow:
-            text = (
-                f"{self.pace.realtime:.2g} of real time: this computer is too slow for "
-                f"{session.main.simulation.layout.nodes} nodes in steps of {1e3 * plan.dt:.3g} ms"
-            )
+        nodes = session.main.simulation.layout.nodes
         return {
             "type": "status",
             "playing": self.playing,
             "speed": session.speed,
             "realtime": self.pace.realtime if self.playing else 0.0,
             "slow": slow,
-            "text": text,
+            "text": self.pace.words(nodes, plan.dt) if slow else self.text,
             "time": session.time,
             "step": session.count,
             "dt": plan.dt,

@@ -171,6 +171,11 @@ class Remedy(Command):
     remedy: Literal["back", "step", "implicit", "on"]
 
 
+class Listen(Command):
+    type: Literal["listen"]
+    on: Annotated[bool, Field(strict=True)]
+
+
 class Save(Command):
     type: Literal["save"]
 
@@ -184,7 +189,7 @@ COMMANDS: dict[str, type[Command]] = {
     str(model.model_fields["type"].annotation.__args__[0]): model  # type: ignore[union-attr]
     for model in (
         Ack, Play, Pause, Step, Speed, Reset, Set, Move, Drag, Drop, Grab, LetGo, Pin, Unpin, Cut,
-        Load, Kick, SceneCommand, Compare, Back, Undo, Remedy, Save, Seek,
+        Load, Kick, SceneCommand, Compare, Back, Undo, Remedy, Listen, Save, Seek,
     )
 }  # fmt: skip
 # Those that change the simulation, and so are kept in a session's log.

@@ -17,6 +17,7 @@ from ropewalk.live.sources import START
 from ropewalk.live.themes import menu, title
 from ropewalk.live.track import RIGID_FIXED, WINCH_SAFE, WITH_LINKS, Track
 from ropewalk.lowering import Layout, Span
+from ropewalk.record.margins import breaking_load
 from ropewalk.scene import Scene, Springs
 from ropewalk.scene.presets import preset
 
@@ -107,6 +108,7 @@ def rope_list(scene: Scene, spans: Sequence[Span], colors: dict[str, int]) -> li
             "zero": span.start,
             "segments": rope.segments,
             "length": rope.length_unstretched,
+            "breaking_load": breaking_load(rope),
             "EA": plain(rope.segment_stiffness * rope.segment_length or None),
             "diameter": rope.diameter,
             "mass": rope.total_mass,

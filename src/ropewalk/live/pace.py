@@ -57,6 +57,13 @@ class Pace:
     def _load_decays(self, elapsed: float) -> None:
         self._wall = elapsed
 
+    def words(self, nodes: int, dt: float) -> str:
+        """Say how slow it is, with so many nodes and steps of `dt` [s]."""
+        return (
+            f"{self.realtime:.2g} of real time: this computer is too slow for {nodes} nodes in steps "
+            f"of {1e3 * dt:.3g} ms"
+        )
+
     def begin(self) -> None:
         """Begin to measure what steps cost."""
         self._begun = time.perf_counter()

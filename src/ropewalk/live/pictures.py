@@ -72,7 +72,7 @@ def picture(track: Track, first: Picture | None = None, source: Floats | None = 
         "time": simulation.time,
         "dt": track.dt,
         "kinetic": float(energy[0]),
-        "gravity": float(energy[1]),
+        "gravity": float(energy[1]) - track.first_gravity,
         "elastic": float(energy[2:].sum()),
         "lost": lost,
         "put_in": put_in,

@@ -25,7 +25,8 @@ class Recorded:
         self.result = result
         past = until_torn(result)
         self.past = past if past is not None and past.last == result.frames - 1 else None
-        self.first_energy = float(result.read("energy", 0, 1)[0].sum())
+        first = result.read("energy", 0, 1)[0]
+        self.first_energy, self._first_gravity = float(first.sum()), float(first[1])
         self._up = np.array(result.scene.up)
         self._no_force = np.zeros((_PIECE, len(result.layout.anchor_names), 3))
         self._piece = -1
@@ -78,7 +79,7 @@ class Recorded:
             "time": float(data["time"][row]),
             "dt": result.plan.dt,
             "kinetic": float(energy[0]),
-            "gravity": float(energy[1]),
+            "gravity": float(energy[1]) - self._first_gravity,
             "elastic": float(energy[2:].sum()),
             "lost": -losses,
             "put_in": gifts,

@@ -17,7 +17,7 @@ from urllib.parse import parse_qsl, urlencode
 
 from ropewalk.live.commands import LONGEST_TEXT, SceneCommand
 from ropewalk.live.json_input import read_json
-from ropewalk.live.parameters import refusal
+from ropewalk.live.parameters import initial, refusal
 from ropewalk.scene import Scene, SceneError, dumps, loads
 from ropewalk.scene.presets import names, preset
 
@@ -93,6 +93,16 @@ def from_address(
     if scene is None:
         scene, name = start
     return scene, name, settings
+
+
+def scene_at(text: str, start: Start) -> Scene:
+    """Return the scene that an address describes, its constants changed. Raises SceneError."""
+    behind = text.partition("#")[2] if "#" in text else text  # a whole link will do
+    if dict(parse_qsl(behind, keep_blank_values=True)).get("scene") in ("", START):
+        rule = "names the scene of the program that it was copied from; keep that scene as TOML"
+        raise refusal("address", text, rule)
+    scene, _, settings = from_address(behind, start)
+    return initial(scene, {(parameter, rope): value for parameter, rope, value in settings})
 
 
 def _value(text: str) -> Any:

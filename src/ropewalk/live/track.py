@@ -15,6 +15,7 @@ from ropewalk.core.status import OK
 from ropewalk.laws.registry import NODE_LAWS
 from ropewalk.live import edits
 from ropewalk.live.carry import carry_over
+from ropewalk.live.ear import Ear
 from ropewalk.live.edits import Edit
 from ropewalk.live.hands import CONTROL, Hands
 from ropewalk.live.parameters import named, refusal
@@ -72,9 +73,11 @@ class Track:
         self._watch(simulation)
         self.scene = edits.neutral(planned(scene, self.simulation.plan))
         self.hands = Hands()
+        self.ear: Ear | None = None
         self.count = 0  # steps done
         self.edited = 0.0  # energy put in by changes [J]
         self.first_energy = self.energy
+        self.first_gravity = float(simulation.recording().recording.energy[0, 1])  # [J]
         self.begun = self.save()  # when the present simulation began
 
     def _watch(self, simulation: Simulation) -> None:
@@ -108,11 +111,15 @@ class Track:
                 if self.hands.fresh or self.count % every == 0:
                     self.hands.update(self.simulation, every * self.dt, speed)
                 now = min(steps, every - self.count % every)
+            if self.ear is not None:
+                now = min(now, self.ear.steps(self.dt))
             status = self.simulation.advance_steps(now)
             if status != OK:
                 return status
             self.count += now
             steps -= now
+            if self.ear is not None:
+                self.ear.hear(self)
         return OK
 
     def follow(self, time: float, speed: float) -> int:
@@ -257,7 +264,7 @@ class Track:
         Raises SceneError.
         """
         made = copy(self)
-        made.label, made.changes = label, dict(changes)
+        made.label, made.changes, made.ear = label, dict(changes), None
         made.hands = self.hands.copy()
         made.hands.fresh = True
         layout = self.simulation.layout

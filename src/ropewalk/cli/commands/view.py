@@ -36,6 +36,12 @@ _LOCAL = ("127.0.0.1", "localhost", "::1")
     "--port", type=click.IntRange(0, 65535), help="Port; default: 8712, or the next free."
 )
 @click.option("--host", default="127.0.0.1", show_default=True, help="Address to listen on.")
+@click.option(
+    "--at",
+    "link",
+    metavar="LINK",
+    help="A set-up copied from the page (Keep), in place of SCENE: 'scene=r4&mass=2'.",
+)
 @click.option("--no-browser", is_flag=True, help="Print the address, open nothing.")
 @click.option("--paused", is_flag=True, help="Wait for the page's play button.")
 @click.option(
@@ -58,6 +64,7 @@ def view(
     method: str | None,
     port: int | None,
     host: str,
+    link: str | None,
     no_browser: bool,
     paused: bool,
     output: Path | None,
@@ -82,6 +89,7 @@ def view(
                 raise Refusal(f"{source}: is a sweep; only --run says what of it is shown")
             made, playing = _run_of_sweep(Path(source), number), not paused
             return _serve(lambda _: _replay(made, playing, options), no_browser, port)
+        linked = _linked(link, source, *overrides, *settings.values(), go_on)
         if number is not None:
             raise Refusal(f"--run: {source or DEFAULT} is no sweep; leave it out")
         if source is not None and _is_run(Path(source)):
@@ -96,16 +104,31 @@ def view(
         if go_on:
             folder = Path(str(source))
             return _serve(lambda _: _continued(folder, no_save, options), no_browser, port)
-        name = short_name(source or DEFAULT)
+        name = short_name(linked.name if linked else source or DEFAULT)
         if not no_save:
             if output is not None and output.exists():
                 from ropewalk.record.place import check_free
 
                 check_free(output, overwrite=False)
             options["folder"] = stack.enter_context(claimed(output, RUNS, f"{name}-live"))
-        scene = load_scene(source or DEFAULT, overrides, **settings)
-        start = _preset_of(scene, source or DEFAULT, bool(overrides))
+        scene = linked or load_scene(source or DEFAULT, overrides, **settings)
+        start = _preset_of(scene, source or DEFAULT, bool(overrides or linked))
         return _serve(lambda early: _live(scene, start, early, options), no_browser, port)
+
+
+def _linked(link: str | None, *others: object) -> Scene | None:
+    """Return the scene of a copied link, if there is one. Raises SceneError.
+
+    Refused where anything else says what is shown, too.
+    """
+    if link is None:
+        return None
+    if any(others):
+        raise Refusal("--at: says all that is shown; leave out SCENE, --set and --continue")
+    from ropewalk.live.sources import scene_at
+    from ropewalk.scene.presets import preset
+
+    return scene_at(link, (preset(DEFAULT), DEFAULT))
 
 
 def _is_run(path: Path) -> bool:
