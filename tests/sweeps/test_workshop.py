@@ -26,10 +26,13 @@ from sweeps.scenes import DOWN, EA, alone, swing
 
 HERE = Path(__file__).parent
 STIFF, SPRINGY = rw.load(HERE / "all_of_material.toml"), rw.load(HERE / "all_of_springs.toml")
-#: What has only one value by itself: the version, files (read when a scene is loaded), a rope's stuff.
+TOUCHING = rw.load(HERE / "all_of_obstacles.toml")
+#: What has only one value by itself: the version, files (read when a scene is loaded), a rope's stuff,
+#: a plane, nodes that are tied (others lie elsewhere).
 NEVER = {("Scene", "schema_version"), ("Table", "file"), ("Points", "file")} | {
-    (name, "kind") for name in ("Springs", "Material")
+    (name, "kind") for name in ("Springs", "Material", "Plane")
 }
+NEVER |= {("Tie", "rope"), ("Tie", "node")}
 SPRINGS = '{kind = "springs", spring_constant = 5.0, node_mass = 0.1, segment_length = 0.1}'
 MATERIAL = '{kind = "material", EA = 5.0, mass_per_length = 0.1}'
 WORDS = ["true", "false", "1.5", "0.3", "2", "1", "none", "[0.1, 0.2, -0.9]", "b", "right", "e"]
@@ -46,7 +49,8 @@ def every_path(scene: Scene) -> Iterator[tuple[str, type, str, Any]]:
                 yield path, model, key, value
             elif kind.listed:
                 for number, item in enumerate(value or []):
-                    yield from below(item, kind.models[0], f"{path}[{number}].")
+                    one = by_tag(kind.models, item.get("kind", tag(kind.models[0])))
+                    yield from below(item, one, f"{path}[{number}].")
             elif value is not None or not kind.optional:
                 value = value or {}
                 one = by_tag(kind.models, value.get("kind", tag(kind.models[0])))
@@ -124,7 +128,7 @@ def compare(scene: Scene, path: str, texts: list[str]) -> int:
 def test_every_path_gives_the_bits_of_a_model_made_anew() -> None:
     varied: set[tuple[str, str]] = set()
     ringing = apply_overrides(swing(), ["start=at-rest", "run.ring.mode=1", "run.ring.speed=0.1"])
-    for scene in (STIFF, SPRINGY, ringing):
+    for scene in (STIFF, SPRINGY, ringing, TOUCHING):
         for path, model, key, value in every_path(scene):
             name = (model.__name__, key)
             if name not in NEVER and compare(scene, path, candidates(model, key, value)) > 1:

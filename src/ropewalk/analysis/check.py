@@ -62,6 +62,7 @@ class RopeCheck:
     short: int  # segments that start more than 1 % shorter than their rest length
     made_of: str = ""  # which rope of the library it is, and what was changed
     utilisation: float | None = None  # at rest, tension over breaking load [1]; None if not known
+    rests: bool = True  # whether a shape of rest is looked for
 
     def lines(self) -> list[str]:
         """What it is, and what it carries at rest; one fact a line."""
@@ -69,6 +70,8 @@ class RopeCheck:
             f"rope {self.name!r}: {self.segments} segments, {self.length:.6g} m, {self.mass:.6g} kg"
         ]
         text += [f"  {self.made_of}"] if self.made_of else []
+        if not self.rests:
+            return text
         strain = "" if self.largest_strain is None else f", strain {percent(self.largest_strain)}"
         text.append(f"  at rest: largest tension {prefixed(self.largest_tension, 'N', 5)}{strain}")
         if self.utilisation is not None:
@@ -161,9 +164,8 @@ class Check:
         text = [self.name]
         for rope in self.ropes:
             text += rope.lines()
-            text += [
-                f"  at rest: {span.words}" for span in self.statics.spans if span.rope == rope.name
-            ]
+            spans = [span for span in self.statics.spans if span.rope == rope.name and rope.rests]
+            text += [f"  at rest: {span.words}" for span in spans]
         if self.statics.grounded.any():
             text.append(f"at rest {_count(self.statics.grounded, 'node')} on the ground")
         text.append(
@@ -275,7 +277,7 @@ def _rope(model: Model, statics: Statics, name: str) -> RopeCheck:
     state = model.state
     own = rope.own_mass / max(rope.nodes - (0 if rope.made_of.kind == "springs" else 1), 1)
     rest, tension = state.rest_length[segments], statics.tension[segments]
-    load = breaking_load(rope)
+    load = None if model.layout.more else breaking_load(rope)
     size = np.linalg.norm(np.diff(state.x[:, span.start : span.end + 1], axis=1), axis=0)
     taut = tension > 0.0
     # A sideways wave runs sqrt(T l / m), l the stretched length of a segment and m a node's mass.
@@ -296,6 +298,7 @@ def _rope(model: Model, statics: Statics, name: str) -> RopeCheck:
         short=int((size < rest * (1.0 - _SHORT)).sum()),
         made_of=origin_words(rope.made_of),
         utilisation=None if load is None else float(tension.max(initial=0.0)) / load,
+        rests=not model.layout.more,
     )
 
 

@@ -35,7 +35,9 @@ class NodeLaw(NamedTuple):
     name: str
     section: str  # the field of the scene that it is made from
     lower: Callable[..., Any]  # (section or None, *inputs): its table, a named tuple
-    inputs: tuple[str, ...]  # what else that follows from: "layout", "diameters", "ropes", "up"
+    inputs: tuple[
+        str, ...
+    ]  # what else that follows from: "layout", "diameters", "ropes", "up", "whole"
     acts: Callable[[Any], bool]  # (table): whether there is any force
     force: Any  # part (table, state, x, v, force, lo, hi): write it, for nodes `lo` to `hi - 1`
     # part (table, state, x, v, weight_x, weight_v, marks, band): add -(weight_x dF/dx + weight_v dF/dv)

@@ -73,18 +73,23 @@ class Memory(NamedTuple):
     place: Floats  # (3, n) [m]
 
 
-def lower(obstacles: Sequence[Obstacle] | None, layout: Layout, ropes: Sequence[Rope]) -> Obstacles:
-    """Return the table of a scene's obstacles."""
+def lower(
+    obstacles: Sequence[Obstacle] | None,
+    layout: Layout,
+    ropes: Sequence[Rope],
+    whole: Sequence[float],
+) -> Obstacles:
+    """Return the table of a scene's obstacles; `whole` is a rope's mass with all it is tied to [kg]."""
     bodies = tuple(obstacles or ())
     count, n = len(bodies), layout.nodes
     own, mass = np.zeros(n), np.zeros(n)
     thickness = np.zeros(n)
-    for rope, span in zip(ropes, layout.ropes, strict=True):
+    for rope, span, all_mass in zip(ropes, layout.ropes if bodies else (), whole, strict=True):
         nodes = slice(span.first, span.last + 1)  # those still on a drum, too
-        stiff, weight = node_stiffness(rope)
+        stiff, weight = node_stiffness(rope, all_mass)
         own[nodes], mass[nodes] = stiff, weight
         here = slice(span.start, span.end + 1)
-        own[here], mass[here] = _loaded(rope, stiff, weight)
+        own[here], mass[here] = _loaded(rope, stiff, weight, all_mass)
         thickness[nodes] = radius_of(rope)
     stiffness = np.empty((count, n))
     for row, body in enumerate(bodies):
@@ -108,22 +113,25 @@ def radius_of(rope: Rope) -> float:
     return 0.5 * rope.diameter if "diameter" in rope.model_fields_set else 0.0
 
 
-def node_stiffness(rope: Rope, mass: float | None = None) -> tuple[float, float]:
-    """Return the stiffness of a contact [N/m] and the mass [kg] of an inner node, or one of `mass`."""
+def node_stiffness(rope: Rope, whole: float, mass: float | None = None) -> tuple[float, float]:
+    """Return the stiffness of a contact [N/m] and the mass [kg] of an inner node, or one of `mass`.
+
+    `whole` is the mass of the rope and all that joints tie to it [kg].
+    """
     own = rope.own_mass / max(rope.nodes, 1) if mass is None else mass
-    inert, whole = own / FRAME**2, rope.total_mass / FRAME**2
+    inert, whole = own / FRAME**2, whole / FRAME**2
     k = rope.segment_stiffness
     shown = math.sqrt(inert**2 + 4.0 * k * inert) if math.isfinite(k) else whole
     return min(min(shown, whole) / SHARE, max(k, inert)), own
 
 
-def _loaded(rope: Rope, stiffness: float, mass: float) -> tuple[Floats, Floats]:
+def _loaded(rope: Rope, stiffness: float, mass: float, whole: float) -> tuple[Floats, Floats]:
     """Return stiffness and mass of all nodes, those with loads on them stiffer, (nodes,) each."""
     masses, found = np.full(rope.nodes, mass), np.full(rope.nodes, stiffness)
     for load in rope.loads:
         masses[rope.node_index(load.node)] += load.mass
     for node in {rope.node_index(load.node) for load in rope.loads}:
-        found[node] = node_stiffness(rope, float(masses[node]))[0]
+        found[node] = node_stiffness(rope, whole, float(masses[node]))[0]
     return found, masses
 
 
@@ -248,8 +256,8 @@ def depths(obstacles: Obstacles, x: Floats) -> Floats:
 
 
 def cases(obstacles: Obstacles, chain: Chain) -> dict[str, Chain]:
-    """Return a chain all of whose nodes are pressed to the stiffest obstacle, or to two of them at once."""
-    most = min(len(obstacles.kind), 2)
+    """Return a chain all of whose nodes are pressed to the stiffest obstacle, or to three, as in a corner."""
+    most = min(len(obstacles.kind), 3)
     return {
         "pressed to obstacles": chain._replace(
             node_stiffness=chain.node_stiffness + most * obstacles.stiffness.max(axis=0),
@@ -262,7 +270,7 @@ OBSTACLE = NodeLaw(
     name="obstacle",
     section="obstacles",
     lower=lower,
-    inputs=("layout", "ropes"),
+    inputs=("layout", "ropes", "whole"),
     acts=acts,
     force=force,
     tangent=tangent,

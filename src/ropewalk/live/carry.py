@@ -41,6 +41,7 @@ def carry_over(old: Simulation, scene: Scene, source: Floats) -> Simulation:
     made = Simulation(model, ledger=old.ledger)
     snapshot = made.state
     _carry_work(old, made, snapshot.state)
+    _carry_memory(old, made, snapshot.state, source)
     start, dt, step = old.clock
     if made.plan.dt != dt:
         start, dt, step = old.time, made.plan.dt, 0
@@ -50,6 +51,8 @@ def carry_over(old: Simulation, scene: Scene, source: Floats) -> Simulation:
             start=start, dt=dt, step=step, motion_kinds=kinds, winch_drive=drive.copy()
         )
     )
+    if scene.obstacles:
+        made.push({})  # forces and accelerations with what contacts hold
     return made
 
 
@@ -114,6 +117,16 @@ def _carry_clamp(old: Simulation, model: Model, row: int, was: int | None) -> No
         node = int(state.anchor_node[row])
         state.bending_stiffness[node] = bending.stiffness[node]
         state.bending_damping[node] = bending.damping[node]
+
+
+def _carry_memory(old: Simulation, made: Simulation, state: State, source: Floats) -> None:
+    """Keep what contacts hold, at nodes that are there still: nothing slips for an edit."""
+    state.now[...] = old.arrays.now
+    whole = source == np.floor(source)
+    nodes = source[whole].astype(np.int64)
+    if len(made.scene.obstacles) == len(old.scene.obstacles) > 0:
+        grip = old.arrays.memory.obstacle.grip
+        state.memory.obstacle.grip[:, :, whole] = grip[:, :, nodes]
 
 
 def _carry_work(old: Simulation, made: Simulation, state: State) -> None:

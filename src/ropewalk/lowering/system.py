@@ -34,6 +34,7 @@ from ropewalk.lowering.pieces import Pieces
 from ropewalk.methods.kinks import kink_times
 from ropewalk.scene import Limiter as LimiterInScene
 from ropewalk.scene import Rope, Scene, Springs
+from ropewalk.scene.joint import tied_ropes
 
 
 def make_tables(
@@ -255,7 +256,9 @@ def _node_tables(scene: Scene, layout: Layout, keep: Pieces) -> Any:
     """Return the tables of the laws of nodes, each made from its section of the scene."""
     thick = tuple(rope.diameter for rope in scene.ropes)
     inputs: dict[str, Any] = {"layout": layout, "diameters": thick}
-    inputs |= {"up": scene.up, "ropes": scene.ropes}
+    inputs |= {"up": scene.up, "ropes": (), "whole": ()}
+    if scene.obstacles:  # what only they ask for
+        inputs |= {"ropes": scene.ropes, "whole": _tied_masses(scene)}
     return NodeTables(
         *(
             keep(
@@ -267,6 +270,16 @@ def _node_tables(scene: Scene, layout: Layout, keep: Pieces) -> Any:
             for law in NODE_LAWS
         )
     )
+
+
+def _tied_masses(scene: Scene) -> tuple[float, ...]:
+    """Return for every rope the mass of all that joints tie together with it, itself included [kg]."""
+    found = [rope.total_mass for rope in scene.ropes]
+    for group in tied_ropes(scene.ropes, scene.joints):
+        whole = sum(scene.ropes[i].total_mass for i in group)
+        for i in group:
+            found[i] = whole
+    return tuple(found)
 
 
 def _slack_floor(layout: Layout, one_way: tuple[bool, ...]) -> Floats:

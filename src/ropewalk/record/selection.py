@@ -30,6 +30,7 @@ DEFAULT = (
         "reactions",
         "moments",
         "joint_forces",
+        "contact_force",
         "greatest_reactions",
         "greatest_moments",
         "extremes",

@@ -80,10 +80,14 @@ _SYMBOLS = {
     "reactions": "f",
     "moments": "m",
     "joint_forces": "f",
+    "contact_force": "contact f",
 }
 
 
-_OF_NODES = ("positions", "velocities", "greatest_speed", "least_height", "greatest_height")
+_OF_NODES = (
+    *("positions", "velocities", "contact_force"),
+    *("greatest_speed", "least_height", "greatest_height"),
+)
 _OF_SEGMENTS = (
     *("tension", "elastic_tension", "least_tension", "greatest_tension", "greatest_stretch"),
     "rest_length",

@@ -318,7 +318,7 @@ def _descend(
             below.append((inner, _model(kind.models, inner, here), here))
             continue
         chosen, left = _choose(owner.get(key, []), kind.models[0], here, rest)
-        below += [(item, kind.models[0], spot) for item, spot in chosen]
+        below += [(item, _model(kind.models, item, spot), spot) for item, spot in chosen]
     return below, left
 
 

@@ -32,8 +32,17 @@ def recut(scene: Scene) -> Recut:
         if rope.kicks:
             why = f"rope {rope.name!r} has a kick at one node, which pushes less mass the finer it is cut"
             return Recut(None, 1.0, why)
-    half = all(_halves(rope, _named(scene, rope)) for rope in scene.ropes)
+    half = all(_halves(rope, _named(scene, rope)) for rope in scene.ropes) and not _close(scene)
     return Recut(_cut(scene, half=half), 0.5 if half else 2.0)
+
+
+def _close(scene: Scene) -> bool:
+    """Tell whether a joint ties nodes of a rope that would be neighbours among half of them."""
+    for joint in scene.joints:
+        at = {(tie.rope, scene.rope_named(tie.rope).node_index(tie.node)) for tie in joint.points}
+        if any((rope, node + 2) in at for rope, node in at):
+            return True
+    return False
 
 
 def _named(scene: Scene, rope: Rope) -> list[int]:

@@ -158,7 +158,9 @@ class Rope(Model):
         "m",
         default=None,
     )
-    diameter: Number = positive("Diameter, for quadratic air drag", "m", default=0.01)
+    diameter: Number = positive(
+        "Diameter, for quadratic air drag and, where given, for obstacles", "m", default=0.01
+    )
     shape: Shape = Field(default=Straight(), description="Initial shape")
     loads: Many[Load] = listed("Extra masses at nodes", "load", "loads", default=())
     kicks: Many[Kick] = listed("Initial velocities of single nodes", "kick", "kicks", default=())

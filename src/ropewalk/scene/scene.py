@@ -201,6 +201,7 @@ class Scene(Model):
         segments = sum(rope.segments for rope in self.ropes)
         ropes = f"{_count(len(self.ropes), 'rope')} of {_count(segments, 'segment')}"
         tied = f", {_count(len(self.joints), 'joint')}" if self.joints else ""
+        tied += f", {_count(len(self.obstacles), 'obstacle')}" if self.obstacles else ""
         how = f"{run.duration:g} s at {run.frame_rate:g} frames/s with {run.method}"
         return f"Scene {self.name!r}: {ropes}, {_count(len(self.anchors), 'anchor')}{tied}, {how}."
 

@@ -12,7 +12,17 @@ from pydantic import ValidationError
 from ropewalk.scene.base import TINY
 from ropewalk.scene.checks import MOST_TOLD
 from ropewalk.scene.faults import MISSING, NO_VALUE, Fault, join
-from ropewalk.scene.paths import ModelType, Place, by_tag, keys, kind_of, place, sections, tag
+from ropewalk.scene.paths import (
+    ModelType,
+    Place,
+    by_tag,
+    keys,
+    kind_of,
+    place,
+    sections,
+    siblings,
+    tag,
+)
 from ropewalk.words.nearest import nearest
 
 
@@ -50,6 +60,9 @@ def _faults(model: ModelType, item: Mapping[str, Any]) -> Sequence[Fault]:
     if kind in ("union_tag_invalid", "union_tag_not_found"):
         return [_wrong_kind(where, value)]
     if kind in ("too_short", "too_long", "missing_positional_only_argument"):
+        least = context.get("min_length", 0)
+        if isinstance(value, (list, tuple)) and len(value) >= least and kind == "too_short":
+            return []  # what was wrong with its items has a sentence of its own
         return [Fault(where.path, value, _length(context))]
     if isinstance(value, float) and not math.isfinite(value):
         kind = "finite_number"  # whatever bound it broke first
@@ -81,6 +94,11 @@ def _unknown(where: Place, key: str) -> str:
     from ropewalk.scene.scene import Scene
 
     owner = where.owner
+    if key in keys(owner) or key in owner.model_fields:
+        return "is given already, by its name in Python; leave out one of the two"
+    others = [repr(tag(one)) for one in siblings(owner) if key in keys(one)]
+    if others:
+        return f"unknown key of {tag(owner)!r}; only {', '.join(others)} have it"
     homes = [join(path, key) for path, model in sections(Scene) if key in keys(model)]
     home = next((path for path in homes if path.count(".") <= 1), None)
     if home is not None and key != "kind":

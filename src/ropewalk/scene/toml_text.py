@@ -15,6 +15,8 @@ from ropewalk.scene.scene import Scene
 
 #: Written even when they have their default value: without them a table says too little.
 _ALWAYS = {"kind", "name", "schema_version", "method"}
+#: Written wherever they were given: a rope of a given diameter keeps half of it from obstacles.
+_WHERE_GIVEN = {"diameter"}
 #: A list of three numbers, which tomli_w writes on five lines. Texts hold no line breaks there.
 _NUMBERS = re.compile(r"\[\n((?:\s*[-+.\w]+,\n){3})\s*\]")
 #: No scene is larger; a file that is, is something else.
@@ -92,7 +94,8 @@ def as_table(model: Model) -> dict[str, Any]:
         if value is None:
             continue
         default = field.get_default()
-        if key not in _ALWAYS and value == default and repr(value) == repr(default):
+        given = key in _WHERE_GIVEN and name in model.model_fields_set
+        if key not in _ALWAYS and not given and value == default and repr(value) == repr(default):
             continue  # repr tells -0.0 from 0.0
         table[key] = plain(value)
     return table

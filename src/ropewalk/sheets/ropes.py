@@ -10,6 +10,7 @@ from ropewalk.library.catalogue import sources
 from ropewalk.record.margins import breaking_load
 from ropewalk.scene import Rope, Scene, Springs
 from ropewalk.scene.from_library import origin, origin_words
+from ropewalk.scene.obstacles import Obstacle
 from ropewalk.sheets.content import Item, Section, Table, Text
 from ropewalk.words.prefixes import prefixed
 
@@ -22,6 +23,9 @@ _NAMES = {
     "breaking_load": "breaking load",
     "diameter": "diameter",
 }
+
+
+_MOST_NAMED = 8  # joints of which each has a sentence
 
 
 def rope_section(scene: Scene) -> Section:
@@ -129,12 +133,15 @@ def assumption_section(scene: Scene) -> Section:
         _air(scene),
         _ground(scene),
         _anchors(scene),
+        _joints(scene),
+        *map(_obstacle, scene.obstacles),
     ]
     if scene.limiter is not None:
         low, high = scene.limiter.min_stretch, scene.limiter.max_stretch
         texts.append(f"A limiter keeps every segment between {low:g} and {high:g} of its length.")
     left_out = (
-        "Left out: contact with edges, pulleys, other ropes and itself; twist; creep, temperature, moisture, "
+        f"Left out: contact with {'anything else' if scene.obstacles else 'edges, pulleys'}, other "
+        "ropes and itself; twist; creep, temperature, moisture, "
         "wear and age; the strength of knots, splices and terminations; the give of anchors and structures; "
         "any load that is not in the scene."
     )
@@ -174,6 +181,21 @@ def _ground(scene: Scene) -> str:
     if scene.ground is None:
         return "There is no ground."
     return f"The ground is at a height of {scene.ground.height:.4g} m and yields as a spring."
+
+
+def _joints(scene: Scene) -> str:
+    if not scene.joints:
+        return ""
+    many = f"{len(scene.joints)} joints tie nodes of ropes, by their names in the scene below."
+    named = " ".join(map(str, scene.joints)) if len(scene.joints) <= _MOST_NAMED else many
+    return f"{named} Joints weigh nothing, hold no direction and do not give."
+
+
+def _obstacle(body: Obstacle) -> str:
+    return (
+        f"Nodes of ropes touch the {body.kind} {body.name!r} with a coefficient of friction of "
+        f"{body.friction:g}."
+    )
 
 
 def _anchors(scene: Scene) -> str:

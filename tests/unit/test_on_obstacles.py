@@ -1,0 +1,209 @@
+"""What is around a rope that touches obstacles: files, checks, sheets, tables, live edits."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import ropewalk as rw
+from ropewalk.laws.obstacle import radius_of
+from ropewalk.live.edits import Edit
+from ropewalk.live.track import Track
+from ropewalk.lowering import build
+from ropewalk.record.export import export
+from ropewalk.scene import Scene, SceneError, apply_overrides, dumps, loads
+from ropewalk.scene.recut import recut
+from ropewalk.sheets.ropes import assumption_section
+
+STUFF = 'made_of = { kind = "material", EA = 1e4, mass_per_length = 0.1, axial_damping = 5.0 }'
+
+
+def over_a_bar(diameter: str = "diameter = 0.01") -> Scene:
+    """A rope that hangs over a bar, with a load at one end and a breaking load."""
+    return loads(f"""
+[run]
+duration = 0.05
+time_step = 0.005
+method = "implicit-euler"
+[[rope]]
+name = "rope"
+segments = 8
+length = 0.5
+{diameter}
+loads = [{{ node = -1, mass = 0.5 }}]
+made_of = {{ kind = "material", EA = 1e4, mass_per_length = 0.1, breaking_load = 5e3 }}
+shape = {{ kind = "polyline", points = [[-0.2, 0, 0.06], [0.2, 0, 0.06]] }}
+[[anchor]]
+rope = "rope"
+node = 0
+[[obstacle]]
+name = "bar"
+kind = "cylinder"
+from = [0, -0.1, 0]
+to = [0, 0.1, 0]
+radius = 0.05
+""")
+
+
+def test_a_given_diameter_outlives_a_file_even_where_it_is_the_default() -> None:
+    """Half of it keeps the rope off the obstacles; a rope without one touches as a line."""
+    for scene, radius in ((over_a_bar(), 0.005), (over_a_bar(""), 0.0)):
+        assert radius_of(scene.ropes[0]) == radius
+        assert radius_of(loads(dumps(scene)).ropes[0]) == radius
+        assert radius_of(apply_overrides(scene, ["run.duration=0.1"]).ropes[0]) == radius
+
+
+def test_what_is_an_obstacles_own_can_be_varied() -> None:
+    scene = apply_overrides(over_a_bar(), ["obstacle[0].radius=0.06", "obstacle[0].friction=0.1"])
+    assert (scene.obstacles[0].radius, scene.obstacles[0].friction) == (0.06, 0.1)
+
+
+def test_check_says_no_shape_of_rest_that_leaves_obstacles_out() -> None:
+    check = rw.check(over_a_bar())
+    assert not any("at rest" in line for line in check.ropes[0].lines())
+    assert "hang free" not in str(check)
+    assert check.ropes[0].utilisation is None
+    assert not [text for text in check.warnings if "stretched" in text]
+
+
+def test_a_sheet_names_obstacles_and_joints() -> None:
+    words = str(assumption_section(over_a_bar()))
+    assert "cylinder 'bar' with a coefficient of friction of 0.3" in words
+    assert "contact with edges" not in words
+    assert "contact with edges" in str(assumption_section(rw.preset("hanging-rope")))
+    assert "Joint 'ring' ties" in str(assumption_section(rw.preset("three-leg-sling")))
+    assert "49 joints tie" in str(assumption_section(rw.preset("net")))
+
+
+def test_contact_forces_go_into_tables(tmp_path: Path) -> None:
+    result = rw.simulate(over_a_bar())
+    (path,) = export(result, "csv", tmp_path, quantities=["contact_force"])
+    lines = path.read_text().splitlines()
+    assert "contact fz [N]" in lines[0]
+    told = np.array([float(line.split(",")[-1]) for line in lines[1:]])
+    assert told.tobytes() == np.asarray(result.contact_force)[:, :, 2].ravel().tobytes()
+
+
+def test_a_light_rope_that_carries_others_presses_as_the_whole_does() -> None:
+    """A strop of which a piece is tied on has the contacts of the uncut one: 77 kN/m, not 0.7."""
+    rope = f'{STUFF}\nsegments = 4\ndiameter = 0.01\nshape = {{ kind = "straight", start = [%s, 0, 1] }}'
+    body = '[[obstacle]]\nkind = "plane"\n'
+    load = "loads = [{ node = -1, mass = 20.0 }]\n"
+    one = loads(f'[[rope]]\nname = "a"\nlength = 0.4\n{rope % 0}\n{load}{body}')
+    two = loads(
+        f'[[rope]]\nname = "a"\nlength = 0.4\n{rope % 0}\n'
+        f'[[rope]]\nname = "b"\nlength = 0.4\n{rope % 0.4}\n{load}{body}'
+        '[[joint]]\npoints = [{ rope = "a", node = -1 }, { rope = "b", node = 0 }]\n'
+    )
+    whole, tied = (build(scene).system.node.obstacle.stiffness[0] for scene in (one, two))
+    assert tied[1] == pytest.approx(whole[1], rel=0.05)
+    apart = build(two.model_copy(update={"joints": ()})).system.node.obstacle.stiffness[0]
+    assert apart[1] < 0.5 * tied[1]
+
+
+def test_a_loop_that_would_close_on_itself_is_not_halved() -> None:
+    """An eye of two segments: the sheet's second run takes twice as many, not half."""
+    scene = loads(f"""
+[[rope]]
+segments = 8
+length = 0.8
+{STUFF}
+shape = {{ kind = "points", points = [
+  [0, 0, 0], [0.1, 0, 0], [0.2, 0, 0], [0.3, 0, 0], [0.4, 0, 0], [0.5, 0, 0], [0.6, 0, 0], [0.65, 0.07, 0],
+  [0.6, 0, 0]] }}
+[[joint]]
+points = [{{ node = -1 }}, {{ node = -3 }}]
+""")
+    assert recut(scene).factor == 2.0
+
+
+@pytest.mark.parametrize(
+    ("text", "path", "words"),
+    [
+        ('kind = "box"\nspin = { rate = 1.0 }\ncenter = [0, 0, 0]\nhalf_sizes = [1, 1, 1]\nedge_radius = 0.1',
+         "obstacle[0].spin", "unknown key of 'box'; only"),
+        ('kind = "capsule"\nfrom = [0, 0, 0]\nstart = [0, 0, 0]\nto = [1, 0, 0]\nradius = 0.1',
+         "obstacle[0].from", "is given already"),
+    ],
+)  # fmt: skip
+def test_faults_of_obstacles_are_told_where_they_are(text: str, path: str, words: str) -> None:
+    with pytest.raises(SceneError) as error:
+        loads(f"[[rope]]\nsegments = 2\nlength = 1.0\n{STUFF}\n[[obstacle]]\n{text}\n")
+    told = {fault.path: fault.rule for fault in error.value.faults}
+    assert words in told[path]
+
+
+def test_a_faulty_point_is_the_only_fault_of_its_joint() -> None:
+    with pytest.raises(SceneError) as error:
+        loads(
+            f"[[rope]]\nsegments = 2\nlength = 1.0\n{STUFF}\n[[joint]]\n"
+            "points = [{ node = 0 }, { node = 1.5 }]\n"
+        )
+    assert [fault.path for fault in error.value.faults] == ["joint[0].points[1].node"]
+
+
+def on_a_plane(tilt: float, spin: str = "") -> Scene:
+    c, s = math.cos(tilt), math.sin(tilt)
+    start, end = (
+        [0.1 + 0.0055 * s, 0, 0.0055 * c],
+        [0.1 + 0.0055 * s + 0.4 * c, 0, 0.0055 * c - 0.4 * s],
+    )
+    start[2], end[2] = start[2] - 0.1 * s / c, end[2] - 0.1 * s / c
+    return loads(f"""
+[run]
+method = "esdirk3"
+time_step = 0.016666666666
+duration = 5
+[[rope]]
+name = "rope"
+segments = 4
+length = 0.4
+diameter = 0.011
+{STUFF}
+shape = {{ kind = "straight", start = {json.dumps(start)}, end = {json.dumps(end)} }}
+[[obstacle]]
+kind = "plane"
+normal = [{s}, 0, {c}]
+friction = 0.3
+{spin}
+""")
+
+
+def test_live_edits_let_contacts_hold() -> None:
+    """Twenty edits that change nothing let a rope on a slope creep by 0.5 mm once; now by 1e-6 mm at most."""
+    track: Any = Track(on_a_plane(math.radians(14.0)))
+    track.advance(90)
+    before = track.simulation.positions.copy()
+    for _ in range(20):
+        track.edit(Edit(track.scene, np.arange(5.0)))
+        track.advance(3)
+    assert np.abs(track.simulation.positions - before).max() < 1e-9
+
+
+@pytest.mark.parametrize("rate", [10.0, 100.0])
+def test_a_fast_turntable_drags_along_its_turn(rate: float) -> None:
+    """At 100 rad/s a step is 95 degrees: the chord of the way pointed 0.17 m/s inward of the 0.59 along."""
+    simulation = rw.Simulation(on_a_plane(0.0, f"spin = {{ rate = {rate} }}"))
+    simulation.advance_steps(12)
+    place, speed = simulation.positions[2], simulation.velocities[2]
+    along = np.array([-place[1], place[0], 0.0]) / np.hypot(place[0], place[1])
+    wanted = 0.3 * 9.81 * simulation.time
+    assert speed @ along == pytest.approx(wanted, rel=0.05)
+    assert abs(speed @ place) / np.linalg.norm(place) < 0.2 * wanted
+
+
+def test_a_corner_of_three_planes_is_in_the_bound() -> None:
+    one = loads(
+        f'[[rope]]\nsegments = 2\nlength = 0.2\n{STUFF}\nshape = {{ kind = "straight", start = [1, 1, 1] }}\n'
+    )
+    bodies = [rw.scene.Plane(normal=n) for n in ((0, 0, 1), (0, 1, 0), (1, 0, 0))]
+    steps = [
+        rw.check(one.replace(obstacles=bodies[:count])).stability.largest_step["verlet"]
+        for count in (1, 2, 3)
+    ]
+    assert steps[0] > steps[1] > steps[2]
