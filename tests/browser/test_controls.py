@@ -90,7 +90,8 @@ def test_every_key_of_the_help_has_an_effect(window: Window) -> None:
     names = {"←": "ArrowLeft", "→": "ArrowRight", "↑": "ArrowUp", "↓": "ArrowDown", "Space": " "}
     keys = {key for text in told for key in text.replace(",", " ").split() if key != "or"}
     listed = {names.get(key, key.lower() if len(key) == 1 else key) for key in keys}
-    assert listed == done  # no key is listed that was not pressed here, and none left out
+    undo = {"Ctrl", "z"}  # pressed in test_hands
+    assert listed == done | undo  # no key is listed that was not pressed, and none left out
 
 
 def _press_places(window: Window) -> set[str]:

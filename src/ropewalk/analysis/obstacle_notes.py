@@ -11,7 +11,7 @@ from ropewalk.lowering.chains import fastest
 from ropewalk.scene.obstacles import Obstacle
 
 _YIELDS = 0.1  # of a rope's radius, or an obstacle's: contacts that yield more are told of [1]
-_TURNS = 3.0  # [rad] in a step; with half a turn the surface's way has no direction
+_TURNS = 0.1  # [rad] in a step; with more of it friction points noticeably aside
 
 
 def thinnest(body: Obstacle) -> float:
@@ -59,8 +59,8 @@ def obstacle_warnings(model: Model) -> list[str]:
         turn = 0.0 if spin is None else abs(spin.rate) * step
         if turn > _TURNS:
             found.append(
-                f"{name}: it turns by {math.degrees(turn):.3g} degrees in a step, too far to tell which way "
-                f"its surface went; take steps of at most {1e3 * step * _TURNS / turn:.3g} ms"
+                f"{name}: it turns by {math.degrees(turn):.3g} degrees in a step, and friction there points "
+                f"up to half of that aside; take steps of at most {1e3 * step * _TURNS / turn:.3g} ms"
             )
         yields = weight / float(table.stiffness[row].min())
         least = min(radius, thick) if thick > 0.0 else radius

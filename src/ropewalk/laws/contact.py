@@ -63,11 +63,7 @@ def carried(center, axis, angle, grip, place, i, x, y, z):
         c, s = math.cos(angle), math.sin(angle)
         fx, fy, fz = rotated(axis, c, s, fx, fy, fz)
         ox, oy, oz = rotated(axis, c, s, ox, oy, oz)
-    dx, dy, dz = x - center[0] - ox, y - center[1] - oy, z - center[2] - oz
-    if angle != 0.0:  # the way is an arc's chord: turn it to the arc's end
-        c, s = math.cos(0.5 * angle), -math.sin(0.5 * angle)
-        dx, dy, dz = rotated(axis, c, s, dx, dy, dz)
-    return fx, fy, fz, dx, dy, dz
+    return fx, fy, fz, x - center[0] - ox, y - center[1] - oy, z - center[2] - oz
 
 
 @kernel
