@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 from pydantic import Field, model_validator
 
 from ropewalk.scene.base import (
@@ -17,6 +15,7 @@ from ropewalk.scene.base import (
     not_negative,
     quantity,
     refuse,
+    stop_time,
     vector,
 )
 from ropewalk.scene.faults import Fault
@@ -49,14 +48,7 @@ class Clamp(Model):
     )
     turn_rate: Number = quantity("Angle per time", "rad/s", default=0.0)
     start: Number = not_negative("Time at which it begins to turn", "s", default=0.0)
-    stop: Number = quantity(
-        "Time at which it stops (inf: never)",
-        "s",
-        default=math.inf,
-        ge=0,
-        le=math.inf,
-        allow_inf_nan=True,
-    )
+    stop: Number = stop_time()
 
     @model_validator(mode="after")
     def _check(self) -> Clamp:

@@ -119,6 +119,12 @@ def not_negative(description: str, unit: str, *, default: Any = ...) -> Any:
     return quantity(description, unit, default=default, ge=0)
 
 
+def stop_time() -> Any:
+    """The time at which a motion, a turn or a winch stops [s]; by default never."""
+    text = "Time at which it stops (inf: never)"
+    return quantity(text, "s", default=math.inf, ge=0, le=math.inf, allow_inf_nan=True)
+
+
 def vector(description: str, unit: str, *, default: Any = ...) -> Any:
     """Three finite numbers x, y, z with a unit."""
     return Field(default, description=description, json_schema_extra={"unit": unit})

@@ -47,12 +47,18 @@ def scene_faults(
 
 def obstacle_faults(names: Iterable[str]) -> list[Fault]:
     """The faults of obstacles' names, which are filled in."""
+    return list(_named_once("obstacle", names))
+
+
+def _named_once(section: str, names: Iterable[str | None]) -> Iterator[Fault]:
+    """The faults of names that stand twice; None where a part is faulty, "" for the name it is given."""
     seen: dict[str, int] = {}
-    return [
-        Fault(f"obstacle[{i}].name", name, f"is the name of obstacle[{seen[name]}] already")
-        for i, name in enumerate(names)
-        if seen.setdefault(name, i) != i
-    ]
+    for i, given in enumerate(names):
+        name = given or f"{section}{i}"
+        if given is not None and seen.setdefault(name, i) != i:
+            yield Fault(
+                f"{section}[{i}].name", name, f"is the name of {section}[{seen[name]}] already"
+            )
 
 
 def _weights(
@@ -133,15 +139,12 @@ class _Names:
 
 
 def _anchors(ropes: Sequence[Rope | None], anchors: Sequence[Anchor | None]) -> Iterator[Fault]:
-    names: dict[str, int] = {}
+    yield from _named_once("anchor", (part.name if part is not None else None for part in anchors))
     held: dict[tuple[int, int], int] = {}
     known = _Names(ropes)
     for i, anchor in enumerate(anchors):
         if anchor is None:
             continue
-        name = anchor.name or f"anchor{i}"
-        if names.setdefault(name, i) != i:
-            yield Fault(f"anchor[{i}].name", name, f"is the name of anchor[{names[name]}] already")
         index = known.of(anchor)
         if isinstance(index, Fault):
             yield index.below(f"anchor[{i}]")
@@ -164,15 +167,12 @@ def _winches(
     ropes: Sequence[Rope | None], anchors: Sequence[Anchor | None], winches: Sequence[Winch | None]
 ) -> Iterator[Fault]:
     first: dict[tuple[int, str], int] = {}
-    names: dict[str, int] = {}
+    yield from _named_once("winch", (part.name if part is not None else None for part in winches))
     known, held = _Names(ropes), _held(ropes, anchors)
     for i, winch in enumerate(winches):
         if winch is None:
             continue
         path = f"winch[{i}]"
-        name = winch.name or f"winch{i}"
-        if names.setdefault(name, i) != i:
-            yield Fault(f"{path}.name", name, f"is the name of winch[{names[name]}] already")
         index = known.of(winch)
         if isinstance(index, Fault):
             yield index.below(path)
@@ -247,15 +247,12 @@ def _joints(
 ) -> Iterator[Fault]:
     if not joints:
         return
-    names: dict[str, int] = {}
+    yield from _named_once("joint", (part.name if part is not None else None for part in joints))
     tied: dict[tuple[int, int], tuple[int, int]] = {}
     known, wound = _Names(ropes), [winch.rope for winch in winches if winch is not None]
     for i, joint in enumerate(joints):
         if joint is None:
             continue
-        name = joint.name or f"joint{i}"
-        if names.setdefault(name, i) != i:
-            yield Fault(f"joint[{i}].name", name, f"is the name of joint[{names[name]}] already")
         for k, tie in enumerate(joint.points):
             path = f"joint[{i}].points[{k}]"
             index = known.of(tie)

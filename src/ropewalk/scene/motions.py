@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import Annotated, Any, Literal
 
 from pydantic import Field, ValidationInfo, model_validator
@@ -18,6 +17,7 @@ from ropewalk.scene.base import (
     positive,
     quantity,
     refuse,
+    stop_time,
     vector,
 )
 from ropewalk.scene.faults import MISSING, NO_VALUE, Fault
@@ -36,14 +36,7 @@ class Velocity(Model):
     kind: Literal["velocity"] = "velocity"
     velocity: Vector = vector("Velocity while it moves", "m/s")
     start: Number = not_negative("Time at which it begins to move", "s", default=0.0)
-    stop: Number = quantity(
-        "Time at which it stops (inf: never)",
-        "s",
-        default=math.inf,
-        ge=0,
-        le=math.inf,
-        allow_inf_nan=True,
-    )
+    stop: Number = stop_time()
 
     @model_validator(mode="after")
     def _check(self) -> Velocity:

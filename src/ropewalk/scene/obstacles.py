@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import Annotated, Any, Literal
 
 from pydantic import AliasChoices, Field, model_validator
@@ -17,6 +16,7 @@ from ropewalk.scene.base import (
     positive,
     quantity,
     refuse,
+    stop_time,
     vector,
 )
 from ropewalk.scene.faults import Fault
@@ -42,14 +42,7 @@ class Spin(Model):
 
     rate: Number = quantity("Angle per time", "rad/s")
     start: Number = not_negative("Time at which it begins to turn", "s", default=0.0)
-    stop: Number = quantity(
-        "Time at which it stops (inf: never)",
-        "s",
-        default=math.inf,
-        ge=0,
-        le=math.inf,
-        allow_inf_nan=True,
-    )
+    stop: Number = stop_time()
 
     @model_validator(mode="after")
     def _check(self) -> Spin:

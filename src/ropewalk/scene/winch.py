@@ -2,12 +2,20 @@
 
 from __future__ import annotations
 
-import math
 from typing import Literal
 
 from pydantic import Field, model_validator
 
-from ropewalk.scene.base import Model, Number, Text, not_negative, positive, quantity, refuse
+from ropewalk.scene.base import (
+    Model,
+    Number,
+    Text,
+    not_negative,
+    positive,
+    quantity,
+    refuse,
+    stop_time,
+)
 from ropewalk.scene.faults import Fault
 from ropewalk.scene.motions import interval_faults
 from ropewalk.scene.rope import NAME
@@ -28,14 +36,7 @@ class Winch(Model):
     end: Literal["start", "end"] = Field(description="The end at which the winch stands")
     speed: Number = quantity("Rope per second: positive pays out, negative reels in", "m/s")
     start: Number = not_negative("Time at which it begins to turn", "s", default=0.0)
-    stop: Number = quantity(
-        "Time at which it stops (inf: never)",
-        "s",
-        default=math.inf,
-        ge=0,
-        le=math.inf,
-        allow_inf_nan=True,
-    )
+    stop: Number = stop_time()
     min_length: Number | None = positive(
         "Unstretched length at which reeling in ends", "m", default=None
     )
