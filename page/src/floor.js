@@ -19,9 +19,15 @@ export class Floor {
     this.goal = 0; // where it goes
   }
 
-  /** The height of the ground, or of the floor where there is none [m]. */
+  /** The height of the ground or of a level plane, or of the floor where there is none [m]. */
   get level() {
-    return this.stage.session.layout?.ground?.height ?? this.height;
+    return this.given ?? this.height;
+  }
+
+  /** The height of what ropes land on [m], null where there is nothing. */
+  get given() {
+    const { session, solids } = this.stage;
+    return session.layout?.ground?.height ?? solids.floor;
   }
 
   /** Put it below all that ropes can reach. @param {Layout} layout @param {import("./view/camera.js").Box} box
@@ -31,18 +37,20 @@ export class Floor {
     const { up } = camera;
     const placeOf = (/** @type {number} */ node) =>
       vector(nodes.to.subarray(4 * node, 4 * node + 3));
-    const levels = layout.variants.flatMap(({ ropes, anchors }, v) =>
+    const { solids } = this.stage; // what holds ropes up by touching them lets none hang to its length
+    const hanging = solids.all.length ? [] : layout.variants;
+    const levels = hanging.flatMap(({ ropes, anchors }, v) =>
       ropes.map((rope) => lowest(anchors, rope, (node) => placeOf(starts[v] + node), up)),
     );
     const size = Math.hypot(...box.high.map((value, k) => value - box.low[k]));
     const now = Math.min(...[box.low, box.high].map((corner) => dot(corner, up)));
-    const height = Math.min(...levels, now) - BELOW * size;
+    const height = Math.min(...levels, now, solids.lowest()) - BELOW * size;
     if (Number.isFinite(height)) this.height = this.goal = height;
   }
 
   /** Let it give way to ropes that came through. @param {Layout} layout */
   giveWay(layout) {
-    if (layout.ground) return;
+    if (this.given !== null) return;
     const { up } = this.stage.camera;
     const { to } = this.stage.nodes;
     const { center, radius } = layout.view;

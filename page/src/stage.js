@@ -14,6 +14,7 @@ import { BROKEN, PLAYING } from "./source/frame.js";
 import { gather } from "./source/gather.js";
 import { Floor } from "./floor.js";
 import { Marks } from "./marks.js";
+import { Solids } from "./solids.js";
 
 /** @typedef {import("./session.js").Session} Session */
 /** @typedef {import("./source/protocol.js").Layout} Layout */
@@ -49,6 +50,7 @@ export class Stage {
     this.drawn = 0;
     this.spacing = 1; // of the grid's lines [m]
     this.floor = new Floor(this);
+    this.solids = new Solids(this);
     /** @type {Flight | null} */ this.flight = null;
     this.follower = new Follow();
     this.following = true; // until the user moves the camera
@@ -87,6 +89,7 @@ export class Stage {
     this.dirty = true;
     if (layout.layout === this.layoutNumber) {
       this.follow(layout);
+      this.solids.take(layout, this.shifts);
       return; // only values in it are new
     }
     this.layoutNumber = layout.layout;
@@ -124,6 +127,7 @@ export class Stage {
   shift(layout) {
     const direction = this.lookPending ? this.camera.first : this.camera.right;
     this.shifts = shiftsOf(layout, this.apart, direction, 2.1 * layout.view.radius);
+    this.solids.take(layout, this.shifts);
   }
 
   /** @param {boolean} apart copies side by side */
@@ -208,6 +212,7 @@ export class Stage {
     const seconds = Math.min(0.2, (now - this.lastLook) / 1000);
     this.lastLook = now;
     follower.take(camera, this.nodes.to, nodesOf(layout), seconds, layout.view);
+    follower.hold(camera, this.solids.places());
     this.floor.giveWay(layout);
     if (camera.version !== this.ownVersion && !this.flight) this.following = false;
     if (!this.following || this.flight || this.held()) return;
@@ -243,7 +248,7 @@ export class Stage {
   /** The pose for the first look; if a card would cover a rope there, one beside the card.
    * @param {Layout} layout @returns {Pose} */
   firstPose(layout) {
-    const angles = firstAngles(this.camera, this.axis);
+    const angles = firstAngles(this.camera, this.axis, this.solids.all.length > 0);
     const pose = this.camera.framed(this.places(layout), angles);
     return this.covered(pose) ? this.wholePose(layout, angles) : pose;
   }
@@ -254,10 +259,11 @@ export class Stage {
     return this.camera.framed(this.places(layout), from, this.strips());
   }
 
-  /** Where the nodes are. @param {Layout} layout */
+  /** What the picture must hold: the nodes, and bodies. @param {Layout} layout */
   *places(layout) {
     const { to } = this.nodes;
     for (let i = 0; i < nodesOf(layout); i++) yield vector(to.subarray(4 * i, 4 * i + 3));
+    yield* this.solids.places();
   }
 
   /** Show all ropes, from here or from other angles.
@@ -356,7 +362,7 @@ export class Stage {
     this.dirty = this.marks.dirty = false;
     this.cameraVersion = this.camera.version;
     const { markers, arrows } = this.marks.collect();
-    const ground = groundOf(this.camera, layout, this.floor.height);
+    const ground = groundOf(this.camera, this.floor);
     this.spacing = ground.spacing;
     this.renderer.draw({
       camera: this.camera,
@@ -373,6 +379,9 @@ export class Stage {
       posts: this.marks.posts,
       trails: this.marks.trails,
       ground,
+      room: layout.view,
+      solids: this.solids.all,
+      turns: this.solids.turns(),
     });
     this.drawn++;
     for (const hook of this.afterDraw) hook();

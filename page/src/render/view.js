@@ -3,6 +3,7 @@
 /** @typedef {import("../view/camera.js").Camera} Camera */
 /** @typedef {import("../view/colours.js").Colour} Colour */
 /** @typedef {import("./trails.js").Trails} Trails */
+/** @typedef {import("../view/solids.js").Solid} Solid */
 
 /** One rope of one copy,
  *   its segments `spacing` metres long: nodes `first` to `first + count - 1` of the view; which ends are loose.
@@ -23,7 +24,7 @@
 
 /** @typedef {{background: Colour, horizon: Colour, grid: Colour, shadow: Colour, ground: Colour, anchor: Colour,
  *   hand: Colour, load: Colour, arrow: Colour, grab: Colour, pin: Colour, hover: Colour, node: Colour, post: Colour,
- *   rim: number, dark: boolean}} Theme */
+ *   body: Colour, rim: number, dark: boolean}} Theme */
 
 /** What is drawn in one frame.
  * @typedef {Object} View
@@ -41,6 +42,9 @@
  * @property {Arrow[]} posts that anchors stand on: no part of the model
  * @property {Trails | null} trails
  * @property {Ground} ground
+ * @property {{center: number[], radius: number}} room of the scene [m]
+ * @property {Solid[]} solids the bodies that ropes touch
+ * @property {number[]} turns how far each has turned [rad]
  */
 
 /** @typedef {Object} Renderer

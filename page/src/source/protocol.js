@@ -10,7 +10,11 @@
  *   greatest_tension: number, greatest_speed: number, least_height: number, greatest_height: number,
  *   greatest_force: number, anchors: number, grabs: number}} Offsets */
 /** @typedef {{label: string, method: string, changes: Record<string, any>, nodes: number, ropes: Rope[],
- *   anchors: Anchor[], loads: Load[], forces: {index: number, force: number[]}[], offsets: Offsets}} Variant */
+ *   anchors: Anchor[], loads: Load[], forces: {index: number, force: number[]}[], joints?: Joint[],
+ *   offsets: Offsets}} Variant */
+/** @typedef {{name: string, kind: string, center: number[], axis: number[], size: (number | null)[],
+ *   friction: number, spin: [number, number, number | null] | null}} Obstacle */
+/** @typedef {{name: string, nodes: number[]}} Joint */
 
 /** @typedef {{type: "hello", protocol: number, ropewalk: string, client: number,
  *   mode: "live" | "replay" | "program", can: string[], limits: Record<string, number>, title: string,
@@ -18,7 +22,8 @@
  *   exports: string[]}} Hello */
 /** @typedef {{type: "layout", layout: number, bytes: number,
  *   scene: {name: string, description: string, preset: string | null}, up: number[], gravity: number[],
- *   ground: {height: number} | null, view: {center: number[], radius: number}, scalars: string[],
+ *   ground: {height: number} | null, view: {center: number[], radius: number}, obstacles?: Obstacle[],
+ *   scalars: string[],
  *   variants: Variant[], broke?: {time: number, text: string} | null}} Layout */
 /** @typedef {{name: string, label: string, group: string, unit: string,
  *   kind: "number" | "whole" | "vector" | "choice" | "flag", value: any, default: any,

@@ -54,6 +54,17 @@ export class Follow {
     });
   }
 
+  /** Keep still places in the picture, too. @param {Camera} camera @param {Vector[]} places */
+  hold({ right, top, toward }, places) {
+    [right, top, toward].forEach((axis, k) => {
+      for (const place of places) {
+        const value = dot(place, axis);
+        this.low[k] = Math.min(this.low[k], value);
+        this.high[k] = Math.max(this.high[k], value);
+      }
+    });
+  }
+
   /** The pose the camera should fly to, or null where it may stay. @param {Camera} camera
    * @param {Strips} strips kept free @returns {Pose | null} */
   wanted(camera, strips) {

@@ -71,26 +71,26 @@ export function flatAxis(box, up, radius) {
 }
 
 /** The angles of the first look: at a flat scene a little from the side and above, else more so.
- * @param {Camera} camera @param {number} axis of a flat scene, or -1 */
-export function firstAngles(camera, axis) {
+ * @param {Camera} camera @param {number} axis of a flat scene, or -1 @param {boolean} [solid] whether there are
+ * bodies in it */
+export function firstAngles(camera, axis, solid = false) {
   if (axis < 0) return { azimuth: -Math.PI / 2 + 0.55, elevation: 0.3 };
   if (Math.abs(camera.up[axis]) > 0.9) return { azimuth: -Math.PI / 2, elevation: Math.PI / 2 };
   const normal = vector([0, 0, 0]);
   normal[axis] = 1;
   const sign = dot(cross(camera.up, normal), [1, 1, 1]) >= 0 ? 1 : -1; // x to the right
   const { azimuth } = camera.along(/** @type {0 | 1 | 2} */ (axis), sign);
-  return { azimuth: azimuth - ASIDE, elevation: 0.14 };
+  return { azimuth: azimuth - (solid ? 1.6 : 1) * ASIDE, elevation: solid ? 0.24 : 0.14 };
 }
 
 /** The ground under the scene, or a grid below it where it has none.
- * @param {Camera} camera @param {Layout} layout @param {number} fallback height without ground [m]
+ * @param {Camera} camera @param {{level: number, given: number | null}} floor [m]
  * @returns {Ground} */
-export function groundOf(camera, layout, fallback) {
-  const height = layout.ground ? layout.ground.height : fallback;
+export function groundOf(camera, { level: height, given }) {
   const spacing = round((camera.pose.distance * 0.28) / 5);
   const { target } = camera.pose;
   const a = Math.round(dot(target, camera.first) / spacing) * spacing;
   const b = Math.round(dot(target, camera.second) / spacing) * spacing;
   const center = plus(plus(times(camera.first, a), camera.second, b), camera.up, height);
-  return { height, solid: layout.ground !== null, spacing, radius: 14 * spacing, center };
+  return { height, solid: given !== null, spacing, radius: 14 * spacing, center };
 }

@@ -19,6 +19,7 @@ const NAMES = /** @type {const} */ ([
   "hover",
   "node",
   "post",
+  "body",
 ]);
 const KEY = "ropewalk-theme";
 

@@ -13,6 +13,7 @@ from ropewalk.core.arrays import Floats
 from ropewalk.live.frame import HEADER, SCALARS, Shape
 from ropewalk.live.parameters import PARAMETERS, ROPE, Parameter
 from ropewalk.live.session import Session
+from ropewalk.live.solids import joint_list, obstacle_list
 from ropewalk.live.sources import START
 from ropewalk.live.themes import menu, title
 from ropewalk.live.track import RIGID_FIXED, WINCH_SAFE, WITH_LINKS, Track
@@ -48,6 +49,7 @@ def layout(session: Session) -> dict[str, Any]:
         "gravity": list(scene.gravity),
         "ground": ground,
         "view": {"center": center, "radius": radius},
+        "obstacles": obstacle_list(scene, session.main.simulation.layout),
         "scalars": list(SCALARS),
         "variants": variants,
     }
@@ -94,6 +96,7 @@ def _variant(track: Track, offsets: dict[str, int], colors: dict[str, int]) -> d
         "anchors": anchor_list(scene, where),
         "loads": load_list(scene, where),
         "forces": force_list(scene, where),
+        "joints": joint_list(scene, where),
         "offsets": offsets,
     }
 

@@ -32,6 +32,7 @@ from ropewalk.live.keeper import parts
 from ropewalk.live.messages import error_message
 from ropewalk.live.parameters import refusal
 from ropewalk.live.recorded import Recorded
+from ropewalk.live.solids import joint_list, obstacle_list
 from ropewalk.record.result import Result
 from ropewalk.scene import Scene, SceneError
 
@@ -234,6 +235,7 @@ class ReplayBroadcast:
             "ground": None if scene.ground is None else {"height": scene.ground.height},
             "view": {"center": center, "radius": radius},
             "broke": self._break(part),
+            "obstacles": obstacle_list(scene, result.layout),
             "scalars": list(SCALARS),
             "variants": [
                 {
@@ -245,6 +247,7 @@ class ReplayBroadcast:
                     "anchors": anchor_list(scene, result.layout),
                     "loads": load_list(scene, result.layout),
                     "forces": force_list(scene, result.layout),
+                    "joints": joint_list(scene, result.layout),
                     "offsets": places._asdict(),
                 }
             ],

@@ -6,6 +6,8 @@ import { TRAIL_POINTS } from "../trails.js";
 import { drawGrid, drawSky } from "./floor.js";
 import { dot, plus } from "../../view/vector.js";
 import { drawArrow, drawMarker } from "./marks.js";
+import { drawSolids } from "./solids.js";
+import { hides } from "../../view/solids.js";
 
 /** @typedef {import("../view.js").Renderer} Renderer */
 /** @typedef {import("../view.js").View} View */
@@ -88,7 +90,9 @@ export class CanvasRenderer {
     drawGrid(context, view.camera, view.ground, theme);
     this.shadows(view, theme);
     for (const post of view.posts) drawArrow(context, view.camera, post);
+    drawSolids(context, view, theme);
     this.project(view, null);
+    if (view.solids.length) this.hide(view);
     if (view.trails && !view.trails.empty) this.trails(view);
     this.ropes(view);
     if (view.dots) this.dots(theme);
@@ -135,9 +139,23 @@ export class CanvasRenderer {
     }
   }
 
+  /** Let no rope be drawn where a body is before it. @param {View} view */
+  hide({ camera, solids, pixels }) {
+    const { seen } = this;
+    const { points } = this.line;
+    for (const rope of this.shape.ropes) {
+      for (let i = rope.first; i < rope.first + rope.count; i++) {
+        const place = points.subarray(4 * i, 4 * i + 3);
+        const slack = Math.max(rope.radius, (0.5 * pixels * seen[3 * i + 2]) / camera.focal);
+        if (solids.some((one) => hides(one, camera.eye, place, slack))) seen[3 * i + 2] *= -1;
+      }
+    }
+  }
+
   /** @param {RopeSpan} rope @param {View} view */
   width(rope, view) {
-    const depth = Math.max(1e-9, this.seen[3 * (rope.first + (rope.count >> 1)) + 2]);
+    const middle = this.seen[3 * (rope.first + (rope.count >> 1)) + 2];
+    const depth = Math.max(1e-9, Math.abs(middle)); // below zero where it is hidden
     return Math.max(view.pixels, (2 * rope.radius * view.camera.focal) / depth);
   }
 

@@ -5,6 +5,8 @@ import * as THREE from "three";
 import { poolOf } from "../../view/colours.js";
 import { flatMaterial } from "./material.js";
 import { COMMON } from "./shaders.js";
+import { SOLID_COPY } from "./solid_shaders.js";
+import { Solids } from "./solids.js";
 
 /** @typedef {import("../view.js").Ground} Ground */
 /** @typedef {import("../view.js").Theme} Theme */
@@ -100,14 +102,26 @@ export class Backdrop {
       grid: ink(),
       pool: { value: 0 },
     };
-    this.target = new THREE.WebGLRenderTarget(1, 1, { depthBuffer: false });
+    this.target = new THREE.WebGLRenderTarget(1, 1);
     this.target.texture.minFilter = this.target.texture.magFilter = THREE.NearestFilter;
     this.texture = { value: this.target.texture };
     this.scene = new THREE.Scene();
     this.scene.add(triangle(flatMaterial(VERTEX, FRAGMENT, { ...shared, ...this.uniforms })));
     /** Puts the texture behind everything. */
     this.mesh = triangle(flatMaterial(VERTEX, COPY, { backdrop: this.texture }));
-    this.mesh.renderOrder = -5;
+    this.solids = new Solids(shared, this.uniforms);
+    this.depths = { value: new THREE.Vector2() };
+    const over = flatMaterial(VERTEX, SOLID_COPY, {
+      backdrop: this.texture,
+      info: this.solids.info,
+      turns: this.solids.turns,
+      depths: this.depths,
+    });
+    over.depthTest = over.depthWrite = true;
+    over.depthFunc = THREE.AlwaysDepth;
+    /** The same, with bodies in it. */
+    this.deep = triangle(over);
+    this.mesh.renderOrder = this.deep.renderOrder = -5;
     this.key = "";
   }
 
@@ -119,18 +133,25 @@ export class Backdrop {
     ground.value.set(...theme.ground);
     grid.value.set(...theme.grid);
     pool.value = poolOf(theme.dark);
+    this.solids.setTheme(theme);
     this.key = "";
   }
 
   /** @param {number} width @param {number} height device pixels */
   resize(width, height) {
     this.target.setSize(width, height);
+    this.solids.resize(width, height);
     this.key = "";
   }
 
   /** Paint anew what has changed. @param {THREE.WebGLRenderer} three @param {THREE.Camera} any
-   * @param {Ground} ground @param {import("../../view/camera.js").Camera} camera */
-  update(three, any, ground, camera) {
+   * @param {import("../view.js").View} view */
+  update(three, any, { ground, camera, solids, turns, room }) {
+    if (this.solids.take(solids)) this.key = "";
+    this.deep.visible = solids.length > 0;
+    this.mesh.visible = !this.deep.visible;
+    if (solids.length) this.solids.turn(turns);
+    this.depths.value.set(camera.projection[10], camera.projection[14]);
     const key = [
       camera.version,
       ground.height,
@@ -153,10 +174,12 @@ export class Backdrop {
     three.setRenderTarget(this.target);
     three.render(this.scene, any);
     three.setRenderTarget(null);
+    if (solids.length) this.solids.draw(three, any, this.target, camera, ground, room);
   }
 
   dispose() {
     this.target.dispose();
+    this.solids.dispose();
   }
 }
 

@@ -51,14 +51,16 @@ export class WebglRenderer {
     this.soft = drawnInSoftware(context);
     this.line = new Line(...(this.soft ? SOFT_POINTS : POINTS));
     this.backdrop = new Backdrop(this.shared);
-    this.ribbons = new Ribbons(this.shared, this.backdrop.texture);
+    this.ribbons = new Ribbons(this.shared, this.backdrop);
     this.markers = new MarkerPoints(this.shared);
     this.arrows = new ArrowMesh(this.shared);
     this.posts = new ArrowMesh(this.shared, true);
     this.trails = new TrailRibbons(this.shared);
     this.scene.add(
       this.backdrop.mesh,
+      this.backdrop.deep,
       this.ribbons.shadow,
+      this.ribbons.contact,
       this.trails.mesh,
       this.ribbons.ropes,
       this.ribbons.dots,
@@ -111,7 +113,8 @@ export class WebglRenderer {
     uniforms.height.value = view.ground.height;
     this.ribbons.shadow.visible = camera.eyeHeight(view.ground.height) > 0;
     this.ribbons.dots.visible = view.dots;
-    this.backdrop.update(this.three, this.camera, view.ground, camera);
+    this.ribbons.setSolid(view.solids.length > 0);
+    this.backdrop.update(this.three, this.camera, view);
     this.markers.update(view.markers);
     this.arrows.update(view.arrows, camera.pose.distance / camera.focal);
     this.posts.update(view.posts, camera.pose.distance / camera.focal);

@@ -4,8 +4,10 @@ import * as THREE from "three";
 
 import { SHADES, uniformMap } from "../../view/colours.js";
 import { flatMaterial, material } from "./material.js";
-import { ROPE_FRAGMENT, ROPE_VERTEX, SHADOW_FRAGMENT, SHADOW_VERTEX } from "./rope_shaders.js";
+import { CONTACT_VERTEX, ROPE_FRAGMENT, ROPE_VERTEX } from "./rope_shaders.js";
+import { SHADOW_FRAGMENT, SHADOW_VERTEX } from "./rope_shaders.js";
 import { DOT_FRAGMENT, DOT_VERTEX } from "./shaders.js";
+import { CONTACT_FRAGMENT } from "./solid_shaders.js";
 import { textureSize } from "./texture_size.js";
 
 /** @typedef {import("../view.js").Shape} Shape */
@@ -15,8 +17,8 @@ import { textureSize } from "./texture_size.js";
 const FAR = 1e6; // m: no free end near
 
 export class Ribbons {
-  /** @param {Record<string, THREE.IUniform>} shared @param {THREE.IUniform} backdrop texture */
-  constructor(shared, backdrop) {
+  /** @param {Record<string, THREE.IUniform>} shared @param {import("./backdrop.js").Backdrop} behind */
+  constructor(shared, { texture: backdrop, solids, uniforms: picture }) {
     this.uniforms = {
       points: { value: /** @type {THREE.DataTexture | null} */ (null) },
       normals: { value: /** @type {THREE.DataTexture | null} */ (null) },
@@ -32,20 +34,34 @@ export class Ribbons {
     };
     this.shadowInk = { value: 0.3 };
     this.dotInk = { value: new THREE.Vector3(0, 0, 0) };
-    const all = { ...shared, ...this.uniforms };
+    const near = { solids: solids.near, solidCount: solids.count, info: solids.info };
+    const all = { ...shared, ...this.uniforms, ...near };
     this.ropes = new THREE.Mesh(undefined, material(ROPE_VERTEX, ROPE_FRAGMENT, all, true));
     this.shadow = new THREE.Mesh(
       undefined,
       flatMaterial(SHADOW_VERTEX, SHADOW_FRAGMENT, { ...all, backdrop, ink: this.shadowInk }, true),
+    );
+    const { size, top, ahead } = picture;
+    this.contact = new THREE.Mesh(
+      undefined,
+      flatMaterial(
+        CONTACT_VERTEX,
+        CONTACT_FRAGMENT,
+        { ...all, size, top, ahead, backdrop, ink: this.shadowInk },
+        true,
+      ),
     );
     this.dots = new THREE.Points(
       undefined,
       material(DOT_VERTEX, DOT_FRAGMENT, { ...all, ink: this.dotInk, dot_: { value: 5 } }, true),
     );
     this.shadow.renderOrder = -2;
+    this.contact.renderOrder = -1;
+    this.solid = false; // whether there are bodies
     this.ropes.renderOrder = 1;
     this.dots.renderOrder = 2;
-    for (const part of [this.ropes, this.shadow, this.dots]) part.frustumCulled = false;
+    for (const part of [this.ropes, this.shadow, this.contact, this.dots])
+      part.frustumCulled = false;
   }
 
   /** @param {Theme} theme */
@@ -57,12 +73,23 @@ export class Ribbons {
     this.dotInk.value.set(...theme.node);
   }
 
+  /** Whether there are bodies that ropes lie on. @param {boolean} solid */
+  setSolid(solid) {
+    this.contact.visible = solid;
+    if (solid === this.solid) return;
+    this.solid = solid;
+    for (const { material: made } of [this.ropes, this.shadow]) {
+      made.defines = solid ? { SOLIDS: 1 } : {};
+      made.needsUpdate = true;
+    }
+  }
+
   /** Build buffers for another number of points. @param {Line} line */
   setLine(line) {
     const geometry = ribbonGeometry(line.shape);
     this.ropes.geometry.dispose();
     this.ropes.geometry = geometry;
-    this.shadow.geometry = geometry;
+    this.shadow.geometry = this.contact.geometry = geometry;
     const dots = new THREE.BufferGeometry();
     const nodes = line.shape.ropes.flatMap(({ first, count }) =>
       Array.from({ length: Math.ceil(count / line.steps) }, (_, i) => first + i * line.steps),

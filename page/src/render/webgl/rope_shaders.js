@@ -2,6 +2,7 @@
 // strands is worked out for each pixel.
 
 import { COMMON, RIBBON } from "./shaders.js";
+import * as SOLID from "./solid_shaders.js";
 
 const POINTS = /* glsl */ `
 uniform highp sampler2D points;
@@ -11,7 +12,13 @@ in vec4 look;          // radius [m], has a point before, after, length of rope 
 vec4 point(int i) { return texelFetch(points, ivec2(i % columns, i / columns), 0); }
 `;
 
-export const ROPE_VERTEX = /* glsl */ `${COMMON}${RIBBON}${POINTS}
+const BODIES = /* glsl */ `
+#ifdef SOLIDS
+${SOLID.SOLIDS}
+#endif
+`;
+
+export const ROPE_VERTEX = /* glsl */ `${COMMON}${RIBBON}${POINTS}${BODIES}
 uniform highp sampler2D normals; // of the rope, and the length of rope up to here [m]
 uniform float laid;    // 1: there are strands
 uniform float thick;   // the least radius as drawn in the scene's middle [m]
@@ -54,7 +61,11 @@ void main() {
   float cot = dot(along, sight) / max(length(cross(along, sight)), 1e-3);
   slope = cot / sqrt(1.0 + 0.6 * cot * cot);
   toEnd = look.w / (halfWidth * perPixel);
-  vec3 place = here.xyz + out_ * across * (halfWidth + 1.0) * perPixel;
+  vec3 middle = here.xyz;
+#ifdef SOLIDS
+  middle = lifted(middle, halfWidth * perPixel);
+#endif
+  vec3 place = middle + out_ * across * (halfWidth + 1.0) * perPixel;
   gl_Position = projection * view * vec4(place, 1.0);
 }
 `;
@@ -166,15 +177,23 @@ void main() {
 export const SHADOW_FRAGMENT = /* glsl */ `
 precision highp float;
 uniform highp sampler2D backdrop;
+#ifdef SOLIDS
+uniform highp usampler2D info;
+#endif
 uniform float ink;
 in float across;
 in float strength;
 in float sharp;
 out vec4 colour;
 void main() {
+#ifdef SOLIDS
+  if (texelFetch(info, ivec2(gl_FragCoord.xy), 0).z != 0u) discard; // a body is before the floor
+#endif
   float soft = exp(-3.0 * across * across) - 0.05;
   float hard = 1.0 - smoothstep(0.45, 0.8, abs(across));
   float dark = ink * strength * max(mix(soft, hard, sharp * sharp), 0.0);
   colour = vec4(texelFetch(backdrop, ivec2(gl_FragCoord.xy), 0).rgb * (1.0 - dark), 1.0);
 }
 `;
+
+export const CONTACT_VERTEX = /* glsl */ `${COMMON}${RIBBON}${POINTS}${SOLID.SOLIDS}${SOLID.CONTACT_VERTEX}`;

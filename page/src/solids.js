@@ -1,0 +1,68 @@
+// The bodies of the scene on the stage: what is drawn of them, where the floor is, and what the picture must hold.
+
+import { MOST_SOLIDS, cornersOf, extent, solidsOf, turnOf } from "./view/solids.js";
+import { dot, length, minus, plus, times } from "./view/vector.js";
+
+/** @typedef {import("./stage.js").Stage} Stage */
+/** @typedef {import("./view/solids.js").Solid} Solid */
+/** @typedef {import("./view/vector.js").Vector} Vector */
+/** @typedef {import("./source/protocol.js").Layout} Layout */
+
+const ROOM = 1.3; // radii of the scene: what of a large body is farther away need not be in the picture
+const LEVEL = 0.9999; // cosine of the tilt up to which a plane is a floor
+
+export class Solids {
+  /** @param {Stage} stage */
+  constructor(stage) {
+    this.stage = stage;
+    /** @type {Solid[]} */ this.all = [];
+    /** Height of the highest level plane, which is the floor [m]. @type {number | null} */
+    this.floor = null;
+    this.key = "";
+    this.version = 0; // changes with them
+  }
+
+  /** @param {Layout} layout @param {number[][]} shifts [m] of the copies */
+  take(layout, shifts) {
+    const key = JSON.stringify([layout.obstacles ?? [], shifts, layout.up]);
+    if (key === this.key) return;
+    this.key = key;
+    const found = solidsOf((layout.obstacles ?? []).slice(0, MOST_SOLIDS), shifts);
+    const { up } = this.stage.camera;
+    const level = found.filter(({ kind, axis }) => kind === "plane" && dot(axis, up) > LEVEL);
+    const heights = level.map(({ center }) => dot(center, up));
+    this.floor = heights.length ? Math.max(...heights) : null;
+    this.all = found.filter((one) => !level.includes(one) || one.spin);
+    this.version++;
+  }
+
+  /** How far each has turned [rad]. */
+  turns() {
+    const time = this.stage.session.frame?.time ?? 0;
+    return this.all.map((one) => turnOf(one, time));
+  }
+
+  /** What of them a picture of the scene must hold. @returns {Vector[]} */
+  places() {
+    const { layout } = this.stage.session;
+    if (!layout) return [];
+    const { center, radius } = layout.view;
+    return this.all
+      .filter(({ reach }) => Number.isFinite(reach))
+      .flatMap((solid) => cornersOf(solid))
+      .map((corner) => {
+        const away = minus(corner, center);
+        const far = length(away);
+        return far > ROOM * radius ? plus(center, times(away, (ROOM * radius) / far)) : corner;
+      });
+  }
+
+  /** The height of the lowest of them [m]. */
+  lowest() {
+    const { up } = this.stage.camera;
+    const low = this.all
+      .filter(({ reach }) => Number.isFinite(reach))
+      .map((one) => dot(one.center, up) - extent(one, up));
+    return Math.min(Infinity, ...low);
+  }
+}

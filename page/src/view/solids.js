@@ -1,0 +1,145 @@
+// The bodies that ropes touch, as they are drawn: how far a place is from their surface, how far they have turned,
+// and what a picture of them must hold.
+
+import { cross, dot, minus, plus, times, unit } from "./vector.js";
+
+/** @typedef {import("./vector.js").Vector} Vector */
+/** @typedef {import("../source/protocol.js").Obstacle} Obstacle */
+/** @typedef {"plane" | "sphere" | "cylinder" | "capsule" | "box" | "torus"} Kind */
+
+/** One body of one copy. `size` as in the layout message; `zero`: across the axis, where turns are counted from;
+ * `reach`: no part of it is farther from its centre [m].
+ * @typedef {{name: string, kind: Kind, number: number, center: Vector, axis: Vector, size: number[], zero: Vector,
+ *   reach: number, spin: [number, number, number] | null}} Solid */
+
+/** In the order of the shaders. @type {Kind[]} */
+export const KINDS = ["plane", "sphere", "cylinder", "capsule", "box", "torus"];
+export const MOST_SOLIDS = 200; // that are drawn
+const BEVEL = 0.04; // of a cylinder's radius or half length: how far its edges are drawn rounded
+const LARGEST = 1e9; // m, m/s, rad/s: beyond that nothing can be drawn
+const ENDLESS = 1e30; // half a length
+
+/** The bodies of a layout, once for each shift; what no picture can show is left out.
+ * @param {Obstacle[]} obstacles @param {number[][]} shifts [m] @returns {Solid[]} */
+export function solidsOf(obstacles, shifts) {
+  const apart = shifts.filter((shift, i) => shifts.findIndex((one) => same(one, shift)) === i);
+  return apart
+    .flatMap((shift) => obstacles.map((one) => solidOf(one, shift)))
+    .filter((one) => one !== null)
+    .slice(0, MOST_SOLIDS);
+}
+
+/** @param {number[]} a @param {number[]} b */
+const same = (a, b) => a.every((value, k) => value === b[k]);
+
+/** @param {Obstacle} obstacle @param {number[]} shift @returns {Solid | null} */
+function solidOf({ name, kind, center, axis, size, spin }, shift) {
+  const number = KINDS.indexOf(/** @type {Kind} */ (kind));
+  const long = kind === "cylinder" && size[1] === null ? ENDLESS : (size[1] ?? NaN);
+  const sizes = [size[0] ?? NaN, long, size[2] ?? NaN, size[3] ?? NaN];
+  const drawable = (/** @type {number} */ value) => Math.abs(value) < LARGEST;
+  const known = [...center, ...axis, ...sizes.map((one) => (one === ENDLESS ? 0 : one))];
+  if (number < 0 || !known.every(drawable) || !(Math.hypot(...axis) > 0)) return null;
+  const turning = spin && drawable(spin[0]) && drawable(spin[1]);
+  const along = unit(axis);
+  const across = Math.abs(along[2]) < 0.9 ? [0, 0, 1] : [1, 0, 0];
+  return {
+    name,
+    kind: /** @type {Kind} */ (kind),
+    number,
+    center: plus(center, shift),
+    axis: along,
+    size: sizes,
+    zero: unit(minus(across, times(along, dot(across, along)))),
+    reach: reachOf(/** @type {Kind} */ (kind), sizes),
+    spin: turning ? [spin[0], spin[1], spin[2] ?? Infinity] : null,
+  };
+}
+
+/** @param {Kind} kind @param {number[]} size */
+function reachOf(kind, [a, b, c, d]) {
+  if (kind === "plane" || b === ENDLESS) return Infinity;
+  if (kind === "sphere") return a;
+  if (kind === "cylinder") return Math.hypot(a, b);
+  if (kind === "box") return Math.hypot(a, b, c) + d;
+  return a + b;
+}
+
+/** How far its edges are drawn rounded [m]. @param {Solid} solid */
+export const bevelOf = ({ kind, size }) =>
+  kind === "cylinder" ? BEVEL * Math.min(size[0], size[1]) : 0;
+
+/** How far a body has turned about its axis [rad]. @param {Solid} solid @param {number} time [s] */
+export function turnOf({ spin }, time) {
+  if (!spin) return 0;
+  const [rate, start, stop] = spin;
+  return rate * Math.max(0, Math.min(time, stop) - start);
+}
+
+/** How far a place is from the surface, negative inside [m]. @param {Solid} solid @param {ArrayLike<number>} place */
+export function distanceTo({ kind, center, axis, size }, place) {
+  const p = minus(place, center);
+  const along = dot(p, axis);
+  if (kind === "plane") return along;
+  if (kind === "sphere") return Math.hypot(...p) - size[0];
+  if (kind === "box") {
+    const q = p.map((value, k) => Math.abs(value) - size[k]);
+    const out = Math.hypot(...q.map((value) => Math.max(value, 0)));
+    return out + Math.min(Math.max(...q), 0) - size[3];
+  }
+  const out = Math.hypot(...minus(p, times(axis, along))) - size[0];
+  if (kind === "torus") return Math.hypot(out, along) - size[1];
+  const beyond = Math.abs(along) - size[1];
+  if (kind === "capsule") return beyond > 0 ? Math.hypot(out + size[0], beyond) - size[0] : out;
+  return Math.hypot(Math.max(out, 0), Math.max(beyond, 0)) + Math.min(Math.max(out, beyond), 0);
+}
+
+/** How far it extends along a direction from its centre [m]. @param {Solid} solid @param {Vector} direction */
+export function extent({ kind, axis, size }, direction) {
+  const along = Math.abs(dot(axis, direction));
+  const across = Math.sqrt(Math.max(0, 1 - along * along));
+  if (kind === "sphere") return size[0];
+  if (kind === "box")
+    return direction.reduce((sum, value, k) => sum + Math.abs(value) * size[k], size[3]);
+  if (kind === "torus") return size[0] * across + size[1];
+  return size[1] * along + size[0] * (kind === "cylinder" ? across : 1);
+}
+
+/** Corners of the box around it, in its own directions. @param {Solid} solid @returns {Vector[]} */
+export function cornersOf(solid) {
+  const { center, axis, zero } = solid;
+  const upright = solid.kind === "box";
+  /** @type {Vector[]} */
+  const axes = upright
+    ? [
+        [1, 0, 0],
+        [0, 1, 0],
+        [0, 0, 1],
+      ]
+    : [axis, zero, cross(axis, zero)];
+  const sizes = axes.map((one) => extent(solid, one));
+  return Array.from({ length: 8 }, (_, corner) =>
+    axes.reduce(
+      (place, one, k) => plus(place, one, (corner >> k) & 1 ? sizes[k] : -sizes[k]),
+      center,
+    ),
+  );
+}
+
+/** Whether a body hides a place from the eye: the way to it goes through the body.
+ * @param {Solid} solid @param {Vector} eye @param {ArrayLike<number>} place @param {number} slack how far it may
+ * lie inside [m] */
+export function hides(solid, eye, place, slack) {
+  const way = minus(place, eye);
+  const far = Math.hypot(...way);
+  const ray = times(way, 1 / Math.max(far, 1e-12));
+  let at = Number.isFinite(solid.reach)
+    ? Math.max(0, Math.hypot(...minus(solid.center, eye)) - solid.reach)
+    : 0;
+  for (let step = 0; step < 60 && at < far; step++) {
+    const away = distanceTo(solid, plus(eye, ray, at)) + slack;
+    if (away <= 0) return true;
+    at += Math.max(away, 1e-4 * far);
+  }
+  return false;
+}

@@ -1,0 +1,79 @@
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { test } from "node:test";
+
+import { hullOf } from "../src/render/canvas/solids.js";
+import { cornersOf, distanceTo, hides, solidsOf, turnOf } from "../src/view/solids.js";
+
+const known = JSON.parse(readFileSync(new URL("solids.json", import.meta.url), "utf8"));
+const here = [[0, 0, 0]];
+const BAR = {
+  name: "bar",
+  kind: "cylinder",
+  center: [0, 0, 0],
+  axis: [0, 1, 0],
+  size: [0.1, 0.5, 0, 0],
+  friction: 0.3,
+  spin: null,
+};
+
+test("surfaces are where the engine has them", () => {
+  const solids = solidsOf(known.obstacles, here);
+  assert.equal(solids.length, known.obstacles.length);
+  solids.forEach((solid, k) =>
+    known.places.forEach((place, i) =>
+      assert.ok(Math.abs(distanceTo(solid, place) - known.away[k][i]) < 1e-9, solid.kind),
+    ),
+  );
+});
+
+test("no corner of the box around a body is inside it, and its reach goes to the farthest", () => {
+  for (const solid of solidsOf(known.obstacles, here)) {
+    if (!Number.isFinite(solid.reach)) continue;
+    for (const corner of cornersOf(solid)) assert.ok(distanceTo(solid, corner) > -1e-9);
+  }
+});
+
+test("what cannot be drawn is left out, and nothing throws", () => {
+  const bad = [
+    { center: [NaN, 0, 0] },
+    { center: [1e300, 0, 0] },
+    { axis: [0, 0, 0] },
+    { axis: [Infinity, 0, 0] },
+    { size: [null, 0.5, 0, 0] },
+    { size: [0.1, NaN, 0, 0] },
+    { kind: "teapot" },
+    { kind: "capsule", size: [0.1, null, 0, 0] },
+  ].map((change) => ({ ...BAR, ...change }));
+  assert.deepEqual(solidsOf(bad, here), []);
+  const [wild] = solidsOf([{ ...BAR, spin: [1e300, 0, null] }], here);
+  assert.equal(turnOf(wild, 3), 0);
+  assert.equal(solidsOf(Array(5000).fill(BAR), here).length, 200);
+});
+
+test("copies at one place are one body, those apart are several", () => {
+  assert.equal(solidsOf([BAR], [...here, ...here]).length, 1);
+  const apart = solidsOf([BAR], [...here, [2, 0, 0]]);
+  assert.deepEqual(
+    apart.map(({ center }) => center[0]),
+    [0, 2],
+  );
+});
+
+test("a body turns from its start to its stop", () => {
+  const [drum] = solidsOf([{ ...BAR, spin: [2, 1, 3] }], here);
+  assert.deepEqual([0, 1, 2, 3, 9].map((time) => turnOf(drum, time)), [0, 0, 2, 4, 4]); // prettier-ignore
+});
+
+test("a bar hides what is behind it, and not what lies on its front", () => {
+  const [bar] = solidsOf([BAR], here);
+  const eye = [0, 0, 5];
+  assert.ok(hides(bar, eye, [0, 0, -0.12], 0.01));
+  assert.ok(!hides(bar, eye, [0, 0, 0.1], 0.01));
+  assert.ok(!hides(bar, eye, [0.3, 0, -0.12], 0.01));
+});
+
+test("a hull goes around all places", () => {
+  const hull = hullOf([[0, 0], [2, 0], [1, 1], [2, 2], [0, 2], [1, 0]]); // prettier-ignore
+  assert.equal(hull.length, 4);
+});

@@ -1,0 +1,140 @@
+"""Bodies that ropes touch, in the live page and in a shared one: seen, turning, before and behind ropes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import ropewalk as rw
+from browser.window import Window
+from ropewalk.live.serve import ViewServer
+from ropewalk.live.session import Session
+from ropewalk.live.share import share_result
+from ropewalk.scene import Scene, loads
+
+pytestmark = pytest.mark.browser
+Open = Callable[..., Window]
+Serve = Callable[..., ViewServer]
+WIDE: dict[str, Any] = {"viewport": {"width": 1000, "height": 700}}
+
+
+def over_a_drum(spin: str = "") -> Scene:
+    """A rope that hangs over a drum whose face looks along y; its far half hangs behind nothing."""
+    return loads(f"""
+name = "Over a drum"
+[run]
+duration = 0.2
+time_step = 0.01
+method = "implicit-euler"
+[[rope]]
+segments = 24
+length = 1.2
+diameter = 0.02
+made_of = {{ kind = "material", EA = 1e4, mass_per_length = 0.1, axial_damping = 5.0 }}
+shape = {{ kind = "polyline", points = [
+  [-0.16, 0, -0.36], [-0.16, 0, 0.07], [-0.08, 0, 0.17], [0.08, 0, 0.17], [0.16, 0, 0.07], [0.16, 0, -0.36]] }}
+[[anchor]]
+node = 0
+[[anchor]]
+node = -1
+[[obstacle]]
+name = "drum"
+kind = "cylinder"
+from = [0, -0.2, 0]
+to = [0, 0.2, 0]
+radius = 0.15
+{spin}
+""")
+
+
+def spot(window: Window, place: tuple[float, float, float], size: int = 6) -> np.ndarray:
+    """Return the pixels around where a place of the scene is shown, (n, 3)."""
+    x, y = window.ask(
+        "(() => { const box = r.stage.renderer.canvas.getBoundingClientRect();"
+        f"const [x, y] = r.stage.camera.project({place[0]}, {place[1]}, {place[2]});"
+        "return [x + box.left, y + box.top]; })()"
+    )
+    row, column = round(y), round(x)
+    seen = window.picture()[row - size : row + size, column - size : column + size]
+    return seen.reshape(-1, 3)
+
+
+@pytest.mark.parametrize("renderer", ["webgl", "canvas"])
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_a_drum_is_seen(
+    open_window: Open, serve: Serve, tmp_path: Path, renderer: str, scheme: str
+) -> None:
+    """Its face is of its own grey; without it there is sky or floor at that place."""
+    shown = []
+    for scene in (over_a_drum(), over_a_drum().replace(obstacles=[])):
+        server = serve(Session(scene), folder=tmp_path / str(len(shown)))
+        window = open_window(f"{server.address}?renderer={renderer}", **WIDE, color_scheme=scheme)
+        window.ready().settled()
+        assert window.ask("r.renderer") == renderer
+        shown.append(np.median(spot(window, (0.05, -0.2, 0.05)), axis=0))
+    assert np.abs(shown[0] - shown[1]).max() > 25
+
+
+@pytest.mark.parametrize("renderer", ["webgl", "canvas"])
+def test_a_drum_hides_the_rope_behind_it_only(
+    open_window: Open, serve: Serve, renderer: str
+) -> None:
+    server = serve(Session(over_a_drum()))
+    window = open_window(f"{server.address}?renderer={renderer}", **WIDE).ready()
+    top = range(10, 15)  # nodes on the drum
+
+    def look(direction: str) -> float:
+        window.page.evaluate(
+            f"() => {{ const s = window.ropewalk.stage; s.setPose({{ ...s.camera.pose, {direction} }}); }}"
+        )
+        window.settled()
+        return window.at_rope(top)
+
+    from_above = look("azimuth: -1.57, elevation: 1.2")
+    from_below = look("azimuth: -1.57, elevation: -1.2")
+    assert from_above == 1.0
+    assert from_below < 0.3
+
+
+@pytest.mark.parametrize("renderer", ["webgl", "canvas"])
+def test_a_drum_that_turns_is_seen_to_turn(
+    open_window: Open, serve: Serve, tmp_path: Path, renderer: str
+) -> None:
+    """Its marks move with time; those of a drum at rest, which has none, do not."""
+
+    def change(spin: str) -> float:
+        server = serve(Session(over_a_drum(spin)), folder=tmp_path / f"run{len(spin)}")
+        window = open_window(f"{server.address}?renderer={renderer}", **WIDE).ready()
+        window.settled()
+        before = spot(window, (0.0, -0.2, 0.0), 30)
+        window.tell(type="step", count=8)
+        window.settled()
+        return float((np.abs(spot(window, (0.0, -0.2, 0.0), 30) - before).max(axis=1) > 20).mean())
+
+    assert change("spin = { rate = 5.0 }") > 0.05
+    assert change("") == 0.0
+
+
+def test_a_shared_page_shows_them(open_window: Open, tmp_path: Path) -> None:
+    path = tmp_path / "drum.html"
+    share_result(rw.simulate(over_a_drum()), path)
+    window = open_window(path.as_uri(), **WIDE).ready()
+    window.settled()
+    assert window.ask("r.stage.solids.all.map((one) => one.name)") == ["drum"]
+    face = np.median(spot(window, (0.05, -0.2, 0.05)), axis=0)
+    sky = np.median(spot(window, (0.05, -0.2, 0.6)), axis=0)
+    assert np.abs(face - sky).max() > 25
+
+
+def test_all_of_a_body_is_in_the_first_picture(open_window: Open, serve: Serve) -> None:
+    server = serve(Session(over_a_drum()))
+    window = open_window(server.address, **WIDE).ready()
+    window.settled()
+    corners = window.ask("r.stage.solids.places().map((one) => r.stage.camera.project(...one))")
+    size = window.ask("[r.stage.camera.width, r.stage.camera.height]")
+    assert len(corners) == 8
+    assert all(0 < x < size[0] and 0 < y < size[1] and z > 0 for x, y, z in corners)

@@ -1,0 +1,121 @@
+"""Obstacles and joints in the layout message, and the page's surfaces against the engine's."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import ropewalk as rw
+from ropewalk.laws.obstacle_shapes import probe
+from ropewalk.live import describe
+from ropewalk.live.replay import ReplayBroadcast
+from ropewalk.live.session import Session
+from ropewalk.live.solids import obstacle_list, placed
+from ropewalk.scene import Scene, loads
+from ropewalk.scene.presets import preset
+from ropewalk.simulation import Simulation
+
+SHARED = Path(__file__).parents[2] / "page" / "test" / "solids.json"
+ROPE = """
+[run]
+duration = 0.02
+time_step = 0.01
+method = "implicit-euler"
+[[rope]]
+segments = 4
+length = 1.0
+diameter = 0.02
+made_of = { kind = "material", EA = 1e4, mass_per_length = 0.1, axial_damping = 5.0 }
+shape = { kind = "straight", start = [-0.5, 0, 3.0], end = [0.5, 0, 3.0] }
+"""
+ALL = """
+[[obstacle]]
+name = "slope"
+kind = "plane"
+point = [0, 0, -1.5]
+normal = [0.2, 0.1, 1]
+[[obstacle]]
+kind = "sphere"
+center = [0.1, 0.2, 0.3]
+radius = 0.4
+axis = [1, 0, 0]
+spin = { rate = 2.0, start = 0.5 }
+[[obstacle]]
+kind = "cylinder"
+from = [0, -0.3, 0.1]
+to = [0.2, 0.3, 0]
+radius = 0.2
+[[obstacle]]
+kind = "cylinder"
+from = [0, 0, 0]
+to = [0, 1, 0]
+radius = 0.1
+endless = true
+spin = { rate = -1.0, stop = 4.0 }
+[[obstacle]]
+kind = "capsule"
+from = [-0.5, 0, 0]
+to = [0.5, 0.1, 0]
+radius = 0.15
+[[obstacle]]
+kind = "box"
+center = [0, 0.1, 0]
+half_sizes = [0.5, 0.3, 0.2]
+edge_radius = 0.05
+[[obstacle]]
+kind = "torus"
+center = [0, 0, 0.2]
+axis = [1, 2, 0.5]
+radius = 0.4
+bar_radius = 0.1
+"""
+
+
+def scene() -> Scene:
+    return loads(ROPE + ALL)
+
+
+def made() -> dict[str, Any]:
+    """What the page's own test reads: obstacles, places, and how far each place is from each of them [m]."""
+    here = scene()
+    where = Simulation(here).layout
+    table = placed(here, where)
+    places = np.random.default_rng(4).uniform(-1.0, 1.0, (40, 3)).round(3)
+    parts = zip(table.kind, table.center, table.axis, table.size, strict=True)
+    away = [[probe(kind, c, a, s, *map(float, p))[0] for p in places] for kind, c, a, s in parts]
+    return {"obstacles": obstacle_list(here, where), "places": places.tolist(), "away": away}
+
+
+def test_the_pages_test_reads_what_the_engine_says() -> None:
+    known = json.loads(SHARED.read_text())
+    fresh = json.loads(json.dumps(made()))
+    assert known["obstacles"] == fresh["obstacles"]
+    assert known["places"] == fresh["places"]
+    assert np.array(known["away"]) == pytest.approx(np.array(fresh["away"]), abs=1e-12)
+
+
+def test_a_layout_has_the_obstacles_and_joints_of_its_scene() -> None:
+    sent = describe.layout(Session(scene()))
+    names = [(one["name"], one["kind"]) for one in sent["obstacles"]]
+    assert names[:2] == [("slope", "plane"), ("obstacle1", "sphere")]
+    assert sent["obstacles"][1]["spin"] == [2.0, 0.5, None]
+    assert sent["obstacles"][3]["size"] == [0.1, None, 0.0, 0.0]  # endless
+    json.dumps(sent, allow_nan=False)
+    replayed = ReplayBroadcast(rw.simulate(scene()))._layout_message(0)
+    assert replayed["obstacles"] == sent["obstacles"]
+    # The twin: scenes without any have none.
+    assert describe.layout(Session(preset("r4")))["obstacles"] == []
+
+
+def test_a_joint_tells_its_nodes_in_the_arrays() -> None:
+    session = Session(preset("three-leg-sling"))
+    (variant,) = describe.layout(session)["variants"]
+    places = session.main.simulation.positions
+    assert [one["name"] for one in variant["joints"]] == ["ring"]
+    nodes = variant["joints"][0]["nodes"]
+    assert len(nodes) == 4
+    assert np.ptp(places[nodes], axis=0).max() < 1e-9
