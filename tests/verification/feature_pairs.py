@@ -1,0 +1,146 @@
+"""Scenes that have two features at once, for the test that all pairs compose."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+from ropewalk.scene import (
+    Air,
+    Anchor,
+    Clamp,
+    Force,
+    Ground,
+    Joint,
+    Kick,
+    Limiter,
+    Load,
+    Material,
+    Plane,
+    Rope,
+    RunSettings,
+    Scene,
+    Shake,
+    Slack,
+    Straight,
+    Tie,
+    Winch,
+)
+
+Parts = dict[str, dict[str, Any]]
+SOFT = {"EA": 2000.0, "mass_per_length": 0.2, "axial_damping": 0.2, "friction": "vector"}
+STEP = {"euler": 2.5e-5, "adaptive": "auto"}  # [s]; explicit Euler gains energy in longer ones
+
+
+def _rigid(parts: Parts) -> None:
+    parts["stuff"]["EA"] = math.inf
+
+
+def _winch(parts: Parts) -> None:
+    parts["scene"]["winches"] = [Winch(rope="one", end="start", speed=0.1)]
+
+
+def _limiter(parts: Parts) -> None:
+    parts["scene"]["limiter"] = Limiter(max_stretch=1.0001)
+
+
+def _bending(parts: Parts) -> None:
+    parts["stuff"]["EI"] = 0.02
+
+
+def _clamp(parts: Parts) -> None:
+    _bending(parts)
+    parts["held"]["clamp"] = Clamp(direction=(1, 0, 0))
+
+
+def _air(parts: Parts) -> None:
+    parts["scene"]["air"] = Air(node_drag=0.05)
+
+
+def _ground(parts: Parts) -> None:
+    parts["scene"]["ground"] = Ground(height=-0.18)
+
+
+def _one_way(parts: Parts) -> None:
+    parts["stuff"]["tension_only"] = True
+
+
+def _axial(parts: Parts) -> None:
+    parts["stuff"] |= {"axial_damping": 1.0, "friction": "axial"}
+
+
+def _joint(parts: Parts) -> None:
+    two = {"name": "two", "segments": 3, "length": 0.3, "made_of": Material(**SOFT)}
+    hung = Straight(start=(0.9, 0, 0), direction=(0, 0, -1))
+    parts["scene"]["ropes"] = [Rope(**two, shape=hung)]
+    tied = [Tie(rope="one", node=-1), Tie(rope="two", node=0)]
+    parts["scene"]["joints"] = [Joint(name="knot", points=tied)]
+
+
+def _obstacle(parts: Parts) -> None:
+    wall = Plane(point=(0, 0.001, 0), normal=(0, -1, 0), friction=0.3)
+    parts["scene"]["obstacles"] = [wall]
+
+
+def _load(parts: Parts) -> None:
+    parts["rope"]["loads"] = [Load(node=5, mass=0.3)]
+
+
+def _kick(parts: Parts) -> None:
+    parts["rope"]["kicks"].append(Kick(node=5, velocity=(0.0, 1.0, -2.0)))
+
+
+def _force(parts: Parts) -> None:
+    parts["rope"]["forces"] = [Force(node=5, force=(0.0, 1.0, 0.0))]
+
+
+def _moved(parts: Parts) -> None:
+    shake = Shake(axis=(0, 0, 1), amplitude=0.02, frequency=3.0)
+    parts["scene"]["anchors"] = [Anchor(name="b", rope="one", node=9, motion=shake)]
+
+
+FEATURES: dict[str, Callable[[Parts], None]] = {
+    "rigid links": _rigid,
+    "winch": _winch,
+    "limiter": _limiter,
+    "bending": _bending,
+    "clamp": _clamp,
+    "air": _air,
+    "ground": _ground,
+    "tension only": _one_way,
+    "axial friction": _axial,
+    "joint": _joint,
+    "obstacle": _obstacle,
+    "load": _load,
+    "kick": _kick,
+    "force": _force,
+    "moved anchor": _moved,
+}
+
+
+def scene_of(method: str, *features: str, implicit: bool) -> Scene:
+    """A slack rope of ten segments, held at one end, whose other end is thrown back, with these features."""
+    thrown = {"kicks": [Kick(node=8, velocity=(-3.0, 0.5, 1.0))]}
+    parts: Parts = {"stuff": dict(SOFT), "rope": thrown, "held": {}, "scene": {}}
+    for name in FEATURES:
+        if name in features:
+            FEATURES[name](parts)
+    more = parts["scene"]
+    one = Rope(
+        name="one",
+        segments=10,
+        length=1.0,
+        made_of=Material(**parts["stuff"]),
+        shape=Slack(start=(0, 0, 0), end=(0.9, 0, 0)),
+        **parts["rope"],
+    )
+    held = Anchor(name="a", rope="one", node=0, **parts["held"])
+    step = STEP.get(method, 5e-3 if implicit else 2.5e-4)
+    run = RunSettings(method=method, duration=0.1, frame_rate=50.0, time_step=step)
+    return Scene(
+        ropes=[one, *more.pop("ropes", [])],
+        anchors=[held, *more.pop("anchors", [])],
+        run=run,
+        **more,
+    )

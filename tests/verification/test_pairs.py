@@ -1,0 +1,85 @@
+"""Every two features work together in every method, but for those on a list, each with its reason."""
+
+from __future__ import annotations
+
+from itertools import combinations
+
+import numpy as np
+import pytest
+
+import ropewalk as rw
+from ropewalk.methods.registry import METHODS
+from ropewalk.scene import SceneError
+from verification.feature_pairs import FEATURES, scene_of
+
+#: Pairs that no method takes, with words of the refusal.
+APART = {
+    ("rigid links", "winch"): "which a winch cannot wind segment by segment without a jolt",
+    ("rigid links", "limiter"): "whose links are rigid",
+    ("winch", "bending"): "has bending stiffness",
+    ("winch", "clamp"): "has bending stiffness",
+    ("winch", "joint"): "cannot wind a rope that is tied",
+    ("limiter", "joint"): "cannot limit ropes that joints tie",
+}
+#: What changes nothing beside another feature, which has it already.
+IDLE = {"clamp": "bending"}
+RINGING = ("implicit-midpoint", "generalized-alpha")
+#: What some methods do not take: features, methods, words of the refusal.
+OF_METHODS = (
+    (("rigid links",), (*RINGING, "sdirk2"), "cannot hold the lengths of rigid links"),
+    (
+        ("rigid links",),
+        tuple(n for n in METHODS if not METHODS[n].implicit),
+        "cannot hold the lengths",
+    ),
+    (("limiter",), (*RINGING, "sdirk2"), "a segment at its bound is rigid"),
+    (("obstacle",), RINGING, "cannot work with obstacles"),
+    (("winch", "limiter"), ("adaptive",), "a stretch limiter and a winch together"),
+)
+PAIRS = list(combinations(FEATURES, 2))
+
+
+def refusals(method: str, *features: str) -> list[str]:
+    """Words one of which a refusal of these features must have; none where they are to work."""
+    found = [words for pair, words in APART.items() if set(pair) <= set(features)]
+    for those, methods, words in OF_METHODS:
+        if method in methods and set(those) <= set(features):
+            found.append(words)
+    return found
+
+
+def end_of(method: str, *features: str) -> rw.Result:
+    """The run of a scene with these features."""
+    return rw.simulate(scene_of(method, *features, implicit=METHODS[method].implicit))
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_every_pair_of_features_works_or_is_on_the_list(method: str) -> None:
+    """It runs to its end, its works and energies add up, and neither feature is lost beside the other: without
+    it the rope ends elsewhere. A pair on the list is refused, with its reason.
+    """
+    alone = {name: end_of(method, name) for name in FEATURES if not refusals(method, name)}
+    for first, second in PAIRS:
+        words = refusals(method, first, second)
+        if words:
+            with pytest.raises(SceneError) as refused:
+                scene = scene_of(method, first, second, implicit=METHODS[method].implicit)
+                rw.Simulation(scene)
+            assert any(one in str(refused.value) for one in words), (first, second)
+            continue
+        both = end_of(method, first, second)
+        assert both.status == "finished", (first, second)
+        scale = max(float(np.abs(values).max()) for values in both.energy.values())
+        left = both.table["largest balance residual [J]"]
+        assert left < 1e-9 * scale, (first, second, left, scale)
+        for one, other in ((first, second), (second, first)):
+            idle = IDLE.get(one) == other
+            assert (moved_by(both, alone[one]) > 1e-9) != idle, (one, other)
+
+
+def moved_by(result: rw.Result, other: rw.Result) -> float:
+    """How far the first rope's eleven nodes end from those of another run [m]; a drum has more before them."""
+    here, there = result.positions[-1], other.positions[-1]
+    drum = bool(result.scene.winches or other.scene.winches)
+    rows = slice(-11, None) if drum else slice(11)
+    return float(np.abs(here[rows] - there[rows]).max())
