@@ -1,0 +1,1 @@
+"""Ropewalk behind the interfaces of other programs."""

@@ -1,0 +1,65 @@
+"""Ropewalk in cosseratbench: its experiments, scored by its own code."""
+
+from __future__ import annotations
+
+import tomllib
+from importlib import import_module
+from pathlib import Path
+
+import pytest
+from cosseratbench.registry import load_experiment
+from cosseratbench.solver import Solver
+
+from ropewalk.adapters.cosserat import RopewalkSolver
+
+
+def scores(name: str, elements: int | None = None, **values: float) -> dict[str, float]:
+    """What an experiment finds at these values."""
+    experiment = load_experiment(name)
+    scenario = experiment.scenario_for(**values)
+    solver = RopewalkSolver()
+    count = elements or experiment.n_elements
+    trajectory = solver.run(scenario, n_elements=count, n_frames=experiment.n_frames)
+    return {key: metric(scenario, trajectory) for key, metric in experiment.metrics.items()}
+
+
+def test_it_is_found_and_is_a_solver() -> None:
+    points = tomllib.loads(Path("pyproject.toml").read_text())["project"]["entry-points"]
+    module, _, name = points["cosseratbench.solvers"]["ropewalk"].partition(":")
+    assert getattr(import_module(module), name) is RopewalkSolver
+    assert isinstance(RopewalkSolver(), Solver)
+
+
+def test_shapes_at_rest() -> None:
+    """Catenary and cantilever; the first reference leaves the bending stiffness out."""
+    hung = scores("catenary")
+    assert hung["shape_error"] < 1e-3
+    assert hung["sag_error"] < 1e-3
+    assert hung["settling_residual"] < 1e-6
+    assert scores("cantilever")["tip_deflection_error"] < 1e-3
+
+
+def test_the_period_of_a_swing_has_order_two_in_the_segments() -> None:
+    """To what the benchmark's linear reference is worth, 2e-5; no energy is lost."""
+    coarse, fine = scores("pendulum", 25), scores("pendulum", 50)
+    assert fine["period_error"] < 2e-4
+    assert 3.0 < coarse["period_error"] / fine["period_error"] < 5.0
+    assert abs(fine["amplitude_change"]) < 1e-4
+
+
+@pytest.mark.parametrize(("overhang", "slides"), [(0.8, False), (0.95, False), (1.1, True)])
+def test_a_rope_holds_on_the_cylinder_below_the_limit_and_slides_above(
+    overhang: float, slides: bool
+) -> None:
+    """The heavy-rope capstan: no creep (MuJoCo, by the benchmark's own adapter, slides off at 0.95)."""
+    slide = scores("capstan", overhang=overhang)["slide"]
+    assert slide > 0.15 if slides else slide < 1e-4
+
+
+def test_what_there_is_no_model_of_is_refused() -> None:
+    """A scenario that turns an end is; ropes that touch each other are no capability yet."""
+    twist = load_experiment("twist")
+    with pytest.raises(NotImplementedError, match="turns"):
+        RopewalkSolver().run(twist.scenario, n_elements=20, n_frames=5)
+    crossing = load_experiment("crossing")
+    assert not crossing.requires <= RopewalkSolver.capabilities
