@@ -15,6 +15,7 @@ from ropewalk.analysis.cost import seconds_per_step
 from ropewalk.analysis.json_values import plain
 from ropewalk.analysis.obstacle_notes import obstacle_warnings
 from ropewalk.analysis.plan_notes import plan_notes
+from ropewalk.analysis.rest_notes import limiter_warnings, rest_warnings
 from ropewalk.analysis.stability import Stability, milliseconds, rounded_down, stability
 from ropewalk.analysis.strains import (
     breaking_warnings,
@@ -62,7 +63,7 @@ class RopeCheck:
     short: int  # segments that start more than 1 % shorter than their rest length
     made_of: str = ""  # which rope of the library it is, and what was changed
     utilisation: float | None = None  # at rest, tension over breaking load [1]; None if not known
-    rests: bool = True  # whether a shape of rest is looked for
+    rests: bool = True  # whether it is at rest in that shape, or near to it
 
     def lines(self) -> list[str]:
         """What it is, and what it carries at rest; one fact a line."""
@@ -120,6 +121,11 @@ class Check:
         return not (self.stability.breaks or self.torn or self.overlong)
 
     @property
+    def _rests(self) -> bool:
+        """Whether what is said of rest is of a shape that is at rest, or one near to it."""
+        return all(rope.rests for rope in self.ropes)
+
+    @property
     def pace(self) -> str:
         """Frames and steps in words."""
         if self.tolerance is not None:
@@ -135,9 +141,10 @@ class Check:
             "ok": self.ok,
             "stability": self.stability.as_dict(),
             "statics": {
-                "largest_tension": statics.largest_tension,
+                "largest_tension": statics.largest_tension if self._rests else None,
                 "slack_segments": int(statics.slack.sum()),
                 "spans": [vars(span) for span in statics.spans],
+                "wraps": [wrap.as_dict() for wrap in statics.wraps],
                 "unheld": statics.unheld,
                 "nodes_on_ground": int(statics.grounded.sum()),
                 "residual": statics.residual,
@@ -166,6 +173,8 @@ class Check:
             text += rope.lines()
             spans = [span for span in self.statics.spans if span.rope == rope.name and rope.rests]
             text += [f"  at rest: {span.words}" for span in spans]
+            wraps = [wrap for wrap in self.statics.wraps if wrap.rope == rope.name and rope.rests]
+            text += [f"  at rest: {wrap.words}" for wrap in wraps]
         if self.statics.grounded.any():
             text.append(f"at rest {_count(self.statics.grounded, 'node')} on the ground")
         text.append(
@@ -277,7 +286,8 @@ def _rope(model: Model, statics: Statics, name: str) -> RopeCheck:
     state = model.state
     own = rope.own_mass / max(rope.nodes - (0 if rope.made_of.kind == "springs" else 1), 1)
     rest, tension = state.rest_length[segments], statics.tension[segments]
-    load = None if model.layout.more else breaking_load(rope)
+    rests = statics.solved or not model.layout.more
+    load = breaking_load(rope) if rests else None
     size = np.linalg.norm(np.diff(state.x[:, span.start : span.end + 1], axis=1), axis=0)
     taut = tension > 0.0
     # A sideways wave runs sqrt(T l / m), l the stretched length of a segment and m a node's mass.
@@ -298,7 +308,7 @@ def _rope(model: Model, statics: Statics, name: str) -> RopeCheck:
         short=int((size < rest * (1.0 - _SHORT)).sum()),
         made_of=origin_words(rope.made_of),
         utilisation=None if load is None else float(tension.max(initial=0.0)) / load,
-        rests=not model.layout.more,
+        rests=rests,
     )
 
 
@@ -329,7 +339,7 @@ def _warnings(
     ]
     warnings += strain_warnings(model, statics, ropes) + breaking_warnings(ropes)
     warnings += pressed_at_start(model, statics, ropes)
-    warnings += _limiter_warnings(model, statics) + _rest_warnings(statics)
+    warnings += limiter_warnings(model, statics) + rest_warnings(model, statics)
     warnings += bending_warnings(model) + obstacle_warnings(model)
     return warnings + plan_notes(model) + unit_slips(model)
 
@@ -353,37 +363,6 @@ def _stability_warnings(found: Stability) -> list[str]:
             f"time_step <= {lower} s leaves 10 %"
         ]
     return []
-
-
-def _limiter_warnings(model: Model, statics: Statics) -> list[str]:
-    """Habrador's scene: weights that the springs carry only far beyond the limiter's length."""
-    limiter = model.system.limiter
-    alive = model.state.stiffness > 0.0
-    stretch = statics.stretch[alive & (model.state.rest_length > 0.0)]
-    if not limiter.active or not stretch.size:
-        return []
-    over = int((stretch > limiter.longest * (1.0 + _ROUNDING)).sum())
-    if over == 0 or limiter.longest <= 1.0:
-        return []
-    return [
-        f"the stretch limiter (at most {limiter.longest:g}) acts even at rest, on {over} segments: "
-        f"the springs alone would stretch to {stretch.max():.3g}; the limiter, not the spring "
-        "constant, carries the rope"
-    ]
-
-
-def _rest_warnings(statics: Statics) -> list[str]:
-    if statics.solved:
-        return []
-    if not statics.searched:
-        return [
-            "the shape of rest was not looked for, as more than its weight acts on more than 100000 nodes: "
-            "sag and tension given here are those under weight alone. ropewalk settle looks for it"
-        ]
-    return [
-        f"no shape of rest was found ({statics.residual:.2g} N are left on a node): sag and tension "
-        "given here are those of a shape near to it"
-    ]
 
 
 def _count(which: NDArray[np.bool_], noun: str) -> str:

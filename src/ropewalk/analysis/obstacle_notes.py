@@ -8,22 +8,10 @@ import numpy as np
 
 from ropewalk.lowering import Model
 from ropewalk.lowering.chains import fastest
-from ropewalk.scene.obstacles import Obstacle
+from ropewalk.scene.obstacles import thinnest
 
 _YIELDS = 0.1  # of a rope's radius, or an obstacle's: contacts that yield more are told of [1]
 _TURNS = 0.1  # [rad] in a step; with more of it friction points noticeably aside
-
-
-def thinnest(body: Obstacle) -> float:
-    """Return the least radius of a body [m]; inf for a plane."""
-    match body.kind:
-        case "plane":
-            return math.inf
-        case "box":
-            return body.edge_radius
-        case "torus":
-            return body.bar_radius
-    return body.radius
 
 
 def obstacle_warnings(model: Model) -> list[str]:
@@ -31,10 +19,7 @@ def obstacle_warnings(model: Model) -> list[str]:
     scene, system = model.scene, model.system
     if not scene.obstacles:
         return []
-    found = [
-        "with obstacles no rest shape is looked for: with friction it depends on how the rope comes there; "
-        "what is said of tensions at rest is left out"
-    ]
+    found = []
     table = system.node.obstacle
     longest = max(rope.segment_length for rope in scene.ropes)
     thick = float(table.thickness.max())

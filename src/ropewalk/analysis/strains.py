@@ -25,7 +25,7 @@ def percent(strain: float) -> str:
 
 def strain_warnings(model: Model, statics: Statics, ropes: tuple[RopeCheck, ...]) -> list[str]:
     """Return warnings of ropes that stretch at rest as no rope does: kN as N, or weak springs."""
-    if model.system.limiter.active or not statics.solved or model.layout.more:
+    if model.system.limiter.active or not statics.solved:
         return []
     found = []
     for i, rope in enumerate(ropes):

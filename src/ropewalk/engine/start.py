@@ -39,14 +39,21 @@ def started(model: Model) -> Model:
     if run.start != "at-rest":
         return _remembering(with_bounds(with_links(model)))
     state = arrays.copy(model.state)
-    state.x[...] = checked_shape(model).positions.T
+    rest = checked_shape(model)
+    state.x[...] = rest.positions.T
     if run.ring is not None:
         state.v[...] += run.ring.speed * _velocity(model, run.ring)
-    return _remembering(with_bounds(with_links(replace(model, state=state))))
+    found = _remembering(with_bounds(with_links(replace(model, state=state))))
+    if rest.memory is not None:
+        arrays.assign(found.state.memory.obstacle, rest.memory)
+    return found
 
 
 def _remembering(model: Model) -> Model:
-    """Return the model, started: laws of nodes remember the places in which it does."""
+    """Return the model, started: laws of nodes remember the places in which it does.
+
+    At rest contacts carry what holds the ropes there, elsewhere nothing yet.
+    """
     return replace(model, state=with_memory(model.system, model.state), started=True)
 
 

@@ -37,17 +37,9 @@ def refuse_obstacles(
             f"them; methods that can: {able}"
         )
         faults.append(Fault("run.method", scene.run.method, rule))
-    if scene.run.start == "at-rest":
-        faults.append(Fault("run.start", "at-rest", NO_REST))
     faults += _buried(scene, system, state, layout) if drawn else []
     if faults:
         raise SceneError(faults)
-
-
-NO_REST = (
-    "the rest of a rope that touches obstacles depends on how it came there, and is not looked for; draw the "
-    "shape near rest and let the run settle, with some axial_damping"
-)
 
 
 def _buried(scene: Scene, system: System, state: State, layout: Layout) -> list[Fault]:

@@ -28,10 +28,15 @@ def rest_result(source: Scene | Model) -> Result:
 
     Raises SceneError for a scene without a rest shape, NoRest when none is found.
     """
+    return rest_and_result(source)[1]
+
+
+def rest_and_result(source: Scene | Model) -> tuple[Statics, Result]:
+    """Return the equilibrium of a scene, and the same as `rest_result` does. Raises as that."""
     model = source if isinstance(source, Model) else build(source)
     begun = time.perf_counter()
     statics = checked_shape(model)
-    return as_result(model, statics, time.perf_counter() - begun)
+    return statics, as_result(model, statics, time.perf_counter() - begun)
 
 
 def as_result(model: Model, statics: Statics, seconds: float) -> Result:
@@ -60,6 +65,8 @@ def _frame(model: Model, statics: Statics) -> Recording:
     state.x[...] = statics.positions.T
     state.v[...] = 0.0
     state.reaction[...] = statics.reactions
+    if statics.memory is not None:
+        arrays.assign(state.memory.obstacle, statics.memory)
     out = make_recording(state, 1, bool(model.scene.winches))
     prepare(model.system, state)
     start_clamps(model.system, state)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Annotated, Any, Literal
 
 from pydantic import AliasChoices, Field, model_validator
@@ -172,3 +173,15 @@ class Torus(_Turning):
 
 
 Obstacle = Annotated[Plane | Sphere | Cylinder | Capsule | Box | Torus, Field(discriminator="kind")]
+
+
+def thinnest(body: Obstacle) -> float:
+    """Return the least radius of a body [m]; inf for a plane."""
+    match body.kind:
+        case "plane":
+            return math.inf
+        case "box":
+            return body.edge_radius
+        case "torus":
+            return body.bar_radius
+    return body.radius

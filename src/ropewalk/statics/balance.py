@@ -20,13 +20,16 @@ an unknown; Kelley and Keyes, SIAM J. Numer. Anal. 35 (1998) 508, for continuati
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from ropewalk.core import arrays
-from ropewalk.core.arrays import BENDING, Floats
+from ropewalk.core.arrays import BENDING, Floats, System
 from ropewalk.core.band_lu import solve_band
 from ropewalk.laws.acting import at_rest
 from ropewalk.laws.clamps import start_clamps
+from ropewalk.laws.contact import remember_contacts
 from ropewalk.laws.others import other_forces, other_stiffness
 from ropewalk.laws.tangent import law_band
 from ropewalk.lowering import Model, Span
@@ -38,11 +41,20 @@ _ROUNDING = 1e-13  # ... or this share of the largest tension [1]
 _YIELD = 1e-9  # compliance of rigid links within a Newton step, in the model's units [1]
 
 
+def standing(system: System) -> System:
+    """Return a system whose obstacles do not turn."""
+    table = system.node.obstacle
+    if not table.spin.size:
+        return system
+    spin = np.zeros_like(table.spin)
+    return system._replace(node=system.node._replace(obstacle=table._replace(spin=spin)))
+
+
 class Balance:
     """The equations of rest of one model, in units of its own weight and segments."""
 
     def __init__(self, model: Model) -> None:
-        self.system = model.system
+        self.system = standing(model.system)
         self.state = state = arrays.copy(model.state)
         state.v[...] = 0.0
         self.nodes = state.mass.size
@@ -61,6 +73,11 @@ class Balance:
         self.rests = at_rest(model.system)
         self._plain = not (self.rests or self.bends or state.forces.applied.any())
         self._band = law_band(self.nodes, self.bends)
+        self.drag = 0.0  # [N/m], see `others`
+        self.origin = self._zero
+        self.goes_on = (
+            False  # whether ropes slid or fell so far on obstacles that they will not rest
+        )
         self.number = points(model)  # (n,), where joints tie nodes
         self._set_scales()
 
@@ -72,7 +89,7 @@ class Balance:
     def _set_scales(self) -> None:
         """Set the units of force [N], length [m] and time [1/s^2] in which residuals are judged."""
         state = self.state
-        load = np.linalg.norm(self.others(state.x), axis=0)
+        load = np.linalg.norm(self.others(state.x) - self.contact_force(), axis=0)
         pull = self.elastic(state.x)
         stretched = float(np.abs(pull[np.isfinite(pull)]).max(initial=0.0))
         lengths = self.rest[self.live]
@@ -94,7 +111,15 @@ class Balance:
         if self.bends:
             size = float(np.ptp(x, axis=1).max())
             pull += size * float(self.state.bending_stiffness.max()) / self.length**2
-        return max(_CLOSED, _ROUNDING * pull / self.force, self._of_places(x, tension))
+        found = max(_CLOSED, _ROUNDING * pull / self.force, self._of_places(x, tension))
+        return found + self._of_contacts(x)
+
+    def _of_contacts(self, x: Floats) -> float:
+        """Return the error that rounding the places makes of the forces of contacts [1]."""
+        table = self.system.node.obstacle
+        size = max(float(np.abs(x).max(initial=0.0)), float(np.abs(table.center).max(initial=0.0)))
+        stiff = float(table.stiffness.max(initial=0.0))
+        return 4.0 * float(np.finfo(float).eps) * size * stiff / self.force
 
     def _of_places(self, x: Floats, tension: Floats) -> float:
         """Return the error that rounding the places makes of the largest tension's direction [1]."""
@@ -105,12 +130,35 @@ class Balance:
     # -- the laws ------------------------------------------------------------------------
 
     def others(self, x: Floats) -> Floats:
-        """Return the forces of all laws but the springs' at rest [N], (3, n)."""
+        """Return the forces of all laws but the springs' at rest [N], (3, n).
+
+        With them a drag that holds every node back at its `origin`: a step of motion without inertia.
+        """
         if self._plain:
             return self._weight.copy()
         total = np.zeros_like(x)
         other_forces(self.system, self.state, x, self._zero, self.state.forces, total)
+        if self.drag > 0.0:
+            total -= self.drag * (x - self.origin)
         return total
+
+    def contact_force(self) -> Floats:
+        """Return the force of all obstacles at the places last asked for [N], (3, n)."""
+        force: Floats = self.state.forces.node.obstacle
+        return force
+
+    def kept(self) -> Any:
+        """Return a copy of what contacts carry; `restore` puts it back."""
+        return arrays.copy(self.state.memory.obstacle)
+
+    def restore(self, kept: Any) -> None:
+        """Let contacts carry again what they did."""
+        arrays.assign(self.state.memory.obstacle, kept)
+
+    def remember(self, x: Floats) -> None:
+        """Let contacts keep what they carry at places `x` (3, n) [m], as at the end of a step."""
+        table, memory = self.system.node.obstacle, self.state.memory.obstacle
+        remember_contacts(x, self._zero, table, memory, np.zeros(2), self.state.stiffness)
 
     def elastic(self, x: Floats) -> Floats:
         """Return the tension that Hooke's law gives [N], (s,); infinite or NaN for rigid links."""
@@ -227,7 +275,7 @@ class Balance:
                 diagonal[:-1] += share
                 diagonal[1:] += share
                 if k == m:
-                    diagonal += inertia * self.state.mass
+                    diagonal += inertia * self.state.mass + self.drag
                 matrix[k::4, away] = diagonal / unit
                 matrix[k::4, away + 4][: n - 1] = (upper[:-1] - share) / unit
                 matrix[4 + k :: 4, away - 4] = (lower[:-1] - share) / unit

@@ -32,7 +32,9 @@ class Found(NamedTuple):
         return self.error <= self.allowed
 
 
-def settle(balance: Balance, x: Floats, tension: Floats, inertia: float = 0.0) -> Found:
+def settle(
+    balance: Balance, x: Floats, tension: Floats, inertia: float = 0.0, most: int = STEPS
+) -> Found:
     """Return the rest shape that is reached from places `x` (3, n) and tensions (s,).
 
     Args:
@@ -40,6 +42,7 @@ def settle(balance: Balance, x: Floats, tension: Floats, inertia: float = 0.0) -
         x: places to begin with [m].
         tension: tensions to begin with [N].
         inertia: lambda to begin with, in units of the model's rate [1]; 0 is plain Newton.
+        most: steps after which to give up.
 
     The result is the best that was seen; look at `at_rest`.
     """
@@ -50,9 +53,9 @@ def settle(balance: Balance, x: Floats, tension: Floats, inertia: float = 0.0) -
     if best.error <= _EXACT * best.allowed:
         return best
     error, tired = best.error, 0
-    for count in range(1, STEPS + 1):
+    for count in range(1, most + 1):
         dx, pull, pivot = balance.step(x, tension, inertia, error < _NEAR)
-        turn = _largest_turn(balance, x, dx) if pivot > 0.0 else np.inf
+        turn = largest_turn(balance, x, dx) if pivot > 0.0 else np.inf
         if not turn <= 2.0 * _TURN:  # NaN goes this way, too
             if inertia > 1e12 * balance.rate:
                 break
@@ -78,7 +81,7 @@ def _found(balance: Balance, x: Floats, tension: Floats, error: float, steps: in
     return Found(x, tension, error, balance.allowed(x, tension), steps)
 
 
-def _largest_turn(balance: Balance, x: Floats, dx: Floats) -> float:
+def largest_turn(balance: Balance, x: Floats, dx: Floats) -> float:
     """Return the largest sideways motion of a segment over its length [1], or of a node at all."""
     t, r = balance.directions(x)
     d = np.diff(dx, axis=1)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,19 +12,24 @@ from ropewalk.core.arrays import Floats
 from ropewalk.laws.acting import borne
 from ropewalk.laws.node_law import Rest
 from ropewalk.lowering import Model, build
+from ropewalk.lowering.touching import Contacts
 from ropewalk.scene import Scene
+from ropewalk.scene.obstacles import thinnest
 from ropewalk.statics.balance import Balance
+from ropewalk.statics.creep import creep
 from ropewalk.statics.hung import hung
 from ropewalk.statics.newton import Found, settle
 from ropewalk.statics.refusal import refuse_impossible, undetermined_ropes, unheld_ropes
 from ropewalk.statics.spans import RestSpan, rest_spans
 from ropewalk.statics.tied import tied_nodes
+from ropewalk.statics.wraps import Wrap, going_on_words, sliding_words, wraps
 from ropewalk.words.annotations import unquoted
 from ropewalk.words.prefixes import prefixed
 
 _SOFT = 1e-6  # compliance of rigid links on the way to their shape, in the model's units [1]
 _PUSHED = 1e-7  # of the unit of force: what counts as compression [1]
 _LARGE = 100_000  # nodes from which on the closed form is not polished
+_PATIENCE, _CHECKED = 8000, 1500  # Newton steps on obstacles, when asked for and for a check
 _NUDGE = 1e-3  # of a segment: the push aside that tells whether a compressed shape is stable [1]
 
 
@@ -48,6 +54,10 @@ class Statics:
     gap: float  # largest difference between a segment's length and that of its tension [m]
     steps: int  # Newton steps; 0 where the closed form is exact already
     solved: bool  # whether it is at rest, to rounding
+    wraps: tuple[Wrap, ...] = ()  # where ropes lie on obstacles
+    contacts: Contacts | None = None  # of single nodes
+    trouble: str = ""  # why a rope that touches obstacles is not at rest
+    memory: Any = None  # what contacts carry, as `State.memory.obstacle`; None without obstacles
 
     @property
     def searched(self) -> bool:
@@ -58,6 +68,11 @@ class Statics:
     def largest_tension(self) -> float:
         """Largest tension of any segment [N]; 0 where no rope is held."""
         return float(self.tension.max(initial=0.0))
+
+    @property
+    def by_friction(self) -> bool:
+        """Whether friction holds ropes on obstacles, so that there are many shapes of rest."""
+        return any(wrap.friction > 0.0 for wrap in self.wraps)
 
     @property
     def sag(self) -> tuple[float, ...]:
@@ -102,6 +117,8 @@ def checked_shape(source: Scene | Model) -> Statics:
 
 def _find(model: Model, balance: Balance, *, patient: bool) -> Found:
     """Solve from the hung shape, or from the scene's own where other laws decide."""
+    if model.scene.obstacles:
+        return _find_on_obstacles(model, balance, patient=patient)
     x, tension = hung(model)
     if balance.number is not None:
         x = _tied_start(model, x)
@@ -130,6 +147,18 @@ def _find(model: Model, balance: Balance, *, patient: bool) -> Found:
         best = found if best is None or found.error < best.error else best
     assert best is not None
     return best
+
+
+def _find_on_obstacles(model: Model, balance: Balance, *, patient: bool) -> Found:
+    """Let the ropes creep from the scene's own shape, rigid links with a little stretch at first."""
+    x = model.state.x.copy()
+    if x.shape[1] > _LARGE and not patient:
+        return _evaluated(balance, x, np.zeros(x.shape[1] - 1))
+    thick = float(model.system.node.obstacle.thickness.max())
+    least = min(map(thinnest, model.scene.obstacles)) + thick
+    crept = creep(balance, x, least, _PATIENCE if patient else _CHECKED)
+    balance.goes_on = crept.goes_on
+    return crept.found
 
 
 def _tied_start(model: Model, x: Floats) -> Floats:
@@ -176,7 +205,11 @@ def _stable(balance: Balance, found: Found) -> Found:
 
 
 def _grounded(model: Model, x: Floats) -> NDArray[np.bool_]:
-    return np.asarray(borne(model.system, x) & (model.state.mass > 0.0))
+    """Return which nodes lie on the ground, (n,); what lies on obstacles is told by `wraps`."""
+    found = borne(model.system, x) & (model.state.mass > 0.0)
+    if model.scene.obstacles and model.scene.ground is None:
+        found[:] = False
+    return np.asarray(found)
 
 
 def _statics(model: Model, balance: Balance, found: Found, unheld: tuple[str, ...]) -> Statics:
@@ -196,6 +229,8 @@ def _statics(model: Model, balance: Balance, found: Found, unheld: tuple[str, ..
         if model.state.held[row] == 1:
             reactions[row] = 0.0 - left[:, node]
     positions = np.ascontiguousarray(x.T)
+    lie, contacts = _lie(model, balance, x, tension)
+    obstacles = bool(model.scene.obstacles)
     return Statics(
         positions=positions,
         tension=tension,
@@ -209,7 +244,20 @@ def _statics(model: Model, balance: Balance, found: Found, unheld: tuple[str, ..
         gap=float(np.abs(balance.gap(x, tension)).max(initial=0.0)),
         steps=found.steps,
         solved=found.at_rest,
+        wraps=lie,
+        contacts=contacts,
+        trouble=_complaint(model, balance, found) if obstacles and not found.at_rest else "",
+        memory=balance.kept() if obstacles else None,
     )
+
+
+def _lie(
+    model: Model, balance: Balance, x: Floats, tension: Floats
+) -> tuple[tuple[Wrap, ...], Contacts]:
+    """Return where ropes lie on obstacles at places (3, n) [m], and the contacts."""
+    others = balance.others(x)
+    force = balance.contact_force()
+    return wraps(model, np.ascontiguousarray(x.T), tension, force, others - force)
 
 
 def _complaint(model: Model, balance: Balance, found: Found) -> str:
@@ -217,8 +265,14 @@ def _complaint(model: Model, balance: Balance, found: Found) -> str:
     node = int(np.argmax(np.abs(left).max(axis=0)))
     rope, number = model.layout.rope_of(node)
     gap = np.abs(balance.gap(found.x, found.tension)).max(initial=0.0)
+    remedy = "Give the scene a shape nearer to rest, or softer ropes"
+    if model.scene.obstacles:
+        lie, _ = _lie(model, balance, found.x, found.tension)
+        if balance.goes_on:
+            return going_on_words(lie)
+        remedy = sliding_words(lie) or remedy
     return (
         f"no shape of rest was found in {found.steps} steps: at node {number} of rope {rope!r} "
         f"{np.abs(left[:, node]).max():.3g} N are left, and segments are {gap:.3g} m off their length. "
-        "Give the scene a shape nearer to rest, or softer ropes"
+        f"{remedy}"
     )

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ropewalk.core.arrays import Floats
+from ropewalk.laws.obstacle import touched
 from ropewalk.lowering import Model, Span
 from ropewalk.statics.hung import held_nodes, upward
 from ropewalk.statics.tied import tied_nodes
@@ -61,11 +62,15 @@ class RestSpan:
 
 
 def rest_spans(model: Model, positions: Floats, tension: Floats) -> tuple[RestSpan, ...]:
-    """Return the spans of a rest shape; `positions` (n, 3) [m], `tension` (s,) [N]."""
+    """Return the spans of a rest shape; `positions` (n, 3) [m], `tension` (s,) [N].
+
+    Of ropes that lie on obstacles there are none: see `wraps`.
+    """
     found = []
+    lies = touched(model.system.node.obstacle, positions.T)
     for rope in model.layout.ropes:
         nodes = sorted({*held_nodes(model, rope), *tied_nodes(model, rope)})
-        if not nodes:
+        if not nodes or lies[rope.start : rope.end + 1].any():
             continue
         if nodes[0] > rope.start:
             found.append(_measure(model, positions, tension, rope, nodes[0], rope.start))

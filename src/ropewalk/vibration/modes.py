@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, Literal
 
@@ -14,13 +14,16 @@ from ropewalk.core.elimination import tied_network
 from ropewalk.core.saddle import make_saddle
 from ropewalk.display import cells
 from ropewalk.laws.acting import at_rest
+from ropewalk.laws.contact import GRIP
 from ropewalk.laws.node_law import Rest
 from ropewalk.lowering import Layout, Model, build
 from ropewalk.lowering.link_lengths import has_links
+from ropewalk.lowering.touching import SLIPS
 from ropewalk.methods.loop import prepare_links
 from ropewalk.scene import Scene, SceneError
-from ropewalk.scene.faults import NO_VALUE, Fault
-from ropewalk.statics import checked_shape
+from ropewalk.scene.faults import Fault
+from ropewalk.statics import Statics, checked_shape
+from ropewalk.statics.balance import standing
 from ropewalk.vibration.drawing import ModePlots
 from ropewalk.vibration.linear import linearise
 from ropewalk.vibration.motion import Motion, motions, plane_normal
@@ -118,10 +121,7 @@ def modes(source: Scene | Model, about: About = "equilibrium", count: int = 10) 
     if count < 1:
         raise ValueError(f"count: {count!r} - must be at least 1")
     model = source if isinstance(source, Model) else build(source)
-    if model.layout.more:
-        rule = "modes of a rope that touches obstacles are not found; leave the obstacles out"
-        raise SceneError([Fault("obstacle", NO_VALUE, rule)])
-    x, tension = shape_about(model, about)
+    x, tension, model = shape_about(model, about)
     linear = linearise(model, x, tension)
     if linear.loose:
         _refuse_loose(model, about)
@@ -165,18 +165,34 @@ def highest_frequency(model: Model, x: Floats, tension: Floats) -> float | None:
     return highest(linear) if linear.nodes.size else 0.0
 
 
-def shape_about(model: Model, about: About) -> tuple[Floats, Floats]:
-    """Return the places (3, n) [m] and tensions (s,) [N] of the shape that modes are about."""
+def shape_about(model: Model, about: About) -> tuple[Floats, Floats, Model]:
+    """Return the places (3, n) [m] and tensions (s,) [N] of the shape that modes are about, and the model.
+
+    At rest on obstacles its contacts carry what they do there; those that slip are free to.
+    """
     if about == "equilibrium":
         statics = checked_shape(model)
-        return np.ascontiguousarray(statics.positions.T), statics.tension
+        x = np.ascontiguousarray(statics.positions.T)
+        return x, statics.tension, _held_by_contacts(model, statics, x)
     state, rigid = model.state, np.isinf(model.state.stiffness)
     stretch = np.sqrt((np.diff(state.x, axis=1) ** 2).sum(axis=0)) - state.rest_length
     stretch[np.abs(stretch) <= _ROUNDING * np.abs(state.x).max()] = 0.0
     tension = np.maximum(np.where(rigid, 0.0, state.stiffness) * stretch, model.system.slack_floor)
     if has_links(state):
         tension = np.where(rigid, _held_tension(model), tension)
-    return state.x.copy(), tension
+    return state.x.copy(), tension, model
+
+
+def _held_by_contacts(model: Model, statics: Statics, x: Floats) -> Model:
+    """Return the model with contacts as they are at rest: what slips has no friction for small motions."""
+    if statics.memory is None or statics.contacts is None:
+        return model
+    memory, state = arrays.copy(statics.memory), arrays.copy(model.state)
+    contacts = statics.contacts
+    free = contacts.use >= SLIPS
+    memory.grip[contacts.obstacle[free], GRIP, contacts.node[free]] = 0.0
+    arrays.assign(state.memory.obstacle, memory)
+    return replace(model, system=standing(model.system), state=state)
 
 
 def _held_tension(model: Model) -> Floats:

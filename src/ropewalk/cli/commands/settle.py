@@ -18,6 +18,7 @@ from ropewalk.words.prefixes import prefix_of, prefixed
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
     from ropewalk.statics import RestSpan
+    from ropewalk.statics.wraps import Wrap
 
 
 @click.command()
@@ -38,7 +39,8 @@ def settle(
     """Find the shape in which a scene is at rest, without running it.
 
     Prints sag, tension, the force of every anchor, and what is left of the forces on the nodes. With
-    weight, stretch, ground, wind and bending; friction does not matter at rest. The folder can be
+    weight, stretch, ground, wind and bending; inner friction does not matter at rest. On obstacles
+    with friction it is one of many shapes: that to which the scene's own creeps. The folder can be
     plotted and exported like a run. A run begins from this shape with: run.start = "at-rest".
     """
     loaded = load_scene(scene, overrides)
@@ -46,22 +48,27 @@ def settle(
         if output is not None:
             refuse_run(output, overwrite)
         from ropewalk.lowering import build
-        from ropewalk.record.rest import rest_result
+        from ropewalk.record.rest import rest_and_result
         from ropewalk.statics import rest_spans
+        from ropewalk.statics.wraps import MANY
 
         with telling_of_compiling():
             model = build(loaded)
-            result = rest_result(model)
+            rest, result = rest_and_result(model)
             spans = rest_spans(model, result.positions[0], result.tension[0])
         if output is not None:
             result = result.save(output, overwrite=overwrite)
     if loaded.limiter is not None:
         warn("the stretch limiter takes no part in the equilibrium")
     if as_json:
-        print_json(_facts(result, spans))
+        print_json(_facts(result, spans, rest.wraps))
         return
     print_results(result, f"{result.scene.name}: {result.status}")
     _print_spans(spans)
+    for wrap in rest.wraps:
+        say(str(wrap))
+    if rest.by_friction:
+        say(f"note: {MANY}")
     _print_anchors(result)
     if output is not None:
         say(f"run folder: {output}")
@@ -98,7 +105,7 @@ def _print_anchors(result: Result) -> None:
         print_table(columns, rows, right=range(1, 5))
 
 
-def _facts(result: Result, spans: tuple[RestSpan, ...]) -> dict[str, Any]:
+def _facts(result: Result, spans: tuple[RestSpan, ...], wraps: tuple[Wrap, ...]) -> dict[str, Any]:
     names = result.layout.anchor_names
     return {
         "name": result.scene.name,
@@ -107,6 +114,7 @@ def _facts(result: Result, spans: tuple[RestSpan, ...]) -> dict[str, Any]:
         "results": {name: value for name, value in result.table.items() if name != "status"},
         "residual": result.residual,
         "spans": [vars(span) for span in spans],
+        "wraps": [wrap.as_dict() for wrap in wraps],
         "anchors": {
             name: list(force) for name, force in zip(names, result.reactions[0], strict=True)
         },

@@ -1,0 +1,93 @@
+"""Which nodes touch which obstacles, and with what force: from places, velocities and the forces of all."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ropewalk.core.arrays import Floats, Ints
+from ropewalk.laws.contact import on_polygon, spin_rate, turn_towards
+from ropewalk.laws.obstacle import Obstacles
+from ropewalk.laws.obstacle_shapes import probe
+
+SLIPS = 0.99  # of what friction can carry: a contact that moves and carries more slips [1]
+STILL = 1e-6  # [m/s] a contact that moves less does not
+
+
+class Contacts(NamedTuple):
+    """Contacts at one time, one row each; c of them, by node."""
+
+    obstacle: Ints  # (c,)
+    node: Ints  # (c,) index of the arrays
+    normal: Floats  # (c, 3) out of the obstacle [1]
+    push: Floats  # (c,) R_n [N]
+    rub: Floats  # (c, 3) R_t [N]
+    friction: Floats  # (c,) coefficient with which the node acts as its arc [1]
+    slip: Floats  # (c, 3) velocity of the node over the surface [m/s]
+
+    @property
+    def use(self) -> Floats:
+        """|R_t| / (mu R_n) of every contact [1], (c,): 1 where friction carries all it can; 0 without any."""
+        most = self.friction * self.push
+        size = np.linalg.norm(self.rub, axis=1)
+        found: Floats = np.divide(size, most, out=np.zeros_like(size), where=most > 0.0)
+        return found
+
+    @property
+    def slips(self) -> NDArray[np.bool_]:
+        """Whether each contact slips, (c,): it moves, and friction carries what it can."""
+        moves = np.linalg.norm(self.slip, axis=1) > STILL
+        return np.asarray(moves & ((self.use >= SLIPS) | (self.friction == 0.0)))
+
+
+def contacts_at(
+    table: Obstacles, x: Floats, v: Floats, force: Floats, stiffness: Floats, t: float = 0.0
+) -> Contacts:
+    """Return the contacts of nodes at places `x` with velocities `v`, (3, n) [m, m/s], at time `t` [s].
+
+    `force` (3, n) [N] is that of all obstacles on every node, `stiffness` (s,) that of the segments [N/m].
+    Where a node touches several, each gets of the friction what its own could carry at most.
+    """
+    rows: list[tuple[int, int, Floats, float, float, Floats]] = []
+    for i in map(int, np.flatnonzero(np.any(force != 0.0, axis=0))):
+        for o, kind in enumerate(table.kind):
+            parts = table.center[o], table.axis[o], table.size[o]
+            gap, *direction = probe(kind, *parts, x[0, i], x[1, i], x[2, i])[:4]
+            normal = np.array(direction)
+            push = -table.stiffness[o, i] * (gap - table.thickness[i])
+            push -= table.damping[o, i] * float(normal @ v[:, i])
+            if not push > 0.0:
+                continue
+            turn = turn_towards(x, i, *direction, stiffness)
+            friction = on_polygon(table.friction[o], turn)
+            turning = spin_rate(table.spin, o, t) * table.axis[o]
+            over = v[:, i] - np.cross(turning, x[:, i] - table.center[o])
+            rows.append((o, i, normal, push, friction, over - normal * (normal @ over)))
+    return _shared(rows, force)
+
+
+def _shared(rows: list[tuple[int, int, Floats, float, float, Floats]], force: Floats) -> Contacts:
+    """Return the contacts with their friction, the rest of the force once all pushes are taken off."""
+    count = len(rows)
+    node = np.array([row[1] for row in rows], np.int64)
+    normal = np.array([row[2] for row in rows]).reshape(count, 3)
+    push = np.array([row[3] for row in rows], np.float64)
+    friction = np.array([row[4] for row in rows], np.float64)
+    most = friction * push
+    rest, able = force.T.copy(), np.zeros(force.shape[1])
+    np.add.at(rest, node, -push[:, None] * normal)
+    np.add.at(able, node, most)
+    share = np.divide(most, able[node], out=np.zeros(count), where=able[node] > 0.0)
+    rub = share[:, None] * rest[node]
+    rub -= (rub * normal).sum(axis=1)[:, None] * normal
+    return Contacts(
+        obstacle=np.array([row[0] for row in rows], np.int64),
+        node=node,
+        normal=normal,
+        push=push,
+        rub=rub,
+        friction=friction,
+        slip=np.array([row[5] for row in rows]).reshape(count, 3),
+    )

@@ -1,0 +1,117 @@
+"""Rest on obstacles: where a rope comes to that creeps, without inertia, from its drawn shape.
+
+With Coulomb friction there are many shapes of rest, and which one is reached depends on the way. The way
+taken here is named: a drag D, the same for every node and so large that inertia does not count,
+
+    f(x) - D (x - x0) = 0,
+
+in steps from x0 to x of implicit Euler, f with the law of contact of `laws.contact` and its memory, which is
+written after every step as a run does. D falls as the rope slows down; at last the equations of rest are
+solved without it, by contacts that hold with the force that they have kept. Without friction nothing is
+remembered, and the way does not matter where there is but one rest.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from ropewalk.core.arrays import Floats
+from ropewalk.statics.balance import Balance
+from ropewalk.statics.newton import Found
+from ropewalk.statics.searching import search
+
+_STEPS = 600  # of creeping
+_INNER = 60  # Newton steps for one of them
+_EVERY = 5  # steps between two looks for rest without drag
+_CLEAR = 0.5  # of the thinnest body: how far a node may go in one step, so that it passes none [1]
+_NEAR = 0.05  # of a segment: the longest way of a step after which rest may be near [1]
+_SLOW = 100.0  # drag under which it may be, in the model's units [1]
+_LEAST, _MOST = 1e-9, 1e9  # of the drag, in the model's units and over the stiffest contact [1]
+_FAR = 3.0  # of the ropes' length and all distances: on a longer way nothing comes to rest [1]
+_ROUNDS = 10  # in which the coefficients of friction follow the turns of the rope at its nodes
+
+
+@dataclass(frozen=True)
+class Crept:
+    """What creeping came to."""
+
+    found: Found
+    goes_on: bool  # it slid or fell so far that it will not come to rest
+
+
+def creep(balance: Balance, x: Floats, thinnest: float, patience: int) -> Crept:
+    """Return where ropes come to rest from places `x` (3, n) [m].
+
+    Args:
+        balance: the equations; its state keeps what the contacts carry.
+        x: places to begin with.
+        thinnest: least radius of what may be met [m], inf for planes.
+        patience: Newton steps after which to give up.
+    """
+    pull = balance.elastic(x)
+    tension = np.where(np.isfinite(pull), np.maximum(pull, 0.0), 0.0)
+    unit = balance.force / balance.length
+    drag = stiffest = max(unit, float(balance.system.node.obstacle.stiffness.max()))
+    longest, reach = _FAR * _size(balance, x), _CLEAR * thinnest
+    way, spent, share = 0.0, 0, 0.1
+    for count in range(_STEPS):
+        step = _dragged(balance, x, tension, drag)
+        spent += step.steps
+        moved = _largest(balance, step.x - x)
+        if not step.at_rest or not moved <= reach:
+            drag, share = 4.0 * drag, 0.5
+            if drag > _MOST * stiffest or spent > patience:
+                break
+            continue
+        x, tension, way = step.x, step.tension, way + moved
+        balance.remember(x)
+        if way > longest or spent > patience:
+            break
+        if moved < _NEAR * balance.length and drag < _SLOW * unit and count % _EVERY == 0:
+            last = _at_last(balance, x, tension, min(reach, balance.length))
+            spent += last.steps
+            if last.at_rest:
+                return Crept(last._replace(steps=spent), goes_on=False)
+        drag, share = max(share * drag, _LEAST * unit), max(0.1, 0.7 * share)
+    error, allowed = balance.error(x, tension), balance.allowed(x, tension)
+    return Crept(Found(x, tension, error, allowed, spent), goes_on=way > longest)
+
+
+def _dragged(balance: Balance, x: Floats, tension: Floats, drag: float) -> Found:
+    """Return the end of one step from places `x` under a drag [N/m]."""
+    balance.drag, balance.origin = drag, x
+    found = search(balance, x, tension, _INNER)
+    balance.drag = 0.0
+    return found
+
+
+def _at_last(balance: Balance, x: Floats, tension: Floats, reach: float) -> Found:
+    """Return the rest near `x` without drag, by contacts that hold with what they carry."""
+    kept = balance.kept()
+    found = search(balance, x, tension, 2 * _INNER)
+    steps = found.steps
+    for _ in range(_ROUNDS):
+        if not found.at_rest or not _largest(balance, found.x - x) <= reach:
+            break
+        balance.remember(found.x)
+        if balance.error(found.x, found.tension) <= found.allowed:
+            return found._replace(steps=steps)
+        found = search(balance, found.x, found.tension, _INNER)
+        steps += found.steps
+    balance.restore(kept)
+    return found._replace(error=math.inf, steps=steps)
+
+
+def _size(balance: Balance, x: Floats) -> float:
+    """Return the ropes' length and the size of all there is [m]."""
+    table = balance.system.node.obstacle
+    places = np.concatenate([x, table.center.T], axis=1)
+    return float(balance.rest[balance.live].sum() + np.linalg.norm(np.ptp(places, axis=1)))
+
+
+def _largest(balance: Balance, moved: Floats) -> float:
+    """Return the longest way of a free node [m]."""
+    return float(np.sqrt((moved * moved).sum(axis=0))[balance.free].max(initial=0.0))

@@ -1,0 +1,67 @@
+"""Newton's method with a line search, for equations of rest that have kinks: contacts that open, stick, slip.
+
+The merit is what is wrong, in units of energy: with the stiffness k of contacts at the nodes,
+
+    sum |F_i|^2 / k_i + k g_j^2      [J]
+
+F the forces that are left and g by how much segments are too long. Where no part of a step brings it down a
+part is taken whatever the merit, out of its local minima.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ropewalk.core.arrays import Floats
+from ropewalk.statics.balance import Balance
+from ropewalk.statics.newton import Found, largest_turn
+
+_TURN = 0.5  # largest turn of a segment in one step [rad]
+_NEAR = 1e-4  # error below which the equations are taken as they are, compression and all [1]
+_LEAST = 1e-13  # least inertia, in units of the model's own rate [1]
+_DESCENT = 1e-4  # share of the promised descent that counts [1]
+_HALVINGS = 6
+_LEAP = (0.3, 1.0, 1.0)  # parts that are taken whatever the merit, in turn [1]
+_POLISH = 3  # steps after the first that counts as rest, down to rounding
+
+
+def search(balance: Balance, x: Floats, tension: Floats, most: int) -> Found:
+    """Return what Newton's method comes to in `most` steps from places (3, n) [m] and tensions (s,) [N]."""
+    tension = np.where(balance.live, tension, 0.0)
+    least = inertia = _LEAST * balance.rate
+    merit, error = _merit(balance, x, tension), balance.error(x, tension)
+    best = Found(x, tension, error, balance.allowed(x, tension), 0)
+    leaps, polished, count = 0, 0, 0
+    for count in range(1, most + 1):
+        if best.at_rest:
+            polished += 1
+            if error == 0.0 or polished > _POLISH:
+                break
+        dx, pull, pivot = balance.step(x, tension, inertia, error < _NEAR)
+        turn = largest_turn(balance, x, dx) if pivot > 0.0 else np.inf
+        if not np.isfinite(turn):
+            inertia = max(10.0 * inertia, 1e-6 * balance.rate)
+            continue
+        inertia = max(0.1 * inertia, least)
+        whole = min(1.0, _TURN / max(turn, 1e-300))
+        part = whole
+        for _ in range(_HALVINGS + 1):
+            trial = _merit(balance, x + part * dx, tension + part * (pull - tension))
+            if trial < (1.0 - _DESCENT * part) * merit:
+                break
+            part *= 0.5
+        else:
+            part, leaps = whole * _LEAP[leaps % len(_LEAP)], leaps + 1
+        x, tension = x + part * dx, tension + part * (pull - tension)
+        merit, error = _merit(balance, x, tension), balance.error(x, tension)
+        if error < best.error:
+            best = Found(x, tension, error, balance.allowed(x, tension), count)
+    return best._replace(steps=count)
+
+
+def _merit(balance: Balance, x: Floats, tension: Floats) -> float:
+    stiff = balance.system.node.obstacle.stiffness.max(axis=0)
+    left = balance.imbalance(x, tension)
+    forces = np.where(balance.free, (left * left).sum(axis=0) / stiff, 0.0).sum()
+    gaps = balance.gap(x, tension)
+    return float(forces + float(np.median(stiff)) * (gaps * gaps).sum())

@@ -1,0 +1,231 @@
+"""Where ropes at rest lie on obstacles, what friction carries there, and what it could."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ropewalk.core.arrays import Floats, Ints
+from ropewalk.lowering import Model, Span
+from ropewalk.lowering.touching import SLIPS, Contacts, contacts_at
+from ropewalk.words.prefixes import prefixed
+
+MANY = (
+    "with friction there are many shapes of rest; this is the one to which the drawn shape creeps, without "
+    "speed. How a rope comes there decides what it carries, within what friction holds"
+)
+_JAMS = 1e-9  # share of the pull that moves the rope on, below which it jams [1]
+_ROUNDING = 1e-6  # of a tension [1]
+_LEVEL = 1e-3  # [rad] a rope that turns by less lies straight
+
+
+@dataclass(frozen=True)
+class Wrap:
+    """One stretch of a rope on one obstacle."""
+
+    rope: str
+    obstacle: str
+    first: int  # node of the rope
+    last: int
+    force: float  # sum of the normal forces [N]
+    angle: float  # by which the rope turns there [rad]
+    before: float  # tension of the segment before the first node [N]; 0 at the rope's end
+    after: float  # ... after the last node
+    # Least and largest tension that friction holds after it with the one before as it is [N], or before it
+    # where the rope ends there; inf where it jams, NaN where nothing pulls or something else holds it.
+    least: float
+    most: float
+    backward: bool  # whether they are of the tension before
+    use: float  # largest |R_t| / (mu R_n) of its contacts [1]; 1: at the limit; 0 without friction
+    friction: float  # the obstacle's coefficient [1]
+
+    @property
+    def share(self) -> float:
+        """Tension over that at which it slips [1], the larger of both ways; NaN where none is known."""
+        if math.isnan(self.most):
+            return math.nan
+        pull = self.before if self.backward else self.after
+        ahead = pull / self.most if self.most > 0.0 else 0.0
+        back = self.least / pull if pull > 0.0 else 0.0
+        return max(ahead, back)
+
+    @property
+    def words(self) -> str:
+        """Where it lies, without the rope's name."""
+        one = self.first == self.last
+        where = f"node {self.first} lies" if one else f"nodes {self.first} to {self.last} lie"
+        said = f"{where} on {self.obstacle!r}"
+        if self.angle > _LEVEL:
+            said += f" and turn{'s' if one else ''} by {math.degrees(self.angle):.4g} degrees"
+        if not math.isnan(self.most):
+            said += (
+                f", {prefixed(self.before, 'N', 4)} before and {prefixed(self.after, 'N', 4)} after"
+            )
+        if self.friction == 0.0:
+            return said
+        if math.isnan(self.most):
+            return f"{said}; its contacts take up to {100.0 * self.use:.3g} % of what friction can carry"
+        end = "before" if self.backward else "after"
+        most = "any tension" if math.isinf(self.most) else prefixed(self.most, "N", 4)
+        return f"{said}; friction holds {prefixed(self.least, 'N', 4)} to {most} {end}"
+
+    def __str__(self) -> str:
+        return f"rope {self.rope!r}: {self.words}"
+
+    def as_dict(self) -> dict[str, Any]:
+        """Plain values, with the share."""
+        return vars(self) | {"share": self.share}
+
+
+def going_on_words(lie: tuple[Wrap, ...]) -> str:
+    """Return why ropes that touch this at last did not come to rest."""
+    if not lie:
+        return "there is no rest: the ropes fall past all obstacles. Hold a node with an anchor"
+    said = sliding_words(lie)
+    return f"there is no rest: the ropes slide or fall on and on. {said}".rstrip()
+
+
+def sliding_words(lie: tuple[Wrap, ...]) -> str:
+    """Return where friction carries all it can, and what to change; "" where it nowhere does."""
+    full = [wrap for wrap in lie if wrap.use >= SLIPS or wrap.friction == 0.0]
+    if not full:
+        return ""
+    rubs = {f"{wrap.obstacle!r} (friction {wrap.friction:g})" for wrap in full}
+    names = ", ".join(sorted(rubs))
+    slope = max(math.degrees(math.atan(wrap.friction)) for wrap in full)
+    return (
+        f"On {names} friction carries all it can: it holds on slopes of up to atan(friction) = "
+        f"{slope:.4g} degrees, and round a drum by a factor of up to exp(friction angle) of the tensions. "
+        "Give more friction, more turns, or an anchor"
+    )
+
+
+def wraps(
+    model: Model, positions: Floats, tension: Floats, force: Floats, others: Floats
+) -> tuple[tuple[Wrap, ...], Contacts]:
+    """Return where ropes lie on obstacles, rope by rope, and the contacts.
+
+    Args:
+        model: the scene.
+        positions: (n, 3) [m].
+        tension: (s,) [N].
+        force: of all obstacles on the nodes [N], (3, n).
+        others: of all else but the segments' tension [N], (3, n).
+    """
+    x, state = np.ascontiguousarray(positions.T), model.state
+    table = model.system.node.obstacle
+    if not len(table.kind):
+        return (), contacts_at(table, x, np.zeros_like(x), np.zeros_like(x), state.stiffness)
+    table = table._replace(spin=np.zeros_like(table.spin))
+    contacts = contacts_at(table, x, np.zeros_like(x), force, state.stiffness)
+    found = []
+    for rope in model.layout.ropes:
+        for o in range(len(table.kind)):
+            own = (contacts.node >= rope.start) & (contacts.node <= rope.end)
+            runs = _runs(contacts, np.flatnonzero(own & (contacts.obstacle == o)))
+            found += [_wrap(model, x, tension, others, contacts, rope, o, rows) for rows in runs]
+    return tuple(sorted(found, key=lambda wrap: (wrap.rope, wrap.first))), contacts
+
+
+def _runs(contacts: Contacts, rows: Ints) -> list[Ints]:
+    """Return contacts in runs of nodes side by side; one node between two of them may be off."""
+    if not rows.size:
+        return []
+    return list(np.split(rows, np.flatnonzero(np.diff(contacts.node[rows]) > 2) + 1))
+
+
+def _wrap(
+    model: Model,
+    x: Floats,
+    tension: Floats,
+    others: Floats,
+    contacts: Contacts,
+    rope: Span,
+    o: int,
+    rows: Ints,
+) -> Wrap:
+    first, last = int(contacts.node[rows[0]]), int(contacts.node[rows[-1]])
+    before = float(tension[first - 1]) if first > rope.start else 0.0
+    after = float(tension[last]) if last < rope.end else 0.0
+    held = np.isin(model.state.anchor_node[model.state.held == 1], np.arange(first, last + 1))
+    least, most, back = math.nan, math.nan, False
+    if not held.any():
+        least, most, back = _allowed(x, tension, others, contacts, rows, rope)
+    pull = before if back else after
+    if not (1.0 - _ROUNDING) * least <= pull <= (1.0 + _ROUNDING) * most:
+        least = most = math.nan  # not by this contact alone: another body, or a press
+    body = model.scene.obstacles[o]
+    return Wrap(
+        rope=rope.name,
+        obstacle=body.name,
+        first=first - rope.start,
+        last=last - rope.start,
+        force=float(contacts.push[rows].sum()),
+        angle=_turned(x, max(first - 1, rope.start), min(last + 1, rope.end)),
+        before=before,
+        after=after,
+        least=least,
+        most=most,
+        backward=back,
+        use=float(contacts.use[rows].max()),
+        friction=body.friction,
+    )
+
+
+def _turned(x: Floats, first: int, last: int) -> float:
+    """Return the sum of a rope's turns at the nodes between two [rad]."""
+    d = np.diff(x[:, first : last + 1], axis=1)
+    across = np.linalg.norm(np.cross(d[:, :-1], d[:, 1:], axis=0), axis=0)
+    return float(np.arctan2(across, (d[:, :-1] * d[:, 1:]).sum(axis=0)).sum())
+
+
+def _allowed(
+    x: Floats, tension: Floats, others: Floats, contacts: Contacts, rows: Ints, rope: Span
+) -> tuple[float, float, bool]:
+    """Return the least and the largest tension after a stretch that friction holds [N], see `Wrap`.
+
+    Node by node from the tension before it, in the shape as it is, with friction all one way, or all the
+    other: in the plane of the normal and of the rope's way over it. Round a drum without weight it is
+    exp(-mu theta) and exp(mu theta) times the tension before. Where the rope ends there it is taken from
+    that end, without tension, back.
+    """
+    row_of = {int(contacts.node[row]): row for row in rows}
+    nodes = np.arange(min(row_of), max(row_of) + 1)
+    step = 1 if nodes[-1] < rope.end else -1
+    nodes, far = nodes[::step], rope.end if step > 0 else rope.start
+    given = int(nodes[0]) - (step > 0)
+    start = float(tension[given]) if rope.start <= given < rope.end else 0.0
+    ends = []
+    for sense in (-1.0, 1.0):
+        pull = start
+        for i in nodes:
+            if i == far:  # all of the rope lies there
+                return math.nan, math.nan, False
+            into = (
+                _unit(x[:, i] - x[:, i - step])
+                if rope.start <= i - step <= rope.end
+                else np.zeros(3)
+            )
+            out = _unit(x[:, i + step] - x[:, i])
+            row = row_of.get(int(i))
+            mu = contacts.friction[row] if row is not None else 0.0
+            n = contacts.normal[row] if row is not None else _unit(into - out)
+            along = _unit(into + out - n * (n @ (into + out)))
+            # T' out - T into + w + R_n (n - sense mu along) = 0, T' the tension after the node
+            side = along + sense * mu * n  # on which R does not act
+            grip = float(side @ out)
+            if not grip > _JAMS:
+                pull = math.inf
+                break
+            pull = max(float(side @ (pull * into - others[:, i])) / grip, 0.0)
+        ends.append(pull)
+    return min(ends), max(ends), step < 0
+
+
+def _unit(direction: Floats) -> Floats:
+    size = float(np.linalg.norm(direction))
+    found: Floats = direction / size if size > 0.0 else direction
+    return found
