@@ -63,11 +63,17 @@ def test_what_is_an_obstacles_own_can_be_varied() -> None:
     assert (scene.obstacles[0].radius, scene.obstacles[0].friction) == (0.06, 0.1)
 
 
-def test_check_says_no_shape_of_rest_that_leaves_obstacles_out() -> None:
+def test_check_says_where_a_rope_rests_and_nothing_where_there_is_no_rest() -> None:
     check = rw.check(over_a_bar())
-    assert not any("at rest" in line for line in check.ropes[0].lines())
+    said = "\n".join(check.ropes[0].lines())
+    assert "at rest: largest tension" in said
     assert "hang free" not in str(check)
+    assert check.ropes[0].utilisation is not None
+    loose = over_a_bar().model_copy(update={"anchors": ()})
+    check = rw.check(loose)
+    assert not any("at rest" in line for line in check.ropes[0].lines())
     assert check.ropes[0].utilisation is None
+    assert any("no shape of rest" in text for text in check.warnings)
     assert not [text for text in check.warnings if "stretched" in text]
 
 

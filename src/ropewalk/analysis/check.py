@@ -336,6 +336,7 @@ def _warnings(
     warnings += [
         f"rope {name!r}: nothing holds it" + ("; it falls" if np.any(model.system.gravity) else "")
         for name in statics.unheld
+        if not (statics.solved and name in {wrap.rope for wrap in statics.wraps})
     ]
     warnings += strain_warnings(model, statics, ropes) + breaking_warnings(ropes)
     warnings += pressed_at_start(model, statics, ropes)

@@ -202,8 +202,12 @@ class Balance:
 
     def error(self, x: Floats, tension: Floats) -> float:
         """Return the largest residual, in the model's own units of force and length [1]."""
-        left = np.abs(self.imbalance(x, tension)[:, self.free]).max(initial=0.0) / self.force
-        return float(max(left, np.abs(self.gap(x, tension)).max(initial=0.0) / self.length))
+        return self.worst(self.imbalance(x, tension), self.gap(x, tension))
+
+    def worst(self, left: Floats, gap: Floats) -> float:
+        """Return the larger of forces that are left [N], (3, n), and gaps [m], (s,), in these units [1]."""
+        force = np.abs(left[:, self.free]).max(initial=0.0) / self.force
+        return float(max(force, np.abs(gap).max(initial=0.0) / self.length))
 
     def step(
         self, x: Floats, tension: Floats, inertia: float, exact: bool

@@ -24,7 +24,7 @@ from ropewalk.statics.newton import Found
 from ropewalk.statics.searching import search
 
 _STEPS = 600  # of creeping
-_INNER = 60  # Newton steps for one of them
+_INNER = 40  # Newton steps for one of them
 _EVERY = 5  # steps between two looks for rest without drag
 _CLEAR = 0.5  # of the thinnest body: how far a node may go in one step, so that it passes none [1]
 _NEAR = 0.05  # of a segment: the longest way of a step after which rest may be near [1]
@@ -91,7 +91,7 @@ def _dragged(balance: Balance, x: Floats, tension: Floats, drag: float) -> Found
 def _at_last(balance: Balance, x: Floats, tension: Floats, reach: float) -> Found:
     """Return the rest near `x` without drag, by contacts that hold with what they carry."""
     kept = balance.kept()
-    found = search(balance, x, tension, 2 * _INNER)
+    found = search(balance, x, tension, 3 * _INNER)
     steps = found.steps
     for _ in range(_ROUNDS):
         if not found.at_rest or not _largest(balance, found.x - x) <= reach:

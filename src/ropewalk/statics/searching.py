@@ -29,7 +29,8 @@ def search(balance: Balance, x: Floats, tension: Floats, most: int) -> Found:
     """Return what Newton's method comes to in `most` steps from places (3, n) [m] and tensions (s,) [N]."""
     tension = np.where(balance.live, tension, 0.0)
     least = inertia = _LEAST * balance.rate
-    merit, error = _merit(balance, x, tension), balance.error(x, tension)
+    judge = _Judge(balance)
+    merit, error = judge(x, tension)
     best = Found(x, tension, error, balance.allowed(x, tension), 0)
     leaps, polished, count = 0, 0, 0
     for count in range(1, most + 1):
@@ -46,22 +47,31 @@ def search(balance: Balance, x: Floats, tension: Floats, most: int) -> Found:
         whole = min(1.0, _TURN / max(turn, 1e-300))
         part = whole
         for _ in range(_HALVINGS + 1):
-            trial = _merit(balance, x + part * dx, tension + part * (pull - tension))
+            trial, error = judge(x + part * dx, tension + part * (pull - tension))
             if trial < (1.0 - _DESCENT * part) * merit:
                 break
             part *= 0.5
         else:
             part, leaps = whole * _LEAP[leaps % len(_LEAP)], leaps + 1
-        x, tension = x + part * dx, tension + part * (pull - tension)
-        merit, error = _merit(balance, x, tension), balance.error(x, tension)
+            trial, error = judge(x + part * dx, tension + part * (pull - tension))
+        x, tension, merit = x + part * dx, tension + part * (pull - tension), trial
         if error < best.error:
             best = Found(x, tension, error, balance.allowed(x, tension), count)
     return best._replace(steps=count)
 
 
-def _merit(balance: Balance, x: Floats, tension: Floats) -> float:
-    stiff = balance.system.node.obstacle.stiffness.max(axis=0)
-    left = balance.imbalance(x, tension)
-    forces = np.where(balance.free, (left * left).sum(axis=0) / stiff, 0.0).sum()
-    gaps = balance.gap(x, tension)
-    return float(forces + float(np.median(stiff)) * (gaps * gaps).sum())
+class _Judge:
+    """What is wrong with places and tensions."""
+
+    def __init__(self, balance: Balance) -> None:
+        self.balance = balance
+        stiff = balance.system.node.obstacle.stiffness.max(axis=0)
+        self.yields = np.where(balance.free, 1.0 / stiff, 0.0)
+        self.stiff = float(np.median(stiff))
+
+    def __call__(self, x: Floats, tension: Floats) -> tuple[float, float]:
+        """Return the merit [J] and the error as `Balance.error` [1]."""
+        balance = self.balance
+        left, gap = balance.imbalance(x, tension), balance.gap(x, tension)
+        merit = ((left * left).sum(axis=0) * self.yields).sum() + self.stiff * (gap * gap).sum()
+        return float(merit), balance.worst(left, gap)
