@@ -32,9 +32,7 @@ class Found(NamedTuple):
         return self.error <= self.allowed
 
 
-def settle(
-    balance: Balance, x: Floats, tension: Floats, inertia: float = 0.0, most: int = STEPS
-) -> Found:
+def settle(balance: Balance, x: Floats, tension: Floats, inertia: float = 0.0) -> Found:
     """Return the rest shape that is reached from places `x` (3, n) and tensions (s,).
 
     Args:
@@ -42,7 +40,6 @@ def settle(
         x: places to begin with [m].
         tension: tensions to begin with [N].
         inertia: lambda to begin with, in units of the model's rate [1]; 0 is plain Newton.
-        most: steps after which to give up.
 
     The result is the best that was seen; look at `at_rest`.
     """
@@ -53,7 +50,7 @@ def settle(
     if best.error <= _EXACT * best.allowed:
         return best
     error, tired = best.error, 0
-    for count in range(1, most + 1):
+    for count in range(1, STEPS + 1):
         dx, pull, pivot = balance.step(x, tension, inertia, error < _NEAR)
         turn = largest_turn(balance, x, dx) if pivot > 0.0 else np.inf
         if not turn <= 2.0 * _TURN:  # NaN goes this way, too
