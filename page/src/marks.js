@@ -93,6 +93,7 @@ export class Marks {
     if (session.layout && session.frame) {
       this.addAnchors(markers, arrows);
       this.addLoads(markers);
+      this.addJoints(markers);
       this.addForces(arrows);
       this.addGrabs(markers, arrows);
       this.addHand(markers, arrows);
@@ -180,6 +181,30 @@ export class Marks {
       const colour = fromHex(ROPES[(i + 1) % ROPES.length]);
       markers.push({ x, y, z, kind: "round", colour, size: 0, pixels: 8 });
     }
+  }
+
+  /** Knots where joints tie nodes; the one that the pointer is at has its name beside it.
+   * @param {Marker[]} markers */
+  addJoints(markers) {
+    const { session, theme, nodes, starts, camera } = this.stage;
+    const { variants } = /** @type {Layout} */ (session.layout);
+    const hover = this.hover && !Array.isArray(this.hover) ? this.hover : null;
+    variants.forEach(({ joints, ropes }, v) => {
+      const thick = Math.max(0, ...ropes.map(({ diameter }) => diameter));
+      for (const { name, nodes: tied } of joints ?? []) {
+        const at = 4 * (starts[v] + tied[0]);
+        const place = vector(nodes.shown.subarray(at, at + 3));
+        if (!place.every(Number.isFinite)) continue;
+        const [x, y, z] = place;
+        const pixels = (joints ?? []).length > MOST_LABELS ? 10 : 15;
+        const colour = theme.joint;
+        markers.push({ x, y, z, kind: "knot", colour, size: 1.9 * thick, pixels });
+        if (hover?.joint !== name || hover.variant !== v) continue;
+        const away = (26 * camera.pose.distance) / camera.focal;
+        const tip = plus(place, camera.top, away);
+        this.labels.push({ from: place, at: tip, text: name, kind: "given" });
+      }
+    });
   }
 
   /** The constant forces of the scene. @param {Arrow[]} arrows */

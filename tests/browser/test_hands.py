@@ -12,6 +12,7 @@ from browser.window import Window
 from live.drive import slack_rope
 from ropewalk.live.serve import ViewServer
 from ropewalk.live.session import Session
+from ropewalk.scene.presets import preset
 
 pytestmark = pytest.mark.browser
 Open = Callable[..., Window]
@@ -97,6 +98,25 @@ def test_a_rope_is_cut_where_it_is_clicked(window: Window) -> None:
     height = window.node(end)[2]
     window.press(" ")
     window.until(f"r.nodeAt({end})[2] < {height} - 1")  # what was held falls
+
+
+def test_a_joint_is_named_cut_and_tied_again(open_window: Open, serve: Serve) -> None:
+    """At its knot the cut tool cuts the joint, a little away from it the rope; undo ties it again."""
+    window = open_window(serve(Session(preset("three-leg-sling"))).address).ready()
+    window.settled()
+    knot = window.screen(window.ask(f"{VARIANT}.joints[0].nodes[0]"))
+    window.page.mouse.move(*knot)
+    window.until(
+        "[...document.querySelectorAll('.labels span')].some((e) => e.innerText === 'ring')"
+    )
+    window.page.mouse.click(*knot, button="right")
+    window.page.get_by_text("Cut the joint ring").click()
+    window.until(f"{VARIANT}.joints.length === 0 && {VARIANT}.ropes.length === 4")
+    window.click("#undo")
+    window.until(f"{VARIANT}.joints.length === 1")
+    window.click("#tool-cut")
+    window.page.mouse.click(*knot)
+    window.until(f"{VARIANT}.joints.length === 0 && {VARIANT}.ropes.length === 4")
 
 
 def test_a_load_is_hung_and_taken_off(window: Window) -> None:

@@ -8,12 +8,28 @@ import { vector } from "../view/vector.js";
  *   place: Vector}} AnchorHit */
 /** @typedef {{kind: "node", variant: number, rope: string, node: number, segment: number,
  *   place: Vector}} NodeHit */
-/** @typedef {AnchorHit | NodeHit} Hit node and segment are indices in the variant */
+/** The name of a joint that ties the node. @typedef {{joint?: string}} Tied */
+/** @typedef {(AnchorHit | NodeHit) & Tied} Hit node and segment are indices in the variant */
 
 /** @param {Stage} stage @param {number} px @param {number} py @param {number} reach pixels
  * @returns {Hit | null} */
 export function pick(stage, px, py, reach) {
-  return pickAnchor(stage, px, py, reach * 1.3) ?? pickNode(stage, px, py, reach);
+  const hit = pickAnchor(stage, px, py, reach * 1.3) ?? pickNode(stage, px, py, reach);
+  return hit && { ...hit, ...tied(stage, hit, px, py, reach) };
+}
+
+/** The joint under the pointer, where what was hit is tied by one: its node is then the hit's.
+ * @param {Stage} stage @param {Hit} hit @param {number} px @param {number} py @param {number} reach */
+function tied(stage, hit, px, py, reach) {
+  const joints = stage.session.layout?.variants[hit.variant].joints ?? [];
+  for (const node of [hit.node, hit.segment, hit.segment + 1]) {
+    const joint = joints.find(({ nodes }) => nodes.includes(node));
+    if (!joint) continue;
+    const { x, y, depth } = stage.screenOf(node, hit.variant);
+    if (depth > 0 && Math.hypot(x - px, y - py) < reach)
+      return hit.kind === "node" ? { joint: joint.name, node } : { joint: joint.name };
+  }
+  return {};
 }
 
 /** @param {Stage} stage @param {number} px @param {number} py @param {number} reach

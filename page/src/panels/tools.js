@@ -97,9 +97,16 @@ export class Tools {
     if (tool === "pin") {
       if (hit.kind === "anchor") session.tell({ type: "unpin", anchor: hit.anchor });
       else session.tell({ type: "pin", node: hit.node });
-    } else if (tool === "cut") session.tell({ type: "cut", segment: hit.segment });
+    } else if (tool === "cut") this.cut(hit);
     else if (tool === "load") session.tell({ type: "load", node: hit.node, mass: this.mass });
     else if (tool === "follow") this.follow(hit.node);
+  }
+
+  /** Cut the joint, or the segment where there is none. @param {Hit} hit */
+  cut({ joint, segment }) {
+    const { session } = this.stage;
+    if (joint !== undefined && session.can("untie")) session.tell({ type: "untie", joint });
+    else session.tell({ type: "cut", segment });
   }
 
   /** The menu of a node or anchor, or of empty space. @param {Hit | null} hit @param {number} x
@@ -133,6 +140,9 @@ export class Tools {
             command: "pin",
             press: () => session.tell({ type: "pin", node }),
           },
+      ...(hit.joint !== undefined
+        ? [{ label: `Cut the joint ${hit.joint}`, command: "untie", press: () => this.cut(hit) }]
+        : []),
       {
         label: "Cut here",
         command: "cut",
@@ -180,6 +190,7 @@ export class Tools {
     const ropes = this.stage.session.layout?.variants[hit.variant].ropes ?? [];
     const rope = ropes.find(({ first, nodes }) => hit.node >= first && hit.node < first + nodes);
     if (!rope) return `Node ${hit.node}`;
+    if (hit.joint !== undefined) return `Joint ${hit.joint}`;
     return `Node ${hit.node - rope.zero}${ropes.length > 1 ? ` of ${rope.name}` : ""}`;
   }
 }

@@ -13,7 +13,7 @@
 /** The constant part: which nodes make ropes.
  * @typedef {{nodes: number, ropes: RopeSpan[]}} Shape */
 
-/** @typedef {"round" | "eye" | "ring"} MarkerKind */
+/** @typedef {"round" | "eye" | "ring" | "knot"} MarkerKind */
 /** A ball, eye bolt or ring: size in metres and the least in pixels (diameters).
  * @typedef {{x: number, y: number, z: number, kind: MarkerKind, colour: Colour, size: number,
  *   pixels: number}} Marker */
@@ -24,7 +24,7 @@
 
 /** @typedef {{background: Colour, horizon: Colour, grid: Colour, shadow: Colour, ground: Colour, anchor: Colour,
  *   hand: Colour, load: Colour, arrow: Colour, grab: Colour, pin: Colour, hover: Colour, node: Colour, post: Colour,
- *   body: Colour, rim: number, dark: boolean}} Theme */
+ *   body: Colour, joint: Colour, rim: number, dark: boolean}} Theme */
 
 /** What is drawn in one frame.
  * @typedef {Object} View

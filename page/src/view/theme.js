@@ -20,6 +20,7 @@ const NAMES = /** @type {const} */ ([
   "node",
   "post",
   "body",
+  "joint",
 ]);
 const KEY = "ropewalk-theme";
 

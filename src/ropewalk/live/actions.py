@@ -29,6 +29,7 @@ from ropewalk.live.commands import (
     Speed,
     Undo,
     Unpin,
+    Untie,
     Vector,
 )
 from ropewalk.live.hands import FASTEST, MOST_GRABS, Target
@@ -181,6 +182,13 @@ def cut(session: Session, command: Cut, client: int) -> str:
             note = note or done
     _structured(session)
     return note
+
+
+def untie(session: Session, command: Untie, client: int) -> str:
+    for track in session.tracks:
+        if track is session.main or command.joint in [one.name for one in track.scene.joints]:
+            track.restructure(partial(edits.untie, name=command.joint))
+    return _structured(session)
 
 
 def load(session: Session, command: Load, client: int) -> str:
@@ -377,5 +385,6 @@ def _segment(main: Simulation, other: Simulation, segment: int) -> int | None:
 ACTIONS: dict[str, Callable[[Session, Any, int], str]] = {
     "speed": speed, "reset": reset, "set": set_, "move": move, "drag": drag, "drop": drop,
     "grab": grab, "let_go": let_go, "pin": pin, "unpin": unpin, "cut": cut, "load": load,
-    "kick": kick, "scene": scene, "compare": compare, "back": back, "undo": undo, "remedy": remedy,
+    "untie": untie, "kick": kick, "scene": scene, "compare": compare, "back": back, "undo": undo,
+    "remedy": remedy,
 }  # fmt: skip

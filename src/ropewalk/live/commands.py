@@ -125,6 +125,11 @@ class Cut(Command):
     segment: Index
 
 
+class Untie(Command):
+    type: Literal["untie"]
+    joint: Name
+
+
 class Load(Command):
     type: Literal["load"]
     node: Index
@@ -188,7 +193,7 @@ class Seek(Command):
 COMMANDS: dict[str, type[Command]] = {
     str(model.model_fields["type"].annotation.__args__[0]): model  # type: ignore[union-attr]
     for model in (
-        Ack, Play, Pause, Step, Speed, Reset, Set, Move, Drag, Drop, Grab, LetGo, Pin, Unpin, Cut,
+        Ack, Play, Pause, Step, Speed, Reset, Set, Move, Drag, Drop, Grab, LetGo, Pin, Unpin, Cut, Untie,
         Load, Kick, SceneCommand, Compare, Back, Undo, Remedy, Listen, Save, Seek,
     )
 }  # fmt: skip
@@ -206,6 +211,7 @@ PHYSICAL = frozenset(
         "pin",
         "unpin",
         "cut",
+        "untie",
         "load",
         "kick",
         "scene",

@@ -62,6 +62,7 @@ def written(layout: dict[str, Any]) -> Any:
             one["nodes"],
             len(one["anchors"]),
             [(rope["name"], rope["first"], rope["nodes"]) for rope in one["ropes"]],
+            one["joints"],
         )
         for one in layout["variants"]
     ]

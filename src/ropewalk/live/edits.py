@@ -174,6 +174,15 @@ def cut(scene: Scene, layout: Layout, segment: int) -> Edit:
     return Edit(made, np.flatnonzero(kept).astype(np.float64), note)
 
 
+def untie(scene: Scene, layout: Layout, name: str) -> Edit:
+    """Let the nodes of a joint go their own ways. Raises SceneError where there is none of that name."""
+    kept = [joint for joint in scene.joints if joint.name != name]
+    if len(kept) == len(scene.joints):
+        there = ", ".join(joint.name for joint in scene.joints) or "none"
+        raise refusal("joint", name, f"no such joint; there is {there}")
+    return Edit(scene.replace(joints=kept), same_nodes(layout))
+
+
 def _retied(joint: Joint, rope: Rope, ends: Sequence[tuple[int, int, str]]) -> Joint | None:
     """Return a joint with the nodes of a cut rope in its parts; None where it ties no two any more."""
     points = []

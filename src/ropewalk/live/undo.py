@@ -7,6 +7,7 @@ from ropewalk.live.history import History, Moment
 LONGEST = 20  # steps back
 WORDS = {
     "cut": "the cut",
+    "untie": "the cut of a joint",
     "pin": "the pin",
     "unpin": "letting go",
     "load": "the load",

@@ -37,6 +37,13 @@ export function drawMarker(context, camera, marker) {
   context.fill();
   context.lineWidth = 1.5;
   context.strokeStyle = css(dark);
+  if (marker.kind === "knot") {
+    const half = 0.6 * radius;
+    context.moveTo(x - half, y + half);
+    context.lineTo(x + half, y - half);
+    context.moveTo(x - half, y - half);
+    context.lineTo(x + half, y + half);
+  }
   context.stroke();
 }
 

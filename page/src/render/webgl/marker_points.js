@@ -7,7 +7,7 @@ import { MARKER_FRAGMENT, MARKER_VERTEX } from "./shaders.js";
 
 /** @typedef {import("../view.js").Marker} Marker */
 
-const KINDS = { round: 0, eye: 1, ring: 2 };
+const KINDS = { round: 0, eye: 1, ring: 2, knot: 3 };
 
 export class MarkerPoints {
   /** @param {Record<string, THREE.IUniform>} shared */

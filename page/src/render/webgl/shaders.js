@@ -69,7 +69,7 @@ void main() {
 
 export const MARKER_VERTEX = /* glsl */ `${COMMON}
 in vec3 position;
-in vec4 ink;           // colour, kind: 0 ball, 1 eye bolt, 2 ring
+in vec4 ink;           // colour, kind: 0 ball, 1 eye bolt, 2 ring, 3 knot
 in vec2 sizes;         // diameter [m], least diameter in CSS pixels
 out vec4 colourOf;
 out float diameter;    // CSS pixels
@@ -110,6 +110,12 @@ void main() {
     float z = sqrt(max(0.0, 1.0 - dot(n, n)));
     float light = 0.62 + 0.42 * max(dot(vec3(n, z), normalize(vec3(0.35, 0.8, 0.7))), 0.0);
     float glint = pow(max(dot(vec3(n, z), normalize(vec3(0.2, 0.5, 0.9))), 0.0), 30.0);
+    if (kind == 3) { // turns of a rope, over each other
+      bool over = abs(n.x - n.y) < 0.5;
+      float turns = (over ? n.x + n.y : n.x - n.y) * 2.6;
+      light *= 0.62 + 0.45 * abs(cos(turns * 1.57)) * (over ? 1.0 : 0.82);
+      glint = 0.0;
+    }
     colour = vec4(colourOf.rgb * light + 0.18 * glint, cover);
   }
   if (colour.a <= 0.0) discard;
