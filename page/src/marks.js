@@ -17,6 +17,10 @@ import { Trails } from "./render/trails.js";
  *   beside the tip of an arrow */
 
 const REACTION = 84; // length of the longest arrow [CSS pixels]
+const CONTACT = 56; // length of the longest arrow of a contact [CSS pixels]
+const LEAST_CONTACT = 0.03; // of the strongest contact, below which there is no arrow
+const HEADLESS = 0.2; // of the strongest contact, below which arrows have no head
+const MOST_CONTACTS = 200; // arrows
 const MOST_LABELS = 8;
 const MOST_POSTS = 24;
 const STILL = new Set(["fixed", "velocity", "table"]); // motions of anchors that may stand on a post
@@ -32,6 +36,9 @@ export class Marks {
     this.stage = stage;
     this.dirty = true;
     this.reactions = true;
+    this.contacts = true; // whether the forces of obstacles are shown
+    /** The contact force that has the longest arrow [N]; 0: there is none to see. */
+    this.firmest = 0;
     /** @type {Trails | null} */ this.trails = null;
     /** @type {Set<number>} nodes of the first variant */ this.followed = new Set();
     /** What has a ring: what lies under the pointer, or where the hand is. @type {Hit | Vector | null} */
@@ -43,6 +50,7 @@ export class Marks {
     /** The greatest force of each anchor of each variant since labels were last written [N].
      * @type {number[][]} */ this.most = [];
     /** @type {Label[]} */ this.labels = [];
+    /** The forces of contacts. @type {Arrow[]} */ this.touches = [];
     /** What anchors stand on, on the floor. @type {Arrow[]} */ this.posts = [];
     this.standing = true; // whether they are shown
   }
@@ -52,7 +60,7 @@ export class Marks {
     const most = layout.variants[0].nodes;
     for (const node of this.followed) if (node >= most) this.followed.delete(node);
     this.resetTrails();
-    this.strongest = 0;
+    this.strongest = this.firmest = 0;
     this.most = [];
     this.hover = this.kick = this.chosen = null;
   }
@@ -89,12 +97,14 @@ export class Marks {
     /** @type {Arrow[]} */ const arrows = [];
     this.labels = [];
     this.posts = [];
+    this.touches = [];
     const { session } = this.stage;
     if (session.layout && session.frame) {
       this.addAnchors(markers, arrows);
       this.addLoads(markers);
       this.addJoints(markers);
       this.addForces(arrows);
+      this.addContacts();
       this.addGrabs(markers, arrows);
       this.addHand(markers, arrows);
     }
@@ -222,6 +232,30 @@ export class Marks {
       arrows.push({ from, to, colour: theme.load, pixels: 2.6, head: true });
       if (forces.length <= MOST_LABELS)
         this.labels.push({ from, at: to, text: quantity(size, "N"), kind: "given" });
+    }
+  }
+
+  /** What obstacles do to nodes: the longest arrow is the strongest's. */
+  addContacts() {
+    const { session, theme, nodes, camera } = this.stage;
+    const { contact } = /** @type {Frame} */ (session.frame).parts[0];
+    let strongest = 0;
+    for (let i = 0; i < contact.length; i += 3)
+      strongest = Math.max(strongest, Math.hypot(contact[i], contact[i + 1], contact[i + 2]));
+    if (!Number.isFinite(strongest)) return;
+    const calm = session.status?.playing ? 0.98 * this.firmest : 0; // it does not flicker
+    this.firmest = Math.max(strongest, calm);
+    if (!this.contacts || !(this.firmest > 1e-9)) return;
+    const per = (CONTACT * camera.pose.distance) / camera.focal / this.firmest;
+    const least = LEAST_CONTACT * this.firmest;
+    const every = Math.max(1, Math.ceil(contact.length / 3 / MOST_CONTACTS));
+    for (let node = 0; node < contact.length / 3; node += every) {
+      const force = vector(contact.subarray(3 * node, 3 * node + 3));
+      if (Math.hypot(...force) < least) continue;
+      const from = vector(nodes.shown.subarray(4 * node, 4 * node + 3));
+      const to = plus(from, force, per);
+      const head = Math.hypot(...force) > HEADLESS * this.firmest;
+      this.touches.push({ from, to, colour: theme.contact, pixels: 2, head });
     }
   }
 

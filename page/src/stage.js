@@ -376,6 +376,7 @@ export class Stage {
       corners: this.corners,
       markers,
       arrows,
+      touches: this.marks.touches,
       posts: this.marks.posts,
       trails: this.marks.trails,
       ground,

@@ -122,13 +122,47 @@ def test_a_drum_that_turns_is_seen_to_turn(
 
 def test_a_shared_page_shows_them(open_window: Open, tmp_path: Path) -> None:
     path = tmp_path / "drum.html"
-    share_result(rw.simulate(over_a_drum()), path)
+    result = rw.simulate(over_a_drum())
+    share_result(result, path)
     window = open_window(path.as_uri(), **WIDE).ready()
     window.settled()
     assert window.ask("r.stage.solids.all.map((one) => one.name)") == ["drum"]
+    window.tell(type="seek", time=0.2)
+    window.settled()
+    pressed = np.array(window.ask("[...r.session.frame.parts[0].contact]")).reshape(-1, 3)
+    known = result.contact_force[-1]
+    assert np.abs(pressed - known).max() < 0.01 * np.abs(known).max()
     face = np.median(spot(window, (0.05, -0.2, 0.05)), axis=0)
     sky = np.median(spot(window, (0.05, -0.2, 0.6)), axis=0)
     assert np.abs(face - sky).max() > 25
+
+
+def test_contact_forces_are_arrows_with_their_scale(open_window: Open, serve: Serve) -> None:
+    """As many as nodes touch, the longest as long as its force says; a switch hides them."""
+    server = serve(Session(over_a_drum()))
+    window = open_window(server.address, **WIDE).ready()
+    window.tell(type="step", count=10)
+    window.settled()
+    simulation = server.stage.session.main.simulation
+    there = simulation.recording().recording.contact[0].T
+    sizes = np.linalg.norm(there, axis=1)
+    shown = np.array(window.ask("[...r.session.frame.parts[0].contact]")).reshape(-1, 3)
+    assert shown == pytest.approx(there, rel=1e-6, abs=1e-6)
+    arrows = window.ask("r.stage.marks.touches.map(({ from, to }) => [from, to])")
+    assert len(arrows) == (sizes > 0.03 * sizes.max()).sum() > 3
+    lengths = np.linalg.norm(np.diff(np.array(arrows), axis=1)[:, 0], axis=1)
+    assert lengths / lengths.max() == pytest.approx(
+        sizes[sizes > 0.03 * sizes.max()] / sizes.max(), rel=1e-4
+    )
+    number, unit = window.page.locator("#contact-scale").inner_text().split()[-2:]
+    told = float(number) * {"N": 1.0, "kN": 1e3, "mN": 1e-3}[unit]
+    assert told == pytest.approx(sizes.max(), rel=0.05)
+    window.click("#show-contacts")
+    window.until("r.stage.marks.touches.length === 0")
+    # The twin: where there is nothing to touch there is no switch.
+    window.tell(type="scene", preset="r4")
+    window.until("r.session.layout.obstacles.length === 0")
+    assert not window.page.locator("#show-contacts").is_visible()
 
 
 def test_all_of_a_body_is_in_the_first_picture(open_window: Open, serve: Serve) -> None:

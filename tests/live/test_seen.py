@@ -223,7 +223,7 @@ def test_what_a_page_did_not_get_is_in_its_next_frame() -> None:
     assert found.greatest_force == pytest.approx(total.greatest_force, rel=1e-6)
     other = bytearray(kept.frames[-1])
     other[4] ^= 1  # of another layout: as it is
-    assert combined([Shape(9, 1)], bytes(other), kept.frames[-1]) == kept.frames[-1]
+    assert combined([Shape(9, 1, False)], bytes(other), kept.frames[-1]) == kept.frames[-1]
 
 
 def test_a_program_that_takes_several_steps_misses_none() -> None:

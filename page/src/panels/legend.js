@@ -57,6 +57,12 @@ export class Legend {
     this.ropes = h("div", { className: "rope-names" });
     this.arrows = this.check("Forces", "show-forces", true, (on) => (stage.marks.reactions = on));
     this.dots = this.check("Nodes", "show-nodes", false, (on) => (stage.dots = on));
+    this.contacts = this.check("Contact", "show-contacts", true, (on) => {
+      stage.marks.contacts = on;
+    });
+    this.contacts.hidden = true;
+    this.contacts.title = "Forces of obstacles on the rope's nodes";
+    this.firmest = h("div", { className: "numbers", id: "contact-scale", hidden: true });
     this.posts = this.check("Posts", "show-posts", true, (on) => (stage.marks.standing = on));
     this.posts.className = "posts";
     this.margin = h("div", { className: "numbers", id: "margin", hidden: true });
@@ -73,6 +79,7 @@ export class Legend {
         this.margin,
         this.ropes,
         h("div", { className: "row" }, this.arrows, this.dots, this.posts),
+        h("div", { className: "row" }, this.contacts, this.firmest),
         h("div", { className: "numbers drawn-as" }, this.grid, this.thick),
         this.given,
       ),
@@ -113,6 +120,7 @@ export class Legend {
     this.ropes.replaceChildren();
     if (layout) {
       this.tellGiven(layout);
+      this.contacts.hidden = !layout.obstacles?.length;
       const known = layout.variants.some(({ ropes }) => ropes.some((one) => one.breaking_load));
       this.near.hidden = this.near.disabled = !known;
       if (!known && this.stage.colouring === "utilisation") {
@@ -188,6 +196,10 @@ export class Legend {
   }
 
   showGrid() {
+    const { contacts, firmest } = this.stage.marks;
+    this.firmest.hidden = this.contacts.hidden || !contacts || !(firmest > 1e-9);
+    if (!this.firmest.hidden)
+      write(this.firmest, `longest: ${quantity(Number(firmest.toPrecision(2)), "N")}`);
     write(this.grid, `Grid ${quantity(this.stage.spacing, "m")}`);
     const times = this.stage.thickness();
     write(

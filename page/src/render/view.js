@@ -24,7 +24,7 @@
 
 /** @typedef {{background: Colour, horizon: Colour, grid: Colour, shadow: Colour, ground: Colour, anchor: Colour,
  *   hand: Colour, load: Colour, arrow: Colour, grab: Colour, pin: Colour, hover: Colour, node: Colour, post: Colour,
- *   body: Colour, joint: Colour, rim: number, dark: boolean}} Theme */
+ *   body: Colour, joint: Colour, contact: Colour, rim: number, dark: boolean}} Theme */
 
 /** What is drawn in one frame.
  * @typedef {Object} View
@@ -39,6 +39,7 @@
  * @property {Uint8Array} corners 1 for nodes where a rope may have a kink
  * @property {Marker[]} markers
  * @property {Arrow[]} arrows
+ * @property {Arrow[]} touches forces of contacts, which bodies hide
  * @property {Arrow[]} posts that anchors stand on: no part of the model
  * @property {Trails | null} trails
  * @property {Ground} ground

@@ -9,7 +9,7 @@ export const BROKEN = 2;
 export const AT_END = 16;
 
 /** @typedef {{scalars: Float32Array, positions: Float32Array, tension: Uint16Array, speed: Uint16Array,
- *   seen: Seen, anchors: Float32Array, grabs: Float32Array}} Part the numbers of one variant */
+ *   seen: Seen, anchors: Float32Array, contact: Float32Array, grabs: Float32Array}} Part one variant */
 /** The greatest and least of every step since the frame before. @typedef {{leastTension: Uint16Array,
  *   greatestTension: Uint16Array, greatestSpeed: Uint16Array, leastHeight: Uint16Array,
  *   greatestHeight: Uint16Array, greatestForce: Float32Array}} Seen */
@@ -68,9 +68,13 @@ function readPart(buffer, layout, variant, i) {
       greatestForce: new Float32Array(buffer, offsets.greatest_force, anchors.length),
     },
     anchors: new Float32Array(buffer, offsets.anchors, 10 * anchors.length),
+    contact: new Float32Array(buffer, offsets.contact ?? 0, touching(offsets)),
     grabs: new Float32Array(buffer, offsets.grabs, 8 * Math.floor((end - offsets.grabs) / 32)),
   };
 }
+
+/** How many numbers there are of what obstacles do to nodes. @param {Variant["offsets"]} offsets */
+export const touching = ({ contact, grabs }) => (contact === undefined ? 0 : (grabs - contact) / 4);
 
 /** One scalar of a variant, NaN if there is none. @param {Layout} layout @param {Part} part
  * @param {string} name */

@@ -8,7 +8,7 @@
 /** @typedef {{rope: string, node: number, index: number, mass: number}} Load */
 /** @typedef {{scalars: number, positions: number, tension: number, speed: number, least_tension: number,
  *   greatest_tension: number, greatest_speed: number, least_height: number, greatest_height: number,
- *   greatest_force: number, anchors: number, grabs: number}} Offsets */
+ *   greatest_force: number, anchors: number, contact?: number, grabs: number}} Offsets */
 /** @typedef {{label: string, method: string, changes: Record<string, any>, nodes: number, ropes: Rope[],
  *   anchors: Anchor[], loads: Load[], forces: {index: number, force: number[]}[], joints?: Joint[],
  *   offsets: Offsets}} Variant */

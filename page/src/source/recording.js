@@ -1,6 +1,6 @@
 // A run inside the page: plays it as the server would, with frames written as the protocol says.
 
-import { AT_END, BROKEN, MAGIC, PLAYING } from "./frame.js";
+import { AT_END, BROKEN, MAGIC, PLAYING, touching } from "./frame.js";
 import { fromBase64, inflate, rowOf, unpack } from "./unpack.js";
 
 /** @typedef {import("./protocol.js").Source} Source */
@@ -316,6 +316,8 @@ export class RecordingSource {
       hands.set(force.subarray(3 * a, 3 * a + 3), 10 * a + 6);
       hands[10 * a + 9] = 1;
     });
+    if (numbers.contact && row < good)
+      rowOf(numbers.contact, row, floats(offsets.contact ?? 0, touching(offsets)));
     const grabs = floats(offsets.grabs, Math.floor((layout.bytes - offsets.grabs) / 4));
     for (let i = 0; i < grabs.length; i += 8) grabs[i] = -1;
     return buffer;

@@ -21,6 +21,7 @@ const NAMES = /** @type {const} */ ([
   "post",
   "body",
   "joint",
+  "contact",
 ]);
 const KEY = "ropewalk-theme";
 

@@ -10,8 +10,9 @@ import numpy as np
 
 from ropewalk.analysis.json_values import plain
 from ropewalk.core.arrays import Floats
-from ropewalk.live.frame import HEADER, SCALARS, Shape
+from ropewalk.live.frame import HEADER, SCALARS
 from ropewalk.live.parameters import PARAMETERS, ROPE, Parameter
+from ropewalk.live.pictures import shape_of
 from ropewalk.live.session import Session
 from ropewalk.live.solids import joint_list, obstacle_list
 from ropewalk.live.sources import START
@@ -30,8 +31,7 @@ def layout(session: Session) -> dict[str, Any]:
     place, variants = HEADER.size, []
     colors = _colors(session)
     for track in session.tracks:
-        shape = Shape(track.simulation.layout.nodes, len(track.simulation.layout.anchor_names))
-        places, place = shape.places(place)
+        places, place = shape_of(track).places(place)
         variants.append(_variant(track, places._asdict(), colors))
     scene = session.scene
     center, radius = view_box(session.main.simulation.positions, scene)

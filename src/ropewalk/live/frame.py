@@ -38,22 +38,25 @@ class Places(NamedTuple):
     greatest_height: int
     greatest_force: int
     anchors: int
+    contact: int
     grabs: int
 
 
 @dataclass(frozen=True)
 class Shape:
-    """Sizes of one variant: nodes and anchors."""
+    """Sizes of one variant: nodes and anchors, and whether there are obstacles to touch."""
 
     nodes: int
     anchors: int
+    touches: bool
 
     def places(self, start: int) -> tuple[Places, int]:
         """Return where the parts lie from `start` on, and where the next variant begins."""
         half = 4 * ((self.nodes + 1) // 2)
         seen = (*(half,) * (len(Seen._fields) - 1), 4 * self.anchors)
         lines = (12 * self.nodes, half, half, *seen)
-        sizes = (4 * len(SCALARS), *lines, 40 * self.anchors, 32 * MOST_GRABS)
+        contact = 12 * self.nodes if self.touches else 0
+        sizes = (4 * len(SCALARS), *lines, 40 * self.anchors, contact, 32 * MOST_GRABS)
         found = [start]
         for size in sizes:
             found.append(found[-1] + size)
@@ -70,6 +73,7 @@ class Picture(NamedTuple):
     anchors: Floats  # (a, 10)
     grabs: list[Grab]
     seen: Seen  # since the last frame
+    contact: Floats | None = None  # (n, 3) [N], of obstacles on nodes; None where there are none
 
 
 class Ranges(NamedTuple):
@@ -106,7 +110,8 @@ def encode(head: Clockwork, pictures: list[Picture]) -> bytes:
     place = HEADER.size
     spots = []
     for picture in pictures:
-        spot, place = Shape(len(picture.positions), len(picture.anchors)).places(place)
+        sizes = len(picture.positions), len(picture.anchors), picture.contact is not None
+        spot, place = Shape(*sizes).places(place)
         spots.append(spot)
     data = bytearray(place)
     HEADER.pack_into(
@@ -132,6 +137,8 @@ def _write(data: bytearray, spot: Places, picture: Picture) -> None:
     _quantise(picture.speed, 0.0, fast, data, spot.speed)
     _write_seen(data, spot, seen, Ranges(low, high, fast, bottom, top))
     _view(data, spot.anchors, picture.anchors.size)[:] = picture.anchors.ravel()
+    if picture.contact is not None:
+        _view(data, spot.contact, 3 * n).reshape(n, 3)[:] = np.nan_to_num(picture.contact)
     grabs = _view(data, spot.grabs, 8 * MOST_GRABS).reshape(MOST_GRABS, 8)
     grabs[:, 0] = -1.0
     for row, grab in enumerate(picture.grabs[:MOST_GRABS]):

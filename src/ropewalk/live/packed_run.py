@@ -164,6 +164,9 @@ def _streams(pictures: list[Picture], step: float) -> list[Packed]:
     scalars = stacked([[one.scalars.get(name, 0.0) for name in SCALARS] for one in pictures])
     found = [pack("positions", stacked([one.positions for one in pictures]), step)]
     found += [pack(name, values[name], _step(values[name])) for name in values]
+    if pictures[0].contact is not None:  # arrows, whose lengths need no more
+        contact = stacked([one.contact for one in pictures])
+        found.append(pack("contact", contact, _COARSER * _step(contact)))
     for name, where, sign in _BEYOND:
         now = np.linalg.norm(anchors[:, :, 6:9], axis=2) if name == "force" else values[name]
         seen = stacked([getattr(one.seen, where) for one in pictures])

@@ -37,8 +37,13 @@ class Compared:
 
 def combiner(tracks: Sequence[Track]) -> Combine:
     """Return what combines two frames of these tracks, the older of which was not sent."""
-    layouts = [track.simulation.layout for track in tracks]
-    return partial(combined, [Shape(one.nodes, len(one.anchor_names)) for one in layouts])
+    return partial(combined, [shape_of(track) for track in tracks])
+
+
+def shape_of(track: Track) -> Shape:
+    """Return what a track's frames hold."""
+    layout = track.simulation.layout
+    return Shape(layout.nodes, len(layout.anchor_names), bool(track.scene.obstacles))
 
 
 def pictures(tracks: Sequence[Track], compared: Compared) -> list[Picture]:
@@ -89,7 +94,8 @@ def picture(track: Track, first: Picture | None = None, source: Floats | None = 
     anchors = np.concatenate(
         [state.anchor_x, state.anchor_v, recording.reaction[0], held[:, None]], axis=1
     )
-    return Picture(scalars, positions, tension, speed, anchors, track.hands.grabs, seen)
+    contact = recording.contact[0].T if track.scene.obstacles else None
+    return Picture(scalars, positions, tension, speed, anchors, track.hands.grabs, seen, contact)
 
 
 def _largest_strain(simulation: Simulation, tension: Floats) -> float:

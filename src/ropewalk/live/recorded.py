@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ropewalk.core.arrays import Floats
-from ropewalk.live.frame import Picture
+from ropewalk.live.frame import Picture, Shape
 from ropewalk.live.seen import Seen
 from ropewalk.live.track import losses_and_gifts
 from ropewalk.record.beyond import until_torn
@@ -13,7 +13,7 @@ from ropewalk.record.result import Result
 
 _PIECE = 64  # frames read at once
 _NAMES = ("time", "positions", "velocities", "tension", "energy", "work")
-_MORE = ("elastic_tension", "reactions")
+_MORE = ("elastic_tension", "reactions", "contact_force")
 _SEEN = {name: "greatest_reactions" if name == "greatest_force" else name for name in Seen._fields}
 _MOST = 1000  # frames passed over, whose extremes the next one shows
 
@@ -31,6 +31,12 @@ class Recorded:
         self._no_force = np.zeros((_PIECE, len(result.layout.anchor_names), 3))
         self._piece = -1
         self._data: dict[str, Floats] = {}
+
+    @property
+    def shape(self) -> Shape:
+        """What its frames hold."""
+        layout, touches = self.result.layout, "contact_force" in self.result.source.names
+        return Shape(layout.nodes, len(layout.anchor_names), touches)
 
     @property
     def frames(self) -> int:
@@ -90,7 +96,8 @@ class Recorded:
             "high": float(seen.greatest_height.max()),
             "touching": float(np.count_nonzero(heights < ground.height)) if ground else 0.0,
         }
-        return Picture(scalars, positions, tension, speed, anchors, [], seen)
+        contact = data["contact_force"][row] if "contact_force" in data else None
+        return Picture(scalars, positions, tension, speed, anchors, [], seen, contact)
 
     def _seen(self, frame: int, after: int) -> Seen:
         """Return what was seen after frame `after`, or since it where that was recorded, until `frame`."""
@@ -134,8 +141,14 @@ class Recorded:
         anchors[:, :3] = positions[list(self.result.layout.anchor_nodes)]
         force = np.zeros((len(anchors), 3))
         seen = Seen.instant(tension, speed, positions @ self._up, force)
+        contact = None if last.contact is None else np.zeros_like(last.contact)
         return last._replace(
-            positions=positions, tension=tension, speed=speed, anchors=anchors, seen=seen
+            positions=positions,
+            tension=tension,
+            speed=speed,
+            anchors=anchors,
+            seen=seen,
+            contact=contact,
         )
 
     def _strain(self, tension: Floats) -> float:

@@ -23,7 +23,6 @@ from ropewalk.live.frame import (
     PLAYING,
     SCALARS,
     Clockwork,
-    Shape,
     combined,
     encode,
 )
@@ -173,8 +172,7 @@ class ReplayBroadcast:
         self.audience.show(self.frame_number, frame, self._combiner(part))
 
     def _combiner(self, part: int) -> Combine:
-        layout = self.parts[part].result.layout
-        return partial(combined, [Shape(layout.nodes, len(layout.anchor_names))])
+        return partial(combined, [self.parts[part].shape])
 
     def _frame(self, index: int, number: int, after: int | None = None) -> bytes:
         """Return a frame that shows, too, what was seen since frame `after`."""
@@ -222,7 +220,7 @@ class ReplayBroadcast:
     def _layout_message(self, part: int) -> dict[str, Any]:
         self._layout = part
         result = self.parts[part].result
-        places, end = Shape(result.nodes, len(result.layout.anchor_names)).places(HEADER.size)
+        places, end = self.parts[part].shape.places(HEADER.size)
         scene, spans = result.scene, result.layout.ropes
         center, radius = view_box(result.read("positions", 0, 1)[0], scene)
         return {

@@ -97,6 +97,11 @@ export class CanvasRenderer {
     this.ropes(view);
     if (view.dots) this.dots(theme);
     for (const marker of view.markers) drawMarker(context, view.camera, marker);
+    for (const arrow of view.touches) {
+      const { camera, solids } = view;
+      const hidden = solids.some((one) => hides(one, camera.eye, arrow.to, 0));
+      if (!hidden) drawArrow(context, camera, arrow);
+    }
     for (const arrow of view.arrows) drawArrow(context, view.camera, arrow);
   }
 

@@ -12,8 +12,9 @@ const CORNERS = 7; // a shaft of four corners, a head of three
 const INDEX = [0, 1, 2, 1, 3, 2, 4, 5, 6];
 
 export class ArrowMesh {
-  /** @param {Record<string, THREE.IUniform>} shared @param {boolean} [round] bars that stand in the scene */
-  constructor(shared, round = false) {
+  /** @param {Record<string, THREE.IUniform>} shared @param {boolean} [round] bars that stand in the scene
+   * @param {boolean} [deep] whether nearer things hide them */
+  constructor(shared, round = false, deep = round) {
     const geometry = new THREE.BufferGeometry();
     for (const [name, size] of /** @type {[string, number][]} */ ([
       ["position", 3],
@@ -30,15 +31,10 @@ export class ArrowMesh {
     geometry.setIndex(index);
     this.mesh = new THREE.Mesh(
       geometry,
-      material(
-        ARROW_VERTEX,
-        ARROW_FRAGMENT,
-        { ...shared, round_: { value: Number(round) } },
-        round,
-      ),
+      material(ARROW_VERTEX, ARROW_FRAGMENT, { ...shared, round_: { value: Number(round) } }, deep),
     );
     this.mesh.frustumCulled = false;
-    this.mesh.renderOrder = round ? 0.5 : 2.5;
+    this.mesh.renderOrder = round ? 0.5 : deep ? 2.2 : 2.5;
   }
 
   /** @param {Arrow[]} arrows @param {number} perPixel metres per pixel near them */

@@ -54,6 +54,7 @@ export class WebglRenderer {
     this.ribbons = new Ribbons(this.shared, this.backdrop);
     this.markers = new MarkerPoints(this.shared);
     this.arrows = new ArrowMesh(this.shared);
+    this.touches = new ArrowMesh(this.shared, false, true);
     this.posts = new ArrowMesh(this.shared, true);
     this.trails = new TrailRibbons(this.shared);
     this.scene.add(
@@ -66,6 +67,7 @@ export class WebglRenderer {
       this.ribbons.dots,
       this.markers.points,
       this.arrows.mesh,
+      this.touches.mesh,
       this.posts.mesh,
     );
   }
@@ -117,6 +119,7 @@ export class WebglRenderer {
     this.backdrop.update(this.three, this.camera, view);
     this.markers.update(view.markers);
     this.arrows.update(view.arrows, camera.pose.distance / camera.focal);
+    this.touches.update(view.touches, camera.pose.distance / camera.focal);
     this.posts.update(view.posts, camera.pose.distance / camera.focal);
     this.trails.update(view.trails);
     this.three.render(this.scene, this.camera);
