@@ -15,7 +15,8 @@ from ropewalk.laws.obstacle_shapes import probe
 from ropewalk.live import describe
 from ropewalk.live.replay import ReplayBroadcast
 from ropewalk.live.session import Session
-from ropewalk.live.solids import obstacle_list, placed
+from ropewalk.live.solids import obstacle_list
+from ropewalk.record.obstacle_table import obstacle_table
 from ropewalk.scene import Scene, loads
 from ropewalk.scene.presets import preset
 from ropewalk.simulation import Simulation
@@ -84,7 +85,8 @@ def made() -> dict[str, Any]:
     """What the page's own test reads: obstacles, places, and how far each place is from each of them [m]."""
     here = scene()
     where = Simulation(here).layout
-    table = placed(here, where)
+    table = obstacle_table(here, where)
+    assert table is not None
     places = np.random.default_rng(4).uniform(-1.0, 1.0, (40, 3)).round(3)
     parts = zip(table.kind, table.center, table.axis, table.size, strict=True)
     away = [[probe(kind, c, a, s, *map(float, p))[0] for p in places] for kind, c, a, s in parts]

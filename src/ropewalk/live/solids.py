@@ -5,22 +5,16 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from ropewalk.laws.obstacle import Obstacles, lower
 from ropewalk.lowering import Layout
+from ropewalk.record.obstacle_table import obstacle_table
 from ropewalk.scene import Scene
-
-
-def placed(scene: Scene, where: Layout) -> Obstacles:
-    """Return the obstacles' table: what of it concerns ropes is of no use."""
-    masses = [rope.total_mass for rope in scene.ropes]
-    return lower(scene.obstacles, where, scene.ropes, masses)
 
 
 def obstacle_list(scene: Scene, where: Layout) -> list[dict[str, Any]]:
     """Return the obstacles of a layout message."""
-    if not scene.obstacles:
+    table = obstacle_table(scene, where)
+    if table is None:
         return []
-    table = placed(scene, where)
     return [
         {
             "name": body.name or f"obstacle{row}",

@@ -15,6 +15,7 @@ from typing import NamedTuple
 from matplotlib.figure import Figure
 
 from ropewalk.plots.comparison import compare
+from ropewalk.plots.contact_forces import contact
 from ropewalk.plots.energies import energy
 from ropewalk.plots.figure_files import FORMATS, save
 from ropewalk.plots.films import film
@@ -56,6 +57,7 @@ __all__ = [
     "MovieError",
     "Plot",
     "compare",
+    "contact",
     "energy",
     "film",
     "forces",

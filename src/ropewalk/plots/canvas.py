@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from matplotlib.axes import Axes
 
+from ropewalk.plots.outlines import Outline, draw_outlines, near, outlines_of
 from ropewalk.plots.sight import (
     Floats,
     Sight,
@@ -100,8 +101,10 @@ def label(axes: Axes, view: Sight, *, across: bool = True, up: bool = True) -> N
         axes.set_ylabel(f"{view.up_name} [m]")
 
 
-def draw_ground(axes: Axes, height: float | None, box: Box) -> None:
-    """Draw the ground where it is in view."""
+def draw_still(axes: Axes, seen: Backdrop) -> None:
+    """Draw ground and obstacles where they are in view."""
+    draw_outlines(axes, seen.outlines)
+    height, box = seen.ground, seen.box
     if height is None or height < box.low:
         return
     axes.axhspan(box.low, height, facecolor="#EFEAE4", edgecolor="none", zorder=0.5)
@@ -135,6 +138,7 @@ class Backdrop:
     box: Box
     ground: float | None
     good: int
+    outlines: tuple[Outline, ...] = ()  # of obstacles
 
 
 def backdrop(result: Result, plane: str | None, frames: list[int] | None = None) -> Backdrop:
@@ -146,7 +150,10 @@ def backdrop(result: Result, plane: str | None, frames: list[int] | None = None)
     inside = [f for f in frames if f < good] or [good - 1]
     points = np.stack([positions_of(result, slice(f, f + 1))[0] for f in inside])
     broken = good < len(result.time)
-    return Backdrop(view, box_around(view.project(points), ground, roomy=broken), ground, good)
+    flat = view.project(points)
+    outlines = outlines_of(result, view)
+    around = np.concatenate([flat.reshape(-1, 2), near(outlines, flat)])
+    return Backdrop(view, box_around(around, ground, roomy=broken), ground, good, outlines)
 
 
 def magnification_note(box: Box) -> list[str]:

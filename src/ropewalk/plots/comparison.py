@@ -17,8 +17,8 @@ from ropewalk.plots.canvas import (
     Box,
     backdrop,
     draw_anchors,
-    draw_ground,
     draw_loads,
+    draw_still,
     label,
     magnification_note,
     prepare,
@@ -123,7 +123,7 @@ def _draw_shapes(
             continue
         result, seen = found.results[number], backdrops[number]
         prepare(axes, seen.box)
-        draw_ground(axes, seen.ground, seen.box)
+        draw_still(axes, seen)
         frame = 0
         for i, time in enumerate(chosen):
             if time > result.time[seen.good - 1] + 1e-9:

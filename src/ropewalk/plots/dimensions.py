@@ -13,8 +13,8 @@ from ropewalk.plots.canvas import (
     Backdrop,
     backdrop,
     draw_anchors,
-    draw_ground,
     draw_loads,
+    draw_still,
     label,
     magnification_note,
     prepare,
@@ -54,7 +54,7 @@ def dimensions(result: Result, *, plane: str | None = None) -> Figure:
     figure = new_figure(7.2, height + 1.3)
     axes = figure.subplots()
     prepare(axes, seen.box)
-    draw_ground(axes, seen.ground, seen.box)
+    draw_still(axes, seen)
     points = positions_of(result, slice(0, 1))[0]
     for number, (span, line) in enumerate(
         zip(result.layout.ropes, rope_lines(result, seen.view.project(points)), strict=True)

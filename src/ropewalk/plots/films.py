@@ -14,8 +14,8 @@ from ropewalk.plots.canvas import (
     Backdrop,
     backdrop,
     draw_anchors,
-    draw_ground,
     draw_loads,
+    draw_still,
     label,
     magnification_note,
     prepare,
@@ -57,7 +57,7 @@ def film(
             axes.set_visible(False)
             continue
         prepare(axes, seen.box)
-        draw_ground(axes, seen.ground, seen.box)
+        draw_still(axes, seen)
         if 0 < number <= len(chosen) and chosen[number - 1] < seen.good:
             draw_ropes(axes, result, seen, chosen[number - 1], FAINT, "_before")
         if number < len(chosen):

@@ -15,8 +15,8 @@ from ropewalk.plots.canvas import (
     Backdrop,
     backdrop,
     draw_anchors,
-    draw_ground,
     draw_loads,
+    draw_still,
     label,
     magnification_note,
     prepare,
@@ -88,7 +88,7 @@ def _draw_shape(
     ends = np.stack([points[:-1], points[1:]], axis=1)
     live = result.live[frame]
     prepare(axes, seen.box)
-    draw_ground(axes, seen.ground, seen.box)
+    draw_still(axes, seen)
     axes.add_collection(
         LineCollection(
             list(ends[live]),

@@ -19,11 +19,12 @@ from PIL import Image
 
 from ropewalk.plots.canvas import (
     ANCHOR,
+    JOINT,
     LOAD,
     Backdrop,
     Box,
     backdrop,
-    draw_ground,
+    draw_still,
     label,
     magnification_note,
     prepare,
@@ -195,11 +196,13 @@ class _Painter:
         self._axes = axes = figure.add_subplot()
         prepare(axes, seen.box)
         label(axes, seen.view)
-        draw_ground(axes, seen.ground, seen.box)
+        draw_still(axes, seen)
         self._rope = LineCollection([], cmap=self.colours, norm=self._scale, linewidths=2.2)
         axes.add_collection(self._rope)
         bar = figure.colorbar(self._rope, ax=axes, pad=0.02, shrink=0.9)
         scaled_axis(bar.ax, result.tension_name, "N", reach(self._scale))
+        self._joints = axes.plot([], [], **JOINT)[0]  # type: ignore[arg-type]
+        self._tied = list(result.layout.tied_nodes)
         self._loads = axes.plot([], [], **LOAD)[0]  # type: ignore[arg-type]
         self._anchors = axes.plot([], [], **ANCHOR)[0]  # type: ignore[arg-type]
         self._stamp = axes.text(
@@ -218,7 +221,7 @@ class _Painter:
         note += magnification_note(seen.box) + given_notes(result.scene)
         set_note(figure, note)
         self._forces = GivenForces(axes, result, seen)
-        drawn = (self._rope, self._loads, self._anchors)
+        drawn = (self._rope, self._joints, self._loads, self._anchors)
         self._moving = (*drawn, *self._forces.artists, self._stamp)
         for artist in self._moving:
             artist.set_animated(True)
@@ -244,6 +247,7 @@ class _Painter:
             self._rope.set_array(moment.tension[self._live])
         holds = held_nodes(self._result, moment.time)
         self._anchors.set_data(points[holds, 0], points[holds, 1])
+        self._joints.set_data(points[self._tied, 0], points[self._tied, 1])
         self._loads.set_data(points[self._load_nodes, 0], points[self._load_nodes, 1])
         self._forces.move(points)
         stamp = f"{moment.time:.6g} s (broken)" if moment.broken else f"{moment.time:.2f} s"

@@ -18,8 +18,8 @@ from ropewalk.plots.canvas import (
     Backdrop,
     backdrop,
     draw_anchors,
-    draw_ground,
     draw_loads,
+    draw_still,
     label,
     magnification_note,
     prepare,
@@ -102,7 +102,7 @@ def _draw_over(axes: Axes, result: Result, seen: Backdrop, frames: list[int]) ->
     if scale.vmin == scale.vmax:
         scale = Normalize(scale.vmin, scale.vmax + 1.0)  # type: ignore[operator]
     prepare(axes, seen.box)
-    draw_ground(axes, seen.ground, seen.box)
+    draw_still(axes, seen)
     for frame in frames:
         time = float(result.time[frame])
         colour = colours(scale(time))
@@ -204,7 +204,7 @@ def _draw_upright(axes: Axes, result: Result, seen: Backdrop, frames: list[int])
     """Draw the shapes side by side, one column per time."""
     view, colours = seen.view, times_map()
     good = [f for f in frames if f < seen.good]
-    draw_ground(axes, seen.ground, seen.box)
+    draw_still(axes, seen)
     for column, frame in enumerate(good):
         colour = colours(column / max(len(good) - 1, 1))
         points = view.project(shown_positions(result, frame))

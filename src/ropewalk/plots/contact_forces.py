@@ -1,0 +1,173 @@
+"""What obstacles do to ropes: forces along the rope, and the tension along a wrap against Euler's formula."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from ropewalk.laws.obstacle import depths
+from ropewalk.plots.sight import Floats, frame_at, good_frames
+from ropewalk.plots.style import (
+    GREY,
+    describe,
+    escape,
+    line_style,
+    new_figure,
+    scaled_axis,
+    set_note,
+    set_title,
+    styled,
+)
+from ropewalk.record.obstacle_table import obstacle_table
+
+if TYPE_CHECKING:
+    from ropewalk.record.result import Result
+
+_BARS = ("cylinder", "capsule")  # round which a rope is wound
+_FEWEST = 3  # nodes of a wrap
+_TOLD = 6  # wraps that the note tells of
+_MOST_ROPES = 8  # that a legend names
+
+
+@dataclass(frozen=True)
+class Wrap:
+    """Nodes of a rope, one after another, that lie on one round bar at a frame."""
+
+    rope: str
+    obstacle: str
+    friction: float  # [1]
+    first: int  # node of the rope
+    turned: Floats  # (k + 1,) angle of the rope up to each segment from the one before the wrap on [rad]
+    tension: Floats  # (k + 1,) of these segments [N]
+
+    @property
+    def angle(self) -> float:
+        """How far the rope turns [rad]."""
+        return float(self.turned[-1])
+
+    @property
+    def held(self) -> Floats:
+        """The tension up to which friction holds the rope, from its slack side on [N], (k + 1,)."""
+        slack_first = self.tension[0] <= self.tension[-1]
+        way = self.turned if slack_first else self.angle - self.turned
+        found: Floats = min(self.tension[0], self.tension[-1]) * np.exp(self.friction * way)
+        return found
+
+
+def wraps(result: Result, frame: int) -> list[Wrap]:
+    """Return all wraps at a frame: where contact forces were recorded on at least three nodes in a row."""
+    table = obstacle_table(result.scene, result.layout)
+    force = result.contact_force
+    if table is None:
+        return []
+    places = result.positions[frame]
+    nearest = depths(table, places.T).argmax(axis=0)
+    touched = np.where(np.abs(force[frame]).sum(axis=1) > 0.0, nearest, -1)
+    found = []
+    for span in result.layout.ropes:
+        x = places[span.start : span.end + 1]
+        pull = result.tension[frame][span.start : span.end]
+        way = np.diff(x, axis=0)
+        way /= np.maximum(np.linalg.norm(way, axis=1), 1e-300)[:, None]
+        bend = np.arctan2(
+            np.linalg.norm(np.cross(way[:-1], way[1:]), axis=1), (way[:-1] * way[1:]).sum(axis=1)
+        )  # at the inner nodes
+        for body, first, last in _runs(touched[span.start : span.end + 1]):
+            first, last = max(first, 1), min(last, len(x) - 2)
+            obstacle = result.scene.obstacles[body]
+            if obstacle.kind not in _BARS or last - first + 1 < _FEWEST:
+                continue
+            turned = np.concatenate([[0.0], np.cumsum(bend[first - 1 : last])])
+            along = pull[first - 1 : last + 1]
+            found.append(Wrap(span.name, obstacle.name, obstacle.friction, first, turned, along))
+    return found
+
+
+def _runs(values: np.ndarray) -> Iterator[tuple[int, int, int]]:
+    """Yield value, first and last place of runs of equal values that are not negative."""
+    edges = np.flatnonzero(np.diff(values)) + 1
+    for part in np.split(np.arange(len(values)), edges):
+        if len(part) and values[part[0]] >= 0:
+            yield int(values[part[0]]), int(part[0]), int(part[-1])
+
+
+@styled
+def contact(result: Result, time: float | None = None) -> Figure:
+    """Draw the forces of obstacles on the nodes, and the tension, along the ropes at a time [s].
+
+    By default the last frame, or the last good one. Along a wrap round a bar the dashed line is the most that
+    friction holds, T0 exp(mu s / R) from the slack side on (Euler, Eytelwein): a rope that sticks lies below, one
+    that slips on it. s / R is how far the recorded rope has turned.
+
+    Raises ValueError for a run without obstacles, or without their recorded forces, and for a time outside it.
+    """
+    if not result.scene.obstacles:
+        raise ValueError("result: has no obstacles - there are no contact forces to draw")
+    if "contact_force" not in result.source.names:
+        raise ValueError("result: has no contact_force - record it, or leave it in the selection")
+    frame = good_frames(result) - 1 if time is None else frame_at(result, [time])[0]
+    found = wraps(result, frame)
+    figure = new_figure(7.2, 5.4)
+    above, below = figure.subplots(2, 1, sharex=True)
+    _draw_forces(above, result, frame)
+    _draw_tension(below, result, frame, found)
+    set_title(
+        figure, f"{result.scene.name}: contact at t = {result.time[frame]:.4g} s", describe(result)
+    )
+    set_note(figure, [_told(wrap) for wrap in found[:_TOLD]])
+    return figure
+
+
+def _arcs(result: Result, frame: int, rope: str) -> Floats:
+    """Return the unstretched arc length of the nodes of a rope [m]."""
+    lengths = result.rope(rope).rest_length[frame]
+    found: Floats = np.concatenate([[0.0], np.cumsum(lengths)])
+    return found
+
+
+def _draw_forces(axes: Axes, result: Result, frame: int) -> None:
+    sizes = np.linalg.norm(result.contact_force[frame], axis=1)
+    for number, span in enumerate(result.layout.ropes):
+        own = sizes[span.first : span.last + 1]
+        arc = _arcs(result, frame, span.name)
+        axes.plot(arc, own, marker=".", label=escape(span.name), **line_style(number))
+    axes.set_ylim(bottom=0.0)
+    scaled_axis(axes, "force on a node", "N", max(map(abs, axes.get_ylim())))
+    if 1 < len(result.layout.ropes) <= _MOST_ROPES:
+        axes.legend(ncols=4, loc="lower left", bbox_to_anchor=(0.0, 1.0))
+
+
+def _draw_tension(axes: Axes, result: Result, frame: int, found: list[Wrap]) -> None:
+    for number, span in enumerate(result.layout.ropes):
+        arc = _arcs(result, frame, span.name)
+        middles, live = 0.5 * (arc[:-1] + arc[1:]), result.rope(span.name).live[frame]
+        values = result.rope(span.name).tension[frame]
+        axes.plot(middles[live], values[live], marker=".", **line_style(number))
+        offset = span.start - span.first
+        for wrap in (one for one in found if one.rope == span.name):
+            first = offset + wrap.first - 1
+            at = middles[first : first + len(wrap.turned)]
+            axes.plot(at, wrap.held, color=GREY, linestyle="--", zorder=4, label="_held")
+    if found:
+        axes.plot([], [], color=GREY, linestyle="--", label="the most that friction holds")
+        axes.legend(loc="best")
+    axes.set_ylim(bottom=min(0.0, axes.get_ylim()[0]))
+    scaled_axis(axes, result.tension_name, "N", max(map(abs, axes.get_ylim())))
+    axes.set_xlabel("unstretched arc length [m]")
+
+
+def _told(wrap: Wrap) -> str:
+    """Say how far a wrap is from slipping."""
+    low, high = sorted((float(wrap.tension[0]), float(wrap.tension[-1])))
+    about = f"{wrap.rope} turns {np.degrees(wrap.angle):.4g} degrees round {wrap.obstacle}"
+    if low <= 0.0:
+        return f"{about}; its slack end carries nothing."
+    most = float(np.exp(wrap.friction * wrap.angle))
+    return (
+        f"{about}: tension ratio {high / low:.4g}, at most {most:.4g} (friction {wrap.friction:g})."
+    )

@@ -1,0 +1,145 @@
+"""Outlines of obstacles in the plane of a figure."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.patches import PathPatch
+from matplotlib.path import Path
+
+from ropewalk.plots.sight import Floats, Sight
+from ropewalk.record.obstacle_table import obstacle_table
+
+if TYPE_CHECKING:
+    from ropewalk.record.result import Result
+
+_ROUND = 96  # corners of a circle
+_FAR = 1e4  # times the extent of the ropes: half of what has no end
+_EDGE_ON = 1e-6  # [1] of a plane's normal that may point at the viewer
+_ROOM = (
+    1.0  # times the ropes' extent: what of an obstacle is farther away need not be in the picture
+)
+_LOOK = {"facecolor": "#E3E6EA", "edgecolor": "#7B8794", "linewidth": 1.0}
+
+
+class Outline(NamedTuple):
+    """What an obstacle covers: a region and perhaps a hole in it, corners (n, 2) [m]."""
+
+    outer: Floats
+    hole: Floats | None = None
+
+
+def outlines_of(result: Result, view: Sight) -> tuple[Outline, ...]:
+    """Return the outlines of all obstacles; planes only where they are seen edge-on."""
+    table = obstacle_table(result.scene, result.layout)
+    if table is None:
+        return ()
+    points = result.read("positions", 0, 1)[0]
+    size = float(np.ptp(points, axis=0).max()) or 1.0
+    rows = zip(result.scene.obstacles, table.center, table.axis, table.size, strict=True)
+    found = [
+        _outline(body.kind, center, axis, sizes, view, size) for body, center, axis, sizes in rows
+    ]
+    return tuple(one for one in found if one is not None)
+
+
+def _outline(
+    kind: str, center: Floats, axis: Floats, sizes: Floats, view: Sight, extent: float
+) -> Outline | None:
+    middle, along = view.project(center), view.project(axis)
+    turns = np.linspace(0.0, 2.0 * np.pi, _ROUND, endpoint=False)
+    disc = np.stack([np.cos(turns), np.sin(turns)], axis=1)
+    half = float(min(sizes[1], _FAR * extent))
+    ends = np.stack([middle - half * along, middle + half * along])
+    if kind == "plane":
+        return _edge_on(middle, along, _FAR * extent)
+    if kind == "sphere":
+        return Outline(middle + sizes[0] * disc)
+    if kind == "torus":
+        return _ring(middle, along, sizes, disc)
+    if kind == "capsule":
+        return Outline(hull((ends[:, None] + sizes[0] * disc).reshape(-1, 2)))
+    if kind == "cylinder":
+        face = sizes[0] * _tilted(along, disc)
+        return Outline(hull((ends[:, None] + face).reshape(-1, 2)))
+    signs = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
+    corners = view.project(center + signs * sizes[:3])
+    return Outline(hull((corners[:, None] + sizes[3] * disc).reshape(-1, 2)))
+
+
+def _edge_on(point: Floats, normal: Floats, far: float) -> Outline | None:
+    """Return the solid side of a plane whose normal lies in the picture, else None."""
+    if abs(float(np.hypot(*normal)) - 1.0) > _EDGE_ON:
+        return None
+    way = far * np.array([-normal[1], normal[0]])
+    below = -far * normal
+    return Outline(np.stack([point + way, point - way, point - way + below, point + way + below]))
+
+
+def _tilted(along: Floats, disc: Floats) -> Floats:
+    """Return how a circle of radius 1 looks whose axis, of length 1, appears as `along`, (n, 2)."""
+    shown = float(np.hypot(*along))
+    first = along / shown if shown > 0.0 else np.array([1.0, 0.0])
+    short = np.sqrt(max(0.0, 1.0 - shown**2))
+    second = np.array([-first[1], first[0]])
+    found: Floats = short * disc[:, :1] * first + disc[:, 1:] * second
+    return found
+
+
+def _ring(middle: Floats, along: Floats, sizes: Floats, disc: Floats) -> Outline:
+    """Return a ring's outline: its circle as it looks, widened by the bar's radius on either side."""
+    circle = sizes[0] * _tilted(along, disc)
+    outer = Outline(middle + hull((circle[:, None] + sizes[1] * disc).reshape(-1, 2)))
+    short = float(np.sqrt(max(0.0, 1.0 - float(along @ along))))
+    if sizes[0] * short**2 <= sizes[1]:  # the bar is wider than the circle's sharpest bend
+        return outer
+    step = np.roll(circle, -1, axis=0) - np.roll(circle, 1, axis=0)
+    inward = np.stack([-step[:, 1], step[:, 0]], axis=1)
+    inward *= -np.sign((inward * circle).sum(axis=1, keepdims=True))
+    inward /= np.linalg.norm(inward, axis=1, keepdims=True)
+    return outer._replace(hole=middle + circle + sizes[1] * inward)
+
+
+def hull(points: Floats) -> Floats:
+    """Return the corners of the convex hull of points (n, 2), counter-clockwise (Andrew's chains)."""
+    order = points[np.lexsort((points[:, 1], points[:, 0]))]
+
+    def half(row: Floats) -> list[Floats]:
+        found: list[Floats] = []
+        for p in row:
+            while len(found) > 1:
+                (ax, ay), (bx, by) = found[-2], found[-1]
+                if (bx - ax) * (p[1] - ay) - (by - ay) * (p[0] - ax) > 0.0:
+                    break
+                found.pop()
+            found.append(p)
+        return found[:-1]
+
+    return np.array(half(order) + half(order[::-1]))
+
+
+def near(outlines: Sequence[Outline], points: Floats) -> Floats:
+    """Return corners that a picture of points (..., 2) must hold, those far away put nearer."""
+    flat = points.reshape(-1, 2)
+    flat = flat[np.isfinite(flat).all(axis=1)]
+    low, high = flat.min(axis=0), flat.max(axis=0)
+    room = _ROOM * float((high - low).max())
+    whole = [one.outer for one in outlines if len(one.outer) > 4]  # planes have four corners
+    small = [outer for outer in whole if np.ptp(outer, axis=0).max() < 4.0 * room]
+    corners = np.concatenate([np.empty((0, 2)), *small])
+    found: Floats = np.clip(corners, low - room, high + room)
+    return found
+
+
+def draw_outlines(axes: Axes, outlines: Sequence[Outline]) -> None:
+    """Draw obstacles behind everything else."""
+    for one in outlines:
+        parts = [one.outer] if one.hole is None else [one.outer, one.hole[::-1]]
+        vertices = np.concatenate([np.vstack([part, part[:1]]) for part in parts])
+        codes = np.concatenate(
+            [[Path.MOVETO, *[Path.LINETO] * (len(part) - 1), Path.CLOSEPOLY] for part in parts]
+        )
+        axes.add_patch(PathPatch(Path(vertices, codes), zorder=0.4, **_LOOK))
