@@ -35,7 +35,7 @@ _MOST_ROPES = 8  # that a legend names
 
 
 @dataclass(frozen=True)
-class Wrap:
+class Coil:
     """Nodes of a rope, one after another, that lie on one round bar at a frame."""
 
     rope: str
@@ -52,14 +52,14 @@ class Wrap:
 
     @property
     def held(self) -> Floats:
-        """The tension up to which friction holds the rope, from its slack side on [N], (k + 1,)."""
+        """The tension up to which friction holds a rope without weight, from its slack side on [N]."""
         slack_first = self.tension[0] <= self.tension[-1]
         way = self.turned if slack_first else self.angle - self.turned
         found: Floats = min(self.tension[0], self.tension[-1]) * np.exp(self.friction * way)
         return found
 
 
-def wraps(result: Result, frame: int) -> list[Wrap]:
+def coils(result: Result, frame: int) -> list[Coil]:
     """Return all wraps at a frame: where contact forces were recorded on at least three nodes in a row."""
     table = obstacle_table(result.scene, result.layout)
     force = result.contact_force
@@ -84,7 +84,7 @@ def wraps(result: Result, frame: int) -> list[Wrap]:
                 continue
             turned = np.concatenate([[0.0], np.cumsum(bend[first - 1 : last])])
             along = pull[first - 1 : last + 1]
-            found.append(Wrap(span.name, obstacle.name, obstacle.friction, first, turned, along))
+            found.append(Coil(span.name, obstacle.name, obstacle.friction, first, turned, along))
     return found
 
 
@@ -100,18 +100,19 @@ def _runs(values: np.ndarray) -> Iterator[tuple[int, int, int]]:
 def contact(result: Result, time: float | None = None) -> Figure:
     """Draw the forces of obstacles on the nodes, and the tension, along the ropes at a time [s].
 
-    By default the last frame, or the last good one. Along a wrap round a bar the dashed line is the most that
-    friction holds, T0 exp(mu s / R) from the slack side on (Euler, Eytelwein): a rope that sticks lies below, one
-    that slips on it. s / R is how far the recorded rope has turned.
+    By default the last frame, or the last good one. Along a wrap round a bar the dashed line is
+    T0 exp(mu s / R) from the slack side on (Euler, Eytelwein), with how far the recorded rope has turned
+    as s / R: a rope that sticks lies below, one that slips on it, but for its weight, which the formula
+    leaves out.
 
-    Raises ValueError for a run without obstacles, or without their recorded forces, and for a time outside it.
+    Raises ValueError for a run without obstacles or their recorded forces, and for a time outside it.
     """
     if not result.scene.obstacles:
         raise ValueError("result: has no obstacles - there are no contact forces to draw")
     if "contact_force" not in result.source.names:
         raise ValueError("result: has no contact_force - record it, or leave it in the selection")
     frame = good_frames(result) - 1 if time is None else frame_at(result, [time])[0]
-    found = wraps(result, frame)
+    found = coils(result, frame)
     figure = new_figure(7.2, 5.4)
     above, below = figure.subplots(2, 1, sharex=True)
     _draw_forces(above, result, frame)
@@ -119,7 +120,7 @@ def contact(result: Result, time: float | None = None) -> Figure:
     set_title(
         figure, f"{result.scene.name}: contact at t = {result.time[frame]:.4g} s", describe(result)
     )
-    set_note(figure, [_told(wrap) for wrap in found[:_TOLD]])
+    set_note(figure, [_told(coil) for coil in found[:_TOLD]])
     return figure
 
 
@@ -142,32 +143,37 @@ def _draw_forces(axes: Axes, result: Result, frame: int) -> None:
         axes.legend(ncols=4, loc="lower left", bbox_to_anchor=(0.0, 1.0))
 
 
-def _draw_tension(axes: Axes, result: Result, frame: int, found: list[Wrap]) -> None:
+def _draw_tension(axes: Axes, result: Result, frame: int, found: list[Coil]) -> None:
     for number, span in enumerate(result.layout.ropes):
         arc = _arcs(result, frame, span.name)
         middles, live = 0.5 * (arc[:-1] + arc[1:]), result.rope(span.name).live[frame]
         values = result.rope(span.name).tension[frame]
         axes.plot(middles[live], values[live], marker=".", **line_style(number))
         offset = span.start - span.first
-        for wrap in (one for one in found if one.rope == span.name):
-            first = offset + wrap.first - 1
-            at = middles[first : first + len(wrap.turned)]
-            axes.plot(at, wrap.held, color=GREY, linestyle="--", zorder=4, label="_held")
+        for coil in (one for one in found if one.rope == span.name):
+            first = offset + coil.first - 1
+            at = middles[first : first + len(coil.turned)]
+            axes.plot(at, coil.held, color=GREY, linestyle="--", zorder=4, label="_held")
     if found:
-        axes.plot([], [], color=GREY, linestyle="--", label="the most that friction holds")
+        axes.plot(
+            [],
+            [],
+            color=GREY,
+            linestyle="--",
+            label=r"$T_0\, e^{\mu s / R}$, a rope without weight",
+        )
         axes.legend(loc="best")
     axes.set_ylim(bottom=min(0.0, axes.get_ylim()[0]))
     scaled_axis(axes, result.tension_name, "N", max(map(abs, axes.get_ylim())))
     axes.set_xlabel("unstretched arc length [m]")
 
 
-def _told(wrap: Wrap) -> str:
+def _told(coil: Coil) -> str:
     """Say how far a wrap is from slipping."""
-    low, high = sorted((float(wrap.tension[0]), float(wrap.tension[-1])))
-    about = f"{wrap.rope} turns {np.degrees(wrap.angle):.4g} degrees round {wrap.obstacle}"
+    low, high = sorted((float(coil.tension[0]), float(coil.tension[-1])))
+    about = f"{coil.rope} turns {np.degrees(coil.angle):.4g} degrees round {coil.obstacle}"
     if low <= 0.0:
         return f"{about}; its slack end carries nothing."
-    most = float(np.exp(wrap.friction * wrap.angle))
-    return (
-        f"{about}: tension ratio {high / low:.4g}, at most {most:.4g} (friction {wrap.friction:g})."
-    )
+    most = float(np.exp(coil.friction * coil.angle))
+    told = f"{about}: tension ratio {high / low:.4g}"
+    return f"{told}; without weight it slips at {most:.4g} (friction {coil.friction:g})."

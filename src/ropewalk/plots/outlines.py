@@ -121,6 +121,13 @@ def hull(points: Floats) -> Floats:
     return np.array(half(order) + half(order[::-1]))
 
 
+def _clockwise(corners: Floats) -> Floats:
+    """Return corners the other way round than those of a hull: what they enclose is left empty."""
+    after = np.roll(corners, -1, axis=0)
+    area = (corners[:, 0] * after[:, 1] - corners[:, 1] * after[:, 0]).sum()
+    return corners[::-1] if area > 0.0 else corners
+
+
 def near(outlines: Sequence[Outline], points: Floats) -> Floats:
     """Return corners that a picture of points (..., 2) must hold, those far away put nearer."""
     flat = points.reshape(-1, 2)
@@ -137,7 +144,7 @@ def near(outlines: Sequence[Outline], points: Floats) -> Floats:
 def draw_outlines(axes: Axes, outlines: Sequence[Outline]) -> None:
     """Draw obstacles behind everything else."""
     for one in outlines:
-        parts = [one.outer] if one.hole is None else [one.outer, one.hole[::-1]]
+        parts = [one.outer] if one.hole is None else [one.outer, _clockwise(one.hole)]
         vertices = np.concatenate([np.vstack([part, part[:1]]) for part in parts])
         codes = np.concatenate(
             [[Path.MOVETO, *[Path.LINETO] * (len(part) - 1), Path.CLOSEPOLY] for part in parts]

@@ -1,0 +1,121 @@
+"""Figures of ropes on obstacles: outlines, contact forces along the rope, the tension round a bar."""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from matplotlib.patches import PathPatch
+
+import ropewalk as rw
+from ropewalk import plots
+from ropewalk.plots.canvas import backdrop
+from ropewalk.plots.contact_forces import coils
+from ropewalk.plots.dimensions import dimensions
+from ropewalk.record.result import Result
+from ropewalk.scene import Scene, loads
+
+TURNS = 1.5
+
+
+def round_a_drum(friction: float = 0.3, mass: float = 1e-3) -> Scene:
+    """A rope of little weight three half turns round a drum that drags it, a load at one end."""
+    radius, count = 0.055, 36
+    angles = [2.0 * math.pi * TURNS * i / count for i in range(count + 1)]
+    round_it = [[radius * math.cos(a), 0.0, radius * math.sin(a)] for a in angles]
+    points = [[radius, 0.0, -0.2], *round_it, [-radius, 0.0, -0.2]]
+    length = sum(math.dist(a, b) for a, b in pairwise(points))
+    return loads(f"""
+[run]
+duration = 0.5
+time_step = 0.005
+method = "implicit-euler"
+[[rope]]
+segments = 60
+length = {length}
+diameter = 0.01
+loads = [{{ node = -1, mass = 1.0 }}]
+made_of = {{ kind = "material", EA = 1e4, mass_per_length = {mass}, axial_damping = 5.0 }}
+shape = {{ kind = "polyline", points = {points} }}
+[[anchor]]
+node = 0
+[[obstacle]]
+name = "drum"
+kind = "cylinder"
+from = [0, -0.1, 0]
+to = [0, 0.1, 0]
+radius = 0.05
+friction = {friction}
+spin = {{ rate = 2.0 }}
+[[obstacle]]
+name = "ring"
+kind = "torus"
+center = [0.2, 0, 0]
+axis = [0, 1, 0]
+radius = 0.08
+bar_radius = 0.02
+""")
+
+
+@pytest.fixture(scope="module")
+def slipping() -> Result:
+    """A run of it, at whose end the rope slips."""
+    return rw.simulate(round_a_drum())
+
+
+def test_a_slipping_coil_follows_eulers_formula(slipping: Result) -> None:
+    """Ratio and angle from the record alone; with another coefficient the formula is far off."""
+    (coil,) = coils(slipping, slipping.frames - 1)
+    assert (coil.rope, coil.obstacle) == ("rope", "drum")
+    assert coil.angle == pytest.approx(2.0 * math.pi * TURNS, rel=0.01)
+    assert coil.held == pytest.approx(coil.tension, rel=0.05)
+    wrong = 0.5 * coil.friction
+    assert np.exp(wrong * coil.angle) * coil.tension.min() < 0.5 * coil.tension.max()
+
+
+def test_the_figure_draws_what_was_recorded(slipping: Result) -> None:
+    figure = plots.contact(slipping)
+    above, below = figure.axes
+    force = np.linalg.norm(slipping.contact_force[-1], axis=1)
+    assert above.lines[0].get_ydata() == pytest.approx(force)
+    assert below.lines[0].get_ydata() == pytest.approx(slipping.tension[-1])
+    assert "[N]" in above.get_ylabel()
+    assert "[m]" in below.get_xlabel()
+    assert any(line.get_linestyle() == "--" for line in below.lines)
+
+
+def test_without_obstacles_there_is_no_such_figure() -> None:
+    run = rw.simulate(round_a_drum().replace(obstacles=[], run={"duration": 0.01}))
+    with pytest.raises(ValueError, match="has no obstacles"):
+        plots.contact(run)
+
+
+def _area(corners: np.ndarray) -> float:
+    x, y = corners.T
+    return float((x[:-1] * y[1:] - x[1:] * y[:-1]).sum())
+
+
+@pytest.mark.parametrize("draw", [plots.shape, plots.film, plots.forces, dimensions])
+def test_obstacles_are_drawn_where_they_are(slipping: Result, draw: object) -> None:
+    figure = draw(slipping)  # type: ignore[operator]
+    patches = [one for one in figure.axes[0].patches if isinstance(one, PathPatch)]
+    drum, ring = (one.get_path() for one in patches)
+    low, high = drum.vertices.min(axis=0), drum.vertices.max(axis=0)
+    assert [*low, *high] == pytest.approx([-0.05, -0.05, 0.05, 0.05], abs=1e-4)
+    outer, hole = (part for part in ring.to_polygons())
+    assert [outer[:, 0].min(), hole[:, 0].min()] == pytest.approx([0.1, 0.14], abs=1e-4)
+    assert _area(outer) > 0.0 > _area(hole)  # the other way round: it is left empty
+    limits = figure.axes[0].get_xlim()
+    assert limits[0] < -0.05
+    assert limits[1] > 0.3  # the picture holds all of the ring
+
+
+def test_a_plane_is_drawn_where_it_is_seen_edge_on() -> None:
+    scene = round_a_drum()
+    floor = {"kind": "plane", "point": (0.0, 0.0, -0.4)}
+    run = rw.simulate(scene.replace(obstacles=[floor], run=scene.run.replace(duration=0.01)))
+    (outline,) = backdrop(run, "xz").outlines
+    assert outline.outer[:, 1].max() == pytest.approx(-0.4)
+    assert backdrop(run, "xy").outlines == ()
