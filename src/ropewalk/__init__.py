@@ -34,6 +34,7 @@ if TYPE_CHECKING:  # what type checkers and editors see; `_HOMES` loads the same
     from ropewalk.scene import Air as Air
     from ropewalk.scene import Anchor as Anchor
     from ropewalk.scene import Clamp as Clamp
+    from ropewalk.scene import Contact as Contact
     from ropewalk.scene import Force as Force
     from ropewalk.scene import Ground as Ground
     from ropewalk.scene import Joint as Joint
@@ -71,6 +72,7 @@ _HOMES = {
     "Air": "scene",
     "Anchor": "scene",
     "Clamp": "scene",
+    "Contact": "scene",
     "Ground": "scene",
     "Limiter": "scene",
     "Force": "scene",

@@ -8,19 +8,24 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ropewalk.core.arrays import Ints, Joints
-from ropewalk.core.network import ITSELF, NOWHERE, Network, no_network
+from ropewalk.core.network import Network, Room, no_network, no_room
+from ropewalk.core.ordering import ITSELF, NOWHERE, WORD
 
 
-def tied_network(joints: Joints, tied: Ints, alive: NDArray[np.bool_], second: bool) -> Network:
+def tied_network(
+    joints: Joints, tied: Ints, alive: NDArray[np.bool_], second: bool, pairs: int = 0
+) -> Network:
     """Return the network of nodes that joints tie, (j,) those that do; an empty one without joints.
 
     `alive` (s,) tells which segments join two nodes of a rope; with `second` next-but-one nodes are coupled.
+    Up to `pairs` of segments may be coupled besides, and other ones from step to step.
     """
-    if not joints.member.size:
+    if not joints.member.size and pairs == 0:
         return no_network()
     number = points_of(joints, tied, alive.size + 1)
     far = alive[:-1] & alive[1:] if second else np.zeros(max(alive.size - 1, 0), bool)
-    return make_network(number, alive, far)
+    network = make_network(number, alive, far)
+    return with_room(network, pairs) if pairs else network
 
 
 def points_of(joints: Joints, tied: Ints, nodes: int) -> Ints:
@@ -71,6 +76,37 @@ def make_network(number: Ints, near: NDArray[np.bool_], far: NDArray[np.bool_]) 
         upper=np.zeros((count, 9)),
         lower=np.zeros((count, 9)),
         right=np.zeros((points, 3)),
+        room=no_room(),
+    )
+
+
+#: Blocks that there is room for, where couplings come and go, for every point; or as many as there can be.
+BLOCKS = 120
+
+
+def with_room(network: Network, pairs: int) -> Network:
+    """Return the network with room for so many pairs of segments that may be coupled."""
+    points = network.diagonal.shape[0]
+    blocks = max(min(points * (points - 1) // 2, BLOCKS * points), network.later.size)
+    later = np.zeros(blocks, np.int64)
+    later[: network.later.size] = network.later
+    room = Room(
+        point=network.number.copy(),
+        known=np.zeros((pairs, 2), np.int64),
+        known_count=np.full(1, -1, np.int64),
+        spots=np.zeros((pairs, 6), np.int64),
+        bits=np.zeros((points, -(-points // WORD)), np.int64),
+        place=np.zeros(points, np.int64),
+        degree=np.zeros(points, np.int64),
+        before=np.zeros(points, np.int64),
+        after=np.zeros(points, np.int64),
+        head=np.zeros(points + 1, np.int64),
+    )
+    return network._replace(
+        later=later,
+        upper=np.zeros((blocks, 9)),
+        lower=np.zeros((blocks, 9)),
+        room=room,
     )
 
 

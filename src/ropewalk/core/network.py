@@ -36,12 +36,24 @@ from ropewalk.core.blocks import (
     triangles,
 )
 from ropewalk.core.jit import kernel, small
+from ropewalk.core.ordering import ITSELF, NOWHERE
 
 SOFTEST = 1e-9  # [1] least compliance over that of the lighter node's inertia
-NOWHERE, ITSELF = (
-    -1,
-    -2,
-)  # in place of the index of a block: there is none, or it is on the diagonal
+
+
+class Room(NamedTuple):
+    """What finding the order anew takes, where couplings come and go; see `ordering`."""
+
+    point: Ints  # (n,) the point of every node, not in order; (0,) where couplings stay
+    known: Ints  # (c, 2) pairs of segments that are coupled in the order in hand
+    known_count: Ints  # (1,) of them; -1: there is none yet
+    spots: Ints  # (c, 6) blocks of a pair's four nodes
+    bits: Ints  # (m, w) neighbours
+    place: Ints  # (m,) of every point in the order
+    degree: Ints  # (m,)
+    before: Ints  # (m,) the point before it of those of its degree, -1: none
+    after: Ints  # (m,)
+    head: Ints  # (m + 1,) the first point of every degree, -1: none
 
 
 class Network(NamedTuple):
@@ -58,13 +70,20 @@ class Network(NamedTuple):
     upper: Floats  # (b, 9) row of a point, column of its later neighbour
     lower: Floats  # (b, 9) row of the neighbour, column of the point
     right: Floats  # (m, 3)
+    room: Room
+
+
+def no_room() -> Room:
+    """Return the room of a network whose order stays."""
+    none, wide = np.zeros(0, np.int64), np.zeros((0, 0), np.int64)
+    return Room(none, wide, none, wide, wide, *(none,) * 5)
 
 
 def no_network() -> Network:
     """Return that of ropes which nothing ties."""
     none = np.zeros(0, np.int64)
     blocks = (np.zeros((0, 9)),) * 3
-    return Network(*(none,) * 6, np.zeros(0), *blocks, np.zeros((0, 3)))
+    return Network(*(none,) * 6, np.zeros(0), *blocks, np.zeros((0, 3)), no_room())
 
 
 @kernel
@@ -100,7 +119,7 @@ def gather(saddle, network):
         store9(network.diagonal, p, ZERO9)
         for k in range(3):
             right[p, k] = 0.0
-    for b in range(network.upper.shape[0]):
+    for b in range(network.start[network.diagonal.shape[0]]):
         store9(network.upper, b, ZERO9)
         store9(network.lower, b, ZERO9)
     n, far = number.shape[0], band.upper2.shape[0] > 0
@@ -176,8 +195,14 @@ def eliminate(network):
 @kernel
 def solve_network(saddle):
     """Solve the equations; the solution is in `moved` and `pulled`, not finite where there is none."""
+    gather(saddle, saddle.network)
+    solve_gathered(saddle)
+
+
+@kernel
+def solve_gathered(saddle):
+    """As `solve_network`, with blocks and right sides in the network."""
     network = saddle.network
-    gather(saddle, network)
     eliminate(network)
     number, z, direction = network.number, network.right, saddle.direction
     for i in range(number.shape[0]):

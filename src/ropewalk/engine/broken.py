@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ropewalk.core.arrays import State, System
+from ropewalk.engine.touching import fault_of
 from ropewalk.lowering import Layout
 from ropewalk.methods.verdict import HONEST, ZERO, energy_now
 
@@ -21,6 +22,8 @@ def reason(system: System, state: State, layout: Layout) -> str:
     if bad.size:
         rope, node = layout.rope_of(int(bad[0]))
         return f"node {node} of rope {rope!r} has no finite place or speed any more"
+    if fault := fault_of(state, layout):
+        return fault
     size = np.sqrt((np.diff(state.x, axis=1) ** 2).sum(axis=0))
     live = (state.rest_length > 0.0) & (state.stiffness > 0.0)
     stretch = np.divide(size, state.rest_length, out=np.zeros_like(size), where=live)

@@ -124,18 +124,20 @@ class Engine:
             limits = plan.tolerance, plan.longest
             self._scratch = adaptive.adapt(self.system, self.state, here, *limits)
             self.walk = self._scratch.walk
-        self._tied = np.zeros(0, np.int64)
+        self._tied: Ints | None = None
         self._tie()
         self.crawl = Crawl(plan.tolerance, self.system.flags[TENSION_ONLY] == 1)
         self.inner = np.zeros(0)  # nothing but the state, the controls and the walk
 
     def _tie(self) -> None:
         """Find out anew what is coupled, where joints were cut or tied since."""
-        if not self._method.implicit or np.array_equal(self._tied, self.state.tied):
+        known = self._tied is not None and np.array_equal(self._tied, self.state.tied)
+        if known or not self._method.implicit:
             return
         self._tied = self.state.tied.copy()
         alive, bends = self.state.stiffness > 0.0, bool(self.system.flags[BENDING])
-        network = tied_network(self.system.joints, self._tied, alive, bends)
+        pairs = len(self.state.memory.contact.pair)
+        network = tied_network(self.system.joints, self._tied, alive, bends, pairs)
         self._scratch = with_network(self._scratch, network)
 
     # -- the beginning -------------------------------------------------------------------

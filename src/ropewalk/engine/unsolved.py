@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from ropewalk.core.arrays import State
+from ropewalk.engine.touching import refused_pair
 from ropewalk.lowering import Layout, Model
 from ropewalk.lowering.link_lengths import has_links, reaches
 from ropewalk.methods import adaptive
@@ -50,10 +51,13 @@ def describe(model: Model, state: State, clock: Clock, scratch: Any) -> str:
     start, dt, done = clock
     time = float(scratch.stage.report[TIME])
     step = done + max(1, math.ceil((time - start) / dt - done - 1e-9))
+    refused = refused_pair(state, layout)
     text = (
         f"{plan.method} found no solution of step {step} at t = {time:.6g} s, not even in "
-        f"parts of {dt * SMALLEST_PART:.2g} s: {_what_is_left(layout, state, scratch.stage)}"
+        f"parts of {dt * SMALLEST_PART:.2g} s: {refused or _what_is_left(layout, state, scratch.stage)}"
     )
+    if refused:
+        return text
     if too_far := _too_far(layout, state, longest, scratch):
         return f"{text}: {too_far}"
     if plan.method in RINGING:

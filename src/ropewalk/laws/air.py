@@ -102,7 +102,7 @@ def add_drag(node_drag, weight_v, free, diagonal):
 
 
 @part
-def power(air, x):
+def power(air, state, x):
     """Return the most that the wind can put in per time [W]."""
     return wind_power(x, air)
 

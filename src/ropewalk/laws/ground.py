@@ -104,7 +104,7 @@ def hold_up(ground, x, v):
 
 
 @part
-def energy(ground, x):
+def energy(ground, state, x):
     """Return the energy of the ground's springs [J]."""
     return ground_energy(x, ground)
 

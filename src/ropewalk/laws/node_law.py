@@ -37,7 +37,7 @@ class NodeLaw(NamedTuple):
     lower: Callable[..., Any]  # (section or None, *inputs): its table, a named tuple
     inputs: tuple[
         str, ...
-    ]  # what else that follows from: "layout", "diameters", "ropes", "up", "whole"
+    ]  # what else that follows from: "layout", "diameters", "ropes", "up", "whole", "joints"
     acts: Callable[[Any], bool]  # (table): whether there is any force
     force: Any  # part (table, state, x, v, force, lo, hi): write it, for nodes `lo` to `hi - 1`
     # part (table, state, x, v, weight_x, weight_v, marks, band): add -(weight_x dF/dx + weight_v dF/dv)
@@ -55,8 +55,10 @@ class NodeLaw(NamedTuple):
     # part (table, weight_v, free, diagonal): add it for free nodes, (n,); 0 where the law does not act
     add_diagonal: Any = None
 
-    energy: Any = None  # part (table, x): potential energy [J], which its work takes up
-    power: Any = None  # part (table, x): the most that it can put in per time beyond that [W]
+    energy: Any = None  # part (table, state, x): potential energy [J], which its work takes up
+    power: Any = (
+        None  # part (table, state, x): the most that it can put in per time beyond that [W]
+    )
 
     # A law with a memory. It is part of the state, and so of snapshots, islands and checkpoints.
     # (table, x, stiffness of the segments): at the start, a named tuple of arrays; the last axis counts nodes
@@ -68,9 +70,19 @@ class NodeLaw(NamedTuple):
     touch: Any = (
         None  # part (table, state, force): add what touches the nodes at the state [N], (3, n)
     )
-    rounding: Any = (
-        None  # part (table, x): what rounding of the places does to the force of a stiff one [N]
+    # part (table, state, x): what rounding of the places does to the force of a stiff one [N]
+    rounding: Any = None
+
+    # A law between nodes that are no neighbours. Its force is on nodes, as that of all others.
+    pattern: Any = (
+        None  # part (table, state, network): order it anew; return whether there was room
     )
+    # part (table, state, x, v, weight_x, weight_v, network): add -(weight_x dF/dx + weight_v dF/dv)
+    couple: Any = None
+    # part (table, state, x): whether a step from the state to there may stand: 0, is to be solved again with
+    # what was found on its way: 1, or to be halved: 2
+    meet: Any = None
+    fault: Any = None  # part (table, state): not 0 where the run cannot go on
 
     hold_up: Any = (
         None  # part (table, x, v): put an anchor, (3,) each, on the surface that stops it

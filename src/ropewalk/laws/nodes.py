@@ -303,7 +303,7 @@ def _touching(law: NodeLaw, k: int, rest: Any) -> Any:
 
 
 touch_nodes = fold(_touching, _nothing_touches, "touch")
-"""touch_nodes(system, state, force): write what touches the nodes at the state [N], (3, n)."""
+"""touch_nodes(system, state, force): add what touches nodes at the state [N], (3, n)."""
 
 
 @part
@@ -327,7 +327,7 @@ remembers = fold(_asking, _none_remembers, "remember")
 
 
 @part
-def _nothing(system, x):
+def _nothing(system, state, x):
     return 0.0
 
 
@@ -336,11 +336,11 @@ def _adding_up(piece: str) -> Any:
         amount = getattr(law, piece)
 
         @part
-        def _total(system, x):
+        def _total(system, state, x):
             total = 0.0
             if system.acts[k] == 1:
-                total += amount(system.node[k], x)
-            return total + rest(system, x)
+                total += amount(system.node[k], state, x)
+            return total + rest(system, state, x)
 
         return _total
 
@@ -348,11 +348,11 @@ def _adding_up(piece: str) -> Any:
 
 
 node_energy = _adding_up("energy")
-"""node_energy(system, x): return the potential energy of all laws [J]."""
+"""node_energy(system, state, x): return the potential energy of all laws [J]."""
 node_power = _adding_up("power")
-"""node_power(system, x): return the most that they can put in per time beyond that [W]."""
+"""node_power(system, state, x): return the most that they can put in per time beyond that [W]."""
 node_rounding = _adding_up("rounding")
-"""node_rounding(system, x): return what rounding of the places does to the forces of stiff laws [N]."""
+"""node_rounding(system, state, x): return what rounding of places does to the forces of stiff laws [N]."""
 
 
 # -- channels --------------------------------------------------------------------------------

@@ -84,7 +84,8 @@ def lower(
     count, n = len(bodies), layout.nodes
     own, mass = np.zeros(n), np.zeros(n)
     thickness = np.zeros(n)
-    for rope, span, all_mass in zip(ropes, layout.ropes if bodies else (), whole, strict=True):
+    each = zip(ropes, layout.ropes, whole, strict=True) if bodies else ()
+    for rope, span, all_mass in each:
         nodes = slice(span.first, span.last + 1)  # those still on a drum, too
         stiff, weight = node_stiffness(rope, all_mass)
         own[nodes], mass[nodes] = stiff, weight
@@ -219,19 +220,19 @@ def touch(obstacles, state, force):
 
 
 @part
-def rounding(obstacles, x):
+def rounding(obstacles, state, x):
     """Return what rounding of the places does to the force [N]."""
     return contact_rounding(x, obstacles)
 
 
 @part
-def energy(obstacles, x):
+def energy(obstacles, state, x):
     """Return what the surfaces have stored [J]."""
     return contact_energy(x, obstacles)
 
 
 @part
-def power(obstacles, x):
+def power(obstacles, state, x):
     """Return the most that turning obstacles can put in per time [W]."""
     return contact_power(x, obstacles)
 

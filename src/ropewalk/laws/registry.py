@@ -9,9 +9,10 @@ from ropewalk.laws.air import AIR
 from ropewalk.laws.ground import GROUND
 from ropewalk.laws.node_law import NodeLaw
 from ropewalk.laws.obstacle import OBSTACLE
+from ropewalk.laws.pairs.law import CONTACT
 
 #: Forces are summed and works recorded in this order.
-NODE_LAWS: tuple[NodeLaw, ...] = (AIR, GROUND, OBSTACLE)
+NODE_LAWS: tuple[NodeLaw, ...] = (AIR, GROUND, OBSTACLE, CONTACT)
 
 NAMES = tuple(law.name for law in NODE_LAWS)
 _named: Any = namedtuple  # mypy wants the names in letters

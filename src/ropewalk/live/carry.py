@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ropewalk.core.arrays import Floats, State, flatten
+from ropewalk.core.arrays import Floats, State, assign, flatten
 from ropewalk.lowering import Model, build
 from ropewalk.lowering.joint_tables import tied_with
 from ropewalk.scene import Scene
@@ -51,7 +51,7 @@ def carry_over(old: Simulation, scene: Scene, source: Floats) -> Simulation:
             start=start, dt=dt, step=step, motion_kinds=kinds, winch_drive=drive.copy()
         )
     )
-    if scene.obstacles:
+    if scene.obstacles or scene.contact is not None:
         made.push({})  # forces and accelerations with what contacts hold
     return made
 
@@ -127,6 +127,10 @@ def _carry_memory(old: Simulation, made: Simulation, state: State, source: Float
     if len(made.scene.obstacles) == len(old.scene.obstacles) > 0:
         grip = old.arrays.memory.obstacle.grip
         state.memory.obstacle.grip[:, :, whole] = grip[:, :, nodes]
+    kept, made_now = old.arrays.memory.contact, state.memory.contact
+    same = nodes.size == old.arrays.x.shape[1] and (nodes == np.arange(nodes.size)).all()
+    if same and whole.all() and kept.pair.shape == made_now.pair.shape:
+        assign(made_now, kept)
 
 
 def _carry_work(old: Simulation, made: Simulation, state: State) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from ropewalk.core.arrays import State, System
+from ropewalk.lowering.contact_checks import refuse_contact
 from ropewalk.lowering.layout import Layout, Span, make_layout
 from ropewalk.lowering.obstacle_checks import refuse_obstacles
 from ropewalk.lowering.pieces import Pieces
@@ -45,6 +46,7 @@ def build(scene: Scene, pieces: Pieces | None = None, *, drawn: bool = True) -> 
     layout = keep("layout", _itself, make_layout(scene))
     system, state = make_tables(scene, layout, keep, drawn=drawn)
     refuse_obstacles(scene, system, state, layout, drawn=drawn)
+    refuse_contact(scene, system, state, layout, drawn=drawn)
     plan = make_plan(scene, system, state)
     zero = -float(system.gravity @ (state.x * state.mass).sum(axis=1))
     return Model(scene, system, state, layout, plan, zero)

@@ -256,9 +256,9 @@ def _node_tables(scene: Scene, layout: Layout, keep: Pieces) -> Any:
     """Return the tables of the laws of nodes, each made from its section of the scene."""
     thick = tuple(rope.diameter for rope in scene.ropes)
     inputs: dict[str, Any] = {"layout": layout, "diameters": thick}
-    inputs |= {"up": scene.up, "ropes": (), "whole": ()}
-    if scene.obstacles:  # what only they ask for
-        inputs |= {"ropes": scene.ropes, "whole": _tied_masses(scene)}
+    inputs |= {"up": scene.up, "ropes": (), "whole": (), "joints": ()}
+    if scene.obstacles or scene.contact is not None:  # what only they ask for
+        inputs |= {"ropes": scene.ropes, "whole": _tied_masses(scene), "joints": scene.joints}
     return NodeTables(
         *(
             keep(

@@ -20,6 +20,7 @@ from ropewalk.core.jit import kernel, part
 from ropewalk.core.ranges import ALL
 from ropewalk.core.status import HIT, OK, UNSOLVED
 from ropewalk.laws.anchors import move_anchors, place_stage
+from ropewalk.laws.couplings import AGAIN, FINE, meet_on_way
 from ropewalk.laws.ledger import account
 from ropewalk.laws.nodes import hits, on_channels
 from ropewalk.laws.table import accelerate
@@ -186,6 +187,9 @@ def end_stages(system, state, scratch, dt, watch, kind, A, b):
     free = stage.saddle.band.frozen[0] == 0 and not is_soft(kind, A)
     if watch and free and hits(system, state, stage.x, stage.v) > 0.0:
         return HIT
+    met = meet_on_way(system, state, stage.x)
+    if met != FINE:
+        return HIT if met == AGAIN else UNSOLVED
     if kind == BDF2:
         put_forces(system, mean, state.forces)
     else:
@@ -250,6 +254,7 @@ def take_step(system, state, scratch, t, after, dt, ledger, watch, kind, A, b, c
     else:
         status = end_stages(system, state, scratch, dt, watch, kind, A, b)
         if status != OK:
+            stage.report[TIME] = after
             return status
     middle = scratch.middle
     half_way(state.x, state.v, stage.x, stage.v, state.inverse_mass, middle, state.drift)

@@ -16,7 +16,7 @@ from ropewalk.laws.node_law import NodeLaw
 from ropewalk.laws.nodes import fold, touch_nodes
 from ropewalk.laws.registry import NODE_LAWS
 from ropewalk.methods.peaks import record_peaks
-from ropewalk.methods.scratch import LANES, clear_row, put
+from ropewalk.methods.scratch import LANES, clear, clear_row, put
 
 ENERGIES = ("kinetic", "gravity", "elastic")
 _EVER = tuple(law.name for law in NODE_LAWS if law.memory is None)
@@ -289,6 +289,7 @@ def record_frame(system, state, ledger, sums, frame, out):
     record_motion(state.x, state.v, state.mass, system.gravity, sums, energy, p, spin)
     record_peaks(state.peaks, frame, out)
     if out.contact.shape[2] > 0:
+        clear(out.contact[frame])
         touch_nodes(system, state, out.contact[frame])
     if ledger:
         record_works(system, state.work, sums, out.work[frame], out.jump[frame])

@@ -26,10 +26,11 @@ import numpy as np
 from ropewalk.core.arrays import AXIAL, BENDING, Floats, Forces, State, blank
 from ropewalk.core.band_sweep import band_sweep
 from ropewalk.core.jit import kernel, part
-from ropewalk.core.network import soften, solve_network
+from ropewalk.core.network import gather, soften, solve_gathered
 from ropewalk.core.saddle import Saddle, make_saddle
 from ropewalk.core.status import OK, UNSOLVED
 from ropewalk.core.sweep import sweep
+from ropewalk.laws.couplings import add_couplings, couples, order_couplings
 from ropewalk.laws.joints import are_tied
 from ropewalk.laws.nodes import add_diagonals, are_diagonal, node_rounding
 from ropewalk.laws.registry import NODE_LAWS
@@ -192,7 +193,7 @@ def bound_rounding(limiter):
 @part
 def rounding(system, state, stage):
     """Return the residual that rounding leaves of forces much larger than those of the report's scale [N]."""
-    left = node_rounding(system, stage.x)
+    left = node_rounding(system, state, stage.x)
     if system.flags[BENDING] == 1:
         clamps, node = system.bending.clamp_stiffness, state.anchor_node
         stiffness = state.bending_stiffness
@@ -305,7 +306,8 @@ def newton_step(system, state, stage, c1, c2, exact, leap):
     saddle, segments, inertia = stage.saddle, stage.segments, 1.0 / (c1 * c2)
     rubs = saddle.band.rubs
     held_back = stiffen(stage.tension, segments.over, segments.weight, exact, saddle.across)
-    if is_simple(system, state) and not are_tied(system):
+    coupled = are_tied(system) or couples(system)
+    if is_simple(system, state) and not coupled:
         rub_along(state.damping_vector, rubs, 1.0 / c1, state.mass, saddle.free, inertia, saddle)
         add_diagonals(system, 1.0 / c1, saddle.free, saddle.inertia)
         sweep(saddle)
@@ -313,9 +315,14 @@ def newton_step(system, state, stage, c1, c2, exact, leap):
         rub_along(state.damping_vector, rubs, 0.0, state.mass, saddle.free, inertia, saddle)
         begin_tangent(system, state, stage.x, stage.v, 1.0, 1.0 / c1, leap, saddle.band)
         add_tangents(system, state, stage.x, stage.v, 1.0, 1.0 / c1, saddle.band)
-        if are_tied(system):
+        if coupled:
             soften(segments.weight, saddle.carries, saddle.compliance)
-            solve_network(saddle)
+            fits = order_couplings(system, state, saddle.network)
+            gather(saddle, saddle.network)
+            add_couplings(system, state, stage.x, stage.v, 1.0, 1.0 / c1, saddle.network)
+            solve_gathered(saddle)
+            if not fits:
+                saddle.moved[0, 0] = np.inf  # no solution
         else:
             band_sweep(saddle)
     stage.report[SOLVES] += 1.0

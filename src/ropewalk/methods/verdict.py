@@ -14,6 +14,7 @@ from ropewalk.core.arrays import APPLIED, BENDING
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.status import BROKEN, MADE_UP, OK
 from ropewalk.laws.clamps import bent_energy
+from ropewalk.laws.couplings import any_fault
 from ropewalk.laws.ledger import gravity_energy, kinetic_energy
 from ropewalk.laws.nodes import node_energy, node_power
 from ropewalk.laws.stretch import elastic_energy
@@ -32,7 +33,7 @@ def energy_now(system, state):
     if system.flags[BENDING] == 1:
         total += bent_energy(system, state, state.x)
     x = state.x
-    total += node_energy(system, x)
+    total += node_energy(system, state, x)
     if system.flags[APPLIED] == 1:
         force = state.forces.applied
         for i in range(x.shape[1]):
@@ -63,13 +64,15 @@ def judge(system, state, time):
     """Return BROKEN or OK for the state at `time` [s]."""
     status = check_state(state, system.break_stretch)
     balance = state.balance
-    balance[HONEST] += (time - balance[SEEN]) * node_power(system, state.x)
+    balance[HONEST] += (time - balance[SEEN]) * node_power(system, state, state.x)
     balance[SEEN] = time
     energy, given = energy_now(system, state), 0.0
     for row in range(state.most.shape[0]):
         given += state.most[row]
     balance[LAST] = energy
     if not energy - balance[ZERO] <= MADE_UP * (balance[HONEST] + given):  # NaN is broken, too
+        status = BROKEN
+    if any_fault(system, state):
         status = BROKEN
     return status
 

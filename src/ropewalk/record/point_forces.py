@@ -1,4 +1,4 @@
-"""What joints and obstacles do to nodes, as a part of every result."""
+"""What joints, obstacles and other ropes do to nodes, as a part of every result."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 class PointForces:
-    """The forces of joints and obstacles; part of every Result."""
+    """The forces of joints and contacts; part of every Result."""
 
     @property
     def joint_forces(self) -> Floats:
@@ -44,7 +44,7 @@ class PointForces:
 
     @property
     def contact_force(self) -> Floats:
-        """Force of all obstacles on each node at each frame [N], (frames, nodes, 3); 0 without obstacles."""
+        """Force of all contacts on each node at each frame [N], (frames, nodes, 3); 0 without contact."""
         result = cast("Result", self)
         if "contact_force" not in result.source.names:
             return np.zeros((result.frames, result.layout.nodes, 3))

@@ -72,7 +72,7 @@ QUANTITIES = (
         "contact_force",
         ("time", "node", "axis"),
         "N",
-        "force of obstacles on the rope",
+        "force of obstacles and of other ropes on the rope",
         "contact",
         True,
     ),

@@ -1,6 +1,7 @@
 """What the user describes: scenes as frozen, validated models, read from and written to TOML."""
 
 from ropewalk.scene.anchor import Anchor, Clamp
+from ropewalk.scene.contact import Contact
 from ropewalk.scene.environment import Air, Ground, Limiter
 from ropewalk.scene.faults import Fault, SceneError, SceneFileError
 from ropewalk.scene.joint import Joint, Tie
@@ -30,6 +31,7 @@ __all__ = [
     "Box",
     "Capsule",
     "Clamp",
+    "Contact",
     "Cylinder",
     "Fault",
     "Fixed",

@@ -13,6 +13,7 @@ from pydantic import Field, field_validator, model_validator
 from ropewalk.scene.anchor import Anchor
 from ropewalk.scene.base import Many, Model, Text, Vector, Whole, listed, refuse, vector
 from ropewalk.scene.checks import obstacle_faults, scene_faults
+from ropewalk.scene.contact import Contact, contact_faults
 from ropewalk.scene.environment import Air, Ground, Limiter
 from ropewalk.scene.faults import Fault, SceneError
 from ropewalk.scene.joint import Joint
@@ -45,6 +46,9 @@ class Scene(Model):
     ground: Ground | None = Field(default=None, description="Ground; none without it")
     obstacles: Many[Obstacle] = listed(
         "Bodies that ropes touch, with friction", "obstacle", "obstacles", default=()
+    )
+    contact: Contact | None = Field(
+        default=None, description="Contact of ropes with each other and themselves; none without it"
     )
     limiter: Limiter | None = Field(default=None, description="Stretch limiter; none without it")
     winches: Many[Winch] = listed(
@@ -153,6 +157,7 @@ class Scene(Model):
         refuse(_start_faults(self.run, self.ropes))
         names = (body.name or f"obstacle{i}" for i, body in enumerate(self.obstacles))
         refuse(obstacle_faults(names))
+        refuse(contact_faults(self.contact, self.ropes, self.winches, self.limiter))
         self._fill_in_names()
         self._fill_in_method()
         return self

@@ -1,0 +1,217 @@
+"""The order of elimination of a network whose couplings come and go, found inside a kernel.
+
+As `elimination` does on the host: always a point of least degree, whose neighbours then become each other's.
+The neighbours of a point are bits of a row, so that this takes O(points^2 / 60) for points of few neighbours.
+Source: Duff, Erisman & Reid, Direct Methods for Sparse Matrices, ch. 7.
+"""
+
+from __future__ import annotations
+
+import math
+
+from ropewalk.core.jit import kernel, small
+
+NOWHERE, ITSELF = (
+    -1,
+    -2,
+)  # in place of the index of a block: there is none, or it is on the diagonal
+WORD = 60  # bits used of a number
+
+
+@small
+def set_bit(bits, p, q):
+    """Set bit `q` of row `p`."""
+    bits[p, q // WORD] |= 1 << (q % WORD)
+
+
+@small
+def clear_bit(bits, p, q):
+    """Clear bit `q` of row `p`."""
+    bits[p, q // WORD] &= ~(1 << (q % WORD))
+
+
+@small
+def lowest(word):
+    """Return the place of the lowest bit of a positive number."""
+    return math.frexp(float(word & -word))[1] - 1
+
+
+@small
+def ones(word):
+    """Count the bits of a number of up to WORD bits."""
+    word = word - ((word >> 1) & 0x555555555555555)
+    word = (word & 0x333333333333333) + ((word >> 2) & 0x333333333333333)
+    word = (word + (word >> 4)) & 0xF0F0F0F0F0F0F0F
+    word = word + (word >> 8)
+    word = word + (word >> 16)
+    return (word + (word >> 32)) & 0x7F
+
+
+@kernel
+def is_known(room, pair, count):
+    """Tell whether the order in hand is that of these pairs of segments, (m, 2); note them otherwise."""
+    same, known = room.known_count[0] == count, room.known
+    for row in range(count):
+        same = same and known[row, 0] == pair[row, 0] and known[row, 1] == pair[row, 1]
+        known[row, 0], known[row, 1] = pair[row, 0], pair[row, 1]
+    room.known_count[0] = count
+    return same
+
+
+@small
+def couple(bits, p, q):
+    """Let two points be neighbours."""
+    if p != q:
+        set_bit(bits, p, q)
+        set_bit(bits, q, p)
+
+
+@kernel
+def graph(network, pair, count):
+    """Write the neighbours of every point as bits."""
+    room, bits, n = network.room, network.room.bits, network.number.shape[0]
+    point = room.point
+    for p in range(bits.shape[0]):
+        for word in range(bits.shape[1]):
+            bits[p, word] = 0
+    for i in range(n - 1):
+        if network.near[i] != NOWHERE:
+            couple(bits, point[i], point[i + 1])
+        if i < n - 2 and network.far[i] != NOWHERE:
+            couple(bits, point[i], point[i + 2])
+    for row in range(count):
+        i, j = pair[row, 0], pair[row, 1]
+        couple(bits, point[i], point[i + 1])
+        couple(bits, point[j], point[j + 1])
+        for a in range(2):
+            for b in range(2):
+                couple(bits, point[i + a], point[j + b])
+
+
+@small
+def take_out(room, p):
+    """Take a point out of the list of those of its degree."""
+    before, after = room.before[p], room.after[p]
+    if before >= 0:
+        room.after[before] = after
+    else:
+        room.head[room.degree[p]] = after
+    if after >= 0:
+        room.before[after] = before
+
+
+@small
+def put_in(room, p, degree):
+    """Put a point at the head of the list of those of a degree."""
+    first = room.head[degree]
+    room.degree[p], room.before[p], room.after[p] = degree, -1, first
+    if first >= 0:
+        room.before[first] = p
+    room.head[degree] = p
+
+
+@small
+def degree_of(bits, p):
+    """Count the neighbours of a point."""
+    total = 0
+    for word in range(bits.shape[1]):
+        total += ones(bits[p, word])
+    return total
+
+
+@kernel
+def eliminate_points(network):
+    """Write the order and every point's later neighbours; return whether there was room for them."""
+    room, bits, later, start = network.room, network.room.bits, network.later, network.start
+    points, filled, least = bits.shape[0], 0, 0
+    for degree in range(points + 1):
+        room.head[degree] = -1
+    for back in range(points):
+        p = points - 1 - back
+        put_in(room, p, degree_of(bits, p))
+    for turn in range(points):
+        while room.head[least] < 0:
+            least += 1
+        p = room.head[least]
+        take_out(room, p)
+        room.place[p], start[turn] = turn, filled
+        if filled + room.degree[p] > later.shape[0]:
+            return False
+        first = filled
+        for word in range(bits.shape[1]):
+            left = bits[p, word]
+            while left != 0:
+                later[filled] = WORD * word + lowest(left)
+                left &= left - 1
+                filled += 1
+        for k in range(first, filled):
+            q = later[k]
+            take_out(room, q)
+            for word in range(bits.shape[1]):
+                bits[q, word] |= bits[p, word]
+            clear_bit(bits, q, p)
+            clear_bit(bits, q, q)
+            degree = degree_of(bits, q)
+            put_in(room, q, degree)
+            least = min(least, degree)
+    start[points] = filled
+    return True
+
+
+@kernel
+def sort_later(network):
+    """Turn points into places in the order, rising in every row."""
+    later, start, place = network.later, network.start, network.room.place
+    for turn in range(place.shape[0]):
+        for k in range(start[turn], start[turn + 1]):
+            value, at = place[later[k]], k
+            while at > start[turn] and later[at - 1] > value:
+                later[at] = later[at - 1]
+                at -= 1
+            later[at] = value
+
+
+@kernel
+def block_of(network, p, q):
+    """Return the index of the block that couples two places in the order."""
+    if p == q:
+        return ITSELF
+    first, second = min(p, q), max(p, q)
+    low, high = network.start[first], network.start[first + 1]
+    while low < high:
+        middle = (low + high) // 2
+        if network.later[middle] < second:
+            low = middle + 1
+        else:
+            high = middle
+    return low
+
+
+@kernel
+def order_network(network, pair, count):
+    """Find order and blocks of a network with these pairs of segments in contact; return whether they fit."""
+    room = network.room
+    if is_known(room, pair, count):
+        return True
+    graph(network, pair, count)
+    if not eliminate_points(network):
+        room.known_count[0] = -1
+        return False
+    sort_later(network)
+    number, n = network.number, network.number.shape[0]
+    for i in range(n):
+        number[i] = room.place[room.point[i]]
+    for i in range(n - 1):
+        if network.near[i] != NOWHERE:
+            network.near[i] = block_of(network, number[i], number[i + 1])
+        if i < n - 2 and network.far[i] != NOWHERE:
+            network.far[i] = block_of(network, number[i], number[i + 2])
+    for row in range(count):
+        at = 0
+        for a in range(4):
+            for b in range(a + 1, 4):
+                p = pair[row, 0] + a if a < 2 else pair[row, 1] + a - 2
+                q = pair[row, 0] + b if b < 2 else pair[row, 1] + b - 2
+                room.spots[row, at] = block_of(network, number[p], number[q])
+                at += 1
+    return True

@@ -1,0 +1,45 @@
+"""What contacts of ropes say of a run that cannot go on."""
+
+from __future__ import annotations
+
+from ropewalk.core.arrays import State
+from ropewalk.laws.pairs.table import CONTACTS, FAULT, FIRST, PASSED, REFUSED, SECOND
+from ropewalk.lowering import Layout
+
+
+def pair_of(state: State, layout: Layout) -> str:
+    """Name the two segments that a contact's count points to."""
+    count = state.memory.contact.tally
+    (one, a), (other, b) = (layout.rope_of(int(count[k])) for k in (FIRST, SECOND))
+    return f"segment {a} of rope {one!r} and segment {b} of rope {other!r}"
+
+
+def fault_of(state: State, layout: Layout) -> str:
+    """Say what is wrong with the contacts; "" for nothing."""
+    count = state.memory.contact.tally
+    if not count.size or count[FAULT] == 0:
+        return ""
+    if count[FAULT] == PASSED:
+        return (
+            f"{pair_of(state, layout)} came nearer to each other in a step than half the sum of "
+            "their radii, or half as near as they were, and may have passed through each other: take a "
+            "shorter time_step, or implicit-euler, which sees to it that nothing passes"
+        )
+    return (
+        f"more pairs of segments are near each other than there is room for ({len(state.memory.contact.pair)} "
+        f"contacts): no contact is left out silently; take fewer segments, or a thinner rope; "
+        f"{count[CONTACTS]} touch now"
+    )
+
+
+def refused_pair(state: State, layout: Layout) -> str:
+    """Say between whom the last step was not let pass; "" where that was not why it ended."""
+    count = state.memory.contact.tally
+    if fault := fault_of(state, layout):
+        return fault
+    if not count.size or count[REFUSED] == 0:
+        return ""
+    return (
+        f"{pair_of(state, layout)} would come too near to each other, or pass through each other. Try a "
+        "shorter time_step, slower anchors, or a stiffer contact (contact.compliance)"
+    )

@@ -1,0 +1,116 @@
+"""What laws between nodes that are no neighbours ask of a solver and of a step, folded as in `nodes`."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ropewalk.core.jit import part
+from ropewalk.laws.node_law import NodeLaw
+from ropewalk.laws.nodes import fold
+
+FINE, AGAIN, HALVE = range(3)  # what `meet` says of a step
+
+
+@part
+def _couples_nothing(system):
+    return False
+
+
+def _asking(law: NodeLaw, k: int, rest: Any) -> Any:
+    @part
+    def _couples(system):
+        return system.acts[k] == 1 or rest(system)
+
+    return _couples
+
+
+couples = fold(_asking, _couples_nothing, "couple")
+"""couples(system): tell whether a law that acts couples nodes that are no neighbours."""
+
+
+@part
+def _always_fits(system, state, network):
+    return True
+
+
+def _ordering(law: NodeLaw, k: int, rest: Any) -> Any:
+    pattern = law.pattern
+
+    @part
+    def _order(system, state, network):
+        fits = rest(system, state, network)
+        if system.acts[k] == 1:
+            fits = pattern(system.node[k], state, network) and fits
+        return fits
+
+    return _order
+
+
+order_couplings = fold(_ordering, _always_fits, "pattern")
+"""order_couplings(system, state, network): find its order anew; return whether there was room for it."""
+
+
+@part
+def _nothing_more(system, state, x, v, weight_x, weight_v, network):
+    pass
+
+
+def _coupling(law: NodeLaw, k: int, rest: Any) -> Any:
+    couple = law.couple
+
+    @part
+    def _couple(system, state, x, v, weight_x, weight_v, network):
+        if system.acts[k] == 1:
+            table = system.node[k]
+            couple(table, state, x, v, weight_x, weight_v, network)
+        rest(system, state, x, v, weight_x, weight_v, network)
+
+    return _couple
+
+
+add_couplings = fold(_coupling, _nothing_more, "couple")
+"""add_couplings(system, state, x, v, weight_x, weight_v, network): add the tangents of these laws."""
+
+
+@part
+def _nothing_met(system, state, x):
+    return FINE
+
+
+def _meeting(law: NodeLaw, k: int, rest: Any) -> Any:
+    meet = law.meet
+
+    @part
+    def _meet(system, state, x):
+        found = rest(system, state, x)
+        if system.acts[k] == 1:
+            found = max(found, meet(system.node[k], state, x))
+        return found
+
+    return _meet
+
+
+meet_on_way = fold(_meeting, _nothing_met, "meet")
+"""meet_on_way(system, state, x): tell whether a step from the state to there may stand."""
+
+
+@part
+def _no_fault(system, state):
+    return False
+
+
+def _failing(law: NodeLaw, k: int, rest: Any) -> Any:
+    fault = law.fault
+
+    @part
+    def _fault(system, state):
+        bad = rest(system, state)
+        if system.acts[k] == 1:
+            bad = bad or fault(system.node[k], state) != 0
+        return bad
+
+    return _fault
+
+
+any_fault = fold(_failing, _no_fault, "fault")
+"""any_fault(system, state): tell whether anything is so wrong that the run cannot go on."""

@@ -1,0 +1,127 @@
+"""The force of contacts of segments: as that of obstacles, between two points of ropes.
+
+With u the vector from a point of segment j to one of segment i, both frozen like the normal n, d the sum
+of the radii, g = n.u - d, P = I - n n^T, D = u - u' what u has changed by since the last accepted step and
+R' the friction spring's force then,
+    R_n = max(0, R(-g) - c n.u')                       it presses
+    q   = P (R' - k_t D) - c P u'
+    R_t = q            where |q| <= mu R_n             it sticks
+          mu R_n q/|q| elsewhere                       it slips
+on segment i, and the opposite on j, shared among their nodes as the points lie. R is k times the depth within
+a skin of LAYER d, then ever stiffer up to the stiffness of the segments, which it has from 2 LAYER d on.
+Sources: Cundall & Strack 1979, Geotechnique 29:47 (friction with memory); Simo & Hughes, Computational
+Inelasticity, 1998, ch. 2 (return mapping).
+"""
+
+from __future__ import annotations
+
+import math
+
+from ropewalk.core.jit import kernel, small
+from ropewalk.laws.pairs.table import (
+    APART,
+    CONTACTS,
+    LAYER,
+    NORMAL,
+    OTHER,
+    OWN,
+    SPRING,
+    STIFF,
+    between,
+    spring_of,
+)
+
+
+@small
+def squeeze(depth, soft, hard, layer):
+    """Return force [N], its slope [N/m] and energy [J] of a contact that is pressed by `depth` [m]."""
+    if depth <= layer:
+        return soft * depth, soft, 0.5 * soft * depth * max(depth, 0.0)
+    more = (hard - soft) / layer
+    e = min(depth - layer, layer)
+    force = soft * (layer + e) + 0.5 * more * e * e
+    slope = soft + more * e
+    energy = 0.5 * soft * (layer + e) * (layer + e) + more * e * e * e / 6.0
+    rest = depth - layer - e
+    return force + slope * rest, slope, energy + (force + 0.5 * slope * rest) * rest
+
+
+@small
+def pull_of(grip, row, u, w, damping):
+    """Return P (R' - k_t D) - c P u' [N], see above."""
+    n0, n1, n2 = grip[row, NORMAL], grip[row, NORMAL + 1], grip[row, NORMAL + 2]
+    k = grip[row, STIFF]
+    q0 = grip[row, SPRING] - k * (u[0] - grip[row, APART]) - damping * w[0]
+    q1 = grip[row, SPRING + 1] - k * (u[1] - grip[row, APART + 1]) - damping * w[1]
+    q2 = grip[row, SPRING + 2] - k * (u[2] - grip[row, APART + 2]) - damping * w[2]
+    along = n0 * q0 + n1 * q1 + n2 * q2
+    return (q0 - along * n0, q1 - along * n1, q2 - along * n2)
+
+
+@small
+def pressed(grip, row, u, w, soft, hard, damping, size):
+    """Return R_n before it is cut [N], and its slope [N/m]."""
+    n0, n1, n2 = grip[row, NORMAL], grip[row, NORMAL + 1], grip[row, NORMAL + 2]
+    depth = size - (n0 * u[0] + n1 * u[1] + n2 * u[2])
+    force, slope, _ = squeeze(depth, soft, hard, LAYER * size)
+    return force - damping * (n0 * w[0] + n1 * w[1] + n2 * w[2]), slope
+
+
+@kernel
+def pair_forces(x, v, table, memory, force, lo, hi):
+    """Write the force of all contacts on every node [N], (3, n)."""
+    for i in range(lo, min(hi, x.shape[1])):
+        force[0, i], force[1, i], force[2, i] = 0.0, 0.0, 0.0
+    add_pair_forces(x, v, table, memory, force)
+
+
+@kernel
+def add_pair_forces(x, v, table, memory, force):
+    """Add the force of all contacts on every node [N], (3, n)."""
+    pair, grip = memory.pair, memory.grip
+    for row in range(memory.tally[CONTACTS]):
+        i, j = pair[row, 0], pair[row, 1]
+        soft, hard, damping, size = spring_of(table, i, j)
+        s, t = grip[row, OWN], grip[row, OTHER]
+        u, w = between(x, i, j, s, t), between(v, i, j, s, t)
+        push, _ = pressed(grip, row, u, w, soft, hard, damping, size)
+        if not push > 0.0:
+            continue
+        q = pull_of(grip, row, u, w, damping)
+        total = math.sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2])
+        bound = table.friction[0] * push
+        share = bound / total if total > bound else 1.0
+        for k in range(3):
+            f = push * grip[row, NORMAL + k] + share * q[k]
+            force[k, i] += (1.0 - s) * f
+            force[k, i + 1] += s * f
+            force[k, j] -= (1.0 - t) * f
+            force[k, j + 1] -= t * f
+
+
+@kernel
+def pair_energy(x, table, memory):
+    """Return what contacts have stored where they are pressed in [J]."""
+    total, grip = 0.0, memory.grip
+    for row in range(memory.tally[CONTACTS]):
+        i, j = memory.pair[row, 0], memory.pair[row, 1]
+        soft, hard, _, size = spring_of(table, i, j)
+        u = between(x, i, j, grip[row, OWN], grip[row, OTHER])
+        depth = size - (
+            grip[row, NORMAL] * u[0] + grip[row, NORMAL + 1] * u[1] + grip[row, NORMAL + 2] * u[2]
+        )
+        total += squeeze(depth, soft, hard, LAYER * size)[2] if depth > 0.0 else 0.0
+    return total
+
+
+@kernel
+def pair_rounding(x, table, memory):
+    """Return what rounding of the places does to the forces of contacts [N]."""
+    size, most = 0.0, 0.0
+    for k in range(3):
+        for i in range(x.shape[1]):
+            size = max(size, abs(x[k, i]))
+    for row in range(memory.tally[CONTACTS]):
+        i, j = memory.pair[row, 0], memory.pair[row, 1]
+        most = max(most, spring_of(table, i, j)[1])
+    return 16.0 * 2.220446049250313e-16 * most * size

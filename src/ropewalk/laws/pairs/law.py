@@ -1,0 +1,245 @@
+"""Contact of ropes with each other and with themselves as a law: Coulomb friction between pairs of segments.
+
+By default a contact is as soft as the inertia of both ropes lets it be solved for, as one with an obstacle
+is (`laws.obstacle`), within a thin skin, and below as stiff as their segments. The force is that of
+`force`; what it remembers is in `memory`; `way` sees to it that no step lets ropes pass through each other.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ropewalk.core.arrays import Floats
+from ropewalk.core.jit import part
+from ropewalk.core.ordering import order_network
+from ropewalk.laws.node_law import NodeLaw, Rest
+from ropewalk.laws.obstacle import node_stiffness
+from ropewalk.laws.pairs.force import add_pair_forces, pair_energy, pair_forces, pair_rounding
+from ropewalk.laws.pairs.memory import remember_pairs
+from ropewalk.laws.pairs.table import CONTACTS, FAULT, SEEN, WIDTH, Memory, Pairs
+from ropewalk.laws.pairs.tangent import couple_pairs
+from ropewalk.laws.pairs.way import count_closing_pairs, meet_pairs
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from ropewalk.lowering.layout import Layout
+    from ropewalk.methods.bound import Chain
+    from ropewalk.scene import Joint, Rope
+    from ropewalk.scene.contact import Contact
+
+SKIN = 0.5  # [1] how far lists of pairs look ahead, over the largest diameter
+RIGID = (
+    100.0  # [1] stiffness of a contact of rigid links that is pressed far, over that pressed little
+)
+NEIGHBOURS = 0.8 * math.pi  # [1] rope on each side that counts as neighbour, over its radius
+ROWS, LISTED = 16, 40  # contacts, and pairs nearby, that there is room for, per segment
+LEAST_ROWS = 256
+
+
+def lower(
+    contact: Contact | None,
+    layout: Layout,
+    ropes: Sequence[Rope],
+    whole: Sequence[float],
+    joints: Sequence[Joint],
+) -> Pairs:
+    """Return the table of a scene's ropes; `whole` is a rope's mass with all it is tied to [kg]."""
+    s = layout.segments if contact is not None else 0
+    table = Pairs(
+        friction=np.zeros(min(s, 1)),
+        skin=np.zeros(1),
+        radius=np.zeros(s),
+        soft=np.zeros(s),
+        hard=np.zeros(s),
+        mass=np.zeros(s),
+        rope=np.full(s, -1, np.int64),
+        skip=np.ones(s, np.int64),
+        joint=np.full((s, 2), -1, np.int64),
+    )
+    if contact is None:
+        return table
+    table.friction[0] = contact.friction
+    for number, (rope, span, mass) in enumerate(zip(ropes, layout.ropes, whole, strict=True)):
+        here = slice(span.first, span.last)
+        own, table.mass[here] = node_stiffness(rope, mass)
+        k = rope.segment_stiffness
+        far = max(own, k) if math.isfinite(k) else RIGID * own
+        table.radius[here] = 0.5 * rope.diameter
+        table.soft[here], table.hard[here] = 1.0 / own, 1.0 / far
+        if contact.compliance is not None:
+            table.soft[here] = table.hard[here] = 0.5 * contact.compliance
+        table.rope[here] = number
+        table.skip[here] = max(1, neighbours(rope))
+    table.skin[0] = SKIN * 2.0 * float(table.radius.max())
+    _note_joints(table, layout, ropes, joints)
+    return table
+
+
+def neighbours(rope: Rope) -> int:
+    """Return how many segments on each side of one are its neighbours, which it does not touch."""
+    return math.ceil(NEIGHBOURS * 0.5 * rope.diameter / rope.segment_length)
+
+
+def _note_joints(
+    table: Pairs, layout: Layout, ropes: Sequence[Rope], joints: Sequence[Joint]
+) -> None:
+    """Write which joints are so near a segment that those beyond them are its neighbours."""
+    numbers = {rope.name: number for number, rope in enumerate(ropes)}
+    for j, joint in enumerate(joints):
+        for tie in joint.points:
+            rope, span = ropes[numbers[tie.rope]], layout.ropes[numbers[tie.rope]]
+            node, reach = layout.node(tie.node, tie.rope), max(1, neighbours(rope))
+            for k in range(max(node - reach, span.first), min(node + reach, span.last)):
+                side = 0 if k >= node else 1
+                if table.joint[k, side] < 0 or abs(k - node) < reach:
+                    table.joint[k, side] = j
+
+
+def acts(table: Pairs) -> bool:
+    """Tell whether ropes touch each other."""
+    return len(table.friction) > 0
+
+
+def memory(table: Pairs, x: Floats, stiffness: Floats) -> Memory:
+    """Return what is remembered at the start, for nodes at places (3, n) [m]: no force."""
+    s = len(table.rope)
+    rows = max(ROWS * s, LEAST_ROWS) if s else 0
+    listed = min(s * (s - 1) // 2, LISTED * s + LEAST_ROWS)
+    found = Memory(
+        pair=np.zeros((rows, 2), np.int64),
+        grip=np.zeros((rows, WIDTH)),
+        near=np.zeros((max(listed, 1) if s else 0, 2), np.int64),
+        tally=np.zeros(8 if s else 0, np.int64),
+        place=x.copy() if s else np.zeros((3, 0)),
+        origin=np.full((3, x.shape[1]), 1e150) if s else np.zeros((3, 0)),
+        box=np.zeros((s, 6)),
+        order=np.arange(s),
+    )
+    if s:
+        found.tally[SEEN] = 1
+        tied = np.ones(int(table.joint.max(initial=-1)) + 1, np.int64)
+        remember_pairs(x, np.zeros_like(x), table, found, tied)
+    return found
+
+
+@part
+def force(table, state, x, v, force, lo, hi):
+    """Write the force of all contacts on every node [N], (3, n)."""
+    pair_forces(x, v, table, state.memory.contact, force, lo, hi)
+
+
+@part
+def tangent(table, state, x, v, weight_x, weight_v, marks, band):
+    """Add nothing: contacts couple nodes that no band reaches, see `couple`."""
+
+
+@part
+def pattern(table, state, network):
+    """Find the order of elimination with the contacts at hand; return whether there was room."""
+    memory = state.memory.contact
+    return order_network(network, memory.pair, memory.tally[CONTACTS])
+
+
+@part
+def couple(table, state, x, v, weight_x, weight_v, network):
+    """Add the derivatives of the force to the network."""
+    couple_pairs(x, v, table, state.memory.contact, weight_x, weight_v, network)
+
+
+@part
+def remember(table, state):
+    """Keep what contacts carry at the state; return how many have closed."""
+    return remember_pairs(state.x, state.v, table, state.memory.contact, state.tied)
+
+
+@part
+def hits(table, state, x, v):
+    """Return how many contacts close on the way from the state to `x` and `v`."""
+    return count_closing_pairs(x, v, table, state.memory.contact)
+
+
+@part
+def meet(table, state, x):
+    """Tell whether the way from the state to `x` may stand, see `way`."""
+    return meet_pairs(state.x, x, table, state.memory.contact, state.tied)
+
+
+@part
+def fault(table, state):
+    """Return what went wrong, 0: nothing."""
+    return state.memory.contact.tally[FAULT]
+
+
+@part
+def touch(table, state, force):
+    """Add the force of all contacts at the state itself [N], (3, n)."""
+    add_pair_forces(state.x, state.v, table, state.memory.contact, force)
+
+
+@part
+def rounding(table, state, x):
+    """Return what rounding of the places does to the force [N]."""
+    return pair_rounding(x, table, state.memory.contact)
+
+
+@part
+def energy(table, state, x):
+    """Return what contacts have stored [J]."""
+    return pair_energy(x, table, state.memory.contact)
+
+
+def at_rest(table: Pairs) -> Rest:
+    """Ropes that lie on each other bear each other."""
+    return Rest.BEARS
+
+
+def touched(table: Pairs, x: Floats) -> Any:
+    """Return which nodes lie on something that bears them, (n,): none for sure."""
+    return np.zeros(x.shape[1], bool)
+
+
+def cases(table: Pairs, chain: Chain) -> dict[str, Chain]:
+    """Return a chain all of whose nodes are pressed to other ropes on two sides, as hard as can be.
+
+    A spring k between two points is no stiffer than 2 k at each of them: (a - b)^2 <= 2 a^2 + 2 b^2.
+    """
+    if not len(table.rope):
+        return {}
+    alive = table.rope >= 0
+    soft = 0.5 / table.soft[alive].min()
+    stiff = 0.5 / table.hard[alive].min()
+    damping = 2.0 * math.sqrt(soft * 0.5 * float(table.mass[alive].max()))
+    return {
+        "pressed to ropes": chain._replace(
+            node_stiffness=chain.node_stiffness + 2.0 * 2.0 * stiff,
+            node_damping=chain.node_damping + 2.0 * 2.0 * damping,
+        )
+    }
+
+
+CONTACT = NodeLaw(
+    name="contact",
+    section="contact",
+    lower=lower,
+    inputs=("layout", "ropes", "whole", "joints"),
+    acts=acts,
+    force=force,
+    tangent=tangent,
+    memory=memory,
+    remember=remember,
+    hits=hits,
+    touch=touch,
+    rounding=rounding,
+    energy=energy,
+    at_rest=at_rest,
+    bears=touched,
+    cases=cases,
+    pattern=pattern,
+    couple=couple,
+    meet=meet,
+    fault=fault,
+)

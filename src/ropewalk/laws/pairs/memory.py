@@ -1,0 +1,208 @@
+"""What contacts of segments keep from an accepted step to the next.
+
+The friction spring's part P (R' - k_t D), cut to mu R_n: a force, so that what sticks does not creep. One
+keeps its points and its normal as long as they say where the segments are to WRONG of the radii's sum: the
+nearest points of almost parallel segments jump from step to step, and contacts would slip a little in each.
+One that has wandered on to the next segment passes on what it holds.
+"""
+
+from __future__ import annotations
+
+import math
+
+from ropewalk.core.jit import kernel, small
+from ropewalk.laws.pairs.force import pressed, pull_of, squeeze
+from ropewalk.laws.pairs.nearest import NEVER, comes_to, nearest, relative_way
+from ropewalk.laws.pairs.search import find_near, freeze, new_row, owns, row_of
+from ropewalk.laws.pairs.table import (
+    APART,
+    CONTACTS,
+    FAULT,
+    FIRST,
+    FULL,
+    GONE,
+    LAYER,
+    NEAR,
+    NORMAL,
+    OTHER,
+    OWN,
+    PASSED,
+    PUSH,
+    REACH,
+    REFUSED,
+    ROUNDS,
+    SECOND,
+    SEEN,
+    SPRING,
+    STIFF,
+    WIDTH,
+    WRONG,
+    between,
+    spring_of,
+)
+from ropewalk.laws.pairs.way import HALF, begin_contact
+
+
+@kernel
+def look_for_passes(x, y, memory, table):
+    """Note a fault where a pair comes nearer on the way from x to y than a step may let it."""
+    count = memory.tally
+    for k in range(count[NEAR]):
+        i, j = memory.near[k, 0], memory.near[k, 1]
+        size = table.radius[i] + table.radius[j]
+        start, way = nearest(x, y, 0.0, i, j)[2], relative_way(x, y, i, j)
+        limit = HALF * min(size, start)
+        if start - way < limit and comes_to(x, y, i, j, limit, start, way) < NEVER:
+            count[FAULT], count[FIRST], count[SECOND] = PASSED, i, j
+
+
+@small
+def is_right(y, memory, row, size, distance):
+    """Tell whether points and normal of a contact say how far apart its segments are."""
+    grip, i, j = memory.grip, memory.pair[row, 0], memory.pair[row, 1]
+    u = between(y, i, j, grip[row, OWN], grip[row, OTHER])
+    along, square = 0.0, 0.0
+    for k in range(3):
+        along += grip[row, NORMAL + k] * u[k]
+        square += u[k] * u[k]
+    aside = math.sqrt(max(square - along * along, 0.0))
+    return abs(distance - along) <= WRONG * size and aside <= WRONG * size
+
+
+@kernel
+def hold(x, v, table, memory, row):
+    """Keep what a contact carries at `x` and `v`; return 1 where it has closed, else 0."""
+    i, j, grip = memory.pair[row, 0], memory.pair[row, 1], memory.grip
+    soft, hard, damping, size = spring_of(table, i, j)
+    s, t = grip[row, OWN], grip[row, OTHER]
+    u, w = between(x, i, j, s, t), between(v, i, j, s, t)
+    push, _ = pressed(grip, row, u, w, soft, hard, damping, size)
+    closed = 1.0 if push > 0.0 and grip[row, PUSH] == 0.0 else 0.0
+    push = max(push, 0.0)
+    q = pull_of(grip, row, u, w, 0.0)
+    total = math.sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2])
+    bound = table.friction[0] * push
+    share = bound / total if total > bound else 1.0
+    along = grip[row, NORMAL] * u[0] + grip[row, NORMAL + 1] * u[1] + grip[row, NORMAL + 2] * u[2]
+    depth = size - along
+    grip[row, PUSH] = push
+    rigid = squeeze(depth, soft, hard, LAYER * size)[0] / depth if depth > 0.0 else soft
+    grip[row, STIFF] = max(soft, rigid)
+    for k in range(3):
+        grip[row, SPRING + k] = share * q[k]
+        grip[row, APART + k] = u[k]
+    return closed
+
+
+@kernel
+def refresh(x, table, memory, row, tied):
+    """Keep points and normal of a contact, find them anew, or mark it as gone."""
+    i, j, grip = memory.pair[row, 0], memory.pair[row, 1], memory.grip
+    size = table.radius[i] + table.radius[j]
+    s, t, distance = nearest(x, x, 0.0, i, j)
+    if distance >= REACH * size:
+        grip[row, GONE] = 1.0
+    elif not is_right(x, memory, row, size, distance):
+        if owns(x, x, 0.0, table, tied, i, j, s, t):
+            freeze(x, x, 0.0, memory, row, s, t)
+            begin_contact(x, table, memory, row)
+        else:
+            grip[row, GONE] = 1.0
+
+
+@kernel
+def is_covered(x, memory, i, j, s, t, size):
+    """Tell whether a contact of segments beside these is at the same place already."""
+    pair, grip = memory.pair, memory.grip
+    for a in range(i - 1, i + 2):
+        for b in range(j - 1, j + 2):
+            row = row_of(memory, a, b)
+            if row < 0 or grip[row, GONE] == 1.0:
+                continue
+            far = 0.0
+            for side in range(2):
+                own, point = (i, s) if side == 0 else (j, t)
+                other, place = pair[row, side], grip[row, OWN + side]
+                square = 0.0
+                for k in range(3):
+                    here = (1.0 - point) * x[k, own] + point * x[k, own + 1]
+                    there = (1.0 - place) * x[k, other] + place * x[k, other + 1]
+                    square += (here - there) ** 2
+                far = max(far, square)
+            if far < (2.0 * WRONG * size) ** 2:
+                return True
+    return False
+
+
+@kernel
+def inherit(memory, row):
+    """Let a new contact take over what one beside it held that is gone."""
+    pair, grip = memory.pair, memory.grip
+    i, j = pair[row, 0], pair[row, 1]
+    for a in range(i - 1, i + 2):
+        for b in range(j - 1, j + 2):
+            other = row_of(memory, a, b)
+            if other < 0 or grip[other, GONE] != 1.0 or not grip[other, PUSH] > 0.0:
+                continue
+            grip[row, PUSH], grip[row, STIFF] = grip[other, PUSH], grip[other, STIFF]
+            grip[other, PUSH] = 0.0
+            for k in range(3):
+                grip[row, SPRING + k] = grip[other, SPRING + k]
+            return
+
+
+@kernel
+def list_new(x, table, memory, tied):
+    """Make contacts of all pairs that are near and not listed yet."""
+    count = memory.tally
+    for k in range(count[NEAR]):
+        i, j = memory.near[k, 0], memory.near[k, 1]
+        at = row_of(memory, i, j)
+        if at >= 0:
+            continue
+        size = table.radius[i] + table.radius[j]
+        s, t, distance = nearest(x, x, 0.0, i, j)
+        if distance >= REACH * size or not owns(x, x, 0.0, table, tied, i, j, s, t):
+            continue
+        if is_covered(x, memory, i, j, s, t, size):
+            continue
+        if not new_row(memory, i, j, -1 - at):
+            count[FAULT], count[FIRST], count[SECOND] = FULL, i, j
+            return
+        freeze(x, x, 0.0, memory, -1 - at, s, t)
+        inherit(memory, -1 - at)
+        begin_contact(x, table, memory, -1 - at)
+
+
+@kernel
+def drop_gone(memory):
+    """Take out the rows that are marked."""
+    pair, grip, kept = memory.pair, memory.grip, 0
+    for row in range(memory.tally[CONTACTS]):
+        if grip[row, GONE] == 1.0:
+            continue
+        pair[kept, 0], pair[kept, 1] = pair[row, 0], pair[row, 1]
+        for k in range(WIDTH):
+            grip[kept, k] = grip[row, k]
+        kept += 1
+    memory.tally[CONTACTS] = kept
+
+
+@kernel
+def remember_pairs(x, v, table, memory, tied):
+    """Keep what contacts carry at `x` and `v`, and find who touches there; return how many have closed."""
+    count, place, closed = memory.tally, memory.place, 0.0
+    if not find_near(place, x, table, memory, tied):
+        count[FAULT] = FULL
+    if count[SEEN] == 0:
+        look_for_passes(place, x, memory, table)
+    count[SEEN], count[ROUNDS], count[REFUSED] = 0, 0, 0
+    for row in range(count[CONTACTS]):
+        closed += hold(x, v, table, memory, row)
+        refresh(x, table, memory, row, tied)
+    list_new(x, table, memory, tied)
+    drop_gone(memory)
+    for k in range(3):
+        for i in range(x.shape[1]):
+            place[k, i] = x[k, i]
+    return closed

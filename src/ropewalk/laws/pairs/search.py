@@ -1,0 +1,210 @@
+"""Which segments may touch: boxes sorted along an axis, and the rows of what does.
+
+Source: Baraff, Dynamic Simulation of Non-penetrating Rigid Bodies, 1992, ch. 2 (sort and sweep).
+"""
+
+from __future__ import annotations
+
+import math
+
+from ropewalk.core.jit import kernel, small
+from ropewalk.laws.pairs.nearest import on_way, product
+from ropewalk.laws.pairs.table import CONTACTS, NEAR, NORMAL, OTHER, OWN, REACH, WIDTH
+
+
+@small
+def are_neighbours(table, tied, i, j):
+    """Tell whether segments i < j are so near along a rope, or at a joint, that they always touch."""
+    if table.rope[i] == table.rope[j] and j - i <= table.skip[i]:
+        return True
+    for a in range(2):
+        joint = table.joint[i, a]
+        if joint >= 0 and tied[joint] == 1:
+            if table.joint[j, 0] == joint or table.joint[j, 1] == joint:
+                return True
+    return False
+
+
+@kernel
+def moved_from(origin, x):
+    """Return how far the node has moved that has moved farthest [m]."""
+    most = 0.0
+    for i in range(x.shape[1]):
+        square = 0.0
+        for k in range(3):
+            square += (x[k, i] - origin[k, i]) ** 2
+        most = max(most, square)
+    return math.sqrt(most)
+
+
+@kernel
+def box_in(x, y, table, box):
+    """Write the boxes in which segments move from x to y, (s, 6), wide enough that those near overlap.
+
+    Return the axis along which they lie.
+    """
+    low0, low1, low2 = math.inf, math.inf, math.inf
+    high0, high1, high2 = -math.inf, -math.inf, -math.inf
+    for j in range(box.shape[0]):
+        wide = REACH * table.radius[j] + 0.5 * table.skin[0]
+        for k in range(3):
+            low = min(min(x[k, j], x[k, j + 1]), min(y[k, j], y[k, j + 1]))
+            high = max(max(x[k, j], x[k, j + 1]), max(y[k, j], y[k, j + 1]))
+            box[j, k], box[j, 3 + k] = low - wide, high + wide
+        if table.rope[j] >= 0:
+            low0, high0 = min(low0, box[j, 0]), max(high0, box[j, 3])
+            low1, high1 = min(low1, box[j, 1]), max(high1, box[j, 4])
+            low2, high2 = min(low2, box[j, 2]), max(high2, box[j, 5])
+    wide0, wide1, wide2 = high0 - low0, high1 - low1, high2 - low2
+    if wide0 >= wide1 and wide0 >= wide2:
+        return 0
+    return 1 if wide1 >= wide2 else 2
+
+
+@kernel
+def sort_along(box, order, axis):
+    """Sort segments by where their boxes begin; next to nothing to do where little has changed."""
+    for k in range(1, order.shape[0]):
+        j, at = order[k], k
+        low = box[j, axis]
+        while at > 0 and box[order[at - 1], axis] > low:
+            order[at] = order[at - 1]
+            at -= 1
+        order[at] = j
+
+
+@kernel
+def list_near(x, y, table, memory, tied):
+    """List the pairs whose boxes overlap on the way from x to y; return whether there was room for them."""
+    box, order, near, count = memory.box, memory.order, memory.near, memory.tally
+    axis, found = box_in(x, y, table, box), 0
+    sort_along(box, order, axis)
+    one, two = (axis + 1) % 3, (axis + 2) % 3
+    count[NEAR] = 0
+    for a in range(order.shape[0]):
+        p = order[a]
+        if table.rope[p] < 0:
+            continue
+        end = box[p, 3 + axis]
+        for b in range(a + 1, order.shape[0]):
+            q = order[b]
+            if box[q, axis] > end:
+                break
+            if table.rope[q] < 0 or box[p, one] > box[q, 3 + one] or box[q, one] > box[p, 3 + one]:
+                continue
+            if box[p, two] > box[q, 3 + two] or box[q, two] > box[p, 3 + two]:
+                continue
+            i, j = min(p, q), max(p, q)
+            if are_neighbours(table, tied, i, j):
+                continue
+            if found == near.shape[0]:
+                return False
+            near[found, 0], near[found, 1] = i, j
+            found += 1
+    count[NEAR] = found
+    for k in range(3):
+        for i in range(y.shape[1]):
+            memory.origin[k, i] = y[k, i]
+    return True
+
+
+@kernel
+def find_near(x, y, table, memory, tied):
+    """Have all pairs listed that come near on the way from x to y; return whether there was room."""
+    half = 0.5 * table.skin[0]
+    if moved_from(memory.origin, x) <= half and moved_from(memory.origin, y) <= half:
+        return True
+    return list_near(x, y, table, memory, tied)
+
+
+@kernel
+def row_of(memory, i, j):
+    """Return the row of a contact, or -1 less the row before which it belongs."""
+    pair, low, high = memory.pair, 0, memory.tally[CONTACTS]
+    while low < high:
+        middle = (low + high) // 2
+        a, b = pair[middle, 0], pair[middle, 1]
+        if a < i or (a == i and b < j):
+            low = middle + 1
+        else:
+            high = middle
+    if low < memory.tally[CONTACTS] and pair[low, 0] == i and pair[low, 1] == j:
+        return low
+    return -1 - low
+
+
+@kernel
+def new_row(memory, i, j, at):
+    """Make room for a contact as row `at`, all zero; return whether there was any."""
+    pair, grip, count = memory.pair, memory.grip, memory.tally
+    last = count[CONTACTS]
+    if last == pair.shape[0]:
+        return False
+    for back in range(last - at):
+        row = last - back
+        pair[row, 0], pair[row, 1] = pair[row - 1, 0], pair[row - 1, 1]
+        for k in range(WIDTH):
+            grip[row, k] = grip[row - 1, k]
+    pair[at, 0], pair[at, 1] = i, j
+    for k in range(WIDTH):
+        grip[at, k] = 0.0
+    count[CONTACTS] = last + 1
+    return True
+
+
+@kernel
+def is_next(x, y, share, i, s, p):
+    """Tell whether a point beyond segment i's end is nearer to the inside of segment i + 1, or to both alike.
+
+    `p` is a point of the other segment.
+    """
+    if s < 1.0:
+        return False
+    a, b = on_way(x, y, share, i + 1), on_way(x, y, share, i + 2)
+    along = (b[0] - a[0], b[1] - a[1], b[2] - a[2])
+    away = (p[0] - a[0], p[1] - a[1], p[2] - a[2])
+    return product(along, away) > 0.0
+
+
+@kernel
+def owns(x, y, share, table, tied, i, j, s, t):
+    """Tell whether the nearest points of segments i < j are theirs, and not those of segments beside them.
+
+    A contact at a node is that of the segment before it, where that one may touch at all.
+    """
+    rope = table.rope
+    if s <= 0.0 and i > 0 and rope[i - 1] == rope[i]:
+        if not are_neighbours(table, tied, i - 1, j):
+            return False
+    if t <= 0.0 and rope[j - 1] == rope[j] and j - 1 > i:
+        if not are_neighbours(table, tied, i, j - 1):
+            return False
+    if s >= 1.0 and i + 1 < j and rope[i + 1] == rope[i]:
+        c, e = on_way(x, y, share, j), on_way(x, y, share, j + 1)
+        p = ((1.0 - t) * c[0] + t * e[0], (1.0 - t) * c[1] + t * e[1], (1.0 - t) * c[2] + t * e[2])
+        if is_next(x, y, share, i, s, p) and not are_neighbours(table, tied, i + 1, j):
+            return False
+    if t >= 1.0 and j + 1 < rope.shape[0] and rope[j + 1] == rope[j]:
+        c, e = on_way(x, y, share, i), on_way(x, y, share, i + 1)
+        p = ((1.0 - s) * c[0] + s * e[0], (1.0 - s) * c[1] + s * e[1], (1.0 - s) * c[2] + s * e[2])
+        if is_next(x, y, share, j, t, p) and not are_neighbours(table, tied, i, j + 1):
+            return False
+    return True
+
+
+@kernel
+def freeze(x, y, share, memory, row, s, t):
+    """Give a contact points and a normal as they are at a share of the way; without one, that it has."""
+    i, j, grip = memory.pair[row, 0], memory.pair[row, 1], memory.grip
+    a, b = on_way(x, y, share, i), on_way(x, y, share, i + 1)
+    c, e = on_way(x, y, share, j), on_way(x, y, share, j + 1)
+    size = 0.0
+    for k in range(3):
+        u = (1.0 - s) * a[k] + s * b[k] - ((1.0 - t) * c[k] + t * e[k])
+        size += u * u
+    size = math.sqrt(size)
+    grip[row, OWN], grip[row, OTHER] = s, t
+    if size > 0.0:
+        for k in range(3):
+            u = (1.0 - s) * a[k] + s * b[k] - ((1.0 - t) * c[k] + t * e[k])
+            grip[row, NORMAL + k] = u / size

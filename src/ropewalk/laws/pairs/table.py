@@ -1,0 +1,73 @@
+"""What contacts of segments are made from, and what they remember.
+
+A contact is a row: two segments i < j, the point of each where they touch, and the normal there. They stay
+frozen while a step is solved; see `memory` for when they are found anew.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from ropewalk.core.arrays import Floats, Ints
+from ropewalk.core.jit import small
+
+REACH = 1.1  # [1] pairs nearer than this, over the sum of their radii, are contacts
+LAYER = 0.02  # [1] soft skin of a contact, over the same sum
+WRONG = 0.03  # [1] by which a frozen contact may err, over the same sum
+# Columns of `Memory.grip`: normal, points of both segments, the friction spring's force [N] and the vector
+# between the points [m] at the end of the last step, R_n then [N], the spring's stiffness [N/m], and whether
+# the row is to go.
+NORMAL, OWN, OTHER, SPRING, APART, PUSH, STIFF, GONE = 0, 3, 4, 5, 8, 11, 12, 13
+WIDTH = 14
+# Places in `Memory.tally`.
+CONTACTS, NEAR, ROUNDS, SEEN, REFUSED, FAULT, FIRST, SECOND = range(8)
+PASSED, FULL = 1, 2  # faults
+
+
+class Pairs(NamedTuple):
+    """Segments as contacts see them, one row each; (0,) without contact."""
+
+    friction: Floats  # (1,) coefficient of friction [1]; (0,) without contact
+    skin: Floats  # (1,) how far lists of pairs look ahead [m]
+    radius: Floats  # (s,) [m]
+    soft: Floats  # (s,) compliance of a contact that is pressed little [m/N]
+    hard: Floats  # (s,) the same of one that is pressed far [m/N]
+    mass: Floats  # (s,) of a node [kg]
+    rope: Ints  # (s,) number of the rope, -1 between ropes
+    skip: Ints  # (s,) so many segments beside it are its neighbours
+    joint: Ints  # (s, 2) the joints near it, -1: none
+
+
+class Memory(NamedTuple):
+    """What contacts remember of the last accepted step; the first rows count, sorted by segments."""
+
+    pair: Ints  # (m, 2) segments
+    grip: Floats  # (m, WIDTH), see NORMAL
+    near: Ints  # (c, 2) pairs that may touch soon
+    tally: Ints  # (8,), see CONTACTS
+    place: Floats  # (3, n) [m]
+    origin: Floats  # (3, n) where the nodes were when `near` was found [m]
+    box: Floats  # (s, 6) working space of the search
+    order: Ints  # (s,) segments along an axis
+
+
+@small
+def spring_of(table, i, j):
+    """Return stiffness when pressed little and far [N/m], damping [N s/m], and the sum of radii [m]."""
+    soft, hard = (
+        1.0 / (table.soft[i] + table.soft[j]),
+        1.0 / (table.hard[i] + table.hard[j]),
+    )
+    mass = table.mass[i] * table.mass[j] / (table.mass[i] + table.mass[j])
+    return soft, hard, 2.0 * (soft * mass) ** 0.5, table.radius[i] + table.radius[j]
+
+
+@small
+def between(x, i, j, s, t):
+    """Return the vector from a point of segment j to one of segment i."""
+    a, b = 1.0 - s, 1.0 - t
+    return (
+        a * x[0, i] + s * x[0, i + 1] - (b * x[0, j] + t * x[0, j + 1]),
+        a * x[1, i] + s * x[1, i + 1] - (b * x[1, j] + t * x[1, j + 1]),
+        a * x[2, i] + s * x[2, i + 1] - (b * x[2, j] + t * x[2, j + 1]),
+    )

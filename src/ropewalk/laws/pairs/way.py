@@ -1,0 +1,160 @@
+"""The way of a step: nothing passes through anything.
+
+A step may stand where all pairs that come near on its way are contacts that were solved for, none came
+nearer than half the radii's sum, or half as near as it was, and none ends pressed by more than a tenth of
+that sum, but for those that were already. Pairs that touch on the way become contacts, with points and
+normal as they are then, and the step is solved again; if that does not help, it is to be halved. No centre
+line moves through another in a step that stands, whatever the solver did.
+"""
+
+from __future__ import annotations
+
+from ropewalk.core.jit import kernel, small
+from ropewalk.laws.pairs.force import pressed
+from ropewalk.laws.pairs.nearest import NEVER, comes_to, nearest, relative_way
+from ropewalk.laws.pairs.search import find_near, freeze, new_row, owns, row_of
+from ropewalk.laws.pairs.table import (
+    APART,
+    CONTACTS,
+    FAULT,
+    FIRST,
+    FULL,
+    NEAR,
+    NORMAL,
+    OTHER,
+    OWN,
+    PUSH,
+    REFUSED,
+    ROUNDS,
+    SECOND,
+    SEEN,
+    STIFF,
+    WRONG,
+    between,
+    spring_of,
+)
+
+FINE, AGAIN, HALVE = range(3)  # see `laws.couplings`
+MOST_ROUNDS = 6  # solutions of one step
+WARY_ROUNDS = 3  # of which so many for the sake of normals alone
+DEEPEST = 0.9  # [1] distance over the radii's sum
+GIVES = 0.98  # [1] by which the distance of a pair pressed deeper may shrink
+HALF = 0.5
+
+
+@kernel
+def begin_contact(x, table, memory, row):
+    """Let a contact whose points were found anew remember from the places at hand on."""
+    i, j, grip = memory.pair[row, 0], memory.pair[row, 1], memory.grip
+    u = between(x, i, j, grip[row, OWN], grip[row, OTHER])
+    grip[row, APART], grip[row, APART + 1], grip[row, APART + 2] = u
+    grip[row, STIFF] = max(grip[row, STIFF], spring_of(table, i, j)[0])
+
+
+@kernel
+def add_contact(x, y, share, table, memory, tied, i, j):
+    """Make a contact of a pair that touches at a share of the way from x to y; return how many."""
+    s, t, _ = nearest(x, y, share, i, j)
+    if not owns(x, y, share, table, tied, i, j, s, t):
+        return 0
+    row = -1 - row_of(memory, i, j)
+    if not new_row(memory, i, j, row):
+        memory.tally[FAULT] = FULL
+        return 0
+    freeze(x, y, share, memory, row, s, t)
+    begin_contact(x, table, memory, row)
+    return 1
+
+
+@kernel
+def plane_gap(y, memory, row, size):
+    """Return how far apart a contact holds its pair to be [m]."""
+    grip, i, j = memory.grip, memory.pair[row, 0], memory.pair[row, 1]
+    u = between(y, i, j, grip[row, OWN], grip[row, OTHER])
+    n0, n1, n2 = grip[row, NORMAL], grip[row, NORMAL + 1], grip[row, NORMAL + 2]
+    return n0 * u[0] + n1 * u[1] + n2 * u[2] - size
+
+
+@kernel
+def turn_contact(x, y, table, memory, row, hit, end):
+    """Give a contact that is wrong at y points and normal that are right there, or where it touched."""
+    i, j, grip = memory.pair[row, 0], memory.pair[row, 1], memory.grip
+    share = 1.0
+    if end[2] > 0.0:
+        u = between(y, i, j, end[0], end[1])
+        n0, n1, n2 = grip[row, NORMAL], grip[row, NORMAL + 1], grip[row, NORMAL + 2]
+        if n0 * u[0] + n1 * u[1] + n2 * u[2] < 0.5 * end[2]:
+            share = hit
+    if share > 1.0:
+        return 0
+    s, t, _ = nearest(x, y, share, i, j)
+    freeze(x, y, share, memory, row, s, t)
+    begin_contact(x, table, memory, row)
+    return 1
+
+
+@small
+def refuse(memory, i, j):
+    """Note which pair is why a step cannot stand."""
+    memory.tally[REFUSED] = 1
+    memory.tally[FIRST], memory.tally[SECOND] = i, j
+
+
+@kernel
+def meet_pairs(x, y, table, memory, tied):
+    """Look at the way from x to y: return FINE, AGAIN where contacts have changed, or HALVE."""
+    count = memory.tally
+    if not find_near(x, y, table, memory, tied):
+        return HALVE
+    more, bad = 0, 0
+    for k in range(count[NEAR]):
+        i, j = memory.near[k, 0], memory.near[k, 1]
+        size = table.radius[i] + table.radius[j]
+        end = nearest(x, y, 1.0, i, j)
+        start, way = nearest(x, y, 0.0, i, j)[2], relative_way(x, y, i, j)
+        row, least = row_of(memory, i, j), HALF * (start + end[2] - way)
+        if row < 0 and least >= size:
+            continue
+        limit = HALF * min(size, start)
+        through = least < limit and comes_to(x, y, i, j, limit, start, way) < NEVER
+        too_deep = end[2] < DEEPEST * size and end[2] < GIVES * start
+        hit = NEVER
+        if least < size and (row < 0 or through or too_deep):
+            hit = comes_to(x, y, i, j, size, start, way)
+        changed = 0
+        if row < 0:
+            if hit < NEVER:
+                changed = add_contact(x, y, hit, table, memory, tied, i, j)
+        else:
+            gap = plane_gap(y, memory, row, size)
+            off = abs(end[2] - size - gap) > WRONG * size and (end[2] < size or gap < 0.0)
+            if off and (through or too_deep or count[ROUNDS] < WARY_ROUNDS):
+                hit = comes_to(x, y, i, j, size, start, way) if hit == NEVER else hit
+                changed = turn_contact(x, y, table, memory, row, hit, end)
+        more += changed
+        if through or too_deep:
+            bad += 1
+            refuse(memory, i, j)
+    if count[FAULT] == FULL or (bad > 0 and more == 0) or count[ROUNDS] >= MOST_ROUNDS:
+        count[ROUNDS] = 0
+        return HALVE
+    if more > 0:
+        count[ROUNDS] += 1
+        return AGAIN
+    count[ROUNDS], count[SEEN] = 0, 1
+    return FINE
+
+
+@kernel
+def count_closing_pairs(x, v, table, memory):
+    """Return how many contacts that were open are pressed at `x` and `v`."""
+    grip, closing = memory.grip, 0.0
+    for row in range(memory.tally[CONTACTS]):
+        if grip[row, PUSH] > 0.0:
+            continue
+        i, j = memory.pair[row, 0], memory.pair[row, 1]
+        soft, hard, damping, size = spring_of(table, i, j)
+        s, t = grip[row, OWN], grip[row, OTHER]
+        u, w = between(x, i, j, s, t), between(v, i, j, s, t)
+        closing += 1.0 if pressed(grip, row, u, w, soft, hard, damping, size)[0] > 0.0 else 0.0
+    return closing

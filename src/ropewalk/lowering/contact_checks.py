@@ -1,0 +1,73 @@
+"""Scenes whose ropes touch each other and cannot be run: methods that cannot, ropes inside each other."""
+
+from __future__ import annotations
+
+from ropewalk.core.arrays import State, System
+from ropewalk.laws.pairs.nearest import nearest
+from ropewalk.laws.pairs.table import FAULT, FULL, NEAR
+from ropewalk.lowering.layout import Layout
+from ropewalk.lowering.obstacle_checks import NO_REST, RINGING
+from ropewalk.methods.registry import METHODS
+from ropewalk.scene import Scene, SceneError
+from ropewalk.scene.faults import NO_VALUE, Fault
+
+_REFUSED = (*RINGING, "adaptive")
+_DEEPEST = 0.9  # [1] least distance at the start over the sum of the radii
+
+
+def can_touch(method: str) -> bool:
+    """Tell whether a method can work with ropes that touch each other."""
+    return method not in _REFUSED
+
+
+def refuse_contact(
+    scene: Scene, system: System, state: State, layout: Layout, *, drawn: bool = True
+) -> None:
+    """Raise SceneError for a scene that cannot be run for its contact.
+
+    With `drawn` off ropes get other places than those of the state.
+    """
+    if scene.contact is None:
+        return
+    faults, method = [], scene.run.method
+    if not can_touch(method):
+        able = ", ".join(name for name in METHODS if can_touch(name))
+        why = (
+            "its steps end for errors, not where ropes touch"
+            if method == "adaptive"
+            else "it keeps stiff modes ringing, so that nothing comes to rest"
+        )
+        rule = f"cannot work with ropes that touch each other: {why}; methods that can: {able}"
+        faults.append(Fault("run.method", method, rule))
+    if scene.run.start == "at-rest":
+        faults.append(Fault("run.start", "at-rest", NO_REST))
+    faults += _inside(system, state, layout) if drawn else []
+    if faults:
+        raise SceneError(faults)
+
+
+def _inside(system: System, state: State, layout: Layout) -> list[Fault]:
+    """Return a fault for the two segments that start deepest inside each other, or for too many contacts."""
+    table, memory = system.node.contact, state.memory.contact
+    if memory.tally[FAULT] == FULL:
+        rule = (
+            "finds more pairs of segments near each other at the start than there is room for: draw the "
+            "ropes apart, or give them fewer segments"
+        )
+        return [Fault("contact", NO_VALUE, rule)]
+    worst, pair = 1.0, (0, 0)
+    for i, j in memory.near[: memory.tally[NEAR]]:
+        size = float(table.radius[i] + table.radius[j])
+        over = nearest(state.x, state.x, 0.0, i, j)[2] / size
+        if over < worst:
+            worst, pair = over, (int(i), int(j))
+    if worst >= _DEEPEST:
+        return []
+    (one, a), (other, b) = (layout.rope_of(k) for k in pair)
+    size = float(table.radius[pair[0]] + table.radius[pair[1]])
+    own = [span.name for span in layout.ropes].index(other)
+    rule = (
+        f"starts {1e3 * (1.0 - worst) * size:.4g} mm inside segment {a} of rope {one!r}, half of both "
+        "diameters counted in: draw the ropes apart"
+    )
+    return [Fault(f"rope[{own}].shape", f"segment {b}", rule)]
