@@ -13,7 +13,7 @@ from ropewalk.core.saddle import dense_saddle
 from ropewalk.laws.pairs.force import pair_energy, pair_forces, squeeze
 from ropewalk.laws.pairs.nearest import NEVER, comes_to, nearest, relative_way
 from ropewalk.laws.pairs.search import list_near
-from ropewalk.laws.pairs.table import CONTACTS, NEAR, PUSH, SPRING, STIFF
+from ropewalk.laws.pairs.table import CONTACTS, NEAR, PUSH, SPRING, STIFF, STOP
 from ropewalk.laws.pairs.tangent import couple_pairs
 from ropewalk.lowering import build
 from ropewalk.scene import Contact, Material, Points, Rope, RunSettings, Scene
@@ -153,7 +153,7 @@ def test_the_sweep_finds_every_near_pair() -> None:
 def test_what_is_pressed_hardens_without_a_jump() -> None:
     """Force and energy are integrals of the slope; beyond the skin the slope is that of the segments."""
     soft, hard, layer = 100.0, 5000.0, 1e-3
-    depth = np.linspace(-1e-3, 4e-3, 5001)
+    depth = np.linspace(-1e-3, 6e-3, 70001)
     force, slope, energy = (
         np.array(part) for part in zip(*(squeeze(d, soft, hard, layer) for d in depth), strict=True)
     )
@@ -163,7 +163,8 @@ def test_what_is_pressed_hardens_without_a_jump() -> None:
     work = 0.5 * (force[1:] + force[:-1]) * np.diff(depth)
     assert np.diff(energy)[inside] == pytest.approx(work[inside], rel=1e-5, abs=1e-12)
     assert slope[0] == soft
-    assert slope[-1] == hard
+    assert slope[np.searchsorted(depth, 2.5e-3)] == pytest.approx(hard)
+    assert slope[-1] == pytest.approx(STOP * hard)
 
 
 @pytest.mark.parametrize(("friction", "pull"), [(0.3, 3.0), (10.0, 0.01), (0.0, 0.0)])

@@ -26,9 +26,8 @@ def fault_of(state: State, layout: Layout) -> str:
             "shorter time_step, or implicit-euler, which sees to it that nothing passes"
         )
     return (
-        f"more pairs of segments are near each other than there is room for ({len(state.memory.contact.pair)} "
-        f"contacts): no contact is left out silently; take fewer segments, or a thinner rope; "
-        f"{count[CONTACTS]} touch now"
+        f"more segments are near each other than there is room for, {count[CONTACTS]} pairs now: no contact "
+        "is left out silently; give the ropes fewer segments"
     )
 
 

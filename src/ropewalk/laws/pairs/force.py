@@ -7,8 +7,9 @@ R' the friction spring's force then,
     q   = P (R' - k_t D) - c P u'
     R_t = q            where |q| <= mu R_n             it sticks
           mu R_n q/|q| elsewhere                       it slips
-on segment i, and the opposite on j, shared among their nodes as the points lie. R is k times the depth within
-a skin of LAYER d, then ever stiffer up to the stiffness of the segments, which it has from 2 LAYER d on.
+on segment i, and the opposite on j, shared among their nodes as the points lie. R is k times the depth in a
+skin of LAYER d, gets as stiff as the rope is across from 2 LAYER d on, and STOP times that from 3 to 5 LAYER
+d: what is thrown against it stops. The damper grows with k_t, so that an impact does not bounce back whole.
 Sources: Cundall & Strack 1979, Geotechnique 29:47 (friction with memory); Simo & Hughes, Computational
 Inelasticity, 1998, ch. 2 (return mapping).
 """
@@ -27,6 +28,7 @@ from ropewalk.laws.pairs.table import (
     OWN,
     SPRING,
     STIFF,
+    STOP,
     between,
     spring_of,
 )
@@ -35,15 +37,24 @@ from ropewalk.laws.pairs.table import (
 @small
 def squeeze(depth, soft, hard, layer):
     """Return force [N], its slope [N/m] and energy [J] of a contact that is pressed by `depth` [m]."""
-    if depth <= layer:
-        return soft * depth, soft, 0.5 * soft * depth * max(depth, 0.0)
-    more = (hard - soft) / layer
-    e = min(depth - layer, layer)
-    force = soft * (layer + e) + 0.5 * more * e * e
-    slope = soft + more * e
-    energy = 0.5 * soft * (layer + e) * (layer + e) + more * e * e * e / 6.0
-    rest = depth - layer - e
-    return force + slope * rest, slope, energy + (force + 0.5 * slope * rest) * rest
+    e = min(depth, layer)
+    force, slope, energy = soft * e, soft, 0.5 * soft * e * max(e, 0.0)
+    force, slope, energy = beyond(
+        min(depth - layer, layer), (hard - soft) / layer, force, slope, energy
+    )
+    force, slope, energy = beyond(min(depth - 2.0 * layer, layer), 0.0, force, slope, energy)
+    rate = 0.5 * (STOP - 1.0) * hard / layer
+    force, slope, energy = beyond(min(depth - 3.0 * layer, 2.0 * layer), rate, force, slope, energy)
+    return beyond(depth - 5.0 * layer, 0.0, force, slope, energy)
+
+
+@small
+def beyond(depth, rate, force, slope, energy):
+    """Return force, slope and energy after so much more depth [m], if any, with a slope that grows so."""
+    e = max(depth, 0.0)
+    more = (slope + 0.5 * rate * e) * e
+    stored = (force + (0.5 * slope + rate * e / 6.0) * e) * e
+    return force + more, slope + rate * e, energy + stored
 
 
 @small
@@ -81,7 +92,7 @@ def add_pair_forces(x, v, table, memory, force):
     pair, grip = memory.pair, memory.grip
     for row in range(memory.tally[CONTACTS]):
         i, j = pair[row, 0], pair[row, 1]
-        soft, hard, damping, size = spring_of(table, i, j)
+        soft, hard, damping, size = spring_of(table, memory.grip, row, i, j)
         s, t = grip[row, OWN], grip[row, OTHER]
         u, w = between(x, i, j, s, t), between(v, i, j, s, t)
         push, _ = pressed(grip, row, u, w, soft, hard, damping, size)
@@ -99,17 +110,23 @@ def add_pair_forces(x, v, table, memory, force):
             force[k, j + 1] -= t * f
 
 
+@small
+def depth_of(x, memory, row, i, j, size):
+    """Return how deep a contact is pressed [m]; negative where it is open."""
+    grip = memory.grip
+    u = between(x, i, j, grip[row, OWN], grip[row, OTHER])
+    n0, n1, n2 = grip[row, NORMAL], grip[row, NORMAL + 1], grip[row, NORMAL + 2]
+    return size - (n0 * u[0] + n1 * u[1] + n2 * u[2])
+
+
 @kernel
 def pair_energy(x, table, memory):
     """Return what contacts have stored where they are pressed in [J]."""
-    total, grip = 0.0, memory.grip
+    total = 0.0
     for row in range(memory.tally[CONTACTS]):
         i, j = memory.pair[row, 0], memory.pair[row, 1]
-        soft, hard, _, size = spring_of(table, i, j)
-        u = between(x, i, j, grip[row, OWN], grip[row, OTHER])
-        depth = size - (
-            grip[row, NORMAL] * u[0] + grip[row, NORMAL + 1] * u[1] + grip[row, NORMAL + 2] * u[2]
-        )
+        soft, hard, _, size = spring_of(table, memory.grip, row, i, j)
+        depth = depth_of(x, memory, row, i, j, size)
         total += squeeze(depth, soft, hard, LAYER * size)[2] if depth > 0.0 else 0.0
     return total
 
@@ -123,5 +140,7 @@ def pair_rounding(x, table, memory):
             size = max(size, abs(x[k, i]))
     for row in range(memory.tally[CONTACTS]):
         i, j = memory.pair[row, 0], memory.pair[row, 1]
-        most = max(most, spring_of(table, i, j)[1])
+        soft, hard, _, wide = spring_of(table, memory.grip, row, i, j)
+        depth = depth_of(x, memory, row, i, j, wide)
+        most = max(most, squeeze(depth, soft, hard, LAYER * wide)[1])
     return 16.0 * 2.220446049250313e-16 * most * size

@@ -1,8 +1,9 @@
 """Contact of ropes with each other and with themselves as a law: Coulomb friction between pairs of segments.
 
 By default a contact is as soft as the inertia of both ropes lets it be solved for, as one with an obstacle
-is (`laws.obstacle`), within a thin skin, and below as stiff as their segments. The force is that of
-`force`; what it remembers is in `memory`; `way` sees to it that no step lets ropes pass through each other.
+is (`laws.obstacle`), in a thin skin, and EA / diameter below, as stiff as a rope is across. The force is
+that of `force`; what it remembers is in `memory`; `way` sees to it that no step lets ropes pass through each
+other.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ from ropewalk.laws.node_law import NodeLaw, Rest
 from ropewalk.laws.obstacle import node_stiffness
 from ropewalk.laws.pairs.force import add_pair_forces, pair_energy, pair_forces, pair_rounding
 from ropewalk.laws.pairs.memory import remember_pairs
-from ropewalk.laws.pairs.table import CONTACTS, FAULT, SEEN, WIDTH, Memory, Pairs
+from ropewalk.laws.pairs.table import CONTACTS, FAULT, HARD, SEEN, WIDTH, Memory, Pairs
 from ropewalk.laws.pairs.tangent import couple_pairs
 from ropewalk.laws.pairs.way import count_closing_pairs, meet_pairs
 
@@ -66,8 +67,8 @@ def lower(
     for number, (rope, span, mass) in enumerate(zip(ropes, layout.ropes, whole, strict=True)):
         here = slice(span.first, span.last)
         own, table.mass[here] = node_stiffness(rope, mass)
-        k = rope.segment_stiffness
-        far = max(own, k) if math.isfinite(k) else RIGID * own
+        across = rope.segment_stiffness * rope.segment_length / rope.diameter
+        far = max(own, across) if math.isfinite(across) else RIGID * own
         table.radius[here] = 0.5 * rope.diameter
         table.soft[here], table.hard[here] = 1.0 / own, 1.0 / far
         if contact.compliance is not None:
@@ -210,9 +211,8 @@ def cases(table: Pairs, chain: Chain) -> dict[str, Chain]:
     if not len(table.rope):
         return {}
     alive = table.rope >= 0
-    soft = 0.5 / table.soft[alive].min()
-    stiff = 0.5 / table.hard[alive].min()
-    damping = 2.0 * math.sqrt(soft * 0.5 * float(table.mass[alive].max()))
+    soft, stiff = 0.5 / table.soft[alive].min(), 0.5 / table.hard[alive].min()
+    damping = 2.0 * math.sqrt(max(soft, HARD**2 * stiff) * 0.5 * float(table.mass[alive].max()))
     return {
         "pressed to ropes": chain._replace(
             node_stiffness=chain.node_stiffness + 2.0 * 2.0 * stiff,

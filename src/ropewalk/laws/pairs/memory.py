@@ -73,7 +73,7 @@ def is_right(y, memory, row, size, distance):
 def hold(x, v, table, memory, row):
     """Keep what a contact carries at `x` and `v`; return 1 where it has closed, else 0."""
     i, j, grip = memory.pair[row, 0], memory.pair[row, 1], memory.grip
-    soft, hard, damping, size = spring_of(table, i, j)
+    soft, hard, damping, size = spring_of(table, grip, row, i, j)
     s, t = grip[row, OWN], grip[row, OTHER]
     u, w = between(x, i, j, s, t), between(v, i, j, s, t)
     push, _ = pressed(grip, row, u, w, soft, hard, damping, size)
@@ -87,7 +87,7 @@ def hold(x, v, table, memory, row):
     depth = size - along
     grip[row, PUSH] = push
     rigid = squeeze(depth, soft, hard, LAYER * size)[0] / depth if depth > 0.0 else soft
-    grip[row, STIFF] = max(soft, rigid)
+    grip[row, STIFF] = min(max(soft, rigid), max(soft, hard))
     for k in range(3):
         grip[row, SPRING + k] = share * q[k]
         grip[row, APART + k] = u[k]

@@ -13,6 +13,8 @@ from ropewalk.core.jit import small
 
 REACH = 1.1  # [1] pairs nearer than this, over the sum of their radii, are contacts
 LAYER = 0.02  # [1] soft skin of a contact, over the same sum
+STOP = 200.0  # [1] stiffness of one pressed through, over that of one pressed far
+HARD = 0.3  # [1] damping ratio of contacts pressed beyond their skin
 WRONG = 0.03  # [1] by which a frozen contact may err, over the same sum
 # Columns of `Memory.grip`: normal, points of both segments, the friction spring's force [N] and the vector
 # between the points [m] at the end of the last step, R_n then [N], the spring's stiffness [N/m], and whether
@@ -52,14 +54,15 @@ class Memory(NamedTuple):
 
 
 @small
-def spring_of(table, i, j):
+def spring_of(table, grip, row, i, j):
     """Return stiffness when pressed little and far [N/m], damping [N s/m], and the sum of radii [m]."""
     soft, hard = (
         1.0 / (table.soft[i] + table.soft[j]),
         1.0 / (table.hard[i] + table.hard[j]),
     )
     mass = table.mass[i] * table.mass[j] / (table.mass[i] + table.mass[j])
-    return soft, hard, 2.0 * (soft * mass) ** 0.5, table.radius[i] + table.radius[j]
+    damping = 2.0 * max((soft * mass) ** 0.5, HARD * (grip[row, STIFF] * mass) ** 0.5)
+    return soft, hard, damping, table.radius[i] + table.radius[j]
 
 
 @small

@@ -30,7 +30,7 @@ from ropewalk.laws.pairs.table import (
 def tangent_of(table, memory, row, x, v, weight_x, weight_v):
     """Return the matrix, row by row, that takes a change of u to that of the force, with weights."""
     grip, i, j = memory.grip, memory.pair[row, 0], memory.pair[row, 1]
-    soft, hard, damping, size = spring_of(table, i, j)
+    soft, hard, damping, size = spring_of(table, grip, row, i, j)
     s, t = grip[row, OWN], grip[row, OTHER]
     u, w = between(x, i, j, s, t), between(v, i, j, s, t)
     push, slope = pressed(grip, row, u, w, soft, hard, damping, size)

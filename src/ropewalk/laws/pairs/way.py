@@ -48,7 +48,7 @@ def begin_contact(x, table, memory, row):
     i, j, grip = memory.pair[row, 0], memory.pair[row, 1], memory.grip
     u = between(x, i, j, grip[row, OWN], grip[row, OTHER])
     grip[row, APART], grip[row, APART + 1], grip[row, APART + 2] = u
-    grip[row, STIFF] = max(grip[row, STIFF], spring_of(table, i, j)[0])
+    grip[row, STIFF] = max(grip[row, STIFF], spring_of(table, grip, row, i, j)[0])
 
 
 @kernel
@@ -153,7 +153,7 @@ def count_closing_pairs(x, v, table, memory):
         if grip[row, PUSH] > 0.0:
             continue
         i, j = memory.pair[row, 0], memory.pair[row, 1]
-        soft, hard, damping, size = spring_of(table, i, j)
+        soft, hard, damping, size = spring_of(table, grip, row, i, j)
         s, t = grip[row, OWN], grip[row, OTHER]
         u, w = between(x, i, j, s, t), between(v, i, j, s, t)
         closing += 1.0 if pressed(grip, row, u, w, soft, hard, damping, size)[0] > 0.0 else 0.0
