@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from ropewalk.api import settle
 from ropewalk.core.arrays import Floats, flatten
 from ropewalk.laws.pairs.table import FAULT
 from ropewalk.lowering import build
@@ -31,6 +32,7 @@ from ropewalk.scene import (
     Winch,
 )
 from ropewalk.simulation import Broken, Simulation
+from ropewalk.vibration import modes
 from verification.topology import linking_number
 
 g = 9.81
@@ -317,3 +319,13 @@ def test_what_cannot_touch_is_refused_in_words() -> None:
         build(scene.replace(ropes=(scene.ropes[0], crossed)))
     with pytest.raises(SceneError, match=r"friction: -0.1 - must be at least 0"):
         Contact(friction=-0.1)
+
+
+def test_rest_and_modes_of_ropes_that_touch_are_refused() -> None:
+    """Neither is looked for; both say so."""
+    scene = thrown(0.0)
+    with pytest.raises(SceneError, match="the rest of ropes that touch each other depends on how"):
+        settle(scene)
+    for about in ("start", "equilibrium"):
+        with pytest.raises(SceneError, match="contact: modes of ropes that touch each other"):
+            modes(scene, about=about)

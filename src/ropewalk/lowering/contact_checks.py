@@ -6,11 +6,16 @@ from ropewalk.core.arrays import State, System
 from ropewalk.laws.pairs.nearest import nearest
 from ropewalk.laws.pairs.table import FAULT, FULL, NEAR
 from ropewalk.lowering.layout import Layout
-from ropewalk.lowering.obstacle_checks import NO_REST, RINGING
+from ropewalk.lowering.obstacle_checks import RINGING
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import Scene, SceneError
 from ropewalk.scene.faults import NO_VALUE, Fault
 
+#: Why nothing looks for a rest of ropes that touch each other.
+NO_REST = (
+    "the rest of ropes that touch each other depends on how they came there, and is not looked for; draw the "
+    "shape near rest and let the run settle, with some axial_damping"
+)
 _REFUSED = (*RINGING, "adaptive")
 _DEEPEST = 0.9  # [1] least distance at the start over the sum of the radii
 

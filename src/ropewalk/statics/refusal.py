@@ -9,6 +9,7 @@ import numpy as np
 from ropewalk.laws.acting import at_rest
 from ropewalk.laws.node_law import Rest
 from ropewalk.lowering import Model, Span
+from ropewalk.lowering.contact_checks import NO_REST
 from ropewalk.scene import SceneError
 from ropewalk.scene.faults import Fault
 from ropewalk.statics.hung import held_nodes
@@ -38,6 +39,8 @@ def refuse_impossible(model: Model) -> None:
 
 def _fault_of(model: Model, rope: Span) -> str:
     """Return what is missing for one rope to be at rest; "" where nothing is."""
+    if model.scene.contact is not None:
+        return NO_REST
     held = held_nodes(model, rope)
     heavy, rests = bool(np.any(model.system.gravity)), at_rest(model.system)
     if Rest.HOLDS in rests:

@@ -21,7 +21,7 @@ from ropewalk.lowering.link_lengths import has_links
 from ropewalk.lowering.touching import SLIPS
 from ropewalk.methods.loop import prepare_links
 from ropewalk.scene import Scene, SceneError
-from ropewalk.scene.faults import Fault
+from ropewalk.scene.faults import NO_VALUE, Fault
 from ropewalk.statics import Statics, checked_shape
 from ropewalk.statics.balance import standing
 from ropewalk.vibration.drawing import ModePlots
@@ -121,6 +121,9 @@ def modes(source: Scene | Model, about: About = "equilibrium", count: int = 10) 
     if count < 1:
         raise ValueError(f"count: {count!r} - must be at least 1")
     model = source if isinstance(source, Model) else build(source)
+    if model.scene.contact is not None:
+        rule = "modes of ropes that touch each other are not found; leave contact out"
+        raise SceneError([Fault("contact", NO_VALUE, rule)])
     x, tension, model = shape_about(model, about)
     linear = linearise(model, x, tension)
     if linear.loose:
