@@ -12,7 +12,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from ropewalk.api import settle
 from ropewalk.core.arrays import Floats, flatten
 from ropewalk.laws.pairs.table import FAULT
 from ropewalk.lowering import build
@@ -32,6 +31,7 @@ from ropewalk.scene import (
     Winch,
 )
 from ropewalk.simulation import Broken, Simulation
+from ropewalk.statics import checked_shape
 from ropewalk.vibration import modes
 from verification.topology import linking_number
 
@@ -325,7 +325,7 @@ def test_rest_and_modes_of_ropes_that_touch_are_refused() -> None:
     """Neither is looked for; both say so."""
     scene = thrown(0.0)
     with pytest.raises(SceneError, match="the rest of ropes that touch each other depends on how"):
-        settle(scene)
+        checked_shape(build(scene))
     for about in ("start", "equilibrium"):
         with pytest.raises(SceneError, match="contact: modes of ropes that touch each other"):
             modes(scene, about=about)
