@@ -350,7 +350,8 @@ export class Stage {
     const moved = this.nodes.advance(performance.now());
     this.anchors.advance(performance.now());
     const turned = this.camera.version !== this.cameraVersion;
-    if (moved || turned || this.dirty || this.marks.dirty) this.draw(moved || this.dirty);
+    const anew = turned || this.dirty || this.marks.dirty || this.renderer.unfinished;
+    if (moved || anew) this.draw(moved || this.dirty);
     this.session.acknowledge();
   }
 

@@ -396,7 +396,7 @@ def test_the_colours_may_tell_how_near_a_rope_is_to_breaking(
     assert window.ask("document.querySelector('#colouring [value=utilisation]').disabled")
 
 
-@pytest.mark.parametrize("size", [(390, 844), (360, 640)])
+@pytest.mark.parametrize("size", [(390, 844), (360, 640), (844, 390)])
 def test_whatever_a_finger_presses_is_large_enough_and_in_reach(
     open_window: Open, serve: Serve, size: tuple[int, int]
 ) -> None:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import base64
 import math
 from itertools import pairwise
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -14,6 +16,7 @@ from ropewalk import plots
 from ropewalk.plots.canvas import backdrop
 from ropewalk.plots.contact_forces import coils
 from ropewalk.plots.dimensions import dimensions
+from ropewalk.record.export import export
 from ropewalk.record.result import Result
 from ropewalk.scene import Scene, loads
 
@@ -84,6 +87,14 @@ def test_the_figure_draws_what_was_recorded(slipping: Result) -> None:
     assert "[N]" in above.get_ylabel()
     assert "[m]" in below.get_xlabel()
     assert any(line.get_linestyle() == "--" for line in below.lines)
+
+
+def test_vtk_has_the_forces_on_nodes(slipping: Result, tmp_path: Path) -> None:
+    export(slipping, "vtk", tmp_path, quantities=["positions", "contact_force"])
+    text = sorted((tmp_path).rglob("*.vtp"))[-1].read_text()
+    packed = text.split('Name="contact_force"')[1].split(">", 1)[1].split("<", 1)[0]
+    told = np.frombuffer(base64.b64decode(packed)[8:], "<f8").reshape(-1, 3)
+    assert np.array_equal(told, slipping.contact_force[-1])
 
 
 def test_without_obstacles_there_is_no_such_figure() -> None:

@@ -199,7 +199,7 @@ export class Legend {
     const { contacts, firmest } = this.stage.marks;
     this.firmest.hidden = this.contacts.hidden || !contacts || !(firmest > 1e-9);
     if (!this.firmest.hidden)
-      write(this.firmest, `longest: ${quantity(Number(firmest.toPrecision(2)), "N")}`);
+      write(this.firmest, `longest ${quantity(Number(firmest.toPrecision(2)), "N")}`);
     write(this.grid, `Grid ${quantity(this.stage.spacing, "m")}`);
     const times = this.stage.thickness();
     write(

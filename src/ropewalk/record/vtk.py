@@ -35,8 +35,8 @@ _HEAD = (
 def write_vtk(result: Result, chosen: Selection, out: Path, overwrite: bool) -> Path:
     """Write the series into the folder `out`; return its .pvd. Raises RunError.
 
-    Points are the chosen nodes; positions are always written, velocities and tensions where they are
-    chosen; other quantities have no place in it.
+    Points are the chosen nodes; positions are always written, velocities, tensions and contact forces where they
+    are chosen; other quantities have no place in it.
     """
     index, frames = out / "rope.pvd", out / "frames"
     with writing(out):
@@ -94,7 +94,7 @@ def _write_frames(result: Result, chosen: Selection, folder: Path) -> list[str]:
 
 
 def _more(result: Result, chosen: Selection) -> list[str]:
-    wanted = ("velocities", "tension", "elastic_tension")
+    wanted = ("velocities", "tension", "elastic_tension", "contact_force")
     return [name for name in wanted if name in chosen.quantities and name in result.source.names]
 
 
@@ -112,6 +112,8 @@ def _poly_data(
         velocity = parts["velocities"][nodes]
         with np.errstate(over="ignore", invalid="ignore"):  # of a broken frame
             points |= {"velocity": velocity, "speed": np.linalg.norm(velocity, axis=1)}
+    if "contact_force" in parts:
+        points["contact_force"] = parts["contact_force"][nodes]
     of_cells: dict[str, NDArray[Any]] = {"rope": number[cells]}
     if "tension" in parts:
         of_cells[result.tension_name.replace(" ", "_")] = parts["tension"][cells]

@@ -11,6 +11,8 @@ import { Solids } from "./solids.js";
 /** @typedef {import("../view.js").Ground} Ground */
 /** @typedef {import("../view.js").Theme} Theme */
 
+const REST = 150; // ms without a move of the camera, after which all pixels are drawn
+
 const VERTEX = /* glsl */ `
 void main() {
   gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.5, 1.0);
@@ -77,14 +79,20 @@ void main() {
 const COPY = /* glsl */ `
 precision highp float;
 uniform highp sampler2D backdrop;
+uniform int coarse;
 out vec4 colour;
-void main() { colour = texelFetch(backdrop, ivec2(gl_FragCoord.xy), 0); }
+void main() { colour = texelFetch(backdrop, ivec2(gl_FragCoord.xy) / coarse, 0); }
 `;
 
 export class Backdrop {
-  /** @param {Record<string, THREE.IUniform>} shared */
-  constructor(shared) {
+  /** @param {Record<string, THREE.IUniform>} shared @param {boolean} soft whether the processor draws: then
+   * with half the pixels each way while the camera moves */
+  constructor(shared, soft) {
     this.shared = shared;
+    this.soft = soft;
+    this.full = [1, 1]; // device pixels
+    this.moved = -Infinity; // when the camera did [ms]
+    this.version = -1; // of the camera
     const ink = () => ({ value: new THREE.Vector3() });
     this.uniforms = {
       size: { value: new THREE.Vector2(1, 1) },
@@ -108,7 +116,9 @@ export class Backdrop {
     this.scene = new THREE.Scene();
     this.scene.add(triangle(flatMaterial(VERTEX, FRAGMENT, { ...shared, ...this.uniforms })));
     /** Puts the texture behind everything. */
-    this.mesh = triangle(flatMaterial(VERTEX, COPY, { backdrop: this.texture }));
+    this.mesh = triangle(
+      flatMaterial(VERTEX, COPY, { backdrop: this.texture, coarse: shared.coarse }),
+    );
     this.solids = new Solids(shared, this.uniforms);
     this.depths = { value: new THREE.Vector2() };
     const over = flatMaterial(VERTEX, SOLID_COPY, {
@@ -116,6 +126,7 @@ export class Backdrop {
       info: this.solids.info,
       turns: this.solids.turns,
       depths: this.depths,
+      coarse: shared.coarse,
     });
     over.depthTest = over.depthWrite = true;
     over.depthFunc = THREE.AlwaysDepth;
@@ -139,14 +150,39 @@ export class Backdrop {
 
   /** @param {number} width @param {number} height device pixels */
   resize(width, height) {
+    this.full = [width, height];
+    this.fit();
+  }
+
+  /** Give the textures their size. */
+  fit() {
+    const [width, height] = this.full.map((one) => Math.ceil(one / this.shared.coarse.value));
     this.target.setSize(width, height);
     this.solids.resize(width, height);
     this.key = "";
   }
 
+  /** Whether the camera rests, and there are still too few pixels. */
+  get unfinished() {
+    return this.shared.coarse.value > 1 && performance.now() - this.moved > REST;
+  }
+
+  /** Choose the number of pixels. @param {number} version of the camera */
+  choose(version) {
+    const moves = this.version >= 0 && version !== this.version;
+    this.version = version;
+    if (!this.soft) return;
+    if (moves) this.moved = performance.now();
+    const coarse = performance.now() - this.moved > REST ? 1 : 2;
+    if (coarse === this.shared.coarse.value) return;
+    this.shared.coarse.value = coarse;
+    this.fit();
+  }
+
   /** Paint anew what has changed. @param {THREE.WebGLRenderer} three @param {THREE.Camera} any
    * @param {import("../view.js").View} view */
   update(three, any, { ground, camera, solids, turns, room }) {
+    this.choose(camera.version);
     if (this.solids.take(solids)) this.key = "";
     this.deep.visible = solids.length > 0;
     this.mesh.visible = !this.deep.visible;
@@ -171,10 +207,13 @@ export class Backdrop {
     uniforms.spacing.value = ground.spacing;
     uniforms.reach.value = ground.radius;
     uniforms.solid.value = ground.solid ? 1 : 0;
+    const { ratio, coarse } = this.shared;
+    ratio.value /= coarse.value;
     three.setRenderTarget(this.target);
     three.render(this.scene, any);
     three.setRenderTarget(null);
     if (solids.length) this.solids.draw(three, any, this.target, camera, ground, room);
+    ratio.value *= coarse.value;
   }
 
   dispose() {

@@ -44,13 +44,14 @@ export class WebglRenderer {
       key: { value: new THREE.Vector3(0, 0, 1) },
       pixel: { value: 0.001 },
       ratio: { value: 1 },
+      coarse: { value: 1 },
     };
     this.scene = new THREE.Scene();
     this.scene.matrixWorldAutoUpdate = false;
     this.camera = new THREE.Camera(); // unused by our shaders, which take the shared uniforms
     this.soft = drawnInSoftware(context);
     this.line = new Line(...(this.soft ? SOFT_POINTS : POINTS));
-    this.backdrop = new Backdrop(this.shared);
+    this.backdrop = new Backdrop(this.shared, this.soft);
     this.ribbons = new Ribbons(this.shared, this.backdrop);
     this.markers = new MarkerPoints(this.shared);
     this.arrows = new ArrowMesh(this.shared);
@@ -123,6 +124,10 @@ export class WebglRenderer {
     this.posts.update(view.posts, camera.pose.distance / camera.focal);
     this.trails.update(view.trails);
     this.three.render(this.scene, this.camera);
+  }
+
+  get unfinished() {
+    return this.backdrop.unfinished;
   }
 
   clear() {

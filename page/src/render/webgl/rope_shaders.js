@@ -181,18 +181,19 @@ uniform highp sampler2D backdrop;
 uniform highp usampler2D info;
 #endif
 uniform float ink;
+uniform int coarse;    // pixels each way for one of the backdrop's
 in float across;
 in float strength;
 in float sharp;
 out vec4 colour;
 void main() {
 #ifdef SOLIDS
-  if (texelFetch(info, ivec2(gl_FragCoord.xy), 0).z != 0u) discard; // a body is before the floor
+  if (texelFetch(info, ivec2(gl_FragCoord.xy) / coarse, 0).z != 0u) discard; // a body is before the floor
 #endif
   float soft = exp(-3.0 * across * across) - 0.05;
   float hard = 1.0 - smoothstep(0.45, 0.8, abs(across));
   float dark = ink * strength * max(mix(soft, hard, sharp * sharp), 0.0);
-  colour = vec4(texelFetch(backdrop, ivec2(gl_FragCoord.xy), 0).rgb * (1.0 - dark), 1.0);
+  colour = vec4(texelFetch(backdrop, ivec2(gl_FragCoord.xy) / coarse, 0).rgb * (1.0 - dark), 1.0);
 }
 `;
 

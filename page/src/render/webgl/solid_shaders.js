@@ -253,12 +253,14 @@ uniform vec2 size;
 uniform vec3 top;
 uniform vec3 ahead;
 uniform float ink;
+uniform int coarse;
 in vec3 on;
 in vec3 along;
 in float thickness;
 out vec4 colour;
 void main() {
-  uvec4 known = texelFetch(info, ivec2(gl_FragCoord.xy), 0);
+  ivec2 texel = ivec2(gl_FragCoord.xy) / coarse;
+  uvec4 known = texelFetch(info, texel, 0);
   if (known.z == 0u) discard;
   vec2 at = gl_FragCoord.xy / ratio - 0.5 * size;
   vec3 place = eye + (ahead + (right * at.x + top * at.y) * pixel) * uintBitsToFloat(known.x);
@@ -267,7 +269,7 @@ void main() {
   float far = length(way) / max(thickness, 1e-9);
   float dark = 0.85 * ink * (1.0 - smoothstep(0.7, 2.7, far));
   if (dark < 0.004) discard;
-  colour = vec4(texelFetch(backdrop, ivec2(gl_FragCoord.xy), 0).rgb * (1.0 - dark), 1.0);
+  colour = vec4(texelFetch(backdrop, texel, 0).rgb * (1.0 - dark), 1.0);
 }
 `;
 
@@ -278,10 +280,11 @@ uniform highp sampler2D backdrop;
 uniform highp usampler2D info;
 uniform highp sampler2D turns; // of each body [rad], and whether it ever turns
 uniform vec2 depths;   // of the projection
+uniform int coarse;    // pixels each way for one of the backdrop's
 out vec4 colour;
 const float MARKS = 6.0;
 void main() {
-  ivec2 at = ivec2(gl_FragCoord.xy);
+  ivec2 at = ivec2(gl_FragCoord.xy) / coarse;
   colour = texelFetch(backdrop, at, 0);
   uvec4 known = texelFetch(info, at, 0);
   if (known.z == 0u) { gl_FragDepth = 1.0; return; }
