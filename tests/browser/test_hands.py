@@ -203,6 +203,31 @@ def test_fingers_drag_an_anchor_open_the_menu_and_zoom(
     assert window.ask("r.stage.camera.pose.distance") < 0.6 * far
 
 
+def test_two_fingers_hold_two_ropes_at_once(open_window: Open, serve: Serve) -> None:
+    """Each has its own spring, follows its own finger, and lets go alone; the view stays as it is."""
+    session = Session(preset("three-leg-sling"))
+    server = serve(session)
+    window = open_window(server.address, has_touch=True, is_mobile=True).ready()
+    window.settled()
+    pose = window.ask("JSON.stringify(r.stage.camera.pose)")
+    first, second = (f"({VARIANT}.ropes[{rope}].first + 4)" for rope in (0, 2))
+    places = [window.screen(first), window.screen(second)]
+    touch = _Fingers(window)
+    touch.down(places[:1])
+    touch.down(places)
+    for part in (0.5, 1.0):
+        (ax, ay), (bx, by) = places
+        touch.move([(ax - 40 * part, ay), (bx + 40 * part, by + 20 * part)])
+    window.until(f"{GRABS}[0] >= 0 && {GRABS}[8] >= 0")
+    held = {window.ask(f"{GRABS}[0]"), window.ask(f"{GRABS}[8]")}
+    assert held == {window.ask(first), window.ask(second)}
+    targets = np.array(window.ask(f"[[...{GRABS}.slice(1, 4)], [...{GRABS}.slice(9, 12)]]"))
+    assert np.linalg.norm(targets[1] - targets[0]) > 0.1
+    assert window.ask("JSON.stringify(r.stage.camera.pose)") == pose
+    touch.up()
+    window.until(f"{GRABS}[0] < 0 && {GRABS}[8] < 0")
+
+
 class _Fingers:
     """Touches by the browser's own protocol."""
 

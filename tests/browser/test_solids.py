@@ -165,6 +165,29 @@ def test_contact_forces_are_arrows_with_their_scale(open_window: Open, serve: Se
     assert not window.page.locator("#show-contacts").is_visible()
 
 
+def test_a_resting_picture_has_all_pixels(open_window: Open, serve: Serve) -> None:
+    """Software draws with fewer while the camera moves; the picture at rest is as the first one was."""
+    server = serve(Session(over_a_drum()))
+    window = open_window(server.address, **WIDE).ready()
+    window.settled()
+    first = window.picture()
+    turned = window.page.evaluate(
+        """() => new Promise((done) => {
+            const { stage } = window.ropewalk;
+            const { pose } = stage.camera;
+            stage.setPose({ ...pose, azimuth: pose.azimuth + 0.1 });
+            requestAnimationFrame(() => requestAnimationFrame(() => {
+              const { rough } = stage.renderer;
+              stage.setPose(pose);
+              done(rough);
+            }));
+        })"""
+    )
+    window.settled()
+    assert turned
+    assert np.abs(window.picture() - first).max() <= 2
+
+
 def test_all_of_a_body_is_in_the_first_picture(open_window: Open, serve: Serve) -> None:
     server = serve(Session(over_a_drum()))
     window = open_window(server.address, **WIDE).ready()

@@ -92,7 +92,8 @@ class Window:
                 let [last, same, frames] = [-1, 0, 0];
                 const look = () => {
                   const r = window.ropewalk;
-                  same = r.drawn === last && !r.stage.flight ? same + 1 : 0;
+                  const moves = r.stage.flight || r.stage.renderer.rough;
+                  same = r.drawn === last && !moves ? same + 1 : 0;
                   last = r.drawn;
                   if (same > 8 || ++frames > 1200) done(same > 8);
                   else requestAnimationFrame(look);

@@ -55,6 +55,7 @@
  * @property {(theme: Theme) => void} setTheme
  * @property {(width: number, height: number, ratio: number) => void} resize CSS pixels
  * @property {(view: View) => void} draw
+ * @property {boolean} rough whether there are fewer pixels, as the camera moves
  * @property {boolean} unfinished whether it wants to draw the same again, with more pixels
  * @property {() => void} clear show the background only
  * @property {() => void} dispose

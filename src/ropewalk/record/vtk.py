@@ -35,8 +35,8 @@ _HEAD = (
 def write_vtk(result: Result, chosen: Selection, out: Path, overwrite: bool) -> Path:
     """Write the series into the folder `out`; return its .pvd. Raises RunError.
 
-    Points are the chosen nodes; positions are always written, velocities, tensions and contact forces where they
-    are chosen; other quantities have no place in it.
+    Points are the chosen nodes; positions are always written, velocities, tensions and contact forces where
+    they are chosen; other quantities have no place in it.
     """
     index, frames = out / "rope.pvd", out / "frames"
     with writing(out):

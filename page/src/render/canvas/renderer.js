@@ -37,7 +37,7 @@ export class CanvasRenderer {
     this.seen = new Float32Array(0); // x, y [CSS pixels], depth [m] of each node
     this.batch = new Uint8Array(0);
     this.ratio = 1;
-    this.unfinished = false;
+    this.rough = this.unfinished = false;
     /** @type {Theme | null} */
     this.theme = null;
   }

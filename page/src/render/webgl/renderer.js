@@ -126,6 +126,10 @@ export class WebglRenderer {
     this.three.render(this.scene, this.camera);
   }
 
+  get rough() {
+    return this.shared.coarse.value > 1;
+  }
+
   get unfinished() {
     return this.backdrop.unfinished;
   }
