@@ -121,6 +121,7 @@ def test_nothing_covers_anything(open_window: Open, serve: Serve, shape: str) ->
     window.tell(type="compare", variants=[])
     window.tell(type="set", name="spring_constant", value=40_000.0)
     window.until("r.state === 'broken'")
+    window.settled()
     _tidy(window)
     _keep(window, f"{shape}-broken")
     window.click("#broken [data-remedy=back]")
