@@ -42,9 +42,9 @@ def export(
 ) -> tuple[Path, ...]:
     """Write a run for other programs, in pieces; return the files to open.
 
-    csv and parquet make up to five tables in the folder `out` (nodes, segments, anchors, joints, run), or
-    the file `out` itself where one table is asked for and `out` ends in .csv or .parquet. npz makes the
-    file `out`; vtk a folder with a .pvd for ParaView and one .vtp a frame.
+    csv and parquet make up to six tables in the folder `out` (nodes, segments, anchors, joints, contacts,
+    run), or the file `out` itself where one table is asked for and `out` ends in .csv or .parquet. npz
+    makes the file `out`; vtk a folder with a .pvd for ParaView and one .vtp a frame.
 
     Args:
         run: result, or run folder.

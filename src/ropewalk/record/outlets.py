@@ -26,7 +26,7 @@ _CELL, _PLOTS, _SHARE, _VIEW = (
     f"ropewalk.{name}" for name in ("live.cell", "plots", "live.share", "live.view")
 )
 
-TableName = Literal["nodes", "segments", "anchors", "joints", "run"]
+TableName = Literal["nodes", "segments", "anchors", "joints", "contacts", "run"]
 
 
 class Outlets:
@@ -77,7 +77,8 @@ class Outlets:
         Args:
             table: "nodes" (a row per frame and node: x, y, z [m], vx, vy, vz [m/s]), "segments" (a row
                 per frame and segment: tension [N] ..), "anchors" (forces [N], moments [N m]), "joints"
-                (their forces on the ropes [N]) or "run" (a row per frame: energies and works [J], momenta).
+                (their forces on the ropes [N]), "contacts" (a row for every node on an obstacle at each frame:
+                forces [N], slip speed [m/s], whether it sticks or slips) or "run" (a row per frame: energies and works [J], momenta).
             nodes: only these nodes of every rope (negative: from its end), and the segments next to them.
             times: only the frames nearest to these times [s].
             every: only every so many frames.
@@ -105,9 +106,9 @@ class Outlets:
     ) -> tuple[Path, ...]:
         """Write the result for other programs, in pieces; return the files to open.
 
-        csv and parquet make up to five tables in the folder `out` (nodes, segments, anchors, joints, run), or
-        the file `out` itself where one table is asked for and `out` ends in .csv or .parquet. npz makes the
-        file `out`; vtk a folder with a .pvd for ParaView and one .vtp a frame.
+        csv and parquet make up to six tables in the folder `out` (nodes, segments, anchors, joints, contacts,
+        run), or the file `out` itself where one table is asked for and `out` ends in .csv or .parquet. npz
+        makes the file `out`; vtk a folder with a .pvd for ParaView and one .vtp a frame.
 
         Args:
             to: csv, parquet, npz or vtk.

@@ -5,10 +5,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, cast
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ropewalk.core.arrays import Floats
 
 if TYPE_CHECKING:
+    from ropewalk.record.contacts import WrapHistory
     from ropewalk.record.result import Result
 
 
@@ -49,3 +51,19 @@ class PointForces:
         if "contact_force" not in result.source.names:
             return np.zeros((result.frames, result.layout.nodes, 3))
         return result.read("contact_force")
+
+    @property
+    def contact_modes(self) -> NDArray[np.int8]:
+        """What every node does on obstacles at each frame, (frames, nodes): 0 open, 1 sticks, 2 slips."""
+        from ropewalk.record.contacts import contact_modes
+
+        return contact_modes(cast("Result", self))
+
+    def wrap(self, obstacle: str, rope: str | None = None) -> WrapHistory:
+        """How a rope lies on an obstacle at each frame: nodes, angle [rad], tensions before and after [N].
+
+        Raises KeyError for an unknown name, or for no rope's name with several ropes.
+        """
+        from ropewalk.record.contacts import wrap_history
+
+        return wrap_history(cast("Result", self), rope, obstacle)

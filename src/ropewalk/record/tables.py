@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ropewalk.core.peaks import BOUNDS, EXTREMES
+from ropewalk.record.contacts import COLUMNS, rows
 from ropewalk.record.errors import InputError, RunError
 from ropewalk.record.quantities import AXES, BY_NAME, EXTREME_UNITS, law_names
 from ropewalk.record.selection import EXPORTED, Indices, Selection, select, take
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
 
     from ropewalk.record.result import Result
 
-NAMES = ("nodes", "segments", "anchors", "joints", "run")
+NAMES = ("nodes", "segments", "anchors", "joints", "contacts", "run")
 Columns = list[NDArray[Any]]
 
 
@@ -37,7 +38,7 @@ def tables(result: Result, chosen: Selection, layout: str) -> list[Table]:
     """Return the tables that hold the chosen quantities, `long` or `wide`.
 
     nodes: positions and velocities; segments: tensions and unstretched length; anchors: reactions
-    and moments; joints: their forces on each rope;
+    and moments; joints: their forces on each rope; contacts: a row for each node on each obstacle;
     run: energies, works, momentum, one row per frame in either layout.
     """
     ropes, numbers = _node_labels(result)
@@ -63,6 +64,8 @@ def tables(result: Result, chosen: Selection, layout: str) -> list[Table]:
             if noun in ("node", "segment"):
                 keys = {"rope": ropes[places], noun: numbers[places]}
             found.append(_long(result, chosen, name, places, keys, wanted))
+    if "contact_force" in result.source.names and not set(_OF_CONTACTS) - set(chosen.quantities):
+        found.append(_contact_table(result, chosen))
     if run := _run_table(result, chosen):
         found.append(run)
     return found
@@ -88,6 +91,7 @@ _OF_NODES = (
     *("positions", "velocities", "contact_force"),
     *("greatest_speed", "least_height", "greatest_height"),
 )
+_OF_CONTACTS = ("positions", "velocities", "contact_force")  # what they follow from
 _OF_SEGMENTS = (
     *("tension", "elastic_tension", "least_tension", "greatest_tension", "greatest_stretch"),
     "rest_length",
@@ -203,6 +207,16 @@ def _run_table(result: Result, chosen: Selection) -> Table | None:
             yield [array[piece] for array in columns.values()]
 
     return Table("run", list(columns), pieces)
+
+
+def _contact_table(result: Result, chosen: Selection) -> Table:
+    """Return who touches what, a row for every contact, in either layout."""
+
+    def pieces() -> Iterator[Columns]:
+        for piece in chosen.pieces(result):
+            yield rows(result, piece, chosen.nodes)
+
+    return Table("contacts", list(COLUMNS), pieces)
 
 
 OF_EXTREMES = {

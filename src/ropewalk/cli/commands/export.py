@@ -75,8 +75,8 @@ def export(
 ) -> None:
     """Write the numbers of the run in DIR for other programs.
 
-    csv and parquet make tables (nodes, segments, anchors, joints, run), npz a NumPy file, vtk a series that
-    ParaView opens. Columns carry units.
+    csv and parquet make tables (nodes, segments, anchors, joints, contacts, run), npz a NumPy file, vtk
+    a series that ParaView opens. Columns carry units.
     """
     from ropewalk.record.errors import InputError
     from ropewalk.record.export import export as write

@@ -1,0 +1,121 @@
+"""Contacts of a run: who touches what, with what force, and whether it sticks; from what was recorded."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ropewalk.core.arrays import Floats, Ints
+from ropewalk.lowering import Model, build
+from ropewalk.lowering.touching import Contacts, contacts_at
+
+if TYPE_CHECKING:
+    from ropewalk.record.result import Result
+
+OPEN, STICKS, SLIPS = range(3)
+MODES = ("open", "sticks", "slips")
+
+
+class WrapHistory(NamedTuple):
+    """What a rope does on an obstacle in the course of a run, one row a frame."""
+
+    time: Floats  # (frames,) [s]
+    nodes: Ints  # (frames, 2) first and last node of the rope that touch; -1: none
+    angle: Floats  # (frames,) by which the rope turns there [rad]
+    before: Floats  # (frames,) tension of the segment before the first of them [N]
+    after: Floats  # (frames,) ... after the last one [N]
+
+    @property
+    def ratio(self) -> Floats:
+        """The tension after over that before [1]; NaN where there is none."""
+        found: Floats = np.full(self.time.shape, np.nan)
+        np.divide(self.after, self.before, out=found, where=self.before > 0.0)
+        return found
+
+
+def contact_modes(result: Result) -> NDArray[np.int8]:
+    """Return what nodes do, (frames, nodes): 0 where one touches nothing, 1 where it sticks, 2 where it slips."""
+    found = np.zeros((result.frames, result.layout.nodes), np.int8)
+    for frame, contacts in each_frame(result, range(result.frames)):
+        modes = np.where(contacts.slips, SLIPS, STICKS).astype(np.int8)
+        np.maximum.at(found[frame], contacts.node, modes)
+    return found
+
+
+def wrap_history(result: Result, rope: str | None, obstacle: str) -> WrapHistory:
+    """Return how a rope lies on an obstacle at each frame. Raises KeyError for an unknown name."""
+    names = [body.name for body in result.scene.obstacles]
+    if obstacle not in names:
+        raise KeyError(
+            f"name one of the obstacles {', '.join(names) or '(none)'}, not {obstacle!r}"
+        )
+    o, span = names.index(obstacle), result.layout.span(rope)
+    count = result.frames
+    nodes = np.full((count, 2), -1, np.int64)
+    angle, before, after = np.zeros((3, count))
+    tension, places = result.tension, result.positions
+    for frame, contacts in each_frame(result, range(count)):
+        touching = contacts.node[contacts.obstacle == o]
+        touching = touching[(touching >= span.start) & (touching <= span.end)]
+        if not touching.size:
+            continue
+        first, last = int(touching.min()), int(touching.max())
+        nodes[frame] = first - span.start, last - span.start
+        d = np.diff(places[frame, max(first - 1, span.start) : min(last + 1, span.end) + 1], axis=0)
+        across = np.linalg.norm(np.cross(d[:-1], d[1:]), axis=1)
+        angle[frame] = np.arctan2(across, (d[:-1] * d[1:]).sum(axis=1)).sum()
+        before[frame] = tension[frame, first - 1] if first > span.start else 0.0
+        after[frame] = tension[frame, last] if last < span.end else 0.0
+    return WrapHistory(np.asarray(result.time), nodes, angle, before, after)
+
+
+def each_frame(result: Result, frames: Iterable[int]) -> Iterator[tuple[int, Contacts]]:
+    """Return the frames of those given in which something touches, with their contacts."""
+    if "contact_force" not in result.source.names:
+        return
+    model = _model(result)
+    table, stiffness = model.system.node.obstacle, model.state.stiffness
+    x, v, force = result.positions, result.velocities, result.contact_force
+    for frame in map(int, frames):
+        if force[frame].any():
+            now = [np.ascontiguousarray(part[frame].T) for part in (x, v, force)]
+            t = float(result.time[frame])
+            yield frame, contacts_at(table, now[0], now[1], now[2], stiffness, t)
+
+
+def _model(result: Result) -> Model:
+    run = result.scene.run.model_copy(update={"start": "shape", "ring": None})
+    return build(result.scene.model_copy(update={"run": run}), drawn=False)
+
+
+COLUMNS = (
+    *("time [s]", "rope", "node", "obstacle", "normal force [N]", "friction force [N]"),
+    *("friction used [1]", "slip speed [m/s]", "mode"),
+)
+
+
+def rows(result: Result, frames: Iterable[int], nodes: Ints) -> list[NDArray[np.generic]]:
+    """Return the columns of the table of contacts, of some frames and nodes."""
+    names = np.array([body.name for body in result.scene.obstacles], dtype=object)
+    labels = [result.layout.rope_of(i) for i in range(result.layout.nodes)]
+    ropes = np.array([rope for rope, _ in labels], dtype=object)
+    numbers = np.array([number for _, number in labels])
+    found: list[list[NDArray[np.generic]]] = [[] for _ in COLUMNS]
+    wanted = np.zeros(result.layout.nodes, bool)
+    wanted[nodes] = True
+    for frame, contacts in each_frame(result, frames):
+        keep = wanted[contacts.node]
+        modes = np.where(contacts.slips, SLIPS, STICKS)
+        parts = (
+            *(np.full(keep.size, result.time[frame]), ropes[contacts.node], numbers[contacts.node]),
+            *(names[contacts.obstacle], contacts.push, np.linalg.norm(contacts.rub, axis=1)),
+            *(contacts.use, np.linalg.norm(contacts.slip, axis=1)),
+            np.array(MODES, dtype=object)[modes],
+        )
+        for column, part in zip(found, parts, strict=True):
+            column.append(part[keep])
+    empty = np.zeros(0)
+    return [np.concatenate(column) if column else empty for column in found]

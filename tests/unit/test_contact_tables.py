@@ -1,0 +1,107 @@
+"""Contacts of a run as tables: who touches what, with what force, and whether it sticks."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import ropewalk as rw
+from ropewalk.record.export import export
+from ropewalk.scene import Scene, loads
+
+g = 9.81
+
+
+def sliding(degrees: float = 0.0, speed: float = 1.0) -> rw.Result:
+    """A rope that slides along a plane of mu = 0.3 and stops after 0.34 s."""
+    c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+    points = ", ".join(f"[{0.05 * i * c}, 0, {-0.05 * i * s}]" for i in range(5))
+    scene = loads(f"""
+[run]
+duration = 0.6
+frame_rate = 60
+method = "esdirk3"
+time_step = 0.016666666666666666
+[[rope]]
+segments = 4
+length = 0.2
+made_of = {{ kind = "material", EA = 1e3, mass_per_length = 0.1 }}
+shape = {{ kind = "points", points = [{points}], velocity = [{speed * c}, 0, {-speed * s}] }}
+[[obstacle]]
+name = "floor"
+kind = "plane"
+normal = [{s}, 0, {c}]
+""")
+    return rw.simulate(scene)
+
+
+def test_a_sliding_rope_slips_and_then_sticks() -> None:
+    """Friction carries mu R_n and the slip speed falls by mu g; then both are nothing."""
+    result = sliding()
+    modes = result.contact_modes
+    assert modes.shape == (result.frames, 5)
+    assert (modes[10] == 2).all()
+    assert (modes[-1] == 1).all()
+    assert (modes[0] == 0).all()
+    table = result.to_pandas("contacts")
+    late = table[table["time [s]"] > 0.5]
+    assert set(late["mode"]) == {"sticks"}
+    now = table[np.isclose(table["time [s]"], 10 / 60)]
+    assert list(now["node"]) == [0, 1, 2, 3, 4]
+    assert set(now["obstacle"]) == {"floor"}
+    assert np.allclose(now["friction force [N]"], 0.3 * now["normal force [N]"], rtol=1e-6)
+    assert now["normal force [N]"].sum() == pytest.approx(0.02 * g, rel=1e-3)
+    assert np.allclose(now["slip speed [m/s]"], 1.0 - 0.3 * g * 10 / 60, atol=0.02)
+    assert np.allclose(now["friction used [1]"], 1.0, rtol=1e-6)
+
+
+def test_forces_of_contacts_are_those_that_were_recorded() -> None:
+    """On a slope that holds: friction is the weight's part along it."""
+    result = sliding(10.0, 0.0)
+    table = result.to_pandas("contacts")
+    last = table[table["time [s]"] == table["time [s]"].max()]
+    whole = np.linalg.norm(result.contact_force[-1].sum(axis=0))
+    assert math.hypot(last["normal force [N]"].sum(), last["friction force [N]"].sum()) == pytest.approx(whole)
+    share = last["friction force [N]"].sum() / last["normal force [N]"].sum()
+    assert share == pytest.approx(math.tan(math.radians(10.0)), rel=1e-3)
+    assert (last["friction used [1]"] < 1.0).all()
+    used = (last["friction used [1]"] * last["normal force [N]"]).sum()
+    assert used * 0.3 == pytest.approx(last["friction force [N]"].sum(), rel=1e-6)
+
+
+def over_a_drum() -> Scene:
+    from ropewalk.scene import apply_overrides
+
+    return apply_overrides(rw.preset("capstan"), ["run.duration=0.2"])
+
+
+def test_a_wrap_has_its_angle_and_its_ratio() -> None:
+    result = rw.simulate(over_a_drum())
+    wrap = result.wrap("drum")
+    assert wrap.angle[-1] == pytest.approx(3.0 * math.pi, rel=0.02)
+    assert wrap.ratio[-1] == pytest.approx(wrap.after[-1] / wrap.before[-1])
+    first, last = wrap.nodes[-1]
+    assert 0 < first < last < result.nodes - 1
+    with pytest.raises(KeyError, match="name one of the obstacles drum"):
+        result.wrap("post")
+
+
+def test_contacts_go_into_files(tmp_path: Path) -> None:
+    result = sliding()
+    paths = {path.name: path for path in export(result, "csv", tmp_path)}
+    lines = paths["contacts.csv"].read_text().splitlines()
+    assert lines[0].startswith("time [s],rope,node,obstacle,normal force [N]")
+    assert len(lines) == 1 + len(result.to_pandas("contacts"))
+    assert lines[-1].endswith("sticks")
+    some = result.to_pandas("contacts", nodes=[0], every=5)
+    assert set(some["node"]) == {0}
+
+
+def test_without_obstacles_there_are_none() -> None:
+    result = rw.simulate(rw.preset("r1"))
+    assert not result.contact_modes.any()
+    with pytest.raises(ValueError, match="this run has none"):
+        result.to_pandas("contacts")
