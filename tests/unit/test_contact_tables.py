@@ -64,7 +64,8 @@ def test_forces_of_contacts_are_those_that_were_recorded() -> None:
     table = result.to_pandas("contacts")
     last = table[table["time [s]"] == table["time [s]"].max()]
     whole = np.linalg.norm(result.contact_force[-1].sum(axis=0))
-    assert math.hypot(last["normal force [N]"].sum(), last["friction force [N]"].sum()) == pytest.approx(whole)
+    sums = last["normal force [N]"].sum(), last["friction force [N]"].sum()
+    assert math.hypot(*sums) == pytest.approx(whole)
     share = last["friction force [N]"].sum() / last["normal force [N]"].sum()
     assert share == pytest.approx(math.tan(math.radians(10.0)), rel=1e-3)
     assert (last["friction used [1]"] < 1.0).all()

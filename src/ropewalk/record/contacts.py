@@ -37,7 +37,7 @@ class WrapHistory(NamedTuple):
 
 
 def contact_modes(result: Result) -> NDArray[np.int8]:
-    """Return what nodes do, (frames, nodes): 0 where one touches nothing, 1 where it sticks, 2 where it slips."""
+    """Return what nodes do, (frames, nodes): 0 where one touches nothing, 1 sticks, 2 slips."""
     found = np.zeros((result.frames, result.layout.nodes), np.int8)
     for frame, contacts in each_frame(result, range(result.frames)):
         modes = np.where(contacts.slips, SLIPS, STICKS).astype(np.int8)

@@ -77,8 +77,9 @@ class Outlets:
         Args:
             table: "nodes" (a row per frame and node: x, y, z [m], vx, vy, vz [m/s]), "segments" (a row
                 per frame and segment: tension [N] ..), "anchors" (forces [N], moments [N m]), "joints"
-                (their forces on the ropes [N]), "contacts" (a row for every node on an obstacle at each frame:
-                forces [N], slip speed [m/s], whether it sticks or slips) or "run" (a row per frame: energies and works [J], momenta).
+                (their forces on the ropes [N]), "contacts" (a row for every node on an obstacle at each
+                frame: forces [N], slip speed [m/s], whether it sticks or slips) or "run" (a row per
+                frame: energies and works [J], momenta).
             nodes: only these nodes of every rope (negative: from its end), and the segments next to them.
             times: only the frames nearest to these times [s].
             every: only every so many frames.
