@@ -10,11 +10,11 @@ from ropewalk.core.elimination import tied_network
 from ropewalk.core.network import Network, gather, solve_gathered
 from ropewalk.core.ordering import order_network
 from ropewalk.core.saddle import dense_saddle
+from ropewalk.laws.pairs.distance import NEVER, comes_to, nearest, relative_way
 from ropewalk.laws.pairs.force import pair_energy, pair_forces, squeeze
-from ropewalk.laws.pairs.nearest import NEVER, comes_to, nearest, relative_way
+from ropewalk.laws.pairs.pair_tangent import couple_pairs
 from ropewalk.laws.pairs.search import list_near
 from ropewalk.laws.pairs.table import CONTACTS, NEAR, PUSH, SPRING, STIFF, STOP
-from ropewalk.laws.pairs.tangent import couple_pairs
 from ropewalk.lowering import build
 from ropewalk.scene import Contact, Material, Points, Rope, RunSettings, Scene
 from unit.test_saddle import random_saddle

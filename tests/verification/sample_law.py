@@ -86,7 +86,7 @@ def differ(x, well, weight_x, weight_v, band):
 
 
 @part
-def energy(well, x):
+def energy(well, state, x):
     """Return U of all nodes [J]."""
     return depth(x, well)
 

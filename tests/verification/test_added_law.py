@@ -25,7 +25,7 @@ import ropewalk
 HERE, PACKAGE = Path(__file__).parent, Path(ropewalk.__file__).parent
 LIST = "laws/registry.py"
 IMPORT = "from ropewalk.laws.node_law import NodeLaw\n"
-ENTRY = "(AIR, GROUND, OBSTACLE)"
+ENTRY = "(AIR, GROUND, OBSTACLE, CONTACT)"
 
 
 def copy_with(folder: Path, law: str) -> Path:
@@ -38,7 +38,7 @@ def copy_with(folder: Path, law: str) -> Path:
     assert text.count(ENTRY) == 1
     text = text.replace(IMPORT, f"{IMPORT}from ropewalk.laws.well import WELL\n")
     (target / LIST).write_text(
-        text.replace(ENTRY, "(AIR, GROUND, OBSTACLE, WELL)"), encoding="utf-8"
+        text.replace(ENTRY, "(AIR, GROUND, OBSTACLE, CONTACT, WELL)"), encoding="utf-8"
     )
     return folder
 

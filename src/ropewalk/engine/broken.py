@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ropewalk.core.arrays import State, System
-from ropewalk.engine.touching import fault_of
+from ropewalk.engine.too_near import fault_of
 from ropewalk.lowering import Layout
 from ropewalk.methods.verdict import HONEST, ZERO, energy_now
 

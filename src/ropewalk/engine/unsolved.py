@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from ropewalk.core.arrays import State
-from ropewalk.engine.touching import refused_pair
+from ropewalk.engine.too_near import refused_pair
 from ropewalk.lowering import Layout, Model
 from ropewalk.lowering.link_lengths import has_links, reaches
 from ropewalk.methods import adaptive

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ropewalk.core.arrays import State, System
-from ropewalk.laws.pairs.nearest import nearest
+from ropewalk.laws.pairs.distance import nearest
 from ropewalk.laws.pairs.table import FAULT, FULL, NEAR
 from ropewalk.lowering.layout import Layout
 from ropewalk.lowering.obstacle_checks import RINGING

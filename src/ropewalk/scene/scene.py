@@ -13,12 +13,12 @@ from pydantic import Field, field_validator, model_validator
 from ropewalk.scene.anchor import Anchor
 from ropewalk.scene.base import Many, Model, Text, Vector, Whole, listed, refuse, vector
 from ropewalk.scene.checks import obstacle_faults, scene_faults
-from ropewalk.scene.contact import Contact, contact_faults
 from ropewalk.scene.environment import Air, Ground, Limiter
 from ropewalk.scene.faults import Fault, SceneError
 from ropewalk.scene.joint import Joint
 from ropewalk.scene.obstacles import Obstacle
 from ropewalk.scene.rope import Rope, Springs
+from ropewalk.scene.rope_contact import Contact, contact_faults
 from ropewalk.scene.run_settings import RunSettings
 from ropewalk.scene.winch import Winch
 

@@ -2,8 +2,8 @@
 
 By default a contact is as soft as the inertia of both ropes lets it be solved for, as one with an obstacle
 is (`laws.obstacle`), in a thin skin, and EA / diameter below, as stiff as a rope is across. The force is
-that of `force`; what it remembers is in `memory`; `way` sees to it that no step lets ropes pass through each
-other.
+that of `force`; what it remembers is in `pair_memory`; `way` sees to it that no step lets ropes pass through
+each other.
 """
 
 from __future__ import annotations
@@ -19,9 +19,9 @@ from ropewalk.core.ordering import order_network
 from ropewalk.laws.node_law import NodeLaw, Rest
 from ropewalk.laws.obstacle import node_stiffness
 from ropewalk.laws.pairs.force import add_pair_forces, pair_energy, pair_forces, pair_rounding
-from ropewalk.laws.pairs.memory import remember_pairs
+from ropewalk.laws.pairs.pair_memory import remember_pairs
+from ropewalk.laws.pairs.pair_tangent import couple_pairs
 from ropewalk.laws.pairs.table import CONTACTS, FAULT, HARD, SEEN, WIDTH, Memory, Pairs
-from ropewalk.laws.pairs.tangent import couple_pairs
 from ropewalk.laws.pairs.way import count_closing_pairs, meet_pairs
 
 if TYPE_CHECKING:
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from ropewalk.lowering.layout import Layout
     from ropewalk.methods.bound import Chain
     from ropewalk.scene import Joint, Rope
-    from ropewalk.scene.contact import Contact
+    from ropewalk.scene.rope_contact import Contact
 
 SKIN = 0.5  # [1] how far lists of pairs look ahead, over the largest diameter
 RIGID = (

@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 
 from ropewalk.core.jit import kernel, small
-from ropewalk.laws.pairs.nearest import on_way, product
+from ropewalk.laws.pairs.distance import on_way, product
 from ropewalk.laws.pairs.table import CONTACTS, NEAR, NORMAL, OTHER, OWN, REACH, WIDTH
 
 

@@ -1,7 +1,7 @@
 """What contacts of segments are made from, and what they remember.
 
 A contact is a row: two segments i < j, the point of each where they touch, and the normal there. They stay
-frozen while a step is solved; see `memory` for when they are found anew.
+frozen while a step is solved; see `pair_memory` for when they are found anew.
 """
 
 from __future__ import annotations

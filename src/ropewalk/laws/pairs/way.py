@@ -10,8 +10,8 @@ line moves through another in a step that stands, whatever the solver did.
 from __future__ import annotations
 
 from ropewalk.core.jit import kernel, small
+from ropewalk.laws.pairs.distance import NEVER, comes_to, nearest, relative_way
 from ropewalk.laws.pairs.force import pressed
-from ropewalk.laws.pairs.nearest import NEVER, comes_to, nearest, relative_way
 from ropewalk.laws.pairs.search import find_near, freeze, new_row, owns, row_of
 from ropewalk.laws.pairs.table import (
     APART,

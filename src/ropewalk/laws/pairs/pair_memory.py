@@ -11,8 +11,8 @@ from __future__ import annotations
 import math
 
 from ropewalk.core.jit import kernel, small
+from ropewalk.laws.pairs.distance import NEVER, comes_to, nearest, relative_way
 from ropewalk.laws.pairs.force import pressed, pull_of, squeeze
-from ropewalk.laws.pairs.nearest import NEVER, comes_to, nearest, relative_way
 from ropewalk.laws.pairs.search import find_near, freeze, new_row, owns, row_of
 from ropewalk.laws.pairs.table import (
     APART,
