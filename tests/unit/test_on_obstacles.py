@@ -144,6 +144,18 @@ def test_faults_of_obstacles_are_told_where_they_are(text: str, path: str, words
     assert words in told[path]
 
 
+def test_a_stop_that_is_no_number_may_be_inf() -> None:
+    """It once said that it must be finite."""
+    with pytest.raises(SceneError) as error:
+        apply_overrides(rw.preset("capstan"), ["obstacle.spin.stop=nan"])
+    (fault,) = error.value.faults
+    assert (fault.path, fault.rule) == (
+        "obstacle[0].spin.stop",
+        "must be a number (s), or inf for never",
+    )
+    apply_overrides(rw.preset("capstan"), ["obstacle.spin.stop=inf"])
+
+
 def test_a_faulty_point_is_the_only_fault_of_its_joint() -> None:
     with pytest.raises(SceneError) as error:
         loads(

@@ -108,6 +108,13 @@ def _unknown(where: Place, key: str) -> str:
     return f"unknown key{of}; {nearest(key, list(keys(owner)))}"
 
 
+def _finite(context: Mapping[str, Any], where: Place, value: Any) -> str:
+    """What to say of a number that is none, or infinite where it may not be."""
+    if where.field is not None and where.field.default == math.inf and math.isnan(value):
+        return f"must be a number{_unit(where)}, or inf for never"
+    return f"must be a finite number{_unit(where)}"
+
+
 def _wrong_kind(where: Place, value: Any) -> Fault:
     models = kind_of(where.field).models if where.field is not None else ()
     tags = [name for name in map(tag, models) if name]
@@ -158,7 +165,7 @@ _RULES: dict[str, _Rule] = {
     "int_type": lambda c, w, v: "must be a whole number",
     "bool_type": lambda c, w, v: "must be true or false",
     "string_type": lambda c, w, v: 'must be text in quotes, such as "rope"',
-    "finite_number": lambda c, w, v: f"must be a finite number{_unit(w)}",
+    "finite_number": _finite,
     "greater_than": lambda c, w, v: f"must be greater than {c['gt']:g}",
     "greater_than_equal": _at_least,
     "less_than": lambda c, w, v: f"must be less than {c['lt']:g}",
