@@ -3,6 +3,7 @@
 import { css, uniformMap } from "../view/colours.js";
 import { figures, quantity } from "../view/range.js";
 import { colourOf } from "../view/copies.js";
+import { touching } from "../source/frame.js";
 import { h } from "./dom.js";
 
 /** @typedef {import("../stage.js").Stage} Stage */
@@ -61,7 +62,7 @@ export class Legend {
       stage.marks.contacts = on;
     });
     this.contacts.hidden = true;
-    this.contacts.title = "Forces of obstacles on the rope's nodes";
+    this.contacts.title = "Forces on nodes of what they touch";
     this.firmest = h("div", { className: "numbers", id: "contact-scale", hidden: true });
     this.posts = this.check("Posts", "show-posts", true, (on) => (stage.marks.standing = on));
     this.posts.className = "posts";
@@ -120,7 +121,7 @@ export class Legend {
     this.ropes.replaceChildren();
     if (layout) {
       this.tellGiven(layout);
-      this.contacts.hidden = !layout.obstacles?.length;
+      this.contacts.hidden = !touching(layout.variants[0].offsets);
       const known = layout.variants.some(({ ropes }) => ropes.some((one) => one.breaking_load));
       this.near.hidden = this.near.disabled = !known;
       if (!known && this.stage.colouring === "utilisation") {

@@ -73,7 +73,7 @@ class Picture(NamedTuple):
     anchors: Floats  # (a, 10)
     grabs: list[Grab]
     seen: Seen  # since the last frame
-    contact: Floats | None = None  # (n, 3) [N], of obstacles on nodes; None where there are none
+    contact: Floats | None = None  # (n, 3) [N], of what nodes touch; None where there is nothing
 
 
 class Ranges(NamedTuple):

@@ -43,7 +43,7 @@ def combiner(tracks: Sequence[Track]) -> Combine:
 def shape_of(track: Track) -> Shape:
     """Return what a track's frames hold."""
     layout = track.simulation.layout
-    return Shape(layout.nodes, len(layout.anchor_names), bool(track.scene.obstacles))
+    return Shape(layout.nodes, len(layout.anchor_names), bool(layout.more))
 
 
 def pictures(tracks: Sequence[Track], compared: Compared) -> list[Picture]:
@@ -94,7 +94,7 @@ def picture(track: Track, first: Picture | None = None, source: Floats | None = 
     anchors = np.concatenate(
         [state.anchor_x, state.anchor_v, recording.reaction[0], held[:, None]], axis=1
     )
-    contact = recording.contact[0].T if track.scene.obstacles else None
+    contact = recording.contact[0].T if simulation.layout.more else None
     return Picture(scalars, positions, tension, speed, anchors, track.hands.grabs, seen, contact)
 
 

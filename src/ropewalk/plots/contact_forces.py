@@ -66,8 +66,10 @@ def coils(result: Result, frame: int) -> list[Coil]:
     if table is None:
         return []
     places = result.positions[frame]
-    nearest = depths(table, places.T).argmax(axis=0)
-    touched = np.where(np.abs(force[frame]).sum(axis=1) > 0.0, nearest, -1)
+    deep = depths(table, places.T)
+    touches = deep.max(axis=0) > -0.2 * table.thickness  # the others touch ropes
+    touches &= np.abs(force[frame]).sum(axis=1) > 0.0
+    touched = np.where(touches, deep.argmax(axis=0), -1)
     found = []
     for span in result.layout.ropes:
         x = places[span.start : span.end + 1]
