@@ -106,6 +106,9 @@ class System(NamedTuple):
     bending: Bending
     joints: Joints
     kinks: Floats  # (k,) times at which the velocity of an anchor or clamp jumps [s], sorted
+    rare: (
+        int | None
+    )  # 1 where a law beyond springs, friction, weight and anchors acts; see `laws.rare`
 
 
 class Forces(NamedTuple):

@@ -19,7 +19,11 @@ from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler import CompilerBase, CompileResult, DefaultPassBuilder
 from numba.core.compiler_machinery import FunctionPass, register_pass
 from numba.core.registry import CPUDispatcher
-from numba.core.untyped_passes import ReconstructSSA
+from numba.core.typed_passes import NativeLowering
+from numba.core.untyped_passes import MakeFunctionToJitFunction, ReconstructSSA
+
+from ropewalk.core.inlining import InlineParts
+from ropewalk.core.values import LowerValues
 
 
 @register_pass(mutates_CFG=False, analysis_only=False)
@@ -72,7 +76,12 @@ class Compiler(CompilerBase):
 
     def define_pipelines(self) -> list[Any]:
         manager = DefaultPassBuilder.define_nopython_pipeline(self.state)
+        manager.add_pass_after(InlineParts, MakeFunctionToJitFunction)
         manager.add_pass_after(_ForwardCopies, ReconstructSSA)
+        manager.passes = [
+            (LowerValues, about) if step is NativeLowering else (step, about)
+            for step, about in manager.passes
+        ]
         manager.finalize()
         return [manager]
 

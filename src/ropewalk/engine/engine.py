@@ -115,7 +115,8 @@ class Engine:
         plan, limited = model.plan, model.scene.limiter is not None
         rigid = limited or has_links(model.state)
         self._tableau = self._method.coefficients(model.scene.run.spectral_radius, rigid)
-        self._extras = 1 if model.scene.winches or (limited and not self._method.implicit) else None
+        after = model.scene.winches or (limited and not self._method.implicit)
+        self._extras = None if self.system.rare is None else int(bool(after))
         self.state, here = pooled(model.state) if room is None else room
         self.walk = adaptive.no_walk()
         if plan.tolerance is None or plan.longest is None:

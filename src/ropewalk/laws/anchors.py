@@ -16,6 +16,7 @@ from ropewalk.laws.clamps import close_clamps, let_bend, turn_clamps
 from ropewalk.laws.joint_forces import write_joint_forces
 from ropewalk.laws.joints import follow, tie, tied_to
 from ropewalk.laws.nodes import hold_up, remember_step
+from ropewalk.laws.rare import has_clamps, limits
 from ropewalk.laws.table import force_on_node
 from ropewalk.motions.table import HAND, place
 
@@ -144,10 +145,10 @@ def release_anchors(system, state, t, little, lo=0, hi=ALL):
         row = order[index]
         if state.held[row] == 1 and system.anchors.release[row] <= t + little:
             i = state.anchor_node[row]
-            if system.bending.clamped.shape[0] > 0 and system.bending.clamped[row] == 1:
+            if has_clamps(system, state) and system.bending.clamped[row] == 1:
                 others = True
                 let_bend(system, state, row)
-            others = others or system.limiter.active == 1 or any_rigid(state.stiffness)
+            others = others or limits(system) or any_rigid(state.stiffness)
             state.held[row] = 0
             state.inverse_mass[i] = 1.0 / state.mass[i]
             for k in range(3):

@@ -17,6 +17,7 @@ import math
 
 from ropewalk.core.jit import kernel, part
 from ropewalk.laws.bending import across, bending_energy, drags, pulls, stored, tangent
+from ropewalk.laws.rare import has_clamps
 
 
 @part
@@ -162,7 +163,7 @@ def clamp_moments(x, v, rest_length, held, node, bending, direction, spin, momen
 @part
 def turn_clamps(system, state, t):
     """Turn all clamps to where they are at time `t`."""
-    if state.moment.shape[0] > 0:
+    if has_clamps(system, state):
         bending = system.bending
         point_clamps(
             state.held,
@@ -179,7 +180,7 @@ def turn_clamps(system, state, t):
 @part
 def measure_clamps(system, state):
     """Write the moments of all clamps at the state itself."""
-    if state.moment.shape[0] > 0:
+    if has_clamps(system, state):
         clamp_moments(
             state.x,
             state.v,
@@ -196,7 +197,7 @@ def measure_clamps(system, state):
 @part
 def close_clamps(system, state, t, dt):
     """Turn all clamps to the end of the step at time `t`; write their moments, book their work."""
-    if state.moment.shape[0] > 0:
+    if has_clamps(system, state):
         book_turns(system.bending, state.moment, state.held, t, dt, state.work.clamps)
         turn_clamps(system, state, t)
         measure_clamps(system, state)
@@ -220,7 +221,7 @@ def book_turns(bending, moment, held, t, dt, work):
 def bent_energy(system, state, x):
     """Return the energy of all bends and half cells at places `x` (3, n) [J], clamps as they are now."""
     total = bending_energy(x, state.rest_length, state.bending_stiffness, system.bending.natural)
-    if state.moment.shape[0] > 0:
+    if has_clamps(system, state):
         total += clamp_energy(
             x,
             state.rest_length,

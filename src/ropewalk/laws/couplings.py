@@ -7,6 +7,7 @@ from typing import Any
 from ropewalk.core.jit import part
 from ropewalk.laws.node_law import NodeLaw
 from ropewalk.laws.nodes import fold
+from ropewalk.laws.rare import acts
 
 FINE, AGAIN, HALVE = range(3)  # what `meet` says of a step
 
@@ -19,7 +20,7 @@ def _couples_nothing(system):
 def _asking(law: NodeLaw, k: int, rest: Any) -> Any:
     @part
     def _couples(system):
-        return system.acts[k] == 1 or rest(system)
+        return acts(system, k) or rest(system)
 
     return _couples
 
@@ -39,7 +40,7 @@ def _ordering(law: NodeLaw, k: int, rest: Any) -> Any:
     @part
     def _order(system, state, network):
         fits = rest(system, state, network)
-        if system.acts[k] == 1:
+        if acts(system, k):
             fits = pattern(system.node[k], state, network) and fits
         return fits
 
@@ -60,7 +61,7 @@ def _coupling(law: NodeLaw, k: int, rest: Any) -> Any:
 
     @part
     def _couple(system, state, x, v, weight_x, weight_v, network):
-        if system.acts[k] == 1:
+        if acts(system, k):
             table = system.node[k]
             couple(table, state, x, v, weight_x, weight_v, network)
         rest(system, state, x, v, weight_x, weight_v, network)
@@ -83,7 +84,7 @@ def _meeting(law: NodeLaw, k: int, rest: Any) -> Any:
     @part
     def _meet(system, state, x):
         found = rest(system, state, x)
-        if system.acts[k] == 1:
+        if acts(system, k):
             found = max(found, meet(system.node[k], state, x))
         return found
 
@@ -105,7 +106,7 @@ def _failing(law: NodeLaw, k: int, rest: Any) -> Any:
     @part
     def _fault(system, state):
         bad = rest(system, state)
-        if system.acts[k] == 1:
+        if acts(system, k):
             bad = bad or fault(system.node[k], state) != 0
         return bad
 

@@ -7,7 +7,7 @@ anchor that holds it.
 from __future__ import annotations
 
 from ropewalk.core.jit import part
-from ropewalk.laws.joints import are_tied
+from ropewalk.laws.rare import are_tied
 from ropewalk.laws.table import force_on_node
 
 

@@ -10,12 +10,7 @@ stay at one place to the last bit, and the joint does no work.
 from __future__ import annotations
 
 from ropewalk.core.jit import kernel, part
-
-
-@part
-def are_tied(system):
-    """Tell whether there is any joint."""
-    return system.joints.member.shape[0] > 0
+from ropewalk.laws.rare import are_tied
 
 
 @part

@@ -9,10 +9,11 @@ The sums run per segment and per node, so that the loops vectorise and the sums 
 
 from __future__ import annotations
 
-from ropewalk.core.arrays import APPLIED, BENDING
+from ropewalk.core.arrays import APPLIED
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.ranges import ALL, rows
 from ropewalk.laws.nodes import on_channels
+from ropewalk.laws.rare import has_bending, limits
 
 
 @kernel
@@ -44,9 +45,9 @@ def account(system, state, forces, middle, dt, lo=0, hi=ALL):
     add_segment_power(forces.elastic, middle, dt, work.elastic, begin, end)
     add_segment_power(forces.friction, middle, dt, work.friction, begin, end)
     add_weight_power(state.mass, system.gravity, middle, dt, work.weight, lo, hi)
-    if system.flags[BENDING] == 1:
+    if has_bending(system):
         add_segment_power(forces.bending, middle, dt, work.bending, begin, end)
-    if system.limiter.active == 1:
+    if limits(system):
         work.limiter[0] -= segment_power(forces.limiter, middle, dt)
     if system.flags[APPLIED] == 1:
         add_power(forces.applied, middle, dt, work.applied, lo, hi)

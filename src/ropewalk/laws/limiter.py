@@ -14,10 +14,10 @@ from __future__ import annotations
 
 import math
 
-from ropewalk.core.arrays import BENDING
 from ropewalk.core.jit import kernel
 from ropewalk.laws.clamps import bent_energy
 from ropewalk.laws.ledger import gravity_energy, kinetic_energy
+from ropewalk.laws.rare import has_bending, limits
 from ropewalk.laws.stretch import elastic_energy
 
 AT_BOUND = 1e-9  # [1] a stretch this close to its bound counts as at it
@@ -32,7 +32,7 @@ def limit_stretch(system, state, work, dt, ledger):
 
     `work` is (7, n): unit vectors, diagonal, upper diagonal, right side of the segments' equations, bound.
     """
-    if system.limiter.active == 0:
+    if not limits(system):
         return
     kinetic, potential, anchors = 0.0, 0.0, 0.0
     if ledger:
@@ -50,7 +50,7 @@ def limit_stretch(system, state, work, dt, ledger):
 
 @kernel
 def _potential(system, state):
-    bending = bent_energy(system, state, state.x) if system.flags[BENDING] == 1 else 0.0
+    bending = bent_energy(system, state, state.x) if has_bending(system) else 0.0
     return (
         gravity_energy(state.x, state.mass, system.gravity)
         + elastic_energy(state.x, state.rest_length, state.stiffness, system.slack_floor)

@@ -25,7 +25,8 @@ from ropewalk.core.jit import kernel, part
 from ropewalk.core.network import SOFTEST, solve_network
 from ropewalk.laws.anchors import anchor_target
 from ropewalk.laws.joint_forces import note_joint_forces
-from ropewalk.laws.joints import are_tied, follow, tied_to
+from ropewalk.laws.joints import follow, tied_to
+from ropewalk.laws.rare import are_tied, limits
 from ropewalk.laws.stretch import segment_tension
 from ropewalk.laws.table import accelerate, force_on_node
 
@@ -48,12 +49,12 @@ def hold_links(system, state, t, saddle):
     All other forces are in `state.forces` already; `saddle` lends its arrays. Returns the number of links.
     """
     links = mark_links(state.x, state.rest_length, state.stiffness, system.slack_floor, saddle)
-    if system.limiter.active == 1:
+    if limits(system):
         links += mark_bounds(state.rest_length, system.limiter, saddle)
     if links == 0:
         return links
     clear_links(state.stiffness, state.tension, state.forces.elastic)
-    if system.limiter.active == 1:
+    if limits(system):
         floor, forces = system.slack_floor, state.forces
         segment_tension(state.x, state.rest_length, state.stiffness, floor, state.tension)
         clear_bounds(forces.limiter)
@@ -68,7 +69,7 @@ def hold_links(system, state, t, saddle):
         if drop_pushing(saddle.misfit, system.slack_floor, saddle.carries) == 0:
             break
     found, carries, direction = saddle.misfit, saddle.carries, saddle.direction
-    if system.limiter.active == 1:  # which refuses links
+    if limits(system):  # which refuses links
         pull_bounds(found, carries, direction, state.tension, state.forces.limiter)
     else:
         pull_links(found, carries, direction, state.tension, state.forces.elastic)

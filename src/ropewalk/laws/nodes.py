@@ -14,6 +14,7 @@ from typing import Any
 from ropewalk.core.jit import part
 from ropewalk.core.ranges import ALL
 from ropewalk.laws.node_law import NodeLaw
+from ropewalk.laws.rare import acts
 from ropewalk.laws.registry import NODE_LAWS
 
 Make = Callable[[NodeLaw, int, Any], Any]
@@ -38,8 +39,9 @@ def fold(make: Make, end: Any, having: str = "force") -> Any:
 def any_acts(system):
     """Tell whether a law of nodes acts."""
     acting = 0
-    for k in range(system.acts.shape[0]):
-        acting += system.acts[k]
+    if system.rare is not None:
+        for k in range(system.acts.shape[0]):
+            acting += system.acts[k]
     return acting > 0
 
 
@@ -53,7 +55,7 @@ def _forcing(law: NodeLaw, k: int, rest: Any) -> Any:
 
     @part
     def _node_forces(system, state, x, v, forces, lo, hi):
-        if system.acts[k] == 1:
+        if acts(system, k):
             table = system.node[k]
             force(table, state, x, v, forces.node[k], lo, hi)
         rest(system, state, x, v, forces, lo, hi)
@@ -81,7 +83,7 @@ def _forcing_marked(law: NodeLaw, k: int, rest: Any) -> Any:
 
     @part
     def _marked_node_forces(system, state, x, v, band, forces):
-        if system.acts[k] == 1:
+        if acts(system, k):
             table = system.node[k]
             write(table, state, x, v, band.marks[k], band.frozen[0], forces.node[k])
         rest(system, state, x, v, band, forces)
@@ -104,7 +106,7 @@ def _marking(law: NodeLaw, k: int, rest: Any) -> Any:
     @part
     def _mark_nodes(system, x, band):
         changed = 0.0
-        if system.acts[k] == 1:
+        if acts(system, k):
             changed += mark(system.node[k], x, band.marks[k])
         return changed + rest(system, x, band)
 
@@ -128,7 +130,7 @@ def _differing(law: NodeLaw, k: int, rest: Any) -> Any:
 
     @part
     def _node_tangents(system, state, x, v, weight_x, weight_v, band):
-        if system.acts[k] == 1:
+        if acts(system, k):
             table = system.node[k]
             tangent(table, state, x, v, weight_x, weight_v, band.marks[k], band)
         rest(system, state, x, v, weight_x, weight_v, band)
@@ -156,7 +158,7 @@ def _simplifying(law: NodeLaw, k: int, rest: Any) -> Any:
 
     @part
     def _are_diagonal(system):
-        return (system.acts[k] == 0 or simple(system.node[k])) and rest(system)
+        return (not acts(system, k) or simple(system.node[k])) and rest(system)
 
     return _are_diagonal
 
@@ -196,7 +198,7 @@ def _crossing(law: NodeLaw, k: int, rest: Any) -> Any:
     @part
     def _node_crossings(system, before, after, dt, tolerance):
         end, changes = rest(system, before, after, dt, tolerance)
-        if system.acts[k] == 1:
+        if acts(system, k):
             table = system.node[k]
             own, more = crossings(table, before, after, dt, tolerance)
             end, changes = min(end, own), changes + more
@@ -219,7 +221,7 @@ def _stopping(law: NodeLaw, k: int, rest: Any) -> Any:
 
     @part
     def _hold_up(system, x, v):
-        if system.acts[k] == 1:
+        if acts(system, k):
             hold_up(system.node[k], x, v)
         rest(system, x, v)
 
@@ -244,7 +246,7 @@ def _remembering(law: NodeLaw, k: int, rest: Any) -> Any:
     @part
     def _remember_nodes(system, state):
         hits = rest(system, state)
-        if system.acts[k] == 1:
+        if acts(system, k):
             hits += remember(system.node[k], state)
         return hits
 
@@ -274,7 +276,7 @@ def _hitting(law: NodeLaw, k: int, rest: Any) -> Any:
     @part
     def _hits(system, state, x, v):
         found = rest(system, state, x, v)
-        if system.acts[k] == 1:
+        if acts(system, k):
             found += hits(system.node[k], state, x, v)
         return found
 
@@ -295,7 +297,7 @@ def _touching(law: NodeLaw, k: int, rest: Any) -> Any:
 
     @part
     def _touch_nodes(system, state, force):
-        if system.acts[k] == 1:
+        if acts(system, k):
             touch(system.node[k], state, force)
         rest(system, state, force)
 
@@ -314,7 +316,7 @@ def _none_remembers(system):
 def _asking(law: NodeLaw, k: int, rest: Any) -> Any:
     @part
     def _remembers(system):
-        return system.acts[k] == 1 or rest(system)
+        return acts(system, k) or rest(system)
 
     return _remembers
 
@@ -338,7 +340,7 @@ def _adding_up(piece: str) -> Any:
         @part
         def _total(system, state, x):
             total = 0.0
-            if system.acts[k] == 1:
+            if acts(system, k):
                 total += amount(system.node[k], state, x)
             return total + rest(system, state, x)
 
@@ -372,7 +374,7 @@ def on_channels(use: Any) -> Any:
     def make(law: NodeLaw, k: int, rest: Any) -> Any:
         @part
         def _on_channels(system, channels, others, p, q, lo, hi):
-            if system.acts[k] == 1:
+            if acts(system, k):
                 use(channels[k], others[k], p, q, lo, hi)
             rest(system, channels, others, p, q, lo, hi)
 
@@ -389,7 +391,7 @@ def _no_more_force(system, channels, i, c, total):
 def _at_node(law: NodeLaw, k: int, rest: Any) -> Any:
     @part
     def _add_node_force(system, channels, i, c, total):
-        if system.acts[k] == 1:
+        if acts(system, k):
             total += channels[k][c, i]
         return rest(system, channels, i, c, total)
 

@@ -10,10 +10,11 @@ from __future__ import annotations
 
 import math
 
-from ropewalk.core.arrays import BENDING, TENSION_ONLY
+from ropewalk.core.arrays import TENSION_ONLY
 from ropewalk.core.jit import kernel, part
 from ropewalk.laws.bounds import bound_segments, split_tension
 from ropewalk.laws.nodes import mark_nodes, marked_node_forces
+from ropewalk.laws.rare import has_bending, limits
 from ropewalk.laws.stretch import drop_marked_friction
 from ropewalk.laws.table import evaluate_bending, rub_segments
 
@@ -61,14 +62,14 @@ def evaluate_stage(system, state, x, v, tension, work, saddle, forces):
     pull(x, tension, state.rest_length, work.alive, saddle.direction, stretch, over, forces.elastic)
     floor, carries, e, g = system.slack_floor, saddle.carries, saddle.compliance, saddle.misfit
     decide(stretch, tension, over, work.soft, work.weight, floor, carries, e, g)
-    if system.limiter.active == 1:
+    if limits(system):
         weights, lengths = state.inverse_mass, state.rest_length
         bound_segments(system.limiter, tension, weights, lengths, floor, work, saddle)
         split_tension(tension, floor, work, saddle, forces.elastic, forces.limiter)
     rub_segments(system, state, x, v, forces)
     if system.flags[TENSION_ONLY] == 1:
         drop_marked_friction(saddle.band.rubs, forces.friction)
-    if system.flags[BENDING] == 1:
+    if has_bending(system):
         evaluate_bending(system, state, x, v, forces)
     marked_node_forces(system, state, x, v, saddle.band, forces)
 

@@ -14,6 +14,7 @@ import math
 
 from ropewalk.core.arrays import AXIAL
 from ropewalk.core.jit import kernel, part
+from ropewalk.laws.rare import winds
 
 
 @kernel
@@ -133,5 +134,5 @@ def friction_tangent(system, state, x, v, weight_x, weight_v, rubs, band):
     vector_tangent(state.damping_vector, weight_v, rubs, band)
     if system.flags[AXIAL] == 1:
         axial_tangent(x, v, state.damping_axial, weight_x, weight_v, rubs, band)
-    if state.winch_exit.shape[0] > 0:
+    if winds(system, state):
         growth_tangent(state, system.winches, weight_x, rubs, band)

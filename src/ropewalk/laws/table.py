@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from ropewalk.core.arrays import APPLIED, AXIAL, BENDING, TENSION_ONLY
+from ropewalk.core.arrays import APPLIED, AXIAL, TENSION_ONLY
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.ranges import ALL, rows
 from ropewalk.laws.bending import bending_forces, bending_friction
 from ropewalk.laws.clamps import clamp_forces
-from ropewalk.laws.joints import are_tied, tie
+from ropewalk.laws.joints import tie
 from ropewalk.laws.nodes import add_node_force, any_acts, node_forces, on_channels, remembers
+from ropewalk.laws.rare import are_tied, has_bending, has_clamps, limits, winds
 from ropewalk.laws.stretch import (
     axial_friction,
     drop_slack_friction,
@@ -30,7 +31,7 @@ def evaluate(system, state, x, v, forces, lo=0, hi=ALL):
     rub_segments(system, state, x, v, forces, lo, hi)
     if system.flags[TENSION_ONLY] == 1:
         drop_slack_friction(x, state.rest_length, floor, forces.friction, lo, hi)
-    if system.flags[BENDING] == 1:
+    if has_bending(system):
         evaluate_bending(system, state, x, v, forces)
     node_forces(system, state, x, v, forces, lo, hi)
 
@@ -41,7 +42,7 @@ def rub_segments(system, state, x, v, forces, lo=0, hi=ALL):
     vector_friction(v, state.damping_vector, forces.friction, lo, hi)
     if system.flags[AXIAL] == 1:
         axial_friction(x, v, state.damping_axial, forces.friction, lo, hi)
-    if state.winch_exit.shape[0] > 0:
+    if winds(system, state):
         growth_friction(x, state, system.winches, forces.friction)
 
 
@@ -51,7 +52,7 @@ def evaluate_bending(system, state, x, v, forces):
     lengths, bending = state.rest_length, system.bending
     bending_forces(x, lengths, state.bending_stiffness, bending.natural, forces.bending)
     bending_friction(x, v, lengths, state.bending_damping, forces.friction)
-    if state.moment.shape[0] > 0:
+    if has_clamps(system, state):
         clamp_forces(
             x,
             v,
@@ -98,9 +99,9 @@ def accelerate(system, state, forces, a, lo=0, hi=ALL):
     Nodes that are tied to each other share it.
     """
     weigh_segments(forces.elastic, forces.friction, state.inverse_mass, system.gravity, a, lo, hi)
-    if system.flags[BENDING] == 1:
+    if has_bending(system):
         add_segments_over_mass(forces.bending, state.inverse_mass, a)
-    if system.limiter.active == 1:
+    if limits(system):
         add_segments_over_mass(forces.limiter, state.inverse_mass, a)
     if system.flags[APPLIED] == 1:
         add_over_mass(forces.applied, state.inverse_mass, a, lo, hi)
@@ -139,14 +140,14 @@ def add_segments_over_mass(force, inverse_mass, a):
 @part
 def has_plain_forces(system):
     """Tell whether nothing acts but springs, their friction and weight, and no nodes are tied."""
-    flags = system.flags[BENDING] == 1 or system.flags[APPLIED] == 1
+    flags = has_bending(system) or system.flags[APPLIED] == 1
     return not (flags or any_acts(system) or are_tied(system))
 
 
 @part
 def has_plain_springs(system, state):
     """Tell whether, besides, no segment goes slack and none grows."""
-    return system.flags[TENSION_ONLY] == 0 and state.winch_exit.shape[0] == 0
+    return system.flags[TENSION_ONLY] == 0 and not winds(system, state)
 
 
 @part
@@ -193,7 +194,7 @@ def reaches_neighbours_only(system):
 
     A law with a memory keeps it of whole steps, and so of all nodes at once.
     """
-    return system.flags[BENDING] == 0 and not are_tied(system) and not remembers(system)
+    return not has_bending(system) and not are_tied(system) and not remembers(system)
 
 
 @part
@@ -206,8 +207,8 @@ def force_on_node(system, state, forces, i, k):
         + forces.applied[k, i]
         + state.mass[i] * system.gravity[k]
     )
-    if system.flags[BENDING] == 1:
+    if has_bending(system):
         force += forces.bending[k, i + 1] - forces.bending[k, i]
-    if system.limiter.active == 1:
+    if limits(system):
         force += forces.limiter[k, i + 1] - forces.limiter[k, i]
     return add_node_force(system, forces.node, i, k, force)

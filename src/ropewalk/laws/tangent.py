@@ -14,6 +14,7 @@ from ropewalk.core.band import Band, clear_band, make_band
 from ropewalk.core.jit import kernel, part
 from ropewalk.laws.bending_tangent import bending_tangent, clamp_tangent
 from ropewalk.laws.nodes import mark_nodes, node_tangents
+from ropewalk.laws.rare import has_bending, has_clamps
 from ropewalk.laws.registry import NODE_LAWS
 from ropewalk.laws.stretch_tangent import elastic_tangent, friction_tangent, mark_rubbing
 
@@ -32,7 +33,7 @@ def begin_tangent(system, state, x, v, weight_x, weight_v, definite, band):
 
     With `definite` it is changed so that it has no negative eigenvalue.
     """
-    if system.flags[BENDING] == 1:
+    if has_bending(system):
         write_bending_tangent(system, state, x, v, weight_x, weight_v, definite, band)
     else:
         clear_band(band)
@@ -52,7 +53,7 @@ def write_bending_tangent(system, state, x, v, weight_x, weight_v, definite, ban
     stiffness, damping = state.bending_stiffness, state.bending_damping
     natural = bending.natural
     bending_tangent(x, v, lengths, stiffness, damping, natural, weight_x, weight_v, definite, band)
-    if state.moment.shape[0] > 0:
+    if has_clamps(system, state):
         clamp_tangent(x, v, lengths, state, bending, weight_x, weight_v, definite, band)
 
 

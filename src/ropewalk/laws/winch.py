@@ -14,6 +14,7 @@ import math
 
 from ropewalk.core.jit import kernel
 from ropewalk.laws.ledger import gravity_energy, kinetic_energy
+from ropewalk.laws.rare import winds
 from ropewalk.laws.stretch import elastic_energy
 
 SPLIT = 1.6  # [1] times the nominal segment length
@@ -24,7 +25,7 @@ WINCH_SHARE = 0.2  # a winch winds at most this part of a segment in a step [1]
 @kernel
 def run_winches(system, state, t, dt):
     """Turn all winches by one step that starts at `t` [s], and book their work."""
-    if state.winch_exit.shape[0] == 0:
+    if not winds(system, state):
         return
     kinetic = kinetic_energy(state.v, state.mass)
     potential = _potential(system, state)

@@ -23,6 +23,7 @@ from ropewalk.core.arrays import (
 from ropewalk.core.peaks import no_peaks
 from ropewalk.core.status import BREAK_STRETCH
 from ropewalk.laws.anchors import anchor_places
+from ropewalk.laws.rare import with_rare
 from ropewalk.laws.registry import NODE_LAWS, NodeArrays, NodeTables
 from ropewalk.lowering.bending_tables import add_bending, no_bending
 from ropewalk.lowering.joint_tables import join, joint_tables
@@ -55,7 +56,7 @@ def make_tables(
         if law.kinks is not None
     )
     kinks = keep("kinks", kink_times, system.anchors, system.bending, *turns)
-    system = system._replace(kinks=kinks)
+    system = with_rare(system._replace(kinks=kinks), state)
     _hold(system, state, keep)
     return system, with_memory(system, state)
 
@@ -249,6 +250,7 @@ def _system(scene: Scene, layout: Layout, state: State, keep: Pieces) -> System:
         bending=no_bending(),
         joints=keep("joints", joint_tables, scene.joints, layout),
         kinks=np.zeros(0),
+        rare=None,
     )
 
 

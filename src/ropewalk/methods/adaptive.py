@@ -21,6 +21,7 @@ from ropewalk.core.jit import kernel, part
 from ropewalk.core.status import OK, PAUSED, UNSOLVED
 from ropewalk.laws.anchors import release_anchors
 from ropewalk.laws.links import hold_links, note_reactions
+from ropewalk.laws.rare import acts_after
 from ropewalk.laws.winch import run_winches
 from ropewalk.methods.controller import (
     BEGIN,
@@ -189,9 +190,9 @@ def stride(system, scratch, extras, ledger, tableau):
         else:
             control[WISH], retried, cut = again, True, False
         dt = again
-    if extras is not None:
+    if acts_after(extras):
         run_winches(system, state, t, dt)
-    if extras is not None or changes > 0:
+    if acts_after(extras) or changes > 0:
         prepare_links(system, state, end, solver.stage.saddle)
     control[BEGIN], control[END] = t, end
     count_step(control, dt, control[ERROR] / scratch.limits[0], cut, retried)
@@ -228,7 +229,7 @@ def go_to(system, state, scratch, extras, time, ledger, tableau):
     status = step(system, state, scratch.solver, begin, time, dt, ledger, tableau)
     if status != OK:
         walk.control[ERROR] = np.inf
-    if extras is not None:
+    if acts_after(extras):
         run_winches(system, state, begin, dt)
         prepare_links(system, state, time, scratch.stage.saddle)
     return status

@@ -9,13 +9,13 @@ from typing import Any
 
 import numpy as np
 
-from ropewalk.core.arrays import BENDING
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.peaks import GREATEST, LEAST
 from ropewalk.core.ranges import rows
 from ropewalk.laws.clamps import bent_energy
 from ropewalk.laws.node_law import NodeLaw
 from ropewalk.laws.nodes import fold
+from ropewalk.laws.rare import has_bending
 from ropewalk.methods.peaks import keep_step
 from ropewalk.methods.recording import add_up, record_tension, total_of
 from ropewalk.methods.scratch import LANES, clear_row
@@ -76,7 +76,7 @@ def accounted_for(system, state, elastic, sums):
         _take_friction(work.friction, lo, min(lo + LANES, segments), sums)
     total = elastic + total_of(sums, 0)
     total -= work.limiter[0] + work.limiter[1] + work.winch[0] + work.winch[1]
-    if system.flags[BENDING] == 1:
+    if has_bending(system):
         total += bent_energy(system, state, state.x)
         total -= add_up(work.clamps, sums)
     for row in range(work.anchors.shape[0]):

@@ -15,10 +15,10 @@ from __future__ import annotations
 
 import math
 
-from ropewalk.core.arrays import BENDING
 from ropewalk.core.jit import kernel, part
 from ropewalk.laws.clamps import bent_energy
 from ropewalk.laws.ledger import kinetic_energy
+from ropewalk.laws.rare import has_bending, limits
 from ropewalk.laws.stretch import elastic_energy
 
 MOST = 0.05  # [1] of kinetic and stored energy, and of weight times length
@@ -31,11 +31,11 @@ def makes_up_energy(system, state, stage, mean, dt):
     before = elastic_energy(state.x, lengths, k, floor)
     after = elastic_energy(stage.x, lengths, k, floor)
     work = taken(mean.elastic, state.v, stage.v, dt)
-    if system.flags[BENDING] == 1:
+    if has_bending(system):
         before += bent_energy(system, state, state.x)
         after += bent_energy(system, state, stage.x)
         work += taken(mean.bending, state.v, stage.v, dt)
-    if system.limiter.active == 1:  # a bound may only take energy
+    if limits(system):  # a bound may only take energy
         work += min(taken(mean.limiter, state.v, stage.v, dt), 0.0)
     gain = after - before - work - min(taken(mean.friction, state.v, stage.v, dt), 0.0)
     if gain <= MOST * before:

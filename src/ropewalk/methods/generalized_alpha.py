@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from ropewalk.core.arrays import BENDING
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.ranges import ALL
 from ropewalk.laws.nodes import on_channels
+from ropewalk.laws.rare import has_bending
 from ropewalk.laws.table import accelerate
 from ropewalk.methods.scratch import add, add_forces, axpy, put
 
@@ -52,7 +52,7 @@ def _filter(system, state, forces, am):
     old, new = -am / (1.0 - am), 1.0 / (1.0 - am)
     blend(state.forces.elastic, old, forces.elastic, new)
     blend(state.forces.friction, old, forces.friction, new)
-    if system.flags[BENDING] == 1:
+    if has_bending(system):
         blend(state.forces.bending, old, forces.bending, new)
     _blend_nodes(system, state.forces.node, forces.node, old, new, 0, ALL)
 

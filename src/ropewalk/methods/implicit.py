@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ropewalk.core.arrays import BENDING, Floats, Forces, State, blank
+from ropewalk.core.arrays import Floats, Forces, State, blank
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.ranges import ALL
 from ropewalk.core.status import HIT, OK, UNSOLVED
@@ -23,6 +23,7 @@ from ropewalk.laws.anchors import move_anchors, place_stage
 from ropewalk.laws.couplings import AGAIN, FINE, meet_on_way
 from ropewalk.laws.ledger import account
 from ropewalk.laws.nodes import hits, on_channels
+from ropewalk.laws.rare import has_bending, limits
 from ropewalk.laws.table import accelerate
 from ropewalk.methods import tableaus
 from ropewalk.methods.gain import makes_up_energy
@@ -98,9 +99,9 @@ def put_forces(system, source, result):
     """Copy every acting channel but the applied forces, which are the host's."""
     put(source.elastic, result.elastic)
     put(source.friction, result.friction)
-    if system.flags[BENDING] == 1:
+    if has_bending(system):
         put(source.bending, result.bending)
-    if system.limiter.active == 1:
+    if limits(system):
         put(source.limiter, result.limiter)
     _put_nodes(system, source.node, result.node, 0.0, 0.0, 0, ALL)
 

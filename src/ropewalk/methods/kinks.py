@@ -15,6 +15,7 @@ from ropewalk.core.jit import kernel, part
 from ropewalk.laws.anchors import anchor_target
 from ropewalk.laws.clamps import spins_jump, turn_clamps
 from ropewalk.laws.joints import follow, tied_to
+from ropewalk.laws.rare import has_clamps
 from ropewalk.motions.table import HAND, TABLE, VELOCITY
 
 JUST_BELOW = 1.0 - 2.3e-16
@@ -93,7 +94,7 @@ def take_up_rates(system, state, t, point, speed):
     for row in range(state.held.shape[0]):
         if state.held[row] == 1:
             jumps += _take_up(system, state, row, t, point, speed)
-    if state.moment.shape[0] > 0:
+    if has_clamps(system, state):
         bending = system.bending
         jumps += spins_jump(
             state.held, bending.clamped, bending.axis, bending.turn, t, state.clamp_spin

@@ -9,6 +9,7 @@ from ropewalk.core.status import OK
 from ropewalk.laws.anchors import release_anchors
 from ropewalk.laws.limiter import limit_stretch
 from ropewalk.laws.links import hold_links
+from ropewalk.laws.rare import acts_after, limits
 from ropewalk.laws.stretch import segment_tension
 from ropewalk.laws.table import accelerate, evaluate
 from ropewalk.laws.winch import run_winches
@@ -27,7 +28,7 @@ def prepare(system, state):
     """Evaluate all forces and accelerations at the state itself; what a method kept is void."""
     state.now[0] = state.now[1]
     evaluate(system, state, state.x, state.v, state.forces)
-    if system.limiter.active == 1:
+    if limits(system):
         clear(state.forces.limiter)
     accelerate(system, state, state.forces, state.acceleration)
     floor = system.slack_floor
@@ -113,7 +114,7 @@ def make_advance(step: Any, *, carries: bool = False, solves: bool = False) -> A
         """Advance `frames` frames; return the status and the number of good frames.
 
         `clock` holds t0, dt, steps done and steps per frame: t = t0 + step dt, never a sum. Besides 1 where
-        the first frame is begun already, 1 where the last is not ended. `extras` None: no winch, no limiter.
+        the first frame is begun already, 1 where the last is not ended. `extras`: see `laws.rare.acts_after`.
         """
         dt, done, steps = clock[1], int(clock[2]), int(clock[3])
         point, speed, pull, sums = scratch.point, scratch.speed, scratch.pull, scratch.sums
@@ -139,14 +140,14 @@ def make_advance(step: Any, *, carries: bool = False, solves: bool = False) -> A
                             return status, frame
                     else:
                         step(system, state, scratch, begin, end, h, ledger, tableau)
-                    if extras is not None:
+                    if acts_after(extras):
                         act_after(system, state, scratch, begin, h, ledger)
                         if carries:
                             renew(system, state, end, scratch, tableau)
                     begin = to
                     if begin < after:  # the end of a pull, often its peak
                         close_interval(system, state, pull, sums, t, begin)
-                if solves or extras is not None:
+                if solves or acts_after(extras):
                     watch(system, state, pull, sums, after)
                 elif wanted(state):
                     look_at_step(system, state, rubs, s + 1, pull, sums, after)

@@ -34,6 +34,7 @@ from ropewalk.core.peaks import (
 )
 from ropewalk.core.ranges import ALL, rows
 from ropewalk.laws.anchors import first_index, last_index
+from ropewalk.laws.rare import has_clamps, limits, winds
 
 DEPTH = 32  # steps
 
@@ -47,7 +48,7 @@ def wanted(state):
 @part
 def adds_to_springs(system, state):
     """Tell whether a winch or a bound adds to what springs and friction carry."""
-    return system.limiter.active == 1 or state.winch_exit.shape[0] > 0
+    return limits(system) or winds(system, state)
 
 
 @small
@@ -163,13 +164,14 @@ def keep_anchors(system, state, lo=0, hi=ALL):
         new = a * a + b * b + c * c
         if new > kept[row]:
             kept[row] = new
-    for row in range(state.moment.shape[0]):
-        new = 0.0
-        for k in range(3):
-            size = state.moment[row, k] + state.moment[row, k + 3]
-            new += size * size
-        if new > state.peaks.moment[row]:
-            state.peaks.moment[row] = new
+    if has_clamps(system, state):
+        for row in range(state.moment.shape[0]):
+            new = 0.0
+            for k in range(3):
+                size = state.moment[row, k] + state.moment[row, k + 3]
+                new += size * size
+            if new > state.peaks.moment[row]:
+                state.peaks.moment[row] = new
 
 
 @part

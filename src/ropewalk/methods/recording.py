@@ -8,12 +8,13 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ropewalk.core.arrays import BENDING, Floats, State
+from ropewalk.core.arrays import Floats, State
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.ranges import rows
 from ropewalk.laws.clamps import bent_energy
 from ropewalk.laws.node_law import NodeLaw
 from ropewalk.laws.nodes import fold, touch_nodes
+from ropewalk.laws.rare import acts, has_bending, limits, winds
 from ropewalk.laws.registry import NODE_LAWS
 from ropewalk.methods.peaks import record_peaks
 from ropewalk.methods.scratch import LANES, clear, clear_row, put
@@ -221,9 +222,9 @@ def carried_tension(system, state, elastic, tension):
     floor, lengths = system.slack_floor, state.rest_length
     vector, axial = state.damping_vector, state.damping_axial
     add_rubbing(state.x, state.v, lengths, floor, vector, axial, elastic, tension)
-    if state.winch_exit.shape[0] > 0:
+    if winds(system, state):
         take_growth(state.x, state, system.winches, floor, tension)
-    if system.limiter.active == 1:
+    if limits(system):
         add_bounds(state.forces.limiter, state.tension, state.limited, elastic, tension)
 
 
@@ -274,7 +275,7 @@ def record_frame(system, state, ledger, sums, frame, out):
     carried_tension(system, state, elastic, out.tension[frame])
     for j in range(out.rest_length.shape[1]):
         out.rest_length[frame, j] = state.rest_length[j]
-    if system.flags[BENDING] == 1:
+    if has_bending(system):
         energy[3] = bent_energy(system, state, state.x)
     for row in range(out.moment.shape[1]):
         for k in range(3):
@@ -314,7 +315,7 @@ def _recording(law: NodeLaw, k: int, rest: Any) -> Any:
         if place >= 0:
             total[place] = add_up(works[k], sums)
             rest(system, works, sums, total, column)
-        elif system.acts[k] == 1:
+        elif acts(system, k):
             total[column] = add_up(works[k], sums)
             rest(system, works, sums, total, column + 1)
         else:
@@ -332,12 +333,12 @@ def record_works(system, work, sums, total, jump):
     total[ELASTIC] = add_up(work.elastic, sums)
     total[FRICTION] = add_up(work.friction, sums)
     total[WEIGHT] = add_up(work.weight, sums)
-    more = BENT if system.flags[BENDING] == 0 else CLAMPS + 1
+    more = BENT if not has_bending(system) else CLAMPS + 1
     _record_node_works(system, work.node, sums, total, more)
     total[APPLIED] = add_up(work.applied, sums)
     total[LIMITER] = work.limiter[0] + work.limiter[1]
     total[WINCH] = work.winch[0] + work.winch[1]
-    if system.flags[BENDING] == 1:
+    if has_bending(system):
         total[BENT] = add_up(work.bending, sums)
         total[CLAMPS] = add_up(work.clamps, sums)
     anchors = work.anchors.shape[0]

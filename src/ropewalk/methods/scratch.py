@@ -6,10 +6,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ropewalk.core.arrays import APPLIED, BENDING, Floats, Forces, State, blank
+from ropewalk.core.arrays import APPLIED, Floats, Forces, State, blank
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.ranges import ALL, rows
 from ropewalk.laws.nodes import on_channels
+from ropewalk.laws.rare import has_bending, limits
 
 LANES = 64  # of a sum: so many nodes or segments are added side by side
 SUMS = 8  # that are made at once
@@ -106,9 +107,9 @@ def add_forces(system, forces, weight, total):
     """Add every acting channel of `forces`, times `weight`, to those of `total`."""
     add(forces.elastic, weight, total.elastic)
     add(forces.friction, weight, total.friction)
-    if system.flags[BENDING] == 1:
+    if has_bending(system):
         add(forces.bending, weight, total.bending)
-    if system.limiter.active == 1:
+    if limits(system):
         add(forces.limiter, weight, total.limiter)
     _add_nodes(system, forces.node, total.node, weight, weight, 0, ALL)
     if system.flags[APPLIED] == 1:
@@ -120,9 +121,9 @@ def clear_forces(system, forces):
     """Set every acting channel to zero."""
     clear(forces.elastic)
     clear(forces.friction)
-    if system.flags[BENDING] == 1:
+    if has_bending(system):
         clear(forces.bending)
-    if system.limiter.active == 1:
+    if limits(system):
         clear(forces.limiter)
     _clear_nodes(system, forces.node, forces.node, 0.0, 0.0, 0, ALL)
     clear(forces.applied)

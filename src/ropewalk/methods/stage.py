@@ -23,7 +23,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ropewalk.core.arrays import AXIAL, BENDING, Floats, Forces, State, blank
+from ropewalk.core.arrays import AXIAL, Floats, Forces, State, blank
 from ropewalk.core.band_sweep import band_sweep
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.network import gather, soften, solve_gathered
@@ -31,8 +31,8 @@ from ropewalk.core.saddle import Saddle, make_saddle
 from ropewalk.core.status import OK, UNSOLVED
 from ropewalk.core.sweep import sweep
 from ropewalk.laws.couplings import add_couplings, couples, order_couplings
-from ropewalk.laws.joints import are_tied
 from ropewalk.laws.nodes import add_diagonals, are_diagonal, node_rounding
+from ropewalk.laws.rare import are_tied, has_bending, limits, winds
 from ropewalk.laws.registry import NODE_LAWS
 from ropewalk.laws.stage_forces import evaluate_stage, mark_stage
 from ropewalk.laws.table import accelerate
@@ -194,11 +194,11 @@ def bound_rounding(limiter):
 def rounding(system, state, stage):
     """Return the residual that rounding leaves of forces much larger than those of the report's scale [N]."""
     left = node_rounding(system, state, stage.x)
-    if system.flags[BENDING] == 1:
+    if has_bending(system):
         clamps, node = system.bending.clamp_stiffness, state.anchor_node
         stiffness = state.bending_stiffness
         left += bending_rounding(stage.x, state.rest_length, stiffness, clamps, node)
-    if system.limiter.active == 1:
+    if limits(system):
         left += bound_rounding(stage.forces.limiter)
     return left
 
@@ -291,9 +291,9 @@ def is_simple(system, state):
     """Tell whether all laws fit into inertia, across and along."""
     return (
         system.flags[AXIAL] == 0
-        and system.flags[BENDING] == 0
+        and not has_bending(system)
         and are_diagonal(system)
-        and state.winch_exit.shape[0] == 0
+        and not winds(system, state)
     )
 
 

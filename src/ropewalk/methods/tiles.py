@@ -6,6 +6,7 @@ from typing import Any
 
 from ropewalk.core.status import OK
 from ropewalk.laws.anchors import release_anchors
+from ropewalk.laws.rare import acts_after
 from ropewalk.laws.table import reaches_neighbours_only
 from ropewalk.methods.errors import keep_step_error
 from ropewalk.methods.loop import close_frame, named, wind_and_limit
@@ -35,8 +36,10 @@ def make_tiled_advance(step: Any, before: Any) -> Any:
         n, pull, sums = state.mass.shape[0], scratch.pull, scratch.sums
         before(state, scratch)
         note_changes(system, state)
-        errs = ledger and wanted(state) and extras is None
-        width = TILE if extras is None and reaches_neighbours_only(system) and not errs else n
+        errs = ledger and wanted(state) and not acts_after(extras)
+        width = (
+            TILE if not acts_after(extras) and reaches_neighbours_only(system) and not errs else n
+        )
         for frame in range(frames):
             if frame > 0 or clock[4] == 0.0:
                 open_interval(system, state, pull, sums, clock[0] + done * dt)
@@ -51,13 +54,13 @@ def make_tiled_advance(step: Any, before: Any) -> Any:
                         t, after = clock[0] + s * dt, clock[0] + (s + 1) * dt
                         release_anchors(system, state, t, 1e-6 * dt, lo, hi)
                         step(system, state, scratch, t, after, dt, ledger, tableau, lo, hi)
-                        if extras is not None:
+                        if acts_after(extras):
                             wind_and_limit(system, state, scratch, t, dt, ledger)
                             watch(system, state, pull, sums, after)
                         elif errs:
                             keep_step_error(system, state, pull, sums, after)
                     first = last
-                if extras is None and stop % DEPTH == 0 and wanted(state):
+                if not acts_after(extras) and stop % DEPTH == 0 and wanted(state):
                     search_all(system, state, clock[0] + (stop - 1) * dt)
                 start = stop
             done += steps

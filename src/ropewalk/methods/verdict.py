@@ -10,13 +10,14 @@ force) counts as given.
 
 from __future__ import annotations
 
-from ropewalk.core.arrays import APPLIED, BENDING
+from ropewalk.core.arrays import APPLIED
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.status import BROKEN, MADE_UP, OK
 from ropewalk.laws.clamps import bent_energy
 from ropewalk.laws.couplings import any_fault
 from ropewalk.laws.ledger import gravity_energy, kinetic_energy
 from ropewalk.laws.nodes import node_energy, node_power
+from ropewalk.laws.rare import has_bending
 from ropewalk.laws.stretch import elastic_energy
 
 # Places in `State.balance`.
@@ -30,7 +31,7 @@ def energy_now(system, state):
     total = kinetic_energy(state.v, state.mass)
     total += gravity_energy(state.x, state.mass, system.gravity)
     total += elastic_energy(state.x, state.rest_length, state.stiffness, system.slack_floor)
-    if system.flags[BENDING] == 1:
+    if has_bending(system):
         total += bent_energy(system, state, state.x)
     x = state.x
     total += node_energy(system, state, x)

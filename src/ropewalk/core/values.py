@@ -1,0 +1,115 @@
+"""Lowering to LLVM that keeps named tuples apart.
+
+numba keeps what is used in several blocks in memory, and loads a named tuple of two hundred arrays whole for
+each field that is read: thousands of instructions that LLVM takes apart again. Here a variable that is given
+one value is that value, and the field of a tuple that was just put together is what was put in.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from llvmlite.ir import IRBuilder, instructions
+from numba.core import ir
+from numba.core.analysis import compute_cfg_from_blocks, compute_use_defs, must_use_alloca
+from numba.core.compiler_machinery import register_pass
+from numba.core.lowering import Lower
+from numba.core.typed_passes import NativeLowering
+
+
+class _Builder(IRBuilder):  # type: ignore[misc]
+    """Takes a field out of an aggregate where it was put in."""
+
+    def extract_value(self, agg: Any, idx: Any, name: str = "") -> Any:
+        """Return member `idx` of an aggregate."""
+        at = tuple(idx) if isinstance(idx, tuple | list) else (idx,)
+        while isinstance(agg, instructions.InsertValue):
+            inside = tuple(agg.indices)
+            if inside == at:
+                return agg.value
+            if inside[: len(at)] == at or at[: len(inside)] == inside:
+                break  # a part of it, or it is a part
+            agg = agg.aggregate
+        return super().extract_value(agg, at, name)
+
+
+class _Lower(Lower):
+    """Keeps variables that are given one value out of memory."""
+
+    def setup_function(self, fndesc: Any) -> None:
+        """Begin a function."""
+        super().setup_function(fndesc)
+        self.builder = _Builder(self.entry_block)
+        self.call_helper = self.call_conv.init_call_helper(self.builder)
+
+    def _find_singly_assigned_variable(self) -> None:
+        """Find the variables with one value, in a block before all that use them."""
+        self._blk_local_varmap: dict[str, Any] = {}
+        blocks = self.func_ir.blocks
+        given: dict[str, list[int]] = {}
+        for label, block in blocks.items():
+            for statement in block.find_insts(ir.Assign):
+                given.setdefault(statement.target.name, []).append(label)
+        used: dict[str, set[int]] = {}
+        for label, names in compute_use_defs(blocks).usemap.items():  # but where it is given
+            for name in names:
+                used.setdefault(name, set()).add(label)
+        dominators = compute_cfg_from_blocks(blocks).dominators()
+        in_memory = must_use_alloca(blocks)
+        self._singly_assigned_vars = {
+            name
+            for name, labels in given.items()
+            if len(labels) == 1
+            and name not in in_memory
+            and all(
+                labels[0] in dominators[label] and labels[0] < label for label in used.get(name, ())
+            )
+        }
+
+    def lower_normal_function(self, fndesc: Any) -> None:
+        """Lower a function, and leave out what takes tuples apart or puts them together for nothing."""
+        super().lower_normal_function(fndesc)
+        _drop_unused(self.function)
+
+
+def _drop_unused(function: Any) -> None:
+    """Take away the instructions on aggregates that nothing uses."""
+    uses: dict[int, int] = {}
+    for block in function.blocks:
+        for one in block.instructions:
+            for value in _operands(one):
+                uses[id(value)] = uses.get(id(value), 0) + 1
+    idle = [one for block in function.blocks for one in block.instructions if _is_idle(one, uses)]
+    gone = set()
+    while idle:
+        one = idle.pop()
+        gone.add(id(one))
+        for value in _operands(one):
+            uses[id(value)] -= 1
+            if _is_idle(value, uses):
+                idle.append(value)
+    for block in function.blocks:
+        block.instructions = [one for one in block.instructions if id(one) not in gone]
+
+
+def _operands(one: Any) -> list[Any]:
+    values = list(one.operands)
+    if isinstance(one, instructions.PhiInstr):
+        values += [value for value, _ in one.incomings]
+    return values
+
+
+def _is_idle(value: Any, uses: dict[int, int]) -> bool:
+    on_tuples = instructions.InsertValue, instructions.ExtractValue
+    return isinstance(value, on_tuples) and uses.get(id(value), 0) == 0
+
+
+@register_pass(mutates_CFG=True, analysis_only=False)
+class LowerValues(NativeLowering):
+    """Lower with variables as values."""
+
+    _name = "ropewalk_lower_values"
+
+    @property
+    def lowering_class(self) -> Any:
+        return _Lower

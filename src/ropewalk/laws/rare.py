@@ -1,0 +1,60 @@
+"""Which of the rarer laws act: all but springs, their friction, weight and anchors.
+
+Every method is compiled in two variants. `System.rare` is None where none of these laws acts, and by its
+type all that asks here is left out of the kernels when they are compiled; else it is 1, and the tables
+tell. Both give the same bits.
+"""
+
+from __future__ import annotations
+
+from ropewalk.core.arrays import BENDING, State, System
+from ropewalk.core.jit import part
+
+
+@part
+def has_bending(system):
+    """Tell whether any rope has bending stiffness."""
+    return system.rare is not None and system.flags[BENDING] == 1
+
+
+@part
+def limits(system):
+    """Tell whether the stretch is bounded."""
+    return system.rare is not None and system.limiter.active == 1
+
+
+@part
+def winds(system, state):
+    """Tell whether there is any winch."""
+    return system.rare is not None and state.winch_exit.shape[0] > 0
+
+
+@part
+def has_clamps(system, state):
+    """Tell whether any anchor holds the direction of a rope, too."""
+    return system.rare is not None and state.moment.shape[0] > 0
+
+
+@part
+def are_tied(system):
+    """Tell whether there is any joint."""
+    return system.rare is not None and system.joints.member.shape[0] > 0
+
+
+@part
+def acts(system, k):
+    """Tell whether law `k` of nodes acts."""
+    return system.rare is not None and system.acts[k] == 1
+
+
+@part
+def acts_after(extras):
+    """Tell whether winches or a limiter act on the end of a step; None: there is neither, as of `rare`."""
+    return extras is not None and extras == 1
+
+
+def with_rare(system: System, state: State) -> System:
+    """Return the tables with what tells the variants apart."""
+    acting = system.flags[BENDING] == 1 or system.limiter.active == 1 or system.acts.any()
+    listed = state.winch_exit.size > 0 or system.joints.member.size > 0
+    return system._replace(rare=1 if acting or listed else None)
