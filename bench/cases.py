@@ -12,6 +12,7 @@ from itertools import count
 from pathlib import Path
 
 from bench.clock import Timing, take_turns
+from bench.compile import compile  # noqa: A004 - the name of the case
 from bench.implicit import newton
 from bench.islands import many_islands
 from bench.live import live_server
@@ -199,6 +200,7 @@ CASES = (
     many_islands,
     many,
     start_up,
+    compile,
     live_server,
     page,
     page_memory,

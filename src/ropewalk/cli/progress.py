@@ -16,23 +16,31 @@ if TYPE_CHECKING:
     from ropewalk.simulation.block import Block
 
 
-def is_compiled(method: str) -> bool:
-    """Whether the machine code of a method is there already, in this process or on disk."""
+def is_compiled(method: str, scene: Scene) -> bool:
+    """Whether the machine code of a method for a scene is there already, in this process or on disk."""
     from ropewalk.core import cache
+    from ropewalk.lowering.variant import rare_of
     from ropewalk.methods.registry import METHODS
 
-    return cache.is_compiled(METHODS[method].advance)
+    return cache.is_compiled(METHODS[method].advance, rare_of(scene))
 
 
-def tell_compiling(method: str) -> None:
+def tell_compiling(method: str, scene: Scene) -> None:
     """Say that the first steps will take a while, when they will; nothing of "auto", not yet chosen."""
     from ropewalk.methods.registry import METHODS
 
-    if method in METHODS and not is_compiled(method):
+    if method in METHODS and not is_compiled(method, scene):
         tell(
-            f"compiling {method}: the first run of a method on this machine takes a minute or two, "
+            f"compiling {method}{_without(scene)}: the first run on this machine takes a minute or two, "
             "later ones begin at once"
         )
+
+
+def _without(scene: Scene) -> str:
+    """Say which variant of a method a scene takes."""
+    from ropewalk.lowering.variant import rare_of
+
+    return " with all laws" if rare_of(scene) else ""
 
 
 @contextmanager

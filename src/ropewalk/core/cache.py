@@ -23,7 +23,7 @@ from pathlib import Path
 from typing import Any
 
 import numba
-from numba.core import caching
+from numba.core import caching, types
 
 from ropewalk.core.compiler import rebuild_inner, reduce_inner
 
@@ -83,18 +83,50 @@ def _drop_old_caches(current: Path) -> None:
             shutil.rmtree(entry, ignore_errors=True)
 
 
-def is_compiled(function: Any) -> bool:
-    """Tell whether `function` has machine code, in this process or on disk."""
-    if getattr(function, "signatures", True):  # plain Python has none, and is as ready as it gets
+def is_compiled(function: Any, rare: int | None) -> bool:
+    """Tell whether `function` has machine code of a variant, in this process or on disk.
+
+    `rare` is that of `System`.
+    """
+    if not hasattr(function, "signatures"):  # plain Python is as ready as it gets
+        return True
+    wanted = rare is not None
+    if any(_is_full(one) == wanted for one in function.signatures):
         return True
     code = function.py_func.__code__
     stem = Path(code.co_filename).stem
     name = f"{stem}.{function.py_func.__qualname__}-{stem}-{code.co_firstlineno}."
     version = f"py{sys.version_info.major}{sys.version_info.minor}"  # as numba names its files
     try:
-        return any(cache_folder().glob(f"{name}{version}*.nbi"))
+        indexes = list(cache_folder().glob(f"{name}{version}*.nbi"))
     except OSError:
         return False
+    found = [_contents(path) for path in indexes]
+    keys = [key for index in found if isinstance(index, dict) for key in index]
+    return any(_is_full(signature) == wanted for signature, *_ in keys)
+
+
+def _is_full(signature: tuple[Any, ...]) -> bool | None:
+    """Tell whether machine code for arguments of these types has the rare laws; None: there is no system."""
+    for kind in signature:
+        names = getattr(kind, "fields", ())
+        if "rare" in names:
+            return not isinstance(kind[names.index("rare")], types.NoneType)
+    return None
+
+
+def _contents(path: Path) -> Any:
+    """Return what a file of the cache holds, None where it is not whole: then it goes."""
+    try:
+        data = path.read_bytes()
+    except OSError:
+        return None
+    if hashlib.sha256(data[_DIGEST:]).digest() == data[:_DIGEST]:
+        with contextlib.suppress(Exception):  # written whole, by a numba that had other names
+            return pickle.loads(data[_DIGEST:])
+    with contextlib.suppress(OSError):
+        path.unlink()
+    return None
 
 
 class _SourceHashLocator(caching._CacheLocator):
@@ -171,17 +203,7 @@ class _CheckedFiles(caching.IndexDataCacheFile):
         return found if isinstance(found, dict) else {}
 
     def _read(self, name: str) -> Any:
-        path = Path(self._cache_path, name)
-        try:
-            data = path.read_bytes()
-        except OSError:
-            return None
-        if hashlib.sha256(data[_DIGEST:]).digest() == data[:_DIGEST]:
-            with contextlib.suppress(Exception):  # written whole, by a numba that had other names
-                return pickle.loads(data[_DIGEST:])
-        with contextlib.suppress(OSError):
-            path.unlink()
-        return None
+        return _contents(Path(self._cache_path, name))
 
     def _write(self, name: str, value: Any) -> None:
         data = self._dump(value)

@@ -15,8 +15,8 @@ from typing import Any, NamedTuple
 
 from numba.core import bytecode, ir, ir_utils, types, untyped_passes
 from numba.core.analysis import compute_cfg_from_blocks
-from numba.core.compiler import PassManager, StateDict, _CompileStatus
-from numba.core.compiler_machinery import FunctionPass, register_pass
+from numba.core.compiler import StateDict, _CompileStatus
+from numba.core.compiler_machinery import FunctionPass, PassManager, register_pass
 from numba.core.inline_closurecall import _get_callee_args, _replace_args_with, _replace_returns
 from numba.core.ir_utils import build_definitions, simplify_CFG
 from numba.core.postproc import PostProcessor
@@ -95,7 +95,7 @@ def _field(owner: _Known | None, name: str) -> _Known | None:
     """Return what is known of a field of a named tuple."""
     if owner is None or owner.constant or not isinstance(owner.what, types.BaseNamedTuple):
         return None
-    kind = owner.what
+    kind: Any = owner.what
     return _of_type(kind.types[kind.fields.index(name)]) if name in kind.fields else None
 
 
@@ -192,7 +192,7 @@ def _part(func_ir: Any, call: Any) -> Any:
         called = func_ir.get_definition(call.func)
     except KeyError:
         return None
-    value = called.value if isinstance(called, ir.Global | ir.FreeVar) else None
+    value: Any = called.value if isinstance(called, ir.Global | ir.FreeVar) else None
     options = getattr(value, "targetoptions", None) or {}
     return value.py_func if options.get("inline") == "always" else None
 

@@ -7,7 +7,7 @@ tell. Both give the same bits.
 
 from __future__ import annotations
 
-from ropewalk.core.arrays import BENDING, State, System
+from ropewalk.core.arrays import BENDING
 from ropewalk.core.jit import part
 
 
@@ -51,10 +51,3 @@ def acts(system, k):
 def acts_after(extras):
     """Tell whether winches or a limiter act on the end of a step; None: there is neither, as of `rare`."""
     return extras is not None and extras == 1
-
-
-def with_rare(system: System, state: State) -> System:
-    """Return the tables with what tells the variants apart."""
-    acting = system.flags[BENDING] == 1 or system.limiter.active == 1 or system.acts.any()
-    listed = state.winch_exit.size > 0 or system.joints.member.size > 0
-    return system._replace(rare=1 if acting or listed else None)

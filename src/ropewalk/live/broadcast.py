@@ -207,7 +207,9 @@ class Broadcast:
         """Say that a method will be compiled first, when it will."""
         if isinstance(command, Set) and command.name == "method":
             name = command.value
-            if isinstance(name, str) and name in METHODS and not is_compiled(METHODS[name].advance):
+            rare = self.session.main.simulation.system.rare
+            method = METHODS.get(name) if isinstance(name, str) else None
+            if method is not None and not is_compiled(method.advance, rare):
                 text = f"compiling {name}: the first time on this machine takes a minute or two"
                 self.audience.tell({"type": "note", "text": text})
 

@@ -23,7 +23,6 @@ from ropewalk.core.arrays import (
 from ropewalk.core.peaks import no_peaks
 from ropewalk.core.status import BREAK_STRETCH
 from ropewalk.laws.anchors import anchor_places
-from ropewalk.laws.rare import with_rare
 from ropewalk.laws.registry import NODE_LAWS, NodeArrays, NodeTables
 from ropewalk.lowering.bending_tables import add_bending, no_bending
 from ropewalk.lowering.joint_tables import join, joint_tables
@@ -32,6 +31,7 @@ from ropewalk.lowering.limiter_order import limiter_order
 from ropewalk.lowering.masses import line, line_density, masses
 from ropewalk.lowering.motion_rows import anchor_tables
 from ropewalk.lowering.pieces import Pieces
+from ropewalk.lowering.variant import rare_of
 from ropewalk.methods.kinks import kink_times
 from ropewalk.scene import Limiter as LimiterInScene
 from ropewalk.scene import Rope, Scene, Springs
@@ -56,7 +56,7 @@ def make_tables(
         if law.kinks is not None
     )
     kinks = keep("kinks", kink_times, system.anchors, system.bending, *turns)
-    system = with_rare(system._replace(kinks=kinks), state)
+    system = system._replace(kinks=kinks)
     _hold(system, state, keep)
     return system, with_memory(system, state)
 
@@ -250,7 +250,7 @@ def _system(scene: Scene, layout: Layout, state: State, keep: Pieces) -> System:
         bending=no_bending(),
         joints=keep("joints", joint_tables, scene.joints, layout),
         kinks=np.zeros(0),
-        rare=None,
+        rare=rare_of(scene),
     )
 
 

@@ -117,7 +117,7 @@ def _run(scene: Scene, source: str, folder: Path | None, *, overwrite: bool) -> 
     """Run a scene, in memory or into a folder."""
     from ropewalk import api
 
-    tell_compiling(scene.run.method)
+    tell_compiling(scene.run.method, scene)
     with named(source), RunProgress(scene) as progress:
         result = (
             api.simulate(scene, on_failure="return", progress=progress)

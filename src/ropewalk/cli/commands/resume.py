@@ -46,7 +46,7 @@ def resume(
 
         begun = open_run(folder)
         if not quiet:
-            tell_compiling(begun.plan.method)
+            tell_compiling(begun.plan.method, begun.scene)
         warnings.simplefilter("always", UserWarning)
         with RunProgress(begun.scene, quiet=quiet) as progress:
             result = resume_run(folder, force=force, progress=progress, explain=explain)

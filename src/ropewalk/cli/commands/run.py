@@ -138,7 +138,7 @@ def run_scene(
         if not quiet:
             if model.plan.why:
                 tell(model.plan.why)
-            tell_compiling(model.plan.method)
+            tell_compiling(model.plan.method, scene)
         warnings = predicted(model)
         if not quiet:
             for text in warnings:

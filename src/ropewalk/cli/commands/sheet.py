@@ -78,7 +78,7 @@ def sheet(
 
     vary = dict(parse_vary(text) for text in spreads)
     if not at_rest:
-        tell_compiling(loaded.run.method)
+        tell_compiling(loaded.run.method, loaded)
     with named(scene):
         made = make(
             loaded,

@@ -103,7 +103,7 @@ def sweep(
         vary[path] = what
     if output is not None:
         refuse_parent(output)
-    tell_compiling(loaded.run.method)
+    tell_compiling(loaded.run.method, loaded)
     asked: dict[str, Any] = {
         "keep": keep or None,
         "samples": samples,

@@ -33,7 +33,7 @@ def run_uncertain(
 
     output, name, overwrite = where
     vary = dict(parse_vary(text) for text in spreads)
-    tell_compiling(scene.run.method)
+    tell_compiling(scene.run.method, scene)
     with claimed(output, SWEEPS, f"{name}-uncertain") as folder, telling():
         samples, seed = drawn
         ask: dict[str, Any] = {
