@@ -78,13 +78,14 @@ def test_a_scene_takes_the_plain_variant_unless_a_rare_law_acts(law: str) -> Non
     "more",
     [
         {"joints": [{"points": [{"rope": "rope", "node": 8}, {"rope": "other", "node": 0}]}]},
-        {"obstacles": [{"shape": "sphere", "center": (0, 0, -9), "radius": 1.0}]},
+        {"obstacles": [{"kind": "sphere", "center": (0, 0, -9), "radius": 1.0}]},
     ],
     ids=lambda more: next(iter(more)),
 )
 def test_joints_and_obstacles_take_the_full_variant(more: dict[str, Any]) -> None:
-    ropes = [rope(), rope().replace(name="other", shape={"start": (1.7, 0, 1.2), "end": (3, 0, 1)})]
-    parts: dict[str, Any] = {"ropes": ropes, "anchors": [{"rope": "rope", "node": 0}]}
+    other = rope(shape={"kind": "straight", "start": (1.7, 0, 1.2), "end": (3, 0, 1)})
+    ropes, run = [rope(), other.replace(name="other")], {"method": "esdirk3"}
+    parts: dict[str, Any] = {"ropes": ropes, "anchors": [{"rope": "rope", "node": 0}], "run": run}
     assert build(Scene(**parts)).system.rare is None
     assert build(Scene(**parts | more)).system.rare == 1
 
