@@ -18,6 +18,7 @@ from bench.islands import many_islands
 from bench.live import live_server
 from bench.many import many
 from bench.page import page, page_memory
+from bench.peaks import extremes
 from bench.row import Row
 from bench.yardsticks import bare_loop, numpy_loop
 from ropewalk import Anchor, Rope, RunSettings, Scene, Simulation, Springs
@@ -196,6 +197,7 @@ CASES = (
     flatness,
     recording,
     methods,
+    extremes,
     newton,
     many_islands,
     many,
