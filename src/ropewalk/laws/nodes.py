@@ -36,16 +36,6 @@ def fold(make: Make, end: Any, having: str = "force") -> Any:
 
 
 @part
-def any_acts(system):
-    """Tell whether a law of nodes acts."""
-    acting = 0
-    if system.rare is not None:
-        for k in range(system.acts.shape[0]):
-            acting += system.acts[k]
-    return acting > 0
-
-
-@part
 def _no_forces(system, state, x, v, forces, lo, hi):
     pass
 

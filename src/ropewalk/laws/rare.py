@@ -48,6 +48,16 @@ def acts(system, k):
 
 
 @part
+def any_acts(system):
+    """Tell whether a law of nodes acts."""
+    acting = 0
+    if system.rare is not None:
+        for k in range(system.acts.shape[0]):
+            acting += system.acts[k]
+    return acting > 0
+
+
+@part
 def acts_after(extras):
     """Tell whether winches or a limiter act on the end of a step; None: there is neither, as of `rare`."""
     return extras is not None and extras == 1

@@ -8,8 +8,8 @@ from ropewalk.core.ranges import ALL, rows
 from ropewalk.laws.bending import bending_forces, bending_friction
 from ropewalk.laws.clamps import clamp_forces
 from ropewalk.laws.joints import tie
-from ropewalk.laws.nodes import add_node_force, any_acts, node_forces, on_channels, remembers
-from ropewalk.laws.rare import are_tied, has_bending, has_clamps, limits, winds
+from ropewalk.laws.nodes import add_node_force, node_forces, on_channels, remembers
+from ropewalk.laws.rare import any_acts, are_tied, has_bending, has_clamps, limits, winds
 from ropewalk.laws.stretch import (
     axial_friction,
     drop_slack_friction,
