@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from ropewalk.core.arrays import flatten
+from ropewalk.lowering import build
 from ropewalk.methods.tiles import DEPTH, TILE
 from ropewalk.scene import Air, Anchor, Ground, Material, Rope, RunSettings, Scene, Shake
 from ropewalk.simulation import Simulation
@@ -56,7 +59,10 @@ def long_scene(segments: int, laws: str, ropes: int = 1) -> Scene:
 
 
 def run(scene: Scene, *, tiles: bool, ledger: bool) -> tuple[Simulation, np.ndarray]:
-    simulation = Simulation(scene, ledger=ledger)
+    model = build(scene)
+    if not tiles:
+        model = replace(model, system=model.system._replace(rare=1))
+    simulation = Simulation(model, ledger=ledger)
     if not tiles:
         simulation._engine._extras = 1  # as with winches and limiter: one tile
     if "air" in scene.model_fields_set:

@@ -206,9 +206,8 @@ class Broadcast:
     def _warn_of_compiling(self, command: Command) -> None:
         """Say that a method will be compiled first, when it will."""
         if isinstance(command, Set) and command.name == "method":
-            name = command.value
-            rare = self.session.main.simulation.system.rare
-            method = METHODS.get(name) if isinstance(name, str) else None
+            name, rare = command.value, self.session.main.simulation.system.rare
+            method = METHODS.get(str(name))
             if method is not None and not is_compiled(method.advance, rare):
                 text = f"compiling {name}: the first time on this machine takes a minute or two"
                 self.audience.tell({"type": "note", "text": text})
