@@ -38,8 +38,9 @@ Call = Callable[..., Result]
 
 @pytest.fixture(scope="session", autouse=True)
 def compiled() -> None:
-    """Compile the default method, so that no test is the first run on this machine."""
+    """Compile both variants of the default method, so that no test is the first run on this machine."""
     simulate(loads(SCENE))
+    simulate(loads(SCENE).replace(ground={"height": -1e3}))
 
 
 @pytest.fixture
