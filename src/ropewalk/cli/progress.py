@@ -16,31 +16,25 @@ if TYPE_CHECKING:
     from ropewalk.simulation.block import Block
 
 
-def is_compiled(method: str, scene: Scene) -> bool:
-    """Whether the machine code of a method for a scene is there already, in this process or on disk."""
+def is_compiled(method: str, rare: int | None) -> bool:
+    """Whether the machine code of a variant of a method is there already, in this process or on disk."""
     from ropewalk.core import cache
+    from ropewalk.methods.registry import METHODS
+
+    return cache.is_compiled(METHODS[method].advance, rare)
+
+
+def tell_compiling(method: str, scene: Scene, *, live: bool = False) -> None:
+    """Say that the first steps will take a while, when they will; nothing of "auto", not yet chosen."""
     from ropewalk.lowering.variant import rare_of
     from ropewalk.methods.registry import METHODS
 
-    return cache.is_compiled(METHODS[method].advance, rare_of(scene))
-
-
-def tell_compiling(method: str, scene: Scene) -> None:
-    """Say that the first steps will take a while, when they will; nothing of "auto", not yet chosen."""
-    from ropewalk.methods.registry import METHODS
-
-    if method in METHODS and not is_compiled(method, scene):
+    rare = 1 if live else rare_of(scene)  # a live scene may get any law
+    if method in METHODS and not is_compiled(method, rare):
         tell(
-            f"compiling {method}{_without(scene)}: the first run on this machine takes a minute or two, "
+            f"compiling {method}{' with all laws' if rare else ''}: the first run on this machine takes a minute or two, "
             "later ones begin at once"
         )
-
-
-def _without(scene: Scene) -> str:
-    """Say which variant of a method a scene takes."""
-    from ropewalk.lowering.variant import rare_of
-
-    return " with all laws" if rare_of(scene) else ""
 
 
 @contextmanager

@@ -154,7 +154,11 @@ class Share:
         params = model.system.anchors.params[
             self.anchors
         ]  # of motions that may have begun elsewhere
-        system = system._replace(anchors=system.anchors._replace(params=params))
+        anchors, rare = (
+            system.anchors._replace(params=params),
+            model.system.rare,
+        )  # one variant for all
+        system = system._replace(anchors=anchors, rare=rare)
         return replace(model, scene=self.scene, system=system, state=state, layout=layout)
 
 

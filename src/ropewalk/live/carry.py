@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ropewalk.core.arrays import Floats, State, assign, flatten
-from ropewalk.lowering import Model, build
+from ropewalk.lowering import Model, build, with_all_laws
 from ropewalk.lowering.joint_tables import tied_with
 from ropewalk.scene import Scene
 from ropewalk.simulation import Simulation
@@ -31,7 +31,7 @@ def carry_over(old: Simulation, scene: Scene, source: Floats) -> Simulation:
     nodes: place and velocity are then interpolated. Raises SceneError when the scene cannot be
     planned.
     """
-    model = build(scene, drawn=False)
+    model = with_all_laws(build(scene, drawn=False))
     state = model.state
     state.x[...] = _interpolated(old.arrays.x, source)
     state.v[...] = _interpolated(old.arrays.v, source)

@@ -20,7 +20,7 @@ from ropewalk.live.edits import Edit
 from ropewalk.live.hands import CONTROL, Hands
 from ropewalk.live.parameters import named, refusal
 from ropewalk.live.seen import Interval
-from ropewalk.lowering import Plan, build
+from ropewalk.lowering import Plan, build, with_all_laws
 from ropewalk.lowering.joint_tables import tied_with
 from ropewalk.methods.recording import CONSERVATIVE, bends, work_names
 from ropewalk.scene import Scene
@@ -56,7 +56,7 @@ class Track:
 
         Raises SceneError when it cannot be planned.
         """
-        self._begin(Simulation(scene), label, changes or {})
+        self._begin(Simulation(with_all_laws(build(scene))), label, changes or {})
 
     @classmethod
     def of(cls, simulation: Simulation) -> Track:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from ropewalk.core.arrays import State, System
 from ropewalk.lowering.contact_checks import refuse_contact
@@ -13,7 +13,7 @@ from ropewalk.lowering.plan import Plan, make_plan
 from ropewalk.lowering.system import make_tables
 from ropewalk.scene import Scene
 
-__all__ = ["Layout", "Model", "Pieces", "Plan", "Span", "build"]
+__all__ = ["Layout", "Model", "Pieces", "Plan", "Span", "build", "with_all_laws"]
 
 
 @dataclass(frozen=True)
@@ -55,3 +55,8 @@ def build(scene: Scene, pieces: Pieces | None = None, *, drawn: bool = True) -> 
 def _itself(layout: Layout) -> Layout:
     """An equal layout is the same one from then on."""
     return layout
+
+
+def with_all_laws(model: Model) -> Model:
+    """Return the model for the full variant of its kernels: laws may be added while it runs."""
+    return replace(model, system=model.system._replace(rare=1))

@@ -162,7 +162,7 @@ def _live(scene: Scene, start: str | None, early: Announce, options: dict[str, A
 
     def listening(server: Any) -> None:
         early(server)
-        tell_compiling(scene.run.method, scene)
+        tell_compiling(scene.run.method, scene, live=True)
 
     return prepare(scene, start, listening=listening, **options)
 
