@@ -7,8 +7,21 @@ import math
 import numpy as np
 import pytest
 
-from ropewalk.core.status import BROKEN, OK
-from ropewalk.scene import Anchor, Limiter, Rope, RunSettings, Scene, Shake, Springs, Straight
+from ropewalk.core.status import BROKEN, HONEST, OK, ZERO
+from ropewalk.scene import (
+    Anchor,
+    Force,
+    Kick,
+    Limiter,
+    Load,
+    Material,
+    Rope,
+    RunSettings,
+    Scene,
+    Shake,
+    Springs,
+    Straight,
+)
 from ropewalk.simulation import Broken, Simulation
 
 
@@ -67,6 +80,58 @@ def limited(**more: object) -> Scene:
         run=run,
     )
     return made.replace(**more)
+
+
+def torn(longest: float | None, method: str) -> Scene:
+    """A cord of 0.52 m whose ends are drawn 0.55 m apart, at most `longest` times its length long."""
+    cord = Rope(
+        segments=6,
+        length=0.521,
+        made_of=Material(EA=38767.0, mass_per_length=0.111, axial_damping=2.5),
+        loads=[Load(node=6, mass=0.419)],
+        shape=Straight(start=(0, 0, 0.2), end=(0.52, 0, 0.2)),
+    )
+    motion = Shake(axis=(1, 0, 0), amplitude=0.03, frequency=0.95)
+    return Scene(
+        ropes=[cord],
+        limiter=None if longest is None else Limiter(max_stretch=longest, passes=3),
+        anchors=[Anchor(node=0), Anchor(node=6, motion=motion)],
+        run=RunSettings(duration=1.1, frame_rate=240.0, method=method),
+    )
+
+
+@pytest.mark.parametrize("method", ["semi-implicit-euler", "verlet"])
+def test_what_a_limiter_takes_and_puts_in_counts(method: str) -> None:
+    """What it makes an explicit method make up it takes, or friction does, so that the ropes never have it:
+    such a run went on to its end and told of 50 MN. The twins: bounds that hold nothing back, and none.
+    """
+    for ledger in (True, False):
+        status, simulation = ends(torn(1.0, method), ledger=ledger)
+        assert status == BROKEN
+        assert simulation.time < 1.0
+        assert "the limiter has" in simulation.reason
+    assert ends(torn(1.08, method))[0] == ends(torn(None, method))[0] == OK
+
+
+def test_constant_forces_turn_over_without_weight() -> None:
+    """A force that draws a straight rope towards itself has potential below zero, and turns over its pull
+    times the rope's length: a rope thrown against it is no broken one. The twin: with what nothing gave.
+    """
+    cord = rope(10, 200.0, 0.01, 0.1).replace(
+        kicks=[Kick(node=10, velocity=(0, 2.0, 0))], forces=[Force(node=10, force=(5.0, 0, 0))]
+    )
+    scene = Scene(
+        ropes=[cord],
+        gravity=(0, 0, 0),
+        anchors=[Anchor(node=0)],
+        run=RunSettings(method="verlet", duration=1.0),
+    )
+    status, simulation = ends(scene)
+    assert status == OK
+    assert simulation.arrays.balance[HONEST] > 5.0
+    twin = Simulation(scene)
+    twin.arrays.balance[ZERO] -= 100.0
+    assert twin.advance_frames(1).status == BROKEN
 
 
 def test_what_a_limiter_does_is_no_excuse() -> None:

@@ -179,9 +179,7 @@ class State(NamedTuple):
     forces: Forces
     work: Work
     most: Floats  # (a + 1,) largest work so far of every anchor, and of all winches [J]
-    balance: (
-        Floats  # (4,) energy from which gains count, what ropes can have, last energy [J], time [s]
-    )
+    balance: Floats  # (5,) [J], for the verdict, see `core.status`
     peaks: Peaks
 
 

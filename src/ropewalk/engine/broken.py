@@ -5,9 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from ropewalk.core.arrays import State, System
+from ropewalk.core.status import HONEST, TAKEN, ZERO
 from ropewalk.engine.too_near import fault_of
 from ropewalk.lowering import Layout
-from ropewalk.methods.verdict import HONEST, ZERO, energy_now
+from ropewalk.methods.verdict import energy_now
 
 #: Ends a reason where the numbers are right: a rope was stretched beyond what is one.
 ACCOUNTED = "its energy is accounted for"
@@ -29,11 +30,13 @@ def reason(system: System, state: State, layout: Layout) -> str:
     stretch = np.divide(size, state.rest_length, out=np.zeros_like(size), where=live)
     longest = int(np.argmax(stretch))
     balance = state.balance
-    gain = energy_now(system, state) - float(balance[ZERO])
-    given = float(balance[HONEST] + state.most.sum())
+    more, taken = energy_now(system, state) - float(balance[ZERO]), float(balance[TAKEN])
+    gain, given = max(more + max(taken, 0.0), -taken), float(balance[HONEST] + state.most.sum())
+    did = "taken" if taken > 0.0 else "put in"
+    limiter = f", the limiter has {did} {abs(taken):.4g} J" if abs(taken) > abs(more) else ""
     energy = (
-        f"the ropes have {gain:.4g} J more than at the start, and all that was there to turn over, what "
-        f"anchors and winches gave included, is {given:.4g} J"
+        f"the ropes have {more:.4g} J more than at the start{limiter}, and all that was there to turn over, "
+        f"what anchors and winches gave included, is {given:.4g} J"
     )
     if stretch[longest] > system.break_stretch:
         rope, segment = layout.rope_of(longest)

@@ -11,7 +11,7 @@ from ropewalk.core import arrays
 from ropewalk.core.arrays import BENDING, TENSION_ONLY, Floats, Ints, State, System, pooled
 from ropewalk.core.elimination import tied_network
 from ropewalk.core.network import Network
-from ropewalk.core.status import BROKEN, UNSOLVED
+from ropewalk.core.status import BROKEN, HONEST, LAST, UNSOLVED, ZERO
 from ropewalk.engine import broken, unsolved
 from ropewalk.engine.crawl import Crawl
 from ropewalk.engine.slices import Slices
@@ -34,7 +34,7 @@ from ropewalk.methods.loop import prepare, prepare_links
 from ropewalk.methods.recording import Recording
 from ropewalk.methods.registry import METHODS
 from ropewalk.methods.scratch import make_sums
-from ropewalk.methods.verdict import HONEST, LAST, ZERO, energy_now
+from ropewalk.methods.verdict import energy_now
 from ropewalk.methods.watch import begin_interval
 
 #: Tells whether to stop at the last whole frame.
@@ -162,16 +162,18 @@ class Engine:
         """Write the energy at the start, from which gains count, and what of it may turn into motion."""
         state, balance = self.state, self.state.balance
         balance[ZERO] = balance[LAST] = energy_now(self.system, state)
-        weight = gravity_energy(state.x, state.mass, self.system.gravity)
-        balance[HONEST] = balance[ZERO] - weight + self._energy_scale()
+        height = gravity_energy(state.x, state.mass, self.system.gravity)
+        height -= float((state.forces.applied * state.x).sum())
+        balance[HONEST] = balance[ZERO] - height + self._energy_scale()
 
     def _energy_scale(self) -> float:
-        """Weight times length of all ropes [J], and a little elastic energy where nothing weighs."""
+        """Weight and constant forces times length of all ropes [J], and a little elastic energy without."""
         state = self.state
-        weight = float(np.linalg.norm(self.system.gravity) * state.mass.sum())
+        pull = float(np.linalg.norm(self.system.gravity) * state.mass.sum())
+        pull += float(np.linalg.norm(state.forces.applied, axis=0).sum())
         gives = np.isfinite(state.stiffness)
         elastic = 0.5 * state.stiffness * state.rest_length**2
-        return weight * float(state.rest_length.sum()) + 1e-6 * float(elastic[gives].sum())
+        return pull * float(state.rest_length.sum()) + 1e-6 * float(elastic[gives].sum())
 
     # -- moving on -----------------------------------------------------------------------
 

@@ -15,6 +15,7 @@ from __future__ import annotations
 import math
 
 from ropewalk.core.jit import kernel
+from ropewalk.core.status import TAKEN
 from ropewalk.laws.clamps import bent_energy
 from ropewalk.laws.ledger import gravity_energy, kinetic_energy
 from ropewalk.laws.rare import has_bending, limits
@@ -34,18 +35,40 @@ def limit_stretch(system, state, work, dt, ledger):
     """
     if not limits(system):
         return
-    kinetic, potential, anchors = 0.0, 0.0, 0.0
-    if ledger:
-        kinetic = kinetic_energy(state.v, state.mass)
-        potential = _potential(system, state)
+    if not reaches_bound(system.limiter, state):
+        clear_pulls(state.limited)
+        return
+    kinetic, potential = kinetic_energy(state.v, state.mass), _potential(system, state)
     for _ in range(system.limiter.passes):
         sweep(system, state)
     stop_segments(system.limiter, state, work)
     note_pulls(work, dt, state.limited)
-    anchors = give_to_anchors(state, work, dt)
+    kinetic = kinetic_energy(state.v, state.mass) - kinetic - give_to_anchors(state, work, dt)
+    potential = _potential(system, state) - potential
+    state.balance[TAKEN] -= kinetic + potential
     if ledger:
-        state.work.limiter[0] += kinetic_energy(state.v, state.mass) - kinetic - anchors
-        state.work.limiter[1] += _potential(system, state) - potential
+        state.work.limiter[0] += kinetic
+        state.work.limiter[1] += potential
+
+
+@kernel
+def reaches_bound(limiter, state):
+    """Tell whether any segment is at a bound of its stretch or beyond."""
+    x, lengths = state.x, state.rest_length
+    for j in range(lengths.shape[0]):
+        dx, dy, dz = x[0, j + 1] - x[0, j], x[1, j + 1] - x[1, j], x[2, j + 1] - x[2, j]
+        r = math.sqrt(dx * dx + dy * dy + dz * dz)
+        long = r >= limiter.longest * lengths[j] * (1.0 - AT_BOUND)
+        if long or r <= limiter.shortest * lengths[j] * (1.0 + AT_BOUND):
+            return True
+    return False
+
+
+@kernel
+def clear_pulls(limited):
+    """Write that no bound acts, (s,)."""
+    for j in range(limited.shape[0]):
+        limited[j] = 0.0
 
 
 @kernel

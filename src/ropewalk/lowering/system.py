@@ -188,7 +188,7 @@ def _ropes(scene: Scene, layout: Layout, keep: Pieces) -> State:
         forces=_no_forces(n, applied, scene.limiter is not None),
         work=_no_work(s, n, a),
         most=np.zeros(a + 1),
-        balance=np.zeros(4),
+        balance=np.zeros(5),
         peaks=no_peaks(s, n, a) if scene.run.extremes else no_peaks(0, 0, 0),
     )
 

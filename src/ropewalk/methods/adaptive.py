@@ -44,6 +44,7 @@ from ropewalk.methods.controller import (
 )
 from ropewalk.methods.crossings import crossings, mark_sides
 from ropewalk.methods.implicit import (
+    MOST_HALVINGS,
     ImplicitScratch,
     make_implicit_scratch,
     put_row,
@@ -137,7 +138,9 @@ def try_step(system, state, before, scratch, t, after, dt, ledger, tableau):
     solver, control, tolerance = scratch.solver, scratch.walk.control, scratch.limits[0]
     A, b, c, numbers = tableau.A, tableau.b, tableau.c, tableau.numbers
     kind = tableau.kind
-    status = take_step(system, state, solver, t, after, dt, ledger, False, kind, A, b, c, numbers)
+    status = take_step(
+        system, state, solver, t, after, dt, ledger, MOST_HALVINGS, kind, A, b, c, numbers
+    )
     if status != OK:
         control[ERROR] = np.inf
         return UNSOLVED_SHARE * dt, 0

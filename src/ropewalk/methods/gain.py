@@ -21,12 +21,20 @@ from ropewalk.laws.ledger import kinetic_energy
 from ropewalk.laws.rare import has_bending, limits
 from ropewalk.laws.stretch import elastic_energy
 
-MOST = 0.05  # [1] of kinetic and stored energy, and of weight times length
+# Of kinetic and stored energy, and of weight times length [1]: a whole step; twice as much each time that it
+# is halved, as what is hard to solve must end somewhere; any part.
+MOST, MOST_OF_ANY = 0.002, 0.05
 
 
 @part
-def makes_up_energy(system, state, stage, mean, dt):
-    """Tell whether a step from `state` to `stage` under the `mean` forces does."""
+def most_of(level):
+    """Return what a part of a step that was halved so often may make up [1]."""
+    return min(MOST * 2.0**level, MOST_OF_ANY)
+
+
+@part
+def makes_up_energy(system, state, stage, mean, dt, most):
+    """Tell whether a step from `state` to `stage` under the `mean` forces makes up more than `most` [1]."""
     lengths, k, floor = state.rest_length, state.stiffness, system.slack_floor
     before = elastic_energy(state.x, lengths, k, floor)
     after = elastic_energy(stage.x, lengths, k, floor)
@@ -38,12 +46,12 @@ def makes_up_energy(system, state, stage, mean, dt):
     if limits(system):  # a bound may only take energy
         work += min(taken(mean.limiter, state.v, stage.v, dt), 0.0)
     gain = after - before - work - min(taken(mean.friction, state.v, stage.v, dt), 0.0)
-    if gain <= MOST * before:
+    if gain <= most * before:
         return False
     least = min(
         before + kinetic_energy(state.v, state.mass), after + kinetic_energy(stage.v, state.mass)
     )
-    return gain > MOST * (least + weight_times_length(state.mass, lengths, system.gravity))
+    return gain > most * (least + weight_times_length(state.mass, lengths, system.gravity))
 
 
 @kernel

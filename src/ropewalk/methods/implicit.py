@@ -26,7 +26,7 @@ from ropewalk.laws.nodes import hits, on_channels
 from ropewalk.laws.rare import has_bending, limits
 from ropewalk.laws.table import accelerate
 from ropewalk.methods import tableaus
-from ropewalk.methods.gain import makes_up_energy
+from ropewalk.methods.gain import makes_up_energy, most_of
 from ropewalk.methods.generalized_alpha import end_alpha, prepare_alpha
 from ropewalk.methods.loop import make_advance, prepare_links
 from ropewalk.methods.scratch import (
@@ -44,6 +44,7 @@ from ropewalk.methods.tableaus import BDF2, DIRK, GENERALIZED_ALPHA, SDIRK2, Tab
 
 MOST_HALVINGS = 12
 SMALLEST_PART = 0.5**MOST_HALVINGS  # [1] of a step
+FEWEST_PARTS, MOST_PARTS = 2, 16  # that are solved before one of twice their length is tried
 
 
 class ImplicitScratch(NamedTuple):
@@ -171,20 +172,21 @@ def end_dirk(state, scratch, A, b, dt):
 
 
 @part
-def end_stages(system, state, scratch, dt, watch, kind, A, b):
+def end_stages(system, state, scratch, dt, level, kind, A, b):
     """Write the end of a DIRK or BDF2 step, its forces and accelerations; return OK where it may stand.
 
-    With `watch` a step that makes up energy may not, nor one in which something is hit, but by implicit
-    Euler, and but for steps as short as their error asks for.
+    But for the smallest parts (see `take_step`) one that makes up energy may not, nor one in which something
+    is hit, but by implicit Euler, and but for steps as short as their error asks for.
     """
-    stage, mean, ends_here = scratch.stage, scratch.mean, True
+    stage, mean, ends_here, watch = scratch.stage, scratch.mean, True, level < MOST_HALVINGS
     if kind == BDF2:
         add_forces(system, state.forces, 1.0 / 3.0, mean)
         add_forces(system, stage.forces, 2.0 / 3.0, mean)
     else:
         ends_here = end_dirk(state, scratch, A, b, dt)
-    if watch and ends_here and makes_up_energy(system, state, stage, mean, dt):
-        return UNSOLVED
+    if watch and ends_here:
+        if makes_up_energy(system, state, stage, mean, dt, most_of(level)):
+            return UNSOLVED
     free = stage.saddle.band.frozen[0] == 0 and not is_soft(kind, A)
     if watch and free and hits(system, state, stage.x, stage.v) > 0.0:
         return HIT
@@ -206,12 +208,13 @@ def is_soft(kind, A):
 
 
 @kernel
-def take_step(system, state, scratch, t, after, dt, ledger, watch, kind, A, b, c, numbers):
+def take_step(system, state, scratch, t, after, dt, ledger, level, kind, A, b, c, numbers):
     """Take one step from time `t` [s]; return OK, or UNSOLVED or HIT with the state as it was.
 
-    With `watch` a step that makes up energy counts as unsolved, and one that hits something is told.
+    It is one of 2^level parts. But for the smallest, one that makes up energy counts as unsolved, and one
+    that hits something is told.
     """
-    stage, mean = scratch.stage, scratch.mean
+    stage, mean, watch = scratch.stage, scratch.mean, level < MOST_HALVINGS
     clear_forces(system, mean)
     put_row(state.tension, stage.tension)
     for s in range(b.shape[0] if kind == DIRK else 1):
@@ -232,7 +235,8 @@ def take_step(system, state, scratch, t, after, dt, ledger, watch, kind, A, b, c
             share = 1.0 - numbers[1]
         time, ahead = after if share == 1.0 else t + share * dt, share * dt
         status = UNSOLVED
-        for attempt in range(2):  # accelerations and tensions as before; if that fails, none
+        # With accelerations and tensions as before; if that fails, none, but not in parts on the way.
+        for attempt in range(2 if level == 0 or not watch else 1):
             if attempt == 1:
                 clear(stage.a)
             axpy(stage.v_known, c2, stage.a, stage.v)
@@ -253,7 +257,7 @@ def take_step(system, state, scratch, t, after, dt, ledger, watch, kind, A, b, c
     if kind == GENERALIZED_ALPHA:
         end_alpha(system, state, scratch, numbers, dt)
     else:
-        status = end_stages(system, state, scratch, dt, watch, kind, A, b)
+        status = end_stages(system, state, scratch, dt, level, kind, A, b)
         if status != OK:
             stage.report[TIME] = after
             return status
@@ -300,8 +304,9 @@ def settle_reaction(total, reaction):
 def step(system, state, scratch, t, after, dt, ledger, tableau):
     """Advance the state by one step of `dt` from time `t` [s]; return OK or UNSOLVED.
 
-    The step is part `place` of 2^level parts; one that finds no solution is halved. One that hits something,
-    and the next, are taken by implicit Euler.
+    The step is part `place` of 2^level parts; one that finds no solution is halved. Parts grow again after
+    `need` of them, and where the longer one fails it takes twice as many the next time. One that hits
+    something, and the next, are taken by implicit Euler.
     """
     kind, A, b, c = tableau.kind, tableau.A, tableau.b, tableau.c
     if not follows(dt, state.held, state.winch_exit, state.past) and kind == BDF2:
@@ -309,7 +314,7 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
         if A[0, 0] == 0.0:  # it begins with the forces at the start; those kept are means
             prepare_links(system, state, t, scratch.stage.saddle)
             state.past[0] = dt
-    level, place = 0, 0
+    level, place, run, need, climbed = 0, 0, 0, FEWEST_PARTS, False
     fixed = scratch.stage.saddle.band.frozen[0] == 0
     status = HIT if fixed and state.jolt[0] > 0.0 and not is_soft(kind, A) else OK
     while True:
@@ -327,7 +332,7 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
             end,
             h,
             ledger,
-            level < MOST_HALVINGS,
+            level,
             kind,
             A,
             b,
@@ -340,19 +345,21 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
             scratch.stage.report[SPLITS] += 1.0
             gather(state.reaction, 1.0 / 2.0**level, scratch.reaction)
             gather(state.joint_force, 1.0 / 2.0**level, scratch.joint_force)
-            place += 1
-            while place % 2 == 0 and level > 0:
-                level, place = level - 1, place // 2
-            if level == 0:
+            place, run = place + 1, run + 1
+            if place == 2**level:
                 settle_reaction(scratch.reaction, state.reaction)
                 settle_reaction(scratch.joint_force, state.joint_force)
                 break
+            climbed = run >= need and place % 2 == 0
+            if climbed:
+                level, place, run = level - 1, place // 2, 0
         elif status == HIT:
             continue
         elif level == MOST_HALVINGS:
             break
         else:
-            level, place, kind = level + 1, 2 * place, DIRK
+            need = min(2 * need, MOST_PARTS) if climbed else need
+            level, place, run, climbed, kind = level + 1, 2 * place, 0, False, DIRK
             A, b, c = scratch.rescue.A, scratch.rescue.b, scratch.rescue.c
             state.past[0] = 0.0
     if kind == DIRK and tableau.kind == BDF2:

@@ -31,12 +31,13 @@ from ropewalk.core.saddle import Saddle, make_saddle
 from ropewalk.core.status import OK, UNSOLVED
 from ropewalk.core.sweep import sweep
 from ropewalk.laws.couplings import add_couplings, couples, order_couplings
-from ropewalk.laws.nodes import add_diagonals, are_diagonal, node_rounding
+from ropewalk.laws.nodes import add_diagonals, are_diagonal
 from ropewalk.laws.rare import are_tied, has_bending, limits, winds
 from ropewalk.laws.registry import NODE_LAWS
 from ropewalk.laws.stage_forces import evaluate_stage, mark_stage
 from ropewalk.laws.table import accelerate
 from ropewalk.laws.tangent import add_tangents, begin_tangent
+from ropewalk.methods.rounding import EPSILON, motion_rounding, rounding
 
 MOST_ITERATIONS = 60
 DECIDING = 8  # iterations that may still change what rubs and what touches
@@ -46,10 +47,15 @@ DESCENT = 1e-4  # Armijo's constant
 SHORTEST = 1e-5  # [1] smallest part of a Newton step
 COMPRESSION = -0.24  # [1] least geometric stiffness far from the solution, over m / (c1 c2)
 NEAR = 1e-2  # [1] a step that brings the merit down to this part is near the solution
-LATE = 30  # iterations after which the solution counts as near
+CLOSE = 1e-3  # [1] so is one whose forces balance to this part of the largest, and lengths alike
+LATE = 15  # iterations after which the solution counts as near
+MEMORY = 8  # merits the largest of which a step has to bring down
+CAREFUL_LATE, CAREFUL_MEMORY = (
+    30,
+    1,
+)  # the same with bending, bounds or contacts: folded rods are lost else
 WARY = 3  # iterations that hold compression back after an exact one that failed
 MOST_LEAPS = 12  # steps that are taken whatever the merit, out of its local minima
-EPSILON = 2.220446049250313e-16
 
 # Places in `Stage.report`; from HISTORY on the merit before each iteration [J].
 ITERATIONS, RESIDUAL, NODE, SCALE, MISFIT, SOLVES, SPLITS, TIME, ROUNDING, HISTORY = range(10)
@@ -160,70 +166,25 @@ def largest_misfit(x, tension, rest_length, friction, saddle, report):
 
 
 @kernel
-def bending_rounding(x, rest_length, stiffness, clamp_stiffness, node):
-    """Return what rounding of the places does to the forces of bending [N]: about eps EI |x| / l^3.
-
-    `stiffness` (n,) is that of the bends, `clamp_stiffness` (a, 2) that of the half cells at `node` (a,).
-    """
-    largest, size = 0.0, 0.0
-    for i in range(x.shape[1]):
-        size = max(size, abs(x[0, i]), abs(x[1, i]), abs(x[2, i]))
-    for i in range(1, stiffness.shape[0] - 1):
-        if stiffness[i] > 0.0:
-            length = min(rest_length[i - 1], rest_length[i])
-            largest = max(largest, stiffness[i] / (length * length))
-    for row in range(clamp_stiffness.shape[0]):
-        for side in range(2):
-            if clamp_stiffness[row, side] > 0.0:
-                length = rest_length[node[row] - 1 + side]
-                largest = max(largest, clamp_stiffness[row, side] / (length * length))
-    return 16.0 * EPSILON * largest * size
-
-
-@kernel
-def bound_rounding(limiter):
-    """Return what rounding leaves of spring and bound, which cancel where a bound is far from L [N]."""
-    largest = 0.0
-    for k in range(3):
-        for j in range(limiter.shape[1]):
-            largest = max(largest, abs(limiter[k, j]))
-    return 8.0 * EPSILON * largest
-
-
-@part
-def rounding(system, state, stage):
-    """Return the residual that rounding leaves of forces much larger than those of the report's scale [N]."""
-    left = node_rounding(system, state, stage.x)
-    if has_bending(system):
-        clamps, node = system.bending.clamp_stiffness, state.anchor_node
-        stiffness = state.bending_stiffness
-        left += bending_rounding(stage.x, state.rest_length, stiffness, clamps, node)
-    if limits(system):
-        left += bound_rounding(stage.forces.limiter)
-    return left
-
-
-@kernel
-def motion_rounding(v, known, mass, free, damping, c2):
-    """Return what rounding of the speeds leaves of inertia and vector friction that cancel [N].
-
-    It is all that is left of a rope that coasts: the report's scale is then next to nothing.
-    """
-    left, rubs = 0.0, 0.0
-    for k in range(3):
-        vk, known_k = v[k], known[k]
-        for i in range(mass.shape[0]):
-            left = max(left, free[i] * mass[i] * max(abs(vk[i]), abs(known_k[i])))
-        for j in range(damping.shape[0]):
-            rubs = max(rubs, damping[j] * max(abs(vk[j]), abs(vk[j + 1])))
-    return 16.0 * EPSILON * (left / c2 + rubs)
-
-
-@kernel
 def is_solved(report, tolerance):
     """Tell whether the forces balance to `tolerance` [1], or to rounding, and the lengths fit."""
     bound = tolerance * report[SCALE] + report[ROUNDING] + 1e-300
     return report[RESIDUAL] <= bound and report[MISFIT] <= tolerance / TIGHT
+
+
+@kernel
+def is_close(report):
+    """Tell whether the solution is near by what is left of forces and lengths."""
+    return report[RESIDUAL] <= CLOSE * report[SCALE] and report[MISFIT] <= CLOSE / TIGHT
+
+
+@kernel
+def largest_merit(report, first, iteration, memory):
+    """Return the largest of the last `memory` merits, back to that of iteration `first` at most [J]."""
+    largest = 0.0
+    for k in range(max(first, iteration - memory + 1), iteration + 1):
+        largest = max(largest, report[HISTORY + k])
+    return largest
 
 
 @kernel
@@ -287,6 +248,13 @@ def shorter_part(size, trial, merit):
 
 
 @part
+def is_smooth(system):
+    """Tell whether stretch, air and ground are all there is: a line search that looks back pays then."""
+    touches = system.rare is not None and system.node.obstacle.kind.shape[0] > 0
+    return not (touches or has_bending(system) or limits(system) or couples(system))
+
+
+@part
 def is_simple(system, state):
     """Tell whether all laws fit into inertia, across and along."""
     return (
@@ -341,13 +309,14 @@ def solve_stage(system, state, stage, c1, c2):
     mass, free = state.mass, saddle.free
     begin(mass, state.inverse_mass, state.stiffness, segments, saddle, 1.0 / (c1 * c2))
     merit, size, exact, wary, held_back, failed = np.inf, 0.0, False, 0, 0, False
-    iteration, leaps, leap = 0, 0, False
+    iteration, leaps, leap, bar, first = 0, 0, False, np.inf, 0
+    late, memory = (LATE, MEMORY) if is_smooth(system) else (CAREFUL_LATE, CAREFUL_MEMORY)
     while True:
         evaluate_stage(system, state, x, v, tension, segments, saddle, stage.forces)
         accelerate(system, state, stage.forces, stage.a)
         trial = balance(stage.a, v, known, mass, free, c1, c2, saddle.force)
         trial += misfit_merit(saddle.misfit, segments.weight)
-        if size > 0.0 and not trial <= (1.0 - DESCENT * size) * merit:
+        if size > 0.0 and not trial <= (1.0 - DESCENT * size) * bar:
             shorter = shorter_part(size, trial, merit)
             failed = shorter < SHORTEST
             shorter = 0.0 if failed else shorter
@@ -373,13 +342,18 @@ def solve_stage(system, state, stage, c1, c2):
         if iteration == MOST_ITERATIONS or leaps > MOST_LEAPS:
             return UNSOLVED
         wary = WARY if failed else wary - 1
-        near = exact or (held_back == 1 and (trial < NEAR * merit or iteration > LATE))
+        near = exact or (
+            held_back == 1 and (trial < NEAR * merit or is_close(report) or iteration > late)
+        )
         exact = near and wary <= 0
         held_back = newton_step(system, state, stage, c1, c2, exact, leap)
         if not is_finite(saddle.moved, saddle.pulled):
             return UNSOLVED
         move(1.0, c1, x, v, tension, saddle)
-        merit, size, failed, iteration = np.inf if leap else trial, 1.0, False, iteration + 1
+        first = iteration + 1 if leap else first
+        merit = np.inf if leap else trial
+        bar = np.inf if leap else largest_merit(report, first, iteration, memory)
+        size, failed, iteration = 1.0, False, iteration + 1
     finish(known, stage.a, free, c2, v)
     return OK
 

@@ -2,17 +2,18 @@
 
 The energy of the ropes (kinetic, weight, stretch, bending, of laws of nodes and forces applied), less that at
 the start, can honestly be what anchors, clamps and winches have put in, what a wind can, and what weight or
-the energy at the start turns over. Friction, air at rest and a limiter take energy and give none, so that the
-verdict needs no ledger. What anchors give is counted at its most so far, step by step (`State.most`, kept
-where the work is booked): at a period's end it is zero again. What changes between two calls (a kick, a
-force) counts as given.
+the energy at the start turns over. Friction and air at rest take energy and give none, so that the
+verdict needs no ledger. A limiter that acts after explicit steps takes much of what it makes them make up:
+what it has taken counts as there still, and what it has put in is made up. What anchors give is counted at
+its most so far, step by step (`State.most`, kept where the work is booked): at a period's end it is zero
+again. What changes between two calls (a kick, a force) counts as given.
 """
 
 from __future__ import annotations
 
 from ropewalk.core.arrays import APPLIED
 from ropewalk.core.jit import kernel, part
-from ropewalk.core.status import BROKEN, MADE_UP, OK
+from ropewalk.core.status import BROKEN, HONEST, LAST, MADE_UP, OK, SEEN, TAKEN, ZERO
 from ropewalk.laws.clamps import bent_energy
 from ropewalk.laws.couplings import any_fault
 from ropewalk.laws.ledger import gravity_energy, kinetic_energy
@@ -20,8 +21,6 @@ from ropewalk.laws.nodes import node_energy, node_power
 from ropewalk.laws.rare import has_bending
 from ropewalk.laws.stretch import elastic_energy
 
-# Places in `State.balance`.
-ZERO, HONEST, LAST, SEEN = range(4)
 LARGEST = 1e154  # [m] the square of a longer one is infinite
 
 
@@ -55,6 +54,15 @@ def note_changes(system, state):
 
 
 @part
+def gained(balance, energy):
+    """Return what the ropes have more than at the start [J], with what a limiter has taken of it.
+
+    What the limiter has put in, which it may not, is as much made up, even where friction has taken it since.
+    """
+    return max(energy - balance[ZERO] + max(balance[TAKEN], 0.0), -balance[TAKEN])
+
+
+@part
 def note_energy(system, state):
     """Keep the energy, so that what the host changes before the next call is known."""
     state.balance[LAST] = energy_now(system, state)
@@ -71,7 +79,7 @@ def judge(system, state, time):
     for row in range(state.most.shape[0]):
         given += state.most[row]
     balance[LAST] = energy
-    if not energy - balance[ZERO] <= MADE_UP * (balance[HONEST] + given):  # NaN is broken, too
+    if not gained(balance, energy) <= MADE_UP * (balance[HONEST] + given):  # NaN is broken, too
         status = BROKEN
     if any_fault(system, state):
         status = BROKEN
