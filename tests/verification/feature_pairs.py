@@ -10,6 +10,7 @@ from ropewalk.scene import (
     Air,
     Anchor,
     Clamp,
+    Contact,
     Force,
     Ground,
     Joint,
@@ -71,16 +72,37 @@ def _axial(parts: Parts) -> None:
 
 
 def _joint(parts: Parts) -> None:
-    two = {"name": "two", "segments": 3, "length": 0.3, "made_of": Material(**SOFT)}
+    two = {
+        "name": "two",
+        "segments": 3,
+        "length": 0.3,
+        "diameter": 0.01,
+        "made_of": Material(**SOFT),
+    }
     hung = Straight(start=(0.9, 0, 0), direction=(0, 0, -1))
-    parts["scene"]["ropes"] = [Rope(**two, shape=hung)]
+    parts["scene"].setdefault("ropes", []).append(Rope(**two, shape=hung))
     tied = [Tie(rope="one", node=-1), Tie(rope="two", node=0)]
     parts["scene"]["joints"] = [Joint(name="knot", points=tied)]
 
 
 def _obstacle(parts: Parts) -> None:
-    wall = Plane(point=(0, 0.001, 0), normal=(0, -1, 0), friction=0.3)
+    wall = Plane(point=(0, 0.006, 0), normal=(0, -1, 0), friction=0.3)
     parts["scene"]["obstacles"] = [wall]
+
+
+def _contact(parts: Parts) -> None:
+    line = {
+        "name": "line",
+        "segments": 5,
+        "length": 0.5,
+        "diameter": 0.01,
+        "made_of": Material(**SOFT),
+    }
+    upright = Straight(start=(0.36, -0.0105, 0.0), direction=(0, 0, -1))
+    parts["scene"].setdefault("ropes", []).append(Rope(**line, shape=upright))
+    ends = [Anchor(name=f"line{node}", rope="line", node=node) for node in (0, -1)]
+    parts["scene"].setdefault("anchors", []).extend(ends)
+    parts["scene"]["contact"] = Contact(friction=0.2)
 
 
 def _load(parts: Parts) -> None:
@@ -97,7 +119,8 @@ def _force(parts: Parts) -> None:
 
 def _moved(parts: Parts) -> None:
     shake = Shake(axis=(0, 0, 1), amplitude=0.02, frequency=3.0)
-    parts["scene"]["anchors"] = [Anchor(name="b", rope="one", node=9, motion=shake)]
+    moved = Anchor(name="b", rope="one", node=9, motion=shake)
+    parts["scene"].setdefault("anchors", []).append(moved)
 
 
 FEATURES: dict[str, Callable[[Parts], None]] = {
@@ -112,6 +135,7 @@ FEATURES: dict[str, Callable[[Parts], None]] = {
     "axial friction": _axial,
     "joint": _joint,
     "obstacle": _obstacle,
+    "contact": _contact,
     "load": _load,
     "kick": _kick,
     "force": _force,
@@ -121,8 +145,8 @@ FEATURES: dict[str, Callable[[Parts], None]] = {
 
 def scene_of(method: str, *features: str, implicit: bool) -> Scene:
     """A slack rope of ten segments, held at one end, whose other end is thrown back, with these features."""
-    thrown = {"kicks": [Kick(node=8, velocity=(-3.0, 0.5, 1.0))]}
-    parts: Parts = {"stuff": dict(SOFT), "rope": thrown, "held": {}, "scene": {}}
+    kicks = [Kick(node=8, velocity=(-3.0, 0.5, 1.0)), Kick(node=4, velocity=(0.0, -0.5, 0.0))]
+    parts: Parts = {"stuff": dict(SOFT), "rope": {"kicks": kicks}, "held": {}, "scene": {}}
     for name in FEATURES:
         if name in features:
             FEATURES[name](parts)
@@ -131,6 +155,7 @@ def scene_of(method: str, *features: str, implicit: bool) -> Scene:
         name="one",
         segments=10,
         length=1.0,
+        diameter=0.01,
         made_of=Material(**parts["stuff"]),
         shape=Slack(start=(0, 0, 0), end=(0.9, 0, 0)),
         **parts["rope"],
