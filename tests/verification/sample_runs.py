@@ -95,7 +95,7 @@ def newton() -> list[float]:
         simulation.step(0.05)
         merits = report[HISTORY : HISTORY + int(report[ITERATIONS]) + 1]
         falls = np.log(merits[1:] / merits[:-1])
-        kept = (falls[:-1] < -3.0) & (merits[2:] > 1e-21 * merits[0])
+        kept = (falls[:-1] < -6.0) & (merits[2:] > 1e-21 * merits[0])
         orders += list((falls[1:] / falls[:-1])[kept])
     return [float(order) for order in orders]
 

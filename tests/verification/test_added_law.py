@@ -99,7 +99,7 @@ def test_what_was_touched(package: Path) -> None:
 
 def test_tables_channels_and_columns_have_its_name(found: dict[str, Any]) -> None:
     """Its work is recorded between those of the other laws of nodes and the applied forces'."""
-    assert found["names"] == ["air", "ground", "obstacle", "well"]
+    assert found["names"] == ["air", "ground", "obstacle", "contact", "well"]
     assert found["laws"].index("well") == found["laws"].index("ground") + 1
     assert found["table"][:2] == ["active", "point"]
 
