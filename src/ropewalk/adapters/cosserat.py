@@ -1,7 +1,7 @@
 """Ropewalk as a solver of cosseratbench, a benchmark of programs for slender rods (extra ``cosserat``).
 
 Found by its entry point: ``cosseratbench run catenary --solver ropewalk``. What a scenario asks for that
-Ropewalk has no model of (an end that turns, twist, ropes that touch) is refused by name, as the benchmark
+Ropewalk has no model of (an end that turns, twist) is refused by name, as the benchmark
 wants it. Ropewalk has no twist: the directors that it hands out are carried along without any.
 """
 

@@ -139,10 +139,10 @@ def assumption_section(scene: Scene) -> Section:
     if scene.limiter is not None:
         low, high = scene.limiter.min_stretch, scene.limiter.max_stretch
         texts.append(f"A limiter keeps every segment between {low:g} and {high:g} of its length.")
+    others = "" if scene.contact else ", other ropes and itself"
     left_out = (
-        f"Left out: contact with {'anything else' if scene.obstacles else 'edges, pulleys'}, other "
-        "ropes and itself; twist; creep, temperature, moisture, "
-        "wear and age; the strength of knots, splices and terminations; the give of anchors and structures; "
+        f"Left out: contact with {'anything else' if scene.obstacles else 'edges, pulleys'}{others}; "
+        "twist; creep, temperature, moisture, wear and age; the strength of knots, splices and terminations; the give of anchors and structures; "
         "any load that is not in the scene."
     )
     claim = (
