@@ -142,8 +142,8 @@ def assumption_section(scene: Scene) -> Section:
     others = "" if scene.contact else ", other ropes and itself"
     left_out = (
         f"Left out: contact with {'anything else' if scene.obstacles else 'edges, pulleys'}{others}; "
-        "twist; creep, temperature, moisture, wear and age; the strength of knots, splices and terminations; the give of anchors and structures; "
-        "any load that is not in the scene."
+        "twist; creep, temperature, moisture, wear and age; the strength of knots, splices and "
+        "terminations; the give of anchors and structures; any load that is not in the scene."
     )
     claim = (
         "This is a computation of one load case. It claims conformity with no standard. Who signs for the "
