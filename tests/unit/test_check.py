@@ -14,6 +14,7 @@ from ropewalk.api import simulate
 from ropewalk.lowering import build
 from ropewalk.scene import (
     Anchor,
+    Contact,
     Ground,
     Limiter,
     Load,
@@ -361,3 +362,19 @@ def test_a_shape_that_starts_pressed_is_told() -> None:
     assert told(start="at-rest") == []
     assert told(tension_only=True) == []
     assert told(EA=1e3) == []
+
+
+def test_nothing_is_said_of_rest_where_ropes_touch_each_other() -> None:
+    """It once said 0 N and 0 % of the breaking load; without contact it says what they are."""
+    made_of = Material(EA=1e4, mass_per_length=0.1, breaking_load=1e3)
+    rope = Rope(segments=5, length=1.0, diameter=0.01, made_of=made_of, shape=Straight())
+    anchors = (Anchor(node=0), Anchor(node=-1))
+    run = RunSettings(method="implicit-euler", time_step=0.01)
+    apart = check(Scene(run=run, ropes=(rope,), anchors=anchors), measure=False)
+    found = check(Scene(run=run, ropes=(rope,), anchors=anchors, contact=Contact()), measure=False)
+    assert "at rest: largest tension" in "\n".join(apart.lines())
+    assert "at rest:" not in "\n".join(found.lines())
+    assert any("is not looked for" in warning for warning in found.warnings)
+    told = json.loads(json.dumps(found.as_dict()))
+    assert (told["statics"]["largest_tension"], told["statics"]["spans"]) == (None, [])
+    assert (told["ropes"][0]["largest_tension"], told["ropes"][0]["utilisation"]) == (None, None)

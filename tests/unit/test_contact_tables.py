@@ -106,3 +106,44 @@ def test_without_obstacles_there_are_none() -> None:
     assert not result.contact_modes.any()
     with pytest.raises(ValueError, match="this run has none"):
         result.to_pandas("contacts")
+
+
+def crossed(contact: str) -> rw.Result:
+    """A rope on a floor, and one that lies across it and is pulled aside and down at its ends."""
+    stuff = 'made_of = { kind = "material", EA = 1e4, mass_per_length = 0.1, axial_damping = 2.0 }'
+    rope = f"segments = 9\nlength = 0.4\ndiameter = 0.02\n{stuff}"
+    scene = loads(f"""
+{contact}
+[run]
+method = "implicit-euler"
+time_step = 0.0041666667
+duration = 0.2
+[[obstacle]]
+kind = "plane"
+[[rope]]
+name = "line"
+{rope}
+shape = {{ kind = "straight", start = [-0.2, 0, 0.0101], end = [0.2, 0, 0.0101] }}
+[[rope]]
+name = "over"
+{rope}
+shape = {{ kind = "straight", start = [0.0, -0.2, 0.0303], end = [0.0, 0.2, 0.0303] }}
+force = [{{ node = 0, force = [2.0, 0, -3.0] }}, {{ node = -1, force = [2.0, 0, -3.0] }}]
+[[anchor]]
+rope = "line"
+node = 0
+""")
+    return rw.simulate(scene)
+
+
+def test_friction_is_not_told_of_a_node_that_touches_a_rope_as_well() -> None:
+    """What the other rope gives was once counted as friction: up to 166 times what it can carry."""
+    table = crossed("[contact]").to_pandas("contacts")
+    used = table["friction used [1]"]
+    below = table[(table["rope"] == "line") & table["node"].isin([4, 5])]
+    assert used.isna().any()
+    assert below["friction used [1]"].isna().any()
+    assert set(table["mode"][used.isna()]) == {"unknown"}
+    assert used.max() <= 1.0 + 1e-6
+    assert used.notna().sum() > used.isna().sum()
+    assert crossed("").to_pandas("contacts")["friction used [1]"].notna().all()

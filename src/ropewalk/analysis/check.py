@@ -42,6 +42,7 @@ __all__ = ["Check", "RopeCheck", "check", "milliseconds"]
 _SMALL_MARGIN = 0.1
 _ROUNDING = 1e-9
 _AFFORDABLE = 20_000  # nodes up to which the highest frequency at rest is computed
+_OF_REST = ("transverse", "largest_tension", "largest_strain", "slack", "utilisation")
 _SHORT = 0.01  # a curve's chords are a little shorter than its arcs
 
 
@@ -80,6 +81,10 @@ class RopeCheck:
         if self.slack or self.short:
             text.append(f"  segments slack at rest {self.slack}, started too short {self.short}")
         return text
+
+    def as_dict(self) -> dict[str, object]:
+        """Plain values; None for all that is said of rest where it is not at rest."""
+        return vars(self) | ({} if self.rests else dict.fromkeys(_OF_REST))
 
     def waves(self) -> str:
         """The speeds of its waves."""
@@ -135,21 +140,21 @@ class Check:
 
     def as_dict(self) -> dict[str, object]:
         """Plain values for JSON; None stands for what is not finite."""
-        statics = self.statics
+        statics, rests = self.statics, self._rests
         found = {
             "name": self.name,
             "ok": self.ok,
             "stability": self.stability.as_dict(),
             "statics": {
-                "largest_tension": statics.largest_tension if self._rests else None,
-                "slack_segments": int(statics.slack.sum()),
-                "spans": [vars(span) for span in statics.spans],
-                "wraps": [wrap.as_dict() for wrap in statics.wraps],
+                "largest_tension": statics.largest_tension if rests else None,
+                "slack_segments": int(statics.slack.sum()) if rests else None,
+                "spans": [vars(span) for span in statics.spans] if rests else [],
+                "wraps": [wrap.as_dict() for wrap in statics.wraps] if rests else [],
                 "unheld": statics.unheld,
-                "nodes_on_ground": int(statics.grounded.sum()),
-                "residual": statics.residual,
+                "nodes_on_ground": int(statics.grounded.sum()) if rests else None,
+                "residual": statics.residual if rests else None,
             },
-            "ropes": [vars(rope) for rope in self.ropes],
+            "ropes": [rope.as_dict() for rope in self.ropes],
             "frames": self.frames,
             "steps_per_frame": self.steps_per_frame,
             "steps": self.steps,
@@ -175,7 +180,7 @@ class Check:
             text += [f"  at rest: {span.words}" for span in spans]
             wraps = [wrap for wrap in self.statics.wraps if wrap.rope == rope.name and rope.rests]
             text += [f"  at rest: {wrap.words}" for wrap in wraps]
-        if self.statics.grounded.any():
+        if self.statics.grounded.any() and self._rests:
             text.append(f"at rest {_count(self.statics.grounded, 'node')} on the ground")
         text.append(
             f"the run: {self.duration:.6g} s in about {_duration(self.seconds)}"
@@ -341,7 +346,7 @@ def _warnings(
     warnings += strain_warnings(model, statics, ropes) + breaking_warnings(ropes)
     warnings += pressed_at_start(model, statics, ropes)
     warnings += limiter_warnings(model, statics) + rest_warnings(model, statics)
-    warnings += bending_warnings(model) + obstacle_warnings(model)
+    warnings += bending_warnings(model) + obstacle_warnings(model, statics)
     return warnings + plan_notes(model) + unit_slips(model)
 
 

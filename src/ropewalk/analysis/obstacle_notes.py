@@ -9,12 +9,14 @@ import numpy as np
 from ropewalk.lowering import Model
 from ropewalk.lowering.chains import fastest
 from ropewalk.scene.obstacles import thinnest
+from ropewalk.statics import Statics
+from ropewalk.statics.pressing import pressing, rounded
 
 _YIELDS = 0.1  # of a rope's radius, or an obstacle's: contacts that yield more are told of [1]
 _TURNS = 0.1  # [rad] in a step; with more of it friction points noticeably aside
 
 
-def obstacle_warnings(model: Model) -> list[str]:
+def obstacle_warnings(model: Model, statics: Statics) -> list[str]:
     """Return a sentence for everything that a scene with obstacles does otherwise than its user may think."""
     scene, system = model.scene, model.system
     if not scene.obstacles:
@@ -25,7 +27,6 @@ def obstacle_warnings(model: Model) -> list[str]:
     thick = float(table.thickness.max())
     step = model.plan.dt if model.plan.longest is None else model.plan.longest
     way = fastest(system, model.state) * step
-    weight = float(np.linalg.norm(system.gravity) * model.state.mass.sum())
     for row, body in enumerate(scene.obstacles):
         name, radius = f"obstacle {body.name!r}", thinnest(body) + thick
         if longest > 2.0 * radius:
@@ -47,11 +48,25 @@ def obstacle_warnings(model: Model) -> list[str]:
                 f"{name}: it turns by {math.degrees(turn):.3g} degrees in a step, and friction there points "
                 f"up to half of that aside; take steps of at most {1e3 * step * _TURNS / turn:.3g} ms"
             )
-        yields = weight / float(table.stiffness[row].min())
+        what, force = _presses(model, statics, row)
+        yields = force / float(table.stiffness[row].min())
         least = min(radius, thick) if thick > 0.0 else radius
         if yields > _YIELDS * least:
+            enough = rounded(_YIELDS * least / force)
             found.append(
-                f"{name}: all weight on one node presses it in by {1e3 * yields:.3g} mm; give a "
-                "smaller compliance where that matters"
+                f"{name}: {what} presses it in by {1e3 * yields:.3g} mm; give it a compliance of at most "
+                f"{enough} m/N where that matters"
             )
     return found
+
+
+def _presses(model: Model, statics: Statics, row: int) -> tuple[str, float]:
+    """Return what may press a node most into an obstacle, in words, and its force [N]."""
+    weight = float(np.linalg.norm(model.system.gravity) * model.state.mass.sum())
+    found = [("all weight on one node", weight)]
+    if statics.solved and statics.contacts is not None:
+        push = statics.contacts.push[statics.contacts.obstacle == row]
+        found.append(("what a node carries at rest", float(push.max(initial=0.0))))
+    else:
+        found.append(("the largest force on a node of the drawn shape", pressing(model)))
+    return max(found, key=lambda one: one[1])

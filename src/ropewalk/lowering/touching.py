@@ -29,10 +29,15 @@ class Contacts(NamedTuple):
 
     @property
     def use(self) -> Floats:
-        """|R_t| / (mu R_n) of every contact [1], (c,): 1 where friction carries all it can; 0 without any."""
+        """|R_t| / (mu R_n) of every contact [1], (c,): 1 where friction carries all it can; 0 without any.
+
+        NaN where the friction is: where it cannot be told from what ropes do.
+        """
         most = self.friction * self.push
         size = np.linalg.norm(self.rub, axis=1)
-        found: Floats = np.divide(size, most, out=np.zeros_like(size), where=most > 0.0)
+        found: Floats = np.divide(
+            size, most, out=np.zeros_like(size), where=(most > 0.0) | np.isnan(size)
+        )
         return found
 
     @property

@@ -9,6 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ropewalk.core.arrays import Floats, Ints
+from ropewalk.laws.pairs.law import memory as pair_memory
+from ropewalk.laws.pairs.table import CONTACTS
 from ropewalk.lowering import Model, build
 from ropewalk.lowering.touching import Contacts, contacts_at
 
@@ -17,6 +19,9 @@ if TYPE_CHECKING:
 
 OPEN, STICKS, SLIPS = range(3)
 MODES = ("open", "sticks", "slips")
+_UNKNOWN = len(MODES)  # where friction cannot be told
+_WORDS = np.array([*MODES, "unknown"], dtype=object)
+_ALL = 1.0 + 1e-6  # of what friction can carry: more of it is another contact's [1]
 
 
 class WrapHistory(NamedTuple):
@@ -37,7 +42,10 @@ class WrapHistory(NamedTuple):
 
 
 def contact_modes(result: Result) -> NDArray[np.int8]:
-    """Return what nodes do, (frames, nodes): 0 where one touches nothing, 1 sticks, 2 slips."""
+    """Return what nodes do, (frames, nodes): 0 where one touches no obstacle, 1 sticks, 2 slips.
+
+    1, too, where it touches a rope as well, so that friction cannot be told.
+    """
     found = np.zeros((result.frames, result.layout.nodes), np.int8)
     for frame, contacts in each_frame(result, range(result.frames)):
         modes = np.where(contacts.slips, SLIPS, STICKS).astype(np.int8)
@@ -83,7 +91,25 @@ def each_frame(result: Result, frames: Iterable[int]) -> Iterator[tuple[int, Con
         if force[frame].any():
             now = [np.ascontiguousarray(part[frame].T) for part in (x, v, force)]
             t = float(result.time[frame])
-            yield frame, contacts_at(table, now[0], now[1], now[2], stiffness, t)
+            contacts = contacts_at(table, now[0], now[1], now[2], stiffness, t)
+            yield frame, _told(model, now[0], contacts)
+
+
+def _told(model: Model, x: Floats, contacts: Contacts) -> Contacts:
+    """Return the contacts with NaN for friction where the node touches a rope, too, at places (3, n) [m].
+
+    Only the sum of all contacts' forces is recorded, and what the ropes give cannot be told from friction.
+    """
+    table = model.system.node.contact
+    if model.scene.contact is None:
+        return contacts
+    found = pair_memory(table, x, model.state.stiffness)
+    pairs = found.pair[: found.tally[CONTACTS]].ravel()
+    touches = np.zeros(x.shape[1], bool)
+    touches[pairs] = touches[pairs + 1] = True
+    unknown = touches[contacts.node] | (contacts.use > _ALL)
+    rub = np.where(unknown[:, None], np.nan, contacts.rub)
+    return contacts._replace(rub=rub)
 
 
 def _model(result: Result) -> Model:
@@ -109,11 +135,12 @@ def rows(result: Result, frames: Iterable[int], nodes: Ints) -> list[NDArray[np.
     for frame, contacts in each_frame(result, frames):
         keep = wanted[contacts.node]
         modes = np.where(contacts.slips, SLIPS, STICKS)
+        modes[np.isnan(contacts.use)] = _UNKNOWN
         parts = (
             *(np.full(keep.size, result.time[frame]), ropes[contacts.node], numbers[contacts.node]),
             *(names[contacts.obstacle], contacts.push, np.linalg.norm(contacts.rub, axis=1)),
             *(contacts.use, np.linalg.norm(contacts.slip, axis=1)),
-            np.array(MODES, dtype=object)[modes],
+            _WORDS[modes],
         )
         for column, part in zip(found, parts, strict=True):
             column.append(part[keep])

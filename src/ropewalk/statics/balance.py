@@ -78,6 +78,7 @@ class Balance:
         self.goes_on = (
             False  # whether ropes slid or fell so far on obstacles that they will not rest
         )
+        self.pressed: Any = None  # what its tension presses too deep, see `pressing`
         self.number = points(model)  # (n,), where joints tie nodes
         self._set_scales()
 

@@ -14,6 +14,7 @@ remembered, and the way does not matter where there is but one rest.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -42,7 +43,9 @@ class Crept:
     goes_on: bool  # it slid or fell so far that it will not come to rest
 
 
-def creep(balance: Balance, x: Floats, thinnest: float, patience: int) -> Crept:
+def creep(
+    balance: Balance, x: Floats, thinnest: float, patience: int, see: Callable[[Floats], None]
+) -> Crept:
     """Return where ropes come to rest from places `x` (3, n) [m].
 
     Args:
@@ -50,6 +53,7 @@ def creep(balance: Balance, x: Floats, thinnest: float, patience: int) -> Crept:
         x: places to begin with.
         thinnest: least radius of what may be met [m], inf for planes.
         patience: Newton steps after which to give up.
+        see: is shown the places after every step.
     """
     pull = balance.elastic(x)
     tension = np.where(np.isfinite(pull), np.maximum(pull, 0.0), 0.0)
@@ -68,6 +72,7 @@ def creep(balance: Balance, x: Floats, thinnest: float, patience: int) -> Crept:
             continue
         x, tension, way = step.x, step.tension, way + moved
         balance.remember(x)
+        see(x)
         if way > longest or spent > patience:
             break
         if moved < _NEAR * balance.length and drag < _SLOW * unit and count % _EVERY == 0:

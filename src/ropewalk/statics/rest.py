@@ -12,6 +12,7 @@ from ropewalk.core.arrays import Floats
 from ropewalk.laws.acting import borne
 from ropewalk.laws.node_law import Rest
 from ropewalk.lowering import Model, build
+from ropewalk.lowering.contact_checks import NO_REST
 from ropewalk.lowering.touching import Contacts
 from ropewalk.scene import Scene
 from ropewalk.scene.obstacles import thinnest
@@ -19,6 +20,7 @@ from ropewalk.statics.balance import Balance
 from ropewalk.statics.creep import creep
 from ropewalk.statics.hung import hung
 from ropewalk.statics.newton import Found, settle
+from ropewalk.statics.pressing import Watch
 from ropewalk.statics.refusal import refuse_impossible, undetermined_ropes, unheld_ropes
 from ropewalk.statics.spans import RestSpan, rest_spans
 from ropewalk.statics.tied import tied_nodes
@@ -53,10 +55,10 @@ class Statics:
     residual: float  # largest force that is left on a free node [N]
     gap: float  # largest difference between a segment's length and that of its tension [m]
     steps: int  # Newton steps; 0 where the closed form is exact already
-    solved: bool  # whether it is at rest, to rounding
+    solved: bool  # whether it is at rest, to rounding; never where ropes touch each other
     wraps: tuple[Wrap, ...] = ()  # where ropes lie on obstacles
     contacts: Contacts | None = None  # of single nodes
-    trouble: str = ""  # why a rope that touches obstacles is not at rest
+    trouble: str = ""  # why ropes that touch obstacles or each other are not at rest
     memory: Any = None  # what contacts carry, as `State.memory.obstacle`; None without obstacles
 
     @property
@@ -156,9 +158,11 @@ def _find_on_obstacles(model: Model, balance: Balance, *, patient: bool) -> Foun
         return _evaluated(balance, x, np.zeros(x.shape[1] - 1))
     thick = float(model.system.node.obstacle.thickness.max())
     least = min(map(thinnest, model.scene.obstacles)) + thick
-    crept = creep(balance, x, least, _PATIENCE if patient else _CHECKED)
+    watch = Watch(model, balance)
+    crept = creep(balance, x, least, _PATIENCE if patient else _CHECKED, watch.see)
     balance.goes_on = crept.goes_on
-    return crept.found
+    balance.pressed = watch.at_last(crept.found.x)
+    return crept.found if balance.pressed is None else crept.found._replace(error=np.inf)
 
 
 def _tied_start(model: Model, x: Floats) -> Floats:
@@ -220,9 +224,11 @@ def _statics(model: Model, balance: Balance, found: Found, unheld: tuple[str, ..
     stretch = np.divide(size, rest, out=np.ones_like(size), where=rest > 0.0)
     none = np.abs(tension) <= 1e-12 * float(np.abs(tension).max(initial=0.0))
     slack = (model.state.stiffness > 0.0) & none
-    for name in unheld:
+    for name in undetermined_ropes(model):  # they stay as drawn
         span = model.layout.span(name)
         stretch[span.first : span.last] = 1.0
+    for name in unheld:
+        span = model.layout.span(name)
         slack[span.first : span.last] = False
     reactions = np.zeros((model.state.held.size, 3))
     for row, node in enumerate(model.state.anchor_node):
@@ -243,10 +249,10 @@ def _statics(model: Model, balance: Balance, found: Found, unheld: tuple[str, ..
         residual=float(np.abs(left[:, balance.free]).max(initial=0.0)),
         gap=float(np.abs(balance.gap(x, tension)).max(initial=0.0)),
         steps=found.steps,
-        solved=found.at_rest,
+        solved=found.at_rest and model.scene.contact is None,
         wraps=lie,
         contacts=contacts,
-        trouble=_complaint(model, balance, found) if obstacles and not found.at_rest else "",
+        trouble=_trouble(model, balance, found),
         memory=balance.kept() if obstacles else None,
     )
 
@@ -260,6 +266,14 @@ def _lie(
     return wraps(model, np.ascontiguousarray(x.T), tension, force, others - force)
 
 
+def _trouble(model: Model, balance: Balance, found: Found) -> str:
+    """Return why a scene with contact is not at rest; "" where it is."""
+    if model.scene.contact is not None:
+        return NO_REST
+    obstacles = bool(model.scene.obstacles)
+    return _complaint(model, balance, found) if obstacles and not found.at_rest else ""
+
+
 def _complaint(model: Model, balance: Balance, found: Found) -> str:
     left = np.where(balance.free, balance.imbalance(found.x, found.tension), 0.0)
     node = int(np.argmax(np.abs(left).max(axis=0)))
@@ -267,6 +281,8 @@ def _complaint(model: Model, balance: Balance, found: Found) -> str:
     gap = np.abs(balance.gap(found.x, found.tension)).max(initial=0.0)
     remedy = "Give the scene a shape nearer to rest, or softer ropes"
     if model.scene.obstacles:
+        if balance.pressed is not None:
+            return str(balance.pressed.words(model))
         lie, _ = _lie(model, balance, found.x, found.tension)
         if balance.goes_on:
             return going_on_words(lie)

@@ -1,0 +1,125 @@
+"""How deep the tension of ropes presses them into obstacles: or even through them."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from ropewalk.core.arrays import Floats
+from ropewalk.laws.obstacle_shapes import probe
+from ropewalk.lowering import Model
+from ropewalk.scene.obstacles import thinnest
+from ropewalk.statics.balance import Balance
+
+_TINY = 1e-300
+_SHALLOW = 0.5  # of a rope's radius: contacts at rest that are pressed in deeper are wrong [1]
+_BARE = 0.1  # ... of a body's least radius, where the rope has no diameter [1]
+_THROUGH = (
+    0.25  # ... of both radii, on the way: from there a rope may come out on the other side [1]
+)
+_ALLOWED = (
+    0.02  # of a rope's radius, or of the body's: the depth that a compliance is named for [1]
+)
+
+
+class Pressed(NamedTuple):
+    """The node that was pressed deepest."""
+
+    node: int
+    obstacle: int
+    depth: float  # [m]
+    compliance: float  # that would do [m/N]
+    through: bool  # whether on the way to where it is now
+
+    def words(self, model: Model) -> str:
+        """What happened, and what to change."""
+        rope, number = model.layout.rope_of(self.node)
+        name = model.scene.obstacles[self.obstacle].name
+        through = " and through it" if self.through else ""
+        return (
+            f"no shape of rest was found: node {number} of rope {rope!r} is pressed "
+            f"{1e3 * self.depth:.3g} mm into {name!r}{through} by tension or weight; give the "
+            f"obstacle a compliance of at most {rounded(self.compliance)} m/N"
+        )
+
+
+class Watch:
+    """Looks how deep nodes are pressed in while ropes creep."""
+
+    def __init__(self, model: Model, balance: Balance) -> None:
+        self.balance, self.table = balance, model.system.node.obstacle
+        self.body = np.array([thinnest(body) for body in model.scene.obstacles])
+        self.drawn = model.state.x.copy()
+        self.push = pressing(model)
+        self.deep: dict[tuple[int, int], float] = {}  # depth of nodes in obstacles on the way [m]
+
+    def see(self, x: Floats) -> None:
+        """Look at places (3, n) [m] on the way."""
+        for i, o, depth in self._deeper(x, on_way=True):
+            self.deep[i, o] = max(depth, self.deep.get((i, o), 0.0))
+
+    def at_last(self, x: Floats) -> Pressed | None:
+        """Return what is pressed in too deep at the last places (3, n) [m], or came through on the way."""
+        self.balance.others(x)
+        found = [self._pressed(*row, through=False) for row in self._deeper(x, on_way=False)]
+        for (i, o), depth in self.deep.items():
+            before, now = self._probe(i, o, self.drawn)[1:4], self._probe(i, o, x)[1:4]
+            if np.dot(before, now) < 0.0:
+                found.append(self._pressed(i, o, depth, through=True))
+        return max(found, key=lambda one: (one.through, one.depth), default=None)
+
+    def _deeper(self, x: Floats, *, on_way: bool) -> list[tuple[int, int, float]]:
+        """Return node, obstacle and depth [m] of contacts that are deeper than they may be."""
+        table, found = self.table, []
+        thick, size = table.thickness, np.linalg.norm(self.balance.contact_force(), axis=0)
+        for o in range(len(table.kind)):
+            least = np.where(thick > 0.0, _SHALLOW * thick, _BARE * self.body[o])
+            if on_way:
+                least = np.maximum(least, _THROUGH * (self.body[o] + thick))
+            for i in map(int, np.flatnonzero(size > table.stiffness[o] * least)):
+                depth = float(thick[i] - self._probe(i, o, x)[0])
+                if depth > least[i]:
+                    found.append((i, o, depth))
+        return found
+
+    def _probe(self, i: int, o: int, x: Floats) -> tuple[float, ...]:
+        table = self.table
+        parts = table.center[o], table.axis[o], table.size[o]
+        found: tuple[float, ...] = probe(table.kind[o], *parts, x[0, i], x[1, i], x[2, i])
+        return found
+
+    def _pressed(self, i: int, o: int, depth: float, *, through: bool) -> Pressed:
+        push = max(float(self.table.stiffness[o, i]) * depth, self.push)
+        enough = allowed_depth(float(self.body[o]), float(self.table.thickness[i])) / push
+        return Pressed(i, o, depth, enough, through)
+
+
+def allowed_depth(body: float, thick: float) -> float:
+    """Return the depth that hardly matters [m], of a body and half a rope's diameter [m]."""
+    return _ALLOWED * (min(body, thick) if thick > 0.0 else body)
+
+
+def pressing(model: Model) -> float:
+    """Return the largest force with which tension in the drawn shape, or what is applied, presses a node [N].
+
+    Rigid links are taken to have none.
+    """
+    state = model.state
+    d = np.diff(state.x, axis=1)
+    size = np.sqrt((d * d).sum(axis=0))
+    stiff = np.where(np.isfinite(state.stiffness), state.stiffness, 0.0)
+    pull = stiff * np.maximum(size - state.rest_length, 0.0)
+    along = pull * d / np.maximum(size, _TINY)
+    force = state.forces.applied.copy()
+    force[:, :-1] += along
+    force[:, 1:] -= along
+    free = (state.inverse_mass > 0.0) & (state.mass > 0.0)
+    return float(np.linalg.norm(force, axis=0)[free].max(initial=0.0))
+
+
+def rounded(compliance: float) -> str:
+    """Return a compliance [m/N] of one digit, no larger."""
+    power = 10.0 ** math.floor(math.log10(compliance))
+    return f"{math.floor(compliance / power * (1.0 + 1e-9)) * power:.1g}"
