@@ -19,6 +19,7 @@ from ropewalk.methods.verdict import energy_now
 from ropewalk.scene import (
     Anchor,
     Contact,
+    Joint,
     Limiter,
     Material,
     Points,
@@ -28,6 +29,7 @@ from ropewalk.scene import (
     Scene,
     SceneError,
     Straight,
+    Tie,
     Winch,
 )
 from ropewalk.simulation import Broken, Simulation
@@ -40,28 +42,44 @@ MU = 0.3
 FAR = 100.0  # [m]
 
 
-def rails(degrees: float, method: str, **more: Any) -> tuple[Scene, Floats]:
+def rails(
+    degrees: float,
+    method: str,
+    *,
+    segments: int = 1,
+    friction: float = MU,
+    speed: float = 0.0,
+    **more: Any,
+) -> tuple[Scene, Floats]:
     """A bar of one segment across two rails that cannot move, and the direction down them, (3,)."""
     slope = math.radians(degrees)
     down = np.array([math.cos(slope), 0.0, -math.sin(slope)])
     up = np.array([math.sin(slope), 0.0, math.cos(slope)])
     ropes, anchors = [], []
     for k, y in enumerate((-0.1, 0.1)):
-        ends = [tuple(np.array([0.0, y, 0.0]) + s * down) for s in (-0.5, 2.5)]
+        places = np.linspace(-0.5, 2.5, segments + 1)
+        ends = [tuple(np.array([0.0, y, 0.0]) + s * down) for s in places]
         stuff = Material(EA=1e5, mass_per_length=0.1)
         shape = Points(points=ends)
         ropes.append(
-            Rope(name=f"rail{k}", segments=1, length=3.0, diameter=0.01, made_of=stuff, shape=shape)
+            Rope(
+                name=f"rail{k}",
+                segments=segments,
+                length=3.0,
+                diameter=0.01,
+                made_of=stuff,
+                shape=shape,
+            )
         )
-        anchors += [Anchor(rope=f"rail{k}", node=node) for node in (0, 1)]
+        anchors += [Anchor(rope=f"rail{k}", node=node) for node in range(segments + 1)]
     ends = [tuple(np.array([0.0, y, 0.0]) + 0.00999 * up) for y in (-0.15, 0.15)]
     stuff = Material(EA=1e3, mass_per_length=0.1)
-    shape = Points(points=ends)
+    shape = Straight(start=ends[0], end=ends[1], velocity=tuple(speed * down))
     ropes.append(
         Rope(name="bar", segments=1, length=0.3, diameter=0.01, made_of=stuff, shape=shape)
     )
     run = RunSettings(**({"method": method, "time_step": 1.0 / 60.0, "frame_rate": 60.0} | more))
-    return Scene(ropes=ropes, anchors=anchors, contact=Contact(friction=MU), run=run), down
+    return Scene(ropes=ropes, anchors=anchors, contact=Contact(friction=friction), run=run), down
 
 
 def slid(scene: Scene, down: Floats, frames: int) -> tuple[Floats, Floats]:
@@ -85,6 +103,51 @@ def test_a_bar_on_rails_sticks_below_the_angle_of_friction_and_slides_beyond(met
         times, ways = slid(*rails(degrees, method), 30)
         found = 2.0 * np.polyfit(times[15:], ways[15:], 2)[0]
         assert found == pytest.approx(g * (math.sin(slope) - MU * math.cos(slope)), rel=1e-3)
+
+
+@pytest.mark.parametrize(("method", "rate"), [("implicit-euler", 60.0), ("esdirk3", 240.0)])
+def test_nodes_of_what_lies_below_neither_throw_nor_hold(method: str, rate: float) -> None:
+    """The rails have nodes every 3 cm and are 1 cm thick. Without friction the bar keeps its speed over them,
+    with it a = g (sin - mu cos).
+    """
+    run = {"segments": 100, "time_step": 1.0 / rate}
+    scene, down = rails(0.0, method, friction=0.0, speed=1.0, **run)
+    simulation = Simulation(scene)
+    for _ in range(24):
+        simulation.step(1.0 / 60.0)
+        assert float(simulation.arrays.v[:, -2:].mean(axis=1) @ down) == pytest.approx(
+            1.0, abs=1e-3
+        )
+    slope = math.radians(25.0)
+    times, ways = slid(*rails(25.0, method, **run), 30)
+    found = 2.0 * np.polyfit(times[15:], ways[15:], 2)[0]
+    assert found == pytest.approx(g * (math.sin(slope) - MU * math.cos(slope)), rel=1e-2)
+
+
+@pytest.mark.parametrize("speed", [5.0, 20.0])
+def test_an_explicit_method_makes_up_no_energy_at_its_automatic_step(speed: float) -> None:
+    """However hard ropes hit: the bound of the step knows how stiff a contact gets that is pressed deep."""
+    run = {"method": "semi-implicit-euler", "time_step": "auto", "frame_rate": 480.0}
+    simulation = Simulation(thrown(speed, **run))
+    first = energy_now(simulation.system, simulation.arrays)
+    frames = math.ceil(480.0 * 0.12 / speed)
+    most = 0.0
+    for _ in range(frames):
+        simulation.step(1.0 / 480.0)
+        most = max(most, energy_now(simulation.system, simulation.arrays) - first)
+    assert most < 0.01 * 0.5 * 0.1 * speed**2
+
+
+def test_a_joint_is_not_cut_where_ropes_touch() -> None:
+    """Its nodes lie inside each other and would burst apart: the sentence says so."""
+    scene = thrown(1.0)
+    more = scene.ropes[0].replace(
+        name="c", shape=Straight(start=(0.5, 0, 0), end=(1.5, 0, 0)), segments=6
+    )
+    tied = Joint(name="knot", points=[Tie(rope="a", node=-1), Tie(rope="c", node=0)])
+    simulation = Simulation(scene.replace(ropes=[*scene.ropes, more], joints=[tied]))
+    with pytest.raises(SceneError, match="touch each other"):
+        simulation.cut_joint("knot")
 
 
 def test_an_explicit_method_finds_the_same() -> None:

@@ -16,6 +16,7 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats
 from ropewalk.live.parameters import refusal
+from ropewalk.lowering.contact_checks import refuse_untying
 from ropewalk.lowering.layout import Layout, make_layout
 from ropewalk.scene import Anchor, Force, Hand, Joint, Load, Material, Rope, Scene, Straight
 
@@ -175,7 +176,11 @@ def cut(scene: Scene, layout: Layout, segment: int) -> Edit:
 
 
 def untie(scene: Scene, layout: Layout, name: str) -> Edit:
-    """Let the nodes of a joint go their own ways. Raises SceneError where there is none of that name."""
+    """Let the nodes of a joint go their own ways.
+
+    Raises SceneError where there is none of that name, or where ropes touch each other.
+    """
+    refuse_untying(scene)
     kept = [joint for joint in scene.joints if joint.name != name]
     if len(kept) == len(scene.joints):
         there = ", ".join(joint.name for joint in scene.joints) or "none"

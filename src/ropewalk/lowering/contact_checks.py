@@ -76,3 +76,12 @@ def _inside(system: System, state: State, layout: Layout) -> list[Fault]:
         "diameters counted in: draw the ropes apart"
     )
     return [Fault(f"rope[{own}].shape", f"segment {b}", rule)]
+
+
+def refuse_untying(scene: Scene) -> None:
+    """Raise SceneError where a joint is to be cut while ropes touch: its nodes lie inside each other."""
+    if scene.contact is not None:
+        rule = "stands where ropes touch each other: what it ties lies at one place, and would burst apart"
+        raise SceneError(
+            [Fault("joint", NO_VALUE, f"{rule}; cut a segment beside it, or leave out contact")]
+        )

@@ -22,6 +22,7 @@ from ropewalk.hands.drive import Driven, Goal
 from ropewalk.hands.drum import WinchHandle
 from ropewalk.hands.hand import AnchorHandle
 from ropewalk.lowering import Model, build
+from ropewalk.lowering.contact_checks import refuse_untying
 from ropewalk.lowering.plan import divide
 from ropewalk.methods.recording import ENERGIES, Recording, make_recording, record_frame
 from ropewalk.methods.scratch import make_sums
@@ -359,8 +360,9 @@ class Simulation(Driven):
     def cut_joint(self, name: str) -> None:
         """Let the nodes of the joint called `name` go their own ways from now on.
 
-        Raises KeyError where there is none of that name.
+        Raises KeyError where there is none of that name, SceneError where ropes touch each other.
         """
+        refuse_untying(self.scene)
         joints, state = self.system.joints, self._state
         j = self.scene.joints.index(self.scene.joint_named(name))
         member = joints.member[joints.first[j] : joints.first[j + 1]]

@@ -21,7 +21,7 @@ from ropewalk.laws.obstacle import node_stiffness
 from ropewalk.laws.pairs.force import add_pair_forces, pair_energy, pair_forces, pair_rounding
 from ropewalk.laws.pairs.pair_memory import remember_pairs
 from ropewalk.laws.pairs.pair_tangent import couple_pairs
-from ropewalk.laws.pairs.table import CONTACTS, FAULT, HARD, SEEN, WIDTH, Memory, Pairs
+from ropewalk.laws.pairs.table import CONTACTS, FAULT, HARD, SEEN, STOP, WIDTH, Memory, Pairs
 from ropewalk.laws.pairs.way import count_closing_pairs, meet_pairs
 
 if TYPE_CHECKING:
@@ -211,7 +211,7 @@ def cases(table: Pairs, chain: Chain) -> dict[str, Chain]:
     if not len(table.rope):
         return {}
     alive = table.rope >= 0
-    soft, stiff = 0.5 / table.soft[alive].min(), 0.5 / table.hard[alive].min()
+    soft, stiff = 0.5 / table.soft[alive].min(), STOP * 0.5 / table.hard[alive].min()
     damping = 2.0 * math.sqrt(max(soft, HARD**2 * stiff) * 0.5 * float(table.mass[alive].max()))
     return {
         "pressed to ropes": chain._replace(

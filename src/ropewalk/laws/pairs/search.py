@@ -11,6 +11,8 @@ from ropewalk.core.jit import kernel, small
 from ropewalk.laws.pairs.distance import on_way, product
 from ropewalk.laws.pairs.table import CONTACTS, NEAR, NORMAL, OTHER, OWN, REACH, WIDTH
 
+NOWHERE = 1e150  # [m] so far are all nodes from where a list was made that does not count
+
 
 @small
 def are_neighbours(table, tied, i, j):
@@ -98,6 +100,7 @@ def list_near(x, y, table, memory, tied):
             if are_neighbours(table, tied, i, j):
                 continue
             if found == near.shape[0]:
+                memory.origin[0, 0] = NOWHERE  # the list is not whole: it is made anew
                 return False
             near[found, 0], near[found, 1] = i, j
             found += 1

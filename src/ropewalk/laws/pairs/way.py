@@ -128,7 +128,9 @@ def meet_pairs(x, y, table, memory, tied):
         else:
             gap = plane_gap(y, memory, row, size)
             off = abs(end[2] - size - gap) > WRONG * size and (end[2] < size or gap < 0.0)
-            if off and (through or too_deep or count[ROUNDS] < WARY_ROUNDS):
+            # past a node the next segment has the contact: its normal is not to lean towards the node
+            own = count[ROUNDS] < WARY_ROUNDS and owns(y, y, 0.0, table, tied, i, j, end[0], end[1])
+            if off and (through or too_deep or own):
                 hit = comes_to(x, y, i, j, size, start, way) if hit == NEVER else hit
                 changed = turn_contact(x, y, table, memory, row, hit, end)
         more += changed
