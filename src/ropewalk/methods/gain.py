@@ -27,9 +27,9 @@ MOST, MOST_OF_ANY = 0.002, 0.05
 
 
 @part
-def most_of(level):
-    """Return what a part of a step that was halved so often may make up [1]."""
-    return min(MOST * 2.0**level, MOST_OF_ANY)
+def most_of(system, level):
+    """Return what a part of a step that was halved so often may make up [1]; with bending what any may."""
+    return MOST_OF_ANY if has_bending(system) else min(MOST * 2.0**level, MOST_OF_ANY)
 
 
 @part

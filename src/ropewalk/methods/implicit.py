@@ -185,7 +185,7 @@ def end_stages(system, state, scratch, dt, level, kind, A, b):
     else:
         ends_here = end_dirk(state, scratch, A, b, dt)
     if watch and ends_here:
-        if makes_up_energy(system, state, stage, mean, dt, most_of(level)):
+        if makes_up_energy(system, state, stage, mean, dt, most_of(system, level)):
             return UNSOLVED
     free = stage.saddle.band.frozen[0] == 0 and not is_soft(kind, A)
     if watch and free and hits(system, state, stage.x, stage.v) > 0.0:
@@ -236,7 +236,7 @@ def take_step(system, state, scratch, t, after, dt, ledger, level, kind, A, b, c
         time, ahead = after if share == 1.0 else t + share * dt, share * dt
         status = UNSOLVED
         # With accelerations and tensions as before; if that fails, none, but not in parts on the way.
-        for attempt in range(2 if level == 0 or not watch else 1):
+        for attempt in range(2 if level == 0 or not watch or has_bending(system) else 1):
             if attempt == 1:
                 clear(stage.a)
             axpy(stage.v_known, c2, stage.a, stage.v)
@@ -353,6 +353,8 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
             climbed = run >= need and place % 2 == 0
             if climbed:
                 level, place, run = level - 1, place // 2, 0
+            while has_bending(system) and place % 2 == 0:  # rods are lost in short parts
+                level, place = level - 1, place // 2
         elif status == HIT:
             continue
         elif level == MOST_HALVINGS:

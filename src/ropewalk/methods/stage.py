@@ -310,6 +310,7 @@ def solve_stage(system, state, stage, c1, c2):
     begin(mass, state.inverse_mass, state.stiffness, segments, saddle, 1.0 / (c1 * c2))
     merit, size, exact, wary, held_back, failed = np.inf, 0.0, False, 0, 0, False
     iteration, leaps, leap, bar, first = 0, 0, False, np.inf, 0
+    calm = not has_bending(system)
     late, memory = (LATE, MEMORY) if is_smooth(system) else (CAREFUL_LATE, CAREFUL_MEMORY)
     while True:
         evaluate_stage(system, state, x, v, tension, segments, saddle, stage.forces)
@@ -343,7 +344,8 @@ def solve_stage(system, state, stage, c1, c2):
             return UNSOLVED
         wary = WARY if failed else wary - 1
         near = exact or (
-            held_back == 1 and (trial < NEAR * merit or is_close(report) or iteration > late)
+            held_back == 1
+            and (trial < NEAR * merit or (calm and is_close(report)) or iteration > late)
         )
         exact = near and wary <= 0
         held_back = newton_step(system, state, stage, c1, c2, exact, leap)
