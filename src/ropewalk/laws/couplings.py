@@ -6,26 +6,13 @@ from typing import Any
 
 from ropewalk.core.jit import part
 from ropewalk.laws.node_law import NodeLaw
-from ropewalk.laws.nodes import fold
+from ropewalk.laws.nodes import fold, whether
 from ropewalk.laws.rare import acts
 
 FINE, AGAIN, HALVE = range(3)  # what `meet` says of a step
 
 
-@part
-def _couples_nothing(system):
-    return False
-
-
-def _asking(law: NodeLaw, k: int, rest: Any) -> Any:
-    @part
-    def _couples(system):
-        return acts(system, k) or rest(system)
-
-    return _couples
-
-
-couples = fold(_asking, _couples_nothing, "couple")
+couples = whether("couple")
 """couples(system): tell whether a law that acts couples nodes that are no neighbours."""
 
 

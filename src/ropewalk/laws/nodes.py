@@ -299,19 +299,24 @@ touch_nodes = fold(_touching, _nothing_touches, "touch")
 
 
 @part
-def _none_remembers(system):
+def _none_has_it(system):
     return False
 
 
 def _asking(law: NodeLaw, k: int, rest: Any) -> Any:
     @part
-    def _remembers(system):
+    def _has_it(system):
         return acts(system, k) or rest(system)
 
-    return _remembers
+    return _has_it
 
 
-remembers = fold(_asking, _none_remembers, "remember")
+def whether(piece: str) -> Any:
+    """Return the part that tells whether a law that acts has a piece."""
+    return fold(_asking, _none_has_it, piece)
+
+
+remembers = whether("remember")
 """remembers(system): tell whether a law that acts has a memory."""
 
 

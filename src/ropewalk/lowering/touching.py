@@ -47,6 +47,14 @@ class Contacts(NamedTuple):
         return np.asarray(moves & ((self.use >= SLIPS) | (self.friction == 0.0)))
 
 
+def turns(places: Floats) -> Floats:
+    """Return the angle by which a line through places (n, 3) turns at every inner one [rad], (n - 2,)."""
+    d = np.diff(places, axis=0)
+    across = np.linalg.norm(np.cross(d[:-1], d[1:]), axis=1)
+    found: Floats = np.arctan2(across, (d[:-1] * d[1:]).sum(axis=1))
+    return found
+
+
 def contacts_at(
     table: Obstacles, x: Floats, v: Floats, force: Floats, stiffness: Floats, t: float = 0.0
 ) -> Contacts:

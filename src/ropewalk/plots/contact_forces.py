@@ -11,6 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ropewalk.laws.obstacle import depths
+from ropewalk.lowering.touching import turns
 from ropewalk.plots.sight import Floats, frame_at, good_frames
 from ropewalk.plots.style import (
     GREY,
@@ -74,11 +75,7 @@ def coils(result: Result, frame: int) -> list[Coil]:
     for span in result.layout.ropes:
         x = places[span.start : span.end + 1]
         pull = result.tension[frame][span.start : span.end]
-        way = np.diff(x, axis=0)
-        way /= np.maximum(np.linalg.norm(way, axis=1), 1e-300)[:, None]
-        bend = np.arctan2(
-            np.linalg.norm(np.cross(way[:-1], way[1:]), axis=1), (way[:-1] * way[1:]).sum(axis=1)
-        )  # at the inner nodes
+        bend = turns(x)
         for body, first, last in _runs(touched[span.start : span.end + 1]):
             first, last = max(first, 1), min(last, len(x) - 2)
             obstacle = result.scene.obstacles[body]

@@ -12,7 +12,7 @@ from ropewalk.core.arrays import Floats, Ints
 from ropewalk.laws.pairs.law import memory as pair_memory
 from ropewalk.laws.pairs.table import CONTACTS
 from ropewalk.lowering import Model, build
-from ropewalk.lowering.touching import Contacts, contacts_at
+from ropewalk.lowering.touching import Contacts, contacts_at, turns
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -72,9 +72,8 @@ def wrap_history(result: Result, rope: str | None, obstacle: str) -> WrapHistory
             continue
         first, last = int(touching.min()), int(touching.max())
         nodes[frame] = first - span.start, last - span.start
-        d = np.diff(places[frame, max(first - 1, span.start) : min(last + 1, span.end) + 1], axis=0)
-        across = np.linalg.norm(np.cross(d[:-1], d[1:]), axis=1)
-        angle[frame] = np.arctan2(across, (d[:-1] * d[1:]).sum(axis=1)).sum()
+        beyond = slice(max(first - 1, span.start), min(last + 1, span.end) + 1)
+        angle[frame] = turns(places[frame, beyond]).sum()
         before[frame] = tension[frame, first - 1] if first > span.start else 0.0
         after[frame] = tension[frame, last] if last < span.end else 0.0
     return WrapHistory(np.asarray(result.time), nodes, angle, before, after)

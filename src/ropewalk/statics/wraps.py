@@ -10,7 +10,7 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats, Ints
 from ropewalk.lowering import Model, Span
-from ropewalk.lowering.touching import SLIPS, Contacts, contacts_at
+from ropewalk.lowering.touching import SLIPS, Contacts, contacts_at, turns
 from ropewalk.words.prefixes import prefixed
 
 MANY = (
@@ -164,7 +164,7 @@ def _wrap(
         first=first - rope.start,
         last=last - rope.start,
         force=float(contacts.push[rows].sum()),
-        angle=_turned(x, max(first - 1, rope.start), min(last + 1, rope.end)),
+        angle=float(turns(x[:, max(first - 1, rope.start) : min(last + 1, rope.end) + 1].T).sum()),
         before=before,
         after=after,
         least=least,
@@ -173,13 +173,6 @@ def _wrap(
         use=float(contacts.use[rows].max()),
         friction=body.friction,
     )
-
-
-def _turned(x: Floats, first: int, last: int) -> float:
-    """Return the sum of a rope's turns at the nodes between two [rad]."""
-    d = np.diff(x[:, first : last + 1], axis=1)
-    across = np.linalg.norm(np.cross(d[:, :-1], d[:, 1:], axis=0), axis=0)
-    return float(np.arctan2(across, (d[:, :-1] * d[:, 1:]).sum(axis=0)).sum())
 
 
 def _allowed(
