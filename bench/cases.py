@@ -20,6 +20,7 @@ from bench.many import many
 from bench.page import page, page_memory
 from bench.peaks import extremes
 from bench.row import Row
+from bench.touch import on_obstacles, ropes_on_ropes, sticking
 from bench.yardsticks import bare_loop, numpy_loop
 from ropewalk import Anchor, Rope, RunSettings, Scene, Simulation, Springs
 from ropewalk.lowering import build
@@ -200,6 +201,9 @@ CASES = (
     extremes,
     newton,
     many_islands,
+    sticking,
+    on_obstacles,
+    ropes_on_ropes,
     many,
     start_up,
     compile,

@@ -60,9 +60,19 @@ export class App {
     this.legend = new Legend(this.stage, this.scene);
     this.views = new Views(this.stage, this.scene);
     this.graphs = new Graphs(this.stage, this.graphHost);
-    this.tools = new Tools(this.stage, this.scene, (node) => this.follow(node));
+    this.tools = new Tools(
+      this.stage,
+      this.scene,
+      (node) => this.follow(node),
+      (text) => this.notices.say(text),
+    );
     this.pointer = new Pointer(this.stage, this.stage.renderer.canvas, {
       use: (tool, hit) => this.tools.use(tool, hit),
+      tie: (one, other) => {
+        this.tools.tieNone();
+        this.stage.marks.tying = one;
+        this.tools.tie(other);
+      },
       menu: (hit, x, y) => this.tools.menu(hit, x, y),
     });
     this.tools.pointer = this.pointer;
@@ -71,9 +81,11 @@ export class App {
     this.walk = new Walk(this.stage, this.stage.renderer.canvas, voice, (hit, x, y) =>
       this.tools.menu(hit, x, y),
     );
+    this.stage.legendCard = () => this.legend.place();
     this.stage.held = () => this.pointer.down.size > 0;
     this.meter = new Meter(session, this.meterHost);
     this.controls = new Controls(session, this.footer, () => this.graphs.toggle());
+    this.controls.undoing = () => this.pointer.leaveOff();
     this.tweak = new Tweak(session, this.panel);
     this.broken = new BrokenCard(session, this.scene, (...what) => this.stage.showInstead(...what));
     this.tour = new Tour(session, this.scene);
@@ -115,6 +127,7 @@ export class App {
       t: () => this.toggleTheme(),
       h: () => this.help.open(),
       "?": () => this.help.open(),
+      escape: () => this.tools.tieNone(),
     };
   }
 

@@ -24,6 +24,7 @@ const MOST_CONTACTS = 200; // arrows
 const MOST_LABELS = 8;
 const MOST_POSTS = 24;
 const STILL = new Set(["fixed", "velocity", "table"]); // motions of anchors that may stand on a post
+const BEHIND = 9; // that a post stands behind a rope that hangs before it [CSS pixels]
 const FOOT = 5; // height of a post's foot [CSS pixels]
 
 /** The force of a hand, and whether it can pull no harder. @param {number} force @param {number} most [N] */
@@ -46,6 +47,9 @@ export class Marks {
     /** What the keyboard has chosen. @type {Hit | null} */ this.chosen = null;
     /** A kick that is being drawn. @type {{from: Vector, to: Vector, text: string} | null} */
     this.kick = null;
+    /** The first of two points that are to be tied. @type {Hit | null} */ this.tying = null;
+    /** A line that is drawn from one to the other. @type {{hit: Hit, to: Vector} | null} */
+    this.line = null;
     this.strongest = 0; // the force that has the longest arrow [N]
     /** The greatest force of each anchor of each variant since labels were last written [N].
      * @type {number[][]} */ this.most = [];
@@ -62,7 +66,7 @@ export class Marks {
     this.resetTrails();
     this.strongest = this.firmest = 0;
     this.most = [];
-    this.hover = this.kick = this.chosen = null;
+    this.hover = this.kick = this.chosen = this.tying = this.line = null;
   }
 
   /** Note what the anchors of a frame have held since the one before. @param {Frame} frame */
@@ -165,10 +169,12 @@ export class Marks {
     const above = dot(place, camera.up) - floor.level;
     const foot = (FOOT * camera.pose.distance) / camera.focal;
     if (!this.standing || above < 2 * foot || this.posts.length >= 2 * MOST_POSTS) return;
-    const to = plus(place, camera.up, -above);
+    const behind = (BEHIND * camera.pose.distance) / camera.focal;
+    const top = plus(place, camera.toward, -behind);
+    const to = plus(top, camera.up, -above);
     const near = plus(to, camera.toward, 0.3 * foot); // so that the foot hides the post
     this.posts.push(
-      { from: place, to, colour: theme.post, pixels: 4.5, head: false },
+      { from: top, to, colour: theme.post, pixels: 4.5, head: false },
       { from: plus(near, camera.up, foot), to: near, colour: theme.post, pixels: 16, head: false },
     );
   }
@@ -297,6 +303,20 @@ export class Marks {
       const [x, y, z] = ring;
       markers.push({ x, y, z, kind: "ring", colour: theme.hover, size: 0, pixels: 24 });
     }
+    const first = this.line?.hit ?? this.tying;
+    const from = first && placeOf(this.stage, first);
+    const to = this.line?.to ?? this.ringPlace() ?? chosen;
+    if (from) {
+      const [x, y, z] = from;
+      markers.push({ x, y, z, kind: "ring", colour: theme.joint, size: 0, pixels: 24 });
+      if (to) arrows.push({ from, to, colour: theme.joint, pixels: 2, head: false });
+    }
+    this.addKick(arrows);
+  }
+
+  /** @param {Arrow[]} arrows */
+  addKick(arrows) {
+    const { theme } = this.stage;
     if (!this.kick) return;
     const { from, to, text } = this.kick;
     arrows.push({ from, to, colour: theme.grab, pixels: 3, head: true });

@@ -1,6 +1,6 @@
 // The bodies of the scene on the stage: what is drawn of them, where the floor is, and what the picture must hold.
 
-import { MOST_SOLIDS, cornersOf, extent, solidsOf, turnOf } from "./view/solids.js";
+import { MOST_SOLIDS, cornersOf, extent, placed, solidsOf, turnOf } from "./view/solids.js";
 import { dot, length, minus, plus, times } from "./view/vector.js";
 
 /** @typedef {import("./stage.js").Stage} Stage */
@@ -16,6 +16,8 @@ export class Solids {
   constructor(stage) {
     this.stage = stage;
     /** @type {Solid[]} */ this.all = [];
+    /** Those at time zero. @type {Solid[]} */ this.starts = [];
+    this.time = NaN; // [s] for which those that move are placed
     /** Height of the highest level plane, which is the floor [m]. @type {number | null} */
     this.floor = null;
     this.key = "";
@@ -29,10 +31,25 @@ export class Solids {
     this.key = key;
     const found = solidsOf((layout.obstacles ?? []).slice(0, MOST_SOLIDS), shifts);
     const { up } = this.stage.camera;
-    const level = found.filter(({ kind, axis }) => kind === "plane" && dot(axis, up) > LEVEL);
+    const level = found.filter(
+      ({ kind, axis, motion }) => kind === "plane" && !motion && dot(axis, up) > LEVEL,
+    );
     const heights = level.map(({ center }) => dot(center, up));
     this.floor = heights.length ? Math.max(...heights) : null;
-    this.all = found.filter((one) => !level.includes(one) || one.spin);
+    this.starts = found.filter((one) => !level.includes(one) || one.spin || one.turns);
+    this.all = this.starts;
+    this.version++;
+    this.time = NaN;
+    this.advance();
+  }
+
+  /** Put those that move where they are now. */
+  advance() {
+    const time = this.stage.session.frame?.time ?? 0;
+    if (time === this.time) return;
+    this.time = time;
+    if (!this.starts.some(({ motion }) => motion)) return;
+    this.all = this.starts.map((one) => placed(one, time));
     this.version++;
   }
 

@@ -1,6 +1,7 @@
 // The stage: takes frames, moves smoothly between them and draws when something has changed.
 
 import { Blend } from "./view/blend.js";
+import { covers, stripsBeside } from "./view/cards.js";
 import { Camera } from "./view/camera.js";
 import { CALM, Flight } from "./view/flight.js";
 import { Follow } from "./view/follow.js";
@@ -24,7 +25,6 @@ import { Solids } from "./solids.js";
 /** @typedef {import("./render/view.js").Theme} Theme */
 /** @typedef {import("./view/camera.js").Pose} Pose */
 
-const TOOLS = 60; // height of the tool bars where they lie in a row, above a card [CSS pixels]
 const LEAP = 1; // s between two frames of which the one does not go on from the other
 
 export class Stage {
@@ -67,6 +67,7 @@ export class Stage {
     this.cameraVersion = -1;
     /** The card that is in the way, if there is one. @type {() => DOMRect | null} */
     this.card = () => null;
+    this.besideLegend = false; // whether it would cover a rope
     /** @type {(() => void)[]} */ this.beforeDraw = [];
     /** @type {(() => void)[]} */ this.afterDraw = [];
     session.on("layout", (layout) => this.takeLayout(layout));
@@ -235,7 +236,7 @@ export class Stage {
 
   /** Whether a pointer is down on the scene; then the camera stays. @type {() => boolean} */
   held = () => false;
-
+  /** The legend, where it is shown. @type {() => DOMRect | null} */ legendCard = () => null;
   lastLook = 0;
   windowShape = innerWidth / innerHeight;
 
@@ -249,6 +250,7 @@ export class Stage {
    * @param {Layout} layout @returns {Pose} */
   firstPose(layout) {
     const angles = firstAngles(this.camera, this.axis, this.solids.all.length > 0);
+    this.besideLegend = false;
     const pose = this.camera.framed(this.places(layout), angles);
     return this.covered(pose) ? this.wholePose(layout, angles) : pose;
   }
@@ -272,8 +274,10 @@ export class Stage {
     const { layout } = this.session;
     if (!layout || this.nodes.empty) return;
     this.following = true;
+    this.besideLegend = false;
     this.follower.clear();
-    this.fly(this.wholePose(layout, from));
+    const pose = this.wholePose(layout, from);
+    this.fly(this.covered(pose) ? this.wholePose(layout, from) : pose);
   }
 
   /** Show all ropes if the card covers one. */
@@ -281,25 +285,21 @@ export class Stage {
     if (!this.lookPending && this.covered(this.camera.pose)) this.fit();
   }
 
-  /** Whether the card would cover a rope. @param {Pose} pose */
+  /** Whether a card would cover a rope; the legend is kept clear of where it would. @param {Pose} pose */
   covered(pose) {
     const { layout } = this.session;
-    const card = this.card();
-    if (!layout || !card) return false;
-    const camera = this.camera.at(pose);
-    for (let i = 0; i < nodesOf(layout); i++) {
-      const [x, y] = camera.project(...vector(this.nodes.to.subarray(4 * i, 4 * i + 3)));
-      if (x > card.left && x < card.right && y > card.top && y < card.bottom) return true;
-    }
-    return false;
+    if (!layout) return false;
+    const look = /** @type {const} */ ([this.camera.at(pose), this.nodes.to, nodesOf(layout)]);
+    if (covers(...look, this.card())) return true;
+    const under = covers(...look, this.legendCard());
+    if (under) this.besideLegend = true;
+    return under;
   }
 
-  /** What the card takes of the scene's height, at the top or at the bottom [CSS pixels]. */
+  /** What a card takes of the scene's height, at the top or at the bottom [CSS pixels]. */
   strips() {
-    const card = this.card();
-    if (!card) return { top: 0, bottom: 0 };
-    const below = this.camera.height - card.top;
-    return card.bottom < below ? { top: card.bottom, bottom: 0 } : { top: TOOLS, bottom: below };
+    const card = this.card() ?? (this.besideLegend ? this.legendCard() : null);
+    return stripsBeside(card, this.camera.height);
   }
 
   /** @param {Pose} pose @param {number} [duration] ms */
@@ -362,7 +362,7 @@ export class Stage {
     if (moved) for (const hook of this.beforeDraw) hook();
     this.dirty = this.marks.dirty = false;
     this.cameraVersion = this.camera.version;
-    const { markers, arrows } = this.marks.collect();
+    this.solids.advance();
     const ground = groundOf(this.camera, this.floor);
     this.spacing = ground.spacing;
     this.renderer.draw({
@@ -375,8 +375,7 @@ export class Stage {
       pixels: this.leastWidth,
       smooth: !this.past,
       corners: this.corners,
-      markers,
-      arrows,
+      ...this.marks.collect(),
       touches: this.marks.touches,
       posts: this.marks.posts,
       trails: this.marks.trails,

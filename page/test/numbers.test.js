@@ -75,6 +75,20 @@ test("the range of colours grows at once and shrinks slowly", () => {
   assert.ok(Number.isFinite(range.high));
 });
 
+test("a jolt at the start leaves the range, what comes again stays", () => {
+  const jolt = new Range();
+  jolt.follow(-660, 30, 0);
+  for (let t = 0; t < 6; t += 0.05) jolt.follow(0, 30, 0.05);
+  assert.ok(jolt.low > -1, `${jolt.low}`);
+  const swing = new Range();
+  let least = Infinity;
+  for (let t = 0; t < 20; t += 0.05) {
+    swing.follow(0, 50 + 50 * Math.sin(4 * t), 0.05);
+    if (t > 2) least = Math.min(least, swing.high);
+  }
+  assert.ok(least > 60, `${least}`);
+});
+
 test("the history keeps the newest samples, in order, in constant memory", () => {
   const history = new History();
   for (let k = 0; k < 40_000; k++) history.add(k / 60, [["kinetic", k]]);

@@ -3,7 +3,15 @@ import { readFileSync } from "node:fs";
 import { test } from "node:test";
 
 import { hullOf } from "../src/render/canvas/solids.js";
-import { cornersOf, distanceTo, hides, solidsOf, turnOf } from "../src/view/solids.js";
+import {
+  cornersOf,
+  distanceTo,
+  hides,
+  placed,
+  solidsOf,
+  turnOf,
+  whereabouts,
+} from "../src/view/solids.js";
 
 const known = JSON.parse(readFileSync(new URL("solids.json", import.meta.url), "utf8"));
 const here = [[0, 0, 0]];
@@ -76,4 +84,29 @@ test("a bar hides what is behind it, and not what lies on its front", () => {
 test("a hull goes around all places", () => {
   const hull = hullOf([[0, 0], [2, 0], [1, 1], [2, 2], [0, 2], [1, 0]]); // prettier-ignore
   assert.equal(hull.length, 4);
+});
+
+test("bodies that move are where the engine has them, in every copy", () => {
+  assert.ok(known.ways.length >= 4);
+  for (const { motion, center, times, places } of known.ways) {
+    times.forEach((time, k) => {
+      whereabouts(motion, time).forEach((value, c) =>
+        assert.ok(Math.abs(value - places[k][c]) < 1e-9, `${motion.kind} at ${time}`),
+      );
+      const [one] = solidsOf([{ ...BAR, center, motion }], [[0, 5, 0]]);
+      const moved = placed(one, time).center;
+      [0, 5, 0].forEach((shift, c) => assert.ok(Math.abs(moved[c] - places[k][c] - shift) < 1e-9));
+    });
+  }
+  const [still] = solidsOf([BAR], here);
+  assert.equal(placed(still, 3), still);
+});
+
+test("what turns by a table has its angle", () => {
+  const turns = [0, 1].map((time) => [time, 2 * time, 2 - 2 * time, ...Array(10).fill(0)]);
+  const [bar] = solidsOf([{ ...BAR, turns }], here);
+  assert.deepEqual(
+    [-1, 0.25, 1, 9].map((time) => turnOf(bar, time)),
+    [0, 0.5, 2, 2],
+  );
 });

@@ -203,6 +203,8 @@ def test_every_part_of_the_starter_can_be_switched_on() -> None:
     assert tomllib.loads(springs)["rope"]["made_of"].keys() == Springs.model_fields.keys() - {
         "friction",
         "tension_only",
+        "breaking_load",
+        "parts",
     }
 
 

@@ -6,8 +6,11 @@ import tomllib
 from importlib import import_module
 from pathlib import Path
 
+import numpy as np
 import pytest
+from cosseratbench.metrics import segment_distance
 from cosseratbench.registry import load_experiment
+from cosseratbench.scenario import neighbour_elements
 from cosseratbench.solver import Solver
 
 from ropewalk.adapters.cosserat import RopewalkSolver
@@ -56,10 +59,46 @@ def test_a_rope_holds_on_the_cylinder_below_the_limit_and_slides_above(
     assert slide > 0.15 if slides else slide < 1e-4
 
 
+def test_a_rope_that_crosses_another_lies_where_the_elastica_does() -> None:
+    """One contact without friction: shapes and the lift, which tells the force through it."""
+    found = scores("crossing")
+    assert found["shape_error"] < 2e-3
+    assert found["lift_error"] < 5e-3
+    assert found["settling_residual"] < 1e-6
+
+
+def test_a_rope_heaps_up_without_passing_into_itself() -> None:
+    """There is no reference: it lies on itself, within its own length, and nothing is deep in anything."""
+    experiment = load_experiment("pile")
+    scenario = experiment.scenario_for()
+    trajectory = RopewalkSolver().run(
+        scenario, n_elements=experiment.n_elements, n_frames=experiment.n_frames
+    )
+    found = {name: metric(scenario, trajectory) for name, metric in experiment.metrics.items()}
+    assert found["contacts"] >= 1
+    assert 1.0 < found["pile_height"] < 10.0
+    assert found["footprint"] < 0.5 * scenario.rods[0].length
+    rod, x = scenario.rods[0], trajectory.positions[0]
+    assert x[:, :, 2].min() > 0.5 * rod.radius  # over the floor, into which impacts press it
+    assert x[-1, :, 2].min() > 0.95 * rod.radius
+    apart = neighbour_elements(rod.radius, rod.length / experiment.n_elements)
+    first, second = np.triu_indices(experiment.n_elements, k=apart)
+    for y in x[::5]:
+        gap = segment_distance(y[first], y[first + 1], y[second], y[second + 1])
+        assert gap.min() > 0.89 * 2.0 * rod.radius
+
+
 def test_what_there_is_no_model_of_is_refused() -> None:
-    """A scenario that turns an end is; ropes that touch each other are no capability yet."""
+    """A scenario that turns an end is; ropes that touch each other are modelled."""
     twist = load_experiment("twist")
     with pytest.raises(NotImplementedError, match="turns"):
         RopewalkSolver().run(twist.scenario, n_elements=20, n_frames=5)
-    crossing = load_experiment("crossing")
-    assert not crossing.requires <= RopewalkSolver.capabilities
+    for name in ("crossing", "pile"):
+        assert load_experiment(name).requires <= RopewalkSolver.capabilities
+
+
+def test_only_scenarios_in_which_ropes_can_touch_pay_for_it() -> None:
+    for name, touching in (("catenary", False), ("capstan", False), ("crossing", True)):
+        scenario = load_experiment(name).scenario_for()
+        made = RopewalkSolver().scene(scenario, 20, 5)
+        assert (made.contact is not None) == touching

@@ -106,16 +106,16 @@ FAULTS: dict[str, tuple[Callable[[Path], object], str]] = {
         "provenance.json: is damaged: it holds no JSON",
     ),
     "empty provenance": (
-        lambda f: write_sealed(f / "provenance.json", {"format": 5}),
+        lambda f: write_sealed(f / "provenance.json", {"format": 6}),
         "does not describe a run",
     ),
     "another version": (
         lambda f: edit(f / "provenance.json", "format", 99),
-        "has the format 99; this version of ropewalk reads 2, 3, 4 and 5",
+        "has the format 99; this version of ropewalk reads 2, 3, 4, 5 and 6",
     ),
     "another store": (
-        lambda f: damage_root(f, lambda root: root["attributes"].update(ropewalk_format=6)),  # type: ignore[attr-defined]
-        "has the format 6",
+        lambda f: damage_root(f, lambda root: root["attributes"].update(ropewalk_format=7)),  # type: ignore[attr-defined]
+        "has the format 7",
     ),
     "no store": (lambda f: shutil.rmtree(f / "data.zarr"), "zarr.json: is missing"),
     "no root": (lambda f: (f / "data.zarr" / "zarr.json").unlink(), "zarr.json: is missing"),

@@ -16,8 +16,8 @@ from ropewalk.live import describe
 from ropewalk.live.replay import ReplayBroadcast
 from ropewalk.live.session import Session
 from ropewalk.live.solids import obstacle_list
-from ropewalk.record.obstacle_table import obstacle_table
-from ropewalk.scene import Scene, loads
+from ropewalk.record.obstacle_table import obstacle_places, obstacle_table
+from ropewalk.scene import Scene, Sphere, loads
 from ropewalk.scene.presets import preset
 from ropewalk.simulation import Simulation
 
@@ -90,7 +90,33 @@ def made() -> dict[str, Any]:
     places = np.random.default_rng(4).uniform(-1.0, 1.0, (40, 3)).round(3)
     parts = zip(table.kind, table.center, table.axis, table.size, strict=True)
     away = [[probe(kind, c, a, s, *map(float, p))[0] for p in places] for kind, c, a, s in parts]
-    return {"obstacles": obstacle_list(here, where), "places": places.tolist(), "away": away}
+    obstacles = obstacle_list(here, where)
+    return {"obstacles": obstacles, "places": places.tolist(), "away": away, "ways": ways()}
+
+
+MOTIONS: list[dict[str, Any]] = [
+    {"kind": "velocity", "velocity": (0.1, -0.2, 0.3), "start": 0.5, "stop": 1.5},
+    {"kind": "velocity", "velocity": (0.1, -0.2, 0.3)},
+    {"kind": "shake", "axis": (1, 2, 0), "amplitude": 0.2, "frequency": 0.7, "phase": 0.4},
+    {"kind": "orbit", "center": (0.3, 0.0, 0.1), "axis": (0, 1, 1), "frequency": -0.3},
+    {"kind": "table", "times": (0.5, 1, 2), "positions": ((0, 0, 0), (1, 0, 2), (3, 1, 0)),
+     "interpolation": "cubic"},
+]  # fmt: skip
+
+
+def ways() -> list[dict[str, Any]]:
+    """Motions as a layout has them, and where a ball that has them is at some times [s]."""
+    found = []
+    for motion in MOTIONS:
+        ball = Sphere(center=(0.2, 0.1, -5.0), radius=0.1, motion=motion)
+        here = scene().replace(obstacles=[ball])
+        where = Simulation(here).layout
+        (one,) = obstacle_list(here, where)
+        times = np.array([0.0, 0.3, 0.5, 0.9, 1.4, 2.0, 3.0])
+        places = obstacle_places(here, where, times)[:, 0]
+        found.append({"motion": one["motion"], "center": one["center"],
+                      "times": times.tolist(), "places": places.tolist()})  # fmt: skip
+    return found
 
 
 def test_the_pages_test_reads_what_the_engine_says() -> None:
@@ -99,6 +125,12 @@ def test_the_pages_test_reads_what_the_engine_says() -> None:
     assert known["obstacles"] == fresh["obstacles"]
     assert known["places"] == fresh["places"]
     assert np.array(known["away"]) == pytest.approx(np.array(fresh["away"]), abs=1e-12)
+    for old, new in zip(known["ways"], fresh["ways"], strict=True):
+        assert {key: old[key] for key in ("center", "times")} == {
+            key: new[key] for key in ("center", "times")
+        }
+        assert old["motion"]["kind"] == new["motion"]["kind"]
+        assert np.array(old["places"]) == pytest.approx(np.array(new["places"]), abs=1e-12)
 
 
 def test_a_layout_has_the_obstacles_and_joints_of_its_scene() -> None:

@@ -27,11 +27,16 @@ from sweeps.scenes import DOWN, EA, alone, swing
 HERE = Path(__file__).parent
 STIFF, SPRINGY = rw.load(HERE / "all_of_material.toml"), rw.load(HERE / "all_of_springs.toml")
 TOUCHING = rw.load(HERE / "all_of_obstacles.toml")
+KNOTTED = rw.load(HERE / "all_of_knots.toml")
 #: What has only one value by itself: the version, files (read when a scene is loaded), a rope's stuff,
-#: a plane, nodes that are tied (others lie elsewhere).
-NEVER = {("Scene", "schema_version"), ("Table", "file"), ("Points", "file")} | {
-    (name, "kind") for name in ("Springs", "Material", "Plane")
-}
+#: a plane, a curve of other numbers, nodes that are tied (others lie elsewhere).
+CURVES = "TableCurve", "PolynomialCurve", "NeoHookeanCurve", "ExponentialCurve"
+NEVER = {
+    ("Scene", "schema_version"),
+    ("Table", "file"),
+    ("Points", "file"),
+    ("TableCurve", "file"),
+} | {(name, "kind") for name in ("Springs", "Material", "Plane", *CURVES)}
 NEVER |= {("Tie", "rope"), ("Tie", "node")}
 SPRINGS = '{kind = "springs", spring_constant = 5.0, node_mass = 0.1, segment_length = 0.1}'
 MATERIAL = '{kind = "material", EA = 5.0, mass_per_length = 0.1}'
@@ -128,7 +133,7 @@ def compare(scene: Scene, path: str, texts: list[str]) -> int:
 def test_every_path_gives_the_bits_of_a_model_made_anew() -> None:
     varied: set[tuple[str, str]] = set()
     ringing = apply_overrides(swing(), ["start=at-rest", "run.ring.mode=1", "run.ring.speed=0.1"])
-    for scene in (STIFF, SPRINGY, ringing, TOUCHING):
+    for scene in (STIFF, SPRINGY, ringing, TOUCHING, KNOTTED):
         for path, model, key, value in every_path(scene):
             name = (model.__name__, key)
             if name not in NEVER and compare(scene, path, candidates(model, key, value)) > 1:

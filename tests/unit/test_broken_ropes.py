@@ -176,7 +176,7 @@ def test_a_run_with_a_broken_rope_resumes_to_the_same_bits(
 
 def test_figures_mark_the_broken_rope(tmp_path: Path) -> None:
     result = rw.simulate(hung("abc"), on_failure="return")
-    for name in dir(result.plot):
+    for name in set(dir(result.plot)) - {"contact", "sticking"}:  # nothing is touched here
         figure = getattr(result.plot, name)()
         figure.savefig(tmp_path / f"{name}.png")
         texts = [text.get_text() for text in figure.findobj(match=_is_text)]

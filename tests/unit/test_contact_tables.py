@@ -136,14 +136,30 @@ node = 0
     return rw.simulate(scene)
 
 
-def test_friction_is_not_told_of_a_node_that_touches_a_rope_as_well() -> None:
+def test_without_contact_of_ropes_there_is_no_table_of_it() -> None:
+    result = crossed("")
+    assert "rope_contacts" not in result.source.names
+    with pytest.raises(ValueError, match="this run has none"):
+        result.to_pandas("rope_contacts")
+
+
+def test_friction_is_told_as_unknown_where_a_rope_is_touched_as_well() -> None:
     """What the other rope gives was once counted as friction: up to 166 times what it can carry."""
-    table = crossed("[contact]").to_pandas("contacts")
+    result = crossed("[contact]")
+    table = result.to_pandas("contacts")
     used = table["friction used [1]"]
     below = table[(table["rope"] == "line") & table["node"].isin([4, 5])]
     assert used.isna().any()
     assert below["friction used [1]"].isna().any()
     assert set(table["mode"][used.isna()]) == {"unknown"}
+    modes = result.contact_modes
+    for _, row in table[used.isna()].iterrows():
+        frame = result.frame_at(row["time [s]"])
+        assert modes[frame, result.layout.node(row["node"], row["rope"])] == 3
+    late = below[
+        below["time [s]"] > 0.1
+    ]  # it lies still there: what the rope gives can be taken off
+    assert late["friction used [1]"].notna().all()
     assert used.max() <= 1.0 + 1e-6
     assert used.notna().sum() > used.isna().sum()
     assert crossed("").to_pandas("contacts")["friction used [1]"].notna().all()

@@ -155,7 +155,8 @@ def test_what_is_pressed_hardens_without_a_jump() -> None:
     soft, hard, layer = 100.0, 5000.0, 1e-3
     depth = np.linspace(-1e-3, 6e-3, 70001)
     force, slope, energy = (
-        np.array(part) for part in zip(*(squeeze(d, soft, hard, layer) for d in depth), strict=True)
+        np.array(part)
+        for part in zip(*(squeeze(d, soft, hard, STOP * hard, layer) for d in depth), strict=True)
     )
     middle = 0.5 * (slope[1:] + slope[:-1])
     assert np.diff(force) == pytest.approx(middle * np.diff(depth), rel=1e-3)

@@ -95,11 +95,15 @@ def test_vtk_has_the_forces_on_nodes(slipping: Result, tmp_path: Path) -> None:
     packed = text.split('Name="contact_force"')[1].split(">", 1)[1].split("<", 1)[0]
     told = np.frombuffer(base64.b64decode(packed)[8:], "<f8").reshape(-1, 3)
     assert np.array_equal(told, slipping.contact_force[-1])
+    packed = text.split('Name="contact_mode"')[1].split(">", 1)[1].split("<", 1)[0]
+    modes = np.frombuffer(base64.b64decode(packed)[8:], "<i8")
+    assert np.array_equal(modes, slipping.contact_modes[-1])
+    assert (modes == 2).any()
 
 
 def test_without_obstacles_there_is_no_such_figure() -> None:
     run = rw.simulate(round_a_drum().replace(obstacles=[], run={"duration": 0.01}))
-    with pytest.raises(ValueError, match="has no obstacles"):
+    with pytest.raises(ValueError, match="it needs obstacles"):
         plots.contact(run)
 
 

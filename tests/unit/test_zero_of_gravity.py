@@ -54,7 +54,7 @@ def test_the_energy_error_is_told_as_a_share() -> None:
     result = rw.simulate(high())
     key = "largest energy error, share of the energy turned over [%]"
     turned = max(np.ptp(result.energy[form]) for form in ("kinetic", "gravity", "elastic"))
-    assert turned_over(result.energy) == turned
+    assert turned_over(result.energy, result.work) == turned
     largest = result.table["largest energy error [J]"]  # of every step
     assert largest >= np.abs(result.energy_error).max()
     share = 100.0 * largest / turned

@@ -25,6 +25,7 @@ from ropewalk.scene import (
     Shake,
     Slack,
     Straight,
+    TableCurve,
     Tie,
     Winch,
 )
@@ -36,6 +37,13 @@ STEP = {"euler": 2.5e-5, "adaptive": "auto"}  # [s]; explicit Euler gains energy
 
 def _rigid(parts: Parts) -> None:
     parts["stuff"]["EA"] = math.inf
+
+
+def _curve(parts: Parts) -> None:
+    curve = TableCurve(strain=(0.0005, 0.001, 0.01), tension=(0.4, 1.5, 20.0))
+    parts["stuff"]["curve"] = curve
+    if parts["stuff"]["EA"] < math.inf:
+        del parts["stuff"]["EA"]
 
 
 def _winch(parts: Parts) -> None:
@@ -117,6 +125,10 @@ def _force(parts: Parts) -> None:
     parts["rope"]["forces"] = [Force(node=5, force=(0.0, 1.0, 0.0))]
 
 
+def _parting(parts: Parts) -> None:
+    parts["stuff"] |= {"parts": True, "breaking_load": 0.8}
+
+
 def _moved(parts: Parts) -> None:
     shake = Shake(axis=(0, 0, 1), amplitude=0.02, frequency=3.0)
     moved = Anchor(name="b", rope="one", node=9, motion=shake)
@@ -127,6 +139,7 @@ FEATURES: dict[str, Callable[[Parts], None]] = {
     "rigid links": _rigid,
     "winch": _winch,
     "limiter": _limiter,
+    "curve": _curve,
     "bending": _bending,
     "clamp": _clamp,
     "air": _air,
@@ -140,6 +153,7 @@ FEATURES: dict[str, Callable[[Parts], None]] = {
     "kick": _kick,
     "force": _force,
     "moved anchor": _moved,
+    "parting": _parting,
 }
 
 

@@ -16,11 +16,14 @@ from verification.feature_pairs import FEATURES, scene_of
 APART = {
     ("rigid links", "winch"): "which a winch cannot wind segment by segment without a jolt",
     ("rigid links", "limiter"): "whose links are rigid",
+    ("rigid links", "curve"): "leave it out with a curve",
+    ("limiter", "curve"): "which has a curve",
     ("winch", "bending"): "has bending stiffness",
     ("winch", "clamp"): "has bending stiffness",
     ("winch", "joint"): "cannot wind a rope that is tied",
     ("limiter", "joint"): "cannot limit ropes that joints tie",
     ("winch", "contact"): "cannot work with a winch yet",
+    ("contact", "parting"): "cannot work with ropes that touch each other yet",
     ("limiter", "contact"): "cannot work with a stretch limiter yet",
 }
 #: What changes nothing beside another feature, which has it already.

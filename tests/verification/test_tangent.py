@@ -32,6 +32,13 @@ def rope(**more: Any) -> Rope:
     )
 
 
+def curved(**more: Any) -> Rope:
+    """Softer at first than farther on; stretched by 14 % at the start."""
+    curve = [(0.05, 2.0), (0.1, 6.0), (0.3, 40.0)]
+    made_of = Material(curve=curve, mass_per_length=0.4, **more)
+    return Rope(segments=N - 1, length=3.5, made_of=made_of, shape=Straight(end=(4.0, 0.0, 0.0)))
+
+
 def wound() -> dict[str, Any]:
     material = Material(EA=90.0, mass_per_length=0.4, axial_damping=2.0)
     return {
@@ -52,6 +59,8 @@ LAWS: dict[str, dict[str, Any]] = {
     "node drag": {"ropes": rope(), "air": Air(node_drag_quadratic=0.7, wind=(1.0, 0.0, 2.0))},
     "line drag": {"ropes": rope(), "air": LINE},
     "ground": {"ropes": rope(), "ground": Ground(height=0.2)},
+    "curve": {"ropes": curved()},
+    "slack curve": {"ropes": curved(tension_only=True)},
     "winch": wound(),
     "all": wound()
     | {"air": LINE.replace(node_drag=0.3, node_drag_quadratic=0.2), "ground": Ground(height=0.1)},

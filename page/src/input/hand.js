@@ -15,7 +15,7 @@ const THROW = 0.05; // [m/s] of a throw at least
 const KICK = 0.05; // [m/s] of velocity per pixel of arrow
 
 export class Hand {
-  /** @param {Stage} stage @param {Hit} hit @param {"drag" | "grab" | "kick"} way */
+  /** @param {Stage} stage @param {Hit} hit @param {"drag" | "grab" | "kick" | "tie"} way */
   constructor(stage, hit, way) {
     this.stage = stage;
     this.hit = hit;
@@ -36,6 +36,11 @@ export class Hand {
     if (this.way === "kick") {
       const text = `${figures(length(this.velocity()))} m/s`;
       stage.marks.kick = { from: hit.place, to: this.place, text };
+      stage.marks.dirty = true;
+      return;
+    }
+    if (this.way === "tie") {
+      stage.marks.line = { hit, to: this.place };
       stage.marks.dirty = true;
       return;
     }
@@ -69,7 +74,10 @@ export class Hand {
   /** The pointer is up. @param {boolean} keep hold on to a grabbed node @param {number} time of the event [ms] */
   release(keep, time) {
     const { session, marks } = this.stage;
-    if (this.way === "kick") {
+    if (this.way === "tie") {
+      marks.line = null;
+      marks.dirty = true;
+    } else if (this.way === "kick") {
       marks.kick = null;
       marks.dirty = true;
       const velocity = this.velocity();

@@ -56,7 +56,7 @@ export class Keys {
     const shortcut = this.shortcuts[event.key.toLowerCase()];
     if (!shortcut) return;
     if (event.key === " " && inButton(event.target)) return; // the space bar presses that button
-    event.preventDefault();
+    if (event.key !== "Escape") event.preventDefault(); // it closes windows, too
     if (!event.repeat || event.key === ".") shortcut();
   }
 

@@ -5,7 +5,7 @@ import { pick } from "./pick.js";
 
 /** @typedef {import("../stage.js").Stage} Stage */
 /** @typedef {import("./pick.js").Hit} Hit */
-/** @typedef {"hand" | "pin" | "cut" | "load" | "kick" | "follow"} Tool */
+/** @typedef {"hand" | "pin" | "cut" | "load" | "tie" | "kick" | "follow"} Tool */
 
 const MOUSE = 18; // pixels from a rope that still take hold of it
 const FINGER = 30;
@@ -16,7 +16,8 @@ const DOUBLE = 350; // ms
 
 export class Pointer {
   /** @param {Stage} stage @param {HTMLElement} element
-   * @param {{use: (tool: Tool, hit: Hit) => void, menu: (hit: Hit | null, x: number,
+   * @param {{use: (tool: Tool, hit: Hit) => void, tie: (one: Hit, other: Hit) => void,
+   *   menu: (hit: Hit | null, x: number,
    *   y: number) => void}} actions */
   constructor(stage, element, actions) {
     this.stage = stage;
@@ -50,6 +51,14 @@ export class Pointer {
       this.hover(null);
     });
     stage.beforeDraw.push(() => this.look());
+    let ropes = "";
+    stage.session.on("layout", ({ variants }) => {
+      const now = JSON.stringify(
+        variants.map((one) => one.ropes.map(({ first, nodes }) => [first, nodes])),
+      );
+      if (now !== ropes && this.hands.size > 0) this.leaveOff(); // its node has another number
+      ropes = now;
+    });
     element.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
     element.addEventListener("contextmenu", (event) => event.preventDefault());
   }
@@ -93,9 +102,10 @@ export class Pointer {
   /** Take hold of something; tells whether there is anything to do with it. @param {number} id of the pointer
    * @param {Hit} hit */
   hold(id, hit) {
-    const way = this.tool === "kick" ? "kick" : hit.kind === "anchor" ? "drag" : "grab";
-    if (this.tool !== "hand" && this.tool !== "kick") return false;
-    if (way !== "kick" && !this.stage.session.can(way)) return false;
+    const { tool } = this;
+    if (tool !== "hand" && tool !== "kick" && tool !== "tie") return false;
+    const way = tool !== "hand" ? tool : hit.kind === "anchor" ? "drag" : "grab";
+    if (!this.stage.session.can(way)) return false;
     const hand = new Hand(this.stage, hit, way);
     hand.limit = this.limit;
     this.hands.set(id, hand);
@@ -126,7 +136,8 @@ export class Pointer {
     const hand = this.hands.get(event.pointerId);
     if (hand) {
       hand.moveTo(x, y, event.timeStamp);
-      this.stage.marks.hover = hand.way === "kick" ? null : hand.ring;
+      const over = hand.way === "tie" ? pick(this.stage, x, y, this.reach(event)) : hand.ring;
+      this.stage.marks.hover = hand.way === "kick" ? null : over;
       this.stage.marks.dirty = true;
     } else if (this.hands.size) return;
     else if (start.button !== 0 || start.shift || this.near) this.stage.camera.pan(dx, dy);
@@ -149,8 +160,11 @@ export class Pointer {
     const { x, y } = this.at(event);
     const hand = this.hands.get(event.pointerId);
     if (hand && this.moved) hand.moveTo(x, y, event.timeStamp);
+    const ties = hand?.way === "tie" && this.moved && !this.menuOpened;
+    const other = ties ? pick(this.stage, x, y, this.reach(event)) : null;
     const hadHand = hand !== undefined && this.moved;
     this.dropHand(event.pointerId, event.shiftKey || this.keep, this.moved, event.timeStamp);
+    if (hand && other && other.node !== hand.hit.node) this.actions.tie(hand.hit, other);
     if (this.moved || this.menuOpened || hadHand || this.down.size) return;
     if (event.button === 2) this.openMenu(x, y);
     else if (event.button === 0) this.click(event.timeStamp);
@@ -192,6 +206,12 @@ export class Pointer {
   /** @param {boolean} keep @param {boolean} [used] */
   dropHands(keep, used = true) {
     for (const id of [...this.hands.keys()]) this.dropHand(id, keep, used);
+  }
+
+  /** Let go though the pointer is still down: what it held is another thing from now on. */
+  leaveOff() {
+    this.dropHands(false);
+    this.menuOpened = this.down.size > 0;
   }
 
   /** Ring what lies under the resting mouse now: ropes move under it. */

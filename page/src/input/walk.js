@@ -23,6 +23,8 @@ export function stopsOf(layout, frame) {
       .map((anchor) => [anchor.index, anchor.name]),
   );
   const loads = variant.loads.map(({ index }) => index);
+  const joints = variant.joints ?? [];
+  const tied = joints.map(({ nodes }) => nodes[0]);
   const between = variant.ropes.length > 4 ? 0 : BETWEEN;
   return variant.ropes
     .flatMap((rope) => {
@@ -30,18 +32,19 @@ export function stopsOf(layout, frame) {
       const some = Array.from({ length: between + 2 }, (_, i) =>
         Math.round((i * last) / (between + 1)),
       ).map((node) => rope.first + node);
-      const inside = [...held.keys(), ...loads].filter(
+      const inside = [...held.keys(), ...loads, ...tied].filter(
         (node) => node >= rope.first && node <= rope.first + last,
       );
       const nodes = [...new Set([...some, ...inside])].sort((a, b) => a - b);
       return nodes.map((node) => {
         const segment = Math.min(node, rope.first + last - 1);
         const common = { variant: 0, node, segment, place: /** @type {any} */ ([0, 0, 0]) };
+        const joint = joints.find(({ nodes }) => nodes.includes(node))?.name;
         const anchor = held.get(node);
         return /** @type {Hit} */ (
           anchor === undefined
-            ? { kind: "node", rope: rope.name, ...common }
-            : { kind: "anchor", anchor, ...common }
+            ? { kind: "node", rope: rope.name, joint, ...common }
+            : { kind: "anchor", anchor, joint, ...common }
         );
       });
     })
@@ -64,7 +67,8 @@ export function said(layout, frame, hit) {
     .reduce((sum, load) => sum + load.mass, 0);
   const pull = between(layout, part, part.tension[hit.segment], "tension_low", "tension_high");
   const load = mass > 0 ? `, load ${quantity(mass, "kg")}` : "";
-  return `${of}, tension ${quantity(pull, "N")}${load}`;
+  const joint = hit.joint === undefined ? "" : `, tied by joint ${hit.joint}`;
+  return `${of}, tension ${quantity(pull, "N")}${load}${joint}`;
 }
 
 /** The state in one sentence. @param {Layout} layout @param {Frame} frame @param {string} state */

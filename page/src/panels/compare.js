@@ -6,6 +6,7 @@ import { scalar } from "../source/frame.js";
 import { quantity, unitText } from "../view/range.js";
 import { dialog, h } from "./dom.js";
 import { fieldText, readNumber } from "./scale.js";
+import { placeOn } from "../view/cards.js";
 
 /** @typedef {import("../stage.js").Stage} Stage */
 /** @typedef {import("../source/protocol.js").Parameter} Parameter */
@@ -233,10 +234,7 @@ export class Compare {
 
   /** Where the card lies in the scene, if it is there. @returns {DOMRect | null} */
   place() {
-    if (!this.card.getClientRects().length) return null;
-    const { x, y, width, height } = this.card.getBoundingClientRect();
-    const scene = this.stage.renderer.canvas.getBoundingClientRect();
-    return new DOMRect(x - scene.x, y - scene.y, width, height);
+    return placeOn(this.card, this.stage.renderer.canvas);
   }
 
   show() {

@@ -142,8 +142,13 @@ export class Controls {
   }
 
   doUndo() {
-    if (this.session.status?.undo && this.session.can("undo")) this.session.tell({ type: "undo" });
+    if (!this.session.status?.undo || !this.session.can("undo")) return;
+    this.undoing();
+    this.session.tell({ type: "undo" });
   }
+
+  /** Called before anything is undone. */
+  undoing() {}
 
   setSpeed() {
     const value = SPEEDS[Number(this.speed.value)];

@@ -13,7 +13,11 @@ const HAND = [
   ],
   ["Let go in motion", "throws it: it has the hand's velocity"],
   ["Hold Shift at the end of a drag", "the spring stays; double-click on empty space lets go"],
-  ["Right-click, or a long press", "pin, cut, load, kick, follow"],
+  ["Right-click, or a long press", "pin, cut, load, tie, kick, follow"],
+  [
+    "Tie",
+    "press two points, or drag from one to the other: hands bring them together at 1 m/s and tie them",
+  ],
   ["Drag empty space", "turn the view; with Shift, the right button or near a rope: shift it"],
   ["Wheel, or two fingers", "zoom"],
 ];
@@ -26,7 +30,7 @@ const KEYS = [
   ["Space", "play or pause"],
   [".", "one step"],
   ["R", "reset to time zero"],
-  ["Ctrl Z", "undo the last cut, pin, load, kick or reset"],
+  ["Ctrl Z", "undo the last cut, pin, load, tie, kick or reset"],
   ["F", "show everything"],
   ["G", "graphs"],
   ["P", "panel of constants"],

@@ -5,6 +5,7 @@ import { figures, quantity } from "../view/range.js";
 import { colourOf } from "../view/copies.js";
 import { touching } from "../source/frame.js";
 import { h } from "./dom.js";
+import { placeOn } from "../view/cards.js";
 
 /** @typedef {import("../stage.js").Stage} Stage */
 /** @typedef {import("../source/gather.js").Colouring} Colouring */
@@ -71,7 +72,7 @@ export class Legend {
     this.grid = h("span", {});
     this.thick = h("span", {});
     host.append(
-      h(
+      (this.card = h(
         "div",
         { className: "card legend" },
         this.select,
@@ -83,7 +84,7 @@ export class Legend {
         h("div", { className: "row" }, this.contacts, this.firmest),
         h("div", { className: "numbers drawn-as" }, this.grid, this.thick),
         this.given,
-      ),
+      )),
     );
     stage.session.on("layout", () => this.names());
     stage.session.on("status", () => this.refresh());
@@ -105,6 +106,10 @@ export class Legend {
       },
     });
     return h("label", {}, box, text);
+  }
+
+  place() {
+    return placeOn(this.card, this.stage.renderer.canvas);
   }
 
   choose() {

@@ -11,21 +11,24 @@ import { readNumber } from "./scale.js";
 /** @typedef {import("../input/pick.js").Hit} Hit */
 
 const TOOLS =
-  /** @type {[Tool, "hand" | "pin" | "cut" | "load" | "kick" | "follow", string, string][]} */ ([
+  /** @type {[Tool, "hand" | "pin" | "cut" | "load" | "tie" | "kick" | "follow", string, string][]} */ ([
     ["hand", "hand", "Hand: drag anchors and ropes", ""],
     ["pin", "pin", "Pin: hold a node where it is, or let it go again", "pin"],
     ["cut", "cut", "Cut a segment", "cut"],
     ["load", "load", "Hang a load on a node", "load"],
+    ["tie", "tie", "Tie two points together: press one, then the other", "tie"],
     ["kick", "kick", "Kick: draw the velocity from a node", "kick"],
     ["follow", "follow", "Follow a node: its trail and its graphs", ""],
   ]);
 
 export class Tools {
-  /** @param {Stage} stage @param {HTMLElement} host @param {(node: number) => void} follow */
-  constructor(stage, host, follow) {
+  /** @param {Stage} stage @param {HTMLElement} host @param {(node: number) => void} follow
+   * @param {(text: string) => void} say */
+  constructor(stage, host, follow, say) {
     this.stage = stage;
     this.host = host;
     this.follow = follow;
+    this.say = say;
     /** @type {Pointer | null} */ this.pointer = null;
     this.mass = 1;
     /** @type {Map<Tool, HTMLButtonElement>} */ this.buttons = new Map();
@@ -77,6 +80,7 @@ export class Tools {
   /** @param {Tool} tool */
   choose(tool) {
     if (this.pointer) this.pointer.tool = tool;
+    this.tieNone();
     for (const [name, one] of this.buttons) one.setAttribute("aria-pressed", String(name === tool));
     this.massBox.hidden = tool !== "load";
     this.pullBox.hidden = tool !== "hand" || !this.stage.session.can("grab");
@@ -100,6 +104,28 @@ export class Tools {
     } else if (tool === "cut") this.cut(hit);
     else if (tool === "load") session.tell({ type: "load", node: hit.node, mass: this.mass });
     else if (tool === "follow") this.follow(hit.node);
+    else if (tool === "tie") this.tie(hit);
+  }
+
+  /** Take a point to tie: the first of two, or the second. @param {Hit} hit */
+  tie(hit) {
+    const { session, marks } = this.stage;
+    const first = marks.tying;
+    marks.dirty = true;
+    if (!first) {
+      marks.tying = hit;
+      this.say(`${this.nodeName(hit)}: choose the point to tie it to; Esc lets it be`);
+      return;
+    }
+    marks.tying = null;
+    session.tell({ type: "tie", node: first.node, other: hit.node });
+  }
+
+  /** Tie nothing after all. */
+  tieNone() {
+    const { marks } = this.stage;
+    if (marks.tying) marks.dirty = true;
+    marks.tying = null;
   }
 
   /** Cut the joint, or the segment where there is none. @param {Hit} hit */
@@ -163,6 +189,11 @@ export class Tools {
           ]
         : []),
       {
+        label: marks.tying ? `Tie ${this.nodeName(marks.tying)} to it` : "Tie it to another point",
+        command: "tie",
+        press: () => this.tie(hit),
+      },
+      {
         label: "Kick it up (5 m/s)",
         command: "kick",
         press: () => session.tell({ type: "kick", node, velocity: times(up, 5) }),
@@ -181,12 +212,13 @@ export class Tools {
           press: () => this.follow(node),
         },
       ],
-      hit.kind === "anchor" ? `Anchor ${hit.anchor}` : this.nodeName(hit),
+      this.nodeName(hit),
     );
   }
 
   /** @param {Hit} hit */
   nodeName(hit) {
+    if (hit.kind === "anchor") return `Anchor ${hit.anchor}`;
     const ropes = this.stage.session.layout?.variants[hit.variant].ropes ?? [];
     const rope = ropes.find(({ first, nodes }) => hit.node >= first && hit.node < first + nodes);
     if (!rope) return `Node ${hit.node}`;

@@ -13,7 +13,9 @@
  *   anchors: Anchor[], loads: Load[], forces: {index: number, force: number[]}[], joints?: Joint[],
  *   offsets: Offsets}} Variant */
 /** @typedef {{name: string, kind: string, center: number[], axis: number[], size: (number | null)[],
- *   friction: number, spin: [number, number, number | null] | null}} Obstacle */
+ *   friction: number, spin: [number, number, number | null] | null, turns?: number[][] | null,
+ *   motion?: Motion | null}} Obstacle */
+/** @typedef {{kind: string, params: (number | null)[], table: number[][]}} Motion */
 /** @typedef {{name: string, nodes: number[]}} Joint */
 
 /** @typedef {{type: "hello", protocol: number, ropewalk: string, client: number,

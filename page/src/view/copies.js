@@ -50,17 +50,19 @@ export function shapeOf(layout) {
 
 /** Whether the first and the last node of a rope hang free. @param {Layout["variants"][0]} variant
  * @param {{first: number, nodes: number}} rope @returns {[boolean, boolean]} */
-function looseEnds({ anchors, loads }, { first, nodes }) {
+function looseEnds({ anchors, loads, joints }, { first, nodes }) {
   const held = new Set([...anchors, ...loads].map(({ index }) => index));
+  for (const joint of joints ?? []) for (const node of joint.nodes) held.add(node);
   return [!held.has(first), !held.has(first + nodes - 1)];
 }
 
-/** Where a rope may have a kink: at what holds it and at loads. @param {Layout} layout */
+/** Where a rope may have a kink: at what holds it, at loads and joints. @param {Layout} layout */
 export function cornersOf(layout) {
   const first = starts(layout);
   const corners = new Uint8Array(nodesOf(layout));
-  layout.variants.forEach(({ anchors, loads }, v) => {
+  layout.variants.forEach(({ anchors, loads, joints }, v) => {
     for (const { index } of [...anchors, ...loads]) corners[first[v] + index] = 1;
+    for (const joint of joints ?? []) for (const node of joint.nodes) corners[first[v] + node] = 1;
   });
   return corners;
 }

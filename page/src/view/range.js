@@ -1,26 +1,37 @@
 // Ranges of what colours mean, and numbers in words.
 
-/** A range for colours that grows at once and shrinks slowly, so that colours do not flicker. */
+const LITTLE = 1e-9; // what rounding leaves of nothing [N], [m/s] ...
+const SLOW = 4; // s in which a range shrinks that was filled a while ago ...
+const QUICK = 0.5; // s ... and one that nothing has filled
+const HOLD = 2; // s for this long: what comes again sooner does not flicker
+
+/** A range for colours that grows at once and shrinks slowly, so that colours do not flicker; soon where nothing
+ * comes near its end again, so that a jolt at the start is not shown for half a minute. */
 export class Range {
   constructor() {
     this.low = 0;
     this.high = 1;
     this.fresh = true;
+    /** Since the lower and the upper end were reached [s]. */ this.since = [0, 0];
   }
 
   /** Follow the present extremes. @param {number} low @param {number} high
    * @param {number} seconds since the last call */
   follow(low, high, seconds) {
     if (!Number.isFinite(low) || !Number.isFinite(high)) return;
-    const bottom = low < -0.01 * high ? low : 0; // a little push is not worth a number
+    const bottom = low < -0.01 * high && low < -LITTLE ? low : 0; // a little push is not worth a number
     const top = Math.max(high, bottom + 1e-9);
     if (this.fresh) {
       [this.low, this.high, this.fresh] = [bottom, top, false];
       return;
     }
-    const ease = 1 - Math.exp(-seconds / 4);
-    this.high = top > this.high ? top : this.high + ease * (Math.max(top, 1e-9) - this.high);
-    this.low = bottom < this.low ? bottom : this.low + ease * (bottom - this.low);
+    const [below, above] = this.since;
+    this.since = [bottom <= this.low ? 0 : below + seconds, top >= this.high ? 0 : above + seconds];
+    const [down, up] = this.since.map(
+      (time) => 1 - Math.exp(-seconds / (time > HOLD ? QUICK : SLOW)),
+    );
+    this.high = top > this.high ? top : this.high + up * (Math.max(top, 1e-9) - this.high);
+    this.low = bottom < this.low ? bottom : this.low + down * (bottom - this.low);
   }
 }
 

@@ -5,12 +5,14 @@ import { cross, dot, minus, plus, times, unit } from "./vector.js";
 
 /** @typedef {import("./vector.js").Vector} Vector */
 /** @typedef {import("../source/protocol.js").Obstacle} Obstacle */
+/** @typedef {import("../source/protocol.js").Motion} Motion */
 /** @typedef {"plane" | "sphere" | "cylinder" | "capsule" | "box" | "torus"} Kind */
 
 /** One body of one copy. `size` as in the layout message; `zero`: across the axis, where turns are counted from;
  * `reach`: no part of it is farther from its centre [m].
  * @typedef {{name: string, kind: Kind, number: number, center: Vector, axis: Vector, size: number[], zero: Vector,
- *   reach: number, spin: [number, number, number] | null}} Solid */
+ *   reach: number, spin: [number, number, number] | null, turns: number[][] | null,
+ *   motion: (Motion & {origin: Vector}) | null}} Solid */
 
 /** In the order of the shaders. @type {Kind[]} */
 export const KINDS = ["plane", "sphere", "cylinder", "capsule", "box", "torus"];
@@ -33,7 +35,7 @@ export function solidsOf(obstacles, shifts) {
 const same = (a, b) => a.every((value, k) => value === b[k]);
 
 /** @param {Obstacle} obstacle @param {number[]} shift @returns {Solid | null} */
-function solidOf({ name, kind, center, axis, size, spin }, shift) {
+function solidOf({ name, kind, center, axis, size, spin, turns, motion }, shift) {
   const number = KINDS.indexOf(/** @type {Kind} */ (kind));
   const long = kind === "cylinder" && size[1] === null ? ENDLESS : (size[1] ?? NaN);
   const sizes = [size[0] ?? NaN, long, size[2] ?? NaN, size[3] ?? NaN];
@@ -53,6 +55,8 @@ function solidOf({ name, kind, center, axis, size, spin }, shift) {
     zero: unit(minus(across, times(along, dot(across, along)))),
     reach: reachOf(/** @type {Kind} */ (kind), sizes),
     spin: turning ? [spin[0], spin[1], spin[2] ?? Infinity] : null,
+    turns: turns ?? null,
+    motion: motion ? { ...motion, origin: vector(center) } : null,
   };
 }
 
@@ -70,11 +74,63 @@ export const bevelOf = ({ kind, size }) =>
   kind === "cylinder" ? BEVEL * Math.min(size[0], size[1]) : 0;
 
 /** How far a body has turned about its axis [rad]. @param {Solid} solid @param {number} time [s] */
-export function turnOf({ spin }, time) {
+export function turnOf({ spin, turns }, time) {
+  if (turns) return onTable(turns, time)[0];
   if (!spin) return 0;
   const [rate, start, stop] = spin;
   return rate * Math.max(0, Math.min(time, stop) - start);
 }
+
+/** A body where it is at a time. @param {Solid} solid @param {number} time [s] @returns {Solid} */
+export function placed(solid, time) {
+  if (!solid.motion) return solid;
+  const way = minus(whereabouts(solid.motion, time), solid.motion.origin);
+  return way.every((one) => Math.abs(one) < LARGEST)
+    ? { ...solid, center: plus(solid.center, way) }
+    : solid;
+}
+
+/** Where what moves is, as the engine has it. @param {Motion} motion @param {number} time [s] @returns {Vector} */
+export function whereabouts({ kind, params: p, table }, time) {
+  const [from, way, axis] = [vector(p), vector(p.slice(3)), vector(p.slice(6))];
+  if (kind === "table") return onTable(table, time);
+  if (kind === "velocity") {
+    const start = Number(p[6]);
+    const elapsed = Math.min(Math.max(time - start, 0), (p[7] ?? Infinity) - start);
+    return plus(from, times(way, elapsed));
+  }
+  if (kind === "shake") {
+    const phase = Number(p[7]);
+    const offset = Math.sin(2 * Math.PI * Number(p[6]) * time + phase) - Math.sin(phase);
+    return plus(from, times(way, offset));
+  }
+  if (kind !== "orbit") return from;
+  const angle = 2 * Math.PI * Number(p[9]) * time;
+  const arm = minus(from, way);
+  const turned = plus(times(arm, Math.cos(angle)), times(cross(axis, arm), Math.sin(angle)));
+  return plus(way, plus(turned, times(axis, dot(axis, arm) * (1 - Math.cos(angle)))));
+}
+
+/** The place on a table: a row has its time, then four coefficients for each of x, y and z.
+ * @param {number[][]} table @param {number} time [s] @returns {Vector} */
+function onTable(table, time) {
+  let low = 0;
+  let high = table.length - 1;
+  if (time >= table[high][0]) low = high;
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (table[middle][0] <= time) low = middle;
+    else high = middle;
+  }
+  const row = table[low];
+  const s = low === table.length - 1 ? 0 : Math.max(time - row[0], 0);
+  const along = (/** @type {number} */ c) =>
+    row[c] + s * (row[c + 1] + s * (row[c + 2] + s * row[c + 3]));
+  return [along(1), along(5), along(9)];
+}
+
+/** The first three of some numbers. @param {(number | null)[]} values @returns {Vector} */
+const vector = ([x, y, z]) => [Number(x), Number(y), Number(z)];
 
 /** How far a place is from the surface, negative inside [m]. @param {Solid} solid @param {ArrayLike<number>} place */
 export function distanceTo({ kind, center, axis, size }, place) {

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from importlib.metadata import version
-from typing import Any, Final
+from typing import Any, Final, Literal
 
 import numpy as np
 from cosseratbench.scenario import (
@@ -29,6 +29,7 @@ import ropewalk as rw
 from ropewalk import scene as of_scene
 
 METHOD: Final = "esdirk3"
+TOUCHING: Final = "implicit-euler"  # where ropes touch each other; such scenarios ask for rest
 STEP = 1.0 / 60.0  # [s]
 #: Steps in the slowest swing of a scenario whose motion is the result.
 STEPS_PER_SWING = 400
@@ -41,7 +42,10 @@ class RopewalkSolver:
     name = "ropewalk"
     backend_version = version("ropewalk")
     capabilities = frozenset(
-        {Capability.STRETCH, Capability.CYLINDER_CONTACT, Capability.PLANE_CONTACT}
+        {
+            *(Capability.STRETCH, Capability.CYLINDER_CONTACT, Capability.PLANE_CONTACT),
+            *(Capability.ROD_CONTACT, Capability.ROD_FRICTION),
+        }
     )
 
     def __init__(self, time_step_scale: float = 1.0) -> None:
@@ -50,7 +54,7 @@ class RopewalkSolver:
     def settings(self, scenario: Scenario, *, n_elements: int, n_frames: int) -> dict[str, Any]:
         """Return the numerical choices of a run, as JSON values."""
         return {
-            "integrator": METHOD,
+            "integrator": _method(scenario),
             "time_step": self._step(scenario, n_frames),
             "damping_rate": _damping_rate(scenario),
             "contact_compliance": "automatic",
@@ -83,7 +87,7 @@ class RopewalkSolver:
         ]
         air = of_scene.Air(node_drag=drag * float(np.mean(masses))) if drag > 0.0 else None
         run = of_scene.RunSettings(
-            method=METHOD,
+            method=_method(scenario),
             duration=scenario.duration,
             frame_rate=(n_frames - 1) / scenario.duration,
             time_step=self._step(scenario, n_frames),
@@ -92,6 +96,7 @@ class RopewalkSolver:
             ropes=ropes,
             anchors=anchors,
             obstacles=[_obstacle(one) for one in scenario.obstacles],
+            contact=_contact(scenario),
             air=air,
             gravity=tuple(float(g) for g in scenario.gravity),
             run=run,
@@ -154,6 +159,21 @@ def _anchors(rod: Rod, name: str, n_elements: int) -> list[of_scene.Anchor]:
             )
         found.append(of_scene.Anchor(name=f"{name}-{end.value}", rope=name, node=node, **held))
     return found
+
+
+def _contact(scenario: Scenario) -> rw.Contact | None:
+    """Return how ropes touch each other; None where they cannot be meant to.
+
+    A single rope off every plane hangs, swings or lies over a bar: it does not reach itself.
+    """
+    folds = scenario.self_contact and any(isinstance(one, Plane) for one in scenario.obstacles)
+    if len(scenario.rods) == 1 and not folds:
+        return None
+    return rw.Contact(friction=max(rod.friction for rod in scenario.rods))
+
+
+def _method(scenario: Scenario) -> Literal["esdirk3", "implicit-euler"]:
+    return METHOD if _contact(scenario) is None else TOUCHING
 
 
 def _obstacle(one: Obstacle) -> Any:

@@ -9,8 +9,8 @@ import numpy as np
 from ropewalk.core.arrays import Floats
 from ropewalk.lowering import Model
 from ropewalk.lowering.apart import Span, spans, stretch_of
-from ropewalk.lowering.chains import anchor_speed
 from ropewalk.methods.registry import METHODS
+from ropewalk.motions.rows import largest_speed
 
 _ROUNDING = 1e-9  # [1]
 _MOST_TIMES = 20_000  # frames looked at; of more, as many, evenly
@@ -61,7 +61,7 @@ def jerks(model: Model) -> list[str]:
     found = []
     system, state = model.system, model.state
     for span in spans(system, state):
-        speeds = [anchor_speed(system, row) for row in span.rows]
+        speeds = [largest_speed(system.anchors, row) for row in span.rows]
         waves = _slowest_waves(model, span)
         jerk = _FIRST * max(speeds) / waves
         largest = float(_stretches(model, span)[1].max()) + jerk

@@ -23,6 +23,7 @@ from ropewalk.analysis.strains import (
     percent,
     pressed_at_start,
     strain_warnings,
+    words_of_curve,
 )
 from ropewalk.analysis.unit_slips import unit_slips
 from ropewalk.core.arrays import Floats
@@ -44,6 +45,7 @@ _ROUNDING = 1e-9
 _AFFORDABLE = 20_000  # nodes up to which the highest frequency at rest is computed
 _OF_REST = ("transverse", "largest_tension", "largest_strain", "slack", "utilisation")
 _SHORT = 0.01  # a curve's chords are a little shorter than its arcs
+_NEAR_PARTING = 0.9  # [1] of the breaking load
 
 
 @dataclass(frozen=True)
@@ -63,21 +65,24 @@ class RopeCheck:
     slack: int  # segments without tension at rest
     short: int  # segments that start more than 1 % shorter than their rest length
     made_of: str = ""  # which rope of the library it is, and what was changed
+    curve: str = ""  # of its tension against strain, in words
     utilisation: float | None = None  # at rest, tension over breaking load [1]; None if not known
     rests: bool = True  # whether it is at rest in that shape, or near to it
+    parts: bool = False  # whether it parts at its breaking load
 
     def lines(self) -> list[str]:
         """What it is, and what it carries at rest; one fact a line."""
         text = [
             f"rope {self.name!r}: {self.segments} segments, {self.length:.6g} m, {self.mass:.6g} kg"
         ]
-        text += [f"  {self.made_of}"] if self.made_of else []
+        text += [f"  {one}" for one in (self.made_of, self.curve) if one]
         if not self.rests:
             return text
         strain = "" if self.largest_strain is None else f", strain {percent(self.largest_strain)}"
         text.append(f"  at rest: largest tension {prefixed(self.largest_tension, 'N', 5)}{strain}")
         if self.utilisation is not None:
-            text.append(f"  at rest: {margin_words(self.utilisation)}")
+            beyond = "it parts" if self.parts else "it would have parted"
+            text.append(f"  at rest: {margin_words(self.utilisation, beyond)}")
         if self.slack or self.short:
             text.append(f"  segments slack at rest {self.slack}, started too short {self.short}")
         return text
@@ -291,7 +296,7 @@ def _rope(model: Model, statics: Statics, name: str) -> RopeCheck:
     state = model.state
     own = rope.own_mass / max(rope.nodes - (0 if rope.made_of.kind == "springs" else 1), 1)
     rest, tension = state.rest_length[segments], statics.tension[segments]
-    rests = statics.solved or not model.layout.more
+    rests = statics.solved or not model.layout.touches
     load = breaking_load(rope) if rests else None
     size = np.linalg.norm(np.diff(state.x[:, span.start : span.end + 1], axis=1), axis=0)
     taut = tension > 0.0
@@ -312,8 +317,10 @@ def _rope(model: Model, statics: Statics, name: str) -> RopeCheck:
         slack=int(statics.slack[segments].sum()),
         short=int((size < rest * (1.0 - _SHORT)).sum()),
         made_of=origin_words(rope.made_of),
+        curve=words_of_curve(rope),
         utilisation=None if load is None else float(tension.max(initial=0.0)) / load,
         rests=rests,
+        parts=rope.strength < math.inf,
     )
 
 
@@ -333,7 +340,14 @@ def _warnings(
                 f"rope {rope.name!r}: {rope.short} of {rope.segments} segments start shorter than "
                 "their rest length"
             )
-        if rope.slack and not model.layout.more:
+        load = model.scene.rope_named(rope.name).strength
+        if rope.utilisation is not None and load < math.inf and rope.utilisation > _NEAR_PARTING:
+            share = f"{100.0 * rope.utilisation:.4g} % of the breaking load"
+            parts = (
+                "it parts as it starts" if rope.utilisation > 1.0 else "it parts with little more"
+            )
+            warnings.append(f"rope {rope.name!r}: carries {share} at rest; {parts}")
+        if rope.slack and not model.layout.touches:
             warnings.append(
                 f"rope {rope.name!r}: {rope.slack} of {rope.segments} segments carry no tension "
                 "at rest"

@@ -6,8 +6,9 @@ import math
 
 import numpy as np
 
+from ropewalk.laws.obstacle import turning_rate
 from ropewalk.lowering import Model
-from ropewalk.lowering.chains import fastest
+from ropewalk.lowering.chains import driven_speed, fastest
 from ropewalk.scene.obstacles import thinnest
 from ropewalk.statics import Statics
 from ropewalk.statics.pressing import pressing, rounded
@@ -26,7 +27,7 @@ def obstacle_warnings(model: Model, statics: Statics) -> list[str]:
     longest = max(rope.segment_length for rope in scene.ropes)
     thick = float(table.thickness.max())
     step = model.plan.dt if model.plan.longest is None else model.plan.longest
-    way = fastest(system, model.state) * step
+    way = _speed(model, statics) * step
     for row, body in enumerate(scene.obstacles):
         name, radius = f"obstacle {body.name!r}", thinnest(body) + thick
         if longest > 2.0 * radius:
@@ -41,8 +42,7 @@ def obstacle_warnings(model: Model, statics: Statics) -> list[str]:
                 f"({1e3 * radius:.4g} mm): it may pass through; take steps of at most "
                 f"{1e3 * step * radius / way:.3g} ms"
             )
-        spin = getattr(body, "spin", None)
-        turn = 0.0 if spin is None else abs(spin.rate) * step
+        turn = turning_rate(table, row) * step
         if turn > _TURNS:
             found.append(
                 f"{name}: it turns by {math.degrees(turn):.3g} degrees in a step, and friction there points "
@@ -58,6 +58,19 @@ def obstacle_warnings(model: Model, statics: Statics) -> list[str]:
                 f"{enough} m/N where that matters"
             )
     return found
+
+
+def _speed(model: Model, statics: Statics) -> float:
+    """Return the largest speed to reckon with against obstacles [m/s].
+
+    What starts at rest and is let alone moves as fast as what moves it; a run tells where it was faster.
+    """
+    system, state = model.system, model.state
+    at_rest = model.scene.run.start == "at-rest" and model.scene.run.ring is None and statics.solved
+    moves = state.v[:, state.inverse_mass > 0.0].any() or len(model.scene.winches) > 0
+    let_go = moves or np.isfinite(system.anchors.release).any()
+    alone = at_rest and not let_go
+    return driven_speed(system) if alone else fastest(system, state)
 
 
 def _presses(model: Model, statics: Statics, row: int) -> tuple[str, float]:

@@ -30,7 +30,7 @@ def rest_warnings(model: Model, statics: Statics) -> list[str]:
     """Return a sentence where what is said of rest is not of a shape at rest, or of one among many."""
     if statics.solved:
         return [MANY] if statics.by_friction else []
-    if model.layout.more:
+    if model.layout.touches:
         return [f"{statics.trouble}. What is said of tensions at rest is left out"]
     if not statics.searched:
         return [

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ropewalk.lowering import Model
-from ropewalk.scene import Springs
+from ropewalk.scene import Rope, Springs
+from ropewalk.scene.curve_words import curve_words, end_words
 from ropewalk.statics import Statics
 from ropewalk.words.prefixes import prefixed
 
@@ -29,9 +30,18 @@ def strain_warnings(model: Model, statics: Statics, ropes: tuple[RopeCheck, ...]
         return []
     found = []
     for i, rope in enumerate(ropes):
-        if rope.largest_strain is None or rope.largest_strain <= _STRAINED:
-            continue
         made_of = model.scene.ropes[i].made_of
+        if rope.largest_strain is None:
+            continue
+        if not isinstance(made_of, Springs) and made_of.curve is not None:
+            if rope.largest_strain > made_of.curve.end[0]:
+                found.append(
+                    f"rope {rope.name!r}: at rest it is stretched by {percent(rope.largest_strain)}, beyond "
+                    f"its curve's last point, {end_words(made_of.curve)}, where it goes on straight"
+                )
+            continue
+        if rope.largest_strain <= _STRAINED:
+            continue
         if isinstance(made_of, Springs):
             what = f"spring_constant of {made_of.spring_constant:g} N/m"
             slip = "kN/m typed as N/m, or springs that are weak for what they carry?"
@@ -45,6 +55,14 @@ def strain_warnings(model: Model, statics: Statics, ropes: tuple[RopeCheck, ...]
             f"{prefixed(rope.largest_tension, 'N')} by its {what}: {slip}"
         )
     return found
+
+
+def words_of_curve(rope: Rope) -> str:
+    """Return what a rope's curve is, in words; "" where it has none."""
+    made_of = rope.made_of
+    if isinstance(made_of, Springs) or made_of.curve is None:
+        return ""
+    return curve_words(made_of.curve)
 
 
 def overlong_at_start(model: Model) -> list[str]:
@@ -81,6 +99,9 @@ def pressed_at_start(model: Model, statics: Statics, ropes: tuple[RopeCheck, ...
         size = np.linalg.norm(np.diff(state.x[:, span.start : span.end + 1], axis=1), axis=0)
         k = state.stiffness[part]
         pushes = np.isfinite(k) & (model.system.slack_floor[part] < 0.0)
+        stuff = model.scene.ropes[[one.name for one in model.scene.ropes].index(span.name)].made_of
+        if not isinstance(stuff, Springs) and stuff.curve is not None:
+            k = k * (stuff.curve.slopes[0] / stuff.EA)
         push = np.where(pushes, k, 0.0) * (state.rest_length[part] - size)
         most = float(push.max(initial=0.0))
         if rope.short or not most > max(rope.largest_tension, _NOTHING):
@@ -95,10 +116,10 @@ def pressed_at_start(model: Model, statics: Statics, ropes: tuple[RopeCheck, ...
 
 
 def breaking_warnings(ropes: tuple[RopeCheck, ...]) -> list[str]:
-    """Return warnings of ropes that carry more than their breaking load at rest."""
+    """Return warnings of ropes that carry more than their breaking load at rest, and cannot part."""
     return [
         f"rope {rope.name!r}: at rest it carries {rope.utilisation:.3g} times its breaking load; "
         "in the run it does not part"
         for rope in ropes
-        if rope.utilisation is not None and rope.utilisation > 1.0
+        if rope.utilisation is not None and rope.utilisation > 1.0 and not rope.parts
     ]

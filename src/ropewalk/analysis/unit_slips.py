@@ -81,7 +81,7 @@ def _line(path: str, rope: Rope) -> list[str]:
         heavy = line > _HEAVIEST_LINE or (made_of.node_mass >= _HEAVY_NODE and length <= 1.0)
     else:
         line = made_of.mass_per_length
-        mass, name = f"mass_per_length: {line:g} kg/m", "EA"
+        mass, name = f"mass_per_length: {line:g} kg/m", "EA" if made_of.curve is None else "curve"
         value, wrong = f"{made_of.EA:g} N", "kN for N"
         heavy = line > _HEAVIEST_LINE
     found = []

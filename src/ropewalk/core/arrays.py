@@ -82,6 +82,15 @@ class Bending(NamedTuple):
     turn: Floats  # (a, 3) rate [rad/s], start [s], stop [s]
 
 
+class Curves(NamedTuple):
+    """Tension against strain over EA, where it is no straight line; see `laws.curved`."""
+
+    of: Ints  # (s,) the curve of every segment, -1: none
+    first: Ints  # (c + 1,) where the pieces of a curve begin
+    piece: Floats  # (p, 5) strain, tension, slope, bend and energy per length [1]
+    least: Floats  # (c,) least slope over EA [1]
+
+
 class Joints(NamedTuple):
     """Joints, and which of them every anchor holds; `member` is cut at `first`."""
 
@@ -105,6 +114,7 @@ class System(NamedTuple):
     winches: Winches
     bending: Bending
     joints: Joints
+    curves: Curves
     kinks: Floats  # (k,) times at which the velocity of an anchor or clamp jumps [s], sorted
     rare: (
         int | None

@@ -14,7 +14,7 @@ from contextlib import contextmanager
 from typing import Any
 
 import llvmlite.binding as llvm
-from numba.core import ir, ir_utils, sigutils
+from numba.core import ir, ir_utils, sigutils, types
 from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler import CompilerBase, CompileResult, DefaultPassBuilder
 from numba.core.compiler_machinery import FunctionPass, register_pass
@@ -23,6 +23,7 @@ from numba.core.typed_passes import NativeLowering
 from numba.core.untyped_passes import MakeFunctionToJitFunction, ReconstructSSA
 
 from ropewalk.core.inlining import InlineParts
+from ropewalk.core.pointed import pointed
 from ropewalk.core.values import LowerValues
 
 
@@ -201,14 +202,25 @@ class Entry(CPUDispatcher):
     """A kernel as Python calls it; kernels that call it link in its `inner` function."""
 
     inner: Any  # the dispatcher of the inner function
+    _types_active_call: Any  # numba's: keeps the types of arguments alive
 
     def get_call_template(self, args: Any, kws: Any) -> Any:
-        """Return what the types of a call from another kernel follow from."""
-        return self.inner.get_call_template(args, kws)
+        """Return what the types of a call from another kernel follow from.
+
+        Without the values of constants: numba would compile a function for each.
+        """
+        plain = tuple(types.unliteral(one) for one in args)
+        return self.inner.get_call_template(plain, kws)
 
     def get_overload(self, sig: Any) -> Any:
         """Return what another kernel calls."""
         return self.inner.get_overload(sig)
+
+    def typeof_pyval(self, val: Any) -> Any:
+        """Return the type of an argument; named tuples go by their address."""
+        found = pointed(super().typeof_pyval(val))
+        self._types_active_call.add(found)
+        return found
 
     def compile(self, sig: Any) -> Any:
         """Compile for a signature and return what Python calls."""

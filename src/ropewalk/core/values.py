@@ -16,9 +16,17 @@ from numba.core.compiler_machinery import register_pass
 from numba.core.lowering import Lower
 from numba.core.typed_passes import NativeLowering
 
+from ropewalk.core.elements import View, is_plain, make_array
+
 
 class _Builder(IRBuilder):  # type: ignore[misc]
-    """Takes a field out of an aggregate where it was put in."""
+    """Takes a field out of an aggregate where it was put in, and knows what of tuples is loaded already."""
+
+    def __init__(self, block: Any) -> None:
+        super().__init__(block)
+        self.members: dict[
+            int, dict[int, Any]
+        ] = {}  # by the address's identity, see `core.pointed`
 
     def extract_value(self, agg: Any, idx: Any, name: str = "") -> Any:
         """Return member `idx` of an aggregate."""
@@ -65,6 +73,36 @@ class _Lower(Lower):
                 labels[0] in dominators[label] and labels[0] < label for label in used.get(name, ())
             )
         }
+
+    def lower_getitem(self, resty: Any, expr: Any, value: Any, index: Any, signature: Any) -> Any:
+        """Take an element, a row or a range out of an array."""
+        view = self._view(value, index)
+        if view is None:
+            return super().lower_getitem(resty, expr, value, index, signature)
+        if view.shape:
+            return make_array(self.context, self.builder, resty, view.data, view.shape)
+        dtype = self.typeof(value.name).dtype
+        found = self.context.unpack_value(self.builder, dtype, view.data)
+        return self.context.cast(self.builder, found, dtype, resty)
+
+    def lower_setitem(self, target_var: Any, index_var: Any, value_var: Any, signature: Any) -> Any:
+        """Write an element of an array."""
+        view = self._view(target_var, index_var)
+        if view is None or view.shape:
+            return super().lower_setitem(target_var, index_var, value_var, signature)
+        value, given = self.loadvar(value_var.name), self.typeof(value_var.name)
+        dtype = self.typeof(target_var.name).dtype
+        value = self.context.cast(self.builder, value, given, dtype)
+        return self.context.pack_value(self.builder, dtype, value, view.data)
+
+    def _view(self, array: Any, index: Any) -> View | None:
+        """Return the part of an array that an index means, None where numba has to find it."""
+        kind, place = self.typeof(array.name), self.typeof(index.name)
+        if not is_plain(kind, place):
+            return None
+        view = View(self.context, self.builder, kind, self.loadvar(array.name))
+        view.take(place, self.loadvar(index.name))
+        return view
 
     def lower_normal_function(self, fndesc: Any) -> None:
         """Lower a function, and leave out what takes tuples apart or puts them together for nothing."""

@@ -25,6 +25,7 @@ def partition(model: Model, apart: bool = False) -> list[list[int]]:
     if method.implicit or not method.fixed or (apart and count <= MOST_APART):
         return tied
     single = {winch.rope for winch in model.scene.winches}
+    single |= {rope.name for rope in model.scene.ropes if rope.made_of.parts}
     anchors, bending = model.system.anchors, model.system.bending
     for row, anchor in enumerate(model.scene.anchors):
         times = [anchors.release[row]]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ropewalk.core.arrays import State
-from ropewalk.laws.pairs.table import CONTACTS, FAULT, FIRST, PASSED, REFUSED, SECOND
+from ropewalk.laws.pairs.table import CONTACTS, CROWDED, FAULT, FIRST, PASSED, REFUSED, SECOND
 from ropewalk.lowering import Layout
 
 
@@ -24,6 +24,12 @@ def fault_of(state: State, layout: Layout) -> str:
             f"{pair_of(state, layout)} came nearer to each other in a step than half the sum of "
             "their radii, or half as near as they were, and may have passed through each other: take a "
             "shorter time_step, or implicit-euler, which sees to it that nothing passes"
+        )
+    if count[FAULT] == CROWDED:
+        return (
+            f"contacts couple more nodes with each other than there is room for to solve their equations, "
+            f"{count[CONTACTS]} pairs of segments touch: give the ropes fewer "
+            "segments, or let fewer lie in a heap"
         )
     return (
         f"more segments are near each other than there is room for, {count[CONTACTS]} pairs now: no contact "

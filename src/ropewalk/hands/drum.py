@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 # Why a winch stands although it is told to turn.
 EMPTY, LONGEST, SHORTEST = "empty drum", "max_length", "min_length"
 LAST, HELD_NODE, RELEASED = "last segment", "held node", "released"
+PARTED = "rope parted"
 _ROUNDING = 1e-9  # [1] of a segment
 
 
@@ -81,7 +82,7 @@ class WinchHandle:
         """What keeps it from turning as it is told; empty when nothing does.
 
         "empty drum", "max_length", "min_length", "last segment" (half a segment is left outside),
-        "held node" (an anchor holds the next node) or "released" (the drum was let go).
+        "held node" (an anchor holds the next node), "released" (the drum was let go) or "rope parted".
         """
         return why_stopped(self._winches, self._state, self._row, self.speed)
 
@@ -105,6 +106,8 @@ def why_stopped(winches: Winches, state: State, row: int, speed: float) -> str:
         return ""
     if not state.held[winches.anchor[row]]:
         return RELEASED
+    if math.isfinite(parted_at(winches, state, row)):
+        return PARTED
     return limit_reached(winches, state, row, speed)
 
 
@@ -122,6 +125,12 @@ def limit_reached(winches: Winches, state: State, row: int, speed: float) -> str
         return LAST if winches.shortest[row] == 0.5 * winches.segment[row] else SHORTEST
     held = state.inverse_mass[drum + winches.step[row]] == 0.0
     return HELD_NODE if held and working <= 0.5 * winches.segment[row] + little else ""
+
+
+def parted_at(winches: Winches, state: State, row: int) -> float:
+    """Return when a winch's rope parted first [s]; inf where it is whole. Its length is then not known."""
+    low, high = sorted((int(winches.first[row]), int(winches.last[row])))
+    return float(state.memory.parting.time[low:high].min(initial=math.inf))
 
 
 def length_out(winches: Winches, state: State, row: int) -> float:

@@ -70,7 +70,9 @@ def drag(air, state, x, v, force, lo, hi):
     linear_drag(v, air.node_drag, air.wind, force, ahead, end)
     if air.quadratic == 1:
         quadratic_node_drag(v, air.node_drag_quadratic, air.wind, force, ahead, end)
-        quadratic_line_drag(x, v, air.normal, air.tangential, air.wind, force, lo, hi)
+        quadratic_line_drag(
+            x, v, state.stiffness, air.normal, air.tangential, air.wind, force, lo, hi
+        )
 
 
 @part
@@ -79,7 +81,10 @@ def tangent(air, state, x, v, weight_x, weight_v, marks, band):
     linear_drag_tangent(air.node_drag, weight_v, band)
     if air.quadratic == 1:
         quadratic_node_tangent(v, air.node_drag_quadratic, air.wind, weight_v, band)
-        line_drag_tangent(x, v, air.normal, air.tangential, air.wind, weight_x, weight_v, band)
+        alive = state.stiffness
+        line_drag_tangent(
+            x, v, alive, air.normal, air.tangential, air.wind, weight_x, weight_v, band
+        )
 
 
 @part
@@ -104,11 +109,11 @@ def add_drag(node_drag, weight_v, free, diagonal):
 @part
 def power(air, state, x):
     """Return the most that the wind can put in per time [W]."""
-    return wind_power(x, air)
+    return wind_power(x, state.stiffness, air)
 
 
 @kernel
-def wind_power(x, air):
+def wind_power(x, stiffness, air):
     """Return the most that the wind can put in per time [W]."""
     wind = math.sqrt(air.wind[0] ** 2 + air.wind[1] ** 2 + air.wind[2] ** 2)
     if wind == 0.0:
@@ -118,6 +123,8 @@ def wind_power(x, air):
         total += _LINEAR * air.node_drag[i] * wind**2
         total += _QUADRATIC * air.node_drag_quadratic[i] * wind**3
     for j in range(air.normal.shape[0]):
+        if stiffness[j] == 0.0:
+            continue
         dx, dy, dz = x[0, j + 1] - x[0, j], x[1, j + 1] - x[1, j], x[2, j + 1] - x[2, j]
         r = math.sqrt(dx * dx + dy * dy + dz * dz)
         total += _QUADRATIC * r * (air.normal[j] + air.tangential[j]) * wind**3

@@ -46,10 +46,10 @@ def quadratic_node_drag(v, coefficient, wind, force, lo=0, hi=ALL):
 
 
 @kernel
-def quadratic_line_drag(x, v, normal, tangential, wind, force, lo=0, hi=ALL):
-    """Add the drag of every segment, half to each end [N], (3, n)."""
+def quadratic_line_drag(x, v, stiffness, normal, tangential, wind, force, lo=0, hi=ALL):
+    """Add the drag of every segment, half to each end [N], (3, n); one without `stiffness` is no rope."""
     for j in range(lo, min(hi, normal.shape[0])):
-        if normal[j] == 0.0 and tangential[j] == 0.0:
+        if (normal[j] == 0.0 and tangential[j] == 0.0) or stiffness[j] == 0.0:
             continue
         dx = x[0, j + 1] - x[0, j]
         dy = x[1, j + 1] - x[1, j]

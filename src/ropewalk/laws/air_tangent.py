@@ -60,10 +60,10 @@ def add_middle(band, j, k, m, by_place, by_speed):
 
 
 @kernel
-def line_drag_tangent(x, v, normal, tangential, wind, weight_x, weight_v, band):
+def line_drag_tangent(x, v, stiffness, normal, tangential, wind, weight_x, weight_v, band):
     """Add the derivatives of the drag of every segment."""
     for j in range(normal.shape[0]):
-        if normal[j] == 0.0 and tangential[j] == 0.0:
+        if (normal[j] == 0.0 and tangential[j] == 0.0) or stiffness[j] == 0.0:
             continue
         dx, dy, dz = x[0, j + 1] - x[0, j], x[1, j + 1] - x[1, j], x[2, j + 1] - x[2, j]
         r = math.sqrt(dx * dx + dy * dy + dz * dz)

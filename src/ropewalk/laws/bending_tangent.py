@@ -250,6 +250,8 @@ def clamp_tangent(x, v, rest_length, state, bending, weight_x, weight_v, definit
         for side in range(2):
             if bending.clamp_stiffness[row, side] > 0.0:
                 j = state.anchor_node[row] - 1 + side
+                if rest_length[j] == 0.0:  # it has parted
+                    continue
                 at = j, side, row
                 half_cell_tangent(
                     x, v, rest_length, at, state, bending, weight_x, weight_v, definite, band

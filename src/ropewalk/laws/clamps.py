@@ -96,9 +96,9 @@ def clamp_forces(x, v, rest_length, held, node, bending, direction, spin, elasti
         if bending.clamped[row] == 0 or held[row] == 0:
             continue
         for side in range(2):
-            if bending.clamp_stiffness[row, side] == 0.0:
-                continue
             j = node[row] - 1 + side
+            if bending.clamp_stiffness[row, side] == 0.0 or rest_length[j] == 0.0:  # it has parted
+                continue
             px, py, pz, fx, fy, fz = half_cell(
                 x, v, rest_length, j, side, row, bending, direction, spin
             )
@@ -119,9 +119,9 @@ def clamp_energy(x, rest_length, held, node, bending, direction):
             continue
         dx, dy, dz = direction[row, 0], direction[row, 1], direction[row, 2]
         for side in range(2):
-            if bending.clamp_stiffness[row, side] == 0.0:
-                continue
             j = node[row] - 1 + side
+            if bending.clamp_stiffness[row, side] == 0.0 or rest_length[j] == 0.0:  # it has parted
+                continue
             tx, ty, tz, _, own = tangent(
                 x[0, j + 1] - x[0, j], x[1, j + 1] - x[1, j], x[2, j + 1] - x[2, j], rest_length[j]
             )
@@ -145,9 +145,9 @@ def clamp_moments(x, v, rest_length, held, node, bending, direction, spin, momen
         for k in range(6):
             moment[row, k] = 0.0
         for side in range(2):
-            if bending.clamp_stiffness[row, side] == 0.0:
-                continue
             j = node[row] - 1 + side
+            if bending.clamp_stiffness[row, side] == 0.0 or rest_length[j] == 0.0:  # it has parted
+                continue
             px, py, pz, fx, fy, fz = half_cell(
                 x, v, rest_length, j, side, row, bending, direction, spin
             )
@@ -245,8 +245,12 @@ def let_bend(system, state, row):
     i = state.anchor_node[row]
     before = bent_energy(system, state, state.x)
     state.held[row] = 0
-    state.bending_stiffness[i] = system.bending.stiffness[i]
-    state.bending_damping[i] = system.bending.damping[i]
+    if (
+        system.bending.stiffness[i] > 0.0
+        and min(state.rest_length[i - 1], state.rest_length[i]) > 0.0
+    ):
+        state.bending_stiffness[i] = system.bending.stiffness[i]
+        state.bending_damping[i] = system.bending.damping[i]
     for k in range(6):
         state.moment[row, k] = 0.0
     state.work.clamps[row] += bent_energy(system, state, state.x) - before

@@ -7,7 +7,8 @@ friction spring's force then, P = I - n n^T and k the contact's stiffness,
     R_t = q            where |q| <= mu R_n                it sticks
           mu R_n q/|q| elsewhere                          it slips
 What is kept to the next step is the spring's part, P (R' - k D), cut to mu R_n. A contact that sticks does
-not creep: its memory is a force. With c = 2 sqrt(k m) a node that hits a surface on its own stays there.
+not creep: its memory is a force. A body that moves is looked at in its own frame, at the time of the forces.
+With c = 2 sqrt(k m) a node that hits a surface on its own stays there.
 Sources: Cundall & Strack 1979, Geotechnique 29:47 (friction with memory); Simo & Hughes, Computational
 Inelasticity, 1998, ch. 2 (return mapping).
 
@@ -21,8 +22,9 @@ from __future__ import annotations
 
 import math
 
-from ropewalk.core.jit import kernel
+from ropewalk.core.jit import kernel, small
 from ropewalk.laws.obstacle_shapes import probe
+from ropewalk.motions.table import place_now
 
 GRIP, PUSH = (
     3,
@@ -31,15 +33,18 @@ GRIP, PUSH = (
 
 
 @kernel
-def turned(spin, row, t):
-    """Return the angle by which an obstacle has turned at time `t` [rad]; `spin` is rate, start, stop."""
-    return spin[row, 0] * min(max(t - spin[row, 1], 0.0), spin[row, 2] - spin[row, 1])
+def surface_at(obstacles, row, t):
+    """Return how far an obstacle has moved [m], its velocity [m/s], its angle [rad] and its rate [rad/s].
 
-
-@kernel
-def spin_rate(spin, row, t):
-    """Return how fast an obstacle turns just after time `t` [rad/s]."""
-    return spin[row, 0] if spin[row, 1] <= t < spin[row, 2] else 0.0
+    Velocity and rate are those just after time `t` [s].
+    """
+    center, spin = obstacles.center[row], obstacles.spin
+    x, y, z, vx, vy, vz = place_now(obstacles.motion, row, t)
+    by_table = place_now(obstacles.turns, row, t)
+    angle = spin[row, 0] * min(max(t - spin[row, 1], 0.0), spin[row, 2] - spin[row, 1])
+    rate = spin[row, 0] if spin[row, 1] <= t < spin[row, 2] else 0.0
+    dx, dy, dz = x - center[0], y - center[1], z - center[2]
+    return dx, dy, dz, vx, vy, vz, angle + by_table[0], rate + by_table[3]
 
 
 @kernel
@@ -55,10 +60,15 @@ def rotated(axis, c, s, x, y, z):
 
 
 @kernel
-def carried(center, axis, angle, grip, place, i, x, y, z):
-    """Return the spring's force R' [N] and the way D [m], both turned with the surface by `angle`."""
+def carried(center, axis, angle, then, grip, place, i, x, y, z):
+    """Return the spring's force R' [N] and the way D [m], both turned with the surface by `angle`.
+
+    x, y, z in the frame of the body; `then` is what `surface_at` gives for when `place` was kept.
+    """
     fx, fy, fz = grip[0, i], grip[1, i], grip[2, i]
-    ox, oy, oz = place[0, i] - center[0], place[1, i] - center[1], place[2, i] - center[2]
+    ox = place[0, i] - then[0] - center[0]
+    oy = place[1, i] - then[1] - center[1]
+    oz = place[2, i] - then[2] - center[2]
     if angle != 0.0:
         c, s = math.cos(angle), math.sin(angle)
         fx, fy, fz = rotated(axis, c, s, fx, fy, fz)
@@ -67,9 +77,9 @@ def carried(center, axis, angle, grip, place, i, x, y, z):
 
 
 @kernel
-def spring_pull(k, center, axis, angle, grip, place, i, x, y, z):
+def spring_pull(k, center, axis, angle, then, grip, place, i, x, y, z):
     """Return R' - k D [N]."""
-    fx, fy, fz, dx, dy, dz = carried(center, axis, angle, grip, place, i, x, y, z)
+    fx, fy, fz, dx, dy, dz = carried(center, axis, angle, then, grip, place, i, x, y, z)
     return fx - k * dx, fy - k * dy, fz - k * dz
 
 
@@ -85,14 +95,15 @@ def contact_forces(x, v, obstacles, memory, now, force, lo, hi):
     for o in range(obstacles.kind.shape[0]):
         kind, center, axis = obstacles.kind[o], obstacles.center[o], obstacles.axis[o]
         size, grip = obstacles.size[o], memory.grip[o]
-        angle = turned(obstacles.spin, o, now[0]) - turned(obstacles.spin, o, now[1])
-        rate = spin_rate(obstacles.spin, o, now[0])
+        mx, my, mz, ux, uy, uz, angle, rate = surface_at(obstacles, o, now[0])
+        then = surface_at(obstacles, o, now[1])
+        angle = angle - then[6]
         wx, wy, wz = rate * axis[0], rate * axis[1], rate * axis[2]
         for i in range(lo, last):
-            px, py, pz = x[0, i], x[1, i], x[2, i]
+            px, py, pz = x[0, i] - mx, x[1, i] - my, x[2, i] - mz
             g, nx, ny, nz, _, _, _, _, _ = probe(kind, center, axis, size, px, py, pz)
-            vx, vy, vz = v[0, i], v[1, i], v[2, i]
-            rise = nx * vx + ny * vy + nz * vz  # the surface stays where it is
+            vx, vy, vz = v[0, i] - ux, v[1, i] - uy, v[2, i] - uz
+            rise = nx * vx + ny * vy + nz * vz  # turning moves no surface out of its place
             k, c = obstacles.stiffness[o, i], obstacles.damping[o, i]
             push = -k * (g - obstacles.thickness[i]) - c * rise
             if not push > 0.0:
@@ -106,13 +117,11 @@ def contact_forces(x, v, obstacles, memory, now, force, lo, hi):
                     vy - (wz * ox - wx * oz),
                     vz - (wx * oy - wy * ox),
                 )
-                sx, sy, sz = spring_pull(k, center, axis, angle, grip, place, i, px, py, pz)
+                sx, sy, sz = spring_pull(k, center, axis, angle, then, grip, place, i, px, py, pz)
                 sx, sy, sz = sx - c * vx, sy - c * vy, sz - c * vz
                 across = nx * sx + ny * sy + nz * sz
                 sx, sy, sz = sx - across * nx, sy - across * ny, sz - across * nz
-                total = math.sqrt(sx * sx + sy * sy + sz * sz)
-                if total > bound:
-                    sx, sy, sz = sx * (bound / total), sy * (bound / total), sz * (bound / total)
+                sx, sy, sz = cut(sx, sy, sz, bound)
             force[0, i] += push * nx + sx
             force[1, i] += push * ny + sy
             force[2, i] += push * nz + sz
@@ -122,32 +131,45 @@ def contact_forces(x, v, obstacles, memory, now, force, lo, hi):
 def remember_contacts(x, v, obstacles, memory, now, stiffness):
     """Keep what the contacts carry at `x` and `v`, the places, and the coefficients of friction there.
 
-    Return how many contacts have closed.
+    Return how many contacts have closed. What surfaces that move give to nodes in the step is added up, too,
+    their force at its end times their way.
     """
     n, place, closed = x.shape[1], memory.place, 0.0
+    dt = now[0] - now[1]
     for o in range(obstacles.kind.shape[0]):
         kind, center, axis = obstacles.kind[o], obstacles.center[o], obstacles.axis[o]
         size, grip = obstacles.size[o], memory.grip[o]
-        angle = turned(obstacles.spin, o, now[0]) - turned(obstacles.spin, o, now[1])
+        mx, my, mz, ux, uy, uz, angle, rate = surface_at(obstacles, o, now[0])
+        then = surface_at(obstacles, o, now[1])
+        angle = angle - then[6]
+        wx, wy, wz = rate * axis[0], rate * axis[1], rate * axis[2]
         for i in range(n):
-            px, py, pz = x[0, i], x[1, i], x[2, i]
+            px, py, pz = x[0, i] - mx, x[1, i] - my, x[2, i] - mz
             g, nx, ny, nz, _, _, _, _, _ = probe(kind, center, axis, size, px, py, pz)
-            rise = nx * v[0, i] + ny * v[1, i] + nz * v[2, i]
-            k = obstacles.stiffness[o, i]
-            push = -k * (g - obstacles.thickness[i]) - obstacles.damping[o, i] * rise
+            vx, vy, vz = v[0, i] - ux, v[1, i] - uy, v[2, i] - uz
+            k, c = obstacles.stiffness[o, i], obstacles.damping[o, i]
+            push = -k * (g - obstacles.thickness[i]) - c * (nx * vx + ny * vy + nz * vz)
             if push > 0.0 and grip[PUSH, i] == 0.0:
                 closed += 1.0
             grip[PUSH, i] = max(push, 0.0)
             bound = grip[GRIP, i] * grip[PUSH, i]
-            sx, sy, sz = 0.0, 0.0, 0.0
+            sx, sy, sz, rx, ry, rz = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+            ox, oy, oz = px - center[0], py - center[1], pz - center[2]
+            gx, gy, gz = wy * oz - wz * oy, wz * ox - wx * oz, wx * oy - wy * ox
             if bound > 0.0:
-                sx, sy, sz = spring_pull(k, center, axis, angle, grip, place, i, px, py, pz)
+                sx, sy, sz = spring_pull(k, center, axis, angle, then, grip, place, i, px, py, pz)
                 across = nx * sx + ny * sy + nz * sz
                 sx, sy, sz = sx - across * nx, sy - across * ny, sz - across * nz
-                total = math.sqrt(sx * sx + sy * sy + sz * sz)
-                if total > bound:
-                    sx, sy, sz = sx * (bound / total), sy * (bound / total), sz * (bound / total)
+                rx, ry, rz = sx - c * (vx - gx), sy - c * (vy - gy), sz - c * (vz - gz)
+                sx, sy, sz = cut(sx, sy, sz, bound)
+                across = nx * rx + ny * ry + nz * rz
+                rx, ry, rz = rx - across * nx, ry - across * ny, rz - across * nz
+                rx, ry, rz = cut(rx, ry, rz, bound)
             grip[0, i], grip[1, i], grip[2, i] = sx, sy, sz
+            if push > 0.0:
+                rx, ry, rz = rx + push * nx, ry + push * ny, rz + push * nz
+                power = rx * (ux + gx) + ry * (uy + gy) + rz * (uz + gz)
+                memory.given[i] += max(dt * power, 0.0)
             turn = turn_towards(x, i, nx, ny, nz, stiffness)
             grip[GRIP, i] = on_polygon(obstacles.friction[o], turn)
     for k in range(3):
@@ -156,20 +178,30 @@ def remember_contacts(x, v, obstacles, memory, now, stiffness):
     return closed
 
 
+@small
+def cut(x, y, z, bound):
+    """Return a vector, no longer than `bound`."""
+    total = math.sqrt(x * x + y * y + z * z)
+    if total > bound:
+        share = bound / total
+        return x * share, y * share, z * share
+    return x, y, z
+
+
 @kernel
-def count_closing(x, v, obstacles, memory):
-    """Return how many contacts that were open close on the way to `x` and `v`."""
+def count_closing(x, v, obstacles, memory, now):
+    """Return how many contacts that were open close on the way to `x` and `v`, at the time `now` has."""
     closing = 0.0
     for o in range(obstacles.kind.shape[0]):
         kind, center, axis = obstacles.kind[o], obstacles.center[o], obstacles.axis[o]
         size, grip = obstacles.size[o], memory.grip[o]
+        mx, my, mz, ux, uy, uz, _, _ = surface_at(obstacles, o, now[0])
         for i in range(x.shape[1]):
             if grip[PUSH, i] > 0.0:
                 continue
-            g, nx, ny, nz, _, _, _, _, _ = probe(
-                kind, center, axis, size, x[0, i], x[1, i], x[2, i]
-            )
-            rise = nx * v[0, i] + ny * v[1, i] + nz * v[2, i]
+            px, py, pz = x[0, i] - mx, x[1, i] - my, x[2, i] - mz
+            g, nx, ny, nz, _, _, _, _, _ = probe(kind, center, axis, size, px, py, pz)
+            rise = nx * (v[0, i] - ux) + ny * (v[1, i] - uy) + nz * (v[2, i] - uz)
             push = -obstacles.stiffness[o, i] * (g - obstacles.thickness[i])
             if push - obstacles.damping[o, i] * rise > 0.0:
                 closing += 1.0
@@ -202,37 +234,27 @@ def on_polygon(friction, turn):
 
 
 @kernel
-def contact_energy(x, obstacles):
-    """Return what the obstacles' surfaces have stored where they are pressed in [J]."""
+def contact_energy(x, obstacles, t):
+    """Return what the obstacles' surfaces have stored where they are pressed in at time `t` [J]."""
     total = 0.0
     for o in range(obstacles.kind.shape[0]):
         kind, center, axis = obstacles.kind[o], obstacles.center[o], obstacles.axis[o]
         size = obstacles.size[o]
+        mx, my, mz, _, _, _, _, _ = surface_at(obstacles, o, t)
         for i in range(x.shape[1]):
-            g = probe(kind, center, axis, size, x[0, i], x[1, i], x[2, i])[0]
-            depth = obstacles.thickness[i] - g
+            px, py, pz = x[0, i] - mx, x[1, i] - my, x[2, i] - mz
+            depth = obstacles.thickness[i] - probe(kind, center, axis, size, px, py, pz)[0]
             if depth > 0.0:
                 total += 0.5 * obstacles.stiffness[o, i] * depth * depth
     return total
 
 
 @kernel
-def contact_power(x, obstacles):
-    """Return the most that friction on what turns can put in per time [W], at these depths."""
+def contact_given(memory):
+    """Return what moving and turning surfaces have given to ropes so far [J], never less."""
     total = 0.0
-    for o in range(obstacles.kind.shape[0]):
-        rate = abs(obstacles.spin[o, 0])
-        if rate == 0.0:
-            continue
-        kind, center, axis = obstacles.kind[o], obstacles.center[o], obstacles.axis[o]
-        size = obstacles.size[o]
-        for i in range(x.shape[1]):
-            g = probe(kind, center, axis, size, x[0, i], x[1, i], x[2, i])[0]
-            depth = obstacles.thickness[i] - g
-            if depth > 0.0:
-                px, py, pz = x[0, i] - center[0], x[1, i] - center[1], x[2, i] - center[2]
-                arm = math.sqrt(px * px + py * py + pz * pz)
-                total += obstacles.friction[o] * obstacles.stiffness[o, i] * depth * rate * arm
+    for i in range(memory.given.shape[0]):
+        total += memory.given[i]
     return total
 
 

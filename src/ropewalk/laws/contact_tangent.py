@@ -13,7 +13,7 @@ from __future__ import annotations
 import math
 
 from ropewalk.core.jit import kernel
-from ropewalk.laws.contact import GRIP, spin_rate, spring_pull, turned
+from ropewalk.laws.contact import GRIP, spring_pull, surface_at
 from ropewalk.laws.obstacle_shapes import probe
 
 
@@ -24,13 +24,14 @@ def contact_tangent(x, v, obstacles, memory, now, weight_x, weight_v, band):
     for o in range(obstacles.kind.shape[0]):
         kind, center, axis = obstacles.kind[o], obstacles.center[o], obstacles.axis[o]
         size, grip = obstacles.size[o], memory.grip[o]
-        angle = turned(obstacles.spin, o, now[0]) - turned(obstacles.spin, o, now[1])
-        rate = spin_rate(obstacles.spin, o, now[0])
+        mx, my, mz, ux, uy, uz, angle, rate = surface_at(obstacles, o, now[0])
+        then = surface_at(obstacles, o, now[1])
+        angle = angle - then[6]
         wx, wy, wz = rate * axis[0], rate * axis[1], rate * axis[2]
         for i in range(x.shape[1]):
-            px, py, pz = x[0, i], x[1, i], x[2, i]
+            px, py, pz = x[0, i] - mx, x[1, i] - my, x[2, i] - mz
             g, nx, ny, nz, ax, ay, az, ca, cb = probe(kind, center, axis, size, px, py, pz)
-            vx, vy, vz = v[0, i], v[1, i], v[2, i]
+            vx, vy, vz = v[0, i] - ux, v[1, i] - uy, v[2, i] - uz
             k, c = obstacles.stiffness[o, i], obstacles.damping[o, i]
             push = -k * (g - obstacles.thickness[i]) - c * (nx * vx + ny * vy + nz * vz)
             if not push > 0.0:
@@ -56,7 +57,7 @@ def contact_tangent(x, v, obstacles, memory, now, weight_x, weight_v, band):
                     vy - (wz * ox - wx * oz),
                     vz - (wx * oy - wy * ox),
                 )
-                sx, sy, sz = spring_pull(k, center, axis, angle, grip, place, i, px, py, pz)
+                sx, sy, sz = spring_pull(k, center, axis, angle, then, grip, place, i, px, py, pz)
                 pull = (sx - c * vx, sy - c * vy, sz - c * vz)
                 own, turn = weight_x * k + weight_v * c, weight_x * c
                 turning = (turn * wx, turn * wy, turn * wz)

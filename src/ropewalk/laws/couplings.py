@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from ropewalk.core.jit import part
+from ropewalk.core.jit import kernel, part
 from ropewalk.laws.node_law import NodeLaw
 from ropewalk.laws.nodes import fold, whether
 from ropewalk.laws.rare import acts
@@ -58,6 +58,80 @@ def _coupling(law: NodeLaw, k: int, rest: Any) -> Any:
 
 add_couplings = fold(_coupling, _nothing_more, "couple")
 """add_couplings(system, state, x, v, weight_x, weight_v, network): add the tangents of these laws."""
+
+
+@part
+def _nothing_along(system, state, x, v, d, weight_x, weight_v):
+    return 0.0
+
+
+def _going(law: NodeLaw, k: int, rest: Any) -> Any:
+    along = law.along
+
+    @part
+    def _along(system, state, x, v, d, weight_x, weight_v):
+        total = 0.0
+        if acts(system, k):
+            total += along(system.node[k], state, x, v, d, weight_x, weight_v)
+        return total + rest(system, state, x, v, d, weight_x, weight_v)
+
+    return _along
+
+
+along_couplings = fold(_going, _nothing_along, "along")
+"""along_couplings(system, state, x, v, d, weight_x, weight_v): d . K d of these tangents [N m]."""
+
+
+@part
+def _nothing_stored(system, state, x):
+    return 0.0
+
+
+def _storing(law: NodeLaw, k: int, rest: Any) -> Any:
+    energy = law.energy
+
+    @part
+    def _stored(system, state, x):
+        total = rest(system, state, x)
+        if acts(system, k):
+            total += energy(system.node[k], state, x)
+        return total
+
+    return _stored
+
+
+coupled_energy = fold(_storing, _nothing_stored, "couple")
+"""coupled_energy(system, state, x): return what these laws have stored [J]."""
+
+
+@part
+def _no_work(system, forces, v0, v1, dt):
+    return 0.0
+
+
+def _working(law: NodeLaw, k: int, rest: Any) -> Any:
+    @part
+    def _work(system, forces, v0, v1, dt):
+        total = rest(system, forces, v0, v1, dt)
+        if acts(system, k):
+            total += work_on_nodes(forces[k], v0, v1, dt)
+        return total
+
+    return _work
+
+
+coupled_work = fold(_working, _no_work, "couple")
+"""coupled_work(system, forces, v0, v1, dt): return what they do to the nodes in a step [J]."""
+
+
+@kernel
+def work_on_nodes(force, v0, v1, dt):
+    """Return the work of forces on nodes, (3, n), in a step from velocities v0 to v1 [J]."""
+    total = 0.0
+    for k in range(3):
+        for i in range(v0.shape[1]):
+            total += force[k, i] * (v0[k, i] + v1[k, i])
+    return 0.5 * dt * total
 
 
 @part

@@ -17,9 +17,9 @@ import math
 from ropewalk.core.jit import kernel
 from ropewalk.core.status import TAKEN
 from ropewalk.laws.clamps import bent_energy
+from ropewalk.laws.curved import stored_energy
 from ropewalk.laws.ledger import gravity_energy, kinetic_energy
 from ropewalk.laws.rare import has_bending, limits
-from ropewalk.laws.stretch import elastic_energy
 
 AT_BOUND = 1e-9  # [1] a stretch this close to its bound counts as at it
 ATTEMPTS = 8  # solves for the impulses at most; each but the last lets go of what would be pulled
@@ -76,7 +76,7 @@ def _potential(system, state):
     bending = bent_energy(system, state, state.x) if has_bending(system) else 0.0
     return (
         gravity_energy(state.x, state.mass, system.gravity)
-        + elastic_energy(state.x, state.rest_length, state.stiffness, system.slack_floor)
+        + stored_energy(system, state, state.x)
         + bending
     )
 
@@ -101,9 +101,9 @@ def sweep(system, state):
         dy = x[1, j + 1] - x[1, j]
         dz = x[2, j + 1] - x[2, j]
         r = math.sqrt(dx * dx + dy * dy + dz * dz)
-        if r == 0.0:
-            continue
         length = state.rest_length[j]
+        if r == 0.0 or state.stiffness[j] == 0.0:  # it has parted
+            continue
         wanted = min(max(r, limiter.shortest * length), limiter.longest * length)
         if wanted == r:
             continue

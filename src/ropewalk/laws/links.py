@@ -24,10 +24,10 @@ from ropewalk.core.band import clear_band
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.network import SOFTEST, solve_network
 from ropewalk.laws.anchors import anchor_target
+from ropewalk.laws.curved import tensions
 from ropewalk.laws.joint_forces import note_joint_forces
 from ropewalk.laws.joints import follow, tied_to
 from ropewalk.laws.rare import are_tied, limits
-from ropewalk.laws.stretch import segment_tension
 from ropewalk.laws.table import accelerate, force_on_node
 
 SLACK = 1e-9  # [1] a tension-only link shorter by this part is slack
@@ -55,9 +55,8 @@ def hold_links(system, state, t, saddle):
         return links
     clear_links(state.stiffness, state.tension, state.forces.elastic)
     if limits(system):
-        floor, forces = system.slack_floor, state.forces
-        segment_tension(state.x, state.rest_length, state.stiffness, floor, state.tension)
-        clear_bounds(forces.limiter)
+        tensions(system, state, state.tension)
+        clear_bounds(state.forces.limiter)
     accelerate(system, state, state.forces, state.acceleration)
     sway_anchors(system, state, t, saddle.factor[0], saddle.factor[1])
     for _ in range(ATTEMPTS):

@@ -33,13 +33,14 @@ class NodeLaw(NamedTuple):
     """A law of nodes. x and v are (3, n), [m] and [m/s]; `marks` (n,) are the law's own."""
 
     name: str
-    section: str  # the field of the scene that it is made from
+    section: str  # the field or property of the scene that it is made from
     lower: Callable[..., Any]  # (section or None, *inputs): its table, a named tuple
     inputs: tuple[
         str, ...
-    ]  # what else that follows from: "layout", "diameters", "ropes", "up", "whole", "joints"
+    ]  # what else that follows from: "layout", "diameters", "ropes", "up", "whole", "joints", "parts"
     acts: Callable[[Any], bool]  # (table): whether there is any force
-    force: Any  # part (table, state, x, v, force, lo, hi): write it, for nodes `lo` to `hi - 1`
+    # part (table, state, x, v, force, lo, hi): write it, for nodes `lo` to `hi - 1`; None: there is never any
+    force: Any
     # part (table, state, x, v, weight_x, weight_v, marks, band): add -(weight_x dF/dx + weight_v dF/dv)
     tangent: Any
 
@@ -60,6 +61,8 @@ class NodeLaw(NamedTuple):
         None  # part (table, state, x): the most that it can put in per time beyond that [W]
     )
 
+    given: Any = None  # part (table, state, x): what it has put in so far beyond that [J], where that is kept
+
     # A law with a memory. It is part of the state, and so of snapshots, islands and checkpoints.
     # (table, x, stiffness of the segments): at the start, a named tuple of arrays; the last axis counts nodes
     memory: Callable[..., Any] | None = None
@@ -79,6 +82,9 @@ class NodeLaw(NamedTuple):
     )
     # part (table, state, x, v, weight_x, weight_v, network): add -(weight_x dF/dx + weight_v dF/dv)
     couple: Any = None
+    along: Any = (
+        None  # part (table, state, x, v, d, weight_x, weight_v): d . K d of it [N m], d (3, n) [m]
+    )
     # part (table, state, x): whether a step from the state to there may stand: 0, is to be solved again with
     # what was found on its way: 1, or to be halved: 2
     meet: Any = None

@@ -348,6 +348,8 @@ node_energy = _adding_up("energy")
 """node_energy(system, state, x): return the potential energy of all laws [J]."""
 node_power = _adding_up("power")
 """node_power(system, state, x): return the most that they can put in per time beyond that [W]."""
+node_given = _adding_up("given")
+"""node_given(system, state, x): return what they have put in so far beyond that [J], where it is kept."""
 node_rounding = _adding_up("rounding")
 """node_rounding(system, state, x): return what rounding of places does to the forces of stiff laws [N]."""
 

@@ -20,7 +20,7 @@ from ropewalk.core.ranges import ALL
 from ropewalk.laws.contact import (
     contact_energy,
     contact_forces,
-    contact_power,
+    contact_given,
     contact_rounding,
     count_closing,
     remember_contacts,
@@ -28,6 +28,8 @@ from ropewalk.laws.contact import (
 from ropewalk.laws.contact_tangent import contact_tangent
 from ropewalk.laws.node_law import NodeLaw, Rest
 from ropewalk.laws.obstacle_shapes import BOX, CAPSULE, CYLINDER, PLANE, SPHERE, TORUS, probe
+from ropewalk.motions.rows import Motions, jumps, largest_speed, motion_rows
+from ropewalk.motions.table import FIXED, TABLE, place_now
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -54,13 +56,15 @@ class Obstacles(NamedTuple):
     """Obstacles, one row each; k of them."""
 
     kind: Ints  # (k,)
-    center: Floats  # (k, 3) a point of the plane, or the middle [m]
+    center: Floats  # (k, 3) at time zero a point of the plane, or the middle [m]
     axis: Floats  # (k, 3) unit vector; the normal of a plane
     # (k, 4) radius, half length; of a ring that of the circle and of the bar; of a box without its edges
     # half sizes, then the edges' radius [m]
     size: Floats
     friction: Floats  # (k,) [1]
     spin: Floats  # (k, 3) [rad/s], start and stop [s]
+    motion: Motions  # of `center`
+    turns: Motions  # x is the angle about the axis [rad], besides that of `spin`
     stiffness: Floats  # (k, n) of a contact, across and along [N/m]
     damping: Floats  # (k, n) [N s/m]
     thickness: Floats  # (n,) from the rope's middle to its surface [m]
@@ -71,6 +75,9 @@ class Memory(NamedTuple):
 
     grip: Floats  # (k, 5, n) force of the friction spring [N], coefficient of friction, R_n [N]
     place: Floats  # (3, n) [m]
+    given: (
+        Floats  # (n,) what surfaces that move have given to nodes so far, where they gave any [J]
+    )
 
 
 def lower(
@@ -96,13 +103,19 @@ def lower(
     for row, body in enumerate(bodies):
         stiffness[row] = own if body.compliance is None else 1.0 / body.compliance
     places = [_place(body) for body in bodies]
+    centers = np.array([place[0] for place in places], dtype=np.float64).reshape(count, 3)
+    motion = motion_rows([body.motion for body in bodies], centers)
+    for moved in np.flatnonzero(motion.kind == TABLE):
+        centers[moved] = place_now(motion, moved, 0.0)[:3]
     return Obstacles(
         kind=np.array([KINDS[body.kind] for body in bodies], dtype=np.int64),
-        center=np.array([place[0] for place in places], dtype=np.float64).reshape(count, 3),
+        center=centers,
         axis=np.array([place[1] for place in places], dtype=np.float64).reshape(count, 3),
         size=np.array([place[2] for place in places], dtype=np.float64).reshape(count, 4),
         friction=np.array([body.friction for body in bodies], dtype=np.float64),
         spin=np.array([_spin(body) for body in bodies], dtype=np.float64).reshape(count, 3),
+        motion=motion,
+        turns=motion_rows([_turning(body) for body in bodies], np.zeros((count, 3))),
         stiffness=stiffness,
         damping=2.0 * DAMPING * np.sqrt(stiffness * mass),
         thickness=thickness,
@@ -163,8 +176,17 @@ def _unit(direction: Any) -> Floats:
 
 
 def _spin(body: Any) -> tuple[float, float, float]:
+    """Return what turns at one rate [rad/s], and from when to when [s]."""
     spin = getattr(body, "spin", None)
-    return (0.0, 0.0, math.inf) if spin is None else (spin.rate, spin.start, spin.stop)
+    if spin is None or spin.rate is None:
+        return 0.0, 0.0, math.inf
+    return spin.rate, spin.start, spin.stop
+
+
+def _turning(body: Any) -> Any:
+    """Return the angles of what turns by a table, as a motion along x; None else."""
+    spin = getattr(body, "spin", None)
+    return None if spin is None or spin.rate is not None else spin.as_motion()
 
 
 def acts(obstacles: Obstacles) -> bool:
@@ -176,15 +198,16 @@ def memory(obstacles: Obstacles, x: Floats, stiffness: Floats) -> Memory:
     """Return what is remembered at the start, for nodes at places (3, n) [m]: no force."""
     count, n = len(obstacles.kind), x.shape[1]
     if count == 0:
-        return Memory(np.zeros((0, 5, n)), np.zeros((3, 0)))
-    found = Memory(np.zeros((count, 5, n)), x.copy())
+        return Memory(np.zeros((0, 5, n)), np.zeros((3, 0)), np.zeros(0))
+    found = Memory(np.zeros((count, 5, n)), x.copy(), np.zeros(n))
     remember_contacts(x, np.zeros_like(x), obstacles, found, np.zeros(2), stiffness)
     return found
 
 
 def kinks(obstacles: Obstacles) -> Floats:
-    """Return the times at which an obstacle begins or ceases to turn [s]."""
-    return obstacles.spin[:, 1:].ravel()
+    """Return the times at which the velocity or the turning of an obstacle jumps [s]."""
+    spin = obstacles.spin[:, 1:].ravel()
+    return np.concatenate([spin, jumps(obstacles.motion), jumps(obstacles.turns)])
 
 
 @part
@@ -209,7 +232,7 @@ def remember(obstacles, state):
 @part
 def hits(obstacles, state, x, v):
     """Return how many contacts close on the way from the state to `x` and `v`."""
-    return count_closing(x, v, obstacles, state.memory.obstacle)
+    return count_closing(x, v, obstacles, state.memory.obstacle, state.now)
 
 
 @part
@@ -228,13 +251,13 @@ def rounding(obstacles, state, x):
 @part
 def energy(obstacles, state, x):
     """Return what the surfaces have stored [J]."""
-    return contact_energy(x, obstacles)
+    return contact_energy(x, obstacles, state.now[0])
 
 
 @part
-def power(obstacles, state, x):
-    """Return the most that turning obstacles can put in per time [W]."""
-    return contact_power(x, obstacles)
+def given(obstacles, state, x):
+    """Return what moving and turning obstacles have given so far [J]."""
+    return contact_given(state.memory.obstacle)
 
 
 def at_rest(obstacles: Obstacles) -> Rest:
@@ -243,17 +266,58 @@ def at_rest(obstacles: Obstacles) -> Rest:
 
 
 def touched(obstacles: Obstacles, x: Floats) -> Any:
-    """Return which nodes are below the surface of an obstacle, (n,)."""
+    """Return which nodes are below the surface of an obstacle where it starts, (n,)."""
     return (depths(obstacles, x) > 0.0).any(axis=0)
 
 
-def depths(obstacles: Obstacles, x: Floats) -> Floats:
-    """Return how deep nodes at places (3, n) [m] are in every obstacle, (k, n) [m]; negative outside."""
+def depths(obstacles: Obstacles, x: Floats, t: float = 0.0) -> Floats:
+    """Return how deep nodes at places (3, n) [m] are in every obstacle at time `t` [s], (k, n) [m].
+
+    Negative outside.
+    """
     found = np.empty((len(obstacles.kind), x.shape[1]))
     for o, kind in enumerate(obstacles.kind):
         parts = obstacles.center[o], obstacles.axis[o], obstacles.size[o]
-        found[o] = [probe(kind, *parts, *map(float, place))[0] for place in x.T]
+        places = x.T - moved_by(obstacles, o, t)
+        found[o] = [probe(kind, *parts, *map(float, place))[0] for place in places]
     return obstacles.thickness - found
+
+
+def moves(obstacles: Obstacles, row: int) -> bool:
+    """Tell whether an obstacle ever leaves the place where it starts."""
+    return bool(obstacles.motion.kind[row] != FIXED)
+
+
+def moved_by(obstacles: Obstacles, row: int, t: float) -> Floats:
+    """Return by how much an obstacle has moved at time `t` [s], (3,) [m]."""
+    return np.array(place_now(obstacles.motion, row, t)[:3]) - obstacles.center[row]
+
+
+def turning_rate(obstacles: Obstacles, row: int) -> float:
+    """Return the largest rate at which an obstacle turns [rad/s]."""
+    return abs(float(obstacles.spin[row, 0])) + largest_speed(obstacles.turns, row)
+
+
+def surface_speed(obstacles: Obstacles, row: int) -> float:
+    """Return the largest speed of what an obstacle's motion and turning drag along [m/s].
+
+    A plane or a torus drags at most what is as far from its axis as the solid reaches; that of a plane is not
+    known, and its turning not counted.
+    """
+    size, kind = obstacles.size[row], obstacles.kind[row]
+    reach = size[0] + (size[1] if kind == TORUS else 0.0)
+    turning = turning_rate(obstacles, row)
+    return largest_speed(obstacles.motion, row) + (0.0 if kind == BOX else turning * float(reach))
+
+
+def standing(obstacles: Obstacles) -> Obstacles:
+    """Return the same obstacles at rest where they start."""
+    still = [None] * len(obstacles.kind)
+    return obstacles._replace(
+        spin=np.zeros_like(obstacles.spin),
+        motion=motion_rows(still, obstacles.center),
+        turns=motion_rows(still, np.zeros_like(obstacles.center)),
+    )
 
 
 def cases(obstacles: Obstacles, chain: Chain) -> dict[str, Chain]:
@@ -282,7 +346,7 @@ OBSTACLE = NodeLaw(
     rounding=rounding,
     kinks=kinks,
     energy=energy,
-    power=power,
+    given=given,
     at_rest=at_rest,
     bears=touched,
     cases=cases,

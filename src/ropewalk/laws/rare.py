@@ -18,6 +18,12 @@ def has_bending(system):
 
 
 @part
+def has_curves(system):
+    """Tell whether the tension of any segment is no straight line of its strain."""
+    return system.rare is not None and system.curves.piece.shape[0] > 0
+
+
+@part
 def limits(system):
     """Tell whether the stretch is bounded."""
     return system.rare is not None and system.limiter.active == 1
@@ -55,6 +61,12 @@ def any_acts(system):
         for k in range(system.acts.shape[0]):
             acting += system.acts[k]
     return acting > 0
+
+
+@part
+def parts(system):
+    """Tell whether any rope can part."""
+    return system.rare is not None and system.node.parting.strength.shape[0] > 0
 
 
 @part

@@ -10,9 +10,10 @@ from ropewalk.laws.ground import GROUND
 from ropewalk.laws.node_law import NodeLaw
 from ropewalk.laws.obstacle import OBSTACLE
 from ropewalk.laws.pairs.law import CONTACT
+from ropewalk.laws.parting import PARTING
 
 #: Forces are summed and works recorded in this order.
-NODE_LAWS: tuple[NodeLaw, ...] = (AIR, GROUND, OBSTACLE, CONTACT)
+NODE_LAWS: tuple[NodeLaw, ...] = (AIR, GROUND, OBSTACLE, CONTACT, PARTING)
 
 NAMES = tuple(law.name for law in NODE_LAWS)
 _named: Any = namedtuple  # mypy wants the names in letters

@@ -7,9 +7,18 @@ from ropewalk.core.jit import kernel, part
 from ropewalk.core.ranges import ALL, rows
 from ropewalk.laws.bending import bending_forces, bending_friction
 from ropewalk.laws.clamps import clamp_forces
+from ropewalk.laws.curved import curved_forces
 from ropewalk.laws.joints import tie
 from ropewalk.laws.nodes import add_node_force, node_forces, on_channels, remembers
-from ropewalk.laws.rare import any_acts, are_tied, has_bending, has_clamps, limits, winds
+from ropewalk.laws.rare import (
+    any_acts,
+    are_tied,
+    has_bending,
+    has_clamps,
+    has_curves,
+    limits,
+    winds,
+)
 from ropewalk.laws.stretch import (
     axial_friction,
     drop_slack_friction,
@@ -28,6 +37,9 @@ def evaluate(system, state, x, v, forces, lo=0, hi=ALL):
     """
     floor = system.slack_floor
     elastic_forces(x, state.rest_length, state.stiffness, floor, forces.elastic, lo, hi)
+    if has_curves(system):
+        lengths, k, curves = state.rest_length, state.stiffness, system.curves
+        curved_forces(x, lengths, k, floor, curves, forces.elastic, lo, hi)
     rub_segments(system, state, x, v, forces, lo, hi)
     if system.flags[TENSION_ONLY] == 1:
         drop_slack_friction(x, state.rest_length, floor, forces.friction, lo, hi)
@@ -146,8 +158,9 @@ def has_plain_forces(system):
 
 @part
 def has_plain_springs(system, state):
-    """Tell whether, besides, no segment goes slack and none grows."""
-    return system.flags[TENSION_ONLY] == 0 and not winds(system, state)
+    """Tell whether, besides, no segment goes slack or grows, and none has a curve."""
+    more = winds(system, state) or has_curves(system)
+    return system.flags[TENSION_ONLY] == 0 and not more
 
 
 @part

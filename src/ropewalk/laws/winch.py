@@ -13,9 +13,10 @@ from __future__ import annotations
 import math
 
 from ropewalk.core.jit import kernel
+from ropewalk.laws.curved import stored_energy
 from ropewalk.laws.ledger import gravity_energy, kinetic_energy
-from ropewalk.laws.rare import winds
-from ropewalk.laws.stretch import elastic_energy
+from ropewalk.laws.parting import has_parted
+from ropewalk.laws.rare import parts, winds
 
 SPLIT = 1.6  # [1] times the nominal segment length
 MERGE = 0.4
@@ -31,7 +32,11 @@ def run_winches(system, state, t, dt):
     potential = _potential(system, state)
     for row in range(state.winch_exit.shape[0]):
         state.winch_rate[row] = 0.0
-        if state.held[system.winches.anchor[row]] == 1:  # a drum that was let go does not turn
+        low = min(system.winches.first[row], system.winches.last[row])
+        high = max(system.winches.first[row], system.winches.last[row])
+        whole = not (parts(system) and has_parted(state.memory.parting.time, low, high))
+        # A drum that was let go does not turn, nor one whose rope has parted.
+        if state.held[system.winches.anchor[row]] == 1 and whole:
             turn(system.winches, state, row, t, dt)
         follow_drum(system.winches, state, row)
     state.work.winch[0] += kinetic_energy(state.v, state.mass) - kinetic
@@ -42,8 +47,8 @@ def run_winches(system, state, t, dt):
 
 @kernel
 def _potential(system, state):
-    return gravity_energy(state.x, state.mass, system.gravity) + elastic_energy(
-        state.x, state.rest_length, state.stiffness, system.slack_floor
+    return gravity_energy(state.x, state.mass, system.gravity) + stored_energy(
+        system, state, state.x
     )
 
 

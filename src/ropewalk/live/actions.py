@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ropewalk.core.arrays import Floats
-from ropewalk.live import edits
+from ropewalk.live import edits, ties
 from ropewalk.live.commands import (
     Back,
     Compare,
@@ -18,6 +18,7 @@ from ropewalk.live.commands import (
     Drop,
     Grab,
     Kick,
+    Knot,
     LetGo,
     Load,
     Move,
@@ -27,11 +28,13 @@ from ropewalk.live.commands import (
     SceneCommand,
     Set,
     Speed,
+    Tie,
     Undo,
     Unpin,
     Untie,
     Vector,
 )
+from ropewalk.live.counterparts import counterpart, segment_of
 from ropewalk.live.hands import FASTEST, MOST_GRABS, Target
 from ropewalk.live.hands import Grab as Grabbed
 from ropewalk.live.parameters import named, refusal
@@ -40,7 +43,6 @@ from ropewalk.live.sources import Read, Start, from_toml, scene_of
 from ropewalk.live.track import Track
 from ropewalk.lowering import Layout
 from ropewalk.scene import Scene
-from ropewalk.simulation import Simulation
 
 if TYPE_CHECKING:
     from ropewalk.live.session import Session
@@ -174,7 +176,7 @@ def unpin(session: Session, command: Unpin, client: int) -> str:
 
 def cut(session: Session, command: Cut, client: int) -> str:
     main = session.main.simulation
-    middles = [_segment(main, track.simulation, command.segment) for track in session.tracks]
+    middles = [segment_of(main, track.simulation, command.segment) for track in session.tracks]
     note = ""
     for track, segment in zip(session.tracks, middles, strict=True):
         if segment is not None:
@@ -189,6 +191,29 @@ def untie(session: Session, command: Untie, client: int) -> str:
         if track is session.main or command.joint in [one.name for one in track.scene.joints]:
             track.restructure(partial(edits.untie, name=command.joint))
     return _structured(session)
+
+
+def tie(session: Session, command: Tie, client: int) -> str:
+    main, note = session.main.simulation, ""
+    for node in (command.node, command.other):
+        edits.at_node(main.layout, node)
+    for track in session.tracks:
+        pair = [counterpart(main, track.simulation, i) for i in (command.node, command.other)]
+        if pair[0] is not None and pair[1] is not None:
+            said = ties.begin(track, (pair[0], pair[1]), client)
+            note = note or said
+    _structured(session)
+    return note
+
+
+def knot(session: Session, command: Knot, client: int) -> str:
+    notes = [
+        ties.end(track, pull)
+        for track in session.tracks
+        for pull in track.hands.over(track.simulation)
+    ]
+    _structured(session)
+    return "; ".join(dict.fromkeys(filter(None, notes)))
 
 
 def load(session: Session, command: Load, client: int) -> str:
@@ -340,51 +365,9 @@ def _structured(session: Session) -> str:
     return ""
 
 
-def counterpart(main: Simulation, other: Simulation, node: int) -> int | None:
-    """Return the node of another variant that stands for a node of the first one."""
-    if main is other or not 0 <= node < main.layout.nodes:
-        return node
-    name, number = main.layout.rope_of(node)
-    spans = {span.name: span for span in other.layout.ropes}
-    if name not in spans:
-        return None
-    here, there = main.layout.span(name), spans[name]
-    share = number / max(here.end - here.start, 1)
-    return there.start + round(share * (there.end - there.start))
-
-
-def counterparts(here: Simulation, there: Simulation) -> Floats | None:
-    """Return for every node of `here` its place among the nodes of `there`, fractional, (n,).
-
-    None when a rope is missing there.
-    """
-    spans = {span.name: span for span in there.layout.ropes}
-    found = np.zeros(here.layout.nodes)
-    for span in here.layout.ropes:
-        if span.name not in spans:
-            return None
-        other = spans[span.name]
-        found[span.first : span.last + 1] = np.linspace(other.first, other.last, span.nodes)
-    return found
-
-
-def _segment(main: Simulation, other: Simulation, segment: int) -> int | None:
-    """Return the segment of another variant in which the middle of one of the first lies."""
-    if main is other or not 0 <= segment < main.layout.segments:
-        return segment
-    name, number = main.layout.rope_of(segment)
-    spans = {span.name: span for span in other.layout.ropes}
-    if name not in spans:
-        return None
-    here, there = main.layout.span(name), spans[name]
-    count = there.end - there.start
-    share = (number + 0.5) / max(here.end - here.start, 1)
-    return there.start + min(int(share * count), count - 1)
-
-
 ACTIONS: dict[str, Callable[[Session, Any, int], str]] = {
     "speed": speed, "reset": reset, "set": set_, "move": move, "drag": drag, "drop": drop,
     "grab": grab, "let_go": let_go, "pin": pin, "unpin": unpin, "cut": cut, "load": load,
-    "untie": untie, "kick": kick, "scene": scene, "compare": compare, "back": back, "undo": undo,
-    "remedy": remedy,
+    "untie": untie, "tie": tie, "knot": knot, "kick": kick, "scene": scene, "compare": compare,
+    "back": back, "undo": undo, "remedy": remedy,
 }  # fmt: skip

@@ -19,7 +19,7 @@ from ropewalk.core.cache import is_compiled
 from ropewalk.live import describe
 from ropewalk.live.aside import aside
 from ropewalk.live.audience import Audience, Nobody
-from ropewalk.live.commands import Back, Command, Remedy, SceneCommand, Set
+from ropewalk.live.commands import COMMANDS, Back, Command, LetGo, Remedy, SceneCommand, Set
 from ropewalk.live.ear import Ear
 from ropewalk.live.explainer import Explainer
 from ropewalk.live.frame import BROKEN, GRABBED, PLAYING, SLOW, Clockwork, encode
@@ -80,9 +80,7 @@ class Broadcast:
     @property
     def can(self) -> list[str]:
         """The types of commands that are accepted."""
-        from ropewalk.live.commands import COMMANDS
-
-        return [name for name in COMMANDS if name not in ("seek", "ack")]
+        return [name for name in COMMANDS if name not in ("seek", "ack", "knot")]
 
     # -- commands -----------------------------------------------------------------------
 
@@ -242,8 +240,6 @@ class Broadcast:
 
     def leave(self, client: int) -> None:
         """End what a page held: its grabs, drags and keys."""
-        from ropewalk.live.commands import LetGo
-
         self.ear.listen(client, False)
         if any(track.hands.holds(client) for track in self.session.tracks):
             self.session.apply(LetGo(type="let_go"), client)
@@ -274,6 +270,10 @@ class Broadcast:
                 self._done(item.what, item.reply)
             self._dirty = True
             self.wake()
+        if (note := self.session.end_ties()) is not None:
+            self._note(note)
+            self._dirty = True
+            self.refresh()
         self._look_at_break()
         found = self.meter.take()
         if found is not None:

@@ -5,7 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from ropewalk.core.arrays import Floats, State, assign, flatten
+from ropewalk.laws.pairs.law import memory as found_contacts
+from ropewalk.laws.pairs.search import NOWHERE
 from ropewalk.lowering import Model, build, with_all_laws
+from ropewalk.lowering.contact_checks import deepest, refuse_pressing
 from ropewalk.lowering.joint_tables import tied_with
 from ropewalk.scene import Scene
 from ropewalk.simulation import Simulation
@@ -35,13 +38,25 @@ def carry_over(old: Simulation, scene: Scene, source: Floats) -> Simulation:
     state = model.state
     state.x[...] = _interpolated(old.arrays.x, source)
     state.v[...] = _interpolated(old.arrays.v, source)
+    _meet(model)
     if scene.winches:
         _carry_winches(old.arrays, state)
+    gone = _carry_partings(old, state, source)
     kinds = _carry_anchors(old, model)
+    if scene.contact is not None:
+        found = found_contacts(model.system.node.contact, state.x, state.stiffness)
+        assign(state.memory.contact, found)
+        before = 1.0
+        if old.scene.contact is not None:
+            before = deepest(old.system, old.arrays)[0]
+        refuse_pressing(model.system, state, model.layout, before)
     made = Simulation(model, ledger=old.ledger)
     snapshot = made.state
     _carry_work(old, made, snapshot.state)
     _carry_memory(old, made, snapshot.state, source)
+    for here, there in gone:
+        for kept, was in zip(snapshot.state.memory.parting, old.arrays.memory.parting, strict=True):
+            kept[here] = was[there]
     start, dt, step = old.clock
     if made.plan.dt != dt:
         start, dt, step = old.time, made.plan.dt, 0
@@ -65,6 +80,35 @@ def _interpolated(values: Floats, source: Floats) -> Floats:
     high = np.minimum(low + 1, values.shape[1] - 1)
     mixed: Floats = values[:, low] * (1.0 - share) + values[:, high] * share
     return mixed
+
+
+def _meet(model: Model) -> None:
+    """Give the nodes of a new joint one place and velocity, with the momentum that they have."""
+    state, joints = model.state, model.system.joints
+    for first, last in zip(joints.first[:-1], joints.first[1:], strict=True):
+        nodes = joints.member[first:last]
+        share = state.mass[nodes] / state.mass[nodes].sum()
+        for values in (state.x, state.v):
+            if (values[:, nodes] != values[:, nodes[:1]]).any():
+                values[:, nodes] = (values[:, nodes] @ share)[:, None]
+
+
+def _carry_partings(old: Simulation, new: State, source: Floats) -> list[tuple[int, int]]:
+    """Let what has parted and is still there be so; return its segments, new and old."""
+    parted, may = old.arrays.memory.parting.time, new.memory.parting.time.size > 0
+    gone = np.flatnonzero(np.isfinite(parted)) if may else ()
+    found = [
+        (int(i), int(j))
+        for j in gone
+        for i in np.flatnonzero((source[:-1] == j) & (source[1:] == j + 1))
+    ]
+    for place, _ in found:
+        for array in (new.stiffness, new.damping_vector, new.damping_axial, new.rest_length):
+            array[place] = 0.0
+        if new.bending_stiffness.size:
+            new.bending_stiffness[place : place + 2] = 0.0
+            new.bending_damping[place : place + 2] = 0.0
+    return found
 
 
 def _carry_winches(old: State, new: State) -> None:
@@ -129,8 +173,10 @@ def _carry_memory(old: Simulation, made: Simulation, state: State, source: Float
         state.memory.obstacle.grip[:, :, whole] = grip[:, :, nodes]
     kept, made_now = old.arrays.memory.contact, state.memory.contact
     same = nodes.size == old.arrays.x.shape[1] and (nodes == np.arange(nodes.size)).all()
-    if same and whole.all() and kept.pair.shape == made_now.pair.shape:
+    there = kept.pair.size > 0 and kept.pair.shape == made_now.pair.shape
+    if there and same and whole.all():
         assign(made_now, kept)
+        made_now.origin[:1, :1] = NOWHERE  # who is near is found anew: radii may have changed
 
 
 def _carry_work(old: Simulation, made: Simulation, state: State) -> None:

@@ -130,6 +130,18 @@ class Untie(Command):
     joint: Name
 
 
+class Tie(Command):
+    type: Literal["tie"]
+    node: Index
+    other: Index
+
+
+class Knot(Command):
+    """What a session does by itself where points that are to be tied have met, or do not meet."""
+
+    type: Literal["knot"]
+
+
 class Load(Command):
     type: Literal["load"]
     node: Index
@@ -194,7 +206,7 @@ COMMANDS: dict[str, type[Command]] = {
     str(model.model_fields["type"].annotation.__args__[0]): model  # type: ignore[union-attr]
     for model in (
         Ack, Play, Pause, Step, Speed, Reset, Set, Move, Drag, Drop, Grab, LetGo, Pin, Unpin, Cut, Untie,
-        Load, Kick, SceneCommand, Compare, Back, Undo, Remedy, Listen, Save, Seek,
+        Tie, Knot, Load, Kick, SceneCommand, Compare, Back, Undo, Remedy, Listen, Save, Seek,
     )
 }  # fmt: skip
 # Those that change the simulation, and so are kept in a session's log.
@@ -212,6 +224,8 @@ PHYSICAL = frozenset(
         "unpin",
         "cut",
         "untie",
+        "tie",
+        "knot",
         "load",
         "kick",
         "scene",

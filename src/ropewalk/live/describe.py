@@ -132,7 +132,7 @@ def anchor_list(scene: Scene, where: Layout) -> list[dict[str, Any]]:
             "node": scene.anchor_node(anchor),
             "index": where.node(scene.anchor_node(anchor), anchor.rope),
             "motion": anchor.motion.kind,
-            "pinned": anchor.name.startswith("pin") and anchor.motion.kind == "hand",
+            "pinned": anchor.name.startswith(("pin", "tie")) and anchor.motion.kind == "hand",
         }
         for anchor in scene.anchors
     ]

@@ -16,9 +16,21 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats
 from ropewalk.live.parameters import refusal
-from ropewalk.lowering.contact_checks import refuse_untying
+from ropewalk.lowering.contact_checks import refuse_tying, refuse_untying
 from ropewalk.lowering.layout import Layout, make_layout
-from ropewalk.scene import Anchor, Force, Hand, Joint, Load, Material, Rope, Scene, Straight
+from ropewalk.scene import (
+    Anchor,
+    Force,
+    Hand,
+    Joint,
+    Load,
+    Material,
+    Rope,
+    Scene,
+    SceneError,
+    Straight,
+    Tie,
+)
 
 MOST_ANCHORS, MOST_ROPES = 100, 200
 MOST_NODES = 200_000
@@ -90,7 +102,7 @@ def at_node(layout: Layout, index: int, path: str = "node") -> tuple[str, int]:
     return rope, node
 
 
-def pin(scene: Scene, layout: Layout, index: int) -> Edit:
+def pin(scene: Scene, layout: Layout, index: int, prefix: str = "pin") -> Edit:
     """Hold a node where it is, by an anchor that can be moved by hand.
 
     It takes the place of one that has let go of the node.
@@ -101,8 +113,8 @@ def pin(scene: Scene, layout: Layout, index: int) -> Edit:
     gone = [one for one in scene.anchors if one.rope == rope and scene.anchor_node(one) == node]
     scene = scene.replace(anchors=[one for one in scene.anchors if one not in gone])
     taken = {anchor.name for anchor in scene.anchors}
-    number = next(i for i in range(1, MOST_ANCHORS + 2) if f"pin{i}" not in taken)
-    made = Anchor(name=f"pin{number}", rope=rope, node=node, motion=Hand())
+    number = next(i for i in range(1, MOST_ANCHORS + 2) if f"{prefix}{i}" not in taken)
+    made = Anchor(name=f"{prefix}{number}", rope=rope, node=node, motion=Hand())
     return Edit(scene.replace(anchors=[*scene.anchors, made]), same_nodes(layout))
 
 
@@ -112,6 +124,12 @@ def drop_anchor(scene: Scene, layout: Layout, name: str) -> Edit:
     if len(kept) == len(scene.anchors):
         there = ", ".join(anchor.name for anchor in scene.anchors) or "none"
         raise refusal("anchor", name, f"no such anchor; there is {there}")
+    return Edit(scene.replace(anchors=kept), same_nodes(layout))
+
+
+def drop_anchors(scene: Scene, layout: Layout, names: Sequence[str]) -> Edit:
+    """Take anchors away, those that are there."""
+    kept = [anchor for anchor in scene.anchors if anchor.name not in names]
     return Edit(scene.replace(anchors=kept), same_nodes(layout))
 
 
@@ -175,6 +193,18 @@ def cut(scene: Scene, layout: Layout, segment: int) -> Edit:
     return Edit(made, np.flatnonzero(kept).astype(np.float64), note)
 
 
+def cut_all(scene: Scene, layout: Layout, segments: Sequence[int]) -> Edit:
+    """Cut several segments that have parted already; those that cannot be cut are left as they are."""
+    source, kept = same_nodes(layout), scene
+    for segment in sorted(segments, reverse=True):  # what comes before keeps its number
+        try:
+            change = cut(kept, layout_of(kept), segment)
+        except SceneError:
+            continue
+        kept, source = change.scene, source[change.source.astype(np.int64)]
+    return Edit(kept, source)
+
+
 def untie(scene: Scene, layout: Layout, name: str) -> Edit:
     """Let the nodes of a joint go their own ways.
 
@@ -186,6 +216,38 @@ def untie(scene: Scene, layout: Layout, name: str) -> Edit:
         there = ", ".join(joint.name for joint in scene.joints) or "none"
         raise refusal("joint", name, f"no such joint; there is {there}")
     return Edit(scene.replace(joints=kept), same_nodes(layout))
+
+
+def knot(scene: Scene, layout: Layout, nodes: tuple[int, int], hands: Sequence[str] = ()) -> Edit:
+    """Tie two nodes, and all that is tied to them already, in one joint; `hands` are anchors that let go.
+
+    Raises SceneError where they cannot be tied.
+    """
+    refuse_tying(scene)
+    points = [at_node(layout, node) for node in nodes]
+    told = " and ".join(f"node {node} of {rope!r}" for rope, node in points)
+    members, name = list(dict.fromkeys(points)), ""
+    kept = []
+    for joint in scene.joints:
+        tied = [(tie.rope, scene.rope_named(tie.rope).node_index(tie.node)) for tie in joint.points]
+        if not set(tied) & set(points):
+            kept.append(joint)
+            continue
+        if set(points) <= set(tied):
+            raise refusal("nodes", told, f"are tied already, by joint {joint.name!r}")
+        name = name or joint.name
+        members += [one for one in tied if one not in members]
+    if len(members) < 2:
+        raise refusal("nodes", told, "are one and the same: choose another point")
+    if any((rope, node + 1) in members for rope, node in members):
+        rule = "are neighbours on their rope: the segment between would have no length"
+        raise refusal("nodes", told, rule)
+    taken = {joint.name for joint in scene.joints}
+    name = name or next(f"knot{i}" for i in range(1, len(taken) + 2) if f"knot{i}" not in taken)
+    ties = [Tie(rope=rope, node=node) for rope, node in members]
+    anchors = [anchor for anchor in scene.anchors if anchor.name not in hands]
+    joints = [*kept, Joint(name=name, points=ties)]
+    return Edit(scene.replace(anchors=anchors, joints=joints), same_nodes(layout))
 
 
 def _retied(joint: Joint, rope: Rope, ends: Sequence[tuple[int, int, str]]) -> Joint | None:

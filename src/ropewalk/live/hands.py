@@ -21,6 +21,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ropewalk.core.arrays import Floats
+from ropewalk.live.ties import Pull, brought, is_over
 from ropewalk.simulation import Simulation
 
 CONTROL = 1.0 / 960.0  # [s] between two updates, or one step
@@ -59,18 +60,19 @@ class Hands:
         self.grabs: list[Grab] = []
         self.targets: dict[str, Target] = {}  # of anchors that follow a pointer
         self.movers: dict[str, int] = {}  # who moves an anchor by a held key
+        self.pulls: list[Pull] = []  # points on their way to each other, to be tied
         self.fresh = False  # something has changed since the last update
 
     @property
     def active(self) -> bool:
         """Whether there is anything to bring up to date."""
-        return bool(self.grabs or self.targets)
+        return bool(self.grabs or self.targets or self.pulls)
 
     def copy(self) -> Hands:
         """Return a copy."""
         made = Hands()
         made.grabs, made.targets, made.fresh = list(self.grabs), dict(self.targets), self.fresh
-        made.movers = dict(self.movers)
+        made.movers, made.pulls = dict(self.movers), list(self.pulls)
         return made
 
     def grab(self, made: Grab) -> None:
@@ -97,6 +99,13 @@ class Hands:
         names += [name for name, one in self.movers.items() if owner in (None, one)]
         for name in names:
             self.still(simulation, name)
+        for pull in self.pulls:
+            if owner in (None, pull.owner):
+                self.pulls = [replace(one, left=0.0) if one == pull else one for one in self.pulls]
+
+    def over(self, simulation: Simulation) -> list[Pull]:
+        """Return the pulls whose points have met, and those that are given up."""
+        return [one for one in self.pulls if is_over(simulation, one)]
 
     def still(self, simulation: Simulation, name: str) -> None:
         """Have an anchor stand still."""
@@ -109,6 +118,7 @@ class Hands:
     def holds(self, owner: int) -> bool:
         """Tell whether an owner holds or moves anything."""
         held = [one.owner for one in self.grabs] + [one.owner for one in self.targets.values()]
+        held += [one.owner for one in self.pulls]
         return owner in (*held, *self.movers.values())
 
     def renumber(self, source: Floats) -> None:
@@ -132,6 +142,7 @@ class Hands:
             velocity = (target.place - handle.position) / time
             size = float(np.linalg.norm(velocity))
             handle.velocity = velocity * min(1.0, FASTEST / size) if size > 0.0 else velocity
+        self.pulls = [brought(simulation, one, interval) for one in self.pulls]
         if not self.grabs:
             return
         self.grabs = [self._pulled(simulation, one, interval, speed) for one in self.grabs]

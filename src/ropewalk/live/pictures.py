@@ -8,11 +8,12 @@ from functools import partial
 import numpy as np
 
 from ropewalk.core.arrays import Floats
-from ropewalk.live.actions import counterparts
 from ropewalk.live.audience import Combine
+from ropewalk.live.counterparts import counterparts
 from ropewalk.live.frame import Picture, Shape, combined
 from ropewalk.live.seen import Seen
 from ropewalk.live.track import Track
+from ropewalk.lowering.curve_tables import put_under_tension
 from ropewalk.simulation import Simulation
 
 
@@ -43,7 +44,7 @@ def combiner(tracks: Sequence[Track]) -> Combine:
 def shape_of(track: Track) -> Shape:
     """Return what a track's frames hold."""
     layout = track.simulation.layout
-    return Shape(layout.nodes, len(layout.anchor_names), bool(layout.more))
+    return Shape(layout.nodes, len(layout.anchor_names), layout.touches)
 
 
 def pictures(tracks: Sequence[Track], compared: Compared) -> list[Picture]:
@@ -94,15 +95,21 @@ def picture(track: Track, first: Picture | None = None, source: Floats | None = 
     anchors = np.concatenate(
         [state.anchor_x, state.anchor_v, recording.reaction[0], held[:, None]], axis=1
     )
-    contact = recording.contact[0].T if simulation.layout.more else None
+    contact = recording.contact[0].T if simulation.layout.touches else None
     return Picture(scalars, positions, tension, speed, anchors, track.hands.grabs, seen, contact)
 
 
 def _largest_strain(simulation: Simulation, tension: Floats) -> float:
     state = simulation.arrays
-    stiff = state.stiffness * state.rest_length
-    alive = stiff > 0.0
-    return float((tension[alive] / stiff[alive]).max(initial=0.0)) if alive.any() else 0.0
+    alive = state.stiffness * state.rest_length > 0.0
+    strain, soft = np.zeros_like(tension), np.zeros_like(tension)
+    stiff = state.stiffness[alive] * state.rest_length[alive]
+    strain[alive] = tension[alive] / stiff
+    if simulation.system.curves.least.size:
+        stretch = strain * state.rest_length
+        put_under_tension(simulation.system, state, tension, stretch, soft)
+        strain[alive] = stretch[alive] / state.rest_length[alive]
+    return float(strain.max(initial=0.0))
 
 
 def _touching(simulation: Simulation, heights: Floats) -> float:

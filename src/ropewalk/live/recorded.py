@@ -10,6 +10,7 @@ from ropewalk.live.seen import Seen
 from ropewalk.live.track import losses_and_gifts
 from ropewalk.record.beyond import until_torn
 from ropewalk.record.result import Result
+from ropewalk.scene import Material
 
 _PIECE = 64  # frames read at once
 _NAMES = ("time", "positions", "velocities", "tension", "energy", "work")
@@ -155,9 +156,11 @@ class Recorded:
         found = 0.0
         for rope, span in zip(self.result.scene.ropes, self.result.layout.ropes, strict=True):
             stiff = rope.segment_stiffness * rope.segment_length
-            if stiff > 0.0:
-                own = tension[span.first : span.last]
-                found = max(found, float(own.max(initial=0.0)) / stiff)
+            most = float(tension[span.first : span.last].max(initial=0.0))
+            if isinstance(rope.made_of, Material) and rope.made_of.curve is not None:
+                found = max(found, float(rope.made_of.curve.strain_at(most)))
+            elif stiff > 0.0:
+                found = max(found, most / stiff)
         return found
 
     def _read(self, frame: int) -> tuple[dict[str, Floats], int]:

@@ -108,6 +108,8 @@ class Interval:
         known = self.kept
         if known is None or known.speed.shape != now.greatest_speed.shape:
             return now
+        if known.reaction.shape != now.greatest_force.shape:  # anchors have come or gone since
+            return now
         return now.joined(
             Seen(
                 np.where(live, known.tension_low, 0.0),
@@ -127,6 +129,8 @@ class Interval:
         """
         known = self.kept
         if known is None or frame.speed_high.shape[1] != known.speed.size:
+            return
+        if frame.reaction_high.shape[1] != known.reaction.size:
             return
         roots = [
             np.sqrt(np.maximum(row, 0.0)) for row in (known.speed, known.reaction, known.moment)

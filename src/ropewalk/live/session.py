@@ -13,7 +13,7 @@ from typing import Any
 from ropewalk.core.status import BROKEN, OK
 from ropewalk.live import edits
 from ropewalk.live.actions import ACTIONS
-from ropewalk.live.commands import PHYSICAL, Command
+from ropewalk.live.commands import PHYSICAL, Command, Knot
 from ropewalk.live.history import EVERY, History, Moment
 from ropewalk.live.parameters import initial, named
 from ropewalk.live.track import Saved, Track, planned
@@ -136,6 +136,7 @@ class Session:
                 return BROKEN
             steps -= now
             if self.count % frame == 0:
+                self._tear()
                 self.on_frame(self)
             if self.count % every == 0:
                 self.remember()
@@ -149,6 +150,12 @@ class Session:
             if track.follow(time, self.speed) != OK:
                 return number
         return None
+
+    def _tear(self) -> None:
+        """Make two ropes of those that have parted: at frames, so that a log replays to the same bits."""
+        for track in self.tracks:
+            if track.tear():
+                self.changed()
 
     @property
     def frame_steps(self) -> int:
@@ -222,6 +229,15 @@ class Session:
             self.undo.note(command.type, moment)
         self.on_command(count, client, command)
         return note
+
+    def end_ties(self) -> str | None:
+        """Tie what hands have brought together, let go what they could not; None: there is neither.
+
+        Else a note, or "".
+        """
+        if any(track.hands.over(track.simulation) for track in self.tracks):
+            return self.apply(Knot(type="knot"))
+        return None
 
     def _everything(self) -> tuple[Any, ...]:
         saved = tuple(track.save() for track in self.tracks)

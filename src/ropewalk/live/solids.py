@@ -5,7 +5,10 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from ropewalk.laws.obstacle import Obstacles, moves
 from ropewalk.lowering import Layout
+from ropewalk.motions.rows import own_table
+from ropewalk.motions.table import CODES
 from ropewalk.record.obstacle_table import obstacle_table
 from ropewalk.scene import Scene
 
@@ -24,9 +27,23 @@ def obstacle_list(scene: Scene, where: Layout) -> list[dict[str, Any]]:
             "size": _numbers(table.size[row]),
             "friction": body.friction,
             "spin": _numbers(table.spin[row]) if table.spin[row][0] else None,
+            **_moving(table, row),
         }
         for row, body in enumerate(scene.obstacles)
     ]
+
+
+def _moving(table: Obstacles, row: int) -> dict[str, Any]:
+    """Return how an obstacle moves, and the angles of one that turns by a table; nothing of one at rest."""
+    motion, turns = table.motion, table.turns
+    found: dict[str, Any] = {}
+    if turns.kind[row] == CODES["table"]:
+        found["turns"] = own_table(turns, row).tolist()
+    if moves(table, row):
+        (kind,) = (name for name, code in CODES.items() if code == motion.kind[row])
+        rows = own_table(motion, row).tolist()
+        found["motion"] = {"kind": kind, "params": _numbers(motion.params[row]), "table": rows}
+    return found
 
 
 def _numbers(values: Any) -> list[float | None]:

@@ -17,11 +17,11 @@ _PLAY, _REAL, _RIGGING, _LESSONS, _REPORT = (
 )
 _THEMES: dict[str, tuple[str, ...]] = {
     _PLAY: ("skipping-rope", "whip", "wave-on-a-string", "hanging-rope", "falling-chain"),
-    _REAL: ("h3", "fishing-rod", "wire-arch", "net", "edge"),
+    _REAL: ("h3", "fishing-rod", "wire-arch", "net", "edge", "overhand", "pile"),
     _RIGGING: (
         *("climbing-fall", "zip-line", "highline", "rescue-lower", "tow"),
         *("crane-snap", "hoist-stop", "guyed-mast", "suspension-cable", "power-line-in-wind"),
-        *("three-leg-sling", "capstan", "bollard"),
+        *("three-leg-sling", "capstan", "bollard", "clove-hitch"),
     ),
     OTHERS: (),
     _LESSONS: ("n40", "h1", "h2", "n39-spring", "n39-gravity", "n39-constant-velocity"),

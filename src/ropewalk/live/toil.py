@@ -7,7 +7,20 @@ from ropewalk.live.session import Session
 
 MANY = 500  # nodes; to build so many anew takes some milliseconds
 _BUILDING = frozenset(
-    ["reset", "set", "pin", "unpin", "cut", "untie", "load", "compare", "back", "undo", "remedy"]
+    [
+        "reset",
+        "set",
+        "pin",
+        "unpin",
+        "cut",
+        "untie",
+        "tie",
+        "load",
+        "compare",
+        "back",
+        "undo",
+        "remedy",
+    ]
 )
 
 

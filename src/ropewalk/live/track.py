@@ -22,6 +22,7 @@ from ropewalk.live.parameters import named, refusal
 from ropewalk.live.seen import Interval
 from ropewalk.lowering import Plan, build, with_all_laws
 from ropewalk.lowering.joint_tables import tied_with
+from ropewalk.methods.partings import time_of_news
 from ropewalk.methods.recording import CONSERVATIVE, bends, work_names
 from ropewalk.scene import Scene
 from ropewalk.simulation import Simulation, Snapshot
@@ -45,6 +46,7 @@ class Saved(NamedTuple):
     steps: int
     first_energy: float
     edited: float
+    first_gravity: float
     seen: tuple[Peaks | None, Peaks | None]  # by `shown` and `recorded`
 
 
@@ -89,6 +91,12 @@ class Track:
     def energy(self) -> float:
         """Kinetic, gravity and elastic energy together [J]."""
         return float(self.simulation.recording().recording.energy[0].sum())
+
+    def _gravity_zero(self) -> float:
+        """Energy of gravity as it is counted, less that over the origin [J]."""
+        state, system = self.simulation.arrays, self.simulation.system
+        counted = float(self.simulation.recording().recording.energy[0, 1])
+        return counted + float((state.mass * (system.gravity @ state.x)).sum())
 
     @property
     def dt(self) -> float:
@@ -144,7 +152,7 @@ class Track:
 
     def edit(self, change: Edit) -> None:
         """Go over into another scene without a jump. Raises SceneError."""
-        before = self.energy
+        before, zero = self.energy, self._gravity_zero()
         made = carry_over(self.simulation, change.scene, change.source)
         self.hands.renumber(change.source)
         self._watch(made)
@@ -152,7 +160,10 @@ class Track:
         self.hands.targets = {
             name: target for name, target in self.hands.targets.items() if name in made.anchors
         }
-        self.edited += self.energy - before
+        shift = self._gravity_zero() - zero  # gravity counts from the ropes' drawn shapes
+        self.first_energy += shift
+        self.first_gravity += shift
+        self.edited += self.energy - before - shift
         self.begun = self.save()
 
     def set(self, name: str, value: Any, rope: str | None = None) -> None:
@@ -186,6 +197,36 @@ class Track:
             raise refusal("segment", "", "ropes with a winch cannot be cut there")
         self.edit(change)
         return change.note
+
+    def tear(self) -> bool:
+        """Make two ropes of every one that has parted since; tell whether there was any.
+
+        Where a rope cannot be cut in two, as on a winch, what has parted stays a gap in it.
+        """
+        if not self.scene.parts:
+            return False
+        known = [j for j in self._parted() if self._is_old_news(j)]
+        if not known or self.scene.winches:
+            return False
+        change = edits.cut_all(self.scene, self.simulation.layout, known)
+        if change.scene is self.scene:
+            return False
+        self.edit(change)
+        return True
+
+    def _parted(self) -> list[int]:
+        """Return the segments that have parted, as indices of the arrays."""
+        parted = self.simulation.arrays.memory.parting.time
+        return [int(j) for j in np.flatnonzero(np.isfinite(parted))]
+
+    def _is_old_news(self, j: int) -> bool:
+        """Tell whether all of the rope has heard of a parting: until then nothing else of it may part."""
+        simulation = self.simulation
+        span = simulation.layout.span(simulation.layout.rope_of(j)[0])
+        since = simulation.time - float(simulation.arrays.memory.parting.time[j])
+        passing = simulation.system.node.parting.passing
+        last = span.last - 1
+        return bool(since >= time_of_news(last - span.first, passing[last] - passing[span.first]))
 
     def kick(self, index: int, velocity: Floats) -> None:
         """Add a velocity [m/s] to a node. Raises SceneError for a held one."""
@@ -239,6 +280,7 @@ class Track:
             self.count,
             self.first_energy,
             self.edited,
+            self.first_gravity,
             (self.shown.kept, self.recorded.kept),
         )
 
@@ -257,6 +299,7 @@ class Track:
             self.recorded.begin()
             self._recorded_at = self.simulation.time
         self.first_energy, self.edited = saved.first_energy, saved.edited
+        self.first_gravity = saved.first_gravity
 
     def clone(self, label: str, changes: Mapping[str, Any]) -> Track:
         """Return a second track that stands where this one stands, with some parameters changed.

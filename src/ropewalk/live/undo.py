@@ -8,6 +8,7 @@ LONGEST = 20  # steps back
 WORDS = {
     "cut": "the cut",
     "untie": "the cut of a joint",
+    "tie": "the tie",
     "pin": "the pin",
     "unpin": "letting go",
     "load": "the load",

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from ropewalk.core.arrays import State, System
 from ropewalk.lowering.contact_checks import refuse_contact
 from ropewalk.lowering.layout import Layout, Span, make_layout
-from ropewalk.lowering.obstacle_checks import refuse_obstacles
+from ropewalk.lowering.obstacle_checks import refuse_fast, refuse_obstacles
 from ropewalk.lowering.pieces import Pieces
 from ropewalk.lowering.plan import Plan, make_plan
 from ropewalk.lowering.system import make_tables
@@ -48,6 +48,7 @@ def build(scene: Scene, pieces: Pieces | None = None, *, drawn: bool = True) -> 
     refuse_obstacles(scene, system, state, layout, drawn=drawn)
     refuse_contact(scene, system, state, layout, drawn=drawn)
     plan = make_plan(scene, system, state)
+    refuse_fast(scene, system, plan.dt if plan.longest is None else plan.longest)
     zero = -float(system.gravity @ (state.x * state.mass).sum(axis=1))
     return Model(scene, system, state, layout, plan, zero)
 

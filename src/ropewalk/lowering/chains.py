@@ -8,12 +8,14 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats, State, System
 from ropewalk.laws.acting import acting, flow
+from ropewalk.laws.obstacle import surface_speed
 from ropewalk.laws.registry import NODE_LAWS
 from ropewalk.laws.winch import MERGE, SPLIT
 from ropewalk.lowering.apart import recoil_of_releases
 from ropewalk.lowering.bends import bends
+from ropewalk.lowering.curve_tables import softest
 from ropewalk.methods.bound import Chain
-from ropewalk.motions.table import ORBIT, SHAKE, TABLE, VELOCITY
+from ropewalk.motions.rows import largest_speed
 
 FREE = "in the air"  # the case of a rope that touches nothing
 
@@ -60,6 +62,9 @@ def free_chains(system: System, state: State, speed: float = 0.0) -> dict[str, C
     )
     base = _under_laws(system, base, state.rest_length, speed)
     cases = {FREE: base}
+    if system.curves.least.size:
+        soft = softest(system.curves, base.stiffness)
+        cases["where its curve is softest"] = base._replace(stiffness=soft)
     for row in range(len(state.winch_exit)):
         for share in (MERGE, SPLIT):
             cases[f"at a winch whose last segment is {share:g} long"] = _winch_case(
@@ -161,7 +166,8 @@ def _paid_out(base: Chain, system: System, state: State) -> Chain:
 def speed_scale(system: System, state: State) -> float:
     """Return the speed of what a scene sets going [m/s].
 
-    The fastest of: initial velocities against the wind, anchors, and a fall through the rope's length.
+    The fastest of: initial velocities against the wind, anchors and obstacles, and a fall through the rope's
+    length.
     """
     wind = flow(system)[:, None]
     start = float(np.linalg.norm(state.v - wind, axis=0).max())
@@ -170,7 +176,7 @@ def speed_scale(system: System, state: State) -> float:
         whole = np.linalg.norm(state.forces.applied, axis=0).sum() / state.mass.sum()
         pull += float(whole)
     fall = math.sqrt(2.0 * pull * float(state.rest_length.sum()))
-    moved = max((anchor_speed(system, row) for row in range(len(state.held))), default=0.0)
+    moved = driven_speed(system)
     return max(start, fall + float(np.linalg.norm(wind)), moved + float(np.linalg.norm(wind)))
 
 
@@ -193,26 +199,9 @@ def fastest(system: System, state: State) -> float:
     return max(speed_scale(system, state), back + wind)
 
 
-def anchor_speed(system: System, row: int) -> float:
-    """Return the largest speed of an anchor's motion [m/s]."""
-    anchors = system.anchors
-    p, kind = anchors.params[row], anchors.kind[row]
-    if kind == VELOCITY:
-        return float(np.linalg.norm(p[3:6]))
-    if kind == SHAKE:
-        return float(2.0 * math.pi * p[6] * np.linalg.norm(p[3:6]))
-    if kind == ORBIT:
-        return float(2.0 * math.pi * abs(p[9]) * np.linalg.norm(np.cross(p[6:9], p[:3] - p[3:6])))
-    if kind == TABLE:
-        first = int(anchors.table_start[row])
-        rows = anchors.table[first : first + int(anchors.table_rows[row])]
-        return _table_speed(rows)
-    return 0.0
-
-
-def _table_speed(rows: Floats) -> float:
-    """Return the largest speed along a table [m/s], from a quadratic per interval sampled 9 times."""
-    share = np.linspace(0.0, 1.0, 9)[None, :, None]
-    s = share * np.diff(rows[:, 0])[:, None, None]
-    c1, c2, c3 = (rows[:-1, None, i::4] for i in (2, 3, 4))
-    return float(np.linalg.norm(c1 + s * (2.0 * c2 + 3.0 * s * c3), axis=2).max())
+def driven_speed(system: System) -> float:
+    """Return the largest speed of what moves by itself, anchors and obstacles [m/s]."""
+    table = system.node.obstacle
+    anchors = (largest_speed(system.anchors, row) for row in range(len(system.anchors.kind)))
+    bodies = (surface_speed(table, row) for row in range(len(table.kind)))
+    return max((*anchors, *bodies), default=0.0)

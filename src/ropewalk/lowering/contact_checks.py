@@ -53,19 +53,14 @@ def refuse_contact(
 
 def _inside(system: System, state: State, layout: Layout) -> list[Fault]:
     """Return a fault for the two segments that start deepest inside each other, or for too many contacts."""
-    table, memory = system.node.contact, state.memory.contact
-    if memory.tally[FAULT] == FULL:
+    table = system.node.contact
+    if state.memory.contact.tally[FAULT] == FULL:
         rule = (
             "finds more pairs of segments near each other at the start than there is room for: draw the "
             "ropes apart, or give them fewer segments"
         )
         return [Fault("contact", NO_VALUE, rule)]
-    worst, pair = 1.0, (0, 0)
-    for i, j in memory.near[: memory.tally[NEAR]]:
-        size = float(table.radius[i] + table.radius[j])
-        over = nearest(state.x, state.x, 0.0, i, j)[2] / size
-        if over < worst:
-            worst, pair = over, (int(i), int(j))
+    worst, pair = deepest(system, state)
     if worst >= _DEEPEST:
         return []
     (one, a), (other, b) = (layout.rope_of(k) for k in pair)
@@ -76,6 +71,48 @@ def _inside(system: System, state: State, layout: Layout) -> list[Fault]:
         "diameters counted in: draw the ropes apart"
     )
     return [Fault(f"rope[{own}].shape", f"segment {b}", rule)]
+
+
+def refuse_tying(scene: Scene) -> None:
+    """Raise SceneError where nodes are to be tied while ropes touch: they would be pressed together."""
+    if scene.contact is not None:
+        rule = "cannot be tied by hand where ropes touch each other: its nodes would be pressed together"
+        raise SceneError(
+            [Fault("joint", NO_VALUE, f"{rule}; draw it in the scene, or leave out contact")]
+        )
+
+
+def deepest(system: System, state: State) -> tuple[float, tuple[int, int]]:
+    """Return the least distance of two segments over the sum of their radii, at most 1, and which."""
+    table, memory = system.node.contact, state.memory.contact
+    worst, pair = 1.0, (0, 0)
+    for i, j in memory.near[: memory.tally[NEAR]]:
+        size = float(table.radius[i] + table.radius[j])
+        over = nearest(state.x, state.x, 0.0, i, j)[2] / size
+        if over < worst:
+            worst, pair = over, (int(i), int(j))
+    return worst, pair
+
+
+def refuse_pressing(system: System, state: State, layout: Layout, before: float) -> None:
+    """Raise SceneError where a scene with the places of a running one has ropes inside each other.
+
+    `before` is what `deepest` found of the running one.
+    """
+    if state.memory.contact.tally[FAULT] == FULL:
+        raise SceneError(_inside(system, state, layout))
+    worst, pair = deepest(system, state)
+    if worst >= min(_DEEPEST, before * (1.0 - 1e-9)):
+        return
+    (one, a), (other, b) = (layout.rope_of(k) for k in pair)
+    size = float(system.node.contact.radius[list(pair)].sum())
+    rule = (
+        f"would have segment {b} {1e3 * (1.0 - worst) * size:.4g} mm inside segment {a} of rope {one!r} "
+        "where they lie now, half of both diameters counted in: take a smaller diameter, or pull the ropes "
+        "apart first"
+    )
+    own = [span.name for span in layout.ropes].index(other)
+    raise SceneError([Fault(f"rope[{own}].diameter", NO_VALUE, rule)])
 
 
 def refuse_untying(scene: Scene) -> None:

@@ -7,6 +7,7 @@ from bisect import bisect_left
 from dataclasses import dataclass
 from functools import cached_property
 
+from ropewalk.laws.parting import NAME as PARTING
 from ropewalk.laws.registry import NODE_LAWS
 from ropewalk.scene import Rope, Scene, Winch
 from ropewalk.scene.base import MOST_ON_DRUM
@@ -60,6 +61,11 @@ class Layout:
     def segments(self) -> int:
         """Number of segments in the arrays, the dead ones between ropes included."""
         return self.nodes - 1
+
+    @property
+    def touches(self) -> bool:
+        """Whether ropes can touch anything whose force is recorded: obstacles, or each other."""
+        return bool(set(self.more) - {PARTING})
 
     @cached_property
     def _by_name(self) -> dict[str | None, Span]:

@@ -17,10 +17,10 @@ from ropewalk.core.elimination import points_of
 from ropewalk.laws.links import solve_links
 from ropewalk.lowering import Model
 from ropewalk.lowering.layout import Layout
-from ropewalk.lowering.sparse import load_scipy
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import SceneError
 from ropewalk.scene.faults import Fault
+from ropewalk.theory.borrowed import load_scipy
 
 TAUT = 1e-9  # a span this close to its rope's length leaves no room [1]
 _OFF = 0.05  # a start this much too long or short is a mistake, not a curve cut into chords [1]

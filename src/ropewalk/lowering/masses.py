@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
 
 from ropewalk.core.arrays import Floats
-from ropewalk.lowering.layout import Layout
+from ropewalk.lowering.layout import Layout, Span
 from ropewalk.scene import Material, Rope, Springs
+from ropewalk.theory.curve import steepest_chord
 
 
 def line_density(rope: Rope) -> float:
@@ -40,3 +42,22 @@ def masses(layout: Layout, lines: tuple[tuple[Any, ...], ...]) -> tuple[Floats, 
         for node, more in loads:
             part[node] += more
     return mass, np.divide(1.0, mass, out=np.zeros_like(mass), where=mass > 0.0)
+
+
+def passing(rope: Rope, span: Span) -> tuple[float, ...]:
+    """Return when a wave from the first segment of a rope that parts comes to each [s]; 0: rigid.
+
+    Those on a drum are counted. It takes sqrt(m/k) to pass a node, k the stiffness by which a rope at its
+    breaking load lets go.
+    """
+    if not math.isfinite(rope.strength):
+        return ()
+    inner = rope.own_mass / (rope.nodes if isinstance(rope.made_of, Springs) else rope.segments)
+    mass = np.full(span.nodes, inner)
+    for load in rope.loads:
+        mass[span.spare_start + load.node % rope.nodes] += load.mass
+    stiffness = rope.segment_stiffness
+    if isinstance(rope.made_of, Material) and rope.made_of.curve is not None:
+        curve = rope.made_of.curve
+        stiffness *= steepest_chord(curve.pieces, rope.strength) / rope.made_of.EA
+    return (0.0, *(float(time) for time in np.cumsum(np.sqrt(mass[1:-1] / stiffness))))

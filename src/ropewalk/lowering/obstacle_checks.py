@@ -1,4 +1,4 @@
-"""Scenes with obstacles that cannot be run: methods that ring, and ropes that start inside a body."""
+"""Scenes with obstacles that cannot be run: methods that ring, ropes inside a body, bodies too fast."""
 
 from __future__ import annotations
 
@@ -8,8 +8,10 @@ from ropewalk.core.arrays import Floats, State, System
 from ropewalk.laws.obstacle import Obstacles, depths
 from ropewalk.lowering.layout import Layout
 from ropewalk.methods.registry import METHODS
+from ropewalk.motions.rows import largest_speed
 from ropewalk.scene import Scene, SceneError
 from ropewalk.scene.faults import Fault
+from ropewalk.scene.obstacles import thinnest
 
 #: Methods that keep stiff modes ringing, so that no contact comes to rest.
 RINGING = ("implicit-midpoint", "generalized-alpha")
@@ -38,6 +40,24 @@ def refuse_obstacles(
         )
         faults.append(Fault("run.method", scene.run.method, rule))
     faults += _buried(scene, system, state, layout) if drawn else []
+    if faults:
+        raise SceneError(faults)
+
+
+def refuse_fast(scene: Scene, system: System, step: float) -> None:
+    """Raise SceneError for obstacles that move past nodes within a step [s]."""
+    table: Obstacles = system.node.obstacle
+    faults = []
+    for row, body in enumerate(scene.obstacles):
+        speed = largest_speed(table.motion, row)
+        radius = thinnest(body) + float(table.thickness.max(initial=0.0))
+        if speed * step > radius:
+            rule = (
+                f"is {1e3 * speed * step:.4g} mm in a step of {1e3 * step:.4g} ms, more than the radius of "
+                f"{body.name!r} ({1e3 * radius:.4g} mm, the rope's half diameter counted in): it would jump "
+                f"over nodes; take a run.time_step of at most {radius / speed:.2g} s"
+            )
+            faults.append(Fault(f"obstacle[{row}].motion", f"up to {speed:.4g} m/s", rule))
     if faults:
         raise SceneError(faults)
 

@@ -25,6 +25,7 @@ from ropewalk.laws.acting import acting
 from ropewalk.lowering.apart import recoil_of_releases
 from ropewalk.lowering.bounce import Bounce, bounce_of, largest_bounce_step
 from ropewalk.lowering.chains import FREE, fastest, free_chains, recoil, with_cases
+from ropewalk.lowering.curve_tables import softest
 from ropewalk.methods.bound import Chain, largest_step
 from ropewalk.methods.registry import METHODS
 
@@ -84,7 +85,8 @@ def is_pressed(system: System, state: State) -> bool:
     two_way &= (inverse > 0.0) & (state.rest_length > 0.0)
     if not two_way.any():
         return False
-    waves = state.rest_length[two_way] * np.sqrt(state.stiffness[two_way] * inverse[two_way])
+    soft = softest(system.curves, state.stiffness)
+    waves = state.rest_length[two_way] * np.sqrt(soft[two_way] * inverse[two_way])
     ratio = _impact(system, state) / waves
     return bool(((ratio > _MACH) & (ratio < _FREE)).any())
 

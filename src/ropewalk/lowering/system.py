@@ -25,10 +25,11 @@ from ropewalk.core.status import BREAK_STRETCH
 from ropewalk.laws.anchors import anchor_places
 from ropewalk.laws.registry import NODE_LAWS, NodeArrays, NodeTables
 from ropewalk.lowering.bending_tables import add_bending, no_bending
+from ropewalk.lowering.curve_tables import curve_of, curve_tables, softest
 from ropewalk.lowering.joint_tables import join, joint_tables
 from ropewalk.lowering.layout import Layout, Span
 from ropewalk.lowering.limiter_order import limiter_order
-from ropewalk.lowering.masses import line, line_density, masses
+from ropewalk.lowering.masses import line, line_density, masses, passing
 from ropewalk.lowering.motion_rows import anchor_tables
 from ropewalk.lowering.pieces import Pieces
 from ropewalk.lowering.variant import rare_of
@@ -100,11 +101,17 @@ def _add_forces(rope: Rope, gravity: float, up: Any, applied: Floats) -> None:
     applied += np.outer(up, weight * gravity - rope.submerged_weight * share)
 
 
+def _form(rope: Rope) -> tuple[Any, ...]:
+    """Return all that the places of a rope's nodes follow from."""
+    thick = rope.diameter if rope.shape.of_diameter else 0.0
+    return rope.shape, rope.segments, rope.length_unstretched, rope.segment_length, thick
+
+
 def _places(layout: Layout, forms: tuple[tuple[Any, ...], ...], up: Any) -> Floats:
     """Return the places of all nodes [m], (3, n); rope on a drum waits where the drum is."""
     x = np.zeros((3, layout.nodes))
-    for (shape, segments, length, one), span in zip(forms, layout.ropes, strict=True):
-        x[:, span.start : span.end + 1] = shape.places(segments, length, one, up).T
+    for (shape, segments, length, one, thick), span in zip(forms, layout.ropes, strict=True):
+        x[:, span.start : span.end + 1] = shape.places(segments, length, one, up, thick).T
         x[:, span.first : span.start] = x[:, span.start, None]
         x[:, span.end + 1 : span.last + 1] = x[:, span.end, None]
     return x
@@ -139,7 +146,7 @@ def _ropes(scene: Scene, layout: Layout, keep: Pieces) -> State:
     n, s = layout.nodes, layout.segments
     a, w = len(scene.anchors), len(scene.winches)
     ropes, up = scene.ropes, scene.up
-    forms = tuple((r.shape, r.segments, r.length_unstretched, r.segment_length) for r in ropes)
+    forms = tuple(map(_form, ropes))
     x = keep("places", _places, layout, forms, up).copy()
     kicked = tuple((rope.shape.velocity, rope.kicks) for rope in ropes)
     v = keep("velocities", _velocities, layout, kicked).copy()
@@ -231,7 +238,8 @@ def _system(scene: Scene, layout: Layout, state: State, keep: Pieces) -> System:
     one_way = tuple(rope.made_of.tension_only for rope in ropes)
     floor = keep("slack floor", _slack_floor, layout, one_way)
     origins = state.x[:, state.anchor_node].T.copy()
-    stretch = state.mass, applied, state.stiffness, state.rest_length
+    curves = keep("curves", curve_tables, layout, tuple(map(curve_of, ropes)))
+    stretch = state.mass, applied, softest(curves, state.stiffness), state.rest_length
     limiter, tables = scene.limiter, _node_tables(scene, layout, keep)
     order = keep("limiter order", limiter_order, layout) if limiter is not None else None
     return System(
@@ -249,6 +257,7 @@ def _system(scene: Scene, layout: Layout, state: State, keep: Pieces) -> System:
         winches=_winches(scene, layout) if scene.winches else keep("no winches", _table_of, ()),
         bending=no_bending(),
         joints=keep("joints", joint_tables, scene.joints, layout),
+        curves=curves,
         kinks=np.zeros(0),
         rare=rare_of(scene),
     )
@@ -259,6 +268,8 @@ def _node_tables(scene: Scene, layout: Layout, keep: Pieces) -> Any:
     thick = tuple(rope.diameter for rope in scene.ropes)
     inputs: dict[str, Any] = {"layout": layout, "diameters": thick}
     inputs |= {"up": scene.up, "ropes": (), "whole": (), "joints": ()}
+    each = zip(scene.ropes, layout.ropes, strict=True)
+    inputs["parts"] = tuple((rope.strength, passing(rope, span)) for rope, span in each)
     if scene.obstacles or scene.contact is not None:  # what only they ask for
         inputs |= {"ropes": scene.ropes, "whole": _tied_masses(scene), "joints": scene.joints}
     return NodeTables(

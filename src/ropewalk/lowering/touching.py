@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ropewalk.core.arrays import Floats, Ints
-from ropewalk.laws.contact import on_polygon, spin_rate, turn_towards
+from ropewalk.laws.contact import on_polygon, surface_at, turn_towards
 from ropewalk.laws.obstacle import Obstacles
 from ropewalk.laws.obstacle_shapes import probe
 
@@ -64,19 +64,20 @@ def contacts_at(
     Where a node touches several, each gets of the friction what its own could carry at most.
     """
     rows: list[tuple[int, int, Floats, float, float, Floats]] = []
+    now = [np.array(surface_at(table, o, t)) for o in range(len(table.kind))]
     for i in map(int, np.flatnonzero(np.any(force != 0.0, axis=0))):
         for o, kind in enumerate(table.kind):
             parts = table.center[o], table.axis[o], table.size[o]
-            gap, *direction = probe(kind, *parts, x[0, i], x[1, i], x[2, i])[:4]
+            place, speed = x[:, i] - now[o][:3], v[:, i] - now[o][3:6]
+            gap, *direction = probe(kind, *parts, *map(float, place))[:4]
             normal = np.array(direction)
             push = -table.stiffness[o, i] * (gap - table.thickness[i])
-            push -= table.damping[o, i] * float(normal @ v[:, i])
+            push -= table.damping[o, i] * float(normal @ speed)
             if not push > 0.0:
                 continue
             turn = turn_towards(x, i, *direction, stiffness)
             friction = on_polygon(table.friction[o], turn)
-            turning = spin_rate(table.spin, o, t) * table.axis[o]
-            over = v[:, i] - np.cross(turning, x[:, i] - table.center[o])
+            over = speed - np.cross(now[o][7] * table.axis[o], place - table.center[o])
             rows.append((o, i, normal, push, friction, over - normal * (normal @ over)))
     return _shared(rows, force)
 

@@ -13,4 +13,5 @@ def rare_of(scene: Scene) -> int | None:
     """
     sections = [getattr(scene, law.section, None) for law in NODE_LAWS]
     listed = scene.winches or scene.limiter or scene.joints or any(sections)
-    return 1 if listed or any(rope.bending_stiffness > 0.0 for rope in scene.ropes) else None
+    more = any(rope.bending_stiffness > 0.0 or rope.curved for rope in scene.ropes)
+    return 1 if listed or more else None

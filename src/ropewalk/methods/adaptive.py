@@ -21,7 +21,7 @@ from ropewalk.core.jit import kernel, part
 from ropewalk.core.status import OK, PAUSED, UNSOLVED
 from ropewalk.laws.anchors import release_anchors
 from ropewalk.laws.links import hold_links, note_reactions
-from ropewalk.laws.rare import acts_after
+from ropewalk.laws.rare import acts_after, parts
 from ropewalk.laws.winch import run_winches
 from ropewalk.methods.controller import (
     BEGIN,
@@ -51,8 +51,9 @@ from ropewalk.methods.implicit import (
     step,
     take_step,
 )
-from ropewalk.methods.kinks import JUST_BELOW, next_break, take_up_rates
+from ropewalk.methods.kinks import JUST_BELOW, next_break, take_up_laws, take_up_rates
 from ropewalk.methods.loop import close_frame, prepare_links
+from ropewalk.methods.partings import part_ropes
 from ropewalk.methods.stage import Stage
 from ropewalk.methods.tableaus import ESDIRK3
 from ropewalk.methods.verdict import note_changes
@@ -125,9 +126,11 @@ def begin_walk(state, scratch, t):
 
 
 @part
-def open_step(system, state, t, solver):
+def open_step(system, state, t, solver, breaks):
     """Let go of anchors and take up all rates after time `t` [s]; a jump is booked as work."""
     anew = release_anchors(system, state, t, 0.0)
+    if next_break(breaks, t * JUST_BELOW) <= t and take_up_laws(system, state, t) > 0:
+        anew = True
     return take_up_rates(system, state, t, solver.point, solver.speed) > 0 or anew
 
 
@@ -139,7 +142,7 @@ def try_step(system, state, before, scratch, t, after, dt, ledger, tableau):
     A, b, c, numbers = tableau.A, tableau.b, tableau.c, tableau.numbers
     kind = tableau.kind
     status = take_step(
-        system, state, solver, t, after, dt, ledger, MOST_HALVINGS, kind, A, b, c, numbers
+        system, state, solver, t, after, dt, ledger, MOST_HALVINGS, kind, A, b, c, numbers, False
     )
     if status != OK:
         control[ERROR] = np.inf
@@ -162,8 +165,10 @@ def stride(system, scratch, extras, ledger, tableau):
         scratch.solver,
         scratch.walk.control,
     )
-    t = control[END]
-    if open_step(system, state, t, solver) or control[WISH] == 0.0:
+    t, pull, sums = control[END], solver.pull, solver.sums
+    if parts(system) and part_ropes(system, state, pull, sums, t) > 0:
+        control[WISH] = 0.0
+    if open_step(system, state, t, solver, scratch.breaks) or control[WISH] == 0.0:
         prepare_links(system, state, t, solver.stage.saddle)
     put_row(scratch.walk.ahead, scratch.walk.begin)
     mark_sides(system, state, solver.stage.saddle.band)

@@ -18,6 +18,7 @@ from ropewalk.core.arrays import TENSION_ONLY
 from ropewalk.core.jit import kernel, part, small
 from ropewalk.laws.events import end_of_crossing
 from ropewalk.laws.nodes import mark_nodes, node_crossings
+from ropewalk.laws.rare import parts
 from ropewalk.laws.stretch_tangent import mark_rubbing
 
 
@@ -58,6 +59,32 @@ def slack_crossings(x0, v0, x1, v1, rest_length, floor, dt, tolerance):
     return end, changes
 
 
+@kernel
+def load_crossings(x0, v0, x1, v1, states, of, strength, dt, tolerance):
+    """Return where the step is to end for the first segment at its breaking load [s], and how many are.
+
+    `states` are rest lengths, stiffness, and vector and axial friction, (s,) each. Gaps are what is left to
+    the load, as a length by the stiffness. Of rigid links none is known, nor of segments with a curve `of`
+    (s,) the scene's: they part at the end of a step.
+    """
+    lengths, stiffness, vector, axial = states
+    end, changes = math.inf, 0
+    for j in range(lengths.shape[0]):
+        k = stiffness[j]
+        if of[j] >= 0 or not (strength[j] < math.inf and 0.0 < k < math.inf):
+            continue
+        rubs = (vector[j] + axial[j]) / k
+        before, rate0 = gap_of(x0, v0, j, lengths[j])
+        after, rate1 = gap_of(x1, v1, j, lengths[j])
+        left0 = strength[j] / k - before - rubs * rate0
+        left1 = strength[j] / k - after - rubs * rate1
+        if left0 > 0.0 > left1:
+            rate = (left1 - left0) / dt
+            changes += 1
+            end = min(end, end_of_crossing(left0, rate, left1, rate, dt, tolerance))
+    return end, changes
+
+
 @part
 def crossings(system, before, after, dt, tolerance):
     """Return where a step from state `before` to `after` is to end for its first event [s], inf: where it
@@ -73,6 +100,16 @@ def crossings(system, before, after, dt, tolerance):
             system.slack_floor,
             dt,
             tolerance,
+        )
+        end, changes = min(end, other), changes + more
+    if parts(system):
+        lengths, k = after.rest_length, after.stiffness
+        states, strength = (
+            (lengths, k, after.damping_vector, after.damping_axial),
+            system.node.parting.strength,
+        )
+        other, more = load_crossings(
+            before.x, before.v, after.x, after.v, states, system.curves.of, strength, dt, tolerance
         )
         end, changes = min(end, other), changes + more
     return end, changes

@@ -17,7 +17,7 @@ from ropewalk.laws.node_law import NodeLaw
 from ropewalk.laws.nodes import fold
 from ropewalk.laws.rare import has_bending
 from ropewalk.methods.peaks import keep_step
-from ropewalk.methods.recording import add_up, record_tension, total_of
+from ropewalk.methods.recording import add_up, record_elastic, total_of
 from ropewalk.methods.scratch import LANES, clear_row
 
 
@@ -48,8 +48,7 @@ def look_at_step(system, state, rubs, count, pull, sums, t):
 @part
 def stretched(system, state, pull, sums):
     """Return the elastic energy of all segments [J]."""
-    lengths, stiffness, floor = state.rest_length, state.stiffness, system.slack_floor
-    return record_tension(state.x, lengths, stiffness, floor, state.tension, sums, pull[0])
+    return record_elastic(system, state, sums, pull[0])
 
 
 @kernel
@@ -110,7 +109,10 @@ def _summing(law: NodeLaw, k: int, rest: Any) -> Any:
     return _add
 
 
-_parts, _sum = fold(_cutting, _no_parts), fold(_summing, _no_more)  # of the works of laws of nodes
+_parts, _sum = (
+    fold(_cutting, _no_parts, "lower"),
+    fold(_summing, _no_more, "lower"),
+)  # works of laws of nodes
 
 
 @part

@@ -17,9 +17,10 @@ import math
 
 from ropewalk.core.jit import kernel, part
 from ropewalk.laws.clamps import bent_energy
+from ropewalk.laws.couplings import coupled_energy, coupled_work, couples
+from ropewalk.laws.curved import stored_energy
 from ropewalk.laws.ledger import kinetic_energy
 from ropewalk.laws.rare import has_bending, limits
-from ropewalk.laws.stretch import elastic_energy
 
 # Of kinetic and stored energy, and of weight times length [1]: a whole step; twice as much each time that it
 # is halved, as what is hard to solve must end somewhere; any part.
@@ -35,9 +36,7 @@ def most_of(system, level):
 @part
 def makes_up_energy(system, state, stage, mean, dt, most):
     """Tell whether a step from `state` to `stage` under the `mean` forces makes up more than `most` [1]."""
-    lengths, k, floor = state.rest_length, state.stiffness, system.slack_floor
-    before = elastic_energy(state.x, lengths, k, floor)
-    after = elastic_energy(stage.x, lengths, k, floor)
+    before, after = stored_energy(system, state, state.x), stored_energy(system, state, stage.x)
     work = taken(mean.elastic, state.v, stage.v, dt)
     if has_bending(system):
         before += bent_energy(system, state, state.x)
@@ -45,13 +44,20 @@ def makes_up_energy(system, state, stage, mean, dt, most):
         work += taken(mean.bending, state.v, stage.v, dt)
     if limits(system):  # a bound may only take energy
         work += min(taken(mean.limiter, state.v, stage.v, dt), 0.0)
+    if couples(system):  # of what touches: what it stores; friction and impacts may only take
+        held, holds = coupled_energy(system, state, state.x), coupled_energy(system, state, stage.x)
+        given = holds - held + coupled_work(system, mean.node, state.v, stage.v, dt)
+        work -= max(given, 0.0)
+        before, after = before + held, after + held
     gain = after - before - work - min(taken(mean.friction, state.v, stage.v, dt), 0.0)
     if gain <= most * before:
         return False
     least = min(
         before + kinetic_energy(state.v, state.mass), after + kinetic_energy(stage.v, state.mass)
     )
-    return gain > most * (least + weight_times_length(state.mass, lengths, system.gravity))
+    return gain > most * (
+        least + weight_times_length(state.mass, state.rest_length, system.gravity)
+    )
 
 
 @kernel

@@ -20,7 +20,7 @@ from ropewalk.core.jit import kernel, part
 from ropewalk.core.ranges import ALL
 from ropewalk.core.status import HIT, OK, UNSOLVED
 from ropewalk.laws.anchors import move_anchors, place_stage
-from ropewalk.laws.couplings import AGAIN, FINE, meet_on_way
+from ropewalk.laws.couplings import AGAIN, FINE, couples, meet_on_way
 from ropewalk.laws.ledger import account
 from ropewalk.laws.nodes import hits, on_channels
 from ropewalk.laws.rare import has_bending, limits
@@ -208,15 +208,16 @@ def is_soft(kind, A):
 
 
 @kernel
-def take_step(system, state, scratch, t, after, dt, ledger, level, kind, A, b, c, numbers):
+def take_step(system, state, scratch, t, after, dt, ledger, level, kind, A, b, c, numbers, warm):
     """Take one step from time `t` [s]; return OK, or UNSOLVED or HIT with the state as it was.
 
     It is one of 2^level parts. But for the smallest, one that makes up energy counts as unsolved, and one
-    that hits something is told.
+    that hits something is told. `warm` begins with the last solution of the same step.
     """
     stage, mean, watch = scratch.stage, scratch.mean, level < MOST_HALVINGS
     clear_forces(system, mean)
-    put_row(state.tension, stage.tension)
+    if not warm:
+        put_row(state.tension, stage.tension)
     for s in range(b.shape[0] if kind == DIRK else 1):
         if kind == DIRK and A[s, s] == 0.0:
             put(state.v, scratch.u[s])
@@ -236,11 +237,13 @@ def take_step(system, state, scratch, t, after, dt, ledger, level, kind, A, b, c
         time, ahead = after if share == 1.0 else t + share * dt, share * dt
         status = UNSOLVED
         # With accelerations and tensions as before; if that fails, none, but not in parts on the way.
-        for attempt in range(2 if level == 0 or not watch or has_bending(system) else 1):
-            if attempt == 1:
+        twice = not watch or (not couples(system) and (level == 0 or has_bending(system)))
+        for attempt in range(2 if twice else 1):
+            if attempt == 1 or couples(system):  # what is held by contacts may leap at the start
                 clear(stage.a)
-            axpy(stage.v_known, c2, stage.a, stage.v)
-            axpy(stage.x_known, c1, stage.v, stage.x)
+            if attempt == 1 or not warm:
+                axpy(stage.v_known, c2, stage.a, stage.v)
+                axpy(stage.x_known, c1, stage.v, stage.x)
             place_stage(system, state, time, ahead, stage.x, stage.v, scratch.point, scratch.speed)
             if attempt == 1:
                 clear_row(stage.tension)
@@ -318,6 +321,7 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
     fixed = scratch.stage.saddle.band.frozen[0] == 0
     status = HIT if fixed and state.jolt[0] > 0.0 and not is_soft(kind, A) else OK
     while True:
+        warm = status == HIT and is_soft(kind, A)
         if status == HIT:  # its impulse is not to be carried on as a force
             kind, A, b, c = DIRK, scratch.rescue.A, scratch.rescue.b, scratch.rescue.c
             state.past[0] = 0.0
@@ -338,6 +342,7 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
             b,
             c,
             tableau.numbers,
+            warm,
         )
         if status == OK:
             if level == 0:

@@ -15,12 +15,16 @@ from ropewalk.core.jit import kernel, part
 from ropewalk.laws.anchors import anchor_target
 from ropewalk.laws.clamps import spins_jump, turn_clamps
 from ropewalk.laws.joints import follow, tied_to
+from ropewalk.laws.nodes import whether
 from ropewalk.laws.rare import has_clamps
-from ropewalk.motions.table import HAND, TABLE, VELOCITY
+from ropewalk.motions.rows import jumps
+from ropewalk.motions.table import HAND
 
 JUST_BELOW = 1.0 - 2.3e-16
 AT = 1e-6  # [1] a kink this near to an end of a step, over its length, is at that end ...
 ROUNDING = 1e-15  # [1] ... or by this share of the time
+
+_laws_have = whether("kinks")
 
 
 def kink_times(anchors: Anchors, bending: Bending, *laws: Floats) -> Floats:
@@ -29,30 +33,14 @@ def kink_times(anchors: Anchors, bending: Bending, *laws: Floats) -> Floats:
     Starts and stops of motions and of turning clamps, corners of tables, releases, and what `laws` of nodes
     add.
     """
-    times = [anchors.params[anchors.kind == VELOCITY, 6:8].ravel(), anchors.release]
-    for row in np.flatnonzero(anchors.kind == TABLE):
-        first = anchors.table_start[row]
-        times.append(_corners(anchors.table[first : first + anchors.table_rows[row]]))
-    times.append(bending.turn[bending.clamped == 1, 1:].ravel())
-    return in_order([*times, *laws])
+    turns = bending.turn[bending.clamped == 1, 1:].ravel()
+    return in_order([jumps(anchors), anchors.release, turns, *laws])
 
 
 def in_order(times: list[Floats]) -> Floats:
     """Return the finite ones of these times after zero [s], sorted."""
     found = np.unique(np.concatenate(times))
     return np.ascontiguousarray(found[np.isfinite(found) & (found > 0.0)])
-
-
-def _corners(rows: Floats) -> Floats:
-    """Return the times of a table at which its velocity jumps: both ends, and corners between."""
-    time, slope = rows[:, 0], rows[:, 2::4]
-    width = np.diff(time)[:, None]
-    arriving = rows[:-1, 2::4] + width * (2.0 * rows[:-1, 3::4] + width * 3.0 * rows[:-1, 4::4])
-    jump = np.abs(slope[1:-1] - arriving[:-1]).max(axis=1, initial=0.0)
-    corner = np.ones(len(time), dtype=bool)
-    corner[1:-1] = jump > 1e-9 * np.abs(slope).max(initial=0.0)
-    found: Floats = time[corner]
-    return found
 
 
 @kernel
@@ -104,6 +92,18 @@ def take_up_rates(system, state, t, point, speed):
 
 
 @part
+def take_up_laws(system, state, t):
+    """Let laws of nodes that have kinks go on with what holds just after one at time `t` [s]; return 1 or 0.
+
+    Their forces may have jumped, and what they remember of the time just before is that of the kink.
+    """
+    has = _laws_have(system)
+    if has:
+        state.now[0], state.now[1] = t, t
+    return 1 if has else 0
+
+
+@part
 def take_up_hands(system, state, t, point, speed):
     """Give the nodes in hands their new rates at time `t` [s]; return how many numbers jumped."""
     jumps = 0
@@ -146,6 +146,7 @@ def next_piece(system, state, t, begin, after, dt, point, speed):
         here, kink = next_kink(system.kinks, begin, after, dt)
         if here > -np.inf:
             jumps = take_up_rates(system, state, max(begin, here), point, speed)
+            jumps += take_up_laws(system, state, max(begin, here))
         if kink < np.inf:
             stop = kink if kink < after - near(after, dt) else after
             end = min(after, kink * JUST_BELOW)

@@ -7,14 +7,15 @@ from typing import Any
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.status import OK
 from ropewalk.laws.anchors import release_anchors
+from ropewalk.laws.curved import tensions
 from ropewalk.laws.limiter import limit_stretch
 from ropewalk.laws.links import hold_links
-from ropewalk.laws.rare import acts_after, limits
-from ropewalk.laws.stretch import segment_tension
+from ropewalk.laws.rare import acts_after, limits, parts
 from ropewalk.laws.table import accelerate, evaluate
 from ropewalk.laws.winch import run_winches
 from ropewalk.methods.errors import look_at_step
 from ropewalk.methods.kinks import near, next_piece, take_up_hands
+from ropewalk.methods.partings import part_ropes
 from ropewalk.methods.peaks import any_rubs, wanted
 from ropewalk.methods.recording import record_frame
 from ropewalk.methods.scratch import clear
@@ -31,8 +32,7 @@ def prepare(system, state):
     if limits(system):
         clear(state.forces.limiter)
     accelerate(system, state, state.forces, state.acceleration)
-    floor = system.slack_floor
-    segment_tension(state.x, state.rest_length, state.stiffness, floor, state.tension)
+    tensions(system, state, state.tension)
     state.past[0] = 0.0
 
 
@@ -68,6 +68,9 @@ def _renew_other(system, state, t, scratch, tableau):
     prepare(system, state)
 
 
+_SOLVER, _OTHER = (_prepare_solver, _renew_solver), (_prepare_other, _renew_other)
+
+
 @part
 def _wind(system, state, scratch, t, dt, ledger):
     """Let winches act on the end of a step; a method that solves has the limiter in its equations."""
@@ -101,13 +104,11 @@ def _module(step: Any) -> str:
 
 
 def make_advance(step: Any, *, carries: bool = False, solves: bool = False) -> Any:
-    """Return the kernel that advances by a method's `step`, a part compiled into it.
+    """Return the kernel that advances by a method's `step`, a part compiled into it, cut at kinks.
 
-    `carries` says that a step begins with the forces and accelerations that the one before ended with,
-    `solves` that it solves equations and returns a status. Steps are cut at kinks, see `kinks`.
+    With `carries` a step begins with the forces that the one before ended with; `solves`: it has a status.
     """
-    begin_anew = _prepare_solver if solves else _prepare_other
-    renew = _renew_solver if solves else _renew_other
+    begin_anew, renew = _SOLVER if solves else _OTHER
     act_after = _wind if solves else wind_and_limit
 
     def advance(system, state, scratch, extras, clock, frames, ledger, out, stop_at_break, tableau):
@@ -147,10 +148,12 @@ def make_advance(step: Any, *, carries: bool = False, solves: bool = False) -> A
                     begin = to
                     if begin < after:  # the end of a pull, often its peak
                         close_interval(system, state, pull, sums, t, begin)
-                if solves or acts_after(extras):
+                if solves or acts_after(extras) or parts(system):
                     watch(system, state, pull, sums, after)
                 elif wanted(state):
                     look_at_step(system, state, rubs, s + 1, pull, sums, after)
+                if parts(system) and part_ropes(system, state, pull, sums, after) > 0 and carries:
+                    begin_anew(system, state, after, scratch)
             done, clock[2] = done + steps, done + steps
             if frame + 1 < frames or clock[5] == 0.0:
                 close_interval(system, state, pull, sums, after, after)

@@ -34,7 +34,8 @@ from ropewalk.core.peaks import (
 )
 from ropewalk.core.ranges import ALL, rows
 from ropewalk.laws.anchors import first_index, last_index
-from ropewalk.laws.rare import has_clamps, limits, winds
+from ropewalk.laws.curved import keep_curved, settle_curved
+from ropewalk.laws.rare import has_clamps, has_curves, limits, parts, winds
 
 DEPTH = 32  # steps
 
@@ -47,8 +48,8 @@ def wanted(state):
 
 @part
 def adds_to_springs(system, state):
-    """Tell whether a winch or a bound adds to what springs and friction carry."""
-    return limits(system) or winds(system, state)
+    """Tell whether a winch or a bound adds to what springs and friction carry, or they part."""
+    return limits(system) or winds(system, state) or parts(system)
 
 
 @small
@@ -183,7 +184,10 @@ def keep_springs(system, state, rubs, lo=0, hi=ALL):
         lengths, k, floor = state.rest_length, state.stiffness, system.slack_floor
         vector, axial = state.damping_vector, state.damping_axial
         high, low = peaks.tension_high, peaks.tension_low
-        keep_tension(state.x, state.v, lengths, k, floor, vector, axial, high, low, lo, hi)
+        if has_curves(system):
+            keep_curved(state, floor, system.curves, high, low, lo, hi)
+        else:
+            keep_tension(state.x, state.v, lengths, k, floor, vector, axial, high, low, lo, hi)
 
 
 @part
@@ -275,7 +279,10 @@ def search_all(system, state, until):
         state.peaks.looked[0],
     )
     vector, axial, found = state.damping_vector, state.damping_axial, state.peaks.found
-    settle(peaks, lengths, k, system.slack_floor, vector, axial)
+    if has_curves(system):
+        settle_curved(peaks, lengths, k, system.slack_floor, vector, axial, system.curves)
+    else:
+        settle(peaks, lengths, k, system.slack_floor, vector, axial)
     search_live(peaks.tension_high, lengths, k, 1.0, TENSION, found, since, until)
     search_live(peaks.tension_low, lengths, k, -1.0, LEAST_TENSION, found, since, until)
     search(peaks.stretch, 1.0, STRETCH, found, since, until)

@@ -12,9 +12,11 @@ from ropewalk.core.arrays import Floats, State
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.ranges import rows
 from ropewalk.laws.clamps import bent_energy
+from ropewalk.laws.curved import at_strain, stretched
 from ropewalk.laws.node_law import NodeLaw
 from ropewalk.laws.nodes import fold, touch_nodes
-from ropewalk.laws.rare import acts, has_bending, limits, winds
+from ropewalk.laws.parting import NAME as PARTING
+from ropewalk.laws.rare import acts, has_bending, has_curves, limits, winds
 from ropewalk.laws.registry import NODE_LAWS
 from ropewalk.methods.peaks import record_peaks
 from ropewalk.methods.scratch import LANES, clear, clear_row, put
@@ -43,7 +45,7 @@ class Recording(NamedTuple):
     speed_high: Floats  # (f, n) greatest speed [m/s]
     lowest: Floats  # (f, n) least height along up [m]
     highest: Floats  # (f, n) greatest
-    rest_length: Floats  # (f, s) [m]; (f, 0) without a winch
+    rest_length: Floats  # (f, s) [m]; (f, 0) where none changes
     energy: Floats  # (f, 3 or 4) kinetic, gravity, elastic and, where there is any, bending [J]
     work: Floats  # (f, 8 or more + a) work by law, see `work_names`, then by anchor [J]
     jump: Floats  # (f, 2) kinetic energy put in by limiter and winch [J]
@@ -92,7 +94,11 @@ def make_recording(
     shapes += [peaks.stretch.shape] * 3 + [peaks.speed.shape] * 3
     shapes += [(s if with_lengths else 0,), (energies,), (laws + a,), (2,), (a, 3), (3,), (3,)]
     shapes += [(clamps, 3), *[(wide,)] * 4, peaks.reaction.shape, peaks.moment.shape]
-    shapes += [(3, n if more else 0), *[(peaks.error.shape[0],)] * 2, state.joint_force.shape]
+    shapes += [
+        (3, n if set(more) - {PARTING} else 0),
+        *[(peaks.error.shape[0],)] * 2,
+        state.joint_force.shape,
+    ]
     large = [empty((frames, *shape)) for shape in shapes[: len(LARGE)]]
     return Recording(*large, *(np.zeros((frames, *shape)) for shape in shapes[len(LARGE) :]))
 
@@ -213,6 +219,43 @@ def _add_tension(x, rest_length, stiffness, floor, solved, lo, hi, sums, tension
 
 
 @part
+def record_elastic(system, state, sums, tension):
+    """Write every segment's elastic tension [N], (s,); return their energy [J]."""
+    lengths, k, floor, solved = (
+        state.rest_length,
+        state.stiffness,
+        system.slack_floor,
+        state.tension,
+    )
+    if has_curves(system):
+        energy = record_curved(state.x, lengths, k, floor, system.curves, solved, tension)
+    else:
+        energy = record_tension(state.x, lengths, k, floor, solved, sums, tension)
+    return energy
+
+
+@kernel
+def record_curved(x, rest_length, stiffness, floor, curves, solved, tension):
+    """As `record_tension`, of segments with a curve or without."""
+    total = 0.0
+    for j in range(rest_length.shape[0]):
+        length, k = rest_length[j], stiffness[j]
+        e = stretched(x, j) - length
+        gives = k < np.inf
+        pull = k * e if gives else solved[j]
+        stored = 0.5 * pull * e
+        if curves.of[j] >= 0 and k > 0.0:
+            pull, _, stored = at_strain(curves, curves.of[j], e / length)
+            pull, stored = k * length * pull, k * length * length * stored
+        size = max(abs(x[0, j]), abs(x[1, j]), abs(x[2, j]))
+        if abs(solved[j] - pull) <= k * (SOLVED * length + ROUNDING * size):
+            pull = solved[j]
+        tension[j] = max(pull, floor[j])
+        total += stored if gives and pull >= floor[j] else 0.0
+    return total
+
+
+@part
 def carried_tension(system, state, elastic, tension):
     """Write what every segment carries along itself [N], (s,): its elastic tension, friction and bound.
 
@@ -270,8 +313,7 @@ def record_frame(system, state, ledger, sums, frame, out):
     put(state.x, out.x[frame])
     put(state.v, out.v[frame])
     elastic, energy = out.elastic_tension[frame], out.energy[frame]
-    lengths, stiffness, floor = state.rest_length, state.stiffness, system.slack_floor
-    energy[2] = record_tension(state.x, lengths, stiffness, floor, state.tension, sums, elastic)
+    energy[2] = record_elastic(system, state, sums, elastic)
     carried_tension(system, state, elastic, out.tension[frame])
     for j in range(out.rest_length.shape[1]):
         out.rest_length[frame, j] = state.rest_length[j]
@@ -324,7 +366,7 @@ def _recording(law: NodeLaw, k: int, rest: Any) -> Any:
     return _record
 
 
-_record_node_works = fold(_recording, _no_works)
+_record_node_works = fold(_recording, _no_works, "lower")
 
 
 @kernel

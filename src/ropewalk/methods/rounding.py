@@ -26,7 +26,8 @@ def bending_rounding(x, rest_length, stiffness, clamp_stiffness, node):
         for side in range(2):
             if clamp_stiffness[row, side] > 0.0:
                 length = rest_length[node[row] - 1 + side]
-                largest = max(largest, clamp_stiffness[row, side] / (length * length))
+                if length > 0.0:
+                    largest = max(largest, clamp_stiffness[row, side] / (length * length))
     return 16.0 * EPSILON * largest * size
 
 

@@ -37,12 +37,17 @@ from ropewalk.laws.registry import NODE_LAWS
 from ropewalk.laws.stage_forces import evaluate_stage, mark_stage
 from ropewalk.laws.table import accelerate
 from ropewalk.laws.tangent import add_tangents, begin_tangent
+from ropewalk.methods.model_slope import follow_model
 from ropewalk.methods.rounding import EPSILON, motion_rounding, rounding
 
 MOST_ITERATIONS = 60
 DECIDING = 8  # iterations that may still change what rubs and what touches
 TIGHT = 1e-12  # [1] force residual over the largest force, when solved
 LOOSE = 1e-8  # [1] the same, where rounding stops the descent
+# The same where ropes touch each other, and as they are taken after the last iteration.
+TOUCHING, TOUCHING_AT_MOST = 1e-10, 1e-6
+TOUCHING_ITERATIONS = 25  # without bending: shorter steps take few
+CLOSE_ENOUGH, SOON = 1e-2, 10  # as CLOSE and LATE, where ropes touch
 DESCENT = 1e-4  # Armijo's constant
 SHORTEST = 1e-5  # [1] smallest part of a Newton step
 COMPRESSION = -0.24  # [1] least geometric stiffness far from the solution, over m / (c1 c2)
@@ -173,9 +178,9 @@ def is_solved(report, tolerance):
 
 
 @kernel
-def is_close(report):
-    """Tell whether the solution is near by what is left of forces and lengths."""
-    return report[RESIDUAL] <= CLOSE * report[SCALE] and report[MISFIT] <= CLOSE / TIGHT
+def is_close(report, part):
+    """Tell whether the solution is near: so large a part is left of forces and lengths at most [1]."""
+    return report[RESIDUAL] <= part * report[SCALE] and report[MISFIT] <= part / TIGHT
 
 
 @kernel
@@ -285,12 +290,12 @@ def newton_step(system, state, stage, c1, c2, exact, leap):
         add_tangents(system, state, stage.x, stage.v, 1.0, 1.0 / c1, saddle.band)
         if coupled:
             soften(segments.weight, saddle.carries, saddle.compliance)
-            fits = order_couplings(system, state, saddle.network)
-            gather(saddle, saddle.network)
-            add_couplings(system, state, stage.x, stage.v, 1.0, 1.0 / c1, saddle.network)
-            solve_gathered(saddle)
-            if not fits:
-                saddle.moved[0, 0] = np.inf  # no solution
+            if order_couplings(system, state, saddle.network):
+                gather(saddle, saddle.network)
+                add_couplings(system, state, stage.x, stage.v, 1.0, 1.0 / c1, saddle.network)
+                solve_gathered(saddle)
+            else:  # no room for its blocks: no solution
+                saddle.moved[0, 0] = np.inf
         else:
             band_sweep(saddle)
     stage.report[SOLVES] += 1.0
@@ -310,14 +315,15 @@ def solve_stage(system, state, stage, c1, c2):
     begin(mass, state.inverse_mass, state.stiffness, segments, saddle, 1.0 / (c1 * c2))
     merit, size, exact, wary, held_back, failed = np.inf, 0.0, False, 0, 0, False
     iteration, leaps, leap, bar, first = 0, 0, False, np.inf, 0
-    calm = not has_bending(system)
+    calm, touching, last = not has_bending(system), couples(system), np.inf
+    most = TOUCHING_ITERATIONS if touching and calm else MOST_ITERATIONS
     late, memory = (LATE, MEMORY) if is_smooth(system) else (CAREFUL_LATE, CAREFUL_MEMORY)
     while True:
         evaluate_stage(system, state, x, v, tension, segments, saddle, stage.forces)
         accelerate(system, state, stage.forces, stage.a)
         trial = balance(stage.a, v, known, mass, free, c1, c2, saddle.force)
         trial += misfit_merit(saddle.misfit, segments.weight)
-        if size > 0.0 and not trial <= (1.0 - DESCENT * size) * bar:
+        if not touching and size > 0.0 and not trial <= (1.0 - DESCENT * size) * bar:
             shorter = shorter_part(size, trial, merit)
             failed = shorter < SHORTEST
             shorter = 0.0 if failed else shorter
@@ -332,25 +338,36 @@ def solve_stage(system, state, stage, c1, c2):
         largest_misfit(x, tension, state.rest_length, stage.forces.friction, saddle, report)
         report[ROUNDING] = rounding(system, state, stage)
         report[ITERATIONS], report[HISTORY + iteration] = iteration, trial
-        if is_solved(report, TIGHT):
+        if is_solved(report, TOUCHING if touching else TIGHT):
             break
+        if touching:
+            enough = TOUCHING_AT_MOST if iteration == most else LOOSE
+            if (iteration == most or report[RESIDUAL] > 0.5 * last) and is_solved(report, enough):
+                break
+            last = report[RESIDUAL]
         stuck = failed and not exact
         if stuck:
             report[ROUNDING] += motion_rounding(v, known, mass, free, state.damping_vector, c2)
             if is_solved(report, LOOSE):
                 break
         leaps, leap = leaps + (1 if stuck else 0), stuck or (leap and wary > 1)
-        if iteration == MOST_ITERATIONS or leaps > MOST_LEAPS:
+        if iteration == most or leaps > MOST_LEAPS:
             return UNSOLVED
         wary = WARY if failed else wary - 1
         near = exact or (
             held_back == 1
-            and (trial < NEAR * merit or (calm and is_close(report)) or iteration > late)
+            and (trial < NEAR * merit or (calm and is_close(report, CLOSE)) or iteration > late)
         )
-        exact = near and wary <= 0
+        by_now = is_close(report, CLOSE_ENOUGH) or iteration > SOON
+        exact = (by_now if touching else near) and wary <= 0
+        leap = leap or (touching and not exact)
         held_back = newton_step(system, state, stage, c1, c2, exact, leap)
         if not is_finite(saddle.moved, saddle.pulled):
             return UNSOLVED
+        if touching:
+            size, iteration = follow_model(system, state, stage, c1, exact), iteration + 1
+            wary = WARY if size == 0.0 else wary
+            continue
         move(1.0, c1, x, v, tension, saddle)
         first = iteration + 1 if leap else first
         merit = np.inf if leap else trial

@@ -6,10 +6,11 @@ from typing import Any
 
 from ropewalk.core.status import OK
 from ropewalk.laws.anchors import release_anchors
-from ropewalk.laws.rare import acts_after
+from ropewalk.laws.rare import acts_after, parts
 from ropewalk.laws.table import reaches_neighbours_only
 from ropewalk.methods.errors import keep_step_error
 from ropewalk.methods.loop import close_frame, named, wind_and_limit
+from ropewalk.methods.partings import part_ropes
 from ropewalk.methods.peaks import DEPTH, search_all, wanted
 from ropewalk.methods.verdict import note_changes
 from ropewalk.methods.watch import close_interval, open_interval, watch
@@ -36,10 +37,9 @@ def make_tiled_advance(step: Any, before: Any) -> Any:
         n, pull, sums = state.mass.shape[0], scratch.pull, scratch.sums
         before(state, scratch)
         note_changes(system, state)
-        errs = ledger and wanted(state) and not acts_after(extras)
-        width = (
-            TILE if not acts_after(extras) and reaches_neighbours_only(system) and not errs else n
-        )
+        watches = acts_after(extras) or parts(system)
+        errs = ledger and wanted(state) and not watches
+        width = TILE if not watches and reaches_neighbours_only(system) and not errs else n
         for frame in range(frames):
             if frame > 0 or clock[4] == 0.0:
                 open_interval(system, state, pull, sums, clock[0] + done * dt)
@@ -56,11 +56,14 @@ def make_tiled_advance(step: Any, before: Any) -> Any:
                         step(system, state, scratch, t, after, dt, ledger, tableau, lo, hi)
                         if acts_after(extras):
                             wind_and_limit(system, state, scratch, t, dt, ledger)
+                        if watches:
                             watch(system, state, pull, sums, after)
                         elif errs:
                             keep_step_error(system, state, pull, sums, after)
+                        if parts(system):
+                            part_ropes(system, state, pull, sums, after)
                     first = last
-                if not acts_after(extras) and stop % DEPTH == 0 and wanted(state):
+                if not watches and stop % DEPTH == 0 and wanted(state):
                     search_all(system, state, clock[0] + (stop - 1) * dt)
                 start = stop
             done += steps

@@ -16,10 +16,10 @@ from ropewalk.core.jit import kernel, part
 from ropewalk.core.status import BROKEN, HONEST, LAST, MADE_UP, OK, SEEN, TAKEN, ZERO
 from ropewalk.laws.clamps import bent_energy
 from ropewalk.laws.couplings import any_fault
+from ropewalk.laws.curved import stored_energy
 from ropewalk.laws.ledger import gravity_energy, kinetic_energy
-from ropewalk.laws.nodes import node_energy, node_power
+from ropewalk.laws.nodes import node_energy, node_given, node_power
 from ropewalk.laws.rare import has_bending
-from ropewalk.laws.stretch import elastic_energy
 
 LARGEST = 1e154  # [m] the square of a longer one is infinite
 
@@ -29,7 +29,7 @@ def energy_now(system, state):
     """Return the energy of all ropes [J], that of laws of nodes and of applied forces included."""
     total = kinetic_energy(state.v, state.mass)
     total += gravity_energy(state.x, state.mass, system.gravity)
-    total += elastic_energy(state.x, state.rest_length, state.stiffness, system.slack_floor)
+    total += stored_energy(system, state, state.x)
     if has_bending(system):
         total += bent_energy(system, state, state.x)
     x = state.x
@@ -75,7 +75,7 @@ def judge(system, state, time):
     balance = state.balance
     balance[HONEST] += (time - balance[SEEN]) * node_power(system, state, state.x)
     balance[SEEN] = time
-    energy, given = energy_now(system, state), 0.0
+    energy, given = energy_now(system, state), node_given(system, state, state.x)
     for row in range(state.most.shape[0]):
         given += state.most[row]
     balance[LAST] = energy

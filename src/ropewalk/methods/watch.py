@@ -14,7 +14,7 @@ from ropewalk.methods.peaks import (
     search_all,
     wanted,
 )
-from ropewalk.methods.recording import carried_tension, record_tension
+from ropewalk.methods.recording import carried_tension, record_elastic
 
 
 @kernel
@@ -22,9 +22,8 @@ def watch(system, state, pull, sums, t):
     """Look at the state of time `t` [s]. `pull` (2, s) and `sums` are working space."""
     if not wanted(state):
         return
-    peaks, lengths, stiffness = state.peaks, state.rest_length, state.stiffness
-    floor = system.slack_floor
-    elastic = record_tension(state.x, lengths, stiffness, floor, state.tension, sums, pull[0])
+    peaks, lengths = state.peaks, state.rest_length
+    elastic = record_elastic(system, state, sums, pull[0])
     keep_error(system, state, elastic, sums, t)
     carried_tension(system, state, pull[0], pull[1])
     keep_between(pull[1], peaks.tension_high, peaks.tension_low, 0, ALL)

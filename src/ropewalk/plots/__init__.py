@@ -10,7 +10,7 @@ Nothing here uses pyplot, so figures neither pile up nor need a display.
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from matplotlib.figure import Figure
 
@@ -27,8 +27,27 @@ from ropewalk.plots.phases import phase
 from ropewalk.plots.reaction_forces import reactions
 from ropewalk.plots.rolling import rolling
 from ropewalk.plots.shape_figure import shape
+from ropewalk.plots.stick_slip import sticking
 from ropewalk.plots.sweeps import sweep
 from ropewalk.plots.tensions import tension
+
+if TYPE_CHECKING:
+    from ropewalk.record.result import Result
+
+
+def always(result: Result) -> bool:
+    """Every run has it."""
+    return True
+
+
+def is_held(result: Result) -> bool:
+    """Tell whether an anchor holds a rope."""
+    return bool(result.layout.anchor_names)
+
+
+def touches(result: Result) -> bool:
+    """Tell whether forces of contacts were recorded."""
+    return "contact_force" in result.source.names
 
 
 class Plot(NamedTuple):
@@ -36,6 +55,7 @@ class Plot(NamedTuple):
 
     draw: Callable[..., Figure]  # takes a Result, and keywords
     description: str
+    there: Callable[[Result], bool] = always  # whether there is something to draw
 
 
 PLOTS: dict[str, Plot] = {
@@ -45,8 +65,10 @@ PLOTS: dict[str, Plot] = {
     "tension": Plot(tension, "tension along the rope and in time, as a heat map"),
     "energy": Plot(energy, "energies, works and the energy error against time"),
     "phase": Plot(phase, "velocity against position of one node"),
-    "reactions": Plot(reactions, "force of each anchor on its rope against time"),
+    "reactions": Plot(reactions, "force of each anchor on its rope against time", is_held),
     "forces": Plot(forces, "the last frame, or the equilibrium: tension and anchors' forces"),
+    "contact": Plot(contact, "forces of contacts and tension along the ropes at one time", touches),
+    "sticking": Plot(sticking, "which nodes stick and which slip, against time", touches),
 }
 FIGURES = tuple(PLOTS)
 
@@ -69,6 +91,7 @@ __all__ = [
     "rolling",
     "save",
     "shape",
+    "sticking",
     "sweep",
     "tension",
 ]

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.patches import PathPatch
 
 from ropewalk.plots.outlines import Outline, draw_outlines, near, outlines_of
 from ropewalk.plots.sight import (
@@ -111,6 +112,11 @@ def draw_still(axes: Axes, seen: Backdrop) -> None:
     axes.axhline(height, color=EARTH, linewidth=1.2, zorder=0.6, label="_ground")
 
 
+def draw_moving(axes: Axes, result: Result, view: Sight, time: float) -> list[PathPatch]:
+    """Draw the obstacles that move where they are at a time [s]; return what was drawn."""
+    return draw_outlines(axes, outlines_of(result, view, time))
+
+
 def draw_anchors(axes: Axes, result: Result, view: Sight, frame: int, **style: object) -> None:
     """Draw the anchors that hold at a frame."""
     places = view.project(anchors_at(result, frame))
@@ -138,7 +144,7 @@ class Backdrop:
     box: Box
     ground: float | None
     good: int
-    outlines: tuple[Outline, ...] = ()  # of obstacles
+    outlines: tuple[Outline, ...] = ()  # of obstacles that stay where they are
 
 
 def backdrop(result: Result, plane: str | None, frames: list[int] | None = None) -> Backdrop:
@@ -152,7 +158,8 @@ def backdrop(result: Result, plane: str | None, frames: list[int] | None = None)
     broken = good < len(result.time)
     flat = view.project(points)
     outlines = outlines_of(result, view)
-    around = np.concatenate([flat.reshape(-1, 2), near(outlines, flat)])
+    moving = [one for f in inside for one in outlines_of(result, view, float(result.time[f]))]
+    around = np.concatenate([flat.reshape(-1, 2), near([*outlines, *moving], flat)])
     return Backdrop(view, box_around(around, ground, roomy=broken), ground, good, outlines)
 
 

@@ -18,6 +18,7 @@ from ropewalk.plots.canvas import (
     backdrop,
     draw_anchors,
     draw_loads,
+    draw_moving,
     draw_still,
     label,
     magnification_note,
@@ -130,6 +131,7 @@ def _draw_shapes(
                 continue
             frame = frame_at(result, [time])[0]
             colour = colours(i / max(len(chosen) - 1, 1))
+            draw_moving(axes, result, seen.view, time)
             draw_ropes(axes, result, seen, frame, colour, f"{time:.3g} s")
             draw_loads(axes, result, seen.view, frame, color=colour, markersize=4.5)
             draw_anchors(axes, result, seen.view, frame, color=colour, markersize=3.5)

@@ -24,6 +24,7 @@ from ropewalk.plots.style import (
     set_title,
     styled,
 )
+from ropewalk.plots.torn import broken_note
 from ropewalk.record.obstacle_table import obstacle_table
 
 if TYPE_CHECKING:
@@ -67,7 +68,7 @@ def coils(result: Result, frame: int) -> list[Coil]:
     if table is None:
         return []
     places = result.positions[frame]
-    deep = depths(table, places.T)
+    deep = depths(table, places.T, float(result.time[frame]))
     touches = deep.max(axis=0) > -0.2 * table.thickness  # the others touch ropes
     touches &= np.abs(force[frame]).sum(axis=1) > 0.0
     touched = np.where(touches, deep.argmax(axis=0), -1)
@@ -97,19 +98,17 @@ def _runs(values: np.ndarray) -> Iterator[tuple[int, int, int]]:
 
 @styled
 def contact(result: Result, time: float | None = None) -> Figure:
-    """Draw the forces of obstacles on the nodes, and the tension, along the ropes at a time [s].
+    """Draw the forces of contacts on the nodes, and the tension, along the ropes at a `time` [s].
 
     By default the last frame, or the last good one. Along a wrap round a bar the dashed line is
     T0 exp(mu s / R) from the slack side on (Euler, Eytelwein), with how far the recorded rope has turned
     as s / R: a rope that sticks lies below, one that slips on it, but for its weight, which the formula
     leaves out.
 
-    Raises ValueError for a run without obstacles or their recorded forces, and for a time outside it.
+    Raises ValueError for a run without recorded contact forces, and for a time outside it.
     """
-    if not result.scene.obstacles:
-        raise ValueError("result: has no obstacles - there are no contact forces to draw")
     if "contact_force" not in result.source.names:
-        raise ValueError("result: has no contact_force - record it, or leave it in the selection")
+        raise ValueError("result: has no contact_force - it needs obstacles, or a [contact] table")
     frame = good_frames(result) - 1 if time is None else frame_at(result, [time])[0]
     found = coils(result, frame)
     figure = new_figure(7.2, 5.4)
@@ -119,7 +118,8 @@ def contact(result: Result, time: float | None = None) -> Figure:
     set_title(
         figure, f"{result.scene.name}: contact at t = {result.time[frame]:.4g} s", describe(result)
     )
-    set_note(figure, [_told(coil) for coil in found[:_TOLD]])
+    notes = broken_note(result, good_frames(result))
+    set_note(figure, notes + [_told(coil) for coil in found[:_TOLD]])
     return figure
 
 

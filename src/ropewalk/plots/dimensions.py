@@ -14,6 +14,7 @@ from ropewalk.plots.canvas import (
     backdrop,
     draw_anchors,
     draw_loads,
+    draw_moving,
     draw_still,
     label,
     magnification_note,
@@ -55,6 +56,7 @@ def dimensions(result: Result, *, plane: str | None = None) -> Figure:
     axes = figure.subplots()
     prepare(axes, seen.box)
     draw_still(axes, seen)
+    draw_moving(axes, result, seen.view, 0.0)
     points = positions_of(result, slice(0, 1))[0]
     for number, (span, line) in enumerate(
         zip(result.layout.ropes, rope_lines(result, seen.view.project(points)), strict=True)

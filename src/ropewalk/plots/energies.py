@@ -106,9 +106,14 @@ def _draw_error(axes: Axes, result: Result, curves: dict[str, Floats], good: int
     scaled_axis(axes, "energy error", "J", set_limits(axes, [error, least, most], good, 0.1))
     if good < len(result.time):
         _break_scale(axes, [error, least, most], good, 3)
-    turned = turned_over({name: part[:good] for name, part in curves.items()})
+    work = {name: part[:good] for name, part in result.work.items()}
+    turned = turned_over({name: part[:good] for name, part in curves.items()}, work)
     worst = float(np.nanmax(np.abs(result.energy_errors[:good])))
-    share = f" ({_percent(worst / turned)} of the largest change of an energy)" if turned else ""
+    share = (
+        f" ({_percent(worst / turned)} of the largest change of an energy or work)"
+        if turned
+        else ""
+    )
     said = f"Energy error: total energy less its start and all works; at most {worst:.3g} J{share}."
     if result.has_extremes:
         said += " The band has every step."

@@ -15,6 +15,7 @@ from ropewalk.plots.canvas import (
     backdrop,
     draw_anchors,
     draw_loads,
+    draw_moving,
     draw_still,
     label,
     magnification_note,
@@ -80,6 +81,7 @@ def film(
 def _draw_frame(axes: Axes, result: Result, seen: Backdrop, frame: int) -> None:
     """Draw one recorded frame with its time."""
     colour = COLOURS[0] if frame < seen.good else BROKEN
+    draw_moving(axes, result, seen.view, float(result.time[frame]))
     draw_ropes(axes, result, seen, frame, colour, "rope")
     draw_loads(axes, result, seen.view, frame, markersize=4.5)
     draw_anchors(axes, result, seen.view, frame, markersize=3.5)

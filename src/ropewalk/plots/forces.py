@@ -16,6 +16,7 @@ from ropewalk.plots.canvas import (
     backdrop,
     draw_anchors,
     draw_loads,
+    draw_moving,
     draw_still,
     label,
     magnification_note,
@@ -89,6 +90,7 @@ def _draw_shape(
     live = result.live[frame]
     prepare(axes, seen.box)
     draw_still(axes, seen)
+    draw_moving(axes, result, seen.view, float(result.time[frame]))
     axes.add_collection(
         LineCollection(
             list(ends[live]),

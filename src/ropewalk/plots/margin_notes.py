@@ -8,6 +8,7 @@ import numpy as np
 
 from ropewalk.plots.style import escape
 from ropewalk.record.margins import breaking_load, margin_words
+from ropewalk.scene import Rope
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -25,9 +26,19 @@ def margin_notes(result: Result, first: int, stop: int) -> list[str]:
             view = result.rope(rope.name)
             pull = (view.tension if stop == first + 1 else view.greatest_tension)[first:stop]
             largest = float(np.nanmax(np.where(np.isfinite(pull), pull, 0.0), initial=0.0))
-            found.append((largest / load, rope.name))
+            found.append((largest / load, rope.name, _beyond(result, rope, stop)))
     if not found:
         return []
-    utilisation, name = max(found)
+    utilisation, name, beyond = max(found)
     whose = f"Rope {escape(name)}: " if len(result.scene.ropes) > 1 else ""
-    return [f"{whose}at most {margin_words(utilisation)}."]
+    return [f"{whose}at most {margin_words(utilisation, beyond)}."]
+
+
+def _beyond(result: Result, rope: Rope, stop: int) -> str:
+    """Return what came of more than the breaking load up to a frame; "" of one that parts and held."""
+    if not rope.made_of.parts:
+        return "it would have parted"
+    until = result.time[stop - 1]
+    return (
+        "it parted" if any(p.rope == rope.name and p.time <= until for p in result.partings) else ""
+    )

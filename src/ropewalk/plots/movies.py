@@ -24,6 +24,7 @@ from ropewalk.plots.canvas import (
     Backdrop,
     Box,
     backdrop,
+    draw_moving,
     draw_still,
     label,
     magnification_note,
@@ -32,7 +33,7 @@ from ropewalk.plots.canvas import (
 from ropewalk.plots.ffmpeg import MovieError, Mp4Writer
 from ropewalk.plots.gif import GifWriter, make_palette
 from ropewalk.plots.given_forces import GIVEN, GivenForces, given_notes
-from ropewalk.plots.sight import Floats, held_nodes, load_nodes, tame
+from ropewalk.plots.sight import Floats, held_nodes, load_nodes, parted_segments, tame
 from ropewalk.plots.style import (
     method_and_step,
     scaled_axis,
@@ -235,16 +236,19 @@ class _Painter:
         """Return the picture of a moment, RGB."""
         box = self._seen.box
         points = self._seen.view.project(moment.points)
+        bodies = draw_moving(self._axes, self._result, self._seen.view, moment.time)
         if moment.broken:
             x = tame(points[:, 0], box.left, box.right)
             points = np.stack([x, tame(points[:, 1], box.low, box.high)], axis=1)
-        pieces = np.stack([points[:-1], points[1:]], axis=1)[self._live]
+        live = self._live.copy()
+        live[parted_segments(self._result, moment.time)] = False
+        pieces = np.stack([points[:-1], points[1:]], axis=1)[live]
         self._rope.set_segments(list(pieces))
         if moment.broken:
             self._rope.set_array(None)
             self._rope.set_color(BROKEN)
         else:
-            self._rope.set_array(moment.tension[self._live])
+            self._rope.set_array(moment.tension[live])
         holds = held_nodes(self._result, moment.time)
         self._anchors.set_data(points[holds, 0], points[holds, 1])
         self._joints.set_data(points[self._tied, 0], points[self._tied, 1])
@@ -253,8 +257,10 @@ class _Painter:
         stamp = f"{moment.time:.6g} s (broken)" if moment.broken else f"{moment.time:.2f} s"
         self._stamp.set_text(f"t = {stamp}")
         self._canvas.restore_region(self._still)  # type: ignore[no-untyped-call]
-        for artist in self._moving:
+        for artist in (*bodies, *self._moving):
             self._axes.draw_artist(artist)
+        for body in bodies:
+            body.remove()
         pixels = self._canvas.buffer_rgba()  # type: ignore[no-untyped-call]
         picture = Image.frombuffer("RGBA", self._size, pixels)
         return picture.convert("RGB")

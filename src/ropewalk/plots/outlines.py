@@ -10,6 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.patches import PathPatch
 from matplotlib.path import Path
 
+from ropewalk.laws.obstacle import moved_by, moves
 from ropewalk.plots.sight import Floats, Sight
 from ropewalk.record.obstacle_table import obstacle_table
 
@@ -32,17 +33,22 @@ class Outline(NamedTuple):
     hole: Floats | None = None
 
 
-def outlines_of(result: Result, view: Sight) -> tuple[Outline, ...]:
-    """Return the outlines of all obstacles; planes only where they are seen edge-on."""
+def outlines_of(result: Result, view: Sight, time: float | None = None) -> tuple[Outline, ...]:
+    """Return the outlines of obstacles; planes only where they are seen edge-on.
+
+    Those of obstacles that stay where they are, or with a `time` [s] of those that move, as they are then.
+    """
     table = obstacle_table(result.scene, result.layout)
     if table is None:
         return ()
     points = result.read("positions", 0, 1)[0]
     size = float(np.ptp(points, axis=0).max()) or 1.0
-    rows = zip(result.scene.obstacles, table.center, table.axis, table.size, strict=True)
-    found = [
-        _outline(body.kind, center, axis, sizes, view, size) for body, center, axis, sizes in rows
-    ]
+    found = []
+    for row, body in enumerate(result.scene.obstacles):
+        if moves(table, row) == (time is not None):
+            center = table.center[row] + moved_by(table, row, time or 0.0)
+            parts = body.kind, center, table.axis[row], table.size[row]
+            found.append(_outline(*parts, view, size))
     return tuple(one for one in found if one is not None)
 
 
@@ -141,12 +147,15 @@ def near(outlines: Sequence[Outline], points: Floats) -> Floats:
     return found
 
 
-def draw_outlines(axes: Axes, outlines: Sequence[Outline]) -> None:
-    """Draw obstacles behind everything else."""
+def draw_outlines(axes: Axes, outlines: Sequence[Outline]) -> list[PathPatch]:
+    """Draw obstacles behind everything else; return what was drawn."""
+    drawn = []
     for one in outlines:
         parts = [one.outer] if one.hole is None else [one.outer, _clockwise(one.hole)]
         vertices = np.concatenate([np.vstack([part, part[:1]]) for part in parts])
         codes = np.concatenate(
             [[Path.MOVETO, *[Path.LINETO] * (len(part) - 1), Path.CLOSEPOLY] for part in parts]
         )
-        axes.add_patch(PathPatch(Path(vertices, codes), zorder=0.4, **_LOOK))
+        drawn.append(PathPatch(Path(vertices, codes), zorder=0.4, **_LOOK))
+        axes.add_patch(drawn[-1])
+    return drawn

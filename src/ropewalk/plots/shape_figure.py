@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
@@ -19,6 +20,7 @@ from ropewalk.plots.canvas import (
     backdrop,
     draw_anchors,
     draw_loads,
+    draw_moving,
     draw_still,
     label,
     magnification_note,
@@ -106,6 +108,7 @@ def _draw_over(axes: Axes, result: Result, seen: Backdrop, frames: list[int]) ->
     for frame in frames:
         time = float(result.time[frame])
         colour = colours(scale(time))
+        draw_moving(axes, result, seen.view, time)
         draw_ropes(axes, result, seen, frame, colour, f"{time:.4g} s")
         draw_loads(axes, result, seen.view, frame, color=colour)
         draw_anchors(axes, result, seen.view, frame, color=colour, markeredgecolor="black")
@@ -128,7 +131,8 @@ def draw_ropes(
 ) -> None:
     """Draw all ropes at a frame; the first one's line carries the name."""
     points = shown_positions(result, frame)
-    draw_points(axes, result, seen, points, colour, name, broken=frame >= seen.good)
+    time = float(result.time[frame])
+    draw_points(axes, result, seen, points, colour, name, time, broken=frame >= seen.good)
 
 
 def draw_points(
@@ -138,10 +142,11 @@ def draw_points(
     places: Floats,
     colour: object,
     name: str,
+    time: float = math.inf,
     *,
     broken: bool,
 ) -> None:
-    """Draw all ropes with their nodes at `places` [m], (n, 3); broken ones not too far outside."""
+    """Draw all ropes, nodes at `places` [m], (n, 3), at `time` [s]; broken ones not too far outside."""
     points = seen.view.project(places)
     box = seen.box
     if broken:
@@ -152,7 +157,7 @@ def draw_points(
             ],
             axis=1,
         )
-    for number, line in enumerate(rope_lines(result, points)):
+    for number, line in enumerate(rope_lines(result, points, time)):
         few = {"marker": ".", "markersize": 3.0} if len(line) <= 60 else {}
         axes.plot(
             line[:, 0],
@@ -209,7 +214,7 @@ def _draw_upright(axes: Axes, result: Result, seen: Backdrop, frames: list[int])
         colour = colours(column / max(len(good) - 1, 1))
         points = view.project(shown_positions(result, frame))
         middle = 0.5 * (points[:, 0].min() + points[:, 0].max())
-        for line in rope_lines(result, points):
+        for line in rope_lines(result, points, float(result.time[frame])):
             axes.plot(
                 line[:, 0] - middle + column, line[:, 1], color=colour, marker=".", markersize=4.0
             )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
@@ -257,9 +258,20 @@ def _telling(span: Span, held: set[int]) -> list[int]:
 # -- what is there ----------------------------------------------------------------------
 
 
-def rope_lines(result: Result, points: Floats) -> list[Floats]:
-    """Split one frame's points (n, ...) into one array per rope."""
-    return [points[span.first : span.last + 1] for span in result.layout.ropes]
+def rope_lines(result: Result, points: Floats, time: float = -math.inf) -> list[Floats]:
+    """Split one frame's points (n, 2) into one array per rope; NaN where it has parted by `time` [s]."""
+    gaps = parted_segments(result, time)
+    lines = []
+    for span in result.layout.ropes:
+        own = [j + 1 - span.first for j in gaps if span.first <= j < span.last]
+        lines.append(np.insert(points[span.first : span.last + 1], own, np.nan, axis=0))
+    return lines
+
+
+def parted_segments(result: Result, time: float) -> list[int]:
+    """Return the segments that have parted by a time [s]."""
+    spans = {span.name: span.start for span in result.layout.ropes}
+    return [spans[one.rope] + one.segment for one in result.partings if one.time <= time]
 
 
 def anchors_at(result: Result, frame: int) -> Floats:

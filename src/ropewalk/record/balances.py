@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ropewalk.core.arrays import Floats
+from ropewalk.laws.parting import NAME as PARTING
 from ropewalk.laws.registry import NODE_LAWS
 from ropewalk.methods.recording import CONSERVATIVE
 from ropewalk.methods.registry import METHODS
@@ -27,7 +28,7 @@ if TYPE_CHECKING:
 MOST = 0.01  # [1] of weight times length
 TURNED = 5.0  # [%] of the energy turned over: more than that is no ledger
 _NOTHING = 1e-4  # [1] of weight times length: a rope that hardly moves turns over nothing
-_WITH_JUMPS = ("limiter", "winch", "clamps")
+_WITH_JUMPS = ("limiter", "winch", "clamps", PARTING)
 
 
 def energy_error(energy: Mapping[str, Floats], work: Mapping[str, Floats], ledger: bool) -> Floats:
@@ -45,12 +46,15 @@ def energy_error(energy: Mapping[str, Floats], work: Mapping[str, Floats], ledge
     return error
 
 
-def turned_over(energy: Mapping[str, Floats]) -> float:
-    """Return the largest change of any one form of energy [J]: what an energy error is a share of.
+def turned_over(energy: Mapping[str, Floats], work: Mapping[str, Floats]) -> float:
+    """Return the largest change of any one form of energy, or of what a law without a potential has
+    put in or taken [J]: what an energy error is a share of.
 
-    Frames whose numbers are not finite are left out; 0 where nothing changes.
+    Where a motor works against friction nothing else changes. Frames whose numbers are not finite are
+    left out; 0 where nothing changes.
     """
     forms = [np.asarray(part) for name, part in energy.items() if name != "total"]
+    forms += [np.asarray(part) for name, part in work.items() if name not in CONSERVATIVE]
     finite = [part[np.isfinite(part)] for part in forms]
     return max((float(np.ptp(part)) for part in finite if part.size), default=0.0)
 
@@ -61,7 +65,8 @@ def balance_residual(
     """Return the change of the kinetic energy minus all works [J], (frames,).
 
     Limiter and winch change positions and masses too; only what they put into the kinetic energy
-    (`jump`, (frames, 2)) counts here. Turning a clamp puts its work into the energy of bending.
+    (`jump`, (frames, 2)) counts here. Turning a clamp puts its work into the energy of bending, and a rope
+    that parts loses what it had stored.
     NaN where frames recorded into a break are no longer finite.
     """
     kinetic = energy["kinetic"]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -13,15 +13,15 @@ from ropewalk.laws.pairs.law import memory as pair_memory
 from ropewalk.laws.pairs.table import CONTACTS
 from ropewalk.lowering import Model, build
 from ropewalk.lowering.touching import Contacts, contacts_at, turns
+from ropewalk.record.contact_modes import SLIPS, STICKS, UNKNOWN, WORDS
+from ropewalk.record.rope_contact_table import forces_of_ropes, modes_on_ropes
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
 
-OPEN, STICKS, SLIPS = range(3)
-MODES = ("open", "sticks", "slips")
-_UNKNOWN = len(MODES)  # where friction cannot be told
-_WORDS = np.array([*MODES, "unknown"], dtype=object)
 _ALL = 1.0 + 1e-6  # of what friction can carry: more of it is another contact's [1]
+RANK = np.array([0, 1, 3, 2])  # of the modes: what slips for sure shows before what is not known
+_FITS = 1e-6  # [1] to which the forces told add up to that recorded
 
 
 class WrapHistory(NamedTuple):
@@ -41,16 +41,35 @@ class WrapHistory(NamedTuple):
         return found
 
 
-def contact_modes(result: Result) -> NDArray[np.int8]:
-    """Return what nodes do, (frames, nodes): 0 where one touches no obstacle, 1 sticks, 2 slips.
+def contact_modes(result: Result, frames: Sequence[int] | None = None) -> NDArray[np.int8]:
+    """Return what nodes do, (frames, nodes), by place in MODES: 0 where one touches no obstacle.
 
-    1, too, where it touches a rope as well, so that friction cannot be told.
+    1 sticks, 2 slips, 3 touches a rope as well, so that friction cannot be told. Of some `frames` only.
     """
-    found = np.zeros((result.frames, result.layout.nodes), np.int8)
-    for frame, contacts in each_frame(result, range(result.frames)):
-        modes = np.where(contacts.slips, SLIPS, STICKS).astype(np.int8)
-        np.maximum.at(found[frame], contacts.node, modes)
+    wanted = range(result.frames) if frames is None else frames
+    rows = {int(frame): row for row, frame in enumerate(wanted)}
+    found = np.zeros((len(rows), result.layout.nodes), np.int8)
+    for frame, contacts in each_frame(result, wanted):
+        np.maximum.at(found[rows[frame]], contacts.node, _modes(contacts))
     return found
+
+
+def node_modes(result: Result, frames: Sequence[int] | None = None) -> NDArray[np.int8]:
+    """Return what every node does on obstacles or ropes, (frames, nodes), by place in MODES.
+
+    Of several contacts of one node: slips before unknown before sticks.
+    """
+    wanted = range(result.frames) if frames is None else frames
+    both = np.stack([contact_modes(result, wanted), modes_on_ropes(result, wanted)])
+    found: NDArray[np.int8] = np.take_along_axis(both, RANK[both].argmax(axis=0)[None], axis=0)[0]
+    return found
+
+
+def _modes(contacts: Contacts) -> NDArray[np.int8]:
+    """Return the place in MODES of every contact, (c,)."""
+    modes = np.where(contacts.slips, SLIPS, STICKS).astype(np.int8)
+    modes[np.isnan(contacts.use)] = UNKNOWN
+    return modes
 
 
 def wrap_history(result: Result, rope: str | None, obstacle: str) -> WrapHistory:
@@ -90,14 +109,16 @@ def each_frame(result: Result, frames: Iterable[int]) -> Iterator[tuple[int, Con
         if force[frame].any():
             now = [np.ascontiguousarray(part[frame].T) for part in (x, v, force)]
             t = float(result.time[frame])
+            now[2] -= forces_of_ropes(result, frame).T
             contacts = contacts_at(table, now[0], now[1], now[2], stiffness, t)
-            yield frame, _told(model, now[0], contacts)
+            yield frame, _told(model, now[0], now[2], contacts)
 
 
-def _told(model: Model, x: Floats, contacts: Contacts) -> Contacts:
-    """Return the contacts with NaN for friction where the node touches a rope, too, at places (3, n) [m].
+def _told(model: Model, x: Floats, force: Floats, contacts: Contacts) -> Contacts:
+    """Return the contacts with NaN for friction where it cannot be told from what ropes do.
 
-    Only the sum of all contacts' forces is recorded, and what the ropes give cannot be told from friction.
+    That is where a node touches a rope, too, at places (3, n) [m], and the force (3, n) [N] that is left
+    without what is recorded of ropes is not that of an obstacle: their contact was found anew in that step.
     """
     table = model.system.node.contact
     if model.scene.contact is None:
@@ -106,7 +127,10 @@ def _told(model: Model, x: Floats, contacts: Contacts) -> Contacts:
     pairs = found.pair[: found.tally[CONTACTS]].ravel()
     touches = np.zeros(x.shape[1], bool)
     touches[pairs] = touches[pairs + 1] = True
-    unknown = touches[contacts.node] | (contacts.use > _ALL)
+    left = force.T.copy()
+    np.add.at(left, contacts.node, -contacts.push[:, None] * contacts.normal - contacts.rub)
+    fits = np.linalg.norm(left, axis=1) <= _FITS * np.linalg.norm(force, axis=0)
+    unknown = (touches & ~fits)[contacts.node] | (contacts.use > _ALL)
     rub = np.where(unknown[:, None], np.nan, contacts.rub)
     return contacts._replace(rub=rub)
 
@@ -118,7 +142,7 @@ def _model(result: Result) -> Model:
 
 COLUMNS = (
     *("time [s]", "rope", "node", "obstacle", "normal force [N]", "friction force [N]"),
-    *("friction used [1]", "slip speed [m/s]", "mode"),
+    *("friction used [1]", "slip speed [m/s]", "friction power [W]", "mode"),
 )
 
 
@@ -133,13 +157,11 @@ def rows(result: Result, frames: Iterable[int], nodes: Ints) -> list[NDArray[np.
     wanted[nodes] = True
     for frame, contacts in each_frame(result, frames):
         keep = wanted[contacts.node]
-        modes = np.where(contacts.slips, SLIPS, STICKS)
-        modes[np.isnan(contacts.use)] = _UNKNOWN
         parts = (
             *(np.full(keep.size, result.time[frame]), ropes[contacts.node], numbers[contacts.node]),
             *(names[contacts.obstacle], contacts.push, np.linalg.norm(contacts.rub, axis=1)),
             *(contacts.use, np.linalg.norm(contacts.slip, axis=1)),
-            _WORDS[modes],
+            *((contacts.rub * contacts.slip).sum(axis=1), WORDS[_modes(contacts)]),
         )
         for column, part in zip(found, parts, strict=True):
             column.append(part[keep])

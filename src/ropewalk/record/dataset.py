@@ -63,6 +63,7 @@ def coordinates(scene: Scene, layout: Layout) -> dict[str, tuple[str, Any, dict[
         "cause": "what put it in",
         "anchor": "anchor",
         "tie": "what a joint ties",
+        "column": "what is told of a contact of two ropes",
         "extreme": "greatest or least of all steps since the frame before",
         "bound": "least or greatest of all steps since the frame before",
     }
@@ -108,6 +109,19 @@ def _counts(result: Result) -> dict[str, float]:
             if name in ("accepted", "rejected")}  # fmt: skip
 
 
+def _obstacles(result: Result) -> dict[str, Any]:
+    """Return where obstacles are, where any of them moves."""
+    bodies = result.scene.obstacles
+    if all(body.motion.kind == "fixed" for body in bodies):
+        return {}
+    about = {"units": "m", "long_name": "middle of each obstacle, or a plane's point"}
+    names = ", ".join(body.name for body in bodies)
+    places = result.obstacle_positions()
+    return {
+        "obstacle_position": (("time", "obstacle", "axis"), places, about | {"obstacles": names})
+    }
+
+
 def make_dataset(result: Result) -> RunDataset:
     """Return a result's dataset: lazy for a run folder, views of the arrays in memory otherwise."""
     import xarray as xr
@@ -116,12 +130,14 @@ def make_dataset(result: Result) -> RunDataset:
 
     if result.folder is not None:
         stored: xr.Dataset = xr.open_zarr(result.folder / "data.zarr", chunks=None)
-        return RunDataset(stored.data_vars, stored.coords, stored.attrs | _counts(result))
+        own = dict(stored.data_vars) | _obstacles(result)
+        return RunDataset(own, stored.coords, stored.attrs | _counts(result))
     variables = {}
     for name in result.source.names:
         quantity = BY_NAME[name]
         about = {"units": quantity.unit, "long_name": quantity.long_name}
         variables[name] = (quantity.dims, result.read(name), about)
+    variables |= _obstacles(result)
     coords: dict[str, Any] = dict(coordinates(result.scene, result.layout))
     coords["time"] = ("time", result.time, TIME)
     about = attributes(result.scene, result.facts.provenance) | _counts(result)

@@ -95,6 +95,26 @@ class Plots:
         """
         return self._draw("forces", plane=plane)
 
+    def contact(self, time: float | None = None) -> Figure:
+        """Draw the forces of contacts on the nodes, and the tension, along the ropes at a `time` [s].
+
+        By default the last frame, or the last good one. Along a wrap round a bar the dashed line is
+        T0 exp(mu s / R) from the slack side on (Euler, Eytelwein), with how far the recorded rope has turned
+        as s / R: a rope that sticks lies below, one that slips on it, but for its weight, which the formula
+        leaves out.
+
+        Raises ValueError for a run without recorded contact forces, and for a time outside it.
+        """
+        return self._draw("contact", time)
+
+    def sticking(self) -> Figure:
+        """Draw which nodes stick and which slip, on obstacles and on ropes, against time.
+
+        Of a segment that lies on another rope both nodes are coloured. Raises ValueError for a run in which
+        nothing can touch anything, or whose contact forces were not recorded.
+        """
+        return self._draw("sticking")
+
     def _draw(self, name: str, *args: Any, **options: Any) -> Figure:
         figure: Figure = getattr(import_module(_HOME), name)(self._result, *args, **options)
         return figure

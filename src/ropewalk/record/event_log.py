@@ -44,7 +44,7 @@ def read_events(folder: Path) -> tuple[Event, ...]:
         if not isinstance(event, dict) or not isinstance(event.get("event"), str):
             continue
         event.pop("checksum", None)
-        if "anchor" in event or "winch" in event or event["event"] == ROPE_BROKE:
+        if {"anchor", "winch", "segment"} & event.keys() or event["event"] == ROPE_BROKE:
             what = {key: value for key, value in event.items() if key != "at"}
             if what in told:
                 continue

@@ -52,7 +52,10 @@ def good_part(result: Result) -> int:
         points = result.read("positions", start, min(start + _CHUNK, last))
         with np.errstate(all="ignore"):
             length = np.sqrt((np.diff(points, axis=1) ** 2).sum(axis=2))
-            fine = (length <= longest).all(axis=1) & np.isfinite(points).all(axis=(1, 2))
+            whole = length <= longest
+            if result.scene.parts:  # what has parted has no length
+                whole |= result.read("rest_length", start, start + len(points)) == 0.0
+            fine = whole.all(axis=1) & np.isfinite(points).all(axis=(1, 2))
         if not fine.all():
             return max(1, start + int(np.argmin(fine)))
     return last

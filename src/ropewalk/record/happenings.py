@@ -1,19 +1,21 @@
-"""What happens to a scene while it runs: anchors let go, winches come to a stop."""
+"""What happens to a scene while it runs: anchors let go, winches come to a stop, ropes part."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterable
+from typing import Any
 
 import numpy as np
 
 from ropewalk.core.arrays import Floats, Ints
-from ropewalk.hands.drum import EMPTY, RELEASED, limit_reached
+from ropewalk.hands.drum import EMPTY, PARTED, RELEASED, limit_reached, parted_at
 from ropewalk.methods.registry import METHODS
 from ropewalk.record.event_log import Event
 from ropewalk.simulation import Simulation
 
 STOPPED, LET_GO = "winch stopped", "released"
+Bools = np.ndarray[Any, np.dtype[np.bool_]]
 PLANNED = "stop time"
 
 
@@ -31,6 +33,7 @@ class Watch:
         self._held: Ints = np.ones_like(simulation.arrays.held)
         self._told: set[tuple[int, str]] = set()
         self._ended: set[str] = set()
+        self._whole: Bools = np.ones(simulation.arrays.memory.parting.time.size, dtype=bool)
         self._time, self._paid = simulation.time, simulation.arrays.winch_paid.copy()
         if resumed:
             self.look()
@@ -41,7 +44,7 @@ class Watch:
 
     def look(self) -> list[Event]:
         """Return what has happened, in order of time: `event`, `time` [s], and whom it concerns."""
-        found = [*self._releases(), *self._stops()]
+        found = [*self._releases(), *self._stops(), *self._partings()]
         state = self._simulation.arrays
         self._time, self._paid = self._simulation.time, state.winch_paid.copy()
         return sorted(found, key=lambda event: float(event["time"]))
@@ -76,6 +79,21 @@ class Watch:
                 found.append(event)
         return found
 
+    def _partings(self) -> list[Event]:
+        """Tell which segments have parted, at the end of which step, and at what tension [N]."""
+        simulation, parted = self._simulation, self._simulation.arrays.memory.parting
+        whole = np.isinf(parted.time)
+        gone = np.flatnonzero(self._whole & ~whole)
+        self._whole = whole
+        found = []
+        for j in gone:
+            rope, segment = simulation.layout.rope_of(int(j))
+            time, tension = float(parted.time[j]), float(parted.tension[j])
+            where = {"rope": rope, "segment": segment, "tension": tension}
+            if rope not in self._ended:
+                found.append({"event": PARTED, "time": time, **where})
+        return found
+
     def _stop_of(self, row: int) -> tuple[str, float]:
         """Return what a winch was stopped by and when [s]."""
         simulation = self._simulation
@@ -83,12 +101,18 @@ class Watch:
         speed = float(winches.speed[row])
         if speed == 0.0 or now < winches.start[row]:
             return "", now
-        if why := limit_reached(winches, state, row, speed):
+        stop, anchor = float(winches.stop[row]), winches.anchor[row]
+        release = float(simulation.system.anchors.release[anchor])
+        let_go = state.held[anchor] == 0 and release < stop
+        parted = parted_at(winches, state, row)
+        if parted < min(stop, release if let_go else math.inf):
+            stood = any(known == row for known, _ in self._told)
+            return ("", now) if stood else (PARTED, max(parted, float(winches.start[row])))
+        why = limit_reached(winches, state, row, speed) if math.isinf(parted) else ""
+        if why:
             began = max(self._time, float(winches.start[row]))
             time = began + (float(state.winch_paid[row]) - float(self._paid[row])) / speed
             return why, min(max(time, self._time), now) if math.isfinite(time) else now
-        stop, anchor = float(winches.stop[row]), winches.anchor[row]
-        release = float(simulation.system.anchors.release[anchor])
-        if state.held[anchor] == 0 and release < stop:
+        if let_go:
             return RELEASED, self._let_go(release)
         return (PLANNED, stop) if now >= stop else ("", now)

@@ -26,6 +26,7 @@ FOLDERS = (
     "theory",
     "scene",
     "library",
+    "knots",
     "words",
     "lowering",
     "statics",

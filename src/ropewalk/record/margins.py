@@ -49,9 +49,9 @@ def margin_rows(utilisation: float, place: str) -> dict[str, Any]:
     }
 
 
-def margin_words(utilisation: float) -> str:
-    """Return how near to breaking, as a sentence without its full stop."""
+def margin_words(utilisation: float, beyond: str = "it would have parted") -> str:
+    """Return how near to breaking, as a sentence without its full stop; `beyond` it, what comes of that."""
     text = f"{100.0 * utilisation:.3g} % of the breaking load"
     if utilisation > 0.0:
         text += f", safety factor {1.0 / utilisation:.3g}"
-    return text + ("; it would have parted" if utilisation > 1.0 else "")
+    return text + (f"; {beyond}" if beyond and utilisation > 1.0 else "")

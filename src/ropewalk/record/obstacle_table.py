@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from ropewalk.laws.obstacle import Obstacles, lower
+import numpy as np
+
+from ropewalk.core.arrays import Floats
+from ropewalk.laws.obstacle import Obstacles, lower, moved_by
 from ropewalk.lowering import Layout
 from ropewalk.scene import Scene
 
@@ -13,3 +16,13 @@ def obstacle_table(scene: Scene, where: Layout) -> Obstacles | None:
         return None
     masses = [rope.total_mass for rope in scene.ropes]
     return lower(scene.obstacles, where, scene.ropes, masses)
+
+
+def obstacle_places(scene: Scene, where: Layout, times: Floats) -> Floats:
+    """Return where the middles of all obstacles are at some times [s], (times, obstacles, 3) [m]."""
+    found = np.zeros((len(times), len(scene.obstacles), 3))
+    table = obstacle_table(scene, where)
+    for row in range(len(scene.obstacles)):
+        assert table is not None
+        found[:, row] = [table.center[row] + moved_by(table, row, float(t)) for t in times]
+    return found

@@ -26,7 +26,9 @@ _CELL, _PLOTS, _SHARE, _VIEW = (
     f"ropewalk.{name}" for name in ("live.cell", "plots", "live.share", "live.view")
 )
 
-TableName = Literal["nodes", "segments", "anchors", "joints", "contacts", "run"]
+TableName = Literal[
+    "nodes", "segments", "anchors", "joints", "contacts", "rope_contacts", "wraps", "run"
+]
 
 
 class Outlets:
@@ -56,8 +58,9 @@ class Outlets:
 
         `nodes` (time, node, axis), `segments` (time, segment), `anchors` (time, anchor, axis), where there
         are anchors, `joints` (time, tie, axis), where there are joints, and `run` (time,) with a variable
-        for each energy, work and component. Units are in `attrs["units"]` of every variable. Each can be
-        made into a table by `to_dataframe`.
+        for each energy, work and component. Where ropes touch something `contacts`, `rope_contacts` and
+        `wraps`, the tables of `to_pandas` with a dimension `row`. Units are in `attrs["units"]` of every
+        variable. Each can be made into a table by `to_dataframe`.
         """
         from ropewalk.record.dataset import split_dataset
 
@@ -78,8 +81,10 @@ class Outlets:
             table: "nodes" (a row per frame and node: x, y, z [m], vx, vy, vz [m/s]), "segments" (a row
                 per frame and segment: tension [N] ..), "anchors" (forces [N], moments [N m]), "joints"
                 (their forces on the ropes [N]), "contacts" (a row for every node on an obstacle at each
-                frame: forces [N], slip speed [m/s], whether it sticks or slips) or "run" (a row per
-                frame: energies and works [J], momenta).
+                frame: forces [N], slip speed [m/s], whether it sticks or slips), "rope_contacts" (the same
+                for every two segments of ropes that press on each other), "wraps" (a row for every rope on
+                an obstacle at each frame: angle [rad], tensions before and after [N], their ratio) or "run"
+                (a row per frame: energies and works [J], momenta).
             nodes: only these nodes of every rope (negative: from its end), and the segments next to them.
             times: only the frames nearest to these times [s].
             every: only every so many frames.
@@ -107,8 +112,9 @@ class Outlets:
     ) -> tuple[Path, ...]:
         """Write the result for other programs, in pieces; return the files to open.
 
-        csv and parquet make up to six tables in the folder `out` (nodes, segments, anchors, joints, contacts,
-        run), or the file `out` itself where one table is asked for and `out` ends in .csv or .parquet. npz
+        csv and parquet make up to eight tables in the folder `out` (nodes, segments, anchors, joints,
+        contacts, rope_contacts, wraps, run), or the file `out` itself where one table is asked for and
+        `out` ends in .csv or .parquet. npz
         makes the file `out`; vtk a folder with a .pvd for ParaView and one .vtp a frame.
 
         Args:

@@ -52,9 +52,19 @@ class PointForces:
             return np.zeros((result.frames, result.layout.nodes, 3))
         return result.read("contact_force")
 
+    def obstacle_positions(self, frames: slice = slice(None)) -> Floats:
+        """Where obstacles are at some frames [m], (frames, obstacles, 3): their middles; planes: a point."""
+        from ropewalk.record.obstacle_table import obstacle_places
+
+        result = cast("Result", self)
+        return obstacle_places(result.scene, result.layout, result.time[frames])
+
     @property
     def contact_modes(self) -> NDArray[np.int8]:
-        """What every node does on obstacles at each frame, (frames, nodes): 0 open, 1 sticks, 2 slips."""
+        """What every node does on obstacles at each frame, (frames, nodes).
+
+        0 open, 1 sticks, 2 slips, 3 unknown: it touches a rope as well, from which friction cannot be told.
+        """
         from ropewalk.record.contacts import contact_modes
 
         return contact_modes(cast("Result", self))

@@ -13,10 +13,12 @@ from ropewalk.lowering import Layout
 from ropewalk.methods.recording import energy_names, work_names
 from ropewalk.scene import Scene
 from ropewalk.simulation.block import Block
+from ropewalk.simulation.rope_contacts import COLUMNS, slots
 
 AXES = ("x", "y", "z")
 ENERGY = "energy; that of gravity is 0 in the scene's own shape"
 JUMPS = ("limiter", "winch")
+ROPE_CONTACTS = "rope_contacts"
 
 
 @dataclass(frozen=True)
@@ -76,6 +78,13 @@ QUANTITIES = (
         "contact",
         True,
     ),
+    Quantity(
+        ROPE_CONTACTS,
+        ("time", "pair", "column"),
+        "1, 1, 1, 1, N, N, N, N",
+        "contacts of ropes with ropes",
+        "pairs",
+    ),
     Quantity("momentum", ("time", "axis"), "kg m/s", "momentum", "momentum"),
     Quantity(
         "angular_momentum",
@@ -108,18 +117,22 @@ def labels(layout: Layout) -> dict[str, tuple[str, ...]]:
         "extreme": EXTREMES,
         "bound": BOUNDS,
         "tie": layout.ties,
+        "column": COLUMNS if "contact" in layout.more else (),
     }
 
 
 # Run folders of format 2 have no other tension than the elastic one, and call it `tension`.
 ELASTIC_ONLY = 2
 FRAMES_ONLY = 3  # until this one nothing was kept of the steps between frames
+SUMS_ONLY = 5  # until this one nothing of ropes on ropes but the sum of all contacts' forces
 _OLD_TENSION = Quantity("tension", ("time", "segment"), "N", "elastic tension", "tension")
 
 
 def stored(layout: Layout, scene: Scene, version: int) -> tuple[Quantity, ...]:
     """Return the quantities in a run folder of a format."""
     now = recorded(layout, scene)
+    if version <= SUMS_ONLY:
+        now = tuple(q for q in now if q.name != ROPE_CONTACTS)
     if version > FRAMES_ONLY:
         return now
     old = [q for q in now if q not in _OF_INTERVALS]
@@ -137,9 +150,11 @@ def recorded(layout: Layout, scene: Scene) -> tuple[Quantity, ...]:
         left_out |= {"moments", "greatest_moments"}
     if not layout.ties:
         left_out.add("joint_forces")
-    if not layout.more:
+    if not layout.touches:
         left_out.add("contact_force")
-    if not scene.winches:
+    if scene.contact is None:
+        left_out.add(ROPE_CONTACTS)
+    if not scene.lengths_change:
         left_out.add("rest_length")
     if not scene.run.extremes:
         left_out |= {quantity.name for quantity in _OF_INTERVALS}
@@ -149,12 +164,13 @@ def recorded(layout: Layout, scene: Scene) -> tuple[Quantity, ...]:
 def sizes(layout: Layout) -> dict[str, int]:
     """Return the length of every dimension but time."""
     found = {name: len(values) for name, values in labels(layout).items()}
-    return found | {"node": layout.nodes, "segment": layout.segments}
+    places = {"node": layout.nodes, "segment": layout.segments, "pair": slots(layout.segments)}
+    return found | places
 
 
 def raw(block: Block, quantity: Quantity) -> Floats:
     """Return a quantity of a block as it is recorded: (time, axis, node) where `swapped`."""
-    array: Floats = getattr(block.recording, quantity.field)
+    array: Floats = getattr(block if quantity.field == "pairs" else block.recording, quantity.field)
     return array
 
 

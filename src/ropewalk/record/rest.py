@@ -67,7 +67,7 @@ def _frame(model: Model, statics: Statics) -> Recording:
     state.reaction[...] = statics.reactions
     if statics.memory is not None:
         arrays.assign(state.memory.obstacle, statics.memory)
-    out = make_recording(state, 1, bool(model.scene.winches))
+    out = make_recording(state, 1, model.scene.lengths_change)
     prepare(model.system, state)
     start_clamps(model.system, state)
     state.clamp_spin[...] = 0.0

@@ -21,6 +21,7 @@ from ropewalk.record.facts import Facts
 from ropewalk.record.folder import open_parts, save_result
 from ropewalk.record.good import good_part
 from ropewalk.record.outlets import Outlets
+from ropewalk.record.parted import Parting, partings_of
 from ropewalk.record.point_forces import PointForces
 from ropewalk.record.quantities import has_rope, labels, rest_length_at_start
 from ropewalk.record.rope_view import RopeView
@@ -168,7 +169,7 @@ class Result(PointForces, Outlets):
 
     @property
     def rest_length(self) -> Floats:
-        """Unstretched length of the segments [m], (frames, segments); 0 where no rope is."""
+        """Unstretched length of the segments [m], (frames, segments); 0 where no rope is, nor any more."""
         if "rest_length" in self.source.names:
             return self._all("rest_length")
         fixed = rest_length_at_start(
@@ -323,6 +324,14 @@ class Result(PointForces, Outlets):
         Each has `event`, and `time` [s] where it concerns the scene. See `docs/concepts/run-folder`.
         """
         return self.facts.events
+
+    @property
+    def partings(self) -> tuple[Parting, ...]:
+        """Which segments parted: `time` [s], `rope`, `segment`, `tension` [N] each, in order of time.
+
+        From then on a segment has no `rest_length`, no tension and is not `live`.
+        """
+        return partings_of(self.events)
 
     @property
     def table(self) -> dict[str, Any]:

@@ -95,7 +95,7 @@ class RopeView:
 
     @property
     def live(self) -> np.ndarray[tuple[int, ...], np.dtype[np.bool_]]:
-        """Whether a segment is off the drum, (frames, segments)."""
+        """Whether a segment is off the drum, and has not parted, (frames, segments)."""
         return self._result.live[:, self._segments]
 
     @property
@@ -109,7 +109,7 @@ class RopeView:
 
     @property
     def stretch(self) -> Floats:
-        """Length over unstretched length [1], (frames, segments); 1 on the drum.
+        """Length over unstretched length [1], (frames, segments); 1 on the drum, and once parted.
 
         Not finite where a frame recorded into a break is not; NaN where the rope broke and others went on.
         """

@@ -63,8 +63,8 @@ class Recorder:
         A block is written while the next one is simulated: one in flight, and no more.
         """
         plan, chunk, taken = self.facts.plan, self.writer.chunk, self.writer.frames
-        state, winches = self.simulation.arrays, bool(self.simulation.scene.winches)
-        rooms = cycle([Room(state, chunk, winches) for _ in range(2)])
+        state, lengths = self.simulation.arrays, self.simulation.scene.lengths_change
+        rooms = cycle([Room(state, chunk, lengths) for _ in range(2)])
         with stop_requests() as stop, Background() as beside:
             self.simulation.slices.asked = lambda: bool(stop)
             while taken <= plan.frames:

@@ -31,6 +31,7 @@ DEFAULT = (
         "moments",
         "joint_forces",
         "contact_force",
+        "rope_contacts",
         "greatest_reactions",
         "greatest_moments",
         "extremes",

@@ -14,7 +14,9 @@ from ropewalk.record.ends import shortly
 from ropewalk.record.extremes import SEEN, UTILISATION, Extreme, extremes, place_of
 from ropewalk.record.facts import AT_REST, BROKE
 from ropewalk.record.margins import margin_rows
-from ropewalk.record.tension_notes import peak_note, push_note
+from ropewalk.record.parted import parting_rows
+from ropewalk.record.pass_notes import pass_note
+from ropewalk.record.tension_notes import curve_note, peak_note, push_note
 from ropewalk.words.prefixes import prefixed
 
 if TYPE_CHECKING:
@@ -39,7 +41,8 @@ def summary(result: Result) -> dict[str, Any]:
     time, good = result.time, result.good_frames
     energy = {name: part[:good] for name, part in result.energy.items()}
     error, errors = result.energy_error[:good], result.energy_errors[:good]
-    share = _share(energy, errors)
+    work = {name: part[:good] for name, part in result.work.items()}
+    share = _share(energy, work, errors)
     seconds, broken = result.facts.seconds, _broken(result)
     return {
         "status": result.status,
@@ -51,6 +54,7 @@ def summary(result: Result) -> dict[str, Any]:
         **_steps(result),
         **_told(result, found),
         **_margins(result, found),
+        **(parting_rows(result.partings) if result.scene.parts else {}),
         "largest energy error [J]": _largest(errors),
         **({"largest energy error at": at} if (at := _error_at(result, errors)) else {}),
         "largest energy error, share of the energy turned over [%]": share,
@@ -150,6 +154,8 @@ def _told(result: Result, found: dict[str, Extreme]) -> dict[str, Any]:
     notes = {
         "greatest tension": peak_note(result, most),
         "least tension": push_note(result, least, most.value),
+        "greatest stretch": curve_note(result, found["greatest stretch"]),
+        "greatest speed": pass_note(result, found["greatest speed"]),
     }
     for name, title in _titles(result).items():
         anchors = name in ("greatest anchor force", "greatest clamp moment")
@@ -198,9 +204,9 @@ def _at_rest(result: Result, found: dict[str, Extreme]) -> dict[str, Any]:
     )
 
 
-def _share(energy: Mapping[str, Floats], error: Floats) -> float:
-    """Return the largest energy error over the largest change of one form of energy [%]."""
-    turned = turned_over(energy)
+def _share(energy: Mapping[str, Floats], work: Mapping[str, Floats], error: Floats) -> float:
+    """Return the largest energy error over the largest change of one form of energy, or work [%]."""
+    turned = turned_over(energy, work)
     return 100.0 * _largest(error) / turned if turned > 0.0 else math.nan
 
 

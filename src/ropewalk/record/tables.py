@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -12,8 +13,12 @@ from numpy.typing import NDArray
 from ropewalk.core.peaks import BOUNDS, EXTREMES
 from ropewalk.record.contacts import COLUMNS, rows
 from ropewalk.record.errors import InputError, RunError
-from ropewalk.record.quantities import AXES, BY_NAME, EXTREME_UNITS, law_names
+from ropewalk.record.quantities import AXES, BY_NAME, EXTREME_UNITS, ROPE_CONTACTS, law_names
+from ropewalk.record.rope_contact_table import HEADERS as ROPE_COLUMNS
+from ropewalk.record.rope_contact_table import rope_rows
 from ropewalk.record.selection import EXPORTED, Indices, Selection, select, take
+from ropewalk.record.wrap_table import HEADERS as WRAP_COLUMNS
+from ropewalk.record.wrap_table import wrap_rows
 from ropewalk.words.nearest import nearest
 
 if TYPE_CHECKING:
@@ -21,7 +26,7 @@ if TYPE_CHECKING:
 
     from ropewalk.record.result import Result
 
-NAMES = ("nodes", "segments", "anchors", "joints", "contacts", "run")
+NAMES = ("nodes", "segments", "anchors", "joints", "contacts", "rope_contacts", "wraps", "run")
 Columns = list[NDArray[Any]]
 
 
@@ -39,7 +44,8 @@ def tables(result: Result, chosen: Selection, layout: str) -> list[Table]:
 
     nodes: positions and velocities; segments: tensions and unstretched length; anchors: reactions
     and moments; joints: their forces on each rope; contacts: a row for each node on each obstacle;
-    run: energies, works, momentum, one row per frame in either layout.
+    rope_contacts: one for each contact of two ropes; wraps: one for each rope on each obstacle; run:
+    energies, works, momentum, one row per frame in either layout.
     """
     ropes, numbers = _node_labels(result)
     at_nodes = [f"{ropes[i]}[{numbers[i]}]" for i in chosen.nodes]
@@ -64,8 +70,7 @@ def tables(result: Result, chosen: Selection, layout: str) -> list[Table]:
             if noun in ("node", "segment"):
                 keys = {"rope": ropes[places], noun: numbers[places]}
             found.append(_long(result, chosen, name, places, keys, wanted))
-    if "contact_force" in result.source.names and not set(_OF_CONTACTS) - set(chosen.quantities):
-        found.append(_contact_table(result, chosen))
+    found += contact_tables(result, chosen)
     if run := _run_table(result, chosen):
         found.append(run)
     return found
@@ -209,14 +214,37 @@ def _run_table(result: Result, chosen: Selection) -> Table | None:
     return Table("run", list(columns), pieces)
 
 
-def _contact_table(result: Result, chosen: Selection) -> Table:
-    """Return who touches what, a row for every contact, in either layout."""
+def contact_tables(result: Result, chosen: Selection) -> list[Table]:
+    """Return who touches what, in either layout a row for every contact at every frame."""
+    asked = [q for q in chosen.quantities if q in result.source.names]
+    on_obstacles = bool(result.scene.obstacles) and set(_OF_CONTACTS) <= set(asked)
+    kinds: list[tuple[str, bool, Sequence[str], Callable[[Indices], Columns]]] = [
+        ("contacts", on_obstacles, COLUMNS, lambda piece: rows(result, piece, chosen.nodes)),
+        (
+            "rope_contacts",
+            ROPE_CONTACTS in asked,
+            ROPE_COLUMNS,
+            lambda piece: rope_rows(result, piece, chosen.segments),
+        ),
+        (
+            "wraps",
+            on_obstacles and "tension" in asked,
+            WRAP_COLUMNS,
+            lambda piece: wrap_rows(result, piece, chosen.nodes),
+        ),
+    ]
+    return [
+        Table(name, list(headers), partial(_each, chosen, result, make))
+        for name, there, headers, make in kinds
+        if there
+    ]
 
-    def pieces() -> Iterator[Columns]:
-        for piece in chosen.pieces(result):
-            yield rows(result, piece, chosen.nodes)
 
-    return Table("contacts", list(COLUMNS), pieces)
+def _each(
+    chosen: Selection, result: Result, make: Callable[[Indices], Columns]
+) -> Iterator[Columns]:
+    for piece in chosen.pieces(result):
+        yield make(piece)
 
 
 OF_EXTREMES = {

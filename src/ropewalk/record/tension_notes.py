@@ -11,6 +11,7 @@ from ropewalk.methods.registry import METHODS
 from ropewalk.record.extremes import Extreme
 from ropewalk.record.facts import FINISHED
 from ropewalk.scene import Rope
+from ropewalk.scene.curve_words import end_words
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -67,6 +68,18 @@ def push_note(result: Result, least: Extreme, largest: float) -> str:
         f"negative: a segment that is shortened pushes, its spring{rubs}, which a rope does not; "
         "tension_only = true lets it go slack"
     )
+
+
+def curve_note(result: Result, longest: Extreme) -> str:
+    """Say so where the largest stretch lies beyond the last point of a rope's curve; else ""."""
+    if not math.isfinite(longest.value) or longest.place < 0:
+        return ""
+    made_of = _rope_at(result, longest).made_of
+    if made_of.kind == "springs" or made_of.curve is None:
+        return ""
+    if longest.value - 1.0 <= made_of.curve.end[0] * (1.0 + 1e-9):
+        return ""
+    return f"beyond its curve's last point, {end_words(made_of.curve)}, where it goes on straight"
 
 
 def wave_time(rope: Rope) -> float:

@@ -17,6 +17,7 @@ from xml.sax.saxutils import quoteattr
 import numpy as np
 from numpy.typing import NDArray
 
+from ropewalk.record.contacts import node_modes
 from ropewalk.record.errors import RunError
 from ropewalk.record.files import PARTIAL, write, writing
 from ropewalk.record.quantities import has_rope, rest_length_at_start, rope_numbers
@@ -36,7 +37,8 @@ def write_vtk(result: Result, chosen: Selection, out: Path, overwrite: bool) -> 
     """Write the series into the folder `out`; return its .pvd. Raises RunError.
 
     Points are the chosen nodes; positions are always written, velocities, tensions and contact forces where
-    they are chosen; other quantities have no place in it.
+    they are chosen, these with what each node does (0 open, 1 sticks, 2 slips, 3 unknown), and where
+    obstacles are as field data; other quantities have no place in it.
     """
     index, frames = out / "rope.pvd", out / "frames"
     with writing(out):
@@ -77,18 +79,21 @@ def _index(result: Result, chosen: Selection, names: list[str]) -> str:
 def _write_frames(result: Result, chosen: Selection, folder: Path) -> list[str]:
     names = []
     for piece in chosen.pieces(result):
-        arrays = {name: take(result, name, piece) for name in ("positions", *_more(result, chosen))}
+        names_of = ("positions", *_more(result, chosen))
+        arrays: dict[str, NDArray[Any]] = {name: take(result, name, piece) for name in names_of}
         lengths = [rope.segment_length for rope in result.scene.ropes]
         if "rest_length" in result.source.names:
             rest = take(result, "rest_length", piece)
         else:
             fixed = rest_length_at_start(result.layout, lengths)
             rest = np.broadcast_to(fixed, (len(piece), len(fixed)))
+        if "contact_force" in arrays:
+            arrays["contact_mode"] = node_modes(result, piece.tolist())
         live = has_rope(result.layout, rest, lengths)
         for row, frame in enumerate(piece):
             name = f"frame_{frame:06d}.vtp"
             parts = {key: array[row] for key, array in arrays.items()}
-            write(folder / name, _poly_data(result, chosen, parts, live[row]))
+            write(folder / name, _poly_data(result, chosen, parts, live[row], frame))
             names.append(name)
     return names
 
@@ -99,7 +104,11 @@ def _more(result: Result, chosen: Selection) -> list[str]:
 
 
 def _poly_data(
-    result: Result, chosen: Selection, parts: dict[str, Any], live: NDArray[np.bool_]
+    result: Result,
+    chosen: Selection,
+    parts: dict[str, Any],
+    live: NDArray[np.bool_],
+    frame: int,
 ) -> bytes:
     nodes = chosen.nodes
     place = np.full(result.nodes, -1)
@@ -114,6 +123,7 @@ def _poly_data(
             points |= {"velocity": velocity, "speed": np.linalg.norm(velocity, axis=1)}
     if "contact_force" in parts:
         points["contact_force"] = parts["contact_force"][nodes]
+        points["contact_mode"] = parts["contact_mode"][nodes]
     of_cells: dict[str, NDArray[Any]] = {"rope": number[cells]}
     if "tension" in parts:
         of_cells[result.tension_name.replace(" ", "_")] = parts["tension"][cells]
@@ -121,6 +131,9 @@ def _poly_data(
         of_cells["elastic_tension"] = parts["elastic_tension"][cells]
     count = f'NumberOfPoints="{len(nodes)}" NumberOfVerts="0" NumberOfLines="{len(cells)}"'
     text = [_HEAD.format("PolyData") + "<PolyData>"]
+    if result.scene.obstacles:
+        bodies = result.obstacle_positions(slice(frame, frame + 1))[0]
+        text += ["<FieldData>", _array("obstacle_position", bodies, tuples=True), "</FieldData>"]
     text.append(f'<Piece {count} NumberOfStrips="0" NumberOfPolys="0">')
     text += ["<PointData>", *_arrays(points), "</PointData>"]
     text += ["<CellData>", *_arrays(of_cells), "</CellData>"]
@@ -138,10 +151,11 @@ def _arrays(arrays: dict[str, NDArray[Any]]) -> Iterable[str]:
     return [_array(name, array) for name, array in arrays.items()]
 
 
-def _array(name: str, array: NDArray[Any]) -> str:
+def _array(name: str, array: NDArray[Any], *, tuples: bool = False) -> str:
     kind = "f8" if array.dtype.kind == "f" else "i8"
     data = np.ascontiguousarray(array, dtype="<" + kind).tobytes()
     width = array.shape[1] if array.ndim == 2 else 1
     packed = base64.b64encode(len(data).to_bytes(8, "little") + data).decode("ascii")
     about = f'type="{_TYPES[kind]}" Name={quoteattr(name)} NumberOfComponents="{width}"'
+    about += f' NumberOfTuples="{len(array)}"' if tuples else ""
     return f'<DataArray {about} format="binary">{packed}</DataArray>'

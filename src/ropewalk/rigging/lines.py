@@ -192,6 +192,11 @@ def line(
     given; UnknownRope for a name that the library has not.
     """
     material, own = _made_of(rope)
+    if material.curve is not None:
+        rule = (
+            "a line in closed form has a straight one: give EA, or take a scene and its equilibrium"
+        )
+        raise SceneError([Fault("rope.curve", NO_VALUE, rule)])
     across = quantity("span", span, "m")
     rise = quantity("height_difference", height_difference, "m", any_sign=True)
     d = quantity("diameter", diameter, "m") if diameter is not None else own

@@ -4,6 +4,7 @@ from ropewalk.scene.anchor import Anchor, Clamp
 from ropewalk.scene.environment import Air, Ground, Limiter
 from ropewalk.scene.faults import Fault, SceneError, SceneFileError
 from ropewalk.scene.joint import Joint, Tie
+from ropewalk.scene.knot_shape import Knot
 from ropewalk.scene.motions import Fixed, Hand, Motion, Orbit, Shake, Table, Velocity
 from ropewalk.scene.obstacles import (
     Box,
@@ -22,6 +23,13 @@ from ropewalk.scene.rope_contact import Contact
 from ropewalk.scene.run_settings import RunSettings
 from ropewalk.scene.scene import Scene
 from ropewalk.scene.shapes import Hanging, Points, Polyline, Shape, Slack, Straight
+from ropewalk.scene.tension_curves import (
+    Curve,
+    ExponentialCurve,
+    NeoHookeanCurve,
+    PolynomialCurve,
+    TableCurve,
+)
 from ropewalk.scene.toml_text import dumps, load, loads, save, schema
 from ropewalk.scene.winch import Winch
 
@@ -32,7 +40,9 @@ __all__ = [
     "Capsule",
     "Clamp",
     "Contact",
+    "Curve",
     "Cylinder",
+    "ExponentialCurve",
     "Fault",
     "Fixed",
     "Force",
@@ -41,15 +51,18 @@ __all__ = [
     "Hanging",
     "Joint",
     "Kick",
+    "Knot",
     "Limiter",
     "Load",
     "Material",
     "Motion",
+    "NeoHookeanCurve",
     "Obstacle",
     "Orbit",
     "Plane",
     "Points",
     "Polyline",
+    "PolynomialCurve",
     "Ring",
     "Rope",
     "RunSettings",
@@ -64,6 +77,7 @@ __all__ = [
     "Springs",
     "Straight",
     "Table",
+    "TableCurve",
     "Tie",
     "Torus",
     "Velocity",

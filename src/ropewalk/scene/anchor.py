@@ -5,6 +5,7 @@ from __future__ import annotations
 from pydantic import Field, model_validator
 
 from ropewalk.scene.base import (
+    NAME,
     Flag,
     Model,
     Number,
@@ -30,7 +31,6 @@ from ropewalk.scene.motions import (
     axis_faults,
     interval_faults,
 )
-from ropewalk.scene.rope import NAME
 
 
 class Clamp(Model):

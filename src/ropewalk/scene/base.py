@@ -36,6 +36,8 @@ else:
 HUGE = 1e15
 #: Smallest value of a quantity that must be positive; below it reciprocals leave float64.
 TINY = 1e-12
+#: What a part of a scene may be called.
+NAME = r"^[^\W\d_][\w-]*$"
 #: Most segments a scene may have.
 MOST_SEGMENTS = 10_000_000
 #: Most segments that wait on a winch's drum.
@@ -241,6 +243,10 @@ class Model(BaseModel, metaclass=_Sentences):
             return super().model_validate(obj, **options)
         except ValidationError as error:
             raise cls._scene_error(error, obj, options.get("context")) from None
+
+    def derived(self) -> frozenset[str]:
+        """Names of fields that follow from others, which files leave out."""
+        return frozenset()
 
     def replace(self, **changes: Any) -> Self:
         """A validated copy with some fields changed: ``changes`` gives them by name.

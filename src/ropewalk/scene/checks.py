@@ -95,6 +95,9 @@ def _ropes(ropes: Sequence[Rope | None], limiter: Limiter | None) -> Iterator[Fa
         if limiter is not None and rope.rigid:
             rule = f"cannot limit rope[{i}], whose links are rigid (inf): leave it out"
             yield Fault("limiter", NO_VALUE, rule)
+        if limiter is not None and rope.curved:
+            rule = f"cannot limit rope[{i}], which has a curve: let the curve rise steeply there instead"
+            yield Fault("limiter", NO_VALUE, rule)
     total = sum(rope.segments for rope in ropes if rope is not None)
     if total > MOST_SEGMENTS:
         yield Fault("rope", f"{total} segments", f"must be at most {MOST_SEGMENTS} in total")
@@ -219,7 +222,7 @@ def _winch_lengths(winch: Winch, rope: Rope) -> Iterator[Fault]:
         )
         yield Fault("rope", rope.name, rule)
     if rope.bending_stiffness > 0.0:
-        rule = "has bending stiffness (EI), with which a winch cannot wind it"
+        rule = "has bending stiffness (EI), with which a winch cannot wind it: leave out EI, or the winch"
         yield Fault("rope", rope.name, rule)
     if winch.min_length is not None and winch.min_length > length:
         rule = f"must be at most the rope's length at the start ({length:g} m)"

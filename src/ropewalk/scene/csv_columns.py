@@ -6,9 +6,13 @@ import csv
 import math
 from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from ropewalk.scene.base import HUGE, refuse
 from ropewalk.scene.faults import Fault
+
+if TYPE_CHECKING:
+    from pydantic import ValidationInfo
 
 _MOST_FAULTS = 10
 
@@ -128,3 +132,8 @@ def _number(cell: str) -> float | None:
         return float(cell)
     except ValueError:
         return None
+
+
+def folder_of(info: ValidationInfo) -> Path:
+    """The folder that file names in a scene are relative to: the scene file's, else here."""
+    return Path((info.context or {}).get("folder", "."))

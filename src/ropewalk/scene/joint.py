@@ -6,8 +6,8 @@ from collections.abc import Sequence
 
 from pydantic import Field
 
-from ropewalk.scene.base import Many, Model, Text, Whole, node_number
-from ropewalk.scene.rope import NAME, Rope
+from ropewalk.scene.base import NAME, Many, Model, Text, Whole, node_number
+from ropewalk.scene.rope import Rope
 
 
 class Tie(Model):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from itertools import pairwise
 from typing import Annotated, Any, Literal
 
 from pydantic import Field, ValidationInfo, model_validator
@@ -21,7 +23,6 @@ from ropewalk.scene.base import (
     vector,
 )
 from ropewalk.scene.faults import MISSING, NO_VALUE, Fault
-from ropewalk.scene.shapes import folder_of
 
 
 class Fixed(Model):
@@ -67,7 +68,7 @@ class Table(Model):
     @model_validator(mode="before")
     @classmethod
     def _read(cls, data: Any, info: ValidationInfo) -> Any:
-        from ropewalk.scene.csv_columns import read_columns
+        from ropewalk.scene.csv_columns import folder_of, read_columns
 
         if not isinstance(data, dict) or not isinstance(data.get("file"), str):
             return data
@@ -83,17 +84,10 @@ class Table(Model):
         if not self.times or not self.positions:
             absent = "positions" if self.times else "times"
             refuse([Fault(absent, MISSING, "give times and positions, or file")])
-        faults = []
-        if len(self.times) < 2:
-            faults.append(Fault("times", self.times, "must have at least 2 times"))
+        faults = time_faults(self.times)
         if len(self.times) != len(self.positions):
             rule = f"must have {_places(len(self.times))}, one for each time"
             faults.append(Fault("positions", _places(len(self.positions)), rule))
-        faults += [
-            Fault(f"times[{i + 1}]", b, f"must be later than the time before it ({a})")
-            for i, (a, b) in enumerate(zip(self.times, self.times[1:], strict=False))
-            if not b > a
-        ]
         refuse(faults)
         return self
 
@@ -145,6 +139,16 @@ class Hand(Model):
 
 def _places(number: int) -> str:
     return f"{number} place" + ("" if number == 1 else "s")
+
+
+def time_faults(times: Sequence[float]) -> list[Fault]:
+    """Faults of times that are fewer than two, or do not rise."""
+    short = [] if len(times) > 1 else [Fault("times", times, "must have at least 2 times")]
+    return short + [
+        Fault(f"times[{i + 1}]", b, f"must be later than the time before it ({a})")
+        for i, (a, b) in enumerate(pairwise(times))
+        if not b > a
+    ]
 
 
 def interval_faults(start: float, stop: float) -> list[Fault]:

@@ -8,7 +8,10 @@ from typing import Annotated, Any, Literal
 from pydantic import AliasChoices, Field, model_validator
 
 from ropewalk.scene.base import (
+    HUGE,
+    NAME,
     Flag,
+    Many,
     Model,
     Number,
     Text,
@@ -20,9 +23,17 @@ from ropewalk.scene.base import (
     stop_time,
     vector,
 )
-from ropewalk.scene.faults import Fault
-from ropewalk.scene.motions import axis_faults, interval_faults
-from ropewalk.scene.rope import NAME
+from ropewalk.scene.faults import MISSING, NO_VALUE, Fault
+from ropewalk.scene.motions import (
+    Fixed,
+    Orbit,
+    Shake,
+    Table,
+    Velocity,
+    axis_faults,
+    interval_faults,
+    time_faults,
+)
 
 #: A coefficient of friction beyond this is a slip of the pen.
 MOST_FRICTION = 100.0
@@ -39,16 +50,56 @@ def _between(description: str, toml: str, python: str) -> Any:
 
 
 class Spin(Model):
-    """Turns an obstacle about its own axis, right-handed, from ``start`` to ``stop``."""
+    """Turns an obstacle about its own axis, right-handed: at one ``rate``, or by a table of ``angles``.
 
-    rate: Number = quantity("Angle per time", "rad/s")
+    At a rate it turns from ``start`` to ``stop``; by a table it stands before the first time and after the
+    last one.
+    """
+
+    rate: Number | None = quantity("Angle per time", "rad/s", default=None)
     start: Number = not_negative("Time at which it begins to turn", "s", default=0.0)
     stop: Number = stop_time()
+    times: Many[Annotated[Number, Field(ge=-HUGE, le=HUGE, allow_inf_nan=False)]] = Field(
+        default=(), description="Rising times, two or more", json_schema_extra={"unit": "s"}
+    )
+    angles: Many[Annotated[Number, Field(ge=-HUGE, le=HUGE, allow_inf_nan=False)]] = Field(
+        default=(), description="Angle at each time", json_schema_extra={"unit": "rad"}
+    )
+    interpolation: Literal["linear", "cubic"] = Field(
+        default="linear", description="Between the times: straight lines or a cubic spline"
+    )
 
     @model_validator(mode="after")
     def _check(self) -> Spin:
-        refuse(interval_faults(self.start, self.stop))
+        given = self.model_fields_set
+        by_table = given & {"times", "angles", "interpolation"}
+        if self.rate is None and not by_table:
+            refuse([Fault("rate", MISSING, "give rate, or times and angles")])
+        if self.rate is not None and by_table:
+            rule = "give either rate or times and angles"
+            refuse([Fault(min(by_table), NO_VALUE, rule)])
+        if by_table and (over := given & {"start", "stop"}):
+            refuse([Fault(min(over), NO_VALUE, "a table of angles has times of its own")])
+        if not by_table:
+            refuse(interval_faults(self.start, self.stop))
+            return self
+        if not self.times or not self.angles:
+            absent = "angles" if self.times else "times"
+            refuse([Fault(absent, MISSING, "give times and angles")])
+        faults = time_faults(self.times)
+        if len(self.times) != len(self.angles):
+            rule = f"must be {len(self.times)}, one for each time"
+            faults.append(Fault("angles", f"{len(self.angles)} angles", rule))
+        refuse(faults)
         return self
+
+    def as_motion(self) -> Table:
+        """The table of angles as a motion along x."""
+        places = [(angle, 0.0, 0.0) for angle in self.angles]
+        return Table(times=self.times, positions=places, interpolation=self.interpolation)
+
+
+BodyMotion = Annotated[Fixed | Velocity | Table | Shake | Orbit, Field(discriminator="kind")]
 
 
 class _Body(Model):
@@ -68,6 +119,12 @@ class _Body(Model):
         "own inertia and stiffness allow",
         "m/N",
         default=None,
+    )
+
+    motion: BodyMotion = Field(
+        default=Fixed(),
+        description="How it moves, its middle (of a plane its point) as the node of an anchor; it keeps its "
+        "direction",
     )
 
 

@@ -5,11 +5,12 @@ from __future__ import annotations
 import math
 from typing import Annotated, Any, Literal
 
-from pydantic import Field, model_validator
+from pydantic import Field, ValidationInfo, model_validator
 
 from ropewalk.library import names
 from ropewalk.scene.base import (
     MOST_SEGMENTS,
+    NAME,
     Flag,
     Many,
     Model,
@@ -30,9 +31,10 @@ from ropewalk.scene.base import (
 from ropewalk.scene.data_sheet import FromDataSheet
 from ropewalk.scene.faults import MISSING, Fault
 from ropewalk.scene.from_library import filled, with_diameter
+from ropewalk.scene.knot_shape import Knot
 from ropewalk.scene.shapes import Points, Shape, Slack, Straight
+from ropewalk.scene.tension_curves import Curve, curve_fault, with_curve
 
-NAME = r"^[^\W\d_][\w-]*$"
 Friction = Literal["vector", "axial"]
 _FRICTION = (
     "vector: against the whole difference of velocities; axial: only along the segment, which "
@@ -41,6 +43,22 @@ _FRICTION = (
 #: Largest angle between two segments of the unloaded rope [rad].
 _MOST_TURN = 1.0
 _TENSION_ONLY = "Whether a segment shorter than its rest length goes slack instead of pushing"
+
+
+_PARTS = "Whether it parts where the tension passes its breaking load"
+
+
+def breaking_load() -> Any:
+    """Return the field of a breaking load."""
+    use = "Tension at which it breaks, for utilisation and safety factor; with parts it parts there"
+    return positive(use, "N", default=None)
+
+
+def check_parts(made_of: Springs | Material) -> None:
+    """Raise SceneError for what parts at no known load."""
+    if made_of.parts and made_of.breaking_load is None:
+        rule = "needs a load at which it parts: give breaking_load (N)"
+        refuse([Fault("parts", True, rule)])
 
 
 class Springs(Model):
@@ -59,6 +77,13 @@ class Springs(Model):
     segment_length: Number = not_negative("Rest length of each spring (0 is allowed)", "m")
     friction: Friction = Field(default="vector", description=_FRICTION)
     tension_only: Flag = Field(default=False, description=_TENSION_ONLY)
+    breaking_load: Number | None = breaking_load()
+    parts: Flag = Field(default=False, description=_PARTS)
+
+    @model_validator(mode="after")
+    def _check(self) -> Springs:
+        check_parts(self)
+        return self
 
 
 class Material(FromDataSheet, Model):
@@ -66,7 +91,8 @@ class Material(FromDataSheet, Model):
 
     kind: Literal["material"] = "material"
     EA: Stiffness = stiffness(
-        "Axial stiffness: tension per strain; inf makes a rope that does not stretch", "N"
+        "Axial stiffness: tension per strain; inf makes a rope that does not stretch; left out with a curve",
+        "N",
     )
     mass_per_length: Number = positive("Mass per unstretched length", "kg/m")
     axial_damping: Number = not_negative(
@@ -86,11 +112,12 @@ class Material(FromDataSheet, Model):
     )
     friction: Friction = Field(default="axial", description=_FRICTION)
     tension_only: Flag = Field(default=False, description=_TENSION_ONLY)
-    breaking_load: Number | None = positive(
-        "Tension at which it breaks, for utilisation and safety factor; it does not part there",
-        "N",
+    curve: Curve | None = Field(
         default=None,
+        description="Tension against strain, in place of EA, which is then its largest slope",
     )
+    breaking_load: Number | None = breaking_load()
+    parts: Flag = Field(default=False, description=_PARTS)
     library: Text = Field(
         default="",
         max_length=100,
@@ -100,17 +127,27 @@ class Material(FromDataSheet, Model):
 
     @model_validator(mode="before")
     @classmethod
-    def _fill(cls, data: Any) -> Any:
-        return filled(data)
+    def _fill(cls, data: Any, info: ValidationInfo) -> Any:
+        return filled(with_curve(data, info))
+
+    def derived(self) -> frozenset[str]:
+        """See `Model.derived`."""
+        return frozenset() if self.curve is None else frozenset({"EA"})
 
     @classmethod
     def __get_pydantic_json_schema__(cls, core_schema: Any, handler: Any) -> Any:
         made = super().__get_pydantic_json_schema__(core_schema, handler)
         needed = made.pop("required")
-        return made | {"anyOf": [{"required": needed}, {"required": ["library"]}]}
+        curved = ["curve" if name == "EA" else name for name in needed]
+        ways = (needed, curved, ["library"])
+        return made | {"anyOf": [{"required": way} for way in ways]}
 
     @model_validator(mode="after")
     def _check(self) -> Material:
+        if self.curve is not None:
+            refuse(curve_fault(self.EA, self.curve))
+            self.__pydantic_fields_set__.discard("EA")
+        check_parts(self)
         rule = "needs a bending stiffness: give EI (N m^2)"
         if self.EI == 0.0:
             if self.bending_damping > 0.0:
@@ -208,7 +245,7 @@ class Rope(Model):
 
     @property
     def segment_stiffness(self) -> float:
-        """Stiffness of one segment [N/m]: the spring constant, or EA / segment length."""
+        """Stiffness of one segment [N/m]: the spring constant, or EA / segment length (largest)."""
         if isinstance(self.made_of, Springs):
             return self.made_of.spring_constant
         return self.made_of.EA / self.segment_length
@@ -217,6 +254,11 @@ class Rope(Model):
     def rigid(self) -> bool:
         """Whether its segments are rigid links."""
         return math.isinf(self.segment_stiffness)
+
+    @property
+    def curved(self) -> bool:
+        """Whether its tension follows a curve of the strain."""
+        return isinstance(self.made_of, Material) and self.made_of.curve is not None
 
     @property
     def segment_friction(self) -> float:
@@ -229,6 +271,12 @@ class Rope(Model):
     def bending_stiffness(self) -> float:
         """Bending stiffness EI [N m^2]; 0 for springs."""
         return 0.0 if isinstance(self.made_of, Springs) else self.made_of.EI
+
+    @property
+    def strength(self) -> float:
+        """Tension at which it parts [N]; inf where it does not."""
+        load = self.made_of.breaking_load if self.made_of.parts else None
+        return math.inf if load is None else load
 
     @property
     def own_mass(self) -> float:
@@ -263,6 +311,8 @@ class Rope(Model):
             stuff = "rigid links"
         elif isinstance(made_of, Springs):
             stuff = f"springs of {made_of.spring_constant:g} N/m"
+        elif made_of.curve is not None:
+            stuff = f"material with a curve of up to EA = {made_of.EA:g} N"
         else:
             stuff = f"material with EA = {made_of.EA:g} N"
         size = f"{_count(self.segments, 'segment')}, {self.length_unstretched:g} m"
@@ -290,6 +340,9 @@ def rope_faults(rope: Rope) -> list[Fault]:
     if springs and rope.rigid and rope.segment_length == 0.0:
         rule = "inf makes rigid links, which need a segment_length greater than 0"
         faults.append(Fault("made_of.spring_constant", math.inf, rule))
+    if springs and rope.made_of.parts and rope.segment_length == 0.0:
+        rule = "needs springs of a length: give a segment_length greater than 0"
+        faults.append(Fault("made_of.parts", True, rule))
     if isinstance(rope.made_of, Material):
         turn = math.hypot(*rope.made_of.curvature) * rope.segment_length
         if turn > _MOST_TURN:
@@ -321,6 +374,8 @@ def _shape_faults(rope: Rope) -> list[Fault]:
     if isinstance(shape, Points) and len(shape.points) != rope.nodes:
         rule = f"must be {rope.nodes} points, one per node (segments + 1)"
         return [Fault("shape.points", f"{len(shape.points)} points", rule)]
+    if isinstance(shape, Knot):
+        return shape.faults(rope.diameter, rope.segments, length)
     if isinstance(shape, Slack) and rope.rigid and length < shape.span * (1 - 1e-9):
         rule = f"the rope of {length:g} m is shorter than the {shape.span:g} m from start to end"
         rule += ", and does not stretch"

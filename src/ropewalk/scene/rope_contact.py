@@ -50,6 +50,16 @@ def contact_faults(
         for i, rope in enumerate(ropes)
         if "diameter" not in rope.model_fields_set
     ]
+    found += [
+        Fault(
+            f"rope[{i}].made_of.parts",
+            True,
+            "cannot work with ropes that touch each other yet: what has parted would still be touched; "
+            "leave out parts, or contact",
+        )
+        for i, rope in enumerate(ropes)
+        if rope.made_of.parts
+    ]
     if winches:
         rule = "cannot work with a winch yet: leave out the winches, or contact"
         found.append(Fault("contact", NO_VALUE, rule))

@@ -67,6 +67,16 @@ class Scene(Model):
         x, y, z = (0.0 - part / size for part in self.gravity)
         return (x, y, z)
 
+    @property
+    def parts(self) -> bool:
+        """Whether any of its ropes can part."""
+        return any(rope.made_of.parts for rope in self.ropes)
+
+    @property
+    def lengths_change(self) -> bool:
+        """Whether unstretched lengths change in time: by a winch, or as ropes part."""
+        return bool(self.winches) or self.parts
+
     def rope_named(self, name: str) -> Rope:
         """The rope of that name.
 

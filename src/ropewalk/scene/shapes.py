@@ -8,7 +8,6 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from itertools import pairwise
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import numpy as np
@@ -16,6 +15,7 @@ from pydantic import Field, ValidationInfo, model_validator
 
 from ropewalk.scene.base import HUGE, Many, Text, Vector, refuse, vector
 from ropewalk.scene.faults import MISSING, NO_VALUE, Fault
+from ropewalk.scene.knot_shape import Knot
 from ropewalk.scene.shape_model import ShapeModel
 
 if TYPE_CHECKING:
@@ -53,7 +53,12 @@ class Straight(ShapeModel):
         return self
 
     def places(
-        self, segments: int, length: float, segment_length: float, up: Sequence[float]
+        self,
+        segments: int,
+        length: float,
+        segment_length: float,
+        up: Sequence[float],
+        diameter: float,
     ) -> Floats:
         """See `ShapeModel.places`."""
         start = np.array(self.start, dtype=np.float64)
@@ -83,7 +88,12 @@ class Polyline(ShapeModel):
         return self
 
     def places(
-        self, segments: int, length: float, segment_length: float, up: Sequence[float]
+        self,
+        segments: int,
+        length: float,
+        segment_length: float,
+        up: Sequence[float],
+        diameter: float,
     ) -> Floats:
         """See `ShapeModel.places`."""
         from ropewalk.scene.shape_lines import along_polyline
@@ -100,7 +110,12 @@ class Hanging(ShapeModel):
     velocity: Vector = vector(_VELOCITY, "m/s", default=_ZERO)
 
     def places(
-        self, segments: int, length: float, segment_length: float, up: Sequence[float]
+        self,
+        segments: int,
+        length: float,
+        segment_length: float,
+        up: Sequence[float],
+        diameter: float,
     ) -> Floats:
         """See `ShapeModel.places`."""
         share = np.arange(segments + 1) / segments
@@ -128,7 +143,12 @@ class Slack(ShapeModel):
         return math.dist(self.start, self.end)
 
     def places(
-        self, segments: int, length: float, segment_length: float, up: Sequence[float]
+        self,
+        segments: int,
+        length: float,
+        segment_length: float,
+        up: Sequence[float],
+        diameter: float,
     ) -> Floats:
         """See `ShapeModel.places`."""
         from ropewalk.scene.shape_lines import catenary_points
@@ -156,7 +176,7 @@ class Points(ShapeModel):
     @model_validator(mode="before")
     @classmethod
     def _read(cls, data: Any, info: ValidationInfo) -> Any:
-        from ropewalk.scene.csv_columns import read_columns
+        from ropewalk.scene.csv_columns import folder_of, read_columns
 
         if not isinstance(data, dict) or not isinstance(data.get("file"), str):
             return data
@@ -174,7 +194,12 @@ class Points(ShapeModel):
         return self
 
     def places(
-        self, segments: int, length: float, segment_length: float, up: Sequence[float]
+        self,
+        segments: int,
+        length: float,
+        segment_length: float,
+        up: Sequence[float],
+        diameter: float,
     ) -> Floats:
         """See `ShapeModel.places`."""
         return np.array(self.points, dtype=np.float64)
@@ -190,9 +215,6 @@ def coincident(points: Many[Vector]) -> list[Fault]:
     ]
 
 
-def folder_of(info: ValidationInfo) -> Path:
-    """The folder that file names in a scene are relative to: the scene file's, else here."""
-    return Path((info.context or {}).get("folder", "."))
-
-
-Shape = Annotated[Straight | Polyline | Hanging | Slack | Points, Field(discriminator="kind")]
+Shape = Annotated[
+    Straight | Polyline | Hanging | Slack | Points | Knot, Field(discriminator="kind")
+]

@@ -91,7 +91,7 @@ def as_table(model: Model) -> dict[str, Any]:
     table = {}
     for (name, field), key in zip(type(model).model_fields.items(), keys(type(model)), strict=True):
         value = getattr(model, name)
-        if value is None:
+        if value is None or name in model.derived():
             continue
         default = field.get_default()
         given = key in _WHERE_GIVEN and name in model.model_fields_set

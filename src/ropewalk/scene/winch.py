@@ -7,6 +7,7 @@ from typing import Literal
 from pydantic import Field, model_validator
 
 from ropewalk.scene.base import (
+    NAME,
     Model,
     Number,
     Text,
@@ -18,7 +19,6 @@ from ropewalk.scene.base import (
 )
 from ropewalk.scene.faults import Fault
 from ropewalk.scene.motions import interval_faults
-from ropewalk.scene.rope import NAME
 
 
 class Winch(Model):

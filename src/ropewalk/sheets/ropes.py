@@ -9,6 +9,7 @@ import numpy as np
 from ropewalk.library.catalogue import sources
 from ropewalk.record.margins import breaking_load
 from ropewalk.scene import Rope, Scene, Springs
+from ropewalk.scene.curve_words import curve_words
 from ropewalk.scene.from_library import origin, origin_words
 from ropewalk.scene.obstacles import Obstacle
 from ropewalk.sheets.content import Item, Section, Table, Text
@@ -59,6 +60,7 @@ def _rope_rows(rope: Rope) -> list[tuple[str, str]]:
                 _NAMES["EA"],
                 "infinite: it does not stretch" if rope.rigid else prefixed(made_of.EA, "N", 5),
             ),
+            *([("tension", curve_words(made_of.curve))] if made_of.curve is not None else []),
             (_NAMES["mass_per_length"], f"{made_of.mass_per_length:.5g} kg/m"),
             (_NAMES["axial_damping"], f"{made_of.axial_damping:.5g} N s"),
             (

@@ -30,6 +30,7 @@ from ropewalk.methods.watch import watch
 from ropewalk.motions.table import HAND
 from ropewalk.scene import Scene
 from ropewalk.simulation.block import Block
+from ropewalk.simulation.rope_contacts import one_by_one, rope_contacts
 from ropewalk.simulation.snapshot import Snapshot
 from ropewalk.words.annotations import unquoted
 
@@ -103,7 +104,7 @@ class Simulation(Driven):
         self.falls: tuple[Fall, ...] = ()  # the islands that have ended the last call
         self.watchers: list[Watcher] = []
         self.slices = self._engine.make_slices()
-        self._winches = len(self.scene.winches) > 0
+        self._lengths = self.scene.lengths_change
         self._start, self._dt, self._step = 0.0, self.plan.dt, 0
         self._engine.begin()
         self._gravity_zero = 0.0
@@ -159,11 +160,9 @@ class Simulation(Driven):
     @property
     def state(self) -> Snapshot:
         """A copy of everything that evolves; `restore` goes back to it, to the same bits."""
-        taken = (
-            self._kinds.copy(), self._drive.copy(), arrays.copy(self._engine.walk), self._turns.copy()
-        )  # fmt: skip
-        state, inner = arrays.copy(self._state), self._engine.inner
-        return Snapshot(state, self._start, self._dt, self._step, *taken, inner)
+        kinds, drive, turns = self._kinds.copy(), self._drive.copy(), self._turns.copy()
+        state, walk = arrays.copy(self._state), arrays.copy(self._engine.walk)
+        return Snapshot(state, *self.clock, kinds, drive, walk, turns, self._engine.inner)
 
     @property
     def step_counts(self) -> dict[str, float]:
@@ -182,12 +181,12 @@ class Simulation(Driven):
 
     def recording(self) -> Block:
         """Return the present state as one frame, extremes since the last call that moved it on included."""
-        out = make_recording(self._state, 1, self._winches)
+        out = make_recording(self._state, 1, self._lengths)
         self._engine.show_peaks()
         watch(self.system, self._state, *working_space(self._state), self.time)
         record_frame(self.system, self._state, self.ledger, make_sums(), 0, out)
         out.energy[:, GRAVITY] -= self._gravity_zero
-        return Block(np.array([self.time]), out)
+        return Block(np.array([self.time]), out, pairs=rope_contacts(self._state))
 
     # -- moving on ----------------------------------------------------------------------
 
@@ -243,16 +242,20 @@ class Simulation(Driven):
         When a frame is broken the block ends before it with status BROKEN, and the simulation stands at
         its last good frame; with `keep_going` it records on. It ends early where `slices.asked` says so.
         """
+        out = out or make_recording(self._state, frames, self._lengths)
+        if frames > 1 and self.scene.contact is not None:
+            advance = partial(self.advance_frames, keep_going=keep_going)
+            return one_by_one(lambda count, part: advance(count, out=part), frames, out, keep_going)
         if self._dt != self.plan.dt:  # after a step of another length
             self._start, self._dt, self._step = self.time, self.plan.dt, 0
         self._set_off(frames * self.plan.frame_interval)
         before = None if keep_going or not frames else self.state
         self._forget_break()
-        out = out or make_recording(self._state, frames, self._winches)
         start, first = self._start, self._step
         status, good = self._advance(self.plan.steps_per_frame, frames, out, not keep_going)
         steps = first + self.plan.steps_per_frame * np.arange(1, frames + 1)
-        block = Block(np.asarray(start + steps * self._dt, dtype=np.float64), out, status)
+        pairs = rope_contacts(self._state, frames)
+        block = Block(np.asarray(start + steps * self._dt, dtype=np.float64), out, status, pairs)
         if status == OK or (before is None and status == BROKEN):
             self._arrive()
             return self._told(block.head(good) if status == OK and good < frames else block)
@@ -275,13 +278,11 @@ class Simulation(Driven):
 
         With `keep_going` they go on into the break.
         """
-        left = self.frames_left if frames is None else frames
-        while left > 0:
+        left, status = self.frames_left if frames is None else frames, OK
+        while left > 0 and status == OK:
             block = self.advance_frames(min(left, self.block_frames), keep_going=keep_going)
             yield block
-            if block.status != OK:
-                return
-            left -= block.frames
+            left, status = left - block.frames, block.status
 
     @property
     def frames_left(self) -> int:
@@ -363,8 +364,8 @@ class Simulation(Driven):
         Raises KeyError where there is none of that name, SceneError where ropes touch each other.
         """
         refuse_untying(self.scene)
-        joints, state = self.system.joints, self._state
-        j = self.scene.joints.index(self.scene.joint_named(name))
+        joints, state, scene = self.system.joints, self._state, self.scene
+        j = scene.joints.index(scene.joint_named(name))
         member = joints.member[joints.first[j] : joints.first[j + 1]]
         state.tied[j], state.past[0] = 0, 0.0
         held = state.anchor_node[state.held == 1]
@@ -385,15 +386,12 @@ class Simulation(Driven):
 
         Raises RunError when the packages of `ropewalk[view]` are missing, or the port is taken.
         """
-        made = import_module(_VIEW).view_simulation(self, open_browser=open_browser, port=port)
-        return cast("View", made)
+        show = import_module(_VIEW).view_simulation
+        return cast("View", show(self, open_browser=open_browser, port=port))
 
     def __repr__(self) -> str:
-        name = self.scene.name
-        return (
-            f"<Simulation of {name!r}: {self.layout.nodes} nodes at t = {self.time:.6g} s, "
-            f"{self.plan.method}, {self.plan.pace}>"
-        )
+        about = f"{self.layout.nodes} nodes at t = {self.time:.6g} s"
+        return f"<Simulation of {self.scene.name!r}: {about}, {self.plan.method}, {self.plan.pace}>"
 
 
 __all__ = ["BROKEN", "Broken", "Simulation", "Snapshot"]

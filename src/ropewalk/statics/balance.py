@@ -30,9 +30,12 @@ from ropewalk.core.band_lu import solve_band
 from ropewalk.laws.acting import at_rest
 from ropewalk.laws.clamps import start_clamps
 from ropewalk.laws.contact import remember_contacts
+from ropewalk.laws.obstacle import depths
+from ropewalk.laws.obstacle import standing as still
 from ropewalk.laws.others import other_forces, other_stiffness
 from ropewalk.laws.tangent import law_band
 from ropewalk.lowering import Model, Span
+from ropewalk.lowering.curve_tables import put_tension, put_under_tension
 from ropewalk.statics.tied import points, solve_tied, together
 
 _TINY = 1e-300
@@ -42,12 +45,11 @@ _YIELD = 1e-9  # compliance of rigid links within a Newton step, in the model's 
 
 
 def standing(system: System) -> System:
-    """Return a system whose obstacles do not turn."""
+    """Return a system whose obstacles stay where they start."""
     table = system.node.obstacle
     if not table.spin.size:
         return system
-    spin = np.zeros_like(table.spin)
-    return system._replace(node=system.node._replace(obstacle=table._replace(spin=spin)))
+    return system._replace(node=system.node._replace(obstacle=still(table)))
 
 
 class Balance:
@@ -78,6 +80,7 @@ class Balance:
         self.goes_on = (
             False  # whether ropes slid or fell so far on obstacles that they will not rest
         )
+        self.slid = 0.0  # [m] how far they went and were not at rest yet
         self.pressed: Any = None  # what its tension presses too deep, see `pressing`
         self.number = points(model)  # (n,), where joints tie nodes
         self._set_scales()
@@ -148,6 +151,10 @@ class Balance:
         force: Floats = self.state.forces.node.obstacle
         return force
 
+    def clearance(self, x: Floats) -> float:
+        """Return the distance from places (3, n) [m] to the nearest obstacle [m]; negative inside."""
+        return -float(depths(self.system.node.obstacle, x)[:, self.free].max(initial=-np.inf))
+
     def kept(self) -> Any:
         """Return a copy of what contacts carry; `restore` puts it back."""
         return arrays.copy(self.state.memory.obstacle)
@@ -166,7 +173,17 @@ class Balance:
         _, r = self.directions(x)
         with np.errstate(invalid="ignore", divide="ignore"):
             pull = np.where(self.live, (r - self.rest) / self.soft, 0.0)
+        put_tension(self.system, self.state, r - self.rest, pull)
+        pull[~self.live] = 0.0
         return np.where(self.one_way, np.maximum(pull, 0.0), pull)
+
+    def given(self, tension: Floats) -> tuple[Floats, Floats]:
+        """Return the stretch under tensions [m] and its slope, the compliance [m/N], (s,) each."""
+        stretch, soft = tension * self.soft, self.soft
+        if self.system.curves.least.size:
+            soft = soft.copy()
+            put_under_tension(self.system, self.state, tension, stretch, soft)
+        return stretch, soft
 
     def directions(self, x: Floats) -> tuple[Floats, Floats]:
         """Return the segments' unit vectors (3, s) and lengths [m] (s,)."""
@@ -190,14 +207,14 @@ class Balance:
     def taut(self, x: Floats, tension: Floats) -> np.ndarray:
         """Return which segments obey Hooke's law rather than T = 0, (s,)."""
         _, r = self.directions(x)
-        stretch = r - self.rest - tension * self.soft
+        stretch = r - self.rest - self.given(tension)[0]
         wants = tension + self.force / self.length * stretch > 0.0
         return np.asarray(self.live & (wants | ~self.one_way))
 
     def gap(self, x: Floats, tension: Floats) -> Floats:
         """Return how much too long every segment is for its tension [m], (s,); 0 for slack ones."""
         _, r = self.directions(x)
-        stretch = r - self.rest - tension * self.soft
+        stretch = r - self.rest - self.given(tension)[0]
         taut = self.taut(x, tension)
         return np.where(taut, stretch, np.where(self.live, np.abs(tension), 0.0) / self.force)
 
@@ -232,7 +249,9 @@ class Balance:
         right = np.zeros((n, 4))
         right[:, :3] = self.others(x).T / unit
         column = np.zeros(n)
-        column[:-1] = np.where(taut, self.rest - r - self.yielding * tension, 0.0)
+        given, soft = self.given(tension)
+        beyond = given - soft * tension  # 0 of a straight line
+        column[:-1] = np.where(taut, self.rest - r - self.yielding * tension + beyond, 0.0)
         right[:, 3] = column
         for k in range(3):
             row = matrix[3::4]
@@ -242,7 +261,7 @@ class Balance:
             matrix[k::4][:-1, reach + 3 - k] = -live
             matrix[4 + k :: 4, reach - 1 - k] = live
         matrix[3::4, reach] = 1.0
-        matrix[3::4, reach][:-1] = np.where(taut, -unit * (self.soft + self.yielding), 1.0)
+        matrix[3::4, reach][:-1] = np.where(taut, -unit * (soft + self.yielding), 1.0)
         held = np.flatnonzero(~self.free)
         for k in range(3):
             matrix[4 * held + k] = 0.0

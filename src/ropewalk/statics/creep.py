@@ -32,6 +32,7 @@ _NEAR = 0.05  # of a segment: the longest way of a step after which rest may be 
 _SLOW = 100.0  # drag under which it may be, in the model's units [1]
 _LEAST, _MOST = 1e-9, 1e9  # of the drag, in the model's units and over the stiffest contact [1]
 _FAR = 3.0  # of the ropes' length and all distances: on a longer way nothing comes to rest [1]
+_AWAY = 3.0  # of a segment: on the way for so long, and not to rest, is to slide or fall [1]
 _ROUNDS = 10  # in which the coefficients of friction follow the turns of the rope at its nodes
 
 
@@ -41,6 +42,7 @@ class Crept:
 
     found: Found
     goes_on: bool  # it slid or fell so far that it will not come to rest
+    slid: float = 0.0  # [m] how far it went where it was still on its way when time was up, else 0
 
 
 def creep(
@@ -59,13 +61,13 @@ def creep(
     tension = np.where(np.isfinite(pull), np.maximum(pull, 0.0), 0.0)
     unit = balance.force / balance.length
     drag = stiffest = max(unit, float(balance.system.node.obstacle.stiffness.max()))
-    longest, reach = _FAR * _size(balance, x), _CLEAR * thinnest
+    longest, reach = _FAR * _size(balance, x), _CLEAR * thinnest  # farther where all is far away
     way, spent, share = 0.0, 0, 0.1
     for count in range(_STEPS):
         step = _dragged(balance, x, tension, drag)
         spent += step.steps
         moved = _largest(balance, step.x - x)
-        if not step.at_rest or not moved <= reach:
+        if not step.at_rest or not moved <= max(reach, _CLEAR * balance.clearance(x)):
             drag, share = 4.0 * drag, 0.5
             if drag > _MOST * stiffest or spent > patience:
                 break
@@ -82,7 +84,8 @@ def creep(
                 return Crept(last._replace(steps=spent), goes_on=False)
         drag, share = max(share * drag, _LEAST * unit), max(0.1, 0.7 * share)
     error, allowed = balance.error(x, tension), balance.allowed(x, tension)
-    return Crept(Found(x, tension, error, allowed, spent), goes_on=way > longest)
+    still = way if spent > patience and way > _AWAY * balance.length else 0.0
+    return Crept(Found(x, tension, error, allowed, spent), goes_on=way > longest, slid=still)
 
 
 def _dragged(balance: Balance, x: Floats, tension: Floats, drag: float) -> Found:

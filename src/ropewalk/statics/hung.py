@@ -12,27 +12,50 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats
 from ropewalk.lowering import Model, Span
+from ropewalk.lowering.curve_tables import put_under_tension
 from ropewalk.scene import SceneError
 from ropewalk.scene.faults import Fault
 from ropewalk.theory.chain import hang
+
+_ROUNDS = 6  # in which ropes with a curve get the secants of their tensions
+_LITTLE = 1e-9  # of the largest tension, below which a curve is its tangent at rest [1]
 
 
 def hung(model: Model) -> tuple[Floats, Floats]:
     """Return the places of the nodes [m], (3, n), and the tensions [N], (s,).
 
-    Ropes that nothing holds stay where they are, without tension. Raises SceneError for rigid links
+    Ropes that nothing holds stay where they are, without tension; those with a curve hang to a few digits.
+    Raises SceneError for rigid links
     that do not reach from one held node to the next.
     """
+    x, tension = _hung(model, model.state.stiffness)
+    for _ in range(_ROUNDS if model.system.curves.least.size else 0):
+        x, tension = _hung(model, _secants(model, tension))
+    return x, tension
+
+
+def _secants(model: Model, tension: Floats) -> Floats:
+    """Return the stiffness of a straight line through each segment's tension [N/m], (s,)."""
+    found = model.state.stiffness.copy()
+    stretch, soft = np.zeros_like(found), np.zeros_like(found)
+    put_under_tension(model.system, model.state, tension, stretch, soft)
+    np.divide(1.0, soft, out=found, where=soft > 0.0)
+    pulled = np.abs(tension) > _LITTLE * np.abs(tension).max(initial=0.0)
+    return np.divide(tension, stretch, out=found, where=pulled & (stretch != 0.0))
+
+
+def _hung(model: Model, stiffness: Floats) -> tuple[Floats, Floats]:
+    """Return the same for segments of given stiffnesses [N/m], (s,)."""
     x, tension = model.state.x.copy(), np.zeros(model.state.rest_length.size)
     for rope in model.layout.ropes:
         nodes = held_nodes(model, rope)
         if not nodes:
             continue
         if nodes[0] > rope.start:
-            _tail(model, x, tension, nodes[0], rope.start)
+            _tail(model, stiffness, x, tension, nodes[0], rope.start)
         for first, last in itertools.pairwise(nodes):
             try:
-                _span(model, x, tension, first, last)
+                _span(model, stiffness, x, tension, first, last)
             except (ValueError, ArithmeticError) as error:
                 number = model.scene.rope_index(rope.name)
                 names = _anchors_at(model, first, last)
@@ -42,7 +65,7 @@ def hung(model: Model) -> tuple[Floats, Floats]:
                 fault = Fault(f"rope[{number}].length", length, rule)
                 raise SceneError([fault]) from None
         if nodes[-1] < rope.end:
-            _tail(model, x, tension, nodes[-1], rope.end)
+            _tail(model, stiffness, x, tension, nodes[-1], rope.end)
     return x, tension
 
 
@@ -67,7 +90,9 @@ def _anchors_at(model: Model, *nodes: int) -> str:
     return " to ".join(f"anchor {name!r}" for name in names)
 
 
-def _span(model: Model, x: Floats, tension: Floats, first: int, last: int) -> None:
+def _span(
+    model: Model, stiffness: Floats, x: Floats, tension: Floats, first: int, last: int
+) -> None:
     state, segments = model.state, slice(first, last)
     up, gravity = upward(model)
     ends = x[:, last] - x[:, first]
@@ -81,7 +106,7 @@ def _span(model: Model, x: Floats, tension: Floats, first: int, last: int) -> No
         if weights.sum() < 0.0:  # it floats: as it would hang, upside down
             up, rise, weights = -up, -rise, -weights
         weights = np.maximum(weights, 1e-6 * float(np.abs(weights).max()))
-    found = hang(weights, state.stiffness[segments], state.rest_length[segments], across, rise)
+    found = hang(weights, stiffness[segments], state.rest_length[segments], across, rise)
     steps = np.outer(direction, found.along) + np.outer(up, found.upward)
     path = np.cumsum(steps, axis=1)
     # What a million additions round off is shared by all segments, or the last one bears it alone.
@@ -93,7 +118,7 @@ def _span(model: Model, x: Floats, tension: Floats, first: int, last: int) -> No
     tension[segments] = pull
 
 
-def _tail(model: Model, x: Floats, tension: Floats, held: int, tip: int) -> None:
+def _tail(model: Model, stiffness: Floats, x: Floats, tension: Floats, held: int, tip: int) -> None:
     """Hang what lies beyond a held node straight down; without weight it stays as it starts."""
     state = model.state
     up, gravity = upward(model)
@@ -108,9 +133,9 @@ def _tail(model: Model, x: Floats, tension: Floats, held: int, tip: int) -> None
         pull = np.cumsum(beyond[:, ::-1], axis=1)[:, ::-1]
         carried = np.linalg.norm(pull, axis=0)
         way = np.where(carried > 0.0, pull / np.maximum(carried, 1e-300), -up[:, None])
-        size = state.rest_length[segments] + carried / state.stiffness[segments]
+        size = state.rest_length[segments] + carried / stiffness[segments]
         x[:, nodes] = x[:, held, None] + np.cumsum(way * size, axis=1)
     else:
-        size = state.rest_length[segments] + carried / state.stiffness[segments]
+        size = state.rest_length[segments] + carried / stiffness[segments]
         x[:, nodes] = x[:, held, None] - np.outer(up, np.cumsum(size))
     tension[segments] = carried

@@ -24,7 +24,7 @@ from ropewalk.statics.pressing import Watch
 from ropewalk.statics.refusal import refuse_impossible, undetermined_ropes, unheld_ropes
 from ropewalk.statics.spans import RestSpan, rest_spans
 from ropewalk.statics.tied import tied_nodes
-from ropewalk.statics.wraps import Wrap, going_on_words, sliding_words, wraps
+from ropewalk.statics.wraps import Wrap, going_on_words, on_the_way_words, sliding_words, wraps
 from ropewalk.words.annotations import unquoted
 from ropewalk.words.prefixes import prefixed
 
@@ -160,7 +160,7 @@ def _find_on_obstacles(model: Model, balance: Balance, *, patient: bool) -> Foun
     least = min(map(thinnest, model.scene.obstacles)) + thick
     watch = Watch(model, balance)
     crept = creep(balance, x, least, _PATIENCE if patient else _CHECKED, watch.see)
-    balance.goes_on = crept.goes_on
+    balance.goes_on, balance.slid = crept.goes_on, crept.slid
     balance.pressed = watch.at_last(crept.found.x)
     return crept.found if balance.pressed is None else crept.found._replace(error=np.inf)
 
@@ -286,6 +286,8 @@ def _complaint(model: Model, balance: Balance, found: Found) -> str:
         lie, _ = _lie(model, balance, found.x, found.tension)
         if balance.goes_on:
             return going_on_words(lie)
+        if balance.slid > 0.0:
+            return on_the_way_words(lie, balance.slid)
         remedy = sliding_words(lie) or remedy
     return (
         f"no shape of rest was found in {found.steps} steps: at node {number} of rope {rope!r} "

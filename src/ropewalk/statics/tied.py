@@ -7,8 +7,8 @@ import numpy as np
 from ropewalk.core.arrays import Floats, Ints
 from ropewalk.core.elimination import points_of
 from ropewalk.lowering import Model, Span
-from ropewalk.lowering.sparse import load_scipy
 from ropewalk.scene.joint import tied_ropes
+from ropewalk.theory.borrowed import load_scipy
 
 
 def points(model: Model) -> Ints | None:

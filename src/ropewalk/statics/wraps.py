@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from ropewalk.core.arrays import Floats, Ints
+from ropewalk.laws.obstacle import standing
 from ropewalk.lowering import Model, Span
 from ropewalk.lowering.touching import SLIPS, Contacts, contacts_at, turns
 from ropewalk.words.prefixes import prefixed
@@ -88,6 +89,12 @@ def going_on_words(lie: tuple[Wrap, ...]) -> str:
     return f"there is no rest: the ropes slide or fall on and on. {said}".rstrip()
 
 
+def on_the_way_words(lie: tuple[Wrap, ...], way: float) -> str:
+    """Return what is known of ropes that went so far [m], and were on their way yet when time was up."""
+    said = sliding_words(lie)
+    return f"no shape of rest was found: after {way:.3g} m the ropes still slide or fall. {said}".rstrip()
+
+
 def sliding_words(lie: tuple[Wrap, ...]) -> str:
     """Return where friction carries all it can, and what to change; "" where it nowhere does."""
     full = [wrap for wrap in lie if wrap.use >= SLIPS or wrap.friction == 0.0]
@@ -119,7 +126,7 @@ def wraps(
     table = model.system.node.obstacle
     if not len(table.kind):
         return (), contacts_at(table, x, np.zeros_like(x), np.zeros_like(x), state.stiffness)
-    table = table._replace(spin=np.zeros_like(table.spin))
+    table = standing(table)
     contacts = contacts_at(table, x, np.zeros_like(x), force, state.stiffness)
     found = []
     for rope in model.layout.ropes:

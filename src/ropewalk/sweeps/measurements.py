@@ -126,7 +126,10 @@ class _PullTest(Measurement):
         if not isinstance(rope.made_of, Material):
             raise InputError("pull_test", rope.name, "needs a rope of a material (EA)")
         assert self.forces is not None
-        return self.forces * (self.length or rope.length_unstretched) / rope.made_of.EA
+        size, curve = self.length or rope.length_unstretched, rope.made_of.curve
+        if curve is not None:
+            return np.asarray(curve.strain_at(self.forces) * size)
+        return self.forces * size / rope.made_of.EA
 
 
 def pull_test(

@@ -22,8 +22,9 @@ from ropewalk.core.band import Band, triplets
 from ropewalk.laws.others import other_stiffness
 from ropewalk.laws.tangent import assemble_tangent, law_band
 from ropewalk.lowering import Model
-from ropewalk.lowering.sparse import load_scipy
+from ropewalk.lowering.curve_tables import put_under_tension
 from ropewalk.statics.tied import points
+from ropewalk.theory.borrowed import load_scipy
 
 _SYMMETRIC = 1e-12  # of the largest entry: what a difference from the transpose may be [1]
 
@@ -119,6 +120,8 @@ def linearise(model: Model, x: Floats, tension: Floats, *, springs_only: bool = 
     segments = np.flatnonzero(taut)
     free = follows >= 0
     pulls = _lengths(n, t, segments)
+    soft = np.divide(1.0, state.stiffness, out=np.zeros_like(r), where=state.stiffness > 0.0)
+    put_under_tension(model.system, state, tension, np.empty_like(r), soft)
     return Linear(
         nodes=nodes,
         follows=follows,
@@ -126,7 +129,7 @@ def linearise(model: Model, x: Floats, tension: Floats, *, springs_only: bool = 
         other=over_free(other),
         friction=over_free(friction),
         lengths=(pulls[:, unknown] if spread is None else pulls @ spread).tocsr(),
-        soft=1.0 / state.stiffness[segments],
+        soft=soft[segments],
     )
 
 

@@ -17,6 +17,7 @@ from ropewalk.laws.acting import at_rest
 from ropewalk.laws.contact import GRIP
 from ropewalk.laws.node_law import Rest
 from ropewalk.lowering import Layout, Model, build
+from ropewalk.lowering.curve_tables import put_tension
 from ropewalk.lowering.link_lengths import has_links
 from ropewalk.lowering.touching import SLIPS
 from ropewalk.methods.loop import prepare_links
@@ -180,7 +181,9 @@ def shape_about(model: Model, about: About) -> tuple[Floats, Floats, Model]:
     state, rigid = model.state, np.isinf(model.state.stiffness)
     stretch = np.sqrt((np.diff(state.x, axis=1) ** 2).sum(axis=0)) - state.rest_length
     stretch[np.abs(stretch) <= _ROUNDING * np.abs(state.x).max()] = 0.0
-    tension = np.maximum(np.where(rigid, 0.0, state.stiffness) * stretch, model.system.slack_floor)
+    tension = np.where(rigid, 0.0, state.stiffness) * stretch
+    put_tension(model.system, state, stretch, tension)
+    tension = np.maximum(tension, model.system.slack_floor)
     if has_links(state):
         tension = np.where(rigid, _held_tension(model), tension)
     return state.x.copy(), tension, model

@@ -56,7 +56,7 @@ void main() {
   vec4 material = laid < 0.5 ? vec4(up, 0.0) : texelFetch(normals, ivec2(i % columns, i / columns), 0);
   turn = vec2(dot(material.xyz, side), dot(material.xyz, toward));
   float radius = max(look.x, 1e-9); // where ropes are drawn thicker than they are, their lay is longer
-  float lay = 7.0 * radius * exp2(floor(log2(max(thick / radius, 1.0)) + 0.5));
+  float lay = 7.0 * radius * exp2(floor(log2(max(thick / radius, 1.0)) + 0.9));
   phase = material.w / lay;
   float cot = dot(along, sight) / max(length(cross(along, sight)), 1e-3);
   slope = cot / sqrt(1.0 + 0.6 * cot * cot);
@@ -136,6 +136,8 @@ void main() {
   vec3 half_ = normalize(key + normalize(toward));
   float sheen = 0.1 * pow(max(dot(normal, half_), 0.0), 22.0);
   float band = 1.0 - smoothstep(0.7, 2.0, edge * halfWidth - abs(w));
+  float bright = dot(base * base, vec3(0.2126, 0.7152, 0.0722)); // what is dark needs no rim
+  band *= smoothstep(0.08, 0.2, bright);
   vec3 lit = base * base * light * mix(1.0, rim, band) + sheen * shade;
   colour = vec4(sqrt(lit), cover);
 }

@@ -18,7 +18,10 @@ from ropewalk.words.nearest import nearest
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
 
-_TAKES = {"times": "--time", "nodes": "--node", "node": "--node", "frames": "--time"}
+_TAKES = {
+    **dict.fromkeys(("times", "time", "frames"), "--time"),
+    **dict.fromkeys(("nodes", "node"), "--node"),
+}
 
 
 @click.command()
@@ -72,6 +75,8 @@ def plot(
       phase      velocity against position of a node (--node)
       reactions  force of each anchor on its rope
       forces     the last frame coloured by tension, with the anchors' forces
+      contact    forces of contacts and tension along the ropes (--time)
+      sticking   which nodes stick and which slip, against time
     Of a sweep, KIND is a name of what it kept, such as tension_max.
     """
     if is_sweep(folder):
@@ -89,7 +94,7 @@ def plot(
     for path in (path for kind in chosen for path in targets[kind]):
         refuse_existing(path, overwrite=overwrite or output is None)
     for kind in chosen:
-        if kind == "reactions" and not result.layout.anchor_names and not kinds:
+        if not kinds and not plots.PLOTS[kind].there(result):
             continue  # nothing to draw, and nobody asked for it
         figure = draw(plots.PLOTS[kind].draw, result, times, nodes)
         for path in targets[kind]:
@@ -140,6 +145,8 @@ def draw(
     parsed = [parse_node(node, result) for node in nodes]
     if times and "times" in takes:
         options["times"] = list(times)
+    elif times and "time" in takes:
+        options["time"] = _one(times)
     elif times and "frames" in takes:
         _refuse_times(times, result)
         options["frames"] = [result.frame_at(time) for time in times]
@@ -150,9 +157,13 @@ def draw(
     try:
         return function(result, **options)
     except ValueError as error:
-        if options:
-            raise Refusal(f"{result.folder}: {error}") from error
-        raise
+        raise Refusal(f"{result.folder}: {error}") from error
+
+
+def _one(times: Sequence[float]) -> float:
+    if len(times) > 1:
+        raise Refusal("--time: contact shows one; give it once")
+    return times[0]
 
 
 def _refuse_times(times: Sequence[float], result: Result) -> None:

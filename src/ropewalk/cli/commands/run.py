@@ -17,10 +17,12 @@ from ropewalk.cli.startup import without_scipy
 
 if TYPE_CHECKING:
     from ropewalk.lowering import Model
+    from ropewalk.record.parted import Parting
     from ropewalk.record.result import Result
     from ropewalk.scene import Scene
 
 RUNS = Path("runs")
+_NAMED = 3  # partings that are told one by one
 
 quiet_option = click.option(
     "-q", "--quiet", is_flag=True, help="No progress, no table: print the run's folder only."
@@ -173,6 +175,7 @@ def conclude(result: Result, warnings: tuple[str, ...] = (), *, as_json: bool, q
         say(f"run folder: {result.folder}")
     if not quiet:
         _tell_of_winches(result)
+        _tell_of_partings(result.partings)
     if result.status == "interrupted":
         tell(f"interrupted at t = {result.time[-1]:.6g} s; what there is was kept")
         tell(f"go on with: ropewalk resume {result.folder}")
@@ -186,6 +189,14 @@ def conclude(result: Result, warnings: tuple[str, ...] = (), *, as_json: bool, q
                 tell("record on into the break: run it with --keep-going")
         return BROKE
     return 0
+
+
+def _tell_of_partings(partings: tuple[Parting, ...]) -> None:
+    """Say what parted: the first few, and how many more."""
+    for parting in partings[:_NAMED]:
+        warn(f"a rope parted: {parting}")
+    if len(partings) > _NAMED:
+        warn(f"and {len(partings) - _NAMED} more segments parted")
 
 
 def _tell_of_winches(result: Result) -> None:

@@ -1,8 +1,8 @@
 """The force of contacts of segments: as that of obstacles, between two points of ropes.
 
 With u the vector from a point of segment j to one of segment i, both frozen like the normal n, d the sum
-of the radii, g = n.u - d, P = I - n n^T, D = u - u' what u has changed by since the last accepted step and
-R' the friction spring's force then,
+of the radii, g = n.u - d - e (e fades, see `pair_memory`), P = I - n n^T, D = u - u' what u has changed by
+since the last accepted step and R' the friction spring's force then,
     R_n = max(0, R(-g) - c n.u')                       it presses
     q   = P (R' - k_t D) - c P u'
     R_t = q            where |q| <= mu R_n             it sticks
@@ -28,14 +28,14 @@ from ropewalk.laws.pairs.table import (
     OWN,
     SPRING,
     STIFF,
-    STOP,
     between,
+    depth_of,
     spring_of,
 )
 
 
 @small
-def squeeze(depth, soft, hard, layer):
+def squeeze(depth, soft, hard, stop, layer):
     """Return force [N], its slope [N/m] and energy [J] of a contact that is pressed by `depth` [m]."""
     e = min(depth, layer)
     force, slope, energy = soft * e, soft, 0.5 * soft * e * max(e, 0.0)
@@ -43,7 +43,7 @@ def squeeze(depth, soft, hard, layer):
         min(depth - layer, layer), (hard - soft) / layer, force, slope, energy
     )
     force, slope, energy = beyond(min(depth - 2.0 * layer, layer), 0.0, force, slope, energy)
-    rate = 0.5 * (STOP - 1.0) * hard / layer
+    rate = 0.5 * (stop - hard) / layer
     force, slope, energy = beyond(min(depth - 3.0 * layer, 2.0 * layer), rate, force, slope, energy)
     return beyond(depth - 5.0 * layer, 0.0, force, slope, energy)
 
@@ -70,11 +70,11 @@ def pull_of(grip, row, u, w, damping):
 
 
 @small
-def pressed(grip, row, u, w, soft, hard, damping, size):
+def pressed(grip, row, u, w, soft, hard, stop, damping, size):
     """Return R_n before it is cut [N], and its slope [N/m]."""
     n0, n1, n2 = grip[row, NORMAL], grip[row, NORMAL + 1], grip[row, NORMAL + 2]
-    depth = size - (n0 * u[0] + n1 * u[1] + n2 * u[2])
-    force, slope, _ = squeeze(depth, soft, hard, LAYER * size)
+    depth = depth_of(grip, row, u, size)
+    force, slope, _ = squeeze(depth, soft, hard, stop, LAYER * size)
     return force - damping * (n0 * w[0] + n1 * w[1] + n2 * w[2]), slope
 
 
@@ -92,10 +92,10 @@ def add_pair_forces(x, v, table, memory, force):
     pair, grip = memory.pair, memory.grip
     for row in range(memory.tally[CONTACTS]):
         i, j = pair[row, 0], pair[row, 1]
-        soft, hard, damping, size = spring_of(table, memory.grip, row, i, j)
+        soft, hard, stop, damping, size = spring_of(table, memory.grip, row, i, j)
         s, t = grip[row, OWN], grip[row, OTHER]
         u, w = between(x, i, j, s, t), between(v, i, j, s, t)
-        push, _ = pressed(grip, row, u, w, soft, hard, damping, size)
+        push, _ = pressed(grip, row, u, w, soft, hard, stop, damping, size)
         if not push > 0.0:
             continue
         q = pull_of(grip, row, u, w, damping)
@@ -111,12 +111,10 @@ def add_pair_forces(x, v, table, memory, force):
 
 
 @small
-def depth_of(x, memory, row, i, j, size):
-    """Return how deep a contact is pressed [m]; negative where it is open."""
+def depth_at(x, memory, row, i, j, size):
+    """Return how deep a contact counts as pressed at places (3, n) [m]; negative where it is open."""
     grip = memory.grip
-    u = between(x, i, j, grip[row, OWN], grip[row, OTHER])
-    n0, n1, n2 = grip[row, NORMAL], grip[row, NORMAL + 1], grip[row, NORMAL + 2]
-    return size - (n0 * u[0] + n1 * u[1] + n2 * u[2])
+    return depth_of(grip, row, between(x, i, j, grip[row, OWN], grip[row, OTHER]), size)
 
 
 @kernel
@@ -125,9 +123,9 @@ def pair_energy(x, table, memory):
     total = 0.0
     for row in range(memory.tally[CONTACTS]):
         i, j = memory.pair[row, 0], memory.pair[row, 1]
-        soft, hard, _, size = spring_of(table, memory.grip, row, i, j)
-        depth = depth_of(x, memory, row, i, j, size)
-        total += squeeze(depth, soft, hard, LAYER * size)[2] if depth > 0.0 else 0.0
+        soft, hard, stop, _, size = spring_of(table, memory.grip, row, i, j)
+        depth = depth_at(x, memory, row, i, j, size)
+        total += squeeze(depth, soft, hard, stop, LAYER * size)[2] if depth > 0.0 else 0.0
     return total
 
 
@@ -140,7 +138,7 @@ def pair_rounding(x, table, memory):
             size = max(size, abs(x[k, i]))
     for row in range(memory.tally[CONTACTS]):
         i, j = memory.pair[row, 0], memory.pair[row, 1]
-        soft, hard, _, wide = spring_of(table, memory.grip, row, i, j)
-        depth = depth_of(x, memory, row, i, j, wide)
-        most = max(most, squeeze(depth, soft, hard, LAYER * wide)[1])
+        soft, hard, stop, _, wide = spring_of(table, memory.grip, row, i, j)
+        depth = depth_at(x, memory, row, i, j, wide)
+        most = max(most, squeeze(depth, soft, hard, stop, LAYER * wide)[1])
     return 16.0 * 2.220446049250313e-16 * most * size

@@ -20,8 +20,18 @@ from ropewalk.laws.node_law import NodeLaw, Rest
 from ropewalk.laws.obstacle import node_stiffness
 from ropewalk.laws.pairs.force import add_pair_forces, pair_energy, pair_forces, pair_rounding
 from ropewalk.laws.pairs.pair_memory import remember_pairs
-from ropewalk.laws.pairs.pair_tangent import couple_pairs
-from ropewalk.laws.pairs.table import CONTACTS, FAULT, HARD, SEEN, STOP, WIDTH, Memory, Pairs
+from ropewalk.laws.pairs.pair_tangent import along_pairs, couple_pairs
+from ropewalk.laws.pairs.table import (
+    CONTACTS,
+    CROWDED,
+    FAULT,
+    HARD,
+    SEEN,
+    STOP,
+    WIDTH,
+    Memory,
+    Pairs,
+)
 from ropewalk.laws.pairs.way import count_closing_pairs, meet_pairs
 
 if TYPE_CHECKING:
@@ -56,6 +66,7 @@ def lower(
         radius=np.zeros(s),
         soft=np.zeros(s),
         hard=np.zeros(s),
+        stop=np.zeros(s),
         mass=np.zeros(s),
         rope=np.full(s, -1, np.int64),
         skip=np.ones(s, np.int64),
@@ -71,8 +82,10 @@ def lower(
         far = max(own, across) if math.isfinite(across) else RIGID * own
         table.radius[here] = 0.5 * rope.diameter
         table.soft[here], table.hard[here] = 1.0 / own, 1.0 / far
-        if contact.compliance is not None:
+        table.stop[here] = 1.0 / (STOP * far)
+        if contact.compliance is not None:  # of the skin: how ropes stop each other stays as it is
             table.soft[here] = table.hard[here] = 0.5 * contact.compliance
+            table.stop[here] = min(1.0 / (STOP * far), 0.5 * contact.compliance / STOP)
         table.rope[here] = number
         table.skip[here] = max(1, neighbours(rope))
     table.skin[0] = SKIN * 2.0 * float(table.radius.max())
@@ -123,7 +136,7 @@ def memory(table: Pairs, x: Floats, stiffness: Floats) -> Memory:
     if s:
         found.tally[SEEN] = 1
         tied = np.ones(int(table.joint.max(initial=-1)) + 1, np.int64)
-        remember_pairs(x, np.zeros_like(x), table, found, tied)
+        remember_pairs(x, np.zeros_like(x), 0.0, table, found, tied)
     return found
 
 
@@ -142,7 +155,12 @@ def tangent(table, state, x, v, weight_x, weight_v, marks, band):
 def pattern(table, state, network):
     """Find the order of elimination with the contacts at hand; return whether there was room."""
     memory = state.memory.contact
-    return order_network(network, memory.pair, memory.tally[CONTACTS])
+    fits = order_network(network, memory.pair, memory.tally[CONTACTS])
+    if not fits:
+        memory.tally[FAULT] = CROWDED
+    elif memory.tally[FAULT] == CROWDED:  # fewer touch in a shorter step
+        memory.tally[FAULT] = 0
+    return fits
 
 
 @part
@@ -152,9 +170,16 @@ def couple(table, state, x, v, weight_x, weight_v, network):
 
 
 @part
+def along(table, state, x, v, d, weight_x, weight_v):
+    """Return d . K d of these derivatives K for a direction (3, n) [N m]."""
+    return along_pairs(x, v, d, table, state.memory.contact, weight_x, weight_v)
+
+
+@part
 def remember(table, state):
     """Keep what contacts carry at the state; return how many have closed."""
-    return remember_pairs(state.x, state.v, table, state.memory.contact, state.tied)
+    memory, dt = state.memory.contact, state.now[0] - state.now[1]
+    return remember_pairs(state.x, state.v, dt, table, memory, state.tied)
 
 
 @part
@@ -211,7 +236,7 @@ def cases(table: Pairs, chain: Chain) -> dict[str, Chain]:
     if not len(table.rope):
         return {}
     alive = table.rope >= 0
-    soft, stiff = 0.5 / table.soft[alive].min(), STOP * 0.5 / table.hard[alive].min()
+    soft, stiff = 0.5 / table.soft[alive].min(), 0.5 / table.stop[alive].min()
     damping = 2.0 * math.sqrt(max(soft, HARD**2 * stiff) * 0.5 * float(table.mass[alive].max()))
     return {
         "pressed to ropes": chain._replace(
@@ -240,6 +265,7 @@ CONTACT = NodeLaw(
     cases=cases,
     pattern=pattern,
     couple=couple,
+    along=along,
     meet=meet,
     fault=fault,
 )

@@ -12,16 +12,18 @@ import math
 
 from ropewalk.core.jit import kernel, small
 from ropewalk.laws.pairs.distance import NEVER, comes_to, nearest, relative_way
-from ropewalk.laws.pairs.force import pressed, pull_of, squeeze
+from ropewalk.laws.pairs.force import depth_at, pressed, pull_of, squeeze
 from ropewalk.laws.pairs.search import find_near, freeze, new_row, owns, row_of
 from ropewalk.laws.pairs.table import (
     APART,
     CONTACTS,
     FAULT,
     FIRST,
+    FOUND,
     FULL,
     GONE,
     LAYER,
+    MORE,
     NEAR,
     NORMAL,
     OTHER,
@@ -38,9 +40,12 @@ from ropewalk.laws.pairs.table import (
     WIDTH,
     WRONG,
     between,
+    depth_of,
     spring_of,
 )
 from ropewalk.laws.pairs.way import HALF, begin_contact
+
+FADES = 0.03  # [s]
 
 
 @kernel
@@ -73,20 +78,19 @@ def is_right(y, memory, row, size, distance):
 def hold(x, v, table, memory, row):
     """Keep what a contact carries at `x` and `v`; return 1 where it has closed, else 0."""
     i, j, grip = memory.pair[row, 0], memory.pair[row, 1], memory.grip
-    soft, hard, damping, size = spring_of(table, grip, row, i, j)
+    soft, hard, stop, damping, size = spring_of(table, grip, row, i, j)
     s, t = grip[row, OWN], grip[row, OTHER]
     u, w = between(x, i, j, s, t), between(v, i, j, s, t)
-    push, _ = pressed(grip, row, u, w, soft, hard, damping, size)
+    push, _ = pressed(grip, row, u, w, soft, hard, stop, damping, size)
     closed = 1.0 if push > 0.0 and grip[row, PUSH] == 0.0 else 0.0
     push = max(push, 0.0)
     q = pull_of(grip, row, u, w, 0.0)
     total = math.sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2])
     bound = table.friction[0] * push
     share = bound / total if total > bound else 1.0
-    along = grip[row, NORMAL] * u[0] + grip[row, NORMAL + 1] * u[1] + grip[row, NORMAL + 2] * u[2]
-    depth = size - along
+    depth = depth_of(grip, row, u, size)
     grip[row, PUSH] = push
-    rigid = squeeze(depth, soft, hard, LAYER * size)[0] / depth if depth > 0.0 else soft
+    rigid = squeeze(depth, soft, hard, stop, LAYER * size)[0] / depth if depth > 0.0 else soft
     grip[row, STIFF] = min(max(soft, rigid), max(soft, hard))
     for k in range(3):
         grip[row, SPRING + k] = share * q[k]
@@ -104,8 +108,9 @@ def refresh(x, table, memory, row, tied):
         grip[row, GONE] = 1.0
     elif not is_right(x, memory, row, size, distance):
         if owns(x, x, 0.0, table, tied, i, j, s, t):
+            before = depth_at(x, memory, row, i, j, size)
             freeze(x, x, 0.0, memory, row, s, t)
-            begin_contact(x, table, memory, row)
+            begin_contact(x, table, memory, row, before)
         else:
             grip[row, GONE] = 1.0
 
@@ -135,8 +140,8 @@ def is_covered(x, memory, i, j, s, t, size):
 
 
 @kernel
-def inherit(memory, row):
-    """Let a new contact take over what one beside it held that is gone."""
+def inherit(x, table, memory, row):
+    """Let a new contact take over what one beside it held that is gone; return how deep that one was [m]."""
     pair, grip = memory.pair, memory.grip
     i, j = pair[row, 0], pair[row, 1]
     for a in range(i - 1, i + 2):
@@ -144,11 +149,38 @@ def inherit(memory, row):
             other = row_of(memory, a, b)
             if other < 0 or grip[other, GONE] != 1.0 or not grip[other, PUSH] > 0.0:
                 continue
-            grip[row, PUSH], grip[row, STIFF] = grip[other, PUSH], grip[other, STIFF]
+            grip[row, PUSH] += grip[other, PUSH]
+            grip[row, STIFF] = max(grip[row, STIFF], grip[other, STIFF])
             grip[other, PUSH] = 0.0
             for k in range(3):
-                grip[row, SPRING + k] = grip[other, SPRING + k]
-            return
+                grip[row, SPRING + k] += grip[other, SPRING + k]
+            size = table.radius[a] + table.radius[b]
+            return max(depth_at(x, memory, other, a, b, size), 0.0)
+    return 0.0
+
+
+@kernel
+def pass_on(x, table, memory):
+    """Let contacts found on the way of the step take over from those that are gone."""
+    grip = memory.grip
+    for row in range(memory.tally[CONTACTS]):
+        if grip[row, FOUND] == 0.0:
+            continue
+        grip[row, FOUND] = 0.0
+        if grip[row, GONE] == 0.0:
+            i, j = memory.pair[row, 0], memory.pair[row, 1]
+            own = depth_at(x, memory, row, i, j, table.radius[i] + table.radius[j])
+            depth = inherit(x, table, memory, row)
+            if depth > 0.0:
+                begin_contact(x, table, memory, row, max(own, 0.0) + depth)
+
+
+@kernel
+def fade(memory, dt):
+    """Let contacts come back to the depth that their points say, in a time of FADES."""
+    share = math.exp(-dt / FADES)
+    for row in range(memory.tally[CONTACTS]):
+        memory.grip[row, MORE] *= share
 
 
 @kernel
@@ -170,8 +202,8 @@ def list_new(x, table, memory, tied):
             count[FAULT], count[FIRST], count[SECOND] = FULL, i, j
             return
         freeze(x, x, 0.0, memory, -1 - at, s, t)
-        inherit(memory, -1 - at)
-        begin_contact(x, table, memory, -1 - at)
+        before = inherit(x, table, memory, -1 - at)
+        begin_contact(x, table, memory, -1 - at, before)
 
 
 @kernel
@@ -189,8 +221,11 @@ def drop_gone(memory):
 
 
 @kernel
-def remember_pairs(x, v, table, memory, tied):
-    """Keep what contacts carry at `x` and `v`, and find who touches there; return how many have closed."""
+def remember_pairs(x, v, dt, table, memory, tied):
+    """Keep what contacts carry at `x` and `v`, a time `dt` [s] after the last, and find who touches there.
+
+    Return how many have closed.
+    """
     count, place, closed = memory.tally, memory.place, 0.0
     if not find_near(place, x, table, memory, tied):
         count[FAULT] = FULL
@@ -200,8 +235,10 @@ def remember_pairs(x, v, table, memory, tied):
     for row in range(count[CONTACTS]):
         closed += hold(x, v, table, memory, row)
         refresh(x, table, memory, row, tied)
+    pass_on(x, table, memory)
     list_new(x, table, memory, tied)
     drop_gone(memory)
+    fade(memory, dt)
     for k in range(3):
         for i in range(x.shape[1]):
             place[k, i] = x[k, i]

@@ -30,10 +30,10 @@ from ropewalk.laws.pairs.table import (
 def tangent_of(table, memory, row, x, v, weight_x, weight_v):
     """Return the matrix, row by row, that takes a change of u to that of the force, with weights."""
     grip, i, j = memory.grip, memory.pair[row, 0], memory.pair[row, 1]
-    soft, hard, damping, size = spring_of(table, grip, row, i, j)
+    soft, hard, stop, damping, size = spring_of(table, grip, row, i, j)
     s, t = grip[row, OWN], grip[row, OTHER]
     u, w = between(x, i, j, s, t), between(v, i, j, s, t)
-    push, slope = pressed(grip, row, u, w, soft, hard, damping, size)
+    push, slope = pressed(grip, row, u, w, soft, hard, stop, damping, size)
     if not push > 0.0:
         return ZERO9
     n = (grip[row, NORMAL], grip[row, NORMAL + 1], grip[row, NORMAL + 2])
@@ -83,6 +83,20 @@ def couple_pairs(x, v, table, memory, weight_x, weight_v, network):
                 beside = scale9(wa * share_of(b, s, t), block)
                 put_pair(network, p, q, network.room.spots[row, at], beside, beside)
                 at += 1
+
+
+@kernel
+def along_pairs(x, v, d, table, memory, weight_x, weight_v):
+    """Return d . K d of the same matrix [N m], for a direction (3, n) [m]."""
+    total = 0.0
+    for row in range(memory.tally[CONTACTS]):
+        m = tangent_of(table, memory, row, x, v, weight_x, weight_v)
+        i, j = memory.pair[row, 0], memory.pair[row, 1]
+        a, b, c = between(d, i, j, memory.grip[row, OWN], memory.grip[row, OTHER])
+        total += a * (m[0] * a + m[1] * b + m[2] * c)
+        total += b * (m[3] * a + m[4] * b + m[5] * c)
+        total += c * (m[6] * a + m[7] * b + m[8] * c)
+    return total
 
 
 @small

@@ -17,13 +17,25 @@ STOP = 200.0  # [1] stiffness of one pressed through, over that of one pressed f
 HARD = 0.3  # [1] damping ratio of contacts pressed beyond their skin
 WRONG = 0.03  # [1] by which a frozen contact may err, over the same sum
 # Columns of `Memory.grip`: normal, points of both segments, the friction spring's force [N] and the vector
-# between the points [m] at the end of the last step, R_n then [N], the spring's stiffness [N/m], and whether
-# the row is to go.
-NORMAL, OWN, OTHER, SPRING, APART, PUSH, STIFF, GONE = 0, 3, 4, 5, 8, 11, 12, 13
-WIDTH = 14
+# between the points [m] at the end of the last step, R_n then [N], the spring's stiffness [N/m], whether
+# the row is to go, by how much more it counts as pressed than its points say [m], and whether it was found
+# on the way of the step in hand.
+NORMAL, OWN, OTHER, SPRING, APART, PUSH, STIFF, GONE, MORE, FOUND = (
+    0,
+    3,
+    4,
+    5,
+    8,
+    11,
+    12,
+    13,
+    14,
+    15,
+)
+WIDTH = 16
 # Places in `Memory.tally`.
 CONTACTS, NEAR, ROUNDS, SEEN, REFUSED, FAULT, FIRST, SECOND = range(8)
-PASSED, FULL = 1, 2  # faults
+PASSED, FULL, CROWDED = 1, 2, 3  # faults
 
 
 class Pairs(NamedTuple):
@@ -34,6 +46,7 @@ class Pairs(NamedTuple):
     radius: Floats  # (s,) [m]
     soft: Floats  # (s,) compliance of a contact that is pressed little [m/N]
     hard: Floats  # (s,) the same of one that is pressed far [m/N]
+    stop: Floats  # (s,) the same of one that is pressed through
     mass: Floats  # (s,) of a node [kg]
     rope: Ints  # (s,) number of the rope, -1 between ropes
     skip: Ints  # (s,) so many segments beside it are its neighbours
@@ -55,14 +68,22 @@ class Memory(NamedTuple):
 
 @small
 def spring_of(table, grip, row, i, j):
-    """Return stiffness when pressed little and far [N/m], damping [N s/m], and the sum of radii [m]."""
+    """Return stiffness pressed little, far and through [N/m], damping [N s/m], and the sum of radii [m]."""
     soft, hard = (
         1.0 / (table.soft[i] + table.soft[j]),
         1.0 / (table.hard[i] + table.hard[j]),
     )
+    stop = 1.0 / (table.stop[i] + table.stop[j])
     mass = table.mass[i] * table.mass[j] / (table.mass[i] + table.mass[j])
     damping = 2.0 * max((soft * mass) ** 0.5, HARD * (grip[row, STIFF] * mass) ** 0.5)
-    return soft, hard, damping, table.radius[i] + table.radius[j]
+    return soft, hard, stop, damping, table.radius[i] + table.radius[j]
+
+
+@small
+def depth_of(grip, row, u, size):
+    """Return how deep a contact counts as pressed [m]; negative where it is open."""
+    n0, n1, n2 = grip[row, NORMAL], grip[row, NORMAL + 1], grip[row, NORMAL + 2]
+    return size + grip[row, MORE] - (n0 * u[0] + n1 * u[1] + n2 * u[2])
 
 
 @small

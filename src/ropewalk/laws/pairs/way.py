@@ -18,7 +18,9 @@ from ropewalk.laws.pairs.table import (
     CONTACTS,
     FAULT,
     FIRST,
+    FOUND,
     FULL,
+    MORE,
     NEAR,
     NORMAL,
     OTHER,
@@ -31,6 +33,7 @@ from ropewalk.laws.pairs.table import (
     STIFF,
     WRONG,
     between,
+    depth_of,
     spring_of,
 )
 
@@ -38,17 +41,25 @@ FINE, AGAIN, HALVE = range(3)  # see `laws.couplings`
 MOST_ROUNDS = 6  # solutions of one step
 WARY_ROUNDS = 3  # of which so many for the sake of normals alone
 DEEPEST = 0.9  # [1] distance over the radii's sum
-GIVES = 0.98  # [1] by which the distance of a pair pressed deeper may shrink
+GIVES = 1.0 - 1e-9  # [1] to which the distance of a pair pressed deeper may shrink: rounding
 HALF = 0.5
 
 
 @kernel
-def begin_contact(x, table, memory, row):
-    """Let a contact whose points were found anew remember from the places at hand on."""
+def begin_contact(x, table, memory, row, before):
+    """Let a contact whose points were found anew remember from the places at hand on.
+
+    It was pressed by `before` [m] and counts as pressed so still: its force does not jump. One that was open
+    begins with none.
+    """
     i, j, grip = memory.pair[row, 0], memory.pair[row, 1], memory.grip
     u = between(x, i, j, grip[row, OWN], grip[row, OTHER])
     grip[row, APART], grip[row, APART + 1], grip[row, APART + 2] = u
-    grip[row, STIFF] = max(grip[row, STIFF], spring_of(table, grip, row, i, j)[0])
+    soft, _, _, _, size = spring_of(table, grip, row, i, j)
+    grip[row, STIFF] = max(grip[row, STIFF], soft)
+    grip[row, MORE] = 0.0
+    more = max(before, 0.0) - max(depth_of(grip, row, u, size), 0.0)
+    grip[row, MORE] = min(max(more, -WRONG * size), WRONG * size)
 
 
 @kernel
@@ -62,7 +73,8 @@ def add_contact(x, y, share, table, memory, tied, i, j):
         memory.tally[FAULT] = FULL
         return 0
     freeze(x, y, share, memory, row, s, t)
-    begin_contact(x, table, memory, row)
+    begin_contact(x, table, memory, row, 0.0)
+    memory.grip[row, FOUND] = 1.0
     return 1
 
 
@@ -87,9 +99,11 @@ def turn_contact(x, y, table, memory, row, hit, end):
             share = hit
     if share > 1.0:
         return 0
+    size = table.radius[i] + table.radius[j]
+    before = depth_of(grip, row, between(x, i, j, grip[row, OWN], grip[row, OTHER]), size)
     s, t, _ = nearest(x, y, share, i, j)
     freeze(x, y, share, memory, row, s, t)
-    begin_contact(x, table, memory, row)
+    begin_contact(x, table, memory, row, before)
     return 1
 
 
@@ -155,8 +169,9 @@ def count_closing_pairs(x, v, table, memory):
         if grip[row, PUSH] > 0.0:
             continue
         i, j = memory.pair[row, 0], memory.pair[row, 1]
-        soft, hard, damping, size = spring_of(table, grip, row, i, j)
+        soft, hard, stop, damping, size = spring_of(table, grip, row, i, j)
         s, t = grip[row, OWN], grip[row, OTHER]
         u, w = between(x, i, j, s, t), between(v, i, j, s, t)
-        closing += 1.0 if pressed(grip, row, u, w, soft, hard, damping, size)[0] > 0.0 else 0.0
+        push = pressed(grip, row, u, w, soft, hard, stop, damping, size)[0]
+        closing += 1.0 if push > 0.0 else 0.0
     return closing

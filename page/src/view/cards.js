@@ -1,0 +1,34 @@
+// Cards that lie over the scene: whether one covers a rope, and what to keep free because of it.
+
+import { vector } from "./vector.js";
+
+/** @typedef {import("./camera.js").Camera} Camera */
+
+const TOOLS = 60; // height of the tool bars where they lie in a row, above a card [CSS pixels]
+
+/** Whether a card lies over a rope. @param {Camera} camera @param {Float32Array} nodes x, y, z, value
+ * @param {number} count @param {DOMRect | null} card */
+export function covers(camera, nodes, count, card) {
+  if (!card) return false;
+  for (let i = 0; i < count; i++) {
+    const [x, y] = camera.project(...vector(nodes.subarray(4 * i, 4 * i + 3)));
+    if (x > card.left && x < card.right && y > card.top && y < card.bottom) return true;
+  }
+  return false;
+}
+
+/** What a card takes of the scene's height, at the top or at the bottom [CSS pixels].
+ * @param {DOMRect | null} card @param {number} height */
+export function stripsBeside(card, height) {
+  if (!card) return { top: 0, bottom: 0 };
+  const below = height - card.top;
+  return card.bottom < below ? { top: card.bottom, bottom: 0 } : { top: TOOLS, bottom: below };
+}
+
+/** Where a card lies in the scene; null: it is not shown. @param {HTMLElement} card @param {HTMLElement} canvas */
+export function placeOn(card, canvas) {
+  if (!card.getClientRects().length) return null;
+  const { x, y, width, height } = card.getBoundingClientRect();
+  const scene = canvas.getBoundingClientRect();
+  return new DOMRect(x - scene.x, y - scene.y, width, height);
+}

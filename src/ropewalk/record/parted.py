@@ -1,0 +1,52 @@
+"""Where and when ropes parted, as the events of a run tell it."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from ropewalk.hands.drum import PARTED
+from ropewalk.words.prefixes import prefixed
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from ropewalk.record.event_log import Event
+
+_NAMED = 3
+
+
+class Parting(NamedTuple):
+    """A segment that has parted."""
+
+    time: float  # [s] the end of the step in which its tension passed the breaking load
+    rope: str
+    segment: int  # counted from the rope's start
+    tension: float  # that it carried then [N]
+
+    def __str__(self) -> str:
+        """Say which, when and at what."""
+        at = f"{prefixed(self.tension, 'N', 4)} at t = {self.time:.6g} s"
+        return f"segment {self.segment} of {self.rope!r} at {at}"
+
+
+def partings_of(events: Iterable[Event]) -> tuple[Parting, ...]:
+    """Return the partings that events tell of, in order of time."""
+    return tuple(
+        Parting(float(one["time"]), one["rope"], int(one["segment"]), float(one["tension"]))
+        for one in events
+        if one["event"] == PARTED
+    )
+
+
+def parting_rows(partings: tuple[Parting, ...]) -> dict[str, Any]:
+    """Return the rows of a table: how many segments parted, which, and when the first one; NaN: none did."""
+    more = len(partings) - _NAMED
+    told = "; ".join(str(one) for one in partings[:_NAMED])
+    first = partings[0] if partings else Parting(math.nan, "", 0, math.nan)
+    return {
+        "segments parted": len(partings),
+        "segments parted at": told + (f"; and {more} more" if more > 0 else ""),
+        "first parting [s]": first.time,
+        "tension at the first parting [N]": first.tension,
+    }

@@ -1,0 +1,63 @@
+"""Where ropes touch ropes, as the contacts' own memory has it at the end of a frame's last step."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from ropewalk.core.arrays import Floats, State
+from ropewalk.core.status import OK
+from ropewalk.laws.pairs.table import CONTACTS, NORMAL, OTHER, OWN, PUSH, SPRING
+from ropewalk.methods.recording import Recording
+from ropewalk.simulation.block import Block, join_pairs
+
+#: Columns of a contact: its segments, where it lies on each (0 to 1), R_n [N], the force on the first [N].
+COLUMNS = ("first", "second", "at_first", "at_second", "normal_force", "fx", "fy", "fz")
+SLOTS, SPARE = 2, 16  # contacts that a frame has room for, per segment and besides
+
+
+def slots(segments: int) -> int:
+    """Return how many contacts a frame has room for: the strongest are kept."""
+    return SLOTS * segments + SPARE
+
+
+def rope_contacts(state: State, frames: int = 1) -> Floats | None:
+    """Return the contacts that carry something, (1, slots, 8), NaN behind them; None without contact.
+
+    (0, slots, 8) where there are no `frames`.
+
+    The force is that at the end of the last step: its friction is what the contact remembers, without the
+    damper, cut to mu R_n. Nothing has been carried before the first step.
+    """
+    memory = state.memory.contact
+    if not memory.tally.size:
+        return None
+    grip = memory.grip[: memory.tally[CONTACTS]]
+    found: Floats = np.full((1, slots(state.rest_length.size), len(COLUMNS)), np.nan)
+    rows = np.flatnonzero(grip[:, PUSH] > 0.0)
+    if rows.size > found.shape[1]:
+        rows = np.sort(rows[np.argsort(-grip[rows, PUSH], kind="stable")[: found.shape[1]]])
+    push, normal = grip[rows, PUSH, None], grip[rows, NORMAL : NORMAL + 3]
+    rub = grip[rows, SPRING : SPRING + 3]
+    rub = rub - (rub * normal).sum(axis=1)[:, None] * normal  # the normal may be a newer one
+    parts = (memory.pair[rows], grip[rows][:, [OWN, OTHER]], push, push * normal + rub)
+    found[0, : rows.size] = np.hstack(parts)
+    return found[:frames]
+
+
+def one_by_one(
+    advance: Callable[[int, Recording], Block], frames: int, out: Recording, keep_going: bool
+) -> Block:
+    """Advance frame by frame, into buffers `out`, as what contacts remember is read between calls."""
+    parts: list[Block] = []
+    while len(parts) < frames:
+        block = advance(1, out.part(len(parts), len(parts) + 1))
+        if block.frames or not parts:
+            parts.append(block)
+        if not block.frames or (block.status != OK and not keep_going):
+            break
+    done = sum(part.frames for part in parts)
+    kept = out if done == frames else out.part(0, done)
+    times = np.concatenate([part.time for part in parts])
+    return Block(times, kept, block.status, join_pairs(parts))
