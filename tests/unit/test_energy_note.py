@@ -68,7 +68,7 @@ def test_an_automatic_implicit_run_that_miscounts_its_energy_says_so() -> None:
     assert result.plan.method == "esdirk3"
     text = result.table["about the energy"]
     share = result.table["largest energy error, share of the energy turned over [%]"]
-    assert share > 50.0
+    assert share > 100.0  # what friction is said to take hides no part of the error
     assert f"{share:.3g} % of the energy turned over, are in no law's work" in text
     assert "about the energy" not in whipped(duration=3.0).table
     assert whipped(method="esdirk3").table["about the energy"] == text

@@ -110,7 +110,7 @@ def _draw_error(axes: Axes, result: Result, curves: dict[str, Floats], good: int
     turned = turned_over({name: part[:good] for name, part in curves.items()}, work)
     worst = float(np.nanmax(np.abs(result.energy_errors[:good])))
     share = (
-        f" ({_percent(worst / turned)} of the largest change of an energy or work)"
+        f" ({_percent(worst / turned)} of the largest change of an energy or of the work of surfaces)"
         if turned
         else ""
     )
