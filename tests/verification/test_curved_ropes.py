@@ -216,6 +216,23 @@ def test_check_tells_of_the_curve() -> None:
     assert "beyond its curve's last point" not in str(rw.check(hung(TABLE)))
 
 
+def test_check_tells_the_speed_of_waves_where_the_rope_hangs() -> None:
+    """c = sqrt(slope / m) at the strain of rest; it was that of the largest slope. No weight but the load's:
+    the strain is the same everywhere.
+    """
+    rope = Rope(
+        segments=4,
+        length=2.0,
+        made_of=Material(mass_per_length=1e-6, curve=QUADRATIC),
+        loads=[Load(node=-1, mass=50.0)],
+        shape=Straight(end=(0.0, 0.0, -2.0)),
+    )
+    found = rw.check(Scene(ropes=[rope], anchors=[Anchor(node=0)])).ropes[0]
+    slope = np.sqrt(A**2 + 4.0 * B * 50.0 * 9.81)  # of T = A e + B e^2 at that tension
+    assert found.longitudinal == pytest.approx([np.sqrt(slope / 1e-6)] * 2, rel=1e-4)
+    assert f"waves along it {found.longitudinal[0]:.4g} m/s" in found.waves()
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("method", METHODS)
 def test_every_method_follows_the_curve(method: str) -> None:

@@ -16,90 +16,29 @@ from ropewalk.analysis.json_values import plain
 from ropewalk.analysis.obstacle_notes import obstacle_warnings
 from ropewalk.analysis.plan_notes import plan_notes
 from ropewalk.analysis.rest_notes import limiter_warnings, rest_warnings
+from ropewalk.analysis.rope_check import RopeCheck, rope_check
 from ropewalk.analysis.stability import Stability, milliseconds, rounded_down, stability
 from ropewalk.analysis.strains import (
     breaking_warnings,
     overlong_at_start,
-    percent,
     pressed_at_start,
     strain_warnings,
-    words_of_curve,
 )
 from ropewalk.analysis.unit_slips import unit_slips
-from ropewalk.core.arrays import Floats
 from ropewalk.display import cells
 from ropewalk.engine.start import started
 from ropewalk.lowering import Model, build
-from ropewalk.record.margins import breaking_load, margin_words
 from ropewalk.record.rest import as_result
 from ropewalk.scene import Scene
-from ropewalk.scene.from_library import origin_words
 from ropewalk.statics import Statics, static_shape
 from ropewalk.words.annotations import unquoted
-from ropewalk.words.prefixes import prefixed
 
 __all__ = ["Check", "RopeCheck", "check", "milliseconds"]
 
 _SMALL_MARGIN = 0.1
 _ROUNDING = 1e-9
 _AFFORDABLE = 20_000  # nodes up to which the highest frequency at rest is computed
-_OF_REST = ("transverse", "largest_tension", "largest_strain", "slack", "utilisation")
-_SHORT = 0.01  # a curve's chords are a little shorter than its arcs
 _NEAR_PARTING = 0.9  # [1] of the breaking load
-
-
-@dataclass(frozen=True)
-class RopeCheck:
-    """One rope's waves and state at rest."""
-
-    name: str
-    segments: int
-    length: float  # unstretched [m]
-    mass: float  # with loads [kg]
-    longitudinal: float  # speed of waves along the rope [m/s]
-    transverse: tuple[float, float] | None  # slowest and fastest sideways wave at rest [m/s]
-    largest_tension: float  # at rest [N]
-    largest_strain: (
-        float | None
-    )  # at rest, length over rest length less 1 [1]; None without a rest length
-    slack: int  # segments without tension at rest
-    short: int  # segments that start more than 1 % shorter than their rest length
-    made_of: str = ""  # which rope of the library it is, and what was changed
-    curve: str = ""  # of its tension against strain, in words
-    utilisation: float | None = None  # at rest, tension over breaking load [1]; None if not known
-    rests: bool = True  # whether it is at rest in that shape, or near to it
-    parts: bool = False  # whether it parts at its breaking load
-
-    def lines(self) -> list[str]:
-        """What it is, and what it carries at rest; one fact a line."""
-        text = [
-            f"rope {self.name!r}: {self.segments} segments, {self.length:.6g} m, {self.mass:.6g} kg"
-        ]
-        text += [f"  {one}" for one in (self.made_of, self.curve) if one]
-        if not self.rests:
-            return text
-        strain = "" if self.largest_strain is None else f", strain {percent(self.largest_strain)}"
-        text.append(f"  at rest: largest tension {prefixed(self.largest_tension, 'N', 5)}{strain}")
-        if self.utilisation is not None:
-            beyond = "it parts" if self.parts else "it would have parted"
-            text.append(f"  at rest: {margin_words(self.utilisation, beyond)}")
-        if self.slack or self.short:
-            text.append(f"  segments slack at rest {self.slack}, started too short {self.short}")
-        return text
-
-    def as_dict(self) -> dict[str, object]:
-        """Plain values; None for all that is said of rest where it is not at rest."""
-        return vars(self) | ({} if self.rests else dict.fromkeys(_OF_REST))
-
-    def waves(self) -> str:
-        """The speeds of its waves."""
-        waves = f"rope {self.name!r}: waves along it {self.longitudinal:.4g} m/s"
-        if math.isinf(self.longitudinal):
-            waves = f"rope {self.name!r}: rigid links: a pull runs along it at once"
-        if self.transverse:
-            low, high = self.transverse
-            waves += f", sideways {low:.4g} to {high:.4g} m/s at rest"
-        return waves
 
 
 @unquoted
@@ -252,7 +191,7 @@ def check(source: Scene | Model, *, measure: bool = True) -> Check:
     model = started(source if isinstance(source, Model) else build(source))
     statics = static_shape(model, strict=False)
     found = stability(model, statics)
-    ropes = tuple(_rope(model, statics, name.name) for name in model.layout.ropes)
+    ropes = tuple(rope_check(model, statics, name.name) for name in model.layout.ropes)
     torn, overlong = tuple(torn_apart(model)), overlong_at_start(model)
     cost, measured = seconds_per_step(model, measure)
     plan = model.plan
@@ -288,46 +227,6 @@ def _highest_at_rest(model: Model, statics: Statics) -> float | None:
 
     found = highest_frequency(model, statics.positions.T.copy(), statics.tension)
     return None if found == math.inf else found  # of rigid links
-
-
-def _rope(model: Model, statics: Statics, name: str) -> RopeCheck:
-    rope, span = model.scene.rope_named(name), model.layout.span(name)
-    segments = slice(span.start, span.end)
-    state = model.state
-    own = rope.own_mass / max(rope.nodes - (0 if rope.made_of.kind == "springs" else 1), 1)
-    rest, tension = state.rest_length[segments], statics.tension[segments]
-    rests = statics.solved or not model.layout.touches
-    load = breaking_load(rope) if rests else None
-    size = np.linalg.norm(np.diff(state.x[:, span.start : span.end + 1], axis=1), axis=0)
-    taut = tension > 0.0
-    # A sideways wave runs sqrt(T l / m), l the stretched length of a segment and m a node's mass.
-    stretched = np.linalg.norm(
-        np.diff(statics.positions[span.start : span.end + 1], axis=0), axis=1
-    )
-    speed = np.sqrt(np.maximum(tension[taut] * stretched[taut], 0.0) / own)
-    return RopeCheck(
-        name=name,
-        segments=rope.segments,
-        length=rope.length_unstretched,
-        mass=rope.total_mass,
-        longitudinal=rope.segment_length * math.sqrt(rope.segment_stiffness / own),
-        transverse=(float(speed.min()), float(speed.max())) if speed.size else None,
-        largest_tension=float(tension.max(initial=0.0)),
-        largest_strain=_strain(rest, statics.stretch[segments]),
-        slack=int(statics.slack[segments].sum()),
-        short=int((size < rest * (1.0 - _SHORT)).sum()),
-        made_of=origin_words(rope.made_of),
-        curve=words_of_curve(rope),
-        utilisation=None if load is None else float(tension.max(initial=0.0)) / load,
-        rests=rests,
-        parts=rope.strength < math.inf,
-    )
-
-
-def _strain(rest: Floats, stretch: Floats) -> float | None:
-    """Return the largest strain [1] of segments of a rest length, 0 where all are slack."""
-    strains = stretch[rest > 0.0] - 1.0
-    return max(float(strains.max()), 0.0) if strains.size else None
 
 
 def _warnings(

@@ -13,7 +13,7 @@ from ropewalk.statics import Statics
 from ropewalk.words.prefixes import prefixed
 
 if TYPE_CHECKING:
-    from ropewalk.analysis.check import RopeCheck
+    from ropewalk.analysis.rope_check import RopeCheck
 
 _NOTHING = 1e-3  # [N]
 _STRAINED = 0.1  # [1] strain at rest that few ropes bear

@@ -1,0 +1,131 @@
+"""One rope as a check says it: its waves, and what it carries at rest."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from ropewalk.analysis.strains import percent, words_of_curve
+from ropewalk.core.arrays import Floats
+from ropewalk.lowering import Model
+from ropewalk.lowering.curve_tables import curve_of
+from ropewalk.record.margins import breaking_load, margin_words
+from ropewalk.scene import Rope
+from ropewalk.scene.from_library import origin_words
+from ropewalk.statics import Statics
+from ropewalk.theory.curve import at_strain
+from ropewalk.words.prefixes import prefixed
+
+_OF_REST = ("transverse", "largest_tension", "largest_strain", "slack", "utilisation")
+_SHORT = 0.01  # a curve's chords are a little shorter than its arcs
+
+
+@dataclass(frozen=True)
+class RopeCheck:
+    """One rope's waves and state at rest."""
+
+    name: str
+    segments: int
+    length: float  # unstretched [m]
+    mass: float  # with loads [kg]
+    longitudinal: tuple[float, float]  # slowest and fastest wave along the rope at rest [m/s]
+    transverse: tuple[float, float] | None  # slowest and fastest sideways wave at rest [m/s]
+    largest_tension: float  # at rest [N]
+    largest_strain: (
+        float | None
+    )  # at rest, length over rest length less 1 [1]; None without a rest length
+    slack: int  # segments without tension at rest
+    short: int  # segments that start more than 1 % shorter than their rest length
+    made_of: str = ""  # which rope of the library it is, and what was changed
+    curve: str = ""  # of its tension against strain, in words
+    utilisation: float | None = None  # at rest, tension over breaking load [1]; None if not known
+    rests: bool = True  # whether it is at rest in that shape, or near to it
+    parts: bool = False  # whether it parts at its breaking load
+
+    def lines(self) -> list[str]:
+        """What it is, and what it carries at rest; one fact a line."""
+        text = [
+            f"rope {self.name!r}: {self.segments} segments, {self.length:.6g} m, {self.mass:.6g} kg"
+        ]
+        text += [f"  {one}" for one in (self.made_of, self.curve) if one]
+        if not self.rests:
+            return text
+        strain = "" if self.largest_strain is None else f", strain {percent(self.largest_strain)}"
+        text.append(f"  at rest: largest tension {prefixed(self.largest_tension, 'N', 5)}{strain}")
+        if self.utilisation is not None:
+            beyond = "it parts" if self.parts else "it would have parted"
+            text.append(f"  at rest: {margin_words(self.utilisation, beyond)}")
+        if self.slack or self.short:
+            text.append(f"  segments slack at rest {self.slack}, started too short {self.short}")
+        return text
+
+    def as_dict(self) -> dict[str, object]:
+        """Plain values; None for all that is said of rest where it is not at rest."""
+        return vars(self) | ({} if self.rests else dict.fromkeys(_OF_REST))
+
+    def waves(self) -> str:
+        """The speeds of its waves."""
+        slow, fast = (f"{speed:.4g}" for speed in self.longitudinal)
+        waves = f"rope {self.name!r}: waves along it {slow} m/s"
+        if slow != fast:
+            waves = f"rope {self.name!r}: waves along it {slow} to {fast} m/s at rest"
+        if math.isinf(self.longitudinal[1]):
+            waves = f"rope {self.name!r}: rigid links: a pull runs along it at once"
+        if self.transverse:
+            low, high = self.transverse
+            waves += f", sideways {low:.4g} to {high:.4g} m/s at rest"
+        return waves
+
+
+def rope_check(model: Model, statics: Statics, name: str) -> RopeCheck:
+    """Return what a check says of the rope of this name."""
+    rope, span = model.scene.rope_named(name), model.layout.span(name)
+    segments = slice(span.start, span.end)
+    state = model.state
+    own = rope.own_mass / max(rope.nodes - (0 if rope.made_of.kind == "springs" else 1), 1)
+    rest, tension = state.rest_length[segments], statics.tension[segments]
+    rests = statics.solved or not model.layout.touches
+    load = breaking_load(rope) if rests else None
+    size = np.linalg.norm(np.diff(state.x[:, span.start : span.end + 1], axis=1), axis=0)
+    taut = tension > 0.0
+    # A sideways wave runs sqrt(T l / m), l the stretched length of a segment and m a node's mass.
+    stretched = np.linalg.norm(
+        np.diff(statics.positions[span.start : span.end + 1], axis=0), axis=1
+    )
+    speed = np.sqrt(np.maximum(tension[taut] * stretched[taut], 0.0) / own)
+    return RopeCheck(
+        name=name,
+        segments=rope.segments,
+        length=rope.length_unstretched,
+        mass=rope.total_mass,
+        longitudinal=_speeds_along(rope, own, statics.stretch[segments]),
+        transverse=(float(speed.min()), float(speed.max())) if speed.size else None,
+        largest_tension=float(tension.max(initial=0.0)),
+        largest_strain=_strain(rest, statics.stretch[segments]),
+        slack=int(statics.slack[segments].sum()),
+        short=int((size < rest * (1.0 - _SHORT)).sum()),
+        made_of=origin_words(rope.made_of),
+        curve=words_of_curve(rope),
+        utilisation=None if load is None else float(tension.max(initial=0.0)) / load,
+        rests=rests,
+        parts=rope.strength < math.inf,
+    )
+
+
+def _speeds_along(rope: Rope, node_mass: float, stretch: Floats) -> tuple[float, float]:
+    """Return the slowest and the fastest wave along a rope [m/s]; `stretch` [1], (s,), of its segments."""
+    pieces = curve_of(rope)
+    length = rope.segment_length
+    if pieces is None:
+        speed = length * math.sqrt(rope.segment_stiffness / node_mass)
+        return speed, speed
+    speeds = np.sqrt(at_strain(pieces, stretch - 1.0)[1] * length / node_mass)
+    return float(speeds.min()), float(speeds.max())
+
+
+def _strain(rest: Floats, stretch: Floats) -> float | None:
+    """Return the largest strain [1] of segments of a rest length, 0 where all are slack."""
+    strains = stretch[rest > 0.0] - 1.0
+    return max(float(strains.max()), 0.0) if strains.size else None
