@@ -92,7 +92,7 @@ class Window:
                 let [last, same, frames] = [-1, 0, 0];
                 const look = () => {
                   const r = window.ropewalk;
-                  const moves = r.stage.flight || r.stage.renderer.rough;
+                  const moves = r.stage.flight || r.stage.renderer.rough || r.app.labels?.later;
                   same = r.drawn === last && !moves ? same + 1 : 0;
                   last = r.drawn;
                   if (same > 8 || ++frames > 1200) done(same > 8);

@@ -31,6 +31,8 @@ export class Labels {
     /** @type {Box[]} */ this.cards = [];
     /** @type {Set<Element>} */ this.watched = new Set();
     this.looked = this.worded = -Infinity;
+    this.waits = false; // whether a label keeps its place though a better one is free
+    this.later = 0; // the timer that then looks again: nothing else may be drawn
     this.watch = new ResizeObserver(() => {
       this.looked = -Infinity;
       stage.marks.dirty = true;
@@ -38,6 +40,7 @@ export class Labels {
     this.watch.observe(host);
     host.append(this.box);
     stage.afterDraw.push(() => this.refresh());
+    stage.session.on("status", () => (stage.marks.dirty = true)); // time stands: the last words count
   }
 
   refresh() {
@@ -51,6 +54,7 @@ export class Labels {
     const blocked = labels.length ? [...this.cardsNow(), ...plates] : [];
     const beads = labels.length ? this.beads() : [];
     const now = performance.now();
+    this.waits = false;
     const anew = now - this.worded >= WORDS || !this.stage.session.status?.playing;
     if (anew) this.worded = now;
     this.pool.forEach((element, i) => {
@@ -66,6 +70,12 @@ export class Labels {
       element.style.transform = `translate(${Math.round(place.x)}px, ${Math.round(place.y)}px)`;
     });
     if (anew) this.stage.marks.written();
+    if (this.waits && !this.later) this.later = setTimeout(() => this.lookAgain(), STAY);
+  }
+
+  lookAgain() {
+    this.later = 0;
+    this.stage.marks.dirty = true;
   }
 
   /** Where a label goes: where it was, else beyond its arrow's tip, else near by. A place on the rope will do,
@@ -87,6 +97,7 @@ export class Labels {
     const found = clear ?? order.find((k) => free(places[k], blocked, []));
     if (found === undefined) return null;
     if (found !== before) this.since[i] = now;
+    else if (found > 0 && order.length > places.length) this.waits = true;
     this.taken[i] = found;
     return places[found];
   }
