@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from bisect import bisect_left
 from functools import cached_property
 from itertools import pairwise
 from typing import TYPE_CHECKING
@@ -39,6 +40,9 @@ class Curve:
         ends = ((1, self._first), (1, self._last))
         self._spline = CubicSpline(knots, points, bc_type=ends)
         self._slope = self._spline.derivative()
+        # the same for one place at a time: numbers of Python, of which scipy would make arrays
+        self._starts: list[float] = knots.tolist()
+        self._pieces: list[list[list[float]]] = self._spline.c.transpose(1, 2, 0).tolist()
         # arc length by Gauss's rule on every piece between samples
         self._at = np.concatenate(
             [np.linspace(a, b, _SAMPLES, endpoint=False) for a, b in pairwise(knots)] + [knots[-1:]]
@@ -47,12 +51,14 @@ class Curve:
         half = 0.5 * np.diff(self._at)
         middle = 0.5 * (self._at[:-1] + self._at[1:])
         speed = np.linalg.norm(self._slope(middle[:, None] + half[:, None] * nodes), axis=2)
-        self._arc = np.concatenate([[0.0], np.cumsum(half * (speed @ weights))])
+        arc = np.concatenate([[0.0], np.cumsum(half * (speed @ weights))])
+        self._arc: list[float] = arc.tolist()
+        self._parameter: list[float] = self._at.tolist()
 
     @property
     def length(self) -> float:
         """Length between the straight ends [m]."""
-        return float(self._arc[-1])
+        return self._arc[-1]
 
     @cached_property
     def least_radius(self) -> float:
@@ -65,13 +71,19 @@ class Curve:
     def at(self, s: float) -> Floats:
         """Return the place at an arc length [m] from its first point on, (3,); on a straight end outside."""
         if s <= 0.0:
-            return np.asarray(self._spline(0.0) + s * self._first)
+            return np.asarray(self._place(0.0) + s * self._first)
         if s >= self.length:
-            return np.asarray(self._spline(self._at[-1]) + (s - self.length) * self._last)
-        k = int(np.searchsorted(self._arc, s)) - 1
-        low, high = self._at[k], self._at[k + 1]
+            return np.asarray(self._place(self.length) + (s - self.length) * self._last)
+        return np.array(self._place(s))
+
+    def _place(self, s: float) -> tuple[float, ...]:
+        """Return the place at an arc length [m] on the curve itself, (3,)."""
+        k = min(max(bisect_left(self._arc, s) - 1, 0), len(self._arc) - 2)
+        low, high = self._parameter[k], self._parameter[k + 1]
         u = low + (high - low) * (s - self._arc[k]) / (self._arc[k + 1] - self._arc[k])
-        return np.asarray(self._spline(u))
+        piece = k // _SAMPLES
+        u -= self._starts[piece]
+        return tuple([((a * u + b) * u + c) * u + d for a, b, c, d in self._pieces[piece]])
 
     def chain(self, segments: int, length: float, first_end: float | None = None) -> Floats:
         """Return the nodes of a chain of equal straight segments along the curve [m], (segments + 1, 3).
@@ -109,8 +121,11 @@ class Curve:
 
         low, high = here, here + one
 
+        start = tuple(place.tolist())
+
         def beyond(s: float) -> float:
-            return math.dist(self.at(s), place) - one
+            there = self._place(s) if 0.0 < s < self.length else self.at(s)
+            return math.dist(there, start) - one
 
         while beyond(high) < 0.0:
             low, high = high, high + 0.1 * one

@@ -95,7 +95,7 @@ class Tied:
         fault = self.fault(segments, length, first_end)
         if fault is not None:
             raise ValueError(f"{fault[0]}: {fault[1]:g} - {fault[2]}")
-        return self.curves[rope - 1].chain(segments, length, first_end)
+        return _chain(self.curves[rope - 1], segments, length, first_end).copy()
 
     def fault(
         self, segments: int, length: float, first_end: float | None = None
@@ -196,6 +196,12 @@ def faults(
     elif turns is not None and name == "prusik" and turns % 1.0 != 0.0:
         found.append(("turns", turns, "must be a whole number for a prusik"))
     return found
+
+
+@lru_cache(maxsize=64)
+def _chain(curve: Curve, segments: int, length: float, first_end: float | None) -> Floats:
+    """Return the nodes of a curve (`Curve.chain`): a sweep asks for the same ones for every run."""
+    return curve.chain(segments, length, first_end)
 
 
 @lru_cache(maxsize=64)
