@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ropewalk.lowering import Model
-from ropewalk.motions.table import CODES
+from ropewalk.motions.registry import CODES
 from ropewalk.scene import Scene
 
 Floats = NDArray[np.float64]

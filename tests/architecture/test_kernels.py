@@ -73,7 +73,7 @@ def test_kernels_keep_the_rules(path: Path) -> None:
 
 def test_the_kernels_are_found() -> None:
     names = {name_of(path) for path in KERNEL_FILES}
-    assert {"laws/stretch.py", "methods/semi_implicit_euler.py", "motions/table.py"} <= names
+    assert {"laws/stretch.py", "methods/semi_implicit_euler.py", "motions/orbit.py"} <= names
 
 
 @pytest.mark.parametrize(

@@ -101,11 +101,11 @@ SHARED = {
     "identity": "what decides the bits of a run, and with it of a sweep",
     "parameters": "what of a scene is varied: by a sweep, while it runs",
     "peaks": "the greatest and least of every step: the table, and the kernels that keep it",
-    "registry": "the one list: of laws, of methods",
+    "registry": "the one list: of laws, of methods, of motions",
     "rest": "the shape at rest, and a result of it",
     "rolling": "a load that rolls along a line, and its figure",
     "summary": "in a dozen numbers: a result, a sweep",
-    "table": "all of a kind behind one call: laws, motions",
+    "table": "of a law: all laws behind one call, the numbers of contacts",
     "winch": "in the scene, and as a law",
     "words": "numbers of that room as people read them",
 }

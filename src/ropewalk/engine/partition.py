@@ -6,7 +6,7 @@ import numpy as np
 
 from ropewalk.lowering import Model
 from ropewalk.methods.registry import METHODS
-from ropewalk.motions.table import TABLE, VELOCITY
+from ropewalk.motions.rows import own_jumps
 from ropewalk.scene.joint import tied_ropes
 
 #: Of more ropes than these the calls of their kernels would show in the time of a run.
@@ -28,12 +28,10 @@ def partition(model: Model, apart: bool = False) -> list[list[int]]:
     single |= {rope.name for rope in model.scene.ropes if rope.made_of.parts}
     anchors, bending = model.system.anchors, model.system.bending
     for row, anchor in enumerate(model.scene.anchors):
-        times = [anchors.release[row]]
-        if anchors.kind[row] == VELOCITY:
-            times += list(anchors.params[row, 6:8])
+        times = [anchors.release[row], *own_jumps(anchors, row)]
         if len(bending.turn):
             times += list(bending.turn[row, 1:])
-        if anchors.kind[row] == TABLE or any(0.0 < time < np.inf for time in times):
+        if any(0.0 < time < np.inf for time in times):
             single.add(anchor.rope)
     names = [rope.name for rope in model.scene.ropes]
     alone = [group for group in tied if any(names[i] in single for i in group)]

@@ -18,7 +18,8 @@ from ropewalk.laws.joints import follow, tie, tied_to
 from ropewalk.laws.nodes import hold_up, remember_step
 from ropewalk.laws.rare import has_clamps, limits
 from ropewalk.laws.table import force_on_node
-from ropewalk.motions.table import HAND, place
+from ropewalk.motions.registry import HAND
+from ropewalk.motions.whereabouts import place
 
 
 @part

@@ -24,7 +24,7 @@ import math
 
 from ropewalk.core.jit import kernel, small
 from ropewalk.laws.obstacle_shapes import probe
-from ropewalk.motions.table import place_now
+from ropewalk.motions.whereabouts import place_now
 
 GRIP, PUSH = (
     3,

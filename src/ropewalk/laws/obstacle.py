@@ -28,8 +28,9 @@ from ropewalk.laws.contact import (
 from ropewalk.laws.contact_tangent import contact_tangent
 from ropewalk.laws.node_law import NodeLaw, Rest
 from ropewalk.laws.obstacle_shapes import BOX, CAPSULE, CYLINDER, PLANE, SPHERE, TORUS, probe
+from ropewalk.motions.registry import FIXED
 from ropewalk.motions.rows import Motions, jumps, largest_speed, motion_rows
-from ropewalk.motions.table import FIXED, TABLE, place_now
+from ropewalk.motions.whereabouts import place_now
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -105,7 +106,7 @@ def lower(
     places = [_place(body) for body in bodies]
     centers = np.array([place[0] for place in places], dtype=np.float64).reshape(count, 3)
     motion = motion_rows([body.motion for body in bodies], centers)
-    for moved in np.flatnonzero(motion.kind == TABLE):
+    for moved in np.flatnonzero(motion.kind != FIXED):  # a table has places of its own
         centers[moved] = place_now(motion, moved, 0.0)[:3]
     return Obstacles(
         kind=np.array([KINDS[body.kind] for body in bodies], dtype=np.int64),

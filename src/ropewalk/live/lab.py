@@ -18,7 +18,7 @@ from ropewalk.engine.start import started
 from ropewalk.laws.registry import NODE_LAWS
 from ropewalk.live.share import HERE, as_data, in_script, policy
 from ropewalk.lowering import Model, build
-from ropewalk.motions.table import FIXED, VELOCITY
+from ropewalk.motions.registry import CODES
 from ropewalk.record.files import write, writing
 from ropewalk.scene import Scene, SceneError
 from ropewalk.scene.faults import NO_VALUE, Fault
@@ -114,7 +114,7 @@ def lab_scene(scene: Scene) -> dict[str, Any]:
 
 def _anchor(model: Model, row: int) -> dict[str, Any]:
     anchors, state = model.system.anchors, model.state
-    p, moves = anchors.params[row], anchors.kind[row] == VELOCITY
+    p, moves = anchors.params[row], anchors.kind[row] == CODES["velocity"]
     release = float(anchors.release[row])
     largest = 1e300  # JSON has no infinity
     return {
@@ -138,7 +138,7 @@ def _refused(model: Model) -> list[tuple[str, str]]:
     found += [("rope.force", "constant forces")] if model.state.forces.applied.any() else []
     found += [("rope.made_of", "rigid links")] if any(rope.rigid for rope in scene.ropes) else []
     for i, kind in enumerate(system.anchors.kind):
-        if kind not in (FIXED, VELOCITY):
+        if kind not in (CODES["fixed"], CODES["velocity"]):
             name = scene.anchors[i].motion.kind
             found.append((f"anchor[{i}].motion", f"motion of the kind {name!r}"))
         elif system.anchors.above_ground[i]:

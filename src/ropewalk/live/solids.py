@@ -7,8 +7,7 @@ from typing import Any
 
 from ropewalk.laws.obstacle import Obstacles, moves
 from ropewalk.lowering import Layout
-from ropewalk.motions.rows import own_table
-from ropewalk.motions.table import CODES
+from ropewalk.motions.rows import kind_of, own_table
 from ropewalk.record.obstacle_table import obstacle_table
 from ropewalk.scene import Scene
 
@@ -37,12 +36,15 @@ def _moving(table: Obstacles, row: int) -> dict[str, Any]:
     """Return how an obstacle moves, and the angles of one that turns by a table; nothing of one at rest."""
     motion, turns = table.motion, table.turns
     found: dict[str, Any] = {}
-    if turns.kind[row] == CODES["table"]:
+    if kind_of(turns, row).name == "table":
         found["turns"] = own_table(turns, row).tolist()
     if moves(table, row):
-        (kind,) = (name for name, code in CODES.items() if code == motion.kind[row])
         rows = own_table(motion, row).tolist()
-        found["motion"] = {"kind": kind, "params": _numbers(motion.params[row]), "table": rows}
+        found["motion"] = {
+            "kind": kind_of(motion, row).name,
+            "params": _numbers(motion.params[row]),
+            "table": rows,
+        }
     return found
 
 

@@ -18,7 +18,7 @@ from ropewalk.core.arrays import State, System
 from ropewalk.lowering.chains import speed_scale
 from ropewalk.lowering.steps import step_cases, uncovered
 from ropewalk.methods.registry import METHODS
-from ropewalk.motions.table import ORBIT, SHAKE
+from ropewalk.motions.rows import fastest_turn
 from ropewalk.scene import Scene, SceneError
 from ropewalk.scene.faults import Fault
 
@@ -71,23 +71,11 @@ def accurate_step(name: str, scene: Scene, system: System, state: State) -> floa
     """Return the step at which a method errs by about the aim [s]."""
     length = max(rope.length_unstretched for rope in scene.ropes)
     speed = speed_scale(system, state)
-    rate = max(speed / length if length > 0.0 else 0.0, _fastest_turn(system))
+    rate = max(speed / length if length > 0.0 else 0.0, fastest_turn(system.anchors))
     if rate == 0.0:
         return math.inf
     error = AIM * scene.run.tolerance / (ERROR[name] * max(length, AIM * scene.run.tolerance))
     return float(error ** (1.0 / METHODS[name].order) / rate)
-
-
-def _fastest_turn(system: System) -> float:
-    """Return the largest angular frequency of an anchor that shakes or goes round [rad/s]."""
-    anchors = system.anchors
-    place = {SHAKE: 6, ORBIT: 9}
-    turns = (
-        2.0 * math.pi * abs(float(p[place[kind]]))
-        for p, kind in zip(anchors.params, anchors.kind, strict=True)
-        if kind in place
-    )
-    return max(turns, default=0.0)
 
 
 def reason(scene: Scene, found: list[Candidate], dt: float) -> str:

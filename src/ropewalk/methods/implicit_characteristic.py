@@ -15,8 +15,8 @@ from functools import partial
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ropewalk.methods import tableaus
-from ropewalk.methods.tableaus import Tableau
+from ropewalk.methods.implicit_methods import IMPLICIT
+from ropewalk.methods.tableaus import BDF2, DIRK, Tableau
 
 Array = NDArray[np.float64]
 Characteristic = Callable[[ArrayLike, ArrayLike], Array]
@@ -69,14 +69,13 @@ def generalized_alpha(tableau: Tableau, a: ArrayLike, b: ArrayLike) -> Array:
     return np.stack([np.ones_like(trace), -trace, minors, -np.linalg.det(step)], axis=-1)
 
 
+def polynomial_of(tableau: Tableau) -> Characteristic:
+    """Return the polynomial of the method of a table."""
+    if tableau.kind == BDF2:
+        return bdf2
+    return partial(dirk if tableau.kind == DIRK else generalized_alpha, tableau)
+
+
 def implicit_characteristics() -> dict[str, Characteristic]:
     """Return the polynomials by the methods' names."""
-    return {
-        "implicit-euler": partial(dirk, tableaus.IMPLICIT_EULER),
-        "implicit-midpoint": partial(dirk, tableaus.IMPLICIT_MIDPOINT),
-        "bdf2": bdf2,
-        "sdirk2": partial(dirk, tableaus.SDIRK2),
-        "esdirk3": partial(dirk, tableaus.ESDIRK3),
-        "adaptive": partial(dirk, tableaus.ESDIRK3),
-        "generalized-alpha": partial(generalized_alpha, tableaus.generalized_alpha()),
-    }
+    return {method.name: polynomial_of(method.tableau) for method in IMPLICIT}

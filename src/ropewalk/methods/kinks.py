@@ -17,8 +17,8 @@ from ropewalk.laws.clamps import spins_jump, turn_clamps
 from ropewalk.laws.joints import follow, tied_to
 from ropewalk.laws.nodes import whether
 from ropewalk.laws.rare import has_clamps
+from ropewalk.motions.registry import HAND
 from ropewalk.motions.rows import jumps
-from ropewalk.motions.table import HAND
 
 JUST_BELOW = 1.0 - 2.3e-16
 AT = 1e-6  # [1] a kink this near to an end of a step, over its length, is at that end ...

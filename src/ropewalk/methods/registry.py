@@ -18,6 +18,7 @@ from ropewalk.methods import (
     tableaus,
     verlet,
 )
+from ropewalk.methods.implicit_methods import IMPLICIT
 from ropewalk.methods.scratch import make_scratch
 
 NO_TABLEAU = np.zeros((2, 0))
@@ -62,13 +63,22 @@ class Method(NamedTuple):
         return make_scratch(state)
 
 
-def _implicit(
-    name: str, order: int, tableau: tableaus.Tableau, summary: str, links: bool = False
-) -> Method:
+def _implicit(one: tableaus.ImplicitMethod) -> Method:
     """Return an implicit method; its evaluations are the stages to solve, some four each."""
+    tableau = one.tableau
     solved = 1 if tableau.kind != tableaus.DIRK else int(np.count_nonzero(np.diag(tableau.A)))
-    polynomial = characteristic.CHARACTERISTIC[name]
-    return Method(name, order, solved, implicit.advance, tableau, polynomial, summary, True, links)
+    return Method(
+        one.name,
+        one.order,
+        solved,
+        implicit.advance if one.fixed else adaptive.advance,
+        tableau,
+        characteristic.CHARACTERISTIC[one.name],
+        one.summary,
+        implicit=True,
+        holds_links=one.holds_links,
+        fixed=one.fixed,
+    )
 
 
 METHODS = {
@@ -120,51 +130,6 @@ METHODS = {
             characteristic.rk4,
             "Classical Runge-Kutta; the most accurate per step.",
         ),
-        _implicit(
-            "implicit-euler",
-            1,
-            tableaus.IMPLICIT_EULER,
-            "Implicit Euler; damps a lot.",
-            links=True,
-        ),
-        _implicit(
-            "implicit-midpoint",
-            2,
-            tableaus.IMPLICIT_MIDPOINT,
-            "Implicit midpoint; symplectic without friction, keeps stiff modes ringing.",
-        ),
-        _implicit(
-            "bdf2",
-            2,
-            tableaus.BDF_2,
-            "BDF2, one solve; damps fast modes, true tensions.",
-            links=True,
-        ),
-        _implicit(
-            "sdirk2",
-            2,
-            tableaus.SDIRK2,
-            "Alexander's SDIRK2, L-stable; for moderate stiffness, see ADR 0011.",
-        ),
-        _implicit(
-            "esdirk3",
-            3,
-            tableaus.ESDIRK3,
-            "Kennedy and Carpenter's ESDIRK3, L-stable, accurate.",
-            links=True,
-        ),
-        _implicit(
-            "generalized-alpha",
-            2,
-            tableaus.generalized_alpha(),
-            "Generalized-alpha, one solve; damps fast modes as its spectral radius says.",
-        ),
-        _implicit(
-            "adaptive",
-            3,
-            tableaus.ESDIRK3,
-            "ESDIRK3 in steps as long as the tolerance allows, cut at events.",
-            links=True,
-        )._replace(advance=adaptive.advance, fixed=False),
+        *(_implicit(one) for one in IMPLICIT),
     )
 }

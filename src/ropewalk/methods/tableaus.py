@@ -35,6 +35,17 @@ class Tableau(NamedTuple):
         return len(self.b)
 
 
+class ImplicitMethod(NamedTuple):
+    """What the registry, the stability of a step and its cost need to know of one."""
+
+    name: str
+    order: int
+    tableau: Tableau
+    summary: str  # a sentence for those who choose
+    holds_links: bool = False  # whether lengths and tensions of rigid links are right
+    fixed: bool = True  # steps of one length, as planned
+
+
 def dirk(
     A: list[list[float]], b: list[float] | None = None, embedded: list[float] | None = None
 ) -> Tableau:

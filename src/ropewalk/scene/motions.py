@@ -163,4 +163,5 @@ def axis_faults(axis: Vector) -> list[Fault]:
     return [] if any(axis) else [Fault("axis", axis, "must not be zero")]
 
 
-Motion = Annotated[Fixed | Velocity | Table | Shake | Orbit | Hand, Field(discriminator="kind")]
+Told = Fixed | Velocity | Table | Shake | Orbit  # obstacles have these, too
+Motion = Annotated[Told | Hand, Field(discriminator="kind")]

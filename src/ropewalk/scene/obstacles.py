@@ -26,10 +26,8 @@ from ropewalk.scene.base import (
 from ropewalk.scene.faults import MISSING, NO_VALUE, Fault
 from ropewalk.scene.motions import (
     Fixed,
-    Orbit,
-    Shake,
     Table,
-    Velocity,
+    Told,
     axis_faults,
     interval_faults,
     time_faults,
@@ -99,7 +97,7 @@ class Spin(Model):
         return Table(times=self.times, positions=places, interpolation=self.interpolation)
 
 
-BodyMotion = Annotated[Fixed | Velocity | Table | Shake | Orbit, Field(discriminator="kind")]
+BodyMotion = Annotated[Told, Field(discriminator="kind")]
 
 
 class _Body(Model):

@@ -27,7 +27,7 @@ from ropewalk.lowering.plan import divide
 from ropewalk.methods.recording import ENERGIES, Recording, make_recording, record_frame
 from ropewalk.methods.scratch import make_sums
 from ropewalk.methods.watch import watch
-from ropewalk.motions.table import HAND
+from ropewalk.motions.registry import HAND
 from ropewalk.scene import Scene
 from ropewalk.simulation.block import Block
 from ropewalk.simulation.rope_contacts import one_by_one, rope_contacts
