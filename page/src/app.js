@@ -15,6 +15,7 @@ import { Labels } from "./panels/labels.js";
 import { Legend } from "./panels/legend.js";
 import { Meter } from "./panels/meter.js";
 import { Notices } from "./panels/notices.js";
+import { PartedNote } from "./panels/parted.js";
 import { Scenes } from "./panels/scenes.js";
 import { Tools } from "./panels/tools.js";
 import { Tour } from "./panels/tour.js";
@@ -58,6 +59,8 @@ export class App {
     this.labels = new Labels(this.stage, this.scene);
     this.notices = new Notices(session, this.scene);
     this.legend = new Legend(this.stage, this.scene);
+    this.parted = new PartedNote(session, (text) => this.notices.say(text));
+    this.legend.card.append(this.parted.host);
     this.views = new Views(this.stage, this.scene);
     this.graphs = new Graphs(this.stage, this.graphHost);
     this.tools = new Tools(

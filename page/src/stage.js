@@ -6,7 +6,7 @@ import { Camera } from "./view/camera.js";
 import { CALM, Flight } from "./view/flight.js";
 import { Follow } from "./view/follow.js";
 import { Range } from "./view/range.js";
-import { cornersOf, nodesOf, shapeOf, shiftsOf, starts } from "./view/copies.js";
+import { cornersOf, nodesOf, shiftsOf, starts } from "./view/copies.js";
 import { boxOf, firstAngles, flatAxis, groundOf, tame } from "./view/room.js";
 import { readTheme } from "./view/theme.js";
 import { vector } from "./view/vector.js";
@@ -14,6 +14,7 @@ import { textureSize } from "./render/webgl/texture_size.js";
 import { BROKEN, PLAYING } from "./source/frame.js";
 import { gather } from "./source/gather.js";
 import { Floor } from "./floor.js";
+import { Gaps } from "./gaps.js";
 import { Marks } from "./marks.js";
 import { Solids } from "./solids.js";
 
@@ -50,13 +51,13 @@ export class Stage {
     this.drawn = 0;
     this.spacing = 1; // of the grid's lines [m]
     this.floor = new Floor(this);
+    this.gaps = new Gaps(this);
     this.solids = new Solids(this);
     /** @type {Flight | null} */ this.flight = null;
     this.follower = new Follow();
     this.following = true; // until the user moves the camera
     this.ownVersion = -1; // of the camera, as the stage has set it
-    /** The axis that a flat scene has no extent along (0, 1, 2), else -1. */
-    this.axis = -1;
+    this.axis = -1; // that a flat scene has no extent along (0, 1, 2), else -1
     this.past = false; // what is shown is past a break
     this.lookPending = true;
     this.layoutNumber = -1;
@@ -103,7 +104,7 @@ export class Stage {
     );
     this.up = layout.up;
     this.camera.setUp(layout.up);
-    this.renderer.setShape(shapeOf(layout));
+    this.gaps.take(layout, -Infinity);
     this.corners = cornersOf(layout);
     this.marks.setLayout(layout);
     const key = `${layout.scene.name} ${layout.scene.preset} ${layout.variants.length > 1 && this.apart}`;
@@ -152,11 +153,12 @@ export class Stage {
       this.marks.strongest = 0;
     }
     this.lastTime = frame.time;
+    this.gaps.take(layout, frame.time);
     const nodes = this.nodes.next(now, jump);
     const extremes = gather(frame, layout, this.colouring, this.shifts, nodes);
     tame(nodes, nodesOf(layout), layout.view);
     this.past = this.session.broken !== null || (frame.flags & BROKEN) !== 0;
-    if (!(frame.flags & BROKEN)) {
+    if (!(frame.flags & BROKEN) || this.range.unknown) {
       this.most = extremes.most;
       this.range.follow(extremes.low, extremes.high, Math.min(0.2, (now - this.lastPush) / 1000));
     }
@@ -256,7 +258,7 @@ export class Stage {
   }
 
   /** The pose that shows all ropes, beside the card. @param {Layout} layout
-   * @param {{azimuth?: number, elevation?: number}} from @returns {Pose} */
+   * @param {{azimuth?: number, elevation?: number}} from */
   wholePose(layout, from) {
     return this.camera.framed(this.places(layout), from, this.strips());
   }
@@ -341,11 +343,9 @@ export class Stage {
 
   /** Once per animation frame. @param {number} now ms */
   tick(now) {
-    if (this.flight) {
-      const { pose, over } = this.flight.at(now);
-      this.setPose(pose);
-      if (over) this.flight = null;
-    }
+    const step = this.flight?.at(now);
+    if (step) this.setPose(step.pose);
+    if (step?.over) this.flight = null;
     this.floor.advance();
     const moved = this.nodes.advance(performance.now());
     this.anchors.advance(performance.now());

@@ -12,9 +12,11 @@ from typing import Any
 import pytest
 
 from browser.window import FLAGS, Window
+from live.drive import slack_rope
 from ropewalk.live.launch import serve_session
 from ropewalk.live.serve import ViewServer
 from ropewalk.live.session import Session
+from ropewalk.scene import Anchor
 from ropewalk.scene.presets import preset
 
 _NAMES = ("chromium", "chromium-browser", "google-chrome")
@@ -82,3 +84,12 @@ def serve(tmp_path: Path) -> Iterator[Callable[..., ViewServer]]:
             return server
 
         yield make
+
+
+@pytest.fixture
+def window(open_window: Callable[..., Window], serve: Callable[..., ViewServer]) -> Window:
+    """A paused page of a rope on three anchors; a file of tests may have one of its own."""
+    scene = slack_rope()
+    scene = scene.replace(anchors=[*scene.anchors, Anchor(name="middle", node=20)])
+    size = {"width": 1280, "height": 800}
+    return open_window(serve(Session(scene)).address, viewport=size).ready()

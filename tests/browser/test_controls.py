@@ -10,7 +10,6 @@ import pytest
 from browser.window import Window
 from live.drive import slack_rope
 from ropewalk.live.session import Session
-from ropewalk.scene import Anchor
 
 pytestmark = pytest.mark.browser
 Open = Callable[..., Window]
@@ -31,15 +30,6 @@ HANDS = [
     ["j", "l", "i", "k", "u", "o"],
 ]
 WAYS = [(0, -1), (0, 1), (2, 1), (2, -1), (1, 1), (1, -1)]
-
-
-@pytest.fixture
-def window(open_window: Open, serve: Serve) -> Window:
-    """A paused page of a rope on three anchors."""
-    scene = slack_rope()
-    scene = scene.replace(anchors=[*scene.anchors, Anchor(name="middle", node=20)])
-    size = {"width": 1280, "height": 800}
-    return open_window(serve(Session(scene)).address, viewport=size).ready()
 
 
 def test_buttons_play_pause_step_and_reset(window: Window) -> None:

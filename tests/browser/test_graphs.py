@@ -7,22 +7,10 @@ from collections.abc import Callable
 import pytest
 
 from browser.window import Window
-from live.drive import slack_rope
-from ropewalk.live.session import Session
-from ropewalk.scene import Anchor
 
 pytestmark = pytest.mark.browser
 Open = Callable[..., Window]
 Serve = Callable[..., object]
-
-
-@pytest.fixture
-def window(open_window: Open, serve: Serve) -> Window:
-    """A paused page of a rope on three anchors."""
-    scene = slack_rope()
-    scene = scene.replace(anchors=[*scene.anchors, Anchor(name="middle", node=20)])
-    size = {"width": 1280, "height": 800}
-    return open_window(serve(Session(scene)).address, viewport=size).ready()
 
 
 def test_graphs_open_choose_and_scroll_back(window: Window) -> None:

@@ -38,7 +38,7 @@ def test_two_pages_see_and_drive_one_rope(server: ViewServer, open_window: Open)
     first.page.mouse.up()
     second.tell(type="pin", node=20)
     first.until("r.session.layout.variants[0].anchors.length === 3")
-    assert first.ask("r.session.status.clients") == 2
+    first.until("r.session.status.clients === 2")
     second.tell(type="grab", node=10, target=[1.0, 0.0, 1.0])
     first.until("r.session.frame.parts[0].grabs[0] === 10")
     second.page.context.close()
@@ -50,15 +50,20 @@ def test_a_slow_page_gets_fewer_frames_and_no_queue(server: ViewServer, open_win
     window, quick = (open_window(server.address).ready() for _ in range(2))
     window.until("r.time > 0.5")
     before, quick_before = window.ask("[r.frames, r.frame]"), quick.ask("r.frames")
-    window.page.evaluate(
-        "() => { const end = performance.now() + 3000; while (performance.now() < end); }"
-    )
-    window.until(f"r.frame > {before[1]} + 60")
-    now, frames, number = window.ask("[r.time, r.frames, r.frame]")
-    came, made = frames - before[0], number - before[1]
-    assert came < 0.5 * made  # most were never sent to it
+    made = came = 0
+    while made < 60:  # until so many were made while it did nothing, however slow the machine is
+        window.page.evaluate(
+            "() => { const end = performance.now() + 3000; while (performance.now() < end); }"
+        )
+        now = server.stage.session.time
+        made = server.stage.frame_number - before[1]
+    window.until(f"r.time >= {now}")
+    came, number = window.ask(f"[r.frames - {before[0]}, r.frame]")
+    assert came < 0.5 * (
+        number - before[1]
+    )  # most were never sent to it, and what it shows is of now
+    quick.until(f"r.frame >= {number}")
     assert quick.ask("r.frames") - quick_before > 1.5 * came  # the other page did not wait
-    assert server.stage.session.time - now < 1.0  # and what it shows is of now, not 3 s old
 
 
 def test_a_frame_of_the_past_keeps_no_memory(serve: Serve, open_window: Open) -> None:

@@ -20,6 +20,7 @@ pytestmark = pytest.mark.browser
 Open = Callable[..., Window]
 Serve = Callable[..., ViewServer]
 SIZE = {"width": 1280, "height": 900}
+COMPILING = 240.0  # [s] for a method that this machine has not compiled yet
 
 
 def _row(name: str) -> str:
@@ -61,7 +62,8 @@ def test_every_constant_is_changed_and_goes_back(open_window: Open, serve: Serve
         assert window.ask(f"{_told(name)}.enabled"), name
         _change(window, name, PARAMETERS[name].kind)
         window.until(
-            f"JSON.stringify({_told(name)}.value) !== JSON.stringify({_told(name)}.default)"
+            f"JSON.stringify({_told(name)}.value) !== JSON.stringify({_told(name)}.default)",
+            COMPILING,
         )
         window.until("r.app.tweak.asked.size === 0 && r.app.tweak.queue.size === 0")
         now = _value(server, name)
@@ -213,12 +215,16 @@ def test_a_change_makes_no_jump_while_it_runs(open_window: Open, serve: Serve) -
     window.page.evaluate(
         """() => {
             const r = window.ropewalk;
-            let last = null;
-            r.jump = 0;
+            const fastest = r.session.layout.scalars.indexOf("speed_high");
+            let [last, time] = [null, 0];
+            r.way = r.jump = 0;
             r.session.on("frame", (frame) => {
                 const now = r.nodeAt(20);
-                if (last) r.jump = Math.max(r.jump, Math.hypot(...now.map((v, i) => v - last[i])));
-                last = now;
+                const speed = frame.parts[0].scalars[fastest]; // the greatest since the last frame
+                const way = last ? Math.hypot(...now.map((v, i) => v - last[i])) : 0;
+                if (last) r.jump = Math.max(r.jump, way - speed * (frame.time - time));
+                r.way += way;
+                [last, time] = [now, frame.time];
             });
         }"""
     )
@@ -226,10 +232,8 @@ def test_a_change_makes_no_jump_while_it_runs(open_window: Open, serve: Serve) -
         _change(window, name, "number")
         time = window.ask("r.time")
         window.until(f"r.time > {time} + 0.2")
-    speed = window.ask(
-        "Math.max(1, r.session.frame.parts[0].scalars[r.session.layout.scalars.indexOf('speed_high')])"
-    )
-    assert 0.0 < window.ask("r.jump") < 0.3 * speed  # a few frames' way, no more
+    assert window.ask("r.way") > 0.1
+    assert window.ask("r.jump") < 1e-3  # no way but what its speed makes, however few frames came
 
 
 def test_up_follows_gravity(open_window: Open, serve: Serve) -> None:

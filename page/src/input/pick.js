@@ -75,11 +75,12 @@ function pickNode(stage, px, py, reach) {
   let nearest = reach;
   layout.variants.forEach((variant, v) => {
     for (const rope of variant.ropes) {
+      const gone = stage.gaps.now[v] ?? [];
       let [x0, y0, behind] = [0, 0, true];
       for (let i = rope.first; i < rope.first + rope.nodes; i++) {
         const at = 4 * (stage.starts[v] + i);
         const [x1, y1, depth] = stage.camera.project(shown[at], shown[at + 1], shown[at + 2]);
-        if (i > rope.first && !behind && depth > 0) {
+        if (i > rope.first && !behind && depth > 0 && !gone.includes(i - 1)) {
           const [away, part] = distance(px, py, x0, y0, x1, y1);
           if (away < nearest) {
             nearest = away;

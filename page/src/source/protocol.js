@@ -11,7 +11,8 @@
  *   greatest_force: number, anchors: number, contact?: number, grabs: number}} Offsets */
 /** @typedef {{label: string, method: string, changes: Record<string, any>, nodes: number, ropes: Rope[],
  *   anchors: Anchor[], loads: Load[], forces: {index: number, force: number[]}[], joints?: Joint[],
- *   offsets: Offsets}} Variant */
+ *   parted?: Parted[], gaps?: {index: number, time: number}[], offsets: Offsets}} Variant */
+/** @typedef {{rope: string, place: number, length: number, tension: number, time: number}} Parted */
 /** @typedef {{name: string, kind: string, center: number[], axis: number[], size: (number | null)[],
  *   friction: number, spin: [number, number, number | null] | null, turns?: number[][] | null,
  *   motion?: Motion | null}} Obstacle */

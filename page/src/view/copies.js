@@ -27,26 +27,46 @@ export function colourOf(layout, variant, rope) {
   return fromHex(ROPES[index % ROPES.length]);
 }
 
-/** What the renderers draw. @param {Layout} layout @returns {Shape} */
-export function shapeOf(layout) {
+/** What the renderers draw: a rope that has parted in as many pieces. @param {Layout} layout
+ * @param {number[][]} [gaps] segments of each variant that have parted @returns {Shape} */
+export function shapeOf(layout, gaps = []) {
   const first = starts(layout);
   /** @type {Shape["ropes"]} */
   const ropes = [];
   layout.variants.forEach((variant, v) => {
     variant.ropes.forEach((rope, r) => {
-      ropes.push({
-        name: rope.name,
-        first: first[v] + rope.first,
-        count: rope.nodes,
-        radius: rope.diameter / 2,
-        spacing: rope.length / Math.max(1, rope.segments),
-        colour: colourOf(layout, v, r),
-        loose: looseEnds(variant, rope),
-      });
+      for (const piece of piecesOf(rope, gaps[v] ?? [])) {
+        ropes.push({
+          name: rope.name,
+          first: first[v] + piece.first,
+          count: piece.nodes,
+          radius: rope.diameter / 2,
+          spacing: rope.length / Math.max(1, rope.segments),
+          colour: colourOf(layout, v, r),
+          loose: looseEnds(variant, piece),
+        });
+      }
     });
   });
   return { nodes: nodesOf(layout), ropes };
 }
+
+/** The nodes of a rope between its gaps. @param {{first: number, nodes: number}} rope
+ * @param {number[]} gaps */
+function piecesOf({ first, nodes }, gaps) {
+  const last = first + nodes - 1;
+  const inside = gaps.filter((j) => j >= first && j < last).sort((a, b) => a - b);
+  return [...inside, last].map((end, i) => {
+    const begin = i === 0 ? first : inside[i - 1] + 1;
+    return { first: begin, nodes: end - begin + 1 };
+  });
+}
+
+/** The segments of each variant that have parted by a time [s]. @param {Layout} layout @param {number} time */
+export const gapsAt = (layout, time) =>
+  layout.variants.map(({ gaps }) =>
+    (gaps ?? []).filter((gap) => gap.time <= time).map(({ index }) => index),
+  );
 
 /** Whether the first and the last node of a rope hang free. @param {Layout["variants"][0]} variant
  * @param {{first: number, nodes: number}} rope @returns {[boolean, boolean]} */

@@ -12,6 +12,7 @@ export class Range {
     this.low = 0;
     this.high = 1;
     this.fresh = true;
+    this.unknown = true; // nothing was shown yet
     /** Since the lower and the upper end were reached [s]. */ this.since = [0, 0];
   }
 
@@ -21,6 +22,7 @@ export class Range {
     if (!Number.isFinite(low) || !Number.isFinite(high)) return;
     const bottom = low < -0.01 * high && low < -LITTLE ? low : 0; // a little push is not worth a number
     const top = Math.max(high, bottom + 1e-9);
+    this.unknown = false;
     if (this.fresh) {
       [this.low, this.high, this.fresh] = [bottom, top, false];
       return;

@@ -1,7 +1,6 @@
 """A session that is broadcast: commands from pages come in, frames and messages go out, time goes on.
 
-Everything here runs in one thread, the player's or the user's own; what comes from other threads waits
-in a queue.
+All here runs in one thread, the player's or the user's own; what other threads bring waits in a queue.
 """
 
 from __future__ import annotations
@@ -270,10 +269,11 @@ class Broadcast:
                 self._done(item.what, item.reply)
             self._dirty = True
             self.wake()
+        self.session.look()
         if (note := self.session.end_ties()) is not None:
             self._note(note)
             self._dirty = True
-            self.refresh()
+        self.refresh()  # a rope may have parted, or be two now
         self._look_at_break()
         found = self.meter.take()
         if found is not None:

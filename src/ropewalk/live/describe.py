@@ -12,6 +12,7 @@ from ropewalk.analysis.json_values import plain
 from ropewalk.core.arrays import Floats
 from ropewalk.live.frame import HEADER, SCALARS
 from ropewalk.live.parameters import PARAMETERS, ROPE, Parameter
+from ropewalk.live.parted import gaps, told
 from ropewalk.live.pictures import shape_of
 from ropewalk.live.session import Session
 from ropewalk.live.solids import joint_list, obstacle_list
@@ -98,6 +99,7 @@ def _variant(track: Track, offsets: dict[str, int], colors: dict[str, int]) -> d
         "loads": load_list(scene, where),
         "forces": force_list(scene, where),
         "joints": joint_list(scene, where),
+        **told(track.parted, gaps(track.simulation)),
         "offsets": offsets,
     }
 

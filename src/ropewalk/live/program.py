@@ -40,6 +40,8 @@ class ProgramBroadcast(Broadcast):
         if now != self._time:
             self.pace.note(now)
         self._time = now
+        self.session.look()
+        self.refresh()
         found = self.meter.take()
         if found is not None:
             self.audience.tell(found)

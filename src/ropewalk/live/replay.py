@@ -30,6 +30,7 @@ from ropewalk.live.inbox import Reply
 from ropewalk.live.keeper import parts
 from ropewalk.live.messages import error_message
 from ropewalk.live.parameters import refusal
+from ropewalk.live.parted import located, told
 from ropewalk.live.recorded import Recorded
 from ropewalk.live.solids import joint_list, obstacle_list
 from ropewalk.record.result import Result
@@ -223,6 +224,9 @@ class ReplayBroadcast:
         places, end = self.parts[part].shape.places(HEADER.size)
         scene, spans = result.scene, result.layout.ropes
         center, radius = view_box(result.read("positions", 0, 1)[0], scene)
+        parted = result.partings
+        where = {result.layout.node(one.segment, one.rope): one for one in parted}
+        later = float(self.times[self.first[part]] - result.time[0])
         return {
             "type": "layout",
             "layout": part + 1,
@@ -246,6 +250,7 @@ class ReplayBroadcast:
                     "loads": load_list(scene, result.layout),
                     "forces": force_list(scene, result.layout),
                     "joints": joint_list(scene, result.layout),
+                    **told([located(one, scene) for one in parted], where, later),
                     "offsets": places._asdict(),
                 }
             ],

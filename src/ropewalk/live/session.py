@@ -136,6 +136,7 @@ class Session:
                 return BROKEN
             steps -= now
             if self.count % frame == 0:
+                self.look()
                 self._tear()
                 self.on_frame(self)
             if self.count % every == 0:
@@ -150,6 +151,12 @@ class Session:
             if track.follow(time, self.speed) != OK:
                 return number
         return None
+
+    def look(self) -> None:
+        """Note what has parted: pages are told of it."""
+        for track in self.tracks:
+            if track.look():
+                self.changed()
 
     def _tear(self) -> None:
         """Make two ropes of those that have parted: at frames, so that a log replays to the same bits."""

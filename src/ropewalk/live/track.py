@@ -19,6 +19,7 @@ from ropewalk.live.ear import Ear
 from ropewalk.live.edits import Edit
 from ropewalk.live.hands import CONTROL, Hands
 from ropewalk.live.parameters import named, refusal
+from ropewalk.live.parted import Parted, gaps, located
 from ropewalk.live.seen import Interval
 from ropewalk.lowering import Plan, build, with_all_laws
 from ropewalk.lowering.joint_tables import tied_with
@@ -78,6 +79,7 @@ class Track:
         self.ear: Ear | None = None
         self.count = 0  # steps done
         self.edited = 0.0  # energy put in by changes [J]
+        self.parted: tuple[Parted, ...] = ()  # what has parted until now
         self.first_energy = self.energy
         self.first_gravity = float(simulation.recording().recording.energy[0, 1])  # [J]
         self.begun = self.save()  # when the present simulation began
@@ -198,6 +200,19 @@ class Track:
         self.edit(change)
         return change.note
 
+    def look(self) -> bool:
+        """Note what has parted since the last look; tell whether there was anything."""
+        if not self.scene.parts:
+            return False
+        known = {(one.time, one.tension) for one, *_ in self.parted}
+        new = [
+            located(one, self.scene)
+            for one in gaps(self.simulation).values()
+            if (one.time, one.tension) not in known
+        ]
+        self.parted = (*self.parted, *sorted(new))
+        return bool(new)
+
     def tear(self) -> bool:
         """Make two ropes of every one that has parted since; tell whether there was any.
 
@@ -300,6 +315,8 @@ class Track:
             self._recorded_at = self.simulation.time
         self.first_energy, self.edited = saved.first_energy, saved.edited
         self.first_gravity = saved.first_gravity
+        now = self.simulation.time
+        self.parted = tuple(one for one in self.parted if one.parting.time <= now)
 
     def clone(self, label: str, changes: Mapping[str, Any]) -> Track:
         """Return a second track that stands where this one stands, with some parameters changed.
