@@ -11,8 +11,8 @@ import numpy as np
 from ropewalk.analysis.json_values import plain
 from ropewalk.core.arrays import Floats
 from ropewalk.live.frame import HEADER, SCALARS
+from ropewalk.live.gaps import gaps, told
 from ropewalk.live.parameters import PARAMETERS, ROPE, Parameter
-from ropewalk.live.parted import gaps, told
 from ropewalk.live.pictures import shape_of
 from ropewalk.live.session import Session
 from ropewalk.live.solids import joint_list, obstacle_list

@@ -26,11 +26,11 @@ from ropewalk.live.frame import (
     combined,
     encode,
 )
+from ropewalk.live.gaps import located, told
 from ropewalk.live.inbox import Reply
 from ropewalk.live.keeper import parts
 from ropewalk.live.messages import error_message
 from ropewalk.live.parameters import refusal
-from ropewalk.live.parted import located, told
 from ropewalk.live.recorded import Recorded
 from ropewalk.live.solids import joint_list, obstacle_list
 from ropewalk.record.result import Result

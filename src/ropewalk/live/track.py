@@ -17,9 +17,9 @@ from ropewalk.live import edits
 from ropewalk.live.carry import carry_over
 from ropewalk.live.ear import Ear
 from ropewalk.live.edits import Edit
+from ropewalk.live.gaps import Parted, gaps, located
 from ropewalk.live.hands import CONTROL, Hands
 from ropewalk.live.parameters import named, refusal
-from ropewalk.live.parted import Parted, gaps, located
 from ropewalk.live.seen import Interval
 from ropewalk.lowering import Plan, build, with_all_laws
 from ropewalk.lowering.joint_tables import tied_with
