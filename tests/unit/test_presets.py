@@ -20,7 +20,7 @@ EXPECTED = {
     *("crane-snap", "hoist-stop", "guyed-mast", "suspension-cable", "power-line-in-wind"),
     *("three-leg-sling", "net"),
     *("capstan", "edge", "bollard"),
-    *("overhand", "clove-hitch", "pile"),
+    *("crossing", "overhand", "clove-hitch", "pile"),
 }
 
 

@@ -28,6 +28,7 @@ from ropewalk.laws.contact import (
 from ropewalk.laws.contact_tangent import contact_tangent
 from ropewalk.laws.node_law import NodeLaw, Rest
 from ropewalk.laws.obstacle_shapes import BOX, CAPSULE, CYLINDER, PLANE, SPHERE, TORUS, probe
+from ropewalk.laws.standstill import standstills
 from ropewalk.motions.registry import FIXED
 from ropewalk.motions.rows import Motions, jumps, largest_speed, motion_rows
 from ropewalk.motions.whereabouts import place_now
@@ -237,6 +238,12 @@ def hits(obstacles, state, x, v):
 
 
 @part
+def crossings(obstacles, before, after, dt, tolerance):
+    """Return where a step is to end [s], inf: where it does, and how many nodes that slipped have stopped."""
+    return standstills(obstacles, before, after, dt, tolerance)
+
+
+@part
 def touch(obstacles, state, force):
     """Write the force of all obstacles at the state itself [N], (3, n)."""
     memory, now = state.memory.obstacle, state.now
@@ -343,6 +350,7 @@ OBSTACLE = NodeLaw(
     memory=memory,
     remember=remember,
     hits=hits,
+    crossings=crossings,
     touch=touch,
     rounding=rounding,
     kinks=kinks,

@@ -17,7 +17,7 @@ _PLAY, _REAL, _RIGGING, _LESSONS, _REPORT = (
 )
 _THEMES: dict[str, tuple[str, ...]] = {
     _PLAY: ("skipping-rope", "whip", "wave-on-a-string", "hanging-rope", "falling-chain"),
-    _REAL: ("h3", "fishing-rod", "wire-arch", "net", "edge", "overhand", "pile"),
+    _REAL: ("h3", "fishing-rod", "wire-arch", "net", "edge", "crossing", "overhand", "pile"),
     _RIGGING: (
         *("climbing-fall", "zip-line", "highline", "rescue-lower", "tow"),
         *("crane-snap", "hoist-stop", "guyed-mast", "suspension-cable", "power-line-in-wind"),

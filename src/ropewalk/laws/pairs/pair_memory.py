@@ -3,7 +3,8 @@
 The friction spring's part P (R' - k_t D), cut to mu R_n: a force, so that what sticks does not creep. One
 keeps its points and its normal as long as they say where the segments are to WRONG of the radii's sum: the
 nearest points of almost parallel segments jump from step to step, and contacts would slip a little in each.
-One that has wandered on to the next segment passes on what it holds.
+One that has wandered on to the next segment passes on what it holds. Those that slip get theirs in every
+step, as they will be at its end.
 """
 
 from __future__ import annotations
@@ -43,9 +44,10 @@ from ropewalk.laws.pairs.table import (
     depth_of,
     spring_of,
 )
-from ropewalk.laws.pairs.way import HALF, begin_contact
+from ropewalk.laws.pairs.way import HALF, begin_contact, fits
 
 FADES = 0.03  # [s]
+AT_LIMIT = 1.0 - 1e-9  # [1] of what friction can carry counts as all of it
 
 
 @kernel
@@ -98,15 +100,69 @@ def hold(x, v, table, memory, row):
     return closed
 
 
+@small
+def slips(memory, row, friction):
+    """Tell whether a contact that presses is at the limit of friction, or has none."""
+    grip, square = memory.grip, 0.0
+    for k in range(3):
+        square += grip[row, SPRING + k] ** 2
+    return grip[row, PUSH] > 0.0 and math.sqrt(square) >= AT_LIMIT * friction * grip[row, PUSH]
+
+
 @kernel
-def refresh(x, table, memory, row, tied):
-    """Keep points and normal of a contact, find them anew, or mark it as gone."""
+def lead(x, y, table, memory, row, tied):
+    """Give a contact points and normal as they will be at y; tell whether that could be.
+
+    One that slips round a bend turns as it goes. With the plane of where it was it would lag behind, and hold
+    as much more as it has turned.
+    """
+    i, j = memory.pair[row, 0], memory.pair[row, 1]
+    size = table.radius[i] + table.radius[j]
+    s, t, distance = nearest(x, y, 1.0, i, j)
+    before = depth_at(x, memory, row, i, j, size)
+    if not (0.0 < distance < REACH * size and owns(x, y, 1.0, table, tied, i, j, s, t)):
+        return False
+    if not fits(x, y, 1.0, memory, row, s, t, size, before):
+        return False
+    freeze(x, y, 1.0, memory, row, s, t)
+    begin_contact(x, table, memory, row, before)
+    return True
+
+
+@kernel
+def run_on(x, v, dt, table, y):
+    """Write where nodes will be that go on along their rope for another step, (3, n) [m].
+
+    How fast they go across it says little of where they will be: what is pressed rocks.
+    """
+    rope, last = table.rope, x.shape[1] - 1
+    for i in range(x.shape[1]):
+        a = i - 1 if i > 0 and rope[i - 1] >= 0 else i
+        b = i + 1 if i < last and rope[i] >= 0 else i
+        square, along = 0.0, 0.0
+        for k in range(3):
+            square += (x[k, b] - x[k, a]) ** 2
+            along += v[k, i] * (x[k, b] - x[k, a])
+        way = dt * along / square if square > 0.0 else 0.0
+        for k in range(3):
+            y[k, i] = x[k, i] + way * (x[k, b] - x[k, a])
+
+
+@kernel
+def refresh(x, y, table, memory, row, tied):
+    """Keep points and normal of a contact, find them anew, or mark it as gone.
+
+    y is where the nodes will be after another step at the speed they have.
+    """
     i, j, grip = memory.pair[row, 0], memory.pair[row, 1], memory.grip
     size = table.radius[i] + table.radius[j]
     s, t, distance = nearest(x, x, 0.0, i, j)
     if distance >= REACH * size:
         grip[row, GONE] = 1.0
-    elif not is_right(x, memory, row, size, distance):
+        return
+    if slips(memory, row, table.friction[0]) and lead(x, y, table, memory, row, tied):
+        return
+    if not is_right(x, memory, row, size, distance):
         if owns(x, x, 0.0, table, tied, i, j, s, t):
             before = depth_at(x, memory, row, i, j, size)
             freeze(x, x, 0.0, memory, row, s, t)
@@ -232,9 +288,10 @@ def remember_pairs(x, v, dt, table, memory, tied):
     if count[SEEN] == 0:
         look_for_passes(place, x, memory, table)
     count[SEEN], count[ROUNDS], count[REFUSED] = 0, 0, 0
+    run_on(x, v, dt, table, place)
     for row in range(count[CONTACTS]):
         closed += hold(x, v, table, memory, row)
-        refresh(x, table, memory, row, tied)
+        refresh(x, place, table, memory, row, tied)
     pass_on(x, table, memory)
     list_new(x, table, memory, tied)
     drop_gone(memory)

@@ -196,18 +196,23 @@ def owns(x, y, share, table, tied, i, j, s, t):
 
 
 @kernel
-def freeze(x, y, share, memory, row, s, t):
-    """Give a contact points and a normal as they are at a share of the way; without one, that it has."""
+def normal_at(x, y, share, memory, row, s, t):
+    """Return the normal of a contact as it is at a share of the way; without one, that it has."""
     i, j, grip = memory.pair[row, 0], memory.pair[row, 1], memory.grip
     a, b = on_way(x, y, share, i), on_way(x, y, share, i + 1)
     c, e = on_way(x, y, share, j), on_way(x, y, share, j + 1)
-    size = 0.0
-    for k in range(3):
-        u = (1.0 - s) * a[k] + s * b[k] - ((1.0 - t) * c[k] + t * e[k])
-        size += u * u
-    size = math.sqrt(size)
-    grip[row, OWN], grip[row, OTHER] = s, t
+    u0 = (1.0 - s) * a[0] + s * b[0] - ((1.0 - t) * c[0] + t * e[0])
+    u1 = (1.0 - s) * a[1] + s * b[1] - ((1.0 - t) * c[1] + t * e[1])
+    u2 = (1.0 - s) * a[2] + s * b[2] - ((1.0 - t) * c[2] + t * e[2])
+    size = math.sqrt(u0 * u0 + u1 * u1 + u2 * u2)
     if size > 0.0:
-        for k in range(3):
-            u = (1.0 - s) * a[k] + s * b[k] - ((1.0 - t) * c[k] + t * e[k])
-            grip[row, NORMAL + k] = u / size
+        return (u0 / size, u1 / size, u2 / size)
+    return (grip[row, NORMAL], grip[row, NORMAL + 1], grip[row, NORMAL + 2])
+
+
+@kernel
+def freeze(x, y, share, memory, row, s, t):
+    """Give a contact points and a normal as they are at a share of the way; without one, that it has."""
+    n, grip = normal_at(x, y, share, memory, row, s, t), memory.grip
+    grip[row, OWN], grip[row, OTHER] = s, t
+    grip[row, NORMAL], grip[row, NORMAL + 1], grip[row, NORMAL + 2] = n

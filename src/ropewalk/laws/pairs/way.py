@@ -12,7 +12,7 @@ from __future__ import annotations
 from ropewalk.core.jit import kernel, small
 from ropewalk.laws.pairs.distance import NEVER, comes_to, nearest, relative_way
 from ropewalk.laws.pairs.force import pressed
-from ropewalk.laws.pairs.search import find_near, freeze, new_row, owns, row_of
+from ropewalk.laws.pairs.search import find_near, freeze, new_row, normal_at, owns, row_of
 from ropewalk.laws.pairs.table import (
     APART,
     CONTACTS,
@@ -50,7 +50,7 @@ def begin_contact(x, table, memory, row, before):
     """Let a contact whose points were found anew remember from the places at hand on.
 
     It was pressed by `before` [m] and counts as pressed so still: its force does not jump. One that was open
-    begins with none.
+    begins with none. Only what counts as pressed far deeper than it is loses some of it.
     """
     i, j, grip = memory.pair[row, 0], memory.pair[row, 1], memory.grip
     u = between(x, i, j, grip[row, OWN], grip[row, OTHER])
@@ -59,7 +59,21 @@ def begin_contact(x, table, memory, row, before):
     grip[row, STIFF] = max(grip[row, STIFF], soft)
     grip[row, MORE] = 0.0
     more = max(before, 0.0) - max(depth_of(grip, row, u, size), 0.0)
-    grip[row, MORE] = min(max(more, -WRONG * size), WRONG * size)
+    grip[row, MORE] = min(more, WRONG * size)
+
+
+@kernel
+def fits(x, y, share, memory, row, s, t, size, before):
+    """Tell whether a contact pressed by `before` [m] at x is pressed about so with a plane of the way, too.
+
+    A plane that has turned far from the start, on a way that may not even stand, would press there what does
+    not touch: force and energy from nothing.
+    """
+    i, j = memory.pair[row, 0], memory.pair[row, 1]
+    n = normal_at(x, y, share, memory, row, s, t)
+    u = between(x, i, j, s, t)
+    depth = size - (n[0] * u[0] + n[1] * u[1] + n[2] * u[2])
+    return abs(max(depth, 0.0) - max(before, 0.0)) <= WRONG * size
 
 
 @kernel
@@ -72,6 +86,9 @@ def add_contact(x, y, share, table, memory, tied, i, j):
     if not new_row(memory, i, j, row):
         memory.tally[FAULT] = FULL
         return 0
+    if not fits(x, y, share, memory, row, s, t, table.radius[i] + table.radius[j], 0.0):
+        share = 0.0
+        s, t, _ = nearest(x, y, share, i, j)
     freeze(x, y, share, memory, row, s, t)
     begin_contact(x, table, memory, row, 0.0)
     memory.grip[row, FOUND] = 1.0
@@ -102,6 +119,8 @@ def turn_contact(x, y, table, memory, row, hit, end):
     size = table.radius[i] + table.radius[j]
     before = depth_of(grip, row, between(x, i, j, grip[row, OWN], grip[row, OTHER]), size)
     s, t, _ = nearest(x, y, share, i, j)
+    if not fits(x, y, share, memory, row, s, t, size, before):
+        return 0
     freeze(x, y, share, memory, row, s, t)
     begin_contact(x, table, memory, row, before)
     return 1
@@ -139,6 +158,8 @@ def meet_pairs(x, y, table, memory, tied):
         if row < 0:
             if hit < NEVER:
                 changed = add_contact(x, y, hit, table, memory, tied, i, j)
+            if changed == 0 and end[2] < size:  # it touches elsewhere than where it began to
+                changed = add_contact(x, y, 1.0, table, memory, tied, i, j)
         else:
             gap = plane_gap(y, memory, row, size)
             off = abs(end[2] - size - gap) > WRONG * size and (end[2] < size or gap < 0.0)

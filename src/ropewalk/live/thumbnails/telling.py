@@ -59,6 +59,7 @@ TELLING = {
     "falling-chain": Telling(_every(0.5, 1.0, 6), Manner(apart=(0.45, 0.0))),
     "fishing-rod": Telling(_every(1.0, 1.6, 8)),
     "overhand": Telling((0.0,), Manner(oblique=0.9)),
+    "crossing": Telling((0.0, 0.15, 0.25, 0.35), Manner(oblique=0.6)),
     "pile": Telling((2.2,), Manner(oblique=0.6)),
     "hanging-rope": Telling((1.0,)),
     "skipping-rope": Telling(_every(2.0, 2.45, 7)),

@@ -1,0 +1,72 @@
+"""When nodes that slip over obstacles come to a stop there: an event, since friction then falls below mu R_n.
+
+A node slips at speed u, or is about to, and loses it at the rate a. If it sticks at the end of the step, or
+slips back, the step is to end at u / a, or half way where that is beyond it, unless the node could not go
+farther than about the tolerance. The friction spring remembers where the step began: a step that goes there
+and back sees nothing of the stop in between, nor does its error estimate.
+Source: Hairer, Norsett & Wanner, Solving Ordinary Differential Equations I, II.6 (discontinuous equations).
+"""
+
+from __future__ import annotations
+
+import math
+
+from ropewalk.core.jit import kernel
+from ropewalk.laws.contact import GRIP, PUSH, surface_at
+from ropewalk.laws.obstacle_shapes import probe
+
+AT_LIMIT = 1.0 - 1e-9  # [1] of what friction can carry counts as all of it
+SHARE = 0.2  # [1] of the way at the first speed: what a step errs by that stops somewhere within
+LATE = 0.95  # [1] of a step: so late a stop is not within it for sure
+
+
+@kernel
+def at_limit(grip, i):
+    """Tell whether friction at a node carries all that it can; `grip` (5, n)."""
+    most = grip[GRIP, i] * grip[PUSH, i]
+    square = grip[0, i] ** 2 + grip[1, i] ** 2 + grip[2, i] ** 2
+    return most > 0.0 and math.sqrt(square) >= AT_LIMIT * most
+
+
+@kernel
+def slip_at(obstacles, o, surface, x, v, i):
+    """Return the velocity of a node over an obstacle's surface [m/s]; see `surface_at`."""
+    center, axis = obstacles.center[o], obstacles.axis[o]
+    px, py, pz = x[0, i] - surface[0], x[1, i] - surface[1], x[2, i] - surface[2]
+    found = probe(obstacles.kind[o], center, axis, obstacles.size[o], px, py, pz)
+    nx, ny, nz = found[1], found[2], found[3]
+    ox, oy, oz = px - center[0], py - center[1], pz - center[2]
+    wx, wy, wz = surface[7] * axis[0], surface[7] * axis[1], surface[7] * axis[2]
+    vx = v[0, i] - surface[3] - (wy * oz - wz * oy)
+    vy = v[1, i] - surface[4] - (wz * ox - wx * oz)
+    vz = v[2, i] - surface[5] - (wx * oy - wy * ox)
+    rise = nx * vx + ny * vy + nz * vz
+    return vx - rise * nx, vy - rise * ny, vz - rise * nz
+
+
+@kernel
+def standstills(obstacles, before, after, dt, tolerance):
+    """Return where a step between two states is to end [s], inf: where it does, and how many nodes stop."""
+    end, changes, a = math.inf, 0, before.acceleration
+    for o in range(obstacles.kind.shape[0]):
+        first, last = before.memory.obstacle.grip[o], after.memory.obstacle.grip[o]
+        surface = surface_at(obstacles, o, after.now[1] - dt)
+        there = surface_at(obstacles, o, after.now[1])
+        for i in range(after.inverse_mass.shape[0]):
+            if after.inverse_mass[i] == 0.0 or not (first[PUSH, i] > 0.0 and last[PUSH, i] > 0.0):
+                continue
+            ux, uy, uz = slip_at(obstacles, o, surface, before.x, before.v, i)
+            speed = math.sqrt(ux * ux + uy * uy + uz * uz)
+            pull = obstacles.stiffness[o, i] * speed * dt  # were it to stick
+            if not at_limit(first, i) and pull <= first[GRIP, i] * first[PUSH, i]:
+                continue
+            wx, wy, wz = slip_at(obstacles, o, there, after.x, after.v, i)
+            if at_limit(last, i) and ux * wx + uy * wy + uz * wz >= 0.0:
+                continue
+            changes += 1
+            if SHARE * speed * dt <= tolerance:
+                continue
+            loss = -(a[0, i] * ux + a[1, i] * uy + a[2, i] * uz) / speed
+            at = speed / loss if loss > 0.0 else math.inf
+            end = min(end, at if at < LATE * dt else 0.5 * dt)
+    return end, changes
