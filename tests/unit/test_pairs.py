@@ -14,7 +14,7 @@ from ropewalk.laws.pairs.distance import NEVER, comes_to, nearest, relative_way
 from ropewalk.laws.pairs.force import pair_energy, pair_forces, squeeze
 from ropewalk.laws.pairs.pair_tangent import couple_pairs
 from ropewalk.laws.pairs.search import list_near
-from ropewalk.laws.pairs.table import CONTACTS, NEAR, PUSH, SPRING, STIFF, STOP
+from ropewalk.laws.pairs.table import CONTACTS, MORE, NEAR, PUSH, SPRING, STIFF, STOP
 from ropewalk.lowering import build
 from ropewalk.scene import Contact, Material, Points, Rope, RunSettings, Scene
 from unit.test_saddle import random_saddle
@@ -53,6 +53,7 @@ def pressed_tangle(friction: float = 0.3, pull: float = 1.0) -> tuple[System, St
         if rows < 3:
             continue
         rng = np.random.default_rng(seed)
+        memory.grip[:rows, MORE] = 0.0  # as deep as they lie
         memory.grip[:rows, SPRING : SPRING + 3] = pull * rng.normal(size=(rows, 3))
         state.v[...] = 0.01 * rng.normal(size=state.v.shape)
         state.x[...] += 1e-5 * rng.normal(size=state.x.shape)

@@ -126,10 +126,8 @@ def test_the_preset_crossing_hangs_and_adds_up() -> None:
     result = rw.simulate(scene.replace(run=scene.run.replace(duration=0.5)))
     assert result.status == "finished"
     first = scene.ropes[0].segments + 1
-    numbers = []
-    for x in result.positions:
-        if x[first, 1] < 0.0 < x[-1, 1]:
-            numbers.append(linked(x, first))
+    apart = [x for x in result.positions if x[first, 1] < 0.0 < x[-1, 1]]
+    numbers = [linked(x, first) for x in apart]
     assert len(numbers) > 10
     assert set(numbers) == {numbers[0]}
     share = np.abs(result.energy_error).max() / np.ptp(result.energy["gravity"])
