@@ -14,7 +14,7 @@ import math
 from ropewalk.core.jit import kernel, small
 from ropewalk.laws.pairs.distance import NEVER, comes_to, nearest, relative_way
 from ropewalk.laws.pairs.force import depth_at, pressed, pull_of, squeeze
-from ropewalk.laws.pairs.search import find_near, freeze, new_row, owns, row_of
+from ropewalk.laws.pairs.search import find_near, freeze, new_row, normal_at, owns, row_of
 from ropewalk.laws.pairs.table import (
     APART,
     CONTACTS,
@@ -47,6 +47,7 @@ from ropewalk.laws.pairs.table import (
 from ropewalk.laws.pairs.way import HALF, begin_contact, fits
 
 FADES = 0.03  # [s]
+TURNED = 5e-5  # [1] less than the cosine of a hundredth: so little no plane is led
 AT_LIMIT = 1.0 - 1e-9  # [1] of what friction can carry counts as all of it
 
 
@@ -122,7 +123,10 @@ def lead(x, y, table, memory, row, tied):
     before = depth_at(x, memory, row, i, j, size)
     if not (0.0 < distance < REACH * size and owns(x, y, 1.0, table, tied, i, j, s, t)):
         return False
-    if not fits(x, y, 1.0, memory, row, s, t, size, before):
+    n, along = normal_at(x, y, 1.0, memory, row, s, t), 0.0
+    for k in range(3):
+        along += n[k] * memory.grip[row, NORMAL + k]
+    if 1.0 - along < TURNED or not fits(x, y, 1.0, memory, row, s, t, size, before):
         return False
     freeze(x, y, 1.0, memory, row, s, t)
     begin_contact(x, table, memory, row, before)

@@ -50,7 +50,7 @@ def begin_contact(x, table, memory, row, before):
     """Let a contact whose points were found anew remember from the places at hand on.
 
     It was pressed by `before` [m] and counts as pressed so still: its force does not jump. One that was open
-    begins with none. Only what counts as pressed far deeper than it is loses some of it.
+    begins with none. The difference is held to WRONG: what counts as open for long would be pressed through.
     """
     i, j, grip = memory.pair[row, 0], memory.pair[row, 1], memory.grip
     u = between(x, i, j, grip[row, OWN], grip[row, OTHER])
@@ -59,7 +59,7 @@ def begin_contact(x, table, memory, row, before):
     grip[row, STIFF] = max(grip[row, STIFF], soft)
     grip[row, MORE] = 0.0
     more = max(before, 0.0) - max(depth_of(grip, row, u, size), 0.0)
-    grip[row, MORE] = min(more, WRONG * size)
+    grip[row, MORE] = min(max(more, -WRONG * size), WRONG * size)
 
 
 @kernel
