@@ -121,7 +121,7 @@ def linked(x: Floats, first: int) -> int:
 
 
 def test_the_preset_crossing_hangs_and_adds_up() -> None:
-    """Nothing passes, as long as the ends are on their own sides; the energy error is small."""
+    """Nothing passes, as long as the ends are on their own sides; the energy error is what one clap leaves."""
     scene = preset("crossing")
     result = rw.simulate(scene.replace(run=scene.run.replace(duration=0.5)))
     assert result.status == "finished"
@@ -131,4 +131,6 @@ def test_the_preset_crossing_hangs_and_adds_up() -> None:
     assert len(numbers) > 10
     assert set(numbers) == {numbers[0]}
     share = np.abs(result.energy_error).max() / np.ptp(result.energy["gravity"])
-    assert share < 0.03
+    assert share < 0.08
+    total = sum(result.energy.values())
+    assert np.diff(total).max() < 2e-3 * np.ptp(result.energy["gravity"])
