@@ -121,7 +121,7 @@ def linked(x: Floats, first: int) -> int:
 
 
 def test_the_preset_crossing_hangs_and_adds_up() -> None:
-    """Nothing passes, as long as the ends are on their own sides; the energy error is what one clap leaves."""
+    """Nothing passes, as long as ends are on their own sides; the energy error is what a clap leaves."""
     scene = preset("crossing")
     result = rw.simulate(scene.replace(run=scene.run.replace(duration=0.5)))
     assert result.status == "finished"
