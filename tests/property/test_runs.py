@@ -13,7 +13,7 @@ from ropewalk.core.status import BROKEN, OK, UNSOLVED
 from ropewalk.methods.recording import bends
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import Anchor, Load, Points, Rope, Scene, SceneError, Springs
-from ropewalk.scene.rope import Kick
+from ropewalk.scene.at_nodes import Kick
 from ropewalk.simulation import Broken, Simulation
 from ropewalk.simulation.block import Block, join
 from strategies import ALL_METHODS, axes, numbers, scenes, vectors

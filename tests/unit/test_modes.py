@@ -11,7 +11,7 @@ import ropewalk as rw
 from ropewalk.record.resume import resume_run
 from ropewalk.record.run import record_run
 from ropewalk.scene import Anchor, Rope, Scene, Springs, Straight, Velocity
-from ropewalk.scene.rope import Kick
+from ropewalk.scene.at_nodes import Kick
 from ropewalk.vibration import NoModes
 from ropewalk.vibration.linear import Linear
 from ropewalk.vibration.winding import missing

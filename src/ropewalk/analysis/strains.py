@@ -100,8 +100,10 @@ def pressed_at_start(model: Model, statics: Statics, ropes: tuple[RopeCheck, ...
         k = state.stiffness[part]
         pushes = np.isfinite(k) & (model.system.slack_floor[part] < 0.0)
         stuff = model.scene.ropes[[one.name for one in model.scene.ropes].index(span.name)].made_of
-        if not isinstance(stuff, Springs) and stuff.curve is not None:
-            k = k * (stuff.curve.slopes[0] / stuff.EA)
+        if not isinstance(stuff, Springs):
+            slope = stuff.EA if stuff.curve is None else stuff.curve.slopes[0]
+            if stuff.curve is not None or stuff.relaxing_EA is not None:
+                k = k * (slope / (stuff.EA + (stuff.relaxing_EA or 0.0)))
         push = np.where(pushes, k, 0.0) * (state.rest_length[part] - size)
         most = float(push.max(initial=0.0))
         if rope.short or not most > max(rope.largest_tension, _NOTHING):

@@ -89,6 +89,10 @@ class Curves(NamedTuple):
     first: Ints  # (c + 1,) where the pieces of a curve begin
     piece: Floats  # (p, 5) strain, tension, slope, bend and energy per length [1]
     least: Floats  # (c,) least slope over EA [1]
+    arm: (
+        Floats  # (c,) slope of the relaxing arm beside it over EA [1], 0: none; see `laws.relaxing`
+    )
+    time: Floats  # (c,) relaxation time [s], inf: no arm
 
 
 class Joints(NamedTuple):
@@ -188,6 +192,7 @@ class State(NamedTuple):
     memory: Any  # by name of the law of nodes, (0,) of one without
     forces: Forces
     work: Work
+    arm: Floats  # (4, s) what segments that relax remember, see `laws.relaxing`; (4, 0): none does
     most: Floats  # (a + 1,) largest work so far of every anchor, and of all winches [J]
     balance: Floats  # (5,) [J], for the verdict, see `core.status`
     peaks: Peaks

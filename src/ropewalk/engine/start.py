@@ -10,6 +10,7 @@ from ropewalk.core import arrays
 from ropewalk.core.arrays import Floats, State, System
 from ropewalk.laws.clamps import start_clamps
 from ropewalk.lowering import Model
+from ropewalk.lowering.curve_tables import let_relax
 from ropewalk.lowering.limiter_bounds import with_bounds
 from ropewalk.lowering.link_lengths import with_links
 from ropewalk.lowering.system import with_memory
@@ -52,9 +53,11 @@ def started(model: Model) -> Model:
 def _remembering(model: Model) -> Model:
     """Return the model, started: laws of nodes remember the places in which it does.
 
-    At rest contacts carry what holds the ropes there, elsewhere nothing yet.
+    At rest contacts carry what holds the ropes there, elsewhere nothing yet. What relaxes has done so.
     """
-    return replace(model, state=with_memory(model.system, model.state), started=True)
+    state = with_memory(model.system, model.state)
+    let_relax(model.system, state)
+    return replace(model, state=state, started=True)
 
 
 def _velocity(model: Model, ring: Ring) -> Floats:

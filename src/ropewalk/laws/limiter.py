@@ -76,7 +76,7 @@ def _potential(system, state):
     bending = bent_energy(system, state, state.x) if has_bending(system) else 0.0
     return (
         gravity_energy(state.x, state.mass, system.gravity)
-        + stored_energy(system, state, state.x)
+        + stored_energy(system, state, state.x, state.arm)
         + bending
     )
 

@@ -24,6 +24,12 @@ def has_curves(system):
 
 
 @part
+def relaxes(system, state):
+    """Tell whether any segment relaxes."""
+    return system.rare is not None and state.arm.shape[1] > 0
+
+
+@part
 def limits(system):
     """Tell whether the stretch is bounded."""
     return system.rare is not None and system.limiter.active == 1

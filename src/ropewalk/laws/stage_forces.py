@@ -65,9 +65,9 @@ def evaluate_stage(system, state, x, v, tension, work, saddle, forces):
     floor, carries, e, g = system.slack_floor, saddle.carries, saddle.compliance, saddle.misfit
     if has_curves(system):
         lengths, k = state.rest_length, state.stiffness
-        hold_secants(tension, lengths, k, system.curves, work.soft)
+        hold_secants(tension, lengths, k, system.curves, work)
         decide(stretch, tension, over, work.soft, work.weight, floor, carries, e, g)
-        hold_tangents(tension, lengths, k, system.curves, carries, e)
+        hold_tangents(tension, lengths, k, system.curves, work, carries, e)
     else:
         decide(stretch, tension, over, work.soft, work.weight, floor, carries, e, g)
     if limits(system):

@@ -17,6 +17,7 @@ from ropewalk.laws.rare import (
     has_clamps,
     has_curves,
     limits,
+    relaxes,
     winds,
 )
 from ropewalk.laws.stretch import (
@@ -39,7 +40,7 @@ def evaluate(system, state, x, v, forces, lo=0, hi=ALL):
     elastic_forces(x, state.rest_length, state.stiffness, floor, forces.elastic, lo, hi)
     if has_curves(system):
         lengths, k, curves = state.rest_length, state.stiffness, system.curves
-        curved_forces(x, lengths, k, floor, curves, forces.elastic, lo, hi)
+        curved_forces(x, lengths, k, floor, curves, state.arm, forces.elastic, lo, hi)
     rub_segments(system, state, x, v, forces, lo, hi)
     if system.flags[TENSION_ONLY] == 1:
         drop_slack_friction(x, state.rest_length, floor, forces.friction, lo, hi)
@@ -202,12 +203,13 @@ def add_up_and_look(system, state, x, v, total, rubs, over, height, lo, hi):
 
 
 @part
-def reaches_neighbours_only(system):
+def reaches_neighbours_only(system, state):
     """Tell whether a node's acceleration depends on itself and the nodes next to it alone.
 
-    A law with a memory keeps it of whole steps, and so of all nodes at once.
+    A law with a memory keeps it of whole steps, and so of all nodes at once; so does a rope that relaxes.
     """
-    return not has_bending(system) and not are_tied(system) and not remembers(system)
+    keeps = remembers(system) or relaxes(system, state)
+    return not has_bending(system) and not are_tied(system) and not keeps
 
 
 @part

@@ -47,9 +47,8 @@ def run_winches(system, state, t, dt):
 
 @kernel
 def _potential(system, state):
-    return gravity_energy(state.x, state.mass, system.gravity) + stored_energy(
-        system, state, state.x
-    )
+    stored = stored_energy(system, state, state.x, state.arm)
+    return gravity_energy(state.x, state.mass, system.gravity) + stored
 
 
 @kernel

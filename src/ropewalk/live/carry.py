@@ -171,6 +171,8 @@ def _carry_memory(old: Simulation, made: Simulation, state: State, source: Float
     if len(made.scene.obstacles) == len(old.scene.obstacles) > 0:
         grip = old.arrays.memory.obstacle.grip
         state.memory.obstacle.grip[:, :, whole] = grip[:, :, nodes]
+    if old.arrays.arm.shape == state.arm.shape:
+        state.arm[...] = old.arrays.arm
     kept, made_now = old.arrays.memory.contact, state.memory.contact
     same = nodes.size == old.arrays.x.shape[1] and (nodes == np.arange(nodes.size)).all()
     there = kept.pair.size > 0 and kept.pair.shape == made_now.pair.shape

@@ -135,6 +135,9 @@ def _refused(model: Model) -> list[tuple[str, str]]:
     found += [("joint", "joints")] if scene.joints else []
     found += [("rope.made_of.EI", "bending stiffness")] if system.flags[BENDING] else []
     found += [("rope.made_of.curve", "curves")] if any(r.curved for r in scene.ropes) else []
+    found += (
+        [("rope.made_of.relaxing_EA", "relaxation")] if any(r.relaxes for r in scene.ropes) else []
+    )
     found += [("rope.force", "constant forces")] if model.state.forces.applied.any() else []
     found += [("rope.made_of", "rigid links")] if any(rope.rigid for rope in scene.ropes) else []
     for i, kind in enumerate(system.anchors.kind):

@@ -2,40 +2,84 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 
 from ropewalk.core.arrays import Curves, Floats, Ints, State, System
+from ropewalk.laws.curved import DAMPER
 from ropewalk.lowering.layout import Layout
 from ropewalk.scene import Rope, Springs
 from ropewalk.theory.curve import at_strain, at_tension, is_straight, slope_range
 
 
-def curve_of(rope: Rope) -> Floats | None:
-    """Return the pieces of a rope's curve, (p, 5); None where a straight line, which is EA, will do."""
-    if isinstance(rope.made_of, Springs) or rope.made_of.curve is None:
+class RopeCurve(NamedTuple):
+    """A rope's tension at rest against its strain, and what relaxes beside it."""
+
+    pieces: Floats  # (p, 5), see `theory.curve`
+    relaxing_EA: float  # [N]
+    time: float  # [s]
+
+
+def curve_of(rope: Rope) -> RopeCurve | None:
+    """Return a rope's curve; None where a straight line, which is EA, will do and nothing relaxes."""
+    made_of = rope.made_of
+    if isinstance(made_of, Springs) or not (rope.curved or rope.relaxes):
         return None
-    pieces = rope.made_of.curve.pieces
-    return None if is_straight(pieces) else pieces
+    if made_of.curve is not None and not is_straight(made_of.curve.pieces):
+        pieces = made_of.curve.pieces
+    else:
+        pieces = np.array([[0.0, 0.0, made_of.EA, 0.0, 0.0]])
+    if made_of.relaxing_EA is not None and made_of.relaxation_time is not None:
+        return RopeCurve(pieces, made_of.relaxing_EA, made_of.relaxation_time)
+    return None if is_straight(pieces) else RopeCurve(pieces, 0.0, math.inf)
 
 
-def curve_tables(layout: Layout, curves: tuple[Floats | None, ...]) -> Curves:
-    """Return the tables of the curves of all ropes, over their largest slopes; on a drum, too."""
+def curve_tables(layout: Layout, curves: tuple[RopeCurve | None, ...]) -> Curves:
+    """Return the tables of the curves of all ropes, over their largest stiffness; on a drum, too."""
     of = np.full(layout.segments, -1)
     first, pieces = [0], [np.zeros((0, 5))]
     least: list[float] = []
+    arms: list[tuple[float, float]] = []
     for curve, span in zip(curves, layout.ropes, strict=True):
         if curve is None:
             continue
-        low, high = slope_range(curve)
+        low, high = slope_range(curve.pieces)
+        high += curve.relaxing_EA
         of[span.first : span.last] = len(least)
-        pieces.append(curve / np.array([1.0, high, high, high, high]))
-        first.append(first[-1] + len(curve))
+        pieces.append(curve.pieces / np.array([1.0, high, high, high, high]))
+        first.append(first[-1] + len(curve.pieces))
         least.append(low / high)
-    table = np.ascontiguousarray(np.concatenate(pieces))
-    return Curves(of.astype(np.int64), np.array(first, np.int64), table, np.array(least))
+        arms.append((curve.relaxing_EA / high, curve.time))
+    table, numbers = np.concatenate(pieces), np.array(arms).reshape(-1, 2).T.copy()
+    of, starts = of.astype(np.int64), np.array(first, np.int64)
+    return Curves(of, starts, np.ascontiguousarray(table), np.array(least), *numbers)
+
+
+def let_relax(system: System, state: State) -> None:
+    """Bring the arms of segments that relax to rest in the state's places: where the rope has long been."""
+    if not state.arm.shape[1]:
+        return
+    stretch = np.sqrt((np.diff(state.x, axis=1) ** 2).sum(axis=0)) - state.rest_length
+    state.arm[...] = 0.0
+    for which in np.flatnonzero(system.curves.arm > 0.0):
+        mine = np.flatnonzero((system.curves.of == which) & (state.stiffness > 0.0))
+        strain = stretch[mine] / state.rest_length[mine]
+        slack = system.slack_floor[mine] == 0.0
+        state.arm[DAMPER, mine] = np.where(slack, np.maximum(strain, 0.0), strain)
+
+
+def stored_at_rest(system: System, state: State, tension: Floats) -> float:
+    """Return the elastic energy of all segments under tensions at rest [J], (s,) [N]."""
+    k = state.stiffness
+    stored = np.divide(tension**2, 2.0 * k, out=np.zeros_like(k), where=k > 0.0)
+    for EA, pieces, mine in _each(system.curves, state):
+        strain, _ = at_tension(pieces, tension[mine] / EA)
+        stored[mine] = EA * state.rest_length[mine] * at_strain(pieces, strain)[2]
+    return float(stored.sum())
 
 
 def put_under_tension(

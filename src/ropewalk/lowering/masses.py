@@ -59,5 +59,6 @@ def passing(rope: Rope, span: Span) -> tuple[float, ...]:
     stiffness = rope.segment_stiffness
     if isinstance(rope.made_of, Material) and rope.made_of.curve is not None:
         curve = rope.made_of.curve
-        stiffness *= steepest_chord(curve.pieces, rope.strength) / rope.made_of.EA
+        steep = steepest_chord(curve.pieces, rope.strength) - rope.made_of.EA
+        stiffness += steep / rope.segment_length
     return (0.0, *(float(time) for time in np.cumsum(np.sqrt(mass[1:-1] / stiffness))))

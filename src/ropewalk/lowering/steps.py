@@ -36,6 +36,8 @@ KEEPING = ("semi-implicit-euler", "verlet")
 _MACH = 0.5
 _FREE = 1e3  # [1] springs this slow do not change the motion
 BEYOND = 0.5
+#: Largest stable step of a method times a rate of decay [1]; others take relaxation as it is.
+_LARGEST_DECAY = {"euler": 2.0, "heun": 2.0, "rk4": 2.785}
 
 
 _known: dict[bytes, float] = {}  # largest steps [s]: runs of a sweep often have the same chains
@@ -63,10 +65,17 @@ class Cases(NamedTuple):
     chains: dict[str, Chain]
     bounces: dict[str, Bounce]
     duration: float  # [s]
+    relaxation: float  # least relaxation time of a rope [s], inf: none relaxes
 
     def largest(self, method: str) -> dict[str, float]:
-        """Return the largest stable step of a method in every case [s]."""
+        """Return the largest stable step of a method in every case [s].
+
+        Where relaxation is among the unknowns of a method, as a rate next to the frequencies, both count.
+        """
         found = {name: _largest_step(method, chain) for name, chain in self.chains.items()}
+        if method in _LARGEST_DECAY and math.isfinite(self.relaxation):
+            own = _LARGEST_DECAY[method] * self.relaxation
+            found = {name: 1.0 / (1.0 / h + 1.0 / own) if h else h for name, h in found.items()}
         for name, bounce in self.bounces.items():
             found[name] = largest_bounce_step(method, bounce, self.duration)
         return found
@@ -82,7 +91,8 @@ def step_cases(system: System, state: State, duration: float) -> Cases:
             if (bounce := bounce_of(chain, one_way)) is not None:
                 where = "" if name == FREE else f", {name}"
                 bounces[f"where segments go slack and taut{where}"] = bounce
-    return Cases(with_cases(system, free), bounces, duration)
+    relaxation = float(system.curves.time.min(initial=math.inf))
+    return Cases(with_cases(system, free), bounces, duration, relaxation)
 
 
 def predicted_step(system: System, state: State, method: str, duration: float = 0.0) -> float:

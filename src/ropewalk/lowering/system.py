@@ -194,6 +194,7 @@ def _ropes(scene: Scene, layout: Layout, keep: Pieces) -> State:
         memory=NodeArrays(*(np.zeros(0) for _ in NODE_LAWS)),
         forces=_no_forces(n, applied, scene.limiter is not None),
         work=_no_work(s, n, a),
+        arm=np.zeros((4, s if any(rope.relaxes for rope in ropes) else 0)),
         most=np.zeros(a + 1),
         balance=np.zeros(5),
         peaks=no_peaks(s, n, a) if scene.run.extremes else no_peaks(0, 0, 0),

@@ -13,5 +13,5 @@ def rare_of(scene: Scene) -> int | None:
     """
     sections = [getattr(scene, law.section, None) for law in NODE_LAWS]
     listed = scene.winches or scene.limiter or scene.joints or any(sections)
-    more = any(rope.bending_stiffness > 0.0 or rope.curved for rope in scene.ropes)
+    more = any(r.bending_stiffness > 0.0 or r.curved or r.relaxes for r in scene.ropes)
     return 1 if listed or more else None

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.ranges import ALL
+from ropewalk.laws.curved import RATE
 from ropewalk.laws.nodes import on_channels
 from ropewalk.laws.rare import has_bending
+from ropewalk.laws.relaxing import know_past, write_end
 from ropewalk.laws.table import accelerate
 from ropewalk.methods.scratch import add, add_forces, axpy, put
 
@@ -26,6 +28,7 @@ def prepare_alpha(state, scratch, numbers, dt):
     axpy(state.x, ahead - c1, state.v, stage.x_known)
     add(before, ahead * dt * (0.5 - beta) - c1 * ahead * (1.0 - gamma), stage.x_known)
     put(before, stage.a)
+    know_past(state, ahead * (1.0 - gamma) - c2 * am, RATE, stage.segments.known)
     return c1, c2
 
 
@@ -72,3 +75,4 @@ def end_alpha(system, state, scratch, numbers, dt):
     add(state.acceleration, dt * dt * beta, stage.x)
     axpy(state.v, dt * (1.0 - gamma), before, stage.v)
     add(state.acceleration, dt * gamma, stage.v)
+    write_end(state, scratch.ends, dt * (1.0 - gamma), RATE, dt * gamma, scratch.rates[0], am)

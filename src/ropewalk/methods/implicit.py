@@ -21,9 +21,19 @@ from ropewalk.core.ranges import ALL
 from ropewalk.core.status import HIT, OK, UNSOLVED
 from ropewalk.laws.anchors import move_anchors, place_stage
 from ropewalk.laws.couplings import AGAIN, FINE, couples, meet_on_way
+from ropewalk.laws.curved import CHANGE
 from ropewalk.laws.ledger import account
 from ropewalk.laws.nodes import hits, on_channels
-from ropewalk.laws.rare import has_bending, limits
+from ropewalk.laws.rare import has_bending, limits, relaxes
+from ropewalk.laws.relaxing import (
+    end_arms,
+    know_past,
+    know_stages,
+    take_ends,
+    write_end,
+    write_ends,
+    write_rates,
+)
 from ropewalk.laws.table import accelerate
 from ropewalk.methods import tableaus
 from ropewalk.methods.gain import makes_up_energy, most_of
@@ -53,6 +63,8 @@ class ImplicitScratch(NamedTuple):
     stage: Stage
     u: Floats  # (stages, 3, n) velocities of the stages
     k: Floats  # (stages, 3, n) accelerations of the stages
+    rates: Floats  # (stages, s) of what segments that relax remember [1/s]; (stages, 0) without
+    ends: Floats  # (4, s) the same at the step's end, see `laws.relaxing`
     middle: Floats  # (3, n)
     mean: Forces
     point: Floats  # (3,)
@@ -74,6 +86,8 @@ def make_implicit_scratch(state: State, tableau: Tableau) -> ImplicitScratch:
         stage=make_stage(state),
         u=np.zeros(shape),
         k=np.zeros(shape),
+        rates=np.zeros((shape[0], state.arm.shape[1])),
+        ends=np.zeros_like(state.arm),
         middle=np.zeros_like(state.x),
         mean=blank(state.forces),
         point=np.zeros(3),
@@ -136,6 +150,7 @@ def prepare_dirk(state, scratch, A, s, dt):
     for r in range(s):
         add(scratch.u[r], dt * A[s, r], stage.x_known)
         add(scratch.k[r], dt * A[s, r], stage.v_known)
+    know_stages(state, A, s, dt, scratch.rates, stage.segments.known)
     if s == 0:
         put(state.acceleration, stage.a)
     return dt * A[s, s], dt * A[s, s]
@@ -148,6 +163,7 @@ def prepare_bdf2(system, state, scratch, dt):
     accelerate(system, state, state.forces, before)
     axpy(state.x, 1.0 / 3.0, state.drift, stage.x_known)
     axpy(state.v, dt / 3.0, before, stage.v_known)
+    know_past(state, 1.0 / 3.0, CHANGE, stage.segments.known)
     put(state.acceleration, stage.a)
     return 2.0 / 3.0 * dt, 2.0 / 3.0 * dt
 
@@ -182,10 +198,13 @@ def end_stages(system, state, scratch, dt, level, kind, A, b):
     if kind == BDF2:
         add_forces(system, state.forces, 1.0 / 3.0, mean)
         add_forces(system, stage.forces, 2.0 / 3.0, mean)
+        rate, c = scratch.rates[0], 2.0 / 3.0 * dt
+        write_end(state, scratch.ends, 1.0 / 3.0, CHANGE, c, rate, 0.0)
     else:
         ends_here = end_dirk(state, scratch, A, b, dt)
+        write_ends(state, scratch.ends, b, scratch.rates, dt)
     if watch and ends_here:
-        if makes_up_energy(system, state, stage, mean, dt, most_of(system, level)):
+        if makes_up_energy(system, state, stage, scratch.ends, mean, dt, most_of(system, level)):
             return UNSOLVED
     free = stage.saddle.band.frozen[0] == 0 and not is_soft(kind, A)
     if watch and free and hits(system, state, stage.x, stage.v) > 0.0:
@@ -222,6 +241,8 @@ def take_step(system, state, scratch, t, after, dt, ledger, level, kind, A, b, c
         if kind == DIRK and A[s, s] == 0.0:
             put(state.v, scratch.u[s])
             put(state.acceleration, scratch.k[s])
+            if relaxes(system, state):
+                write_rates(system, state, state.x, scratch.rates[s])
             put(state.acceleration, stage.a)
             add_forces(system, state.forces, b[s], mean)
             continue
@@ -253,6 +274,7 @@ def take_step(system, state, scratch, t, after, dt, ledger, level, kind, A, b, c
         if status != OK:
             stage.report[TIME] = time
             return UNSOLVED
+        end_arms(system, state, stage.segments, stage.tension, c2, scratch.rates[s])
         if kind == DIRK:
             put(stage.v, scratch.u[s])
             put(stage.a, scratch.k[s])
@@ -269,6 +291,7 @@ def take_step(system, state, scratch, t, after, dt, ledger, level, kind, A, b, c
     move_anchors(system, state, mean, after, dt, middle, scratch.point, scratch.speed)
     if ledger:
         account(system, state, mean, middle, dt)
+    take_ends(system, state, scratch.ends, dt, ledger)
     put_row(stage.tension, state.tension)
     return OK
 

@@ -7,10 +7,11 @@ from typing import Any
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.status import OK
 from ropewalk.laws.anchors import release_anchors
-from ropewalk.laws.curved import tensions
+from ropewalk.laws.curved import RATE, tensions
 from ropewalk.laws.limiter import limit_stretch
 from ropewalk.laws.links import hold_links
-from ropewalk.laws.rare import acts_after, limits, parts
+from ropewalk.laws.rare import acts_after, limits, parts, relaxes
+from ropewalk.laws.relaxing import write_rates
 from ropewalk.laws.table import accelerate, evaluate
 from ropewalk.laws.winch import run_winches
 from ropewalk.methods.errors import look_at_step
@@ -32,6 +33,8 @@ def prepare(system, state):
     if limits(system):
         clear(state.forces.limiter)
     accelerate(system, state, state.forces, state.acceleration)
+    if relaxes(system, state):
+        write_rates(system, state, state.x, state.arm[RATE])
     tensions(system, state, state.tension)
     state.past[0] = 0.0
 

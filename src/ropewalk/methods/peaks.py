@@ -35,7 +35,7 @@ from ropewalk.core.peaks import (
 from ropewalk.core.ranges import ALL, rows
 from ropewalk.laws.anchors import first_index, last_index
 from ropewalk.laws.curved import keep_curved, settle_curved
-from ropewalk.laws.rare import has_clamps, has_curves, limits, parts, winds
+from ropewalk.laws.rare import has_clamps, has_curves, limits, parts, relaxes, winds
 
 DEPTH = 32  # steps
 
@@ -180,7 +180,7 @@ def keep_springs(system, state, rubs, lo=0, hi=ALL):
     """Look at elastic segments without bounds and winches; `rubs` tells whether any has friction."""
     peaks = state.peaks
     keep_squares(state.x, peaks.square_high, peaks.square_low, lo, hi)
-    if rubs:
+    if rubs or relaxes(system, state):
         lengths, k, floor = state.rest_length, state.stiffness, system.slack_floor
         vector, axial = state.damping_vector, state.damping_axial
         high, low = peaks.tension_high, peaks.tension_low
@@ -280,7 +280,8 @@ def search_all(system, state, until):
     )
     vector, axial, found = state.damping_vector, state.damping_axial, state.peaks.found
     if has_curves(system):
-        settle_curved(peaks, lengths, k, system.slack_floor, vector, axial, system.curves)
+        floor, curves, arm = system.slack_floor, system.curves, state.arm
+        settle_curved(peaks, lengths, k, floor, vector, axial, curves, arm)
     else:
         settle(peaks, lengths, k, system.slack_floor, vector, axial)
     search_live(peaks.tension_high, lengths, k, 1.0, TENSION, found, since, until)

@@ -12,7 +12,7 @@ from ropewalk.core.arrays import Floats, State
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.ranges import rows
 from ropewalk.laws.clamps import bent_energy
-from ropewalk.laws.curved import at_strain, stretched
+from ropewalk.laws.curved import elastic_pull, stored_by, stretched
 from ropewalk.laws.node_law import NodeLaw
 from ropewalk.laws.nodes import fold, touch_nodes
 from ropewalk.laws.parting import NAME as PARTING
@@ -228,30 +228,31 @@ def record_elastic(system, state, sums, tension):
         state.tension,
     )
     if has_curves(system):
-        energy = record_curved(state.x, lengths, k, floor, system.curves, solved, tension)
+        curves, arm = system.curves, state.arm
+        energy = record_curved(state.x, lengths, k, floor, curves, arm, solved, tension)
     else:
         energy = record_tension(state.x, lengths, k, floor, solved, sums, tension)
     return energy
 
 
 @kernel
-def record_curved(x, rest_length, stiffness, floor, curves, solved, tension):
+def record_curved(x, rest_length, stiffness, floor, curves, arm, solved, tension):
     """As `record_tension`, of segments with a curve or without."""
     total = 0.0
     for j in range(rest_length.shape[0]):
         length, k = rest_length[j], stiffness[j]
-        e = stretched(x, j) - length
-        gives = k < np.inf
+        r = stretched(x, j)
+        e, gives = r - length, k < np.inf
         pull = k * e if gives else solved[j]
-        stored = 0.5 * pull * e
+        stored = 0.5 * pull * e if gives and pull >= floor[j] else 0.0
         if curves.of[j] >= 0 and k > 0.0:
-            pull, _, stored = at_strain(curves, curves.of[j], e / length)
-            pull, stored = k * length * pull, k * length * length * stored
+            pull = elastic_pull(curves, arm, j, length, k, r)
+            stored = stored_by(curves, arm, j, length, k, floor[j], e / length)
         size = max(abs(x[0, j]), abs(x[1, j]), abs(x[2, j]))
         if abs(solved[j] - pull) <= k * (SOLVED * length + ROUNDING * size):
             pull = solved[j]
         tension[j] = max(pull, floor[j])
-        total += stored if gives and pull >= floor[j] else 0.0
+        total += stored
     return total
 
 

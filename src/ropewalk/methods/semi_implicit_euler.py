@@ -12,6 +12,8 @@ from ropewalk.core.jit import kernel, part, small
 from ropewalk.core.ranges import rows
 from ropewalk.laws.anchors import move_anchors
 from ropewalk.laws.ledger import account
+from ropewalk.laws.rare import relaxes
+from ropewalk.laws.relaxing import note_strains, relax
 from ropewalk.laws.table import (
     accelerate,
     add_up_and_look,
@@ -100,6 +102,8 @@ def step(system, state, scratch, t, after, dt, ledger, tableau, lo, hi):
     elastic, friction = state.forces.elastic, state.forces.friction
     w, g = state.inverse_mass, system.gravity
     plain, looks = has_plain_forces(system), wanted(state) and not adds_to_springs(system, state)
+    if relaxes(system, state):
+        note_strains(system, state)
     rubs, quick = scratch.about[0] == 1.0, scratch.about[1] == 1.0
     if plain and not ledger and has_plain_springs(system, state):
         if looks and (quick or not rubs):
@@ -134,6 +138,8 @@ def step(system, state, scratch, t, after, dt, ledger, tableau, lo, hi):
         keep_anchors(system, state, lo, hi)
     if ledger:
         account(system, state, forces, middle, dt, lo, hi)
+    if relaxes(system, state):
+        relax(system, state, dt, ledger)
 
 
 advance = make_tiled_advance(step, prepare)

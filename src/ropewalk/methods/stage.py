@@ -34,6 +34,7 @@ from ropewalk.laws.couplings import add_couplings, couples, order_couplings
 from ropewalk.laws.nodes import add_diagonals, are_diagonal
 from ropewalk.laws.rare import are_tied, has_bending, limits, winds
 from ropewalk.laws.registry import NODE_LAWS
+from ropewalk.laws.relaxing import begin_arms
 from ropewalk.laws.stage_forces import evaluate_stage, mark_stage
 from ropewalk.laws.table import accelerate
 from ropewalk.laws.tangent import add_tangents, begin_tangent
@@ -74,6 +75,9 @@ class Segments(NamedTuple):
     weight: Floats  # inertial stiffness m / (c1 c2) of the lighter node [N/m]
     stretch: Floats  # r - L [m]
     over: Floats  # 1 / r [1/m], 0 where the ends coincide
+    known: Floats  # d^ of the dampers of segments that relax [1]; (0,) without, as the next two
+    arm: Floats  # slope of the arm in this stage, over k L [1]
+    free: Floats  # strain without tension [1]
 
 
 class Stage(NamedTuple):
@@ -96,7 +100,9 @@ def make_stage(state: State) -> Stage:
     s = state.rest_length.shape[0]
     x, v, x_known, v_known, a = (np.zeros_like(state.x) for _ in range(5))
     forces = blank(state.forces)._replace(applied=state.forces.applied)
-    segments = Segments(*(np.zeros(s) for _ in range(5)))
+    relaxing = state.arm.shape[1]
+    sizes = (*(5 * (s,)), *(3 * (relaxing,)))
+    segments = Segments(*(np.zeros(size) for size in sizes))
     saddle = make_saddle(state.x.shape[1], state.bending_stiffness.shape[0] > 0, len(NODE_LAWS))
     known, report = (x_known, v_known), np.zeros(HISTORY + MOST_ITERATIONS + 1)
     return Stage(x, v, np.zeros(s), *known, a, forces, segments, saddle, report)
@@ -313,6 +319,7 @@ def solve_stage(system, state, stage, c1, c2):
     x, v, tension, known = stage.x, stage.v, stage.tension, stage.v_known
     mass, free = state.mass, saddle.free
     begin(mass, state.inverse_mass, state.stiffness, segments, saddle, 1.0 / (c1 * c2))
+    begin_arms(system, state, segments, c2)
     merit, size, exact, wary, held_back, failed = np.inf, 0.0, False, 0, 0, False
     iteration, leaps, leap, bar, first = 0, 0, False, np.inf, 0
     calm, touching, last = not has_bending(system), couples(system), np.inf
@@ -346,9 +353,9 @@ def solve_stage(system, state, stage, c1, c2):
                 break
             last = report[RESIDUAL]
         stuck = failed and not exact
-        if stuck:
+        if stuck or iteration == most:
             report[ROUNDING] += motion_rounding(v, known, mass, free, state.damping_vector, c2)
-            if is_solved(report, LOOSE):
+            if is_solved(report, LOOSE if stuck else TIGHT):
                 break
         leaps, leap = leaps + (1 if stuck else 0), stuck or (leap and wary > 1)
         if iteration == most or leaps > MOST_LEAPS:

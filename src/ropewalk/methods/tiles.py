@@ -39,7 +39,7 @@ def make_tiled_advance(step: Any, before: Any) -> Any:
         note_changes(system, state)
         watches = acts_after(extras) or parts(system)
         errs = ledger and wanted(state) and not watches
-        width = TILE if not watches and reaches_neighbours_only(system) and not errs else n
+        width = TILE if not watches and reaches_neighbours_only(system, state) and not errs else n
         for frame in range(frames):
             if frame > 0 or clock[4] == 0.0:
                 open_interval(system, state, pull, sums, clock[0] + done * dt)

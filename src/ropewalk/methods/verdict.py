@@ -29,7 +29,7 @@ def energy_now(system, state):
     """Return the energy of all ropes [J], that of laws of nodes and of applied forces included."""
     total = kinetic_energy(state.v, state.mass)
     total += gravity_energy(state.x, state.mass, system.gravity)
-    total += stored_energy(system, state, state.x)
+    total += stored_energy(system, state, state.x, state.arm)
     if has_bending(system):
         total += bent_energy(system, state, state.x)
     x = state.x

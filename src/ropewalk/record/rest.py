@@ -10,6 +10,7 @@ import numpy as np
 from ropewalk.core import arrays
 from ropewalk.laws.clamps import start_clamps
 from ropewalk.lowering import Model, build
+from ropewalk.lowering.curve_tables import let_relax, stored_at_rest
 from ropewalk.methods.loop import prepare
 from ropewalk.methods.recording import ENERGIES, Recording, make_recording, record_frame
 from ropewalk.methods.scratch import make_sums
@@ -65,6 +66,8 @@ def _frame(model: Model, statics: Statics) -> Recording:
     state.x[...] = statics.positions.T
     state.v[...] = 0.0
     state.reaction[...] = statics.reactions
+    let_relax(model.system, state)
+    stored = stored_at_rest(model.system, state, statics.tension)
     if statics.memory is not None:
         arrays.assign(state.memory.obstacle, statics.memory)
     out = make_recording(state, 1, model.scene.lengths_change)
@@ -74,11 +77,9 @@ def _frame(model: Model, statics: Statics) -> Recording:
     pull, sums = np.zeros((2, model.layout.segments)), make_sums()
     begin_interval(model.system, state, pull, sums, 0.0, False)
     record_frame(model.system, state, True, sums, 0, out)
-    k = state.stiffness
-    stored = np.divide(statics.tension**2, 2.0 * k, out=np.zeros_like(k), where=k > 0.0)
     same = (out.tension, out.elastic_tension, out.tension_low, out.tension_high)
     for tension in same if model.scene.run.extremes else same[:2]:
         tension[0] = statics.tension
     out.energy[0, ENERGIES.index("gravity")] -= model.gravity_zero
-    out.energy[0, ENERGIES.index("elastic")] = float(stored.sum())
+    out.energy[0, ENERGIES.index("elastic")] = stored
     return out

@@ -1,6 +1,7 @@
 """What the user describes: scenes as frozen, validated models, read from and written to TOML."""
 
 from ropewalk.scene.anchor import Anchor, Clamp
+from ropewalk.scene.at_nodes import Force, Kick, Load
 from ropewalk.scene.environment import Air, Ground, Limiter
 from ropewalk.scene.faults import Fault, SceneError, SceneFileError
 from ropewalk.scene.joint import Joint, Tie
@@ -18,7 +19,7 @@ from ropewalk.scene.obstacles import (
 )
 from ropewalk.scene.overrides import apply_overrides
 from ropewalk.scene.ring import Ring
-from ropewalk.scene.rope import Force, Kick, Load, Material, Rope, Springs
+from ropewalk.scene.rope import Material, Rope, Springs
 from ropewalk.scene.rope_contact import Contact
 from ropewalk.scene.run_settings import RunSettings
 from ropewalk.scene.scene import Scene

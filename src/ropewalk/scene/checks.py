@@ -98,6 +98,11 @@ def _ropes(ropes: Sequence[Rope | None], limiter: Limiter | None) -> Iterator[Fa
         if limiter is not None and rope.curved:
             rule = f"cannot limit rope[{i}], which has a curve: let the curve rise steeply there instead"
             yield Fault("limiter", NO_VALUE, rule)
+        elif limiter is not None and rope.relaxes:
+            rule = (
+                f"cannot limit rope[{i}], which relaxes: give it a curve that rises steeply instead"
+            )
+            yield Fault("limiter", NO_VALUE, rule)
     total = sum(rope.segments for rope in ropes if rope is not None)
     if total > MOST_SEGMENTS:
         yield Fault("rope", f"{total} segments", f"must be at most {MOST_SEGMENTS} in total")
@@ -219,6 +224,11 @@ def _winch_lengths(winch: Winch, rope: Rope) -> Iterator[Fault]:
         rule = (
             "has rigid links (inf), which a winch cannot wind segment by segment without a jolt; "
             "give it a finite stiffness: implicit methods take any, such as EA = 1e9, at the same cost"
+        )
+        yield Fault("rope", rope.name, rule)
+    if rope.relaxes:
+        rule = (
+            "relaxes (relaxing_EA), with which a winch cannot wind it: leave that out, or the winch"
         )
         yield Fault("rope", rope.name, rule)
     if rope.bending_stiffness > 0.0:

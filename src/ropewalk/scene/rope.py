@@ -8,6 +8,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, ValidationInfo, model_validator
 
 from ropewalk.library import names
+from ropewalk.scene.at_nodes import Force, Kick, Load
 from ropewalk.scene.base import (
     MOST_SEGMENTS,
     NAME,
@@ -20,7 +21,6 @@ from ropewalk.scene.base import (
     Vector,
     Whole,
     listed,
-    node_number,
     not_negative,
     positive,
     quantity,
@@ -32,6 +32,7 @@ from ropewalk.scene.data_sheet import FromDataSheet
 from ropewalk.scene.faults import MISSING, Fault
 from ropewalk.scene.from_library import filled, with_diameter
 from ropewalk.scene.knot_shape import Knot
+from ropewalk.scene.relaxing import relaxation_time, relaxing_EA, solid_faults
 from ropewalk.scene.shapes import Points, Shape, Slack, Straight
 from ropewalk.scene.tension_curves import Curve, curve_fault, with_curve
 
@@ -116,6 +117,8 @@ class Material(FromDataSheet, Model):
         default=None,
         description="Tension against strain, in place of EA, which is then its largest slope",
     )
+    relaxing_EA: Number | None = relaxing_EA()
+    relaxation_time: Number | None = relaxation_time()
     breaking_load: Number | None = breaking_load()
     parts: Flag = Field(default=False, description=_PARTS)
     library: Text = Field(
@@ -148,6 +151,7 @@ class Material(FromDataSheet, Model):
             refuse(curve_fault(self.EA, self.curve))
             self.__pydantic_fields_set__.discard("EA")
         check_parts(self)
+        refuse(solid_faults(self))
         rule = "needs a bending stiffness: give EI (N m^2)"
         if self.EI == 0.0:
             if self.bending_damping > 0.0:
@@ -155,27 +159,6 @@ class Material(FromDataSheet, Model):
             if any(self.curvature):
                 refuse([Fault("curvature", self.curvature, rule)])
         return self
-
-
-class Load(Model):
-    """Extra mass at one node; several loads at one node add up."""
-
-    node: Whole = node_number()
-    mass: Number = positive("Extra mass", "kg")
-
-
-class Kick(Model):
-    """Initial velocity of one node, in place of the shape's."""
-
-    node: Whole = node_number()
-    velocity: Vector = vector("Initial velocity of the node", "m/s")
-
-
-class Force(Model):
-    """Constant force at one node; several forces at one node add up."""
-
-    node: Whole = node_number()
-    force: Vector = vector("Force on the node, constant in size and direction", "N")
 
 
 class Rope(Model):
@@ -245,10 +228,10 @@ class Rope(Model):
 
     @property
     def segment_stiffness(self) -> float:
-        """Stiffness of one segment [N/m]: the spring constant, or EA / segment length (largest)."""
+        """Largest stiffness of one segment [N/m]: spring constant, or EA and relaxing_EA over its length."""
         if isinstance(self.made_of, Springs):
             return self.made_of.spring_constant
-        return self.made_of.EA / self.segment_length
+        return (self.made_of.EA + (self.made_of.relaxing_EA or 0.0)) / self.segment_length
 
     @property
     def rigid(self) -> bool:
@@ -259,6 +242,11 @@ class Rope(Model):
     def curved(self) -> bool:
         """Whether its tension follows a curve of the strain."""
         return isinstance(self.made_of, Material) and self.made_of.curve is not None
+
+    @property
+    def relaxes(self) -> bool:
+        """Whether a part of its tension relaxes."""
+        return isinstance(self.made_of, Material) and self.made_of.relaxing_EA is not None
 
     @property
     def segment_friction(self) -> float:
@@ -315,6 +303,8 @@ class Rope(Model):
             stuff = f"material with a curve of up to EA = {made_of.EA:g} N"
         else:
             stuff = f"material with EA = {made_of.EA:g} N"
+        if not isinstance(made_of, Springs) and made_of.relaxing_EA is not None:
+            stuff += f" and {made_of.relaxing_EA:g} N that relax"
         size = f"{_count(self.segments, 'segment')}, {self.length_unstretched:g} m"
         return f"Rope {self.name!r}: {size}, {self.total_mass:g} kg, {stuff}."
 
