@@ -106,7 +106,8 @@ def test_an_entry_is_plausible(name: str) -> None:
     assert one.wave_speed <= FASTEST.get(one.family, 5250)
     assert one.breaking_stress is not None
     assert stress[0] <= one.breaking_stress / 1e6 <= stress[1]
-    assert {*UNITS} - {*one.numbers} <= {"EA_static"}  # all quantities, guessed or not
+    of_some = {"EA_static", "relaxing_EA", "relaxation_time"}
+    assert {*UNITS} - {*one.numbers} <= of_some  # all others, guessed or not
     for number in (*one.numbers.values(), *one.label.values()):
         assert math.isfinite(number.value)
         if number.low is not None and number.high is not None:
@@ -126,6 +127,21 @@ def test_a_label_s_fall_is_in_its_stiffness_and_damping(name: str) -> None:
         assert fall.stretch == pytest.approx(one.label["dynamic_elongation"].value, rel=1e-3)
 
 
+@pytest.mark.parametrize("name", [n for n in names() if rope(n).relaxing_EA])
+def test_a_label_is_in_the_rope_that_relaxes(name: str) -> None:
+    """Force and stretch of the fall, and the elongation at rest."""
+    from ropewalk.theory import solid_fall
+
+    made, label = rope(name).material(use="relaxing"), rope(name).label
+    assert made.relaxing_EA is not None
+    assert made.relaxation_time is not None
+    fall = solid_fall(made.EA, made.relaxing_EA, made.relaxation_time, 80.0)
+    assert fall.force == pytest.approx(label["impact_force"].value, rel=1e-3)
+    assert fall.stretch == pytest.approx(label["dynamic_elongation"].value, rel=1e-3)
+    assert pytest.approx(label["static_elongation"].value, rel=1e-3) == 80.0 * 9.81 / made.EA
+    assert made.axial_damping == 0.0
+
+
 def test_search_and_an_unknown_name() -> None:
     assert [one.name for one in search("9.8 edelrid")] == ["dynamic-single-9.8"]
     assert search("no such thing") == []
@@ -143,6 +159,8 @@ def test_what_a_material_takes() -> None:
     assert (full.EI, full.breaking_load) == (single.EI, single.breaking_load)
     still = single.material(use="static")
     assert (still.EA, still.axial_damping) == (single.EA_static, 0.0)
+    with pytest.raises(ValueError, match="not known how wire-7x19-10 relaxes"):
+        rw.rope("wire-7x19-10").material(use="relaxing")
     with pytest.raises(ValueError, match="only a guess"):
         single.material(bending=True)
     with pytest.raises(ValueError, match="one EA only"):

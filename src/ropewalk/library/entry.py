@@ -27,6 +27,8 @@ UNITS = {
     "EA": "N",
     "EA_static": "N",
     "axial_damping": "N s",
+    "relaxing_EA": "N",
+    "relaxation_time": "s",
     "EI": "N m^2",
     "breaking_load": "N",
     "friction_steel": "1",
@@ -41,7 +43,7 @@ LABEL_UNITS = {
     "static_elongation": "1",
     "falling_mass": "kg",
 }
-Use = Literal["", "static"]
+Use = Literal["", "static", "relaxing"]
 _SCENE = "ropewalk.scene"  # a layer above this one, so it is looked up when it is needed
 
 
@@ -72,7 +74,8 @@ class LibraryRope:
 
     A quantity that no source gives and nobody would guess is None. `EA` is the stiffness for the load that
     such a rope is made for: for a climbing rope a fall, for which `axial_damping` is fitted, too.
-    `EA_static`, where there is one, is that of a load at rest.
+    `EA_static`, where there is one, is that of a load at rest; `relaxing_EA` and `relaxation_time` beside it
+    make one rope of both.
     """
 
     name: str
@@ -110,6 +113,16 @@ class LibraryRope:
     def axial_damping(self) -> float | None:
         """Tension per strain rate [N s]."""
         return self._value("axial_damping")
+
+    @property
+    def relaxing_EA(self) -> float | None:
+        """Axial stiffness beside `EA_static` that relaxes [N]."""
+        return self._value("relaxing_EA")
+
+    @property
+    def relaxation_time(self) -> float | None:
+        """Time in which it does [s]."""
+        return self._value("relaxation_time")
 
     @property
     def EI(self) -> float | None:
@@ -177,12 +190,13 @@ class LibraryRope:
         Sourced damping is in it; guessed damping, and any bending stiffness, only when asked for.
 
         Args:
-            use: "static" takes `EA_static`, without damping, for loads at rest; else `EA`.
+            use: "static" takes `EA_static`, without damping, for loads at rest; "relaxing" that with
+                `relaxing_EA` and `relaxation_time`, for falls, what comes after them, and rest; else `EA`.
             guesses: take guessed damping, too, and a guessed bending stiffness where that is asked for.
             bending: take the bending stiffness.
 
-        Raises ValueError for another use, for "static" where there is no `EA_static`, and for a bending
-        stiffness that is not there.
+        Raises ValueError for another use, for one whose numbers are not there, and for a bending stiffness
+        that is not there.
         """
         numbers = self.material_numbers(use, guesses, bending)
         return cast("Material", import_module(_SCENE).Material(**numbers))
@@ -194,10 +208,12 @@ class LibraryRope:
 
         Raises ValueError as `material` does.
         """
-        if use not in ("", "static"):
-            raise ValueError(f'use: {use!r} - must be "static", or left out')
+        if use not in ("", "static", "relaxing"):
+            raise ValueError(f'use: {use!r} - must be "static" or "relaxing", or left out')
         if use == "static" and "EA_static" not in self.numbers:
             raise ValueError(f"use: {use!r} - {self.name} has one EA only, for all uses")
+        if use == "relaxing" and "relaxing_EA" not in self.numbers:
+            raise ValueError(f"use: {use!r} - it is not known how {self.name} relaxes")
         made: dict[str, Any] = {
             "kind": "material",
             "EA": self.numbers["EA_static" if use else "EA"].value,
@@ -205,7 +221,8 @@ class LibraryRope:
             "tension_only": True,
             "library": f"{self.name}:{use}" if use else self.name,
         }
-        wanted = ["breaking_load", *([] if use else ["axial_damping"]), *(["EI"] * bending)]
+        own = {"": ["axial_damping"], "relaxing": ["relaxing_EA", "relaxation_time"]}
+        wanted = ["breaking_load", *own.get(use, []), *(["EI"] * bending)]
         for key in wanted:
             number = self.numbers.get(key)
             if number is not None and (guesses or not number.guessed):

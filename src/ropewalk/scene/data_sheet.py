@@ -8,11 +8,15 @@ from ropewalk.library.wire_factors import wire_factors
 from ropewalk.scene.faults import Fault, SceneError
 from ropewalk.scene.units import WrongUnit, in_unit
 from ropewalk.theory.fall import rope_from_fall
+from ropewalk.theory.solid_fall import solid_from_fall
 
 if TYPE_CHECKING:
     from typing import Self
 
     Quantity = float | str
+
+
+_STATIC_LOAD = 80.0 * 9.81  # under which labels of EN 892 give a static elongation [N]
 
 
 class FromDataSheet:
@@ -49,13 +53,16 @@ class FromDataSheet:
         falling_mass: Quantity = 80.0,
         factor: float = 1.77,
         length: Quantity = 2.8,
+        static_elongation: Quantity | None = None,
         **others: Any,
     ) -> Self:
         """Return the climbing rope whose standard fall has its label's force and stretch.
 
-        EA and axial_damping are solved for together in a fall of the mass into the rope, spring and damper
-        side by side (`theory.rope_from_fall`), without the friction at the edge of the test rig: what they
-        give with another mass or length is an estimate. The force is that on the anchor, in the first fall.
+        With the label's static elongation the rope relaxes: EA = 80 kg g / static_elongation, and relaxing_EA
+        and relaxation_time are solved for in a fall of the mass into the rope (`theory.solid_from_fall`).
+        Without it EA and axial_damping are, spring and damper side by side (`theory.rope_from_fall`). Both
+        are without the friction at the edge of the test rig: what they give with another mass or length is an
+        estimate. The force is that on the anchor, in the first fall.
 
         Args:
             impact_force: of the label [N].
@@ -64,6 +71,7 @@ class FromDataSheet:
             falling_mass: 80 kg for a single rope, 55 kg for one strand of a half rope [kg].
             factor: free fall over length of rope [1]; the standard's by default.
             length: of the rope [m]; the standard's by default.
+            static_elongation: of the label, under 80 kg [1], such as 0.08 or "8 %".
             others: fields of the material.
 
         Raises SceneError for what is no number greater than zero; ValueError for a force and a stretch that
@@ -74,15 +82,19 @@ class FromDataSheet:
             raise SceneError(
                 [Fault("dynamic_elongation", dynamic_elongation, f"must be{_in('1')[1:]}")]
             )
-        EA, damping = rope_from_fall(
+        force, mass = (
             _given("impact_force", impact_force, "N"),
-            share,
             _given("falling_mass", falling_mass, "kg"),
-            factor=factor,
-            length=_given("length", length, "m"),
         )
-        made = {"EA": EA, "axial_damping": damping, "mass_per_length": mass_per_length}
-        return cls(**(made | {"tension_only": True} | others))
+        size = _given("length", length, "m")
+        made = {"mass_per_length": mass_per_length, "tension_only": True}
+        if static_elongation is None:
+            EA, damping = rope_from_fall(force, share, mass, factor=factor, length=size)
+            return cls(**({"EA": EA, "axial_damping": damping} | made | others))
+        EA = _STATIC_LOAD / _given("static_elongation", static_elongation, "1")
+        arm, time = solid_from_fall(force, share, EA, mass, factor=factor, length=size)
+        made |= {"EA": EA, "relaxing_EA": arm, "relaxation_time": time}
+        return cls(**(made | others))
 
     @classmethod
     def from_break(

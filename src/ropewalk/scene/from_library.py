@@ -12,7 +12,10 @@ from ropewalk.scene.faults import Fault
 
 #: What a material always has; where one of them is missing, the library gives it.
 _NEEDED = ("EA", "mass_per_length")
-_FROM_SOURCES = ("mass_per_length", "axial_damping", "EI", "breaking_load")
+_FROM_SOURCES = (
+    *("mass_per_length", "axial_damping", "relaxing_EA", "relaxation_time", "EI"),
+    "breaking_load",
+)
 
 
 def entry(name: str) -> tuple[LibraryRope, str]:

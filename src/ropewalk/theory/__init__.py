@@ -24,12 +24,14 @@ from ropewalk.theory.chain_modes import (
 from ropewalk.theory.elastic_catenary import elastic_catenary
 from ropewalk.theory.fall import Fall, rope_fall, rope_from_fall
 from ropewalk.theory.parabola import Parabola, parabola
+from ropewalk.theory.solid_fall import SolidFall, solid_fall, solid_from_fall
 
 __all__ = [
     "Cable",
     "Fall",
     "Hung",
     "Parabola",
+    "SolidFall",
     "cable_frequencies",
     "cable_parameter",
     "catenary",
@@ -45,5 +47,7 @@ __all__ = [
     "rigid_chain_frequencies",
     "rope_fall",
     "rope_from_fall",
+    "solid_fall",
+    "solid_from_fall",
     "string_frequencies",
 ]

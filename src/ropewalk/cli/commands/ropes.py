@@ -19,6 +19,8 @@ _LABELS = {
     "mass_per_length": "mass",
     "EA_static": "EA at rest",
     "axial_damping": "damping",
+    "relaxing_EA": "EA that relaxes",
+    "relaxation_time": "relaxation time",
     "breaking_load": "breaking load",
     "friction_steel": "friction on steel",
     "friction_rock": "friction on rock",

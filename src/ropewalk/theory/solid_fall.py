@@ -1,0 +1,248 @@
+"""A mass that falls into a rope that relaxes, the standard linear solid, and the rope that a label describes.
+
+    m x'' = m g - F,   F L = EA x + EA1 (x - q),   q' = (x - q) / tau,
+    x(0) = q(0) = 0,   x'(0) = sqrt(2 g h)
+
+x is the stretch [m], q that of the arm's damper, from the moment when the rope is straight until it is slack
+again; the rope's own mass is left out. The motion about rest is a sum of three exponentials exp(r t),
+    r^3 + r^2 / tau + r (EA + EA1) / (m L) + EA / (m L tau) = 0 ,
+whose largest stretch and force are found on a grid of times, and between two of them.
+Source: Findley, Lai & Onaran, Creep and Relaxation of Nonlinear Viscoelastic Materials, ch. 5; for climbing
+ropes Pavier, Sports Engineering 1 (1998) 79.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ropewalk.theory.given import need
+
+if TYPE_CHECKING:
+    from ropewalk.core.arrays import Floats
+
+_FALL_FACTOR, _LENGTH = 1.77, 2.8  # of EN 892 [1], [m]
+_ROUNDS = 80  # of a search for a root, at most
+_TIMES = np.concatenate([[0.0], np.geomspace(1e-6, 0.05, 60), np.linspace(0.055, 3.0, 300)])
+
+
+@dataclass(frozen=True)
+class SolidFall:
+    """What a fall does to a rope that relaxes, and to its fixed point."""
+
+    force: float  # largest force on the fixed point [N]
+    stretch: float  # largest stretch of the rope over its length [1]
+    time_of_force: float  # after the rope is straight [s]
+    time_of_stretch: float  # [s]
+    time_of_slack: float  # when it carries nothing again [s]
+    returned: float  # kinetic energy of the mass then, over the work of its weight to the lowest point [1]
+
+    def __repr__(self) -> str:
+        return (
+            f"SolidFall: {self.force:.4g} N on the fixed point, stretched by {100 * self.stretch:.3g} %, "
+            f"{100 * self.returned:.3g} % of the energy returned."
+        )
+
+
+def root_of(f: Callable[[float], float], low: float, high: float) -> float:
+    """Return where `f` is zero between two places with values of different signs, to rounding.
+
+    Source: Illinois rule, Dahlquist & Bjorck, Numerical Methods in Scientific Computing I, 6.2.2.
+    """
+    at_low, at_high, side, middle = f(low), f(high), 0, low
+    for _ in range(_ROUNDS):
+        if at_low == at_high:
+            break
+        middle = (low * at_high - high * at_low) / (at_high - at_low)
+        value = f(middle)
+        if abs(high - low) <= 1e-13 * (abs(low) + abs(high)) or value == 0.0:
+            break
+        if (value > 0.0) == (at_high > 0.0):
+            at_low = 0.5 * at_low if side == 1 else at_low
+            if abs(high - middle) <= 1e-13 * abs(middle):
+                break
+            high, at_high, side = middle, value, 1
+        else:
+            at_high = 0.5 * at_high if side == -1 else at_high
+            if abs(middle - low) <= 1e-13 * abs(middle):
+                break
+            low, at_low, side = middle, value, -1
+    return middle
+
+
+class _Motion:
+    """The sum of exponentials: rows of shapes are x, x', q about rest."""
+
+    def __init__(
+        self,
+        EA: float,
+        arm: float,
+        time: float,
+        mass: float,
+        factor: float,
+        length: float,
+        g: float,
+    ) -> None:
+        k, k1 = EA / length, arm / length
+        matrix = np.array(
+            [[0.0, 1.0, 0.0], [-(k + k1) / mass, 0.0, k1 / mass], [1.0 / time, 0.0, -1.0 / time]]
+        )
+        self.rest, self.k, self.k1, self.length = mass * g / k, k, k1, length
+        self.speed = math.sqrt(2.0 * g * factor * length)
+        self.roots, shapes = np.linalg.eig(matrix)
+        start = np.array([-self.rest, self.speed, -self.rest])
+        self.terms = shapes * np.linalg.solve(shapes, start)
+        self.times = _TIMES * 2.0 * math.pi * math.sqrt(mass / k)
+
+    def at(self, t: Floats, order: int = 0) -> Floats:
+        """Return stretch [m], speed [m/s] and the damper's stretch [m], or their derivatives, (3, ...)."""
+        decays = self.roots[:, None] ** order * np.exp(np.multiply.outer(self.roots, t))
+        found: Floats = (self.terms @ decays).real
+        if order == 0:
+            found[0] += self.rest
+            found[2] += self.rest
+        return found
+
+    def force(self, t: Floats, order: int = 0) -> Floats:
+        """Return the force of the rope [N], or its derivative."""
+        x, _, q = self.at(t, order)
+        return np.asarray(self.k * x + self.k1 * (x - q))
+
+    def first(self, what_at: Callable[[Floats], Floats]) -> float:
+        """Return the first time after zero at which something falls through zero [s], inf: it does not."""
+        what = what_at(self.times)
+        falls = np.flatnonzero((what[1:] <= 0.0) & (what[:-1] > 0.0))
+        if not falls.size:
+            return math.inf
+        low, high = self.times[falls[0]], self.times[falls[0] + 1]
+        return root_of(lambda t: float(what_at(np.array([t]))[0]), float(low), float(high))
+
+
+def solid_fall(
+    EA: float,
+    relaxing_EA: float,
+    relaxation_time: float,
+    mass: float,
+    *,
+    factor: float = _FALL_FACTOR,
+    length: float = _LENGTH,
+    gravity: float = 9.81,
+) -> SolidFall:
+    """Return what a mass that falls into a rope that relaxes does.
+
+    Args:
+        EA: axial stiffness of the rope at rest [N].
+        relaxing_EA: that of the arm beside it [N].
+        relaxation_time: of the arm [s].
+        mass: that falls [kg].
+        factor: height of the free fall over the length of the rope [1].
+        length: of the rope [m].
+        gravity: [m/s^2].
+
+    Raises ValueError for numbers that are not positive, and for a rope so lossy that its stretch has no top.
+
+    Source: Findley, Lai & Onaran, Creep and Relaxation of Nonlinear Viscoelastic Materials, ch. 5.
+    """
+    need("EA", EA, "N")
+    need("relaxing_EA", relaxing_EA, "N")
+    need("relaxation_time", relaxation_time, "s")
+    need("mass", mass, "kg")
+    need("factor", factor, "1")
+    need("length", length, "m")
+    need("gravity", gravity, "m/s^2")
+    motion = _Motion(EA, relaxing_EA, relaxation_time, mass, factor, length, gravity)
+    longest = motion.first(lambda t: np.asarray(motion.at(t)[1]))
+    hardest = motion.first(lambda t: motion.force(t, 1))
+    if not math.isfinite(longest + hardest):
+        raise ValueError(
+            f"relaxing_EA: {relaxing_EA:g} - takes so much that the rope's stretch has no top"
+        )
+    slack, back = motion.first(motion.force), 0.0
+    largest = float(motion.at(np.array([longest]))[0, 0]) / length
+    if math.isfinite(slack):
+        speed = float(motion.at(np.array([slack]))[1, 0])
+        back = 0.5 * speed**2 / (gravity * length * (factor + largest))
+    return SolidFall(
+        float(motion.force(np.array([hardest]))[0]),
+        largest,
+        hardest,
+        longest,
+        slack,
+        back,
+    )
+
+
+def solid_from_fall(
+    force: float,
+    stretch: float,
+    EA: float,
+    mass: float,
+    *,
+    factor: float = _FALL_FACTOR,
+    length: float = _LENGTH,
+    gravity: float = 9.81,
+) -> tuple[float, float]:
+    """Return the arm's EA [N] and relaxation time [s] with which a fall has this force and this stretch.
+
+    The inverse of `solid_fall` for a rope of known stiffness at rest. Of all arms that give the stretch, the
+    sooner one relaxes the less is the force, down to a least one.
+
+    Args:
+        force: largest, on the fixed point [N].
+        stretch: largest, over the rope's length [1].
+        EA: axial stiffness of the rope at rest [N], such as a load over its static elongation.
+        mass: that falls [kg].
+        factor: height of the free fall over the length of the rope [1].
+        length: of the rope [m].
+        gravity: [m/s^2].
+
+    Raises ValueError for numbers that are not positive, and for a force that no arm gives at this stretch,
+    with the range of those that are possible.
+
+    Source: as `solid_fall`.
+    """
+    need("force", force, "N")
+    need("stretch", stretch, "1")
+    need("EA", EA, "N")
+    need("mass", mass, "kg")
+    whole = mass * gravity * (factor + stretch)  # work of the weight over the rope's length [N]
+    if not 0.5 * EA * stretch * stretch < whole:
+        most = 2.0 * whole / stretch**2
+        raise ValueError(f"EA: {EA:g} - must be below {most:.4g} N: the rope alone stretches less")
+    swing = math.sqrt(length * mass * stretch**2 / whole)  # a time of the catch [s]
+
+    def fall(arm: float, time: float) -> SolidFall:
+        return solid_fall(EA, arm, time, mass, factor=factor, length=length, gravity=gravity)
+
+    def too_long(arm: float, time: float) -> float:
+        try:
+            return fall(arm, time).stretch - stretch
+        except ValueError:  # it creeps
+            return -stretch
+
+    def arm_of(time: float) -> float:
+        """The arm that relaxes in so much time and gives the stretch."""
+        low, high = math.log(1e-6 * EA), math.log(1e6 * whole / stretch)
+        return math.exp(root_of(lambda size: too_long(math.exp(size), time), low, high))
+
+    def too_much(time: float) -> float:
+        return fall(arm_of(time), time).force - force
+
+    times, forces = swing * np.geomspace(1e3, 1e-2, 31), []
+    for one in times:
+        forces.append(too_much(float(one)) + force)
+        if len(forces) > 1 and forces[-1] > forces[-2]:
+            break
+    least = int(np.argmin(forces))
+    if not forces[least] <= force <= forces[0]:
+        raise ValueError(
+            f"force: {force:g} - must be from {forces[least]:.4g} to {forces[0]:.4g} N: a fall of "
+            f"{mass:g} kg that stretches the rope by {100.0 * stretch:.3g} % has no other with EA {EA:g}"
+        )
+    low, high = math.log(times[least]), math.log(times[0])
+    time = math.exp(root_of(lambda size: too_much(math.exp(size)), low, high))
+    return arm_of(time), time
