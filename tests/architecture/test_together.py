@@ -25,6 +25,7 @@ NAMES = {
     "clamp": "clamp",
     "joint": "joint",
     "a curve": "curve",
+    "relaxation": "relaxation",
     "ropes that part": "parting",
 }
 EXPLICIT = tuple(name for name, method in METHODS.items() if not method.implicit)

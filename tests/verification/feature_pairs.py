@@ -46,6 +46,10 @@ def _curve(parts: Parts) -> None:
         del parts["stuff"]["EA"]
 
 
+def _relaxation(parts: Parts) -> None:
+    parts["stuff"] |= {"relaxing_EA": 3000.0, "relaxation_time": 0.01, "axial_damping": 0.0}
+
+
 def _winch(parts: Parts) -> None:
     parts["scene"]["winches"] = [Winch(rope="one", end="start", speed=0.1)]
 
@@ -140,6 +144,7 @@ FEATURES: dict[str, Callable[[Parts], None]] = {
     "winch": _winch,
     "limiter": _limiter,
     "curve": _curve,
+    "relaxation": _relaxation,
     "bending": _bending,
     "clamp": _clamp,
     "air": _air,

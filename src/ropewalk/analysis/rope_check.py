@@ -115,14 +115,18 @@ def rope_check(model: Model, statics: Statics, name: str) -> RopeCheck:
 
 
 def _speeds_along(rope: Rope, node_mass: float, stretch: Floats) -> tuple[float, float]:
-    """Return the slowest and the fastest wave along a rope [m/s]; `stretch` [1], (s,), of its segments."""
-    pieces = curve_of(rope)
+    """Return the slowest and the fastest wave along a rope [m/s]; `stretch` [1], (s,), of its segments.
+
+    Where a part of the stiffness relaxes slow waves do without it, and fast ones have it.
+    """
+    curve = curve_of(rope)
     length = rope.segment_length
-    if pieces is None:
+    if curve is None:
         speed = length * math.sqrt(rope.segment_stiffness / node_mass)
         return speed, speed
-    speeds = np.sqrt(at_strain(pieces, stretch - 1.0)[1] * length / node_mass)
-    return float(speeds.min()), float(speeds.max())
+    slopes = at_strain(curve.pieces, stretch - 1.0)[1]
+    slow, fast = float(slopes.min()), float(slopes.max()) + curve.relaxing_EA
+    return math.sqrt(slow * length / node_mass), math.sqrt(fast * length / node_mass)
 
 
 def _strain(rest: Floats, stretch: Floats) -> float | None:

@@ -32,8 +32,8 @@ from ropewalk.scene.data_sheet import FromDataSheet
 from ropewalk.scene.faults import MISSING, Fault
 from ropewalk.scene.from_library import filled, with_diameter
 from ropewalk.scene.knot_shape import Knot
-from ropewalk.scene.relaxing import relaxation_time, relaxing_EA, solid_faults
 from ropewalk.scene.shapes import Points, Shape, Slack, Straight
+from ropewalk.scene.solid_fields import relaxation_time, relaxing_EA, solid_faults
 from ropewalk.scene.tension_curves import Curve, curve_fault, with_curve
 
 Friction = Literal["vector", "axial"]

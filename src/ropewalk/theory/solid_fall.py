@@ -188,8 +188,7 @@ def solid_from_fall(
 ) -> tuple[float, float]:
     """Return the arm's EA [N] and relaxation time [s] with which a fall has this force and this stretch.
 
-    The inverse of `solid_fall` for a rope of known stiffness at rest. Of all arms that give the stretch, the
-    sooner one relaxes the less is the force, down to a least one.
+    The inverse of `solid_fall`. Of all arms that give the stretch, the sooner one relaxes the less the force.
 
     Args:
         force: largest, on the fixed point [N].
@@ -200,8 +199,7 @@ def solid_from_fall(
         length: of the rope [m].
         gravity: [m/s^2].
 
-    Raises ValueError for numbers that are not positive, and for a force that no arm gives at this stretch,
-    with the range of those that are possible.
+    Raises ValueError for numbers that are not positive, and for a force that no arm gives, with what may be.
 
     Source: as `solid_fall`.
     """
@@ -214,20 +212,13 @@ def solid_from_fall(
         most = 2.0 * whole / stretch**2
         raise ValueError(f"EA: {EA:g} - must be below {most:.4g} N: the rope alone stretches less")
     swing = math.sqrt(length * mass * stretch**2 / whole)  # a time of the catch [s]
+    stiffest = 1e6 * whole / stretch
 
     def fall(arm: float, time: float) -> SolidFall:
         return solid_fall(EA, arm, time, mass, factor=factor, length=length, gravity=gravity)
 
-    def too_long(arm: float, time: float) -> float:
-        try:
-            return fall(arm, time).stretch - stretch
-        except ValueError:  # it creeps
-            return -stretch
-
     def arm_of(time: float) -> float:
-        """The arm that relaxes in so much time and gives the stretch."""
-        low, high = math.log(1e-6 * EA), math.log(1e6 * whole / stretch)
-        return math.exp(root_of(lambda size: too_long(math.exp(size), time), low, high))
+        return _arm_of(lambda arm: fall(arm, time).stretch, stretch, 1e-6 * EA, stiffest)
 
     def too_much(time: float) -> float:
         return fall(arm_of(time), time).force - force
@@ -246,3 +237,17 @@ def solid_from_fall(
     low, high = math.log(times[least]), math.log(times[0])
     time = math.exp(root_of(lambda size: too_much(math.exp(size)), low, high))
     return arm_of(time), time
+
+
+def _arm_of(
+    stretch_of: Callable[[float], float], stretch: float, softest: float, stiffest: float
+) -> float:
+    """Return the arm between these two [N] that gives the stretch."""
+
+    def too_long(size: float) -> float:
+        try:
+            return stretch_of(math.exp(size)) - stretch
+        except ValueError:  # it creeps
+            return -stretch
+
+    return math.exp(root_of(too_long, math.log(softest), math.log(stiffest)))
