@@ -209,16 +209,17 @@ def solid_from_fall(
     need("mass", mass, "kg")
     whole = mass * gravity * (factor + stretch)  # work of the weight over the rope's length [N]
     if not 0.5 * EA * stretch * stretch < whole:
-        most = 2.0 * whole / stretch**2
-        raise ValueError(f"EA: {EA:g} - must be below {most:.4g} N: the rope alone stretches less")
+        raise ValueError(
+            f"EA: {EA:g} - must be below {2.0 * whole / stretch**2:.4g} N to stretch so"
+        )
     swing = math.sqrt(length * mass * stretch**2 / whole)  # a time of the catch [s]
-    stiffest = 1e6 * whole / stretch
+    reach = 1e-6 * EA, 1e6 * whole / stretch
 
     def fall(arm: float, time: float) -> SolidFall:
         return solid_fall(EA, arm, time, mass, factor=factor, length=length, gravity=gravity)
 
     def arm_of(time: float) -> float:
-        return _arm_of(lambda arm: fall(arm, time).stretch, stretch, 1e-6 * EA, stiffest)
+        return _arm_of(lambda arm: fall(arm, time).stretch, stretch, *reach)
 
     def too_much(time: float) -> float:
         return fall(arm_of(time), time).force - force
