@@ -188,7 +188,7 @@ def solid_from_fall(
 ) -> tuple[float, float]:
     """Return the arm's EA [N] and relaxation time [s] with which a fall has this force and this stretch.
 
-    The inverse of `solid_fall`. Of all arms that give the stretch, the sooner one relaxes the less the force.
+    Of all arms that give the stretch, the sooner one relaxes the less the force.
 
     Args:
         force: largest, on the fixed point [N].
@@ -203,16 +203,19 @@ def solid_from_fall(
 
     Source: as `solid_fall`.
     """
-    need("force", force, "N")
-    need("stretch", stretch, "1")
-    need("EA", EA, "N")
-    need("mass", mass, "kg")
+    given = (
+        ("force", force, "N"),
+        ("stretch", stretch, "1"),
+        ("EA", EA, "N"),
+        ("mass", mass, "kg"),
+    )
+    for name, value, unit in given:
+        need(name, value, unit)
     whole = mass * gravity * (factor + stretch)  # work of the weight over the rope's length [N]
     if not 0.5 * EA * stretch * stretch < whole:
         raise ValueError(
             f"EA: {EA:g} - must be below {2.0 * whole / stretch**2:.4g} N to stretch so"
         )
-    swing = math.sqrt(length * mass * stretch**2 / whole)  # a time of the catch [s]
     reach = 1e-6 * EA, 1e6 * whole / stretch
 
     def fall(arm: float, time: float) -> SolidFall:
@@ -224,7 +227,8 @@ def solid_from_fall(
     def too_much(time: float) -> float:
         return fall(arm_of(time), time).force - force
 
-    times, forces = swing * np.geomspace(1e3, 1e-2, 31), []
+    times = math.sqrt(length * mass * stretch**2 / whole) * np.geomspace(1e3, 1e-2, 31)
+    forces: list[float] = []
     for one in times:
         forces.append(too_much(float(one)) + force)
         if len(forces) > 1 and forces[-1] > forces[-2]:
