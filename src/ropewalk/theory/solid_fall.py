@@ -224,24 +224,30 @@ def solid_from_fall(
     def arm_of(time: float) -> float:
         return _arm_of(lambda arm: fall(arm, time).stretch, stretch, *reach)
 
-    def too_much(time: float) -> float:
-        return fall(arm_of(time), time).force - force
+    catch = math.sqrt(length * mass * stretch**2 / whole)  # a time of it [s]
+    time = _time_of(lambda time: fall(arm_of(time), time).force, force, catch)
+    return arm_of(time), time
 
-    times = math.sqrt(length * mass * stretch**2 / whole) * np.geomspace(1e3, 1e-2, 31)
+
+def _time_of(force_of: Callable[[float], float], force: float, catch: float) -> float:
+    """Return the relaxation time with which the force is this one [s]; a catch takes about `catch` [s].
+
+    Raises ValueError for a force that none gives.
+    """
+    times = catch * np.geomspace(1e3, 1e-2, 31)
     forces: list[float] = []
     for one in times:
-        forces.append(too_much(float(one)) + force)
+        forces.append(force_of(float(one)))
         if len(forces) > 1 and forces[-1] > forces[-2]:
             break
     least = int(np.argmin(forces))
     if not forces[least] <= force <= forces[0]:
         raise ValueError(
-            f"force: {force:g} - must be from {forces[least]:.4g} to {forces[0]:.4g} N: a fall of "
-            f"{mass:g} kg that stretches the rope by {100.0 * stretch:.3g} % has no other with EA {EA:g}"
+            f"force: {force:g} - must be from {forces[least]:.4g} to {forces[0]:.4g} N: a rope that relaxes "
+            "and has this EA and stretch has no other"
         )
     low, high = math.log(times[least]), math.log(times[0])
-    time = math.exp(root_of(lambda size: too_much(math.exp(size)), low, high))
-    return arm_of(time), time
+    return math.exp(root_of(lambda size: force_of(math.exp(size)) - force, low, high))
 
 
 def _arm_of(
