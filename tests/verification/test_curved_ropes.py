@@ -147,7 +147,9 @@ def forces(model: Any) -> Any:
 
     state, out = model.state, np.zeros((3, model.state.mass.size + 1))
     lengths, k = state.rest_length, state.stiffness
-    curved_forces(state.x, lengths, k, model.system.slack_floor, model.system.curves, out)
+    curved_forces(
+        state.x, lengths, k, model.system.slack_floor, model.system.curves, state.arm, out
+    )
     return np.diff(out, axis=1)
 
 
