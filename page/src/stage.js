@@ -253,7 +253,7 @@ export class Stage {
   firstPose(layout) {
     const angles = firstAngles(this.camera, this.axis, this.solids.all.length > 0);
     this.besideLegend = false;
-    const pose = this.camera.framed(this.places(layout), angles);
+    const pose = this.wholePose(layout, angles);
     return this.covered(pose) ? this.wholePose(layout, angles) : pose;
   }
 

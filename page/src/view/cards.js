@@ -5,6 +5,7 @@ import { vector } from "./vector.js";
 /** @typedef {import("./camera.js").Camera} Camera */
 
 const TOOLS = 60; // height of the tool bars where they lie in a row, above a card [CSS pixels]
+const LOW = 400; // height of a scene in which they always do [CSS pixels]
 
 /** Whether a card lies over a rope. @param {Camera} camera @param {Float32Array} nodes x, y, z, value
  * @param {number} count @param {DOMRect | null} card */
@@ -20,7 +21,7 @@ export function covers(camera, nodes, count, card) {
 /** What a card takes of the scene's height, at the top or at the bottom [CSS pixels].
  * @param {DOMRect | null} card @param {number} height */
 export function stripsBeside(card, height) {
-  if (!card) return { top: 0, bottom: 0 };
+  if (!card) return { top: height > 3 * TOOLS && height < LOW ? TOOLS : 0, bottom: 0 };
   const below = height - card.top;
   return card.bottom < below ? { top: card.bottom, bottom: 0 } : { top: TOOLS, bottom: below };
 }
