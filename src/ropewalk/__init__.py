@@ -46,6 +46,7 @@ if TYPE_CHECKING:  # what type checkers and editors see; `_HOMES` loads the same
     from ropewalk.scene import RunSettings as RunSettings
     from ropewalk.scene import Scene as Scene
     from ropewalk.scene import SceneError as SceneError
+    from ropewalk.scene import Slide as Slide
     from ropewalk.scene import Springs as Springs
     from ropewalk.scene import Winch as Winch
     from ropewalk.scene import dumps as dumps
@@ -84,6 +85,7 @@ _HOMES = {
     "RunSettings": "scene",
     "Scene": "scene",
     "SceneError": "scene",
+    "Slide": "scene",
     "Springs": "scene",
     "Winch": "scene",
     "load": "scene",

@@ -27,6 +27,7 @@ NAMES = {
     "a curve": "curve",
     "relaxation": "relaxation",
     "ropes that part": "parting",
+    "slide": "slide",
 }
 EXPLICIT = tuple(name for name, method in METHODS.items() if not method.implicit)
 

@@ -16,7 +16,7 @@ EXPECTED = {
     *("n39-constant-velocity", "n39-gravity", "n39-spring", "n40", "h1", "h2", "h3"),
     *("hanging-rope", "skipping-rope", "whip", "wave-on-a-string", "falling-chain"),
     *("fishing-rod", "wire-arch"),
-    *("climbing-fall", "zip-line", "highline", "rescue-lower", "tow"),
+    *("climbing-fall", "zip-line", "zip-line-ride", "highline", "rescue-lower", "tow"),
     *("crane-snap", "hoist-stop", "guyed-mast", "suspension-cable", "power-line-in-wind"),
     *("three-leg-sling", "net"),
     *("capstan", "edge", "bollard"),

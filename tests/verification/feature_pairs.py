@@ -24,6 +24,7 @@ from ropewalk.scene import (
     Scene,
     Shake,
     Slack,
+    Slide,
     Straight,
     TableCurve,
     Tie,
@@ -139,6 +140,14 @@ def _moved(parts: Parts) -> None:
     parts["scene"].setdefault("anchors", []).append(moved)
 
 
+def _slide(parts: Parts) -> None:
+    hook = {"name": "hook", "segments": 2, "length": 0.2, "diameter": 0.01}
+    hung = Straight(start=(0, 0, 0), direction=(0, 0, -1))
+    one = Rope(**hook, made_of=Material(**SOFT), shape=hung, loads=[Load(node=-1, mass=0.2)])
+    parts["scene"].setdefault("ropes", []).append(one)
+    parts["scene"]["slides"] = [Slide(rope="hook", at=0.62, friction=0.1, brake=0.05)]
+
+
 FEATURES: dict[str, Callable[[Parts], None]] = {
     "rigid links": _rigid,
     "winch": _winch,
@@ -159,6 +168,7 @@ FEATURES: dict[str, Callable[[Parts], None]] = {
     "force": _force,
     "moved anchor": _moved,
     "parting": _parting,
+    "slide": _slide,
 }
 
 

@@ -25,7 +25,7 @@ import ropewalk
 HERE, PACKAGE = Path(__file__).parent, Path(ropewalk.__file__).parent
 LIST = "laws/registry.py"
 IMPORT = "from ropewalk.laws.node_law import NodeLaw\n"
-ENTRY = "(AIR, GROUND, OBSTACLE, CONTACT, PARTING)"
+ENTRY = "(AIR, GROUND, OBSTACLE, CONTACT, PARTING, SLIDE)"
 
 
 def copy_with(folder: Path, law: str) -> Path:
@@ -38,7 +38,8 @@ def copy_with(folder: Path, law: str) -> Path:
     assert text.count(ENTRY) == 1
     text = text.replace(IMPORT, f"{IMPORT}from ropewalk.laws.well import WELL\n")
     (target / LIST).write_text(
-        text.replace(ENTRY, "(AIR, GROUND, OBSTACLE, CONTACT, PARTING, WELL)"), encoding="utf-8"
+        text.replace(ENTRY, "(AIR, GROUND, OBSTACLE, CONTACT, PARTING, SLIDE, WELL)"),
+        encoding="utf-8",
     )
     return folder
 
@@ -99,7 +100,7 @@ def test_what_was_touched(package: Path) -> None:
 
 def test_tables_channels_and_columns_have_its_name(found: dict[str, Any]) -> None:
     """Its work is recorded between those of the other laws of nodes and the applied forces'."""
-    assert found["names"] == ["air", "ground", "obstacle", "contact", "parting", "well"]
+    assert found["names"] == ["air", "ground", "obstacle", "contact", "parting", "slide", "well"]
     assert found["laws"].index("well") == found["laws"].index("ground") + 1
     assert found["table"][:2] == ["active", "point"]
 

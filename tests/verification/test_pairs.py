@@ -28,6 +28,10 @@ APART = {
     ("winch", "contact"): "cannot work with a winch yet",
     ("contact", "parting"): "cannot work with ropes that touch each other yet",
     ("limiter", "contact"): "cannot work with a stretch limiter yet",
+    ("winch", "slide"): "cannot work with a winch yet",
+    ("limiter", "slide"): "cannot work with a stretch limiter yet",
+    ("contact", "slide"): "cannot work with ropes that touch each other yet",
+    ("parting", "slide"): "nothing slides along a rope that parts yet",
 }
 #: What changes nothing beside another feature, which has it already.
 IDLE = {"clamp": "bending"}

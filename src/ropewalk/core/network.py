@@ -45,9 +45,9 @@ class Room(NamedTuple):
     """What finding the order anew takes, where couplings come and go; see `ordering`."""
 
     point: Ints  # (n,) the point of every node, not in order; (0,) where couplings stay
-    known: Ints  # (c, 2) pairs of segments that are coupled in the order in hand
+    known: Ints  # (c, 2) pairs of segments, or (c, 4) nodes, that are coupled in the order in hand
     known_count: Ints  # (1,) of them; -1: there is none yet
-    spots: Ints  # (c, 6) blocks of a pair's four nodes
+    spots: Ints  # (c, 6) blocks of their four nodes
     bits: Ints  # (m, w) neighbours
     place: Ints  # (m,) of every point in the order
     degree: Ints  # (m,)

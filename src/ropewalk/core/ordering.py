@@ -47,13 +47,20 @@ def ones(word):
     return (word + (word >> 32)) & 0x7F
 
 
+@small
+def member(group, row, a):
+    """Return node `a` of the four that a group couples: those of two segments, (m, 2), or nodes, (m, 4)."""
+    return group[row, a] if group.shape[1] == 4 else group[row, a // 2] + a % 2
+
+
 @kernel
-def is_known(room, pair, count):
-    """Tell whether the order in hand is that of these pairs of segments, (m, 2); note them otherwise."""
+def is_known(room, group, count):
+    """Tell whether the order in hand is that of these groups, (m, 2) or (m, 4); note them otherwise."""
     same, known = room.known_count[0] == count, room.known
     for row in range(count):
-        same = same and known[row, 0] == pair[row, 0] and known[row, 1] == pair[row, 1]
-        known[row, 0], known[row, 1] = pair[row, 0], pair[row, 1]
+        for k in range(group.shape[1]):
+            same = same and known[row, k] == group[row, k]
+            known[row, k] = group[row, k]
     room.known_count[0] = count
     return same
 
@@ -67,7 +74,7 @@ def couple(bits, p, q):
 
 
 @kernel
-def graph(network, pair, count):
+def graph(network, group, count):
     """Write the neighbours of every point as bits."""
     room, bits, n = network.room, network.room.bits, network.number.shape[0]
     point = room.point
@@ -80,12 +87,9 @@ def graph(network, pair, count):
         if i < n - 2 and network.far[i] != NOWHERE:
             couple(bits, point[i], point[i + 2])
     for row in range(count):
-        i, j = pair[row, 0], pair[row, 1]
-        couple(bits, point[i], point[i + 1])
-        couple(bits, point[j], point[j + 1])
-        for a in range(2):
-            for b in range(2):
-                couple(bits, point[i + a], point[j + b])
+        for a in range(4):
+            for b in range(a + 1, 4):
+                couple(bits, point[member(group, row, a)], point[member(group, row, b)])
 
 
 @small
@@ -188,12 +192,15 @@ def block_of(network, p, q):
 
 
 @kernel
-def order_network(network, pair, count):
-    """Find order and blocks of a network with these pairs of segments in contact; return whether they fit."""
+def order_network(network, group, count):
+    """Find order and blocks of a network with these groups of four nodes coupled; return whether they fit.
+
+    A group is a pair of segments, (m, 2), or four nodes, (m, 4).
+    """
     room = network.room
-    if is_known(room, pair, count):
+    if is_known(room, group, count):
         return True
-    graph(network, pair, count)
+    graph(network, group, count)
     if not eliminate_points(network):
         room.known_count[0] = -1
         return False
@@ -210,8 +217,7 @@ def order_network(network, pair, count):
         at = 0
         for a in range(4):
             for b in range(a + 1, 4):
-                p = pair[row, 0] + a if a < 2 else pair[row, 1] + a - 2
-                q = pair[row, 0] + b if b < 2 else pair[row, 1] + b - 2
+                p, q = member(group, row, a), member(group, row, b)
                 room.spots[row, at] = block_of(network, number[p], number[q])
                 at += 1
     return True

@@ -7,6 +7,7 @@ import numpy as np
 from ropewalk.core.arrays import State, System
 from ropewalk.core.status import HONEST, TAKEN, ZERO
 from ropewalk.engine.too_near import fault_of
+from ropewalk.laws.slides.law import lost
 from ropewalk.lowering import Layout
 from ropewalk.methods.verdict import energy_now
 
@@ -17,6 +18,20 @@ ACCOUNTED = "its energy is accounted for"
 _DOUBT = 1.5  # [1] energy over what was there to turn over that is called made up
 
 
+def off_rope(state: State, layout: Layout, system: System) -> str:
+    """Say which node has come off the rope that it slides along; "" where none has."""
+    row = lost(state)
+    if row is None:
+        return ""
+    table = system.node.slide
+    rope, node = layout.rope_of(int(table.node[row]))
+    line, _ = layout.rope_of(int(table.first[row]))
+    return (
+        f"node {node} of rope {rope!r} has been pulled off rope {line!r}, along which it slides, by more "
+        "than half a segment of it: take a shorter time_step, or a stiffer slide (its compliance)"
+    )
+
+
 def reason(system: System, state: State, layout: Layout) -> str:
     """Say what `methods.verdict` found wrong with a state."""
     bad = np.flatnonzero(~(np.isfinite(state.x) & np.isfinite(state.v)).all(axis=0))
@@ -24,6 +39,8 @@ def reason(system: System, state: State, layout: Layout) -> str:
         rope, node = layout.rope_of(int(bad[0]))
         return f"node {node} of rope {rope!r} has no finite place or speed any more"
     if fault := fault_of(state, layout):
+        return fault
+    if fault := off_rope(state, layout, system):
         return fault
     size = np.sqrt((np.diff(state.x, axis=1) ** 2).sum(axis=0))
     live = (state.rest_length > 0.0) & (state.stiffness > 0.0)

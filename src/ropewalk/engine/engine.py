@@ -137,8 +137,9 @@ class Engine:
             return
         self._tied = self.state.tied.copy()
         alive, bends = self.state.stiffness > 0.0, bool(self.system.flags[BENDING])
-        pairs = len(self.state.memory.contact.pair)
-        network = tied_network(self.system.joints, self._tied, alive, bends, pairs)
+        memory = self.state.memory
+        groups = memory.slide.group.shape if len(memory.slide.group) else memory.contact.pair.shape
+        network = tied_network(self.system.joints, self._tied, alive, bends, *groups)
         self._scratch = with_network(self._scratch, network)
 
     # -- the beginning -------------------------------------------------------------------

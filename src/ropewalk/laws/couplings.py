@@ -17,7 +17,7 @@ couples = whether("couple")
 
 
 @part
-def _always_fits(system, state, network):
+def _always_fits(system, state, x, network):
     return True
 
 
@@ -25,17 +25,17 @@ def _ordering(law: NodeLaw, k: int, rest: Any) -> Any:
     pattern = law.pattern
 
     @part
-    def _order(system, state, network):
-        fits = rest(system, state, network)
+    def _order(system, state, x, network):
+        fits = rest(system, state, x, network)
         if acts(system, k):
-            fits = pattern(system.node[k], state, network) and fits
+            fits = pattern(system.node[k], state, x, network) and fits
         return fits
 
     return _order
 
 
 order_couplings = fold(_ordering, _always_fits, "pattern")
-"""order_couplings(system, state, network): find its order anew; return whether there was room for it."""
+"""order_couplings(system, state, x, network): find its order anew; return whether there was room for it."""
 
 
 @part

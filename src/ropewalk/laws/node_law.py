@@ -78,7 +78,7 @@ class NodeLaw(NamedTuple):
 
     # A law between nodes that are no neighbours. Its force is on nodes, as that of all others.
     pattern: Any = (
-        None  # part (table, state, network): order it anew; return whether there was room
+        None  # part (table, state, x, network): order it anew; return whether there was room
     )
     # part (table, state, x, v, weight_x, weight_v, network): add -(weight_x dF/dx + weight_v dF/dv)
     couple: Any = None

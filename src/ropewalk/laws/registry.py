@@ -11,9 +11,10 @@ from ropewalk.laws.node_law import NodeLaw
 from ropewalk.laws.obstacle import OBSTACLE
 from ropewalk.laws.pairs.law import CONTACT
 from ropewalk.laws.parting import PARTING
+from ropewalk.laws.slides.law import SLIDE
 
 #: Forces are summed and works recorded in this order.
-NODE_LAWS: tuple[NodeLaw, ...] = (AIR, GROUND, OBSTACLE, CONTACT, PARTING)
+NODE_LAWS: tuple[NodeLaw, ...] = (AIR, GROUND, OBSTACLE, CONTACT, PARTING, SLIDE)
 
 NAMES = tuple(law.name for law in NODE_LAWS)
 _named: Any = namedtuple  # mypy wants the names in letters

@@ -7,6 +7,7 @@ import numpy as np
 from ropewalk.core.arrays import Floats, State, assign, flatten
 from ropewalk.laws.pairs.law import memory as found_contacts
 from ropewalk.laws.pairs.search import NOWHERE
+from ropewalk.laws.slides.law import memory as place_slides
 from ropewalk.lowering import Model, build, with_all_laws
 from ropewalk.lowering.contact_checks import deepest, refuse_pressing
 from ropewalk.lowering.joint_tables import tied_with
@@ -50,6 +51,9 @@ def carry_over(old: Simulation, scene: Scene, source: Floats) -> Simulation:
         if old.scene.contact is not None:
             before = deepest(old.system, old.arrays)[0]
         refuse_pressing(model.system, state, model.layout, before)
+    if scene.slides:
+        memory = place_slides(model.system.node.slide, state.x, state.stiffness)
+        assign(state.memory.slide, memory)
     made = Simulation(model, ledger=old.ledger)
     snapshot = made.state
     _carry_work(old, made, snapshot.state)
@@ -175,6 +179,9 @@ def _carry_memory(old: Simulation, made: Simulation, state: State, source: Float
         state.arm[...] = old.arrays.arm
     kept, made_now = old.arrays.memory.contact, state.memory.contact
     same = nodes.size == old.arrays.x.shape[1] and (nodes == np.arange(nodes.size)).all()
+    slid, now = old.arrays.memory.slide, state.memory.slide
+    if same and whole.all() and np.array_equal(slid.group[:, :1], now.group[:, :1]):
+        assign(now, slid)
     there = kept.pair.size > 0 and kept.pair.shape == made_now.pair.shape
     if there and same and whole.all():
         assign(made_now, kept)

@@ -18,6 +18,7 @@ from ropewalk.core.arrays import Floats
 from ropewalk.live.parameters import refusal
 from ropewalk.lowering.contact_checks import refuse_tying, refuse_untying
 from ropewalk.lowering.layout import Layout, make_layout
+from ropewalk.lowering.slide_checks import refuse_slides
 from ropewalk.scene import (
     Anchor,
     Force,
@@ -160,6 +161,8 @@ def cut(scene: Scene, layout: Layout, segment: int) -> Edit:
         raise refusal("segment", segment, "lies between two ropes: there is nothing to cut")
     i = scene.rope_index(name)
     rope = scene.ropes[i]
+    if any(rope.name in (slide.rope, slide.on) for slide in scene.slides):
+        refuse_slides(scene, "a rope cannot be cut while something slides along it, or it slides")
     if rope.segments == 1:
         raise refusal("segment", segment, "is the rope's only one: nothing would be left")
     if len(scene.ropes) >= MOST_ROPES:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from ropewalk.lowering.slide_checks import refuse_slides
 from ropewalk.scene import (
     Anchor,
     Fault,
@@ -67,6 +68,7 @@ def resegment(scene: Scene, index: int, segments: int) -> Scene:
     segments = fitting(scene, rope, segments)
     if segments == rope.segments:
         return scene
+    refuse_slides(scene, "the number of segments cannot be changed while something slides")
     changes: dict[str, Any] = {"segments": segments}
     if isinstance(rope.made_of, Springs):
         ratio = segments / rope.segments

@@ -19,7 +19,7 @@ _THEMES: dict[str, tuple[str, ...]] = {
     _PLAY: ("skipping-rope", "whip", "wave-on-a-string", "hanging-rope", "falling-chain"),
     _REAL: ("h3", "fishing-rod", "wire-arch", "net", "edge", "crossing", "overhand", "pile"),
     _RIGGING: (
-        *("climbing-fall", "zip-line", "highline", "rescue-lower", "tow"),
+        *("climbing-fall", "zip-line", "zip-line-ride", "highline", "rescue-lower", "tow"),
         *("crane-snap", "hoist-stop", "guyed-mast", "suspension-cable", "power-line-in-wind"),
         *("three-leg-sling", "capstan", "bollard", "clove-hitch"),
     ),

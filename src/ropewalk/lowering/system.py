@@ -32,6 +32,7 @@ from ropewalk.lowering.limiter_order import limiter_order
 from ropewalk.lowering.masses import line, line_density, masses, passing
 from ropewalk.lowering.motion_rows import anchor_tables
 from ropewalk.lowering.pieces import Pieces
+from ropewalk.lowering.slide_checks import put_on_ropes
 from ropewalk.lowering.variant import rare_of
 from ropewalk.methods.kinks import kink_times
 from ropewalk.scene import Limiter as LimiterInScene
@@ -48,6 +49,7 @@ def make_tables(
     """
     state = _ropes(scene, layout, keep)
     if drawn:
+        put_on_ropes(scene, layout, state)
         join(scene, layout, state)
     system = _system(scene, layout, state, keep)
     system, state = add_bending(scene, layout, system, state, keep)
@@ -271,7 +273,7 @@ def _node_tables(scene: Scene, layout: Layout, keep: Pieces) -> Any:
     inputs |= {"up": scene.up, "ropes": (), "whole": (), "joints": ()}
     each = zip(scene.ropes, layout.ropes, strict=True)
     inputs["parts"] = tuple((rope.strength, passing(rope, span)) for rope, span in each)
-    if scene.obstacles or scene.contact is not None:  # what only they ask for
+    if scene.obstacles or scene.slides or scene.contact is not None:  # what only they ask for
         inputs |= {"ropes": scene.ropes, "whole": _tied_masses(scene), "joints": scene.joints}
     return NodeTables(
         *(

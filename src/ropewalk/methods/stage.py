@@ -296,7 +296,7 @@ def newton_step(system, state, stage, c1, c2, exact, leap):
         add_tangents(system, state, stage.x, stage.v, 1.0, 1.0 / c1, saddle.band)
         if coupled:
             soften(segments.weight, saddle.carries, saddle.compliance)
-            if order_couplings(system, state, saddle.network):
+            if order_couplings(system, state, stage.x, saddle.network):
                 gather(saddle, saddle.network)
                 add_couplings(system, state, stage.x, stage.v, 1.0, 1.0 / c1, saddle.network)
                 solve_gathered(saddle)

@@ -24,6 +24,7 @@ from ropewalk.scene.rope_contact import Contact
 from ropewalk.scene.run_settings import RunSettings
 from ropewalk.scene.scene import Scene
 from ropewalk.scene.shapes import Hanging, Points, Polyline, Shape, Slack, Straight
+from ropewalk.scene.slide import Slide
 from ropewalk.scene.tension_curves import (
     Curve,
     ExponentialCurve,
@@ -73,6 +74,7 @@ __all__ = [
     "Shake",
     "Shape",
     "Slack",
+    "Slide",
     "Sphere",
     "Spin",
     "Springs",

@@ -23,7 +23,7 @@ class Recut(NamedTuple):
 def recut(scene: Scene) -> Recut:
     """Return the scene with half the segments; with twice as many where nodes would be lost.
 
-    Nodes that anchors, joints, loads and forces name stay where they are on the rope.
+    Nodes that anchors, joints, slides, loads and forces name stay where they are on the rope.
     """
     for rope in scene.ropes:
         if isinstance(rope.made_of, Springs):
@@ -50,6 +50,7 @@ def _named(scene: Scene, rope: Rope) -> list[int]:
     own = [load.node for load in rope.loads] + [force.node for force in rope.forces]
     own += [anchor.node for anchor in scene.anchors if anchor.rope == rope.name]
     own += [tie.node for joint in scene.joints for tie in joint.points if tie.rope == rope.name]
+    own += [slide.node for slide in scene.slides if slide.rope == rope.name]
     return [rope.node_index(node) for node in own]
 
 
@@ -79,7 +80,8 @@ def _cut(scene: Scene, *, half: bool) -> Scene:
         joint.replace(points=[moved(scene.rope_named(tie.rope), tie) for tie in joint.points])
         for joint in scene.joints
     ]
-    return scene.replace(ropes=ropes, anchors=anchors, joints=joints)
+    slides = [moved(scene.rope_named(slide.rope), slide) for slide in scene.slides]
+    return scene.replace(ropes=ropes, anchors=anchors, joints=joints, slides=slides)
 
 
 def _thinned(points: Any, half: bool) -> list[Any]:

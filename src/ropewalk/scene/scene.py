@@ -20,6 +20,7 @@ from ropewalk.scene.obstacles import Obstacle
 from ropewalk.scene.rope import Rope, Springs
 from ropewalk.scene.rope_contact import Contact, contact_faults
 from ropewalk.scene.run_settings import RunSettings
+from ropewalk.scene.slide import Slide, slide_faults
 from ropewalk.scene.winch import Winch
 
 if TYPE_CHECKING:
@@ -56,6 +57,9 @@ class Scene(Model):
     )
     joints: Many[Joint] = listed(
         "Joints: nodes that are tied to each other", "joint", "joints", default=()
+    )
+    slides: Many[Slide] = listed(
+        "Slides: nodes that run along other ropes", "slide", "slides", default=()
     )
 
     @property
@@ -168,6 +172,8 @@ class Scene(Model):
         names = (body.name or f"obstacle{i}" for i, body in enumerate(self.obstacles))
         refuse(obstacle_faults(names))
         refuse(contact_faults(self.contact, self.ropes, self.winches, self.limiter))
+        others = self.winches, self.limiter, self.contact
+        refuse(slide_faults(self.slides, self.ropes, *others))
         self._fill_in_names()
         self._fill_in_method()
         return self
@@ -196,8 +202,11 @@ class Scene(Model):
         obstacles = tuple(
             _filled(body, name=f"obstacle{i}") for i, body in enumerate(self.obstacles)
         )
+        slides = tuple(
+            _filled(slide, name=f"slide{i}", on=rope) for i, slide in enumerate(self.slides)
+        )
         named = {"anchors": anchors, "winches": winches, "joints": joints, "obstacles": obstacles}
-        self.__dict__.update(named)  # frozen for all else
+        self.__dict__.update(named | {"slides": slides})  # frozen for all else
 
     @classmethod
     def _more_faults(cls, data: Any, context: Any) -> list[Fault]:
@@ -216,6 +225,7 @@ class Scene(Model):
         segments = sum(rope.segments for rope in self.ropes)
         ropes = f"{_count(len(self.ropes), 'rope')} of {_count(segments, 'segment')}"
         tied = f", {_count(len(self.joints), 'joint')}" if self.joints else ""
+        tied += f", {_count(len(self.slides), 'slide')}" if self.slides else ""
         tied += f", {_count(len(self.obstacles), 'obstacle')}" if self.obstacles else ""
         how = f"{run.duration:g} s at {run.frame_rate:g} frames/s with {run.method}"
         return f"Scene {self.name!r}: {ropes}, {_count(len(self.anchors), 'anchor')}{tied}, {how}."

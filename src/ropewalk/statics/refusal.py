@@ -10,6 +10,7 @@ from ropewalk.laws.acting import at_rest
 from ropewalk.laws.node_law import Rest
 from ropewalk.lowering import Model, Span
 from ropewalk.lowering.contact_checks import NO_REST
+from ropewalk.lowering.slide_checks import NO_REST as NO_ROLLING_REST
 from ropewalk.scene import SceneError
 from ropewalk.scene.faults import Fault
 from ropewalk.statics.hung import held_nodes
@@ -41,6 +42,8 @@ def _fault_of(model: Model, rope: Span) -> str:
     """Return what is missing for one rope to be at rest; "" where nothing is."""
     if model.scene.contact is not None:
         return NO_REST
+    if model.scene.slides:
+        return NO_ROLLING_REST
     held = held_nodes(model, rope)
     heavy, rests = bool(np.any(model.system.gravity)), at_rest(model.system)
     if Rest.HOLDS in rests:

@@ -19,6 +19,7 @@ from ropewalk.laws.node_law import Rest
 from ropewalk.lowering import Layout, Model, build
 from ropewalk.lowering.curve_tables import put_tension
 from ropewalk.lowering.link_lengths import has_links
+from ropewalk.lowering.slide_checks import refuse_slides
 from ropewalk.lowering.touching import SLIPS
 from ropewalk.methods.loop import prepare_links
 from ropewalk.scene import Scene, SceneError
@@ -125,6 +126,7 @@ def modes(source: Scene | Model, about: About = "equilibrium", count: int = 10) 
     if model.scene.contact is not None:
         rule = "modes of ropes that touch each other are not found; leave contact out"
         raise SceneError([Fault("contact", NO_VALUE, rule)])
+    refuse_slides(model.scene, "modes with what slides along a rope are not found")
     x, tension, model = shape_about(model, about)
     linear = linearise(model, x, tension)
     if linear.loose:

@@ -152,7 +152,7 @@ def tangent(table, state, x, v, weight_x, weight_v, marks, band):
 
 
 @part
-def pattern(table, state, network):
+def pattern(table, state, x, network):
     """Find the order of elimination with the contacts at hand; return whether there was room."""
     memory = state.memory.contact
     fits = order_network(network, memory.pair, memory.tally[CONTACTS])

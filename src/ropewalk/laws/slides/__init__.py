@@ -1,0 +1,1 @@
+"""Nodes that slide along other ropes: a law of nodes. See `law`."""

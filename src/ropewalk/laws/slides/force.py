@@ -1,0 +1,117 @@
+"""The force of slides: a spring across, friction along.
+
+With u the place on the curve that is nearest to the node, r from there to the node and L the length of the
+rope's segments, all others by their gradients so that momentum and angular momentum are kept:
+    V = k r.r / 2                                   it stays on the rope; nothing along it, as r is across
+    q = R' - k L (u - u') - c L du/dt               a friction spring between place and rope
+    R = q            where |q| <= mu k |r| + b      it sticks
+        (mu k |r| + b) q/|q|      elsewhere         it slips
+    f = -grad V + R L grad u
+b is the brake's force, from its place on, in full after one segment; R' and u' are of the last accepted
+step. At an end of the rope u stays and V holds the node there: a stop.
+Sources: Cundall & Strack 1979, Geotechnique 29:47 (friction with memory); Lanczos, The Variational Principles
+of Mechanics, ch. 3 and 4 (generalised forces).
+"""
+
+from __future__ import annotations
+
+from ropewalk.core.jit import kernel, small
+from ropewalk.laws.slides.curve import look
+from ropewalk.laws.slides.table import APART, AT, GRADIENT, INSIDE, PLACE, SHARE, SPRING, R
+
+
+@small
+def bound_of(table, sight, row):
+    """Return the most that friction and brake can carry at the place in sight [N]."""
+    way = (sight[row, AT] * table.length[row] - table.brake_from[row]) / table.length[row]
+    share = min(max(way, 0.0), 1.0) if table.brake_from[row] > 0.0 else 1.0
+    push = table.stiffness[row] * sight[row, APART]
+    return table.friction[row] * push + share * table.brake[row]
+
+
+@small
+def spring_of(table, memory, row):
+    """Return the friction spring's force at the place in sight, not yet cut [N]."""
+    way = memory.sight[row, AT] - memory.grip[row, PLACE]
+    return memory.grip[row, SPRING] - table.stiffness[row] * table.length[row] * way
+
+
+@small
+def rate_of(v, memory, row):
+    """Return how fast the place in sight changes where nodes move with v, (3, n) [1/s]."""
+    total = 0.0
+    for m in range(4):
+        i = memory.group[row, m]
+        for k in range(3):
+            total += memory.sight[row, GRADIENT + 3 * m + k] * v[k, i]
+    return total
+
+
+@small
+def cut(force, bound):
+    """Return a force cut to a bound."""
+    return min(max(force, -bound), bound)
+
+
+@small
+def rubbing(v, table, memory, row):
+    """Return R before it is cut, and its bound [N]; 0 at an end."""
+    if memory.sight[row, INSIDE] == 0.0:
+        return 0.0, 0.0
+    bound = bound_of(table, memory.sight, row)
+    if bound == 0.0:
+        return 0.0, 0.0
+    q = spring_of(table, memory, row)
+    q -= table.damping[row] * table.length[row] * rate_of(v, memory, row)
+    return q, bound
+
+
+@kernel
+def slide_forces(x, v, table, memory, force, lo, hi):
+    """Write the force of all slides on every node [N], (3, n)."""
+    for i in range(lo, min(hi, x.shape[1])):
+        force[0, i], force[1, i], force[2, i] = 0.0, 0.0, 0.0
+    add_slide_forces(x, v, table, memory, force)
+
+
+@kernel
+def add_slide_forces(x, v, table, memory, force):
+    """Add the force of all slides on every node [N], (3, n)."""
+    sight = memory.sight
+    for row in range(table.node.shape[0]):
+        look(x, table, memory, row)
+        q, bound = rubbing(v, table, memory, row)
+        along = cut(q, bound) * table.length[row]
+        for m in range(4):
+            i, push = memory.group[row, m], -table.stiffness[row] * sight[row, SHARE + m]
+            for k in range(3):
+                force[k, i] += push * sight[row, R + k] + along * sight[row, GRADIENT + 3 * m + k]
+
+
+@kernel
+def slide_energy(x, table, memory):
+    """Return what slides have stored, their friction springs included [J]."""
+    total = 0.0
+    for row in range(table.node.shape[0]):
+        look(x, table, memory, row)
+        apart = memory.sight[row, APART]
+        total += 0.5 * table.stiffness[row] * apart * apart
+        if memory.sight[row, INSIDE] == 1.0:
+            held = cut(spring_of(table, memory, row), bound_of(table, memory.sight, row))
+            total += 0.5 * held * held / table.stiffness[row]
+    return total
+
+
+@kernel
+def remember_slides(x, table, memory):
+    """Keep where slides are and what their friction carries; return the first that is off its rope, or -1."""
+    lost = -1
+    for row in range(table.node.shape[0]):
+        look(x, table, memory, row)
+        held = 0.0
+        if memory.sight[row, INSIDE] == 1.0:
+            held = cut(spring_of(table, memory, row), bound_of(table, memory.sight, row))
+        memory.grip[row, SPRING], memory.grip[row, PLACE] = held, memory.sight[row, AT]
+        if lost < 0 and not memory.sight[row, APART] <= 0.5 * table.length[row]:
+            lost = row
+    return lost

@@ -1,0 +1,202 @@
+"""Slides as a law: nodes that run along other ropes, with friction and a brake. See `force`.
+
+By default a slide is as stiff across as contacts of the two ropes would be (`laws.obstacle`): as soft as
+their own inertia lets it be solved for.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ropewalk.core.arrays import Floats
+from ropewalk.core.jit import part
+from ropewalk.core.ordering import order_network
+from ropewalk.laws.node_law import NodeLaw, Rest
+from ropewalk.laws.obstacle import node_stiffness
+from ropewalk.laws.slides.curve import nearest_place
+from ropewalk.laws.slides.force import remember_slides, slide_energy, slide_forces
+from ropewalk.laws.slides.table import LOST, PLACE, WIDTH, Memory, Slides
+from ropewalk.laws.slides.tangent import along_slides, couple_slides
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from ropewalk.lowering.layout import Layout
+    from ropewalk.methods.bound import Chain
+    from ropewalk.scene import Rope
+    from ropewalk.scene.slide import Slide
+
+DAMPING = 0.5  # [1] damping ratio of the friction spring between the nodes at hand
+
+
+def lower(
+    slides: Sequence[Slide] | None,
+    layout: Layout,
+    ropes: Sequence[Rope],
+    whole: Sequence[float],
+) -> Slides:
+    """Return the table of a scene's slides; `whole` is a rope's mass with all it is tied to [kg]."""
+    numbers = {rope.name: number for number, rope in enumerate(ropes)}
+    rows = []
+    for slide in slides or ():
+        own, other = numbers[slide.rope], numbers[slide.on]
+        rope, line, span = ropes[own], ropes[other], layout.ropes[other]
+        node = rope.node_index(slide.node)
+        mass = rope.own_mass / rope.nodes
+        mass += sum(load.mass for load in rope.loads if rope.node_index(load.node) == node)
+        stiff, mass = node_stiffness(rope, whole[own], mass)
+        carries, light = node_stiffness(line, whole[other])
+        stiff = stiff * carries / (stiff + carries)
+        if slide.compliance is not None:
+            stiff = 1.0 / slide.compliance
+        rubs = slide.friction > 0.0 or slide.brake > 0.0
+        damping = 2.0 * DAMPING * math.sqrt(stiff * mass * light / (mass + light)) if rubs else 0.0
+        place = layout.node(slide.node, slide.rope), span.start, span.end, line.segment_length
+        rows.append((*place, stiff, damping, slide.friction, slide.brake, slide.brake_from))
+    columns = np.array(rows, dtype=np.float64).reshape(-1, 9).T
+    whole_numbers = (column.astype(np.int64) for column in columns[:3])
+    return Slides(*whole_numbers, *(np.ascontiguousarray(column) for column in columns[3:]))
+
+
+def acts(table: Slides) -> bool:
+    """Tell whether anything slides."""
+    return len(table.node) > 0
+
+
+def memory(table: Slides, x: Floats, stiffness: Floats) -> Memory:
+    """Return what is remembered at the start, for nodes at places (3, n) [m]: no friction."""
+    k = len(table.node)
+    grip = np.zeros((k, 2))
+    for row in range(k):
+        grip[row, PLACE] = place_near(table, row, x)
+    found = Memory(
+        grip, np.zeros((k, 4), np.int64), np.zeros((k, WIDTH)), np.zeros(2 * min(k, 1), np.int64)
+    )
+    remember_slides(x, table, found)
+    return found
+
+
+def place_near(table: Slides, row: int, x: Floats) -> float:
+    """Return the place on its rope that is nearest to a node, of all places (3, n) [m]."""
+    node, first, last = int(table.node[row]), int(table.first[row]), int(table.last[row])
+    away = np.square(x[:, first : last + 1] - x[:, [node]]).sum(axis=0)
+    return float(nearest_place(x, node, first, last, float(np.argmin(away))))
+
+
+@part
+def force(table, state, x, v, force, lo, hi):
+    """Write the force of all slides on every node [N], (3, n)."""
+    slide_forces(x, v, table, state.memory.slide, force, lo, hi)
+
+
+@part
+def tangent(table, state, x, v, weight_x, weight_v, marks, band):
+    """Add nothing: slides couple nodes that no band reaches, see `couple`."""
+
+
+@part
+def pattern(table, state, x, network):
+    """Find the order of elimination with the nodes that carry now; return whether there was room."""
+    memory = state.memory.slide
+    slide_energy(x, table, memory)  # which looks where they are
+    return order_network(network, memory.group, memory.group.shape[0])
+
+
+@part
+def couple(table, state, x, v, weight_x, weight_v, network):
+    """Add the derivatives of the force to the network."""
+    couple_slides(x, v, table, state.memory.slide, weight_x, weight_v, network)
+
+
+@part
+def along(table, state, x, v, d, weight_x, weight_v):
+    """Return d . K d of these derivatives K for a direction (3, n) [N m]."""
+    return along_slides(x, v, d, table, state.memory.slide, weight_x, weight_v)
+
+
+@part
+def remember(table, state):
+    """Keep what slides carry at the state; nothing is hit."""
+    memory = state.memory.slide
+    lost = remember_slides(state.x, table, memory)
+    if lost >= 0 and memory.tally[0] == 0:
+        memory.tally[0], memory.tally[1] = LOST, lost
+    return 0.0
+
+
+@part
+def fault(table, state):
+    """Return what went wrong, 0: nothing."""
+    return state.memory.slide.tally[0]
+
+
+@part
+def energy(table, state, x):
+    """Return what slides have stored [J]."""
+    return slide_energy(x, table, state.memory.slide)
+
+
+@part
+def rounding(table, state, x):
+    """Return what rounding of the places does to the force [N]."""
+    size, most = 0.0, 0.0
+    for k in range(3):
+        for i in range(x.shape[1]):
+            size = max(size, abs(x[k, i]))
+    for row in range(table.node.shape[0]):
+        most = max(most, table.stiffness[row])
+    return 16.0 * 2.220446049250313e-16 * most * size
+
+
+def at_rest(table: Slides) -> Rest:
+    """They roll where nothing holds them."""
+    return Rest.NOTHING
+
+
+def chain(table: Slides, chain: Chain, lengths: Floats, speed: float) -> Chain:
+    """Return a chain with every slide at each node of its rope.
+
+    Of (a - b)^2 <= (1 + s) a^2 + (1 + 1/s) b^2, with s the ratio of the masses, both sides are as stiff for
+    their mass as the pair is; shares of nodes add up to 1, so that none gets more than all.
+    """
+    if not len(table.node):
+        return chain
+    stiffness, damping = chain.node_stiffness.copy(), chain.node_damping.copy()
+    for row in range(len(table.node)):
+        node, line = int(table.node[row]), slice(int(table.first[row]), int(table.last[row]) + 1)
+        ratio = chain.mass[line] / chain.mass[node] if chain.free[node] else 0.0
+        least = np.min(chain.mass[line])
+        for array, value in ((stiffness, table.stiffness[row]), (damping, table.damping[row])):
+            array[line] += value * (1.0 + ratio)
+            array[node] += value * (1.0 + chain.mass[node] / least)
+    return chain._replace(node_stiffness=stiffness, node_damping=damping)
+
+
+def lost(state: Any) -> int | None:
+    """Return the slide whose node has come off its rope, if any."""
+    tally = state.memory.slide.tally
+    return int(tally[1]) if tally.size and tally[0] == LOST else None
+
+
+SLIDE = NodeLaw(
+    name="slide",
+    section="slides",
+    lower=lower,
+    inputs=("layout", "ropes", "whole"),
+    acts=acts,
+    force=force,
+    tangent=tangent,
+    memory=memory,
+    remember=remember,
+    rounding=rounding,
+    energy=energy,
+    at_rest=at_rest,
+    chain=chain,
+    pattern=pattern,
+    couple=couple,
+    along=along,
+    fault=fault,
+)

@@ -1,0 +1,53 @@
+"""What slides are made from, and what they remember."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from ropewalk.core.arrays import Floats, Ints
+
+# Columns of `Memory.grip`: place on the rope [1], force of the friction spring [N].
+PLACE, SPRING = range(2)
+# Columns of `Memory.sight`, see `curve.look`: place on the rope and on its piece [1], distance [m], slope
+# of the condition for the nearest point [m^2], 1 where that is inside the rope; the shares of the four
+# nodes in r and its derivatives; r, r', r'' [m]; the gradient of the place [1/m], three for each node;
+# how the slope changes with the place [m^2].
+AT, APART, SLOPE, INSIDE, SHARE, RATE, BEND, R, R1, R2, GRADIENT, TURNS = (
+    0,
+    1,
+    2,
+    3,
+    4,
+    8,
+    12,
+    16,
+    19,
+    22,
+    25,
+    37,
+)
+WIDTH = 38
+LOST = 1  # fault
+
+
+class Slides(NamedTuple):
+    """Slides, one row each; k of them."""
+
+    node: Ints  # (k,) what slides
+    first: Ints  # (k,) first node of the rope that it slides along
+    last: Ints  # (k,) its last one
+    length: Floats  # (k,) of its segments [m]
+    stiffness: Floats  # (k,) across, and along where it sticks [N/m]
+    damping: Floats  # (k,) along [N s/m]; 0 without friction
+    friction: Floats  # (k,) [1]
+    brake: Floats  # (k,) [N]
+    brake_from: Floats  # (k,) place from which it brakes [m]
+
+
+class Memory(NamedTuple):
+    """What slides remember of the last accepted step, and working space."""
+
+    grip: Floats  # (k, 2), see PLACE
+    group: Ints  # (k, 4) the node, and the three of the rope that carry it
+    sight: Floats  # (k, WIDTH) working space, see AT
+    tally: Ints  # (2,) fault, and the slide that has it

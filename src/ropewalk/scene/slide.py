@@ -1,0 +1,143 @@
+"""Slides: nodes that run along other ropes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from pydantic import Field
+
+from ropewalk.scene.base import NAME, Model, Number, Text, Whole, not_negative, positive, quantity
+from ropewalk.scene.environment import Limiter
+from ropewalk.scene.faults import MISSING, NO_VALUE, Fault
+from ropewalk.scene.obstacles import MOST_FRICTION
+from ropewalk.scene.rope import Rope, node_range
+from ropewalk.scene.rope_contact import Contact
+from ropewalk.scene.winch import Winch
+from ropewalk.words.nearest import nearest
+
+_FEWEST = 2  # segments of a rope that something slides along
+
+
+class Slide(Model):
+    """Lets a node of a rope run along another rope, as a trolley or a ring does; it stops at the rope's ends.
+
+    In a Scene every slide has its name and the rope it runs on filled in.
+    """
+
+    name: Text = Field(
+        default="", pattern=NAME, max_length=60, description='Name; default "slide0", "slide1" ..'
+    )
+    rope: Text = Field(min_length=1, description="Name of the rope whose node slides")
+    node: Whole = Field(
+        default=0,
+        description="That node, counted from 0 at the rope's start; negative counts back from its end",
+        json_schema_extra={"unit": "1"},
+    )
+    on: Text = Field(
+        default="",
+        min_length=1,
+        description="Name of the rope that it runs along; default the first one",
+    )
+    at: Number | None = positive(
+        "Where it starts, unstretched rope from that rope's start; the node's rope is moved there as a "
+        "whole; by default the place nearest to where the node is drawn",
+        "m",
+        default=None,
+    )
+    friction: Number = quantity(
+        "Force along the rope over that across it, Coulomb's: what resists the rolling",
+        "1",
+        default=0.0,
+        ge=0,
+        le=MOST_FRICTION,
+    )
+    brake: Number = not_negative("Constant force that brakes it, and holds it", "N", default=0.0)
+    brake_from: Number = not_negative(
+        "Place from which it brakes, unstretched rope from that rope's start; in full after one segment",
+        "m",
+        default=0.0,
+    )
+    compliance: Number | None = positive(
+        "How far it comes off the rope's middle per force; by default as little as both ropes' inertia and "
+        "stiffness allow",
+        "m/N",
+        default=None,
+    )
+
+    def __str__(self) -> str:
+        name = f" {self.name!r}" if self.name else ""
+        on = f" {self.on!r}" if self.on else " the first rope"
+        return f"Slide{name}: node {self.node} of {self.rope!r} runs along{on}."
+
+    __repr__ = __str__
+
+
+def slide_faults(
+    slides: Sequence[Slide],
+    ropes: Sequence[Rope],
+    winches: Sequence[Winch],
+    limiter: Limiter | None,
+    contact: Contact | None,
+) -> list[Fault]:
+    """The faults of a scene in which nodes slide along ropes."""
+    if not slides:
+        return []
+    others = (
+        ("winch", "a winch", bool(winches)),
+        ("limiter", "a stretch limiter", limiter is not None),
+        ("contact", "ropes that touch each other", contact is not None),
+    )
+    found = [
+        Fault("slide", NO_VALUE, f"cannot work with {what} yet: leave out {section}, or the slides")
+        for section, what, there in others
+        if there
+    ]
+    names, seen = [rope.name for rope in ropes], dict[tuple[str, int], int]()
+    titles = dict[str, int]()
+    for i, slide in enumerate(slides):
+        name = slide.name or f"slide{i}"
+        if titles.setdefault(name, i) != i:
+            rule = f"is the name of slide[{titles[name]}] already"
+            found.append(Fault(f"slide[{i}].name", name, rule))
+        on = slide.on or names[0]
+        unknown = [
+            Fault(f"slide[{i}].{key}", value, _no_rope(value, names))
+            for key, value in (("rope", slide.rope), ("on", on))
+            if value not in names
+        ]
+        found += unknown or _one(i, slide, ropes[names.index(slide.rope)], ropes[names.index(on)])
+        if not unknown:
+            point = slide.rope, slide.node % ropes[names.index(slide.rope)].nodes
+            if seen.setdefault(point, i) != i:
+                rule = f"slides already, by slide[{seen[point]}]"
+                found.append(Fault(f"slide[{i}].node", slide.node, rule))
+    return found
+
+
+def _no_rope(name: str, names: Sequence[str]) -> str:
+    return f"is no rope: {nearest(name, names)}"
+
+
+def _one(i: int, slide: Slide, rope: Rope, line: Rope) -> Iterator[Fault]:
+    """The faults of one slide, of a node of `rope` along `line`."""
+    path = f"slide[{i}]"
+    if not -rope.nodes <= slide.node < rope.nodes:
+        yield Fault(f"{path}.node", slide.node, node_range(rope))
+    if rope.name == line.name:
+        rule = "is the rope of the node itself: give the name of another rope"
+        yield Fault(f"{path}.on", line.name, rule)
+    if line.segments < _FEWEST:
+        rule = f"has one segment; give the rope that something slides along {_FEWEST} or more"
+        yield Fault(f"{path}.on", line.name, rule)
+    if line.made_of.parts:
+        rule = (
+            "may part, and nothing slides along a rope that parts yet; leave out parts of that rope"
+        )
+        yield Fault(f"{path}.on", line.name, rule)
+    for key, value in (("at", slide.at), ("brake_from", slide.brake_from)):
+        if value is not None and value > line.length_unstretched:
+            rule = f"must be on rope {line.name!r}, which is {line.length_unstretched:g} m long"
+            yield Fault(f"{path}.{key}", value, rule)
+    if slide.brake_from > 0.0 and slide.brake == 0.0:
+        rule = "is needed with brake_from: give the brake's force, or leave out brake_from"
+        yield Fault(f"{path}.brake", MISSING, rule)
