@@ -15,7 +15,7 @@ from ropewalk.analysis.cost import seconds_per_step
 from ropewalk.analysis.json_values import plain
 from ropewalk.analysis.obstacle_notes import obstacle_warnings
 from ropewalk.analysis.plan_notes import plan_notes
-from ropewalk.analysis.rest_notes import limiter_warnings, rest_warnings
+from ropewalk.analysis.rest_notes import limiter_warnings, may_say_nothing, rest_warnings
 from ropewalk.analysis.rope_check import RopeCheck, rope_check
 from ropewalk.analysis.stability import Stability, milliseconds, rounded_down, stability
 from ropewalk.analysis.strains import (
@@ -246,7 +246,7 @@ def _warnings(
                 "it parts as it starts" if rope.utilisation > 1.0 else "it parts with little more"
             )
             warnings.append(f"rope {rope.name!r}: carries {share} at rest; {parts}")
-        if rope.slack and not model.layout.touches:
+        if rope.slack and not may_say_nothing(model):
             warnings.append(
                 f"rope {rope.name!r}: {rope.slack} of {rope.segments} segments carry no tension "
                 "at rest"

@@ -26,11 +26,16 @@ def limiter_warnings(model: Model, statics: Statics) -> list[str]:
     ]
 
 
+def may_say_nothing(model: Model) -> bool:
+    """Tell whether a shape that was not found to be at rest says nothing of one that is."""
+    return model.layout.touches or bool(model.scene.slides)
+
+
 def rest_warnings(model: Model, statics: Statics) -> list[str]:
     """Return a sentence where what is said of rest is not of a shape at rest, or of one among many."""
     if statics.solved:
         return [MANY] if statics.by_friction else []
-    if model.layout.touches:
+    if may_say_nothing(model):
         return [f"{statics.trouble}. What is said of tensions at rest is left out"]
     if not statics.searched:
         return [

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ropewalk.analysis.rest_notes import may_say_nothing
 from ropewalk.analysis.strains import percent, words_of_curve
 from ropewalk.core.arrays import Floats
 from ropewalk.lowering import Model
@@ -86,7 +87,7 @@ def rope_check(model: Model, statics: Statics, name: str) -> RopeCheck:
     state = model.state
     own = rope.own_mass / max(rope.nodes - (0 if rope.made_of.kind == "springs" else 1), 1)
     rest, tension = state.rest_length[segments], statics.tension[segments]
-    rests = statics.solved or not model.layout.touches
+    rests = statics.solved or not may_say_nothing(model)
     load = breaking_load(rope) if rests else None
     size = np.linalg.norm(np.diff(state.x[:, span.start : span.end + 1], axis=1), axis=0)
     taut = tension > 0.0

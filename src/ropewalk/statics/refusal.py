@@ -12,7 +12,7 @@ from ropewalk.lowering import Model, Span
 from ropewalk.lowering.contact_checks import NO_REST
 from ropewalk.lowering.slide_checks import NO_REST as NO_ROLLING_REST
 from ropewalk.scene import SceneError
-from ropewalk.scene.faults import Fault
+from ropewalk.scene.faults import NO_VALUE, Fault
 from ropewalk.statics.hung import held_nodes
 from ropewalk.statics.tied import partners, tied_nodes
 
@@ -29,6 +29,8 @@ def undetermined_ropes(model: Model) -> tuple[str, ...]:
 
 def refuse_impossible(model: Model) -> None:
     """Raise SceneError for ropes that have no rest shape, or that nothing gives one."""
+    if model.scene.slides:
+        raise SceneError([Fault("slide", NO_VALUE, NO_ROLLING_REST)])
     faults = []
     for number, rope in enumerate(model.layout.ropes):
         rule = _fault_of(model, rope)
@@ -87,7 +89,9 @@ def _unheld(model: Model, rope: Span, heavy: bool, rests: set[Rest]) -> str:
 
 
 def _is_held(model: Model, rope: Span) -> bool:
-    """Whether an anchor holds the rope, or one that it is tied to."""
+    """Whether an anchor holds the rope, or one that it is tied to; or it slides along another."""
+    if any(slide.rope == rope.name for slide in model.scene.slides):
+        return True
     if not tied_nodes(model, rope):
         return bool(held_nodes(model, rope))
     return any(held_nodes(model, one) for one in partners(model, rope))

@@ -13,6 +13,7 @@ from ropewalk.laws.acting import borne
 from ropewalk.laws.node_law import Rest
 from ropewalk.lowering import Model, build
 from ropewalk.lowering.contact_checks import NO_REST
+from ropewalk.lowering.slide_checks import NO_REST as NO_ROLLING_REST
 from ropewalk.lowering.touching import Contacts
 from ropewalk.scene import Scene
 from ropewalk.scene.obstacles import thinnest
@@ -249,7 +250,7 @@ def _statics(model: Model, balance: Balance, found: Found, unheld: tuple[str, ..
         residual=float(np.abs(left[:, balance.free]).max(initial=0.0)),
         gap=float(np.abs(balance.gap(x, tension)).max(initial=0.0)),
         steps=found.steps,
-        solved=found.at_rest and model.scene.contact is None,
+        solved=found.at_rest and not _looks_for_none(model.scene),
         wraps=lie,
         contacts=contacts,
         trouble=_trouble(model, balance, found),
@@ -266,10 +267,15 @@ def _lie(
     return wraps(model, np.ascontiguousarray(x.T), tension, force, others - force)
 
 
+def _looks_for_none(scene: Scene) -> bool:
+    """Tell whether ropes touch each other or slide: their rest is not looked for."""
+    return scene.contact is not None or bool(scene.slides)
+
+
 def _trouble(model: Model, balance: Balance, found: Found) -> str:
-    """Return why a scene with contact is not at rest; "" where it is."""
-    if model.scene.contact is not None:
-        return NO_REST
+    """Return why a scene with contact or slides is not at rest; "" where it is."""
+    if _looks_for_none(model.scene):
+        return NO_REST if model.scene.contact is not None else NO_ROLLING_REST
     obstacles = bool(model.scene.obstacles)
     return _complaint(model, balance, found) if obstacles and not found.at_rest else ""
 
