@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 import ropewalk as rw
-from ropewalk.laws.slides.curve import look, point_at, shares
-from ropewalk.laws.slides.force import slide_energy, slide_forces
+from ropewalk.laws.slides.rail import look, point_at, shares
+from ropewalk.laws.slides.slide_force import slide_energy, slide_forces
+from ropewalk.laws.slides.slide_tangent import along_slides, block, weights_of
 from ropewalk.laws.slides.table import AT, Memory, Slides
-from ropewalk.laws.slides.tangent import along_slides, block, weights_of
 from ropewalk.methods.verdict import energy_now
 from ropewalk.scene import SceneError, Straight
 

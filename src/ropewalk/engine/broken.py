@@ -7,7 +7,7 @@ import numpy as np
 from ropewalk.core.arrays import State, System
 from ropewalk.core.status import HONEST, TAKEN, ZERO
 from ropewalk.engine.too_near import fault_of
-from ropewalk.laws.slides.law import lost
+from ropewalk.laws.slides.sliding import lost
 from ropewalk.lowering import Layout
 from ropewalk.methods.verdict import energy_now
 

@@ -11,7 +11,7 @@ from ropewalk.laws.node_law import NodeLaw
 from ropewalk.laws.obstacle import OBSTACLE
 from ropewalk.laws.pairs.law import CONTACT
 from ropewalk.laws.parting import PARTING
-from ropewalk.laws.slides.law import SLIDE
+from ropewalk.laws.slides.sliding import SLIDE
 
 #: Forces are summed and works recorded in this order.
 NODE_LAWS: tuple[NodeLaw, ...] = (AIR, GROUND, OBSTACLE, CONTACT, PARTING, SLIDE)

@@ -7,7 +7,7 @@ import numpy as np
 from ropewalk.core.arrays import Floats, State, assign, flatten
 from ropewalk.laws.pairs.law import memory as found_contacts
 from ropewalk.laws.pairs.search import NOWHERE
-from ropewalk.laws.slides.law import memory as place_slides
+from ropewalk.laws.slides.sliding import memory as place_slides
 from ropewalk.lowering import Model, build, with_all_laws
 from ropewalk.lowering.contact_checks import deepest, refuse_pressing
 from ropewalk.lowering.joint_tables import tied_with

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ropewalk.core.arrays import State
-from ropewalk.laws.slides.curve import nearest_place, point_at
+from ropewalk.laws.slides.rail import nearest_place, point_at
 from ropewalk.lowering.layout import Layout
 from ropewalk.scene import Scene, SceneError
 from ropewalk.scene.faults import NO_VALUE, Fault

@@ -12,6 +12,7 @@ from ropewalk.scene import Rope, Scene, Springs
 from ropewalk.scene.curve_words import curve_words
 from ropewalk.scene.from_library import origin, origin_words
 from ropewalk.scene.obstacles import Obstacle
+from ropewalk.scene.slide import Slide
 from ropewalk.sheets.content import Item, Section, Table, Text
 from ropewalk.words.prefixes import prefixed
 
@@ -136,6 +137,7 @@ def assumption_section(scene: Scene) -> Section:
         _ground(scene),
         _anchors(scene),
         _joints(scene),
+        *map(_slide, scene.slides),
         *map(_obstacle, scene.obstacles),
     ]
     if scene.limiter is not None:
@@ -191,6 +193,12 @@ def _joints(scene: Scene) -> str:
     many = f"{len(scene.joints)} joints tie nodes of ropes, by their names in the scene below."
     named = " ".join(map(str, scene.joints)) if len(scene.joints) <= _MOST_NAMED else many
     return f"{named} Joints weigh nothing, hold no direction and do not give."
+
+
+def _slide(slide: Slide) -> str:
+    brake = f", and a brake of {slide.brake:g} N" if slide.brake else ""
+    place = f" from {slide.brake_from:g} m on" if slide.brake_from else ""
+    return f"{slide} Its coefficient of friction is {slide.friction:g}{brake}{place}."
 
 
 def _obstacle(body: Obstacle) -> str:

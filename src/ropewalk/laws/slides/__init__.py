@@ -1,1 +1,1 @@
-"""Nodes that slide along other ropes: a law of nodes. See `law`."""
+"""Nodes that slide along other ropes: a law of nodes. See `sliding`."""

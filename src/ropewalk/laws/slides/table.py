@@ -8,7 +8,7 @@ from ropewalk.core.arrays import Floats, Ints
 
 # Columns of `Memory.grip`: place on the rope [1], force of the friction spring [N].
 PLACE, SPRING = range(2)
-# Columns of `Memory.sight`, see `curve.look`: place on the rope and on its piece [1], distance [m], slope
+# Columns of `Memory.sight`, see `rail.look`: place on the rope and on its piece [1], distance [m], slope
 # of the condition for the nearest point [m^2], 1 where that is inside the rope; the shares of the four
 # nodes in r and its derivatives; r, r', r'' [m]; the gradient of the place [1/m], three for each node;
 # how the slope changes with the place [m^2].

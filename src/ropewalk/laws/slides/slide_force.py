@@ -16,7 +16,7 @@ of Mechanics, ch. 3 and 4 (generalised forces).
 from __future__ import annotations
 
 from ropewalk.core.jit import kernel, small
-from ropewalk.laws.slides.curve import look
+from ropewalk.laws.slides.rail import look
 from ropewalk.laws.slides.table import APART, AT, GRADIENT, INSIDE, PLACE, SHARE, SPRING, R
 
 

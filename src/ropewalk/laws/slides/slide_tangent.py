@@ -13,8 +13,8 @@ from __future__ import annotations
 
 from ropewalk.core.jit import kernel, small
 from ropewalk.core.network import add_block, put_pair
-from ropewalk.laws.slides.curve import look
-from ropewalk.laws.slides.force import cut, rubbing
+from ropewalk.laws.slides.rail import look
+from ropewalk.laws.slides.slide_force import cut, rubbing
 from ropewalk.laws.slides.table import (
     APART,
     BEND,

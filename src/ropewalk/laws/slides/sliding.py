@@ -1,4 +1,4 @@
-"""Slides as a law: nodes that run along other ropes, with friction and a brake. See `force`.
+"""Slides as a law: nodes that run along other ropes, with friction and a brake. See `slide_force`.
 
 By default a slide is as stiff across as contacts of the two ropes would be (`laws.obstacle`): as soft as
 their own inertia lets it be solved for.
@@ -16,10 +16,10 @@ from ropewalk.core.jit import part
 from ropewalk.core.ordering import order_network
 from ropewalk.laws.node_law import NodeLaw, Rest
 from ropewalk.laws.obstacle import node_stiffness
-from ropewalk.laws.slides.curve import nearest_place
-from ropewalk.laws.slides.force import remember_slides, slide_energy, slide_forces
+from ropewalk.laws.slides.rail import nearest_place
+from ropewalk.laws.slides.slide_force import remember_slides, slide_energy, slide_forces
+from ropewalk.laws.slides.slide_tangent import along_slides, couple_slides
 from ropewalk.laws.slides.table import LOST, PLACE, WIDTH, Memory, Slides
-from ropewalk.laws.slides.tangent import along_slides, couple_slides
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
