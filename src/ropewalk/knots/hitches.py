@@ -107,13 +107,21 @@ def round_turn(rho: float, gap: float, own: float) -> tuple[Floats, Floats]:
 
 
 def prusik(rho: float, gap: float, turns: float) -> Floats:
-    """Return turns from the middle to one side, a bight over to the other, and turns back, (m, 3)."""
-    climb = gap * turns
-    half = _turn(0.0, 2.0 * math.pi * turns, rho, 0.5 * gap, climb)
-    top = 0.5 * gap + climb
-    bight = _bight(rho + 2.0, -rho, top, -top)
-    return np.vstack([half, [[0.5 * rho + 1.0, -rho, top]], bight, [[0.5 * rho + 1.0, -rho, -top]],
-                      half[::-1] * np.array([1.0, 1.0, -1.0])])  # fmt: skip
+    """Return turns from the middle to one side, the bight back over turns and ends, and turns back, (m, 3)."""
+    outer = rho + gap
+    round_off = min(_CORNER, gap * (turns + 0.5) - 0.4)  # radius of the bend from turns to bight
+    bend = round_off / outer  # its angle about the post
+    full = 2.0 * math.pi * turns - bend
+    angle = np.linspace(0.0, full, max(2, math.ceil(full / _STEP)) + 1)
+    lift = np.clip((angle - full) / max(1.2, 2.4 / rho) + 1.0, 0.0, 1.0)
+    rise = lift * lift * (3.0 - 2.0 * lift)
+    z = 0.5 * gap + gap * turns * angle / full
+    way = np.linspace(0.0, 0.5 * math.pi, 5)[1:]
+    corner = _around(full + bend * np.sin(way), outer, z[-1] - round_off * (1.0 - np.cos(way)))
+    half = np.vstack([_around(angle, rho + gap * rise, z), corner])
+    leg = np.linspace(corner[-1, 2], 0.0, max(2, math.ceil(corner[-1, 2])) + 1)[1:]
+    half = np.vstack([half, _around(np.full(len(leg), full + bend), outer, leg)])
+    return np.vstack([half, half[-2::-1] * np.array([1.0, 1.0, -1.0])])
 
 
 def munter(rho: float, gap: float) -> Floats:
