@@ -48,7 +48,7 @@ def ends(shape: Knot) -> tuple[Floats, Floats, Floats, Floats]:
 
 
 def clove_hitch(post: float, rope: float) -> tuple[float, float]:
-    """The load [N] that a clove hitch comes to with a free end, or at which that end slid 2 mm; its way [m]."""
+    """The load [N] of a clove hitch with a free end, at most till that slid 2 mm; its way [m]."""
     shape = Knot(knot="clove-hitch", post_radius=2.0 * D)
     hand, tail, out, off = ends(shape)
     tight = 0.025
@@ -76,7 +76,7 @@ def clove_hitch(post: float, rope: float) -> tuple[float, float]:
 
 
 def prusik(friction: float) -> tuple[float, float]:
-    """Both ends of a prusik are drawn along the post: the most that they take [N], and how far it slid [m]."""
+    """A prusik is drawn along its post by both ends: the most they take [N], how far it slid [m]."""
     shape = Knot(knot="prusik", post_radius=D)
     tight, length = 0.07, 0.0
     courses = []

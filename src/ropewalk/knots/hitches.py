@@ -107,7 +107,7 @@ def round_turn(rho: float, gap: float, own: float) -> tuple[Floats, Floats]:
 
 
 def prusik(rho: float, gap: float, turns: float) -> Floats:
-    """Return turns from the middle to one side, the bight back over turns and ends, and turns back, (m, 3)."""
+    """Return turns to one side, the bight back over turns and ends, and turns on the other, (m, 3)."""
     outer = rho + gap
     round_off = min(_CORNER, gap * (turns + 0.5) - 0.4)  # radius of the bend from turns to bight
     bend = round_off / outer  # its angle about the post
