@@ -132,3 +132,52 @@ def test_a_prusik_holds_along_its_post() -> None:
     assert slid < 0.008
     most, _ = prusik(0.0)
     assert most < 5.0
+
+
+def bend(knot: str, friction: float) -> tuple[float, float]:
+    """Two ropes tied to each other, drawn tight by all four ends; then the short ones are let go.
+
+    Returns the most [N] that the long ends bore till a short one had slid 50 mm, or 700 N; and its way [m].
+    """
+    tight, ropes, anchors = 0.05, [], []
+    for k, name in enumerate(("one", "two")):
+        shape = Knot(knot=knot, rope=k + 1)
+        count = math.ceil((shape.tied(D).length + 0.4) / D)
+        size = {"segments": count, "length": count * D, "diameter": D}
+        ropes.append(Rope(name=name, made_of=STUFF, shape=shape, **size))
+        x = shape.places(count, count * D, D, (0, 0, 1), D)
+        for node, release in ((0, None), (-1, 0.6)):
+            out = np.array([np.sign(x[node, 0]), 0.0, 0.0])
+            course = [x[node], x[node] + tight * out, x[node] + tight * out, x[node] + 0.125 * out]
+            places = [p.tolist() for p in course]
+            motion = Table(times=[0.0, 0.5, 0.7, 2.2], positions=places)
+            anchors.append(Anchor(rope=name, node=node, motion=motion, release_time=release))
+    scene = Scene(
+        gravity=(0, 0, 0),
+        ropes=ropes,
+        anchors=anchors,
+        contact=Contact(friction=friction),
+        run=RunSettings(method="implicit-euler", time_step=1 / 240, frame_rate=60),
+        air=DRAG,
+    )
+    simulation = Simulation(scene)
+    simulation.step(0.7)
+    short = [ropes[0].nodes - 1, -1]
+    start, most = simulation.arrays.x[:, short].copy(), 0.0
+    for _ in range(90):
+        simulation.step(1.0 / 60.0)
+        slid = float(np.linalg.norm(simulation.arrays.x[:, short] - start, axis=0).max())
+        if slid > 0.05:
+            break
+        most = max(most, float(simulation.arrays.tension[:3].mean()))
+        if most > 700.0:
+            break
+    return most, slid
+
+
+@pytest.mark.slow
+def test_a_reef_holds_where_a_granny_slips() -> None:
+    """With friction 0.3; with 0.1 the reef slips, too."""
+    assert bend("reef", 0.3)[0] > 700.0
+    assert bend("granny", 0.3)[0] < 400.0
+    assert bend("reef", 0.1)[0] < 5.0
