@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import math
+from typing import Literal
 
 import numpy as np
 import pytest
 
 from ropewalk.core.arrays import Floats
-from ropewalk.scene import Anchor, Contact, Knot, Material, Rope, RunSettings, Scene, Table
+from ropewalk.scene import Air, Anchor, Contact, Knot, Material, Rope, RunSettings, Scene, Table
 from ropewalk.simulation import Simulation
 
 D = 0.01  # [m]
 STUFF = Material(EA=1e4, mass_per_length=0.08, axial_damping=2.0)
-DRAG = {"node_drag": 0.02}  # takes the whipping of ends that are let go
+DRAG = Air(node_drag=0.02)  # takes the whipping of ends that are let go
 Course = list[tuple[float, Floats]]  # times [s] and places [m]
 
 
@@ -25,7 +26,7 @@ def hitch(shape: Knot, courses: tuple[Course, Course], post: float, rope: float)
         Anchor(
             node=node,
             motion=Table(times=[t for t, _ in course], positions=[p.tolist() for _, p in course]),
-            **({} if course[-1][0] > 3.0 else {"release_time": course[-1][0]}),
+            release_time=None if course[-1][0] > 3.0 else course[-1][0],
         )
         for node, course in zip((0, -1), courses, strict=True)
     ]
@@ -134,7 +135,7 @@ def test_a_prusik_holds_along_its_post() -> None:
     assert most < 5.0
 
 
-def bend(knot: str, friction: float) -> tuple[float, float]:
+def bend(knot: Literal["reef", "granny"], friction: float) -> tuple[float, float]:
     """Two ropes tied to each other, drawn tight by all four ends; then the short ones are let go.
 
     Returns the most [N] that the long ends bore till a short one had slid 50 mm, or 700 N; and its way [m].
@@ -143,8 +144,10 @@ def bend(knot: str, friction: float) -> tuple[float, float]:
     for k, name in enumerate(("one", "two")):
         shape = Knot(knot=knot, rope=k + 1)
         count = math.ceil((shape.tied(D).length + 0.4) / D)
-        size = {"segments": count, "length": count * D, "diameter": D}
-        ropes.append(Rope(name=name, made_of=STUFF, shape=shape, **size))
+        one = Rope(
+            name=name, segments=count, length=count * D, diameter=D, made_of=STUFF, shape=shape
+        )
+        ropes.append(one)
         x = shape.places(count, count * D, D, (0, 0, 1), D)
         for node, release in ((0, None), (-1, 0.6)):
             out = np.array([np.sign(x[node, 0]), 0.0, 0.0])
