@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shutil
 from pathlib import Path
 
 import pytest
@@ -131,3 +132,32 @@ def test_a_changed_status_is_refused_and_a_sealed_one_is_not(stopped: Path) -> N
     rewrite(path, {"seconds": 1.0}, sealed=False)
     with pytest.raises(RunError, match=r"status\.json: is damaged"):
         Result.open(stopped)
+
+
+def test_a_log_that_is_not_as_it_was_written_tells_of_no_partings(tmp_path: Path) -> None:
+    """Only it knows when ropes parted: it was believed, whatever was in it. The twin: as it was written."""
+    springs = rw.Springs(
+        spring_constant=100.0, node_mass=0.5, segment_length=0.5, parts=True, breaking_load=6.0
+    )
+    rope = rw.Rope(segments=2, made_of=springs)
+    run = {"duration": 0.5, "frame_rate": 20.0}
+    scene = rw.Scene(ropes=[rope], anchors=[rw.Anchor(node=0)], run=run)
+    whole = rw.simulate(scene).save(tmp_path / "whole")
+    (parting,) = whole.partings
+    log = (tmp_path / "whole" / "events.jsonl").read_text().splitlines(keepends=True)
+    (line,) = (number for number, text in enumerate(log) if "rope parted" in text)
+    first = str(parting.tension)[0]
+    wrong = {
+        "value": log[line].replace(f'"tension": {first}', f'"tension": {int(first) % 9 + 1}'),
+        "key": log[line].replace('"event"', '"eVent"'),
+        "brace": "z" + log[line][1:],
+    }
+    damaged = {name: [*log[:line], text, *log[line + 1 :]] for name, text in wrong.items()}
+    damaged["without"] = log[:line]  # to the end: no checksum tells
+    for name, lines in damaged.items():
+        shutil.copytree(tmp_path / "whole", tmp_path / name)
+        (tmp_path / name / "events.jsonl").write_text("".join(lines))
+        assert "".join(lines) != "".join(log)
+        with pytest.raises(RunError, match=r"events\.jsonl: is damaged"):
+            _ = rw.open(tmp_path / name).partings
+    assert rw.open(tmp_path / "whole").partings == (parting,)

@@ -74,6 +74,7 @@ def diagnose(
     time: float,
     step: int,
     reason: str = "",
+    parted: NDArray[np.bool_] | None = None,
 ) -> Diagnosis:
     """Say why a run broke, in one or two sentences.
 
@@ -85,23 +86,18 @@ def diagnose(
         time: of the last good frame [s].
         step: number of steps from the start of the run to the last good frame.
         reason: what the simulation found broken, `Simulation.reason`.
+        parted: segments that are no more, (s,); see `parted_segments`.
     """
-    finite = np.isfinite(positions).all(axis=(1, 2))
-    good = int(np.argmin(finite)) if not finite.all() else len(positions)
-    positions = positions[:good]
-    with np.errstate(over="ignore", invalid="ignore"):
-        segments = np.diff(positions, axis=1)
-        lengths = np.linalg.norm(segments, axis=2)
-    sound = np.isfinite(lengths).all(axis=1)
-    good = int(np.argmin(sound)) if not sound.all() else len(lengths)
-    lengths = lengths[:good]
+    segments, lengths = _while_finite(positions)
     alive = _alive(layout)
+    if parted is not None:
+        alive &= ~parted
     changes = np.where(alive, np.diff(lengths, axis=0), 0.0)
     growth = _growth(changes, lengths, alive)
-    least = _SEEN * float(np.median(lengths[0][alive])) if good else 0.0
+    least = _SEEN * float(np.median(lengths[0][alive])) if len(lengths) else 0.0
     clearest, zigzag = _zigzag(changes, alive, least)
     if not zigzag < _CLEAR:
-        turned = np.where(alive[:, None], np.diff(segments[:good], axis=0), 0.0)
+        turned = np.where(alive[:, None], np.diff(segments, axis=0), 0.0)
         step, value = _zigzag(turned, alive, least)
         if value < _CLEAR:
             changes, clearest, zigzag = turned, step, value
@@ -179,7 +175,29 @@ def explain(simulation: Simulation) -> Diagnosis:
         positions = retrace(simulation, plan.steps_per_frame)
         simulation.restore(here)
     theory, layout = stability(model), simulation.layout
-    return diagnose(theory, layout, positions, simulation.time, step, reason)
+    parted = parted_segments(simulation)
+    return diagnose(theory, layout, positions, simulation.time, step, reason, parted)
+
+
+def _while_finite(positions: Floats) -> tuple[Floats, Floats]:
+    """Return segments, (steps, s, 3), and lengths, (steps, s) [m], of all steps before the first wild one."""
+    finite = np.isfinite(positions).all(axis=(1, 2))
+    good = int(np.argmin(finite)) if not finite.all() else len(positions)
+    with np.errstate(over="ignore", invalid="ignore"):
+        segments = np.diff(positions[:good], axis=1)
+        lengths = np.linalg.norm(segments, axis=2)
+    sound = np.isfinite(lengths).all(axis=1)
+    good = int(np.argmin(sound)) if not sound.all() else len(lengths)
+    return segments[:good], lengths[:good]
+
+
+def parted_segments(simulation: Simulation) -> NDArray[np.bool_]:
+    """Return which segments have parted, (s,)."""
+    found = np.zeros(simulation.layout.segments, bool)
+    times = simulation.state.state.memory.parting.time  # by a segment's first node
+    if len(times):
+        found |= np.isfinite(times[: len(found)])
+    return found
 
 
 def _skip(simulation: Simulation, frames: int) -> None:
@@ -280,9 +298,8 @@ def _sign(zigzag: float, flip: float, growth: float, predicted: bool) -> str:
     if flip < _CLEAR:
         pattern = "the pattern flips" if signs else "segments stretch and shrink in turn"
         signs.append(f"{pattern} at every step")
-    if growth > 1.0:
-        whose = "its" if signs else "the rope's"
-        signs.append(f"{whose} energy grows {growth:.3g}-fold per step")
+    if signs and growth > 1.0:  # without a pattern it is of no energy
+        signs.append(f"its energy grows {growth:.3g}-fold per step")
     none = "it burst too fast to show how" if predicted else "no zigzag"
     return " and ".join(signs) or none
 

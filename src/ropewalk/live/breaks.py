@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from ropewalk.analysis.diagnosis import Diagnosis, diagnose, retrace
+from ropewalk.analysis.diagnosis import Diagnosis, diagnose, parted_segments, retrace
 from ropewalk.analysis.stability import stability
 from ropewalk.core.arrays import Floats
 from ropewalk.live.meter import measure
@@ -133,7 +133,8 @@ class Question:
             again.restore(self.here)
             positions = retrace(again, max(self.broken.chunk, 1) + 1)
         theory, when = stability(model), (self.time, self.steps)
-        return diagnose(theory, layout, positions, *when, self.reason)
+        parted = parted_segments(self.simulation)
+        return diagnose(theory, layout, positions, *when, self.reason, parted)
 
     def _from_history(self) -> Floats | None:
         """Return the steps from an earlier moment up to the break, or None when they end otherwise.

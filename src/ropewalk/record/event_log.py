@@ -12,7 +12,7 @@ from typing import Any
 
 from ropewalk.record.facts import ROPE_BROKE, now
 from ropewalk.record.place import EVENTS as NAME
-from ropewalk.record.seal import sealed_line
+from ropewalk.record.seal import log_fault, sealed_line
 
 Event = dict[str, Any]
 _LAST = 1 << 18  # bytes at the end of a log, in which the line before is looked for
@@ -26,6 +26,14 @@ def log(folder: Path, event: str, **more: Any) -> None:
         last = file.read()
         begun = last and not last.endswith(b"\n")  # the process was killed in the middle of a line
         file.write((b"\n" if begun else b"") + sealed_line(line, last) + b"\n")
+
+
+def fault_of(folder: Path) -> str:
+    """Say what is wrong with the log; "" where nothing is, or there is none."""
+    try:
+        return log_fault((folder / NAME).read_bytes())
+    except OSError:
+        return ""
 
 
 def read_events(folder: Path) -> tuple[Event, ...]:

@@ -34,6 +34,7 @@ class Facts:
         default_factory=dict
     )  # of varying steps; see `Simulation`
     ends: tuple[End, ...] = ()  # what broke, in this order
+    log_fault: str = ""  # what is wrong with the log that the events are from
 
     def but(self, **changes: Any) -> Facts:
         """Return a copy with some facts changed."""

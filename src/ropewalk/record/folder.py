@@ -23,7 +23,7 @@ from ropewalk.methods.registry import METHODS
 from ropewalk.record import beyond
 from ropewalk.record.ends import from_dicts
 from ropewalk.record.errors import RunError
-from ropewalk.record.event_log import log, read_events
+from ropewalk.record.event_log import fault_of, log, read_events
 from ropewalk.record.facts import INTERRUPTED, RUNNING, Facts, now
 from ropewalk.record.files import read_json, reading, write
 from ropewalk.record.lock import is_locked
@@ -132,6 +132,7 @@ def read_facts(folder: Path) -> Facts:
             read_events(folder),
             dict(status.get("steps", {})),
             from_dicts(status.get("ends", ())),
+            fault_of(folder) if provenance["format"] >= SEALED else "",
         )
     except (KeyError, TypeError, ValueError):
         raise RunError(folder / PROVENANCE, "is damaged: it does not describe a run") from None

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable
 
     from ropewalk.record.event_log import Event
+    from ropewalk.record.result import Result
 
 _NAMED = 3
 
@@ -37,6 +38,30 @@ def partings_of(events: Iterable[Event]) -> tuple[Parting, ...]:
         for one in events
         if one["event"] == PARTED
     )
+
+
+def fault_of_partings(result: Result) -> str:
+    """Say why a result's log cannot be believed in what parted; "" where it can.
+
+    It is the only record of when and at what tension; which segments are gone the frames know, too. (A winch
+    takes segments away as well.)
+    """
+    if result.facts.log_fault:
+        return result.facts.log_fault
+    last = float(result.time[-1])
+    for rope in result.scene.ropes:
+        wound = any(winch.rope == rope.name for winch in result.scene.winches)
+        if math.isinf(rope.strength) or wound or rope.segment_length == 0.0:
+            continue
+        told = [
+            one for one in partings_of(result.events) if one.rope == rope.name and one.time <= last
+        ]
+        span = result.layout.span(rope.name)
+        there = result.read("rest_length", result.frames - 1)[0, span.start : span.end] > 0.0
+        gone = int((~there).sum())
+        if gone != len(told):
+            return f"is damaged: it tells of {len(told)} partings of {rope.name!r}, the frames of {gone}"
+    return ""
 
 
 def parting_rows(partings: tuple[Parting, ...]) -> dict[str, Any]:

@@ -17,11 +17,13 @@ from ropewalk.record.balances import balance_residual, energy_error
 from ropewalk.record.beyond import Beyond
 from ropewalk.record.beyond import load as load_beyond
 from ropewalk.record.ends import End
+from ropewalk.record.errors import RunError
 from ropewalk.record.facts import Facts
 from ropewalk.record.folder import open_parts, save_result
 from ropewalk.record.good import good_part
 from ropewalk.record.outlets import Outlets
-from ropewalk.record.parted import Parting, partings_of
+from ropewalk.record.parted import Parting, fault_of_partings, partings_of
+from ropewalk.record.place import EVENTS
 from ropewalk.record.point_forces import PointForces
 from ropewalk.record.quantities import has_rope, labels, rest_length_at_start
 from ropewalk.record.rope_view import RopeView
@@ -329,8 +331,11 @@ class Result(PointForces, Outlets):
     def partings(self) -> tuple[Parting, ...]:
         """Which segments parted: `time` [s], `rope`, `segment`, `tension` [N] each, in order of time.
 
-        From then on a segment has no `rest_length`, no tension and is not `live`.
+        From then on a segment has no `rest_length`, no tension and is not `live`. Raises RunError where the
+        folder's log is damaged.
         """
+        if self.scene.parts and self.folder and (fault := fault_of_partings(self)):
+            raise RunError(self.folder / EVENTS, fault)
         return partings_of(self.events)
 
     @property

@@ -69,6 +69,15 @@ def sealed_line(line: bytes, log: bytes) -> bytes:
     return body + b', "checksum": "' + _crc(before + body) + b'"}'
 
 
+def log_fault(log: bytes) -> str:
+    """Say which lines of a log are not as they were written; "" where all are."""
+    wrong = faulty_lines(log)
+    if not wrong:
+        return ""
+    lines = ", ".join(map(str, wrong[:8])) + (" ..." if len(wrong) > 8 else "")
+    return f"is damaged: lines that do not fit their checksums: {lines}"
+
+
 def faulty_lines(log: bytes) -> list[int]:
     """Return the numbers (from 1) of the lines of a log that are not as they were written.
 

@@ -13,7 +13,7 @@ from ropewalk.record.files import reading
 from ropewalk.record.folder import open_parts
 from ropewalk.record.place import BEYOND, CHECKPOINT, EVENTS
 from ropewalk.record.reader import Stored
-from ropewalk.record.seal import faulty_lines
+from ropewalk.record.seal import log_fault
 
 
 class Verdict(NamedTuple):
@@ -52,10 +52,9 @@ def _of_texts(folder: Path, stored: Stored, *, ended: bool) -> Iterator[RunError
     path = folder / EVENTS
     if path.exists():
         with reading(path):
-            wrong = faulty_lines(path.read_bytes())
+            wrong = log_fault(path.read_bytes())
         if wrong:
-            lines = ", ".join(map(str, wrong[:8])) + (" ..." if len(wrong) > 8 else "")
-            yield RunError(path, f"is damaged: lines that do not fit their checksums: {lines}")
+            yield RunError(path, wrong)
 
 
 def _raised(read: Callable[[Path], object], folder: Path) -> Iterator[RunError]:

@@ -95,7 +95,10 @@ def lower(
 
 def neighbours(rope: Rope) -> int:
     """Return how many segments on each side of one are its neighbours, which it does not touch."""
-    return math.ceil(NEIGHBOURS * 0.5 * rope.diameter / rope.segment_length)
+    reach = NEIGHBOURS * 0.5 * rope.diameter
+    if reach >= rope.length_unstretched:  # springs of no length, too
+        return rope.segments
+    return math.ceil(reach / rope.segment_length)
 
 
 def _note_joints(
