@@ -25,6 +25,7 @@ from ropewalk.laws.ledger import account
 from ropewalk.laws.nodes import hits, on_channels
 from ropewalk.laws.rare import has_bending, limits
 from ropewalk.laws.table import accelerate
+from ropewalk.laws.wheels import aim_no_wheels, end_aim
 from ropewalk.methods import tableaus
 from ropewalk.methods.gain import makes_up_energy, most_of
 from ropewalk.methods.generalized_alpha import end_alpha, prepare_alpha
@@ -41,6 +42,7 @@ from ropewalk.methods.scratch import (
 )
 from ropewalk.methods.stage import SPLITS, TIME, Stage, make_stage, solve_stage
 from ropewalk.methods.tableaus import BDF2, DIRK, GENERALIZED_ALPHA, SDIRK2, Tableau
+from ropewalk.methods.wheel_ties import aim_all, has_wheels
 
 MOST_HALVINGS = 12
 SMALLEST_PART = 0.5**MOST_HALVINGS  # [1] of a step
@@ -184,6 +186,8 @@ def end_stages(system, state, scratch, dt, level, kind, A, b):
         add_forces(system, stage.forces, 2.0 / 3.0, mean)
     else:
         ends_here = end_dirk(state, scratch, A, b, dt)
+        if has_wheels(system) and not ends_here:
+            aim_no_wheels(state.memory.obstacle.wheel)
     if watch and ends_here:
         if makes_up_energy(system, state, stage, mean, dt, most_of(system, level)):
             return UNSOLVED
@@ -219,6 +223,8 @@ def take_step(system, state, scratch, t, after, dt, ledger, level, kind, A, b, c
     if not warm:
         put_row(state.tension, stage.tension)
     for s in range(b.shape[0] if kind == DIRK else 1):
+        if has_wheels(system):
+            aim_all(system, state, kind, A, b, s, dt)
         if kind == DIRK and A[s, s] == 0.0:
             put(state.v, scratch.u[s])
             put(state.acceleration, scratch.k[s])
@@ -253,6 +259,8 @@ def take_step(system, state, scratch, t, after, dt, ledger, level, kind, A, b, c
         if status != OK:
             stage.report[TIME] = time
             return UNSOLVED
+        if has_wheels(system):
+            end_aim(state.memory.obstacle.wheel, s, kind != DIRK or s == b.shape[0] - 1)
         if kind == DIRK:
             put(stage.v, scratch.u[s])
             put(stage.a, scratch.k[s])
