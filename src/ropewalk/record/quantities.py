@@ -9,8 +9,7 @@ from numpy.typing import NDArray
 
 from ropewalk.core.arrays import Floats
 from ropewalk.core.peaks import BOUNDS, EXTREMES
-from ropewalk.laws.wheels import RECORDED as WHEEL_MOTION
-from ropewalk.laws.wheels import UNITS as WHEEL_UNITS
+from ropewalk.laws.wheels import RECORDED, UNITS
 from ropewalk.lowering import Layout
 from ropewalk.methods.recording import energy_names, work_names
 from ropewalk.scene import Scene
@@ -90,7 +89,7 @@ QUANTITIES = (
     Quantity(
         PULLEYS,
         ("time", "pulley", "motion"),
-        ", ".join(WHEEL_UNITS),
+        ", ".join(UNITS),
         "motion of obstacles that turn freely",
         "wheel",
     ),
@@ -128,7 +127,7 @@ def labels(layout: Layout) -> dict[str, tuple[str, ...]]:
         "tie": layout.ties,
         "column": COLUMNS if "contact" in layout.more else (),
         "pulley": layout.pulleys,
-        "motion": WHEEL_MOTION if layout.pulleys else (),
+        "motion": RECORDED if layout.pulleys else (),
     }
 
 

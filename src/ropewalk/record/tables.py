@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ropewalk.core.peaks import BOUNDS, EXTREMES
+from ropewalk.laws.wheels import RECORDED, UNITS
 from ropewalk.record.contacts import COLUMNS, rows
 from ropewalk.record.errors import InputError, RunError
 from ropewalk.record.quantities import (
@@ -19,8 +20,6 @@ from ropewalk.record.quantities import (
     EXTREME_UNITS,
     PULLEYS,
     ROPE_CONTACTS,
-    WHEEL_MOTION,
-    WHEEL_UNITS,
     law_names,
 )
 from ropewalk.record.rope_contact_table import HEADERS as ROPE_COLUMNS
@@ -125,7 +124,7 @@ def _components(result: Result, quantity: str) -> list[tuple[str, str]]:
     if quantity == "tension":
         return [(result.tension_name, unit)]
     if quantity == PULLEYS:
-        return list(zip(WHEEL_MOTION, WHEEL_UNITS, strict=True))
+        return list(zip(RECORDED, UNITS, strict=True))
     if quantity in _SYMBOLS:
         return [(_SYMBOLS[quantity] + axis, unit) for axis in AXES]
     return [(_GREATEST.get(quantity, quantity.replace("_", " ")), unit)]
