@@ -194,7 +194,7 @@ def test_the_tangent_is_that_of_differences(friction: float, bearing: float) -> 
         turn = (memory.ties[0, ROW : ROW + 3] * step).sum()
         found -= memory.ties[0, COLUMN : COLUMN + 3] * turn / tie
         assert np.abs(found - wanted).max() < 1e-3 * alone
-    assert np.abs(found - wanted).max() < 1e-7 * np.abs(wanted).max()
+    assert np.abs(found - wanted).max() < 1e-5 * np.abs(wanted).max()
 
 
 # -- state, record, words ----------------------------------------------------------------------------
@@ -243,8 +243,8 @@ def test_two_ropes_on_one_wheel_turn_it_together() -> None:
     both = one.model_copy(update={"ropes": (rope, other), "obstacles": (body,)})
     alone, found = rw.simulate(one), rw.simulate(both)
     count = alone.nodes
-    np.testing.assert_allclose(found.positions[:, :count], alone.positions, atol=1e-7)
-    np.testing.assert_allclose(found.positions[:, count:, 2], alone.positions[..., 2], atol=1e-7)
+    np.testing.assert_allclose(found.positions[:, :count], alone.positions, atol=5e-5)
+    np.testing.assert_allclose(found.positions[:, count:, 2], alone.positions[..., 2], atol=5e-5)
 
 
 @pytest.mark.parametrize(

@@ -40,7 +40,7 @@ RECORDED = (
     *("work of ropes", "work of bearing", "torque of ropes"),
 )
 UNITS = ("rad", "rad/s", "J", "J", "J", "N m")
-MOST = 60  # iterations
+MOST = 200  # iterations, halvings of its bounds among them
 TIGHT, CLOSE = 1e-15, 1e-9  # [1] of the sum of all torques
 
 
@@ -179,25 +179,28 @@ def _find_rate(x, v, obstacles, memory, o, now):
     hold = bearing if push > 0.0 else -bearing
     # Its root lies on the side of zero that `push` has.
     low, high = (0.0, math.inf) if push > 0.0 else (-math.inf, 0.0)
-    rate, best = before, math.inf
+    rate, last = before, math.inf
     if not low <= rate <= high:
         rate = 0.0
     for _ in range(MOST):
         drive, slope, parts = _torque(rate, x, v, obstacles, memory, o, now, False)
         left = inertia * (rate - before) + viscous * rate + hold - drive
         scale = inertia * (abs(rate) + abs(before)) + viscous * abs(rate) + bearing + parts
-        if abs(left) <= TIGHT * scale or (abs(left) >= best and best <= CLOSE * scale):
+        if abs(left) <= TIGHT * scale or (abs(left) >= last and last <= CLOSE * scale):
             break
-        best = abs(left)
+        slow = abs(left) > max(0.5 * last, CLOSE * scale)  # from kink to kink
+        last = abs(left)
         if left > 0.0:
             high = rate
         else:
             low = rate
         rise = inertia + viscous + slope
-        new = rate - left / rise if rise > 0.0 else math.inf
-        if not low < new < high:
-            new = 0.5 * (low + high) if high - low < math.inf else rate - left / inertia
-        if new == rate:
+        new = rate - left / rise
+        if high - low == math.inf:
+            new = new if low < new < high else rate - left / inertia
+        elif slow or not low < new < high:
+            new = 0.5 * (low + high)
+        if new in (rate, low, high):
             break
         rate = new
     wheel[TRIAL], wheel[DRIVE], wheel[DRAG] = rate, drive, -hold - viscous * rate
