@@ -42,6 +42,7 @@ RECORDED = (
 UNITS = ("rad", "rad/s", "J", "J", "J", "N m")
 MOST = 200  # iterations, halvings of its bounds among them
 TIGHT, CLOSE = 1e-15, 1e-9  # [1] of the sum of all torques
+WIDER = 0.1  # [1] by which the bounds of a rate are wider than its nodes' own
 
 
 @kernel
@@ -104,6 +105,7 @@ def _list_nodes(x, v, obstacles, memory, o, t):
 def _torque(rate, x, v, obstacles, memory, o, now, keep):
     """Return the ropes' torque on a wheel at a rate [N m], -its slope [N m s], and the sum of its parts.
 
+    And the least and greatest rate at which a node would not rub along [rad/s]: with more all hold it back.
     With `keep` what the forces of the nodes change by with the rate is written.
     """
     w = obstacles.wheel[o]
@@ -112,6 +114,7 @@ def _torque(rate, x, v, obstacles, memory, o, now, keep):
     mx, my, mz, ux, uy, uz, _, _ = surface_at(obstacles, o, now[0])
     bx, by, bz, _, _, _, _, _ = surface_at(obstacles, o, now[1])
     h, total, slope, parts = _span(memory.wheel[w], now), 0.0, 0.0, 0.0
+    least, greatest = math.inf, -math.inf
     angle = memory.wheel[w, LEAD] + rate * h
     co, si = math.cos(angle), math.sin(angle)
     for t in range(int(memory.wheel[w, COUNT])):
@@ -146,6 +149,8 @@ def _torque(rate, x, v, obstacles, memory, o, now, keep):
         along, rise = qx * nx + qy * ny + qz * nz, sx * nx + sy * ny + sz * nz
         qx, qy, qz = qx - along * nx, qy - along * ny, qz - along * nz
         sx, sy, sz = sx - rise * nx, sy - rise * ny, sz - rise * nz
+        free = rate - (ex * qx + ey * qy + ez * qz) / (ex * sx + ey * sy + ez * sz)
+        least, greatest = min(least, free), max(greatest, free)
         size, bound = math.sqrt(qx * qx + qy * qy + qz * qz), ties[BOUND, t]
         if size > bound:
             share = bound / size
@@ -162,7 +167,7 @@ def _torque(rate, x, v, obstacles, memory, o, now, keep):
         slope += ex * sx + ey * sy + ez * sz
         if keep:
             ties[COLUMN, i], ties[COLUMN + 1, i], ties[COLUMN + 2, i] = sx, sy, sz
-    return total, slope, parts
+    return total, slope, parts, least, greatest
 
 
 @kernel
@@ -171,19 +176,22 @@ def _find_rate(x, v, obstacles, memory, o, now):
     w = obstacles.wheel[o]
     wheel, inertia = memory.wheel[w], obstacles.inertia[w] / _span(memory.wheel[w], now)
     bearing, viscous, before = obstacles.bearing[w], obstacles.viscous[w], memory.wheel[w, KNOWN]
-    drive, slope, parts = _torque(0.0, x, v, obstacles, memory, o, now, False)
+    drive, slope, parts, _, _ = _torque(0.0, x, v, obstacles, memory, o, now, False)
     push = inertia * before + drive
     if bearing > 0.0 and abs(push) <= bearing:
         wheel[TRIAL], wheel[DRIVE], wheel[DRAG] = 0.0, drive, -push
         return
     hold = bearing if push > 0.0 else -bearing
-    # Its root lies on the side of zero that `push` has.
-    low, high = (0.0, math.inf) if push > 0.0 else (-math.inf, 0.0)
+    # Its root lies on the side of zero that `push` has, and not where everything holds the wheel back.
+    _, _, _, low, high = _torque(before, x, v, obstacles, memory, o, now, False)
+    low, high = min(low, before, 0.0), max(high, before, 0.0)
+    room = WIDER * (high - low)
+    low, high = (0.0, high + room) if push > 0.0 else (low - room, 0.0)
     rate, last = before, math.inf
     if not low <= rate <= high:
         rate = 0.0
     for _ in range(MOST):
-        drive, slope, parts = _torque(rate, x, v, obstacles, memory, o, now, False)
+        drive, slope, parts, _, _ = _torque(rate, x, v, obstacles, memory, o, now, False)
         left = inertia * (rate - before) + viscous * rate + hold - drive
         scale = inertia * (abs(rate) + abs(before)) + viscous * abs(rate) + bearing + parts
         if abs(left) <= TIGHT * scale or (abs(left) >= last and last <= CLOSE * scale):
@@ -194,11 +202,8 @@ def _find_rate(x, v, obstacles, memory, o, now):
             high = rate
         else:
             low = rate
-        rise = inertia + viscous + slope
-        new = rate - left / rise
-        if high - low == math.inf:
-            new = new if low < new < high else rate - left / inertia
-        elif slow or not low < new < high:
+        new = rate - left / (inertia + viscous + slope)
+        if slow or not low < new < high:
             new = 0.5 * (low + high)
         if new in (rate, low, high):
             break
