@@ -95,7 +95,8 @@ def test_an_atwood_machine_falls_as_its_wheel_lets_it(method: str, step: float) 
 
 def test_a_bearing_takes_its_torque() -> None:
     torque = 0.08
-    result = rw.simulate(atwood(Spin(free=True, inertia=INERTIA, bearing=torque)))
+    spin = Spin(free=True, inertia=INERTIA, bearing=torque)
+    result = rw.simulate(atwood(spin, time_step=1 / 960))
     assert fallen(result)[0] == pytest.approx(acceleration(bearing=torque), rel=0.01)
     wheel = result.pulley("wheel")
     assert wheel.bearing_work[-1] == pytest.approx(torque * wheel.angle[-1], rel=0.01)
@@ -118,11 +119,11 @@ def test_below_its_torque_a_bearing_holds_still(light: float) -> None:
 def test_a_viscous_bearing_lets_it_come_to_a_speed() -> None:
     """(M - m) g r = viscous w at last; the time for it is (M + m + I/r^2) r^2 / viscous."""
     viscous = 0.1
-    found = rw.simulate(atwood(Spin(free=True, inertia=INERTIA, viscous=viscous), duration=0.6))
+    found = rw.simulate(atwood(Spin(free=True, inertia=INERTIA, viscous=viscous), duration=0.4))
     last = (HEAVY - LIGHT) * g * r / viscous
     pace = (HEAVY + LIGHT + ROPE + INERTIA / r**2) * r**2 / viscous
     time, speed = found.time, -found.pulley("wheel").speed
-    np.testing.assert_allclose(speed[6:], last * (1.0 - np.exp(-time[6:] / pace)), rtol=0.03)
+    np.testing.assert_allclose(speed[9:], last * (1.0 - np.exp(-time[9:] / pace)), rtol=0.015)
 
 
 def test_the_rope_slips_where_the_wheel_is_too_heavy_for_its_friction() -> None:
@@ -131,9 +132,10 @@ def test_the_rope_slips_where_the_wheel_is_too_heavy_for_its_friction() -> None:
     result = rw.simulate(atwood(Spin(free=True, inertia=10.0), friction=friction, start="shape"))
     gain = math.exp(friction * math.pi)
     wanted = g * (HEAVY - LIGHT * gain) / (HEAVY + LIGHT * gain)
-    load, rim = fallen(result)
-    assert load == pytest.approx(wanted, rel=0.02)
-    assert abs(rim) < 0.02 * load
+    late = result.time > 0.1  # its drawn shape falls onto the wheel first
+    load = -np.polyfit(result.time[late], result.velocities[late, 0, 2], 1)[0]
+    assert load == pytest.approx(wanted, rel=0.005)
+    assert abs(fallen(result)[1]) < 1e-3
     modes = result.contact_modes[-1]
     assert (modes[modes > 0] == 2).all()
     stuck = rw.simulate(atwood()).contact_modes[-1]  # the twin whose wheel goes along
@@ -141,21 +143,24 @@ def test_the_rope_slips_where_the_wheel_is_too_heavy_for_its_friction() -> None:
 
 
 def test_the_lightest_wheel_is_stable() -> None:
-    """One of a microgram's inertia, at frame rate: the rope runs over it as over no wheel at all."""
+    """One of a microgram's inertia: the rope runs over it as over no wheel, one tension on both sides."""
     spin = Spin(free=True, inertia=1e-12)
-    result = rw.simulate(atwood(spin, time_step=1 / 60))
+    result = rw.simulate(atwood(spin, time_step=1 / 240))
     assert fallen(result)[0] == pytest.approx(acceleration(inertia=0.0), rel=0.02)
     tension = result.tension[-1]
-    assert tension[0] == pytest.approx(tension[-1], rel=0.02)
+    assert tension[0] == pytest.approx(tension[-1], rel=0.01)
 
 
-def test_a_wheel_is_of_first_order() -> None:
-    """A wheel that swings a rope's end: errors of its angle halve with the step."""
+@pytest.mark.parametrize(
+    ("method", "least", "most"), [("implicit-euler", 1.8, 2.2), ("esdirk3", 3.4, 5.0)]
+)
+def test_a_wheel_has_the_order_of_the_stages(method: str, least: float, most: float) -> None:
+    """Errors of its angle fall to a half and to a quarter with half the step."""
     angles = [
-        rw.simulate(atwood(time_step=step, start="shape", duration=0.1)).pulley("wheel").angle[-1]
+        rw.simulate(atwood(method=method, time_step=step, duration=0.1)).pulley("wheel").angle[-1]
         for step in (1 / 480, 1 / 960, 1 / 1920)
     ]
-    assert 1.5 < (angles[0] - angles[1]) / (angles[1] - angles[2]) < 3.0
+    assert least < (angles[0] - angles[1]) / (angles[1] - angles[2]) < most
 
 
 # -- the tangent -----------------------------------------------------------------------------------
@@ -243,8 +248,8 @@ def test_two_ropes_on_one_wheel_turn_it_together() -> None:
     both = one.model_copy(update={"ropes": (rope, other), "obstacles": (body,)})
     alone, found = rw.simulate(one), rw.simulate(both)
     count = alone.nodes
-    np.testing.assert_allclose(found.positions[:, :count], alone.positions, atol=5e-5)
-    np.testing.assert_allclose(found.positions[:, count:, 2], alone.positions[..., 2], atol=5e-5)
+    np.testing.assert_allclose(found.positions[:, :count], alone.positions, atol=2e-4)
+    np.testing.assert_allclose(found.positions[:, count:, 2], alone.positions[..., 2], atol=2e-4)
 
 
 @pytest.mark.parametrize(

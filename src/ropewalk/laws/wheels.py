@@ -187,25 +187,26 @@ def _find_rate(x, v, obstacles, memory, o, now):
     low, high = min(low, before, 0.0), max(high, before, 0.0)
     room = WIDER * (high - low)
     low, high = (0.0, high + room) if push > 0.0 else (low - room, 0.0)
-    rate, last = before, math.inf
+    rate, last, close = before, math.inf, False
     if not low <= rate <= high:
         rate = 0.0
     for _ in range(MOST):
         drive, slope, parts, _, _ = _torque(rate, x, v, obstacles, memory, o, now, False)
         left = inertia * (rate - before) + viscous * rate + hold - drive
         scale = inertia * (abs(rate) + abs(before)) + viscous * abs(rate) + bearing + parts
-        if abs(left) <= TIGHT * scale or (abs(left) >= last and last <= CLOSE * scale):
+        if close or abs(left) <= TIGHT * scale:
             break
-        slow = abs(left) > max(0.5 * last, CLOSE * scale)  # from kink to kink
+        close = abs(left) <= CLOSE * scale  # one step more is as near as rounding lets it
+        slow = abs(left) > 0.5 * last  # from kink to kink
         last = abs(left)
         if left > 0.0:
             high = rate
         else:
             low = rate
         new = rate - left / (inertia + viscous + slope)
-        if slow or not low < new < high:
+        if not close and (slow or not low < new < high):
             new = 0.5 * (low + high)
-        if new in (rate, low, high):
+        if new == rate:
             break
         rate = new
     wheel[TRIAL], wheel[DRIVE], wheel[DRAG] = rate, drive, -hold - viscous * rate
