@@ -1,6 +1,7 @@
 // The bodies of the scene on the stage: what is drawn of them, where the floor is, and what the picture must hold.
 
 import { MOST_SOLIDS, cornersOf, extent, placed, solidsOf, turnOf } from "./view/solids.js";
+import { scalar } from "./source/frame.js";
 import { dot, length, minus, plus, times } from "./view/vector.js";
 
 /** @typedef {import("./stage.js").Stage} Stage */
@@ -9,6 +10,7 @@ import { dot, length, minus, plus, times } from "./view/vector.js";
 /** @typedef {import("./source/protocol.js").Layout} Layout */
 
 const ROOM = 1.3; // radii of the scene: what of a large body is farther away need not be in the picture
+const WHEELS = ["turn0", "turn1", "turn2", "turn3"]; // scalars of a frame
 const LEVEL = 0.9999; // cosine of the tilt up to which a plane is a floor
 
 export class Solids {
@@ -36,7 +38,9 @@ export class Solids {
     );
     const heights = level.map(({ center }) => dot(center, up));
     this.floor = heights.length ? Math.max(...heights) : null;
-    this.starts = found.filter((one) => !level.includes(one) || one.spin || one.turns);
+    this.starts = found.filter(
+      (one) => !level.includes(one) || one.spin || one.turns || one.wheel !== null,
+    );
     this.all = this.starts;
     this.version++;
     this.time = NaN;
@@ -55,8 +59,11 @@ export class Solids {
 
   /** How far each has turned [rad]. */
   turns() {
-    const time = this.stage.session.frame?.time ?? 0;
-    return this.all.map((one) => turnOf(one, time));
+    const { frame, layout } = this.stage.session;
+    const time = frame?.time ?? 0;
+    const part = frame?.parts[0];
+    const told = layout && part ? WHEELS.map((name) => scalar(layout, part, name)) : [];
+    return this.all.map((one) => turnOf(one, time, told));
   }
 
   /** What of them a picture of the scene must hold. @returns {Vector[]} */

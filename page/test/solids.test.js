@@ -68,6 +68,12 @@ test("copies at one place are one body, those apart are several", () => {
   );
 });
 
+test("a pulley has turned as far as the frame tells", () => {
+  const [pulley] = solidsOf([{ ...BAR, wheel: 1 }], here);
+  assert.equal(turnOf(pulley, 9, [0.5, 1.25]), 1.25);
+  assert.equal(turnOf(pulley, 9, [0.5]), 0); // a frame tells of four
+});
+
 test("a body turns from its start to its stop", () => {
   const [drum] = solidsOf([{ ...BAR, spin: [2, 1, 3] }], here);
   assert.deepEqual([0, 1, 2, 3, 9].map((time) => turnOf(drum, time)), [0, 0, 2, 4, 4]); // prettier-ignore

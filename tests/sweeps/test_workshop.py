@@ -30,7 +30,7 @@ TOUCHING = rw.load(HERE / "all_of_obstacles.toml")
 KNOTTED = rw.load(HERE / "all_of_knots.toml")
 SLIDING = rw.load(HERE / "all_of_slides.toml")
 #: What has only one value by itself: the version, files (read when a scene is loaded), a rope's stuff,
-#: a plane, a curve of other numbers, nodes that are tied (others lie elsewhere).
+#: a plane, a curve of other numbers, nodes that are tied (others lie elsewhere), what turns freely.
 CURVES = "TableCurve", "PolynomialCurve", "NeoHookeanCurve", "ExponentialCurve"
 NEVER = {
     ("Scene", "schema_version"),
@@ -39,6 +39,7 @@ NEVER = {
     ("TableCurve", "file"),
 } | {(name, "kind") for name in ("Springs", "Material", "Plane", *CURVES)}
 NEVER |= {("Tie", "rope"), ("Tie", "node")}
+NEVER |= {("Spin", "free")}  # it goes with an inertia
 SPRINGS = '{kind = "springs", spring_constant = 5.0, node_mass = 0.1, segment_length = 0.1}'
 MATERIAL = '{kind = "material", EA = 5.0, mass_per_length = 0.1}'
 WORDS = ["true", "false", "1.5", "0.3", "2", "1", "none", "[0.1, 0.2, -0.9]", "b", "right", "e"]

@@ -19,7 +19,7 @@ EXPECTED = {
     *("climbing-fall", "zip-line", "zip-line-ride", "highline", "rescue-lower", "tow"),
     *("crane-snap", "hoist-stop", "guyed-mast", "suspension-cable", "power-line-in-wind"),
     *("three-leg-sling", "net"),
-    *("capstan", "edge", "bollard"),
+    *("capstan", "edge", "bollard", "pulley"),
     *("crossing", "overhand", "clove-hitch", "pile"),
 }
 

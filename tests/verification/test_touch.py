@@ -29,6 +29,7 @@ from ropewalk.scene import (
     Cylinder,
     Force,
     Ground,
+    HalfPipe,
     Load,
     Material,
     Obstacle,
@@ -53,6 +54,7 @@ BODIES: dict[str, Obstacle] = {
     "endless": Cylinder(start=(0, -1, 0), end=(0, 1, 0.5), radius=0.8, endless=True),
     "capsule": Capsule(start=(0, -0.4, -0.2), end=(0.2, 0.4, 0.5), radius=0.6, spin=Spin(rate=1.0)),
     "box": Box(center=(0, 0, 0), half_sizes=(0.6, 0.7, 0.8), edge_radius=0.5),
+    "half-pipe": HalfPipe(start=(0, 0, 0), end=(1, 1, -2), radius=0.7, open_to=(1, 1, 1)),
     "torus": Torus(
         center=(0, 0, 0), radius=0.8, bar_radius=0.3, axis=(0, 0.3, 1), spin=Spin(rate=1.0)
     ),

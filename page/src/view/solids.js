@@ -11,7 +11,7 @@ import { cross, dot, minus, plus, times, unit } from "./vector.js";
 /** One body of one copy. `size` as in the layout message; `zero`: across the axis, where turns are counted from;
  * `reach`: no part of it is farther from its centre [m].
  * @typedef {{name: string, kind: Kind, number: number, center: Vector, axis: Vector, size: number[], zero: Vector,
- *   reach: number, spin: [number, number, number] | null, turns: number[][] | null,
+ *   reach: number, spin: [number, number, number] | null, turns: number[][] | null, wheel: number | null,
  *   motion: (Motion & {origin: Vector}) | null}} Solid */
 
 /** In the order of the shaders. @type {Kind[]} */
@@ -35,7 +35,7 @@ export function solidsOf(obstacles, shifts) {
 const same = (a, b) => a.every((value, k) => value === b[k]);
 
 /** @param {Obstacle} obstacle @param {number[]} shift @returns {Solid | null} */
-function solidOf({ name, kind, center, axis, size, spin, turns, motion }, shift) {
+function solidOf({ name, kind, center, axis, size, spin, turns, motion, wheel }, shift) {
   const number = KINDS.indexOf(/** @type {Kind} */ (kind));
   const long = kind === "cylinder" && size[1] === null ? ENDLESS : (size[1] ?? NaN);
   const sizes = [size[0] ?? NaN, long, size[2] ?? NaN, size[3] ?? NaN];
@@ -56,6 +56,7 @@ function solidOf({ name, kind, center, axis, size, spin, turns, motion }, shift)
     reach: reachOf(/** @type {Kind} */ (kind), sizes),
     spin: turning ? [spin[0], spin[1], spin[2] ?? Infinity] : null,
     turns: turns ?? null,
+    wheel: wheel ?? null,
     motion: motion ? { ...motion, origin: vector(center) } : null,
   };
 }
@@ -73,8 +74,10 @@ function reachOf(kind, [a, b, c, d]) {
 export const bevelOf = ({ kind, size }) =>
   kind === "cylinder" ? BEVEL * Math.min(size[0], size[1]) : 0;
 
-/** How far a body has turned about its axis [rad]. @param {Solid} solid @param {number} time [s] */
-export function turnOf({ spin, turns }, time) {
+/** How far a body has turned about its axis [rad]. @param {Solid} solid @param {number} time [s]
+ * @param {number[]} wheels how far those have that turn freely [rad] */
+export function turnOf({ spin, turns, wheel }, time, wheels = []) {
+  if (wheel !== null) return wheels[wheel] || 0;
   if (turns) return onTable(turns, time)[0];
   if (!spin) return 0;
   const [rate, start, stop] = spin;

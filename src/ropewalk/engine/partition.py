@@ -19,7 +19,8 @@ def partition(model: Model, apart: bool = False) -> list[list[int]]:
     With `apart` ropes of an explicit method have islands of their own, too, unless they are very many.
     """
     method, count = METHODS[model.plan.method], len(model.scene.ropes)
-    if model.scene.contact is not None or model.scene.slides:
+    wheels = model.system.node.obstacle.inertia.size > 0  # ropes on one turn it together
+    if model.scene.contact is not None or model.scene.slides or wheels:
         return [list(range(count))]
     tied = tied_ropes(model.scene.ropes, model.scene.joints)
     if method.implicit or not method.fixed or (apart and count <= MOST_APART):

@@ -9,6 +9,7 @@ import numpy as np
 from ropewalk.core import arrays
 from ropewalk.core.arrays import Floats, State, System
 from ropewalk.laws.clamps import start_clamps
+from ropewalk.laws.wheels import PULL, RATE, TORQUE
 from ropewalk.lowering import Model
 from ropewalk.lowering.curve_tables import let_relax
 from ropewalk.lowering.limiter_bounds import with_bounds
@@ -46,8 +47,27 @@ def started(model: Model) -> Model:
         state.v[...] += run.ring.speed * _velocity(model, run.ring)
     found = _remembering(with_bounds(with_links(replace(model, state=state))))
     if rest.memory is not None:
-        arrays.assign(found.state.memory.obstacle, rest.memory)
+        memory = found.state.memory.obstacle
+        rates = memory.wheel.copy()
+        arrays.assign(memory, rest.memory)
+        memory.wheel[...] = rates
+        _load_wheels(found)
     return found
+
+
+def _load_wheels(model: Model) -> None:
+    """Write the torques with which wheels start, on which ropes lie at rest as if they stood."""
+    table, state = model.system.node.obstacle, model.state
+    memory = state.memory.obstacle
+    for row, w in enumerate(table.wheel):
+        if w < 0:
+            continue
+        arms = np.cross(table.axis[row], state.x.T - table.center[row])
+        drive, rate = -float((arms * memory.grip[row, :3].T).sum()), memory.wheel[w, RATE]
+        most = table.bearing[w]
+        drag = -most * np.sign(rate) if rate else -float(np.clip(drive, -most, most))
+        memory.wheel[w, TORQUE] = drive
+        memory.wheel[w, PULL] = drive + drag - table.viscous[w] * rate
 
 
 def _remembering(model: Model) -> Model:

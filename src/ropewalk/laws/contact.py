@@ -22,65 +22,10 @@ from __future__ import annotations
 
 import math
 
-from ropewalk.core.jit import kernel, small
+from ropewalk.core.jit import kernel
+from ropewalk.laws.contact_frame import GRIP, PUSH, cut, spring_pull, surface_at
 from ropewalk.laws.obstacle_shapes import probe
-from ropewalk.motions.whereabouts import place_now
-
-GRIP, PUSH = (
-    3,
-    4,
-)  # rows of `Memory.grip` after the spring's force: the coefficient of friction, R_n
-
-
-@kernel
-def surface_at(obstacles, row, t):
-    """Return how far an obstacle has moved [m], its velocity [m/s], its angle [rad] and its rate [rad/s].
-
-    Velocity and rate are those just after time `t` [s].
-    """
-    center, spin = obstacles.center[row], obstacles.spin
-    x, y, z, vx, vy, vz = place_now(obstacles.motion, row, t)
-    by_table = place_now(obstacles.turns, row, t)
-    angle = spin[row, 0] * min(max(t - spin[row, 1], 0.0), spin[row, 2] - spin[row, 1])
-    rate = spin[row, 0] if spin[row, 1] <= t < spin[row, 2] else 0.0
-    dx, dy, dz = x - center[0], y - center[1], z - center[2]
-    return dx, dy, dz, vx, vy, vz, angle + by_table[0], rate + by_table[3]
-
-
-@kernel
-def rotated(axis, c, s, x, y, z):
-    """Return a vector turned about an axis by the angle of cosine `c` and sine `s`."""
-    ex, ey, ez = axis[0], axis[1], axis[2]
-    along = (ex * x + ey * y + ez * z) * (1.0 - c)
-    return (
-        c * x + s * (ey * z - ez * y) + along * ex,
-        c * y + s * (ez * x - ex * z) + along * ey,
-        c * z + s * (ex * y - ey * x) + along * ez,
-    )
-
-
-@kernel
-def carried(center, axis, angle, then, grip, place, i, x, y, z):
-    """Return the spring's force R' [N] and the way D [m], both turned with the surface by `angle`.
-
-    x, y, z in the frame of the body; `then` is what `surface_at` gives for when `place` was kept.
-    """
-    fx, fy, fz = grip[0, i], grip[1, i], grip[2, i]
-    ox = place[0, i] - then[0] - center[0]
-    oy = place[1, i] - then[1] - center[1]
-    oz = place[2, i] - then[2] - center[2]
-    if angle != 0.0:
-        c, s = math.cos(angle), math.sin(angle)
-        fx, fy, fz = rotated(axis, c, s, fx, fy, fz)
-        ox, oy, oz = rotated(axis, c, s, ox, oy, oz)
-    return fx, fy, fz, x - center[0] - ox, y - center[1] - oy, z - center[2] - oz
-
-
-@kernel
-def spring_pull(k, center, axis, angle, then, grip, place, i, x, y, z):
-    """Return R' - k D [N]."""
-    fx, fy, fz, dx, dy, dz = carried(center, axis, angle, then, grip, place, i, x, y, z)
-    return fx - k * dx, fy - k * dy, fz - k * dz
+from ropewalk.laws.wheels import find_rates, keep_wheels, turned
 
 
 @kernel
@@ -90,14 +35,14 @@ def contact_forces(x, v, obstacles, memory, now, force, lo, hi):
     `now` holds the time of `x` and `v`, and that of the memory [s].
     """
     last, place = min(hi, x.shape[1]), memory.place
+    find_rates(x, v, obstacles, memory, now)
     for i in range(lo, last):
         force[0, i], force[1, i], force[2, i] = 0.0, 0.0, 0.0
     for o in range(obstacles.kind.shape[0]):
         kind, center, axis = obstacles.kind[o], obstacles.center[o], obstacles.axis[o]
         size, grip = obstacles.size[o], memory.grip[o]
-        mx, my, mz, ux, uy, uz, angle, rate = surface_at(obstacles, o, now[0])
+        mx, my, mz, ux, uy, uz, angle, rate = turned(obstacles, memory, o, now)
         then = surface_at(obstacles, o, now[1])
-        angle = angle - then[6]
         wx, wy, wz = rate * axis[0], rate * axis[1], rate * axis[2]
         for i in range(lo, last):
             px, py, pz = x[0, i] - mx, x[1, i] - my, x[2, i] - mz
@@ -136,12 +81,12 @@ def remember_contacts(x, v, obstacles, memory, now, stiffness):
     """
     n, place, closed = x.shape[1], memory.place, 0.0
     dt = now[0] - now[1]
+    find_rates(x, v, obstacles, memory, now)
     for o in range(obstacles.kind.shape[0]):
         kind, center, axis = obstacles.kind[o], obstacles.center[o], obstacles.axis[o]
         size, grip = obstacles.size[o], memory.grip[o]
-        mx, my, mz, ux, uy, uz, angle, rate = surface_at(obstacles, o, now[0])
+        mx, my, mz, ux, uy, uz, angle, rate = turned(obstacles, memory, o, now)
         then = surface_at(obstacles, o, now[1])
-        angle = angle - then[6]
         wx, wy, wz = rate * axis[0], rate * axis[1], rate * axis[2]
         for i in range(n):
             px, py, pz = x[0, i] - mx, x[1, i] - my, x[2, i] - mz
@@ -172,20 +117,11 @@ def remember_contacts(x, v, obstacles, memory, now, stiffness):
                 memory.given[i] += max(dt * power, 0.0)
             turn = turn_towards(x, i, nx, ny, nz, stiffness)
             grip[GRIP, i] = on_polygon(obstacles.friction[o], turn)
+    keep_wheels(obstacles, memory, dt)
     for k in range(3):
         for i in range(n):
             place[k, i] = x[k, i]
     return closed
-
-
-@small
-def cut(x, y, z, bound):
-    """Return a vector, no longer than `bound`."""
-    total = math.sqrt(x * x + y * y + z * z)
-    if total > bound:
-        share = bound / total
-        return x * share, y * share, z * share
-    return x, y, z
 
 
 @kernel

@@ -12,21 +12,24 @@ from __future__ import annotations
 
 import math
 
+from ropewalk.core.blocks import load9, subtract
 from ropewalk.core.jit import kernel
-from ropewalk.laws.contact import GRIP, spring_pull, surface_at
+from ropewalk.laws.contact_frame import GRIP, spring_pull, surface_at
 from ropewalk.laws.obstacle_shapes import probe
+from ropewalk.laws.wheels import begin_ties, find_rates, turned, write_row
 
 
 @kernel
 def contact_tangent(x, v, obstacles, memory, now, weight_x, weight_v, band):
     """Add -(weight_x dR/dx + weight_v dR/dv) of all contacts to the band's diagonal."""
     diagonal, place = band.diagonal, memory.place
+    find_rates(x, v, obstacles, memory, now)
+    begin_ties(x, v, obstacles, memory, now)
     for o in range(obstacles.kind.shape[0]):
         kind, center, axis = obstacles.kind[o], obstacles.center[o], obstacles.axis[o]
         size, grip = obstacles.size[o], memory.grip[o]
-        mx, my, mz, ux, uy, uz, angle, rate = surface_at(obstacles, o, now[0])
+        mx, my, mz, ux, uy, uz, angle, rate = turned(obstacles, memory, o, now)
         then = surface_at(obstacles, o, now[1])
-        angle = angle - then[6]
         wx, wy, wz = rate * axis[0], rate * axis[1], rate * axis[2]
         for i in range(x.shape[1]):
             px, py, pz = x[0, i] - mx, x[1, i] - my, x[2, i] - mz
@@ -62,7 +65,12 @@ def contact_tangent(x, v, obstacles, memory, now, weight_x, weight_v, band):
                 own, turn = weight_x * k + weight_v * c, weight_x * c
                 turning = (turn * wx, turn * wy, turn * wz)
                 mu = grip[GRIP, i]
+                before = load9(diagonal, i)
                 rub(diagonal, i, n, a, ca, cb, pull, bound, mu, drop, own, turning, weight_x)
+                if obstacles.wheel[o] >= 0:
+                    arm = (ox, oy, oz)
+                    more = subtract(load9(diagonal, i), before)
+                    write_row(obstacles, memory, o, i, arm, n, pull, bound, more, weight_x)
 
 
 @kernel

@@ -27,8 +27,18 @@ from ropewalk.laws.contact import (
 )
 from ropewalk.laws.contact_tangent import contact_tangent
 from ropewalk.laws.node_law import NodeLaw, Rest
-from ropewalk.laws.obstacle_shapes import BOX, CAPSULE, CYLINDER, PLANE, SPHERE, TORUS, probe
+from ropewalk.laws.obstacle_shapes import (
+    BOX,
+    CAPSULE,
+    CYLINDER,
+    HALF_PIPE,
+    PLANE,
+    SPHERE,
+    TORUS,
+    probe,
+)
 from ropewalk.laws.standstill import standstills
+from ropewalk.laws.wheels import RATE, ROWS, WIDTH
 from ropewalk.motions.registry import FIXED
 from ropewalk.motions.rows import Motions, jumps, largest_speed, motion_rows
 from ropewalk.motions.whereabouts import place_now
@@ -51,6 +61,7 @@ KINDS = {
     "capsule": CAPSULE,
     "box": BOX,
     "torus": TORUS,
+    "half-pipe": HALF_PIPE,
 }
 
 
@@ -61,7 +72,8 @@ class Obstacles(NamedTuple):
     center: Floats  # (k, 3) at time zero a point of the plane, or the middle [m]
     axis: Floats  # (k, 3) unit vector; the normal of a plane
     # (k, 4) radius, half length; of a ring that of the circle and of the bar; of a box without its edges
-    # half sizes, then the edges' radius [m]
+    # half sizes, then the edges' radius [m]; of a half-pipe
+    # its radius [m], then the direction to which it is open, across the axis [1]
     size: Floats
     friction: Floats  # (k,) [1]
     spin: Floats  # (k, 3) [rad/s], start and stop [s]
@@ -70,6 +82,12 @@ class Obstacles(NamedTuple):
     stiffness: Floats  # (k, n) of a contact, across and along [N/m]
     damping: Floats  # (k, n) [N s/m]
     thickness: Floats  # (n,) from the rope's middle to its surface [m]
+    # Those that turn freely, wheels, have a row of their own; w of them.
+    wheel: Ints  # (k,) that row, -1: it does not
+    inertia: Floats  # (w,) about the axis [kg m^2]
+    bearing: Floats  # (w,) torque of the bearing's friction [N m]
+    viscous: Floats  # (w,) the same per rate [N m s]
+    rate: Floats  # (w,) at time zero [rad/s]
 
 
 class Memory(NamedTuple):
@@ -80,6 +98,8 @@ class Memory(NamedTuple):
     given: (
         Floats  # (n,) what surfaces that move have given to nodes so far, where they gave any [J]
     )
+    wheel: Floats  # (w, WIDTH) see `wheels.ANGLE`
+    ties: Floats  # (w, ROWS, n) working space of wheels
 
 
 def lower(
@@ -121,7 +141,27 @@ def lower(
         stiffness=stiffness,
         damping=2.0 * DAMPING * np.sqrt(stiffness * mass),
         thickness=thickness,
+        **_wheels([getattr(body, "spin", None) for body in bodies]),
     )
+
+
+def _wheels(spins: Sequence[Any]) -> dict[str, Any]:
+    """Return the columns of what turns freely, see `Obstacles`."""
+    free = [row for row, spin in enumerate(spins) if spin is not None and spin.free]
+    wheel = np.full(len(spins), -1, np.int64)
+    wheel[free] = np.arange(len(free))
+    columns = [
+        [getattr(spins[row], name) or 0.0 for row in free]
+        for name in ("inertia", "bearing", "viscous", "rate")
+    ]
+    inertia, bearing, viscous, rate = (np.array(one, dtype=np.float64) for one in columns)
+    return {
+        "wheel": wheel,
+        "inertia": inertia,
+        "bearing": bearing,
+        "viscous": viscous,
+        "rate": rate,
+    }
 
 
 def radius_of(rope: Rope) -> float:
@@ -164,6 +204,10 @@ def _place(body: Any) -> tuple[Any, Any, Any]:
             inner = [half - body.edge_radius for half in body.half_sizes]
             return body.center, (0.0, 0.0, 1.0), (*inner, body.edge_radius)
     start, end = np.array(body.start, dtype=np.float64), np.array(body.end, dtype=np.float64)
+    if body.kind == "half-pipe":
+        axis, above = _unit(end - start), _unit(body.open_to)
+        above = _unit(above - (above @ axis) * axis)
+        return start, axis, (body.radius, *map(float, above))
     half = 0.5 * float(np.linalg.norm(end - start))
     if body.kind == "cylinder" and body.endless:
         half = math.inf
@@ -180,7 +224,7 @@ def _unit(direction: Any) -> Floats:
 def _spin(body: Any) -> tuple[float, float, float]:
     """Return what turns at one rate [rad/s], and from when to when [s]."""
     spin = getattr(body, "spin", None)
-    if spin is None or spin.rate is None:
+    if spin is None or spin.rate is None or spin.free:
         return 0.0, 0.0, math.inf
     return spin.rate, spin.start, spin.stop
 
@@ -188,7 +232,7 @@ def _spin(body: Any) -> tuple[float, float, float]:
 def _turning(body: Any) -> Any:
     """Return the angles of what turns by a table, as a motion along x; None else."""
     spin = getattr(body, "spin", None)
-    return None if spin is None or spin.rate is not None else spin.as_motion()
+    return spin.as_motion() if spin is not None and spin.times else None
 
 
 def acts(obstacles: Obstacles) -> bool:
@@ -198,10 +242,12 @@ def acts(obstacles: Obstacles) -> bool:
 
 def memory(obstacles: Obstacles, x: Floats, stiffness: Floats) -> Memory:
     """Return what is remembered at the start, for nodes at places (3, n) [m]: no force."""
-    count, n = len(obstacles.kind), x.shape[1]
+    count, n, wheels = len(obstacles.kind), x.shape[1], len(obstacles.inertia)
+    own = np.zeros((wheels, WIDTH)), np.zeros((wheels, ROWS, n))
     if count == 0:
-        return Memory(np.zeros((0, 5, n)), np.zeros((3, 0)), np.zeros(0))
-    found = Memory(np.zeros((count, 5, n)), x.copy(), np.zeros(n))
+        return Memory(np.zeros((0, 5, n)), np.zeros((3, 0)), np.zeros(0), *own)
+    found = Memory(np.zeros((count, 5, n)), x.copy(), np.zeros(n), *own)
+    found.wheel[:, RATE] = obstacles.rate
     remember_contacts(x, np.zeros_like(x), obstacles, found, np.zeros(2), stiffness)
     return found
 
@@ -315,13 +361,16 @@ def surface_speed(obstacles: Obstacles, row: int) -> float:
     size, kind = obstacles.size[row], obstacles.kind[row]
     reach = size[0] + (size[1] if kind == TORUS else 0.0)
     turning = turning_rate(obstacles, row)
-    return largest_speed(obstacles.motion, row) + (0.0 if kind == BOX else turning * float(reach))
+    return largest_speed(obstacles.motion, row) + (
+        0.0 if kind in (BOX, HALF_PIPE) else turning * float(reach)
+    )
 
 
 def standing(obstacles: Obstacles) -> Obstacles:
     """Return the same obstacles at rest where they start."""
     still = [None] * len(obstacles.kind)
     return obstacles._replace(
+        wheel=np.full_like(obstacles.wheel, -1),
         spin=np.zeros_like(obstacles.spin),
         motion=motion_rows(still, obstacles.center),
         turns=motion_rows(still, np.zeros_like(obstacles.center)),

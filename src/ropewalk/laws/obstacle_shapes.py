@@ -1,7 +1,7 @@
 """Surfaces of obstacles: distance, normal, and how the normal turns.
 
-All are bodies of revolution about their axis but the box, so that one that spins stays where it is. The
-normal n points out of the solid; it changes with the place by
+All are bodies of revolution about their axis but box and half-pipe, so that one that spins stays where it
+is. The normal n points out of the solid; it changes with the place by
     dn = H dx,   H = c (I - n n^T - a a^T) + c' a a^T,
 where a is tangent to the surface and c, c' are one over the distances from the centres of curvature.
 """
@@ -12,7 +12,7 @@ import math
 
 from ropewalk.core.jit import kernel
 
-PLANE, SPHERE, CYLINDER, CAPSULE, BOX, TORUS = range(6)
+PLANE, SPHERE, CYLINDER, CAPSULE, BOX, TORUS, HALF_PIPE = range(7)
 
 
 @kernel
@@ -37,6 +37,8 @@ def probe(kind, center, axis, size, x, y, z):
         ux, uy, uz = ux / rho, uy / rho, uz / rho
     else:
         ux, uy, uz = _across(ex, ey, ez)
+    if kind == HALF_PIPE:
+        return _trough(rho, ux, uy, uz, ex, ey, ez, size)
     # around the axis
     wx, wy, wz = ey * uz - ez * uy, ez * ux - ex * uz, ex * uy - ey * ux
     out, far = rho - size[0], 0.0
@@ -95,6 +97,18 @@ def _rim(out, far, d, radius, rho, ux, uy, uz, ex, ey, ez, wx, wy, wz):
     nx, ny, nz = p * ux + q * ex, p * uy + q * ey, p * uz + q * ez
     around = p / rho if rho > 0.0 else 0.0
     return d - radius, nx, ny, nz, wx, wy, wz, 1.0 / d, around
+
+
+@kernel
+def _trough(rho, ux, uy, uz, ex, ey, ez, size):
+    """Return what `probe` does in a trough that is open to a side: round below, upright walls above."""
+    fx, fy, fz = size[1], size[2], size[3]
+    if ux * fx + uy * fy + uz * fz <= 0.0:
+        return size[0] - rho, -ux, -uy, -uz, ex, ey, ez, -_over(rho), 0.0
+    sx, sy, sz = fy * ez - fz * ey, fz * ex - fx * ez, fx * ey - fy * ex
+    beside = rho * (ux * sx + uy * sy + uz * sz)
+    side = -1.0 if beside > 0.0 else 1.0
+    return size[0] - abs(beside), side * sx, side * sy, side * sz, 0.0, 0.0, 0.0, 0.0, 0.0
 
 
 @kernel

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import struct
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -16,10 +17,12 @@ from ropewalk.live.seen import Seen
 MAGIC = 0x46505752
 HEADER = struct.Struct("<IIIIddfffI")
 PLAYING, BROKEN, SLOW, GRABBED, END = 1, 2, 4, 8, 16
+#: How far the first obstacles that turn freely have turned [rad]: less than a whole turn.
+TURNS = ("turn0", "turn1", "turn2", "turn3")
 SCALARS = (
     "time", "dt", "kinetic", "gravity", "elastic", "lost", "put_in", "energy_error", "tension_low",
     "tension_high", "tension_max", "strain_max", "speed_high", "low", "high", "touching",
-    "difference", "difference_max",
+    "difference", "difference_max", *TURNS,
 )  # fmt: skip
 _TINY = 1e-30
 
@@ -74,6 +77,11 @@ class Picture(NamedTuple):
     grabs: list[Grab]
     seen: Seen  # since the last frame
     contact: Floats | None = None  # (n, 3) [N], of what nodes touch; None where there is nothing
+
+
+def turns_of(wheels: Floats) -> dict[str, float]:
+    """Return how far obstacles have turned that turn freely, rows of `laws.wheels.RECORDED`, as scalars."""
+    return {name: float(angle) for name, angle in zip(TURNS, wheels[:, 0] % math.tau, strict=False)}
 
 
 class Ranges(NamedTuple):

@@ -10,7 +10,7 @@ import numpy as np
 from ropewalk.core.arrays import Floats
 from ropewalk.live.audience import Combine
 from ropewalk.live.counterparts import counterparts
-from ropewalk.live.frame import Picture, Shape, combined
+from ropewalk.live.frame import Picture, Shape, combined, turns_of
 from ropewalk.live.seen import Seen
 from ropewalk.live.track import Track
 from ropewalk.lowering.curve_tables import put_under_tension
@@ -88,6 +88,7 @@ def picture(track: Track, first: Picture | None = None, source: Floats | None = 
         "low": float(seen.least_height.min()),
         "high": float(seen.greatest_height.max()),
         "touching": _touching(simulation, heights),
+        **turns_of(recording.wheel[0]),
     }
     if first is not None:
         scalars |= _difference(positions, first.positions, source)

@@ -5,16 +5,17 @@ from __future__ import annotations
 import numpy as np
 
 from ropewalk.core.arrays import Floats
-from ropewalk.live.frame import Picture, Shape
+from ropewalk.live.frame import Picture, Shape, turns_of
 from ropewalk.live.seen import Seen
 from ropewalk.live.track import losses_and_gifts
 from ropewalk.record.beyond import until_torn
+from ropewalk.record.quantities import PULLEYS
 from ropewalk.record.result import Result
 from ropewalk.scene import Material
 
 _PIECE = 64  # frames read at once
 _NAMES = ("time", "positions", "velocities", "tension", "energy", "work")
-_MORE = ("elastic_tension", "reactions", "contact_force")
+_MORE = ("elastic_tension", "reactions", "contact_force", PULLEYS)
 _SEEN = {name: "greatest_reactions" if name == "greatest_force" else name for name in Seen._fields}
 _MOST = 1000  # frames passed over, whose extremes the next one shows
 
@@ -96,6 +97,7 @@ class Recorded:
             "low": float(seen.least_height.min()),
             "high": float(seen.greatest_height.max()),
             "touching": float(np.count_nonzero(heights < ground.height)) if ground else 0.0,
+            **(turns_of(data[PULLEYS][row]) if PULLEYS in data else {}),
         }
         contact = data["contact_force"][row] if "contact_force" in data else None
         return Picture(scalars, positions, tension, speed, anchors, [], seen, contact)

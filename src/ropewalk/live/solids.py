@@ -33,9 +33,13 @@ def obstacle_list(scene: Scene, where: Layout) -> list[dict[str, Any]]:
 
 
 def _moving(table: Obstacles, row: int) -> dict[str, Any]:
-    """Return how an obstacle moves, and the angles of one that turns by a table; nothing of one at rest."""
+    """Return how an obstacle moves, the angles of one that turns by a table, the number of one that turns
+    freely; nothing of one at rest.
+    """
     motion, turns = table.motion, table.turns
     found: dict[str, Any] = {}
+    if (wheel := int(table.wheel[row])) >= 0:
+        found["wheel"] = wheel
     if kind_of(turns, row).name == "table":
         found["turns"] = own_table(turns, row).tolist()
     if moves(table, row):

@@ -21,7 +21,7 @@ _THEMES: dict[str, tuple[str, ...]] = {
     _RIGGING: (
         *("climbing-fall", "zip-line", "zip-line-ride", "highline", "rescue-lower", "tow"),
         *("crane-snap", "hoist-stop", "guyed-mast", "suspension-cable", "power-line-in-wind"),
-        *("three-leg-sling", "capstan", "bollard", "clove-hitch"),
+        *("three-leg-sling", "capstan", "bollard", "pulley", "clove-hitch"),
     ),
     OTHERS: (),
     _LESSONS: ("n40", "h1", "h2", "n39-spring", "n39-gravity", "n39-constant-velocity"),

@@ -11,6 +11,7 @@ from ropewalk.laws.parting import NAME as PARTING
 from ropewalk.laws.registry import NODE_LAWS
 from ropewalk.scene import Rope, Scene, Winch
 from ropewalk.scene.base import MOST_ON_DRUM
+from ropewalk.scene.obstacles import is_free
 
 
 @dataclass(frozen=True)
@@ -56,6 +57,7 @@ class Layout:
     ties: tuple[str, ...] = ()  # what each joint ties: "joint0:rope[4]"
     more: tuple[str, ...] = ()  # names of the laws of nodes with a memory, where there are any
     tied_nodes: tuple[int, ...] = ()  # their indices
+    pulleys: tuple[str, ...] = ()  # names of the obstacles that turn freely
 
     @property
     def segments(self) -> int:
@@ -144,6 +146,11 @@ def make_layout(scene: Scene) -> Layout:
             if law.memory is not None and getattr(scene, law.section, None)
         ),
         tuple(spans[rope].start + node for _, rope, node in tied),
+        tuple(
+            body.name or f"obstacle{row}"
+            for row, body in enumerate(scene.obstacles)
+            if is_free(body)
+        ),
     )
 
 

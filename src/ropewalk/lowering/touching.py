@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ropewalk.core.arrays import Floats, Ints
-from ropewalk.laws.contact import on_polygon, surface_at, turn_towards
+from ropewalk.laws.contact import on_polygon, turn_towards
+from ropewalk.laws.contact_frame import surface_at
 from ropewalk.laws.obstacle import Obstacles
 from ropewalk.laws.obstacle_shapes import probe
 
@@ -80,6 +81,15 @@ def contacts_at(
             over = speed - np.cross(now[o][7] * table.axis[o], place - table.center[o])
             rows.append((o, i, normal, push, friction, over - normal * (normal @ over)))
     return _shared(rows, force)
+
+
+def at_rates(table: Obstacles, rates: Floats) -> Obstacles:
+    """Return the same obstacles, those that turn freely turning at some rates [rad/s], (w,)."""
+    spin = table.spin.copy()
+    free = table.wheel >= 0
+    spin[free] = 0.0, 0.0, np.inf
+    spin[free, 0] = rates[table.wheel[free]]
+    return table._replace(spin=spin, wheel=np.full_like(table.wheel, -1))
 
 
 def _shared(rows: list[tuple[int, int, Floats, float, float, Floats]], force: Floats) -> Contacts:

@@ -35,6 +35,7 @@ from ropewalk.laws.relaxing import (
     write_rates,
 )
 from ropewalk.laws.table import accelerate
+from ropewalk.laws.wheels import aim_no_wheels, end_aim
 from ropewalk.methods import tableaus
 from ropewalk.methods.gain import makes_up_energy, most_of
 from ropewalk.methods.generalized_alpha import end_alpha, prepare_alpha
@@ -51,6 +52,7 @@ from ropewalk.methods.scratch import (
 )
 from ropewalk.methods.stage import SPLITS, TIME, Stage, make_stage, solve_stage
 from ropewalk.methods.tableaus import BDF2, DIRK, GENERALIZED_ALPHA, SDIRK2, Tableau
+from ropewalk.methods.wheel_ties import aim_all, has_wheels
 
 MOST_HALVINGS = 12
 SMALLEST_PART = 0.5**MOST_HALVINGS  # [1] of a step
@@ -203,6 +205,8 @@ def end_stages(system, state, scratch, dt, level, kind, A, b):
     else:
         ends_here = end_dirk(state, scratch, A, b, dt)
         write_ends(state, scratch.ends, b, scratch.rates, dt)
+        if has_wheels(system) and not ends_here:
+            aim_no_wheels(state.memory.obstacle.wheel)
     if watch and ends_here:
         if makes_up_energy(system, state, stage, scratch.ends, mean, dt, most_of(system, level)):
             return UNSOLVED
@@ -238,6 +242,8 @@ def take_step(system, state, scratch, t, after, dt, ledger, level, kind, A, b, c
     if not warm:
         put_row(state.tension, stage.tension)
     for s in range(b.shape[0] if kind == DIRK else 1):
+        if has_wheels(system):
+            aim_all(system, state, kind, A, b, s, dt)
         if kind == DIRK and A[s, s] == 0.0:
             put(state.v, scratch.u[s])
             put(state.acceleration, scratch.k[s])
@@ -275,6 +281,8 @@ def take_step(system, state, scratch, t, after, dt, ledger, level, kind, A, b, c
             stage.report[TIME] = time
             return UNSOLVED
         end_arms(system, state, stage.segments, stage.tension, c2, scratch.rates[s])
+        if has_wheels(system):
+            end_aim(state.memory.obstacle.wheel, s, kind != DIRK or s == b.shape[0] - 1)
         if kind == DIRK:
             put(stage.v, scratch.u[s])
             put(stage.a, scratch.k[s])

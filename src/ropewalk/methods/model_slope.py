@@ -19,6 +19,7 @@ from ropewalk.core.jit import kernel, part
 from ropewalk.laws.couplings import along_couplings
 from ropewalk.laws.nodes import marked_node_forces, node_tangents
 from ropewalk.laws.table import accelerate
+from ropewalk.methods.wheel_ties import along_wheels, has_wheels
 
 FLAT = 0.1  # [1] slope over that at the start that counts as none
 LONGEST = 0.7  # [1] change of a segment's ends against each other in an iteration, over its length
@@ -117,6 +118,9 @@ def follow_model(system, state, stage, c1, exact):
     node_tangents(system, state, x, v, 1.0, 1.0 / c1, saddle.band)
     bend = along_band(saddle.band, saddle.moved)
     bend += along_couplings(system, state, x, v, saddle.moved, 1.0, 1.0 / c1)
+    if has_wheels(system):
+        held = state.memory.obstacle
+        bend += along_wheels(held.wheel, held.ties, saddle.moved)
     low, high, at, side = 0.0, most, 0.0, 0
     low_slope, high_slope, size = -drop, 0.0, most
     for trial in range(TRIALS):

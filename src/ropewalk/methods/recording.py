@@ -18,6 +18,7 @@ from ropewalk.laws.nodes import fold, touch_nodes
 from ropewalk.laws.parting import NAME as PARTING
 from ropewalk.laws.rare import acts, has_bending, has_curves, limits, winds
 from ropewalk.laws.registry import NODE_LAWS
+from ropewalk.laws.wheels import RECORDED, record_wheels
 from ropewalk.methods.peaks import record_peaks
 from ropewalk.methods.scratch import LANES, clear, clear_row, put
 
@@ -65,6 +66,7 @@ class Recording(NamedTuple):
     error_range: Floats  # (f, 2) least and greatest energy error since the frame before [J] ...
     error_times: Floats  # (f, 2) ... and when [s]; NaN without a ledger
     joint_force: Floats  # (f, p, 3) force of a joint on each of its nodes [N]
+    wheel: Floats  # (f, w, 6) of obstacles that turn freely, see `laws.wheels.RECORDED`
 
     def part(self, start: int, stop: int) -> Recording:
         """Return the frames from `start` to `stop`, views."""
@@ -98,6 +100,7 @@ def make_recording(
         (3, n if set(more) - {PARTING} else 0),
         *[(peaks.error.shape[0],)] * 2,
         state.joint_force.shape,
+        (len(getattr(state.memory.obstacle, "wheel", ())), len(RECORDED)),
     ]
     large = [empty((frames, *shape)) for shape in shapes[: len(LARGE)]]
     return Recording(*large, *(np.zeros((frames, *shape)) for shape in shapes[len(LARGE) :]))
@@ -332,6 +335,8 @@ def record_frame(system, state, ledger, sums, frame, out):
     p, spin = out.momentum[frame], out.angular_momentum[frame]
     record_motion(state.x, state.v, state.mass, system.gravity, sums, energy, p, spin)
     record_peaks(state.peaks, frame, out)
+    if system.rare is not None:
+        record_wheels(system.node.obstacle.inertia, state.memory.obstacle.wheel, out.wheel[frame])
     if out.contact.shape[2] > 0:
         clear(out.contact[frame])
         touch_nodes(system, state, out.contact[frame])

@@ -23,22 +23,18 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ropewalk.core.arrays import AXIAL, Floats, Forces, State, blank
-from ropewalk.core.band_sweep import band_sweep
+from ropewalk.core.arrays import Floats, Forces, State, blank
 from ropewalk.core.jit import kernel, part
-from ropewalk.core.network import gather, soften, solve_gathered
 from ropewalk.core.saddle import Saddle, make_saddle
 from ropewalk.core.status import OK, UNSOLVED
-from ropewalk.core.sweep import sweep
-from ropewalk.laws.couplings import add_couplings, couples, order_couplings
-from ropewalk.laws.nodes import add_diagonals, are_diagonal
-from ropewalk.laws.rare import are_tied, has_bending, limits, winds
+from ropewalk.laws.couplings import couples
+from ropewalk.laws.rare import has_bending, limits
 from ropewalk.laws.registry import NODE_LAWS
 from ropewalk.laws.relaxing import begin_arms
 from ropewalk.laws.stage_forces import evaluate_stage, mark_stage
 from ropewalk.laws.table import accelerate
-from ropewalk.laws.tangent import add_tangents, begin_tangent
 from ropewalk.methods.model_slope import follow_model
+from ropewalk.methods.newton_step import newton_step
 from ropewalk.methods.rounding import EPSILON, motion_rounding, rounding
 
 MOST_ITERATIONS = 60
@@ -51,7 +47,6 @@ TOUCHING_ITERATIONS = 25  # without bending: shorter steps take few
 CLOSE_ENOUGH, SOON = 1e-2, 10  # as CLOSE and LATE, where ropes touch
 DESCENT = 1e-4  # Armijo's constant
 SHORTEST = 1e-5  # [1] smallest part of a Newton step
-COMPRESSION = -0.24  # [1] least geometric stiffness far from the solution, over m / (c1 c2)
 NEAR = 1e-2  # [1] a step that brings the merit down to this part is near the solution
 CLOSE = 1e-3  # [1] so is one whose forces balance to this part of the largest, and lengths alike
 LATE = 15  # iterations after which the solution counts as near
@@ -199,30 +194,6 @@ def largest_merit(report, first, iteration, memory):
 
 
 @kernel
-def stiffen(tension, over, weight, exact, across):
-    """Write the geometric stiffness of all segments; return 1 where it was held back, else 0."""
-    held_back = 0
-    for j in range(tension.shape[0]):
-        bend = tension[j] * over[j]
-        if bend < COMPRESSION * weight[j] and not exact:
-            bend, held_back = COMPRESSION * weight[j], 1
-        across[j] = bend
-    return held_back
-
-
-@kernel
-def rub_along(damping, rubs, over_c1, mass, free, inertia, saddle):
-    """Put inertia and vector friction into the simple system's coefficients."""
-    across, along, diagonal = saddle.across, saddle.along, saddle.inertia
-    for j in range(damping.shape[0]):
-        c = damping[j] * rubs[j] * over_c1
-        across[j] += c
-        along[j] = c
-    for i in range(mass.shape[0]):
-        diagonal[i] = mass[i] * inertia if free[i] == 1.0 else 1.0
-
-
-@kernel
 def move(part_of_step, c1, stage_x, stage_v, tension, saddle):
     """Go a part of the Newton step, in positions, velocities and tensions."""
     over, free, pulled = part_of_step / c1, saddle.free, saddle.pulled
@@ -263,49 +234,6 @@ def is_smooth(system):
     """Tell whether stretch, air and ground are all there is: a line search that looks back pays then."""
     touches = system.rare is not None and system.node.obstacle.kind.shape[0] > 0
     return not (touches or has_bending(system) or limits(system) or couples(system))
-
-
-@part
-def is_simple(system, state):
-    """Tell whether all laws fit into inertia, across and along."""
-    return (
-        system.flags[AXIAL] == 0
-        and not has_bending(system)
-        and are_diagonal(system)
-        and not winds(system, state)
-    )
-
-
-@part
-def newton_step(system, state, stage, c1, c2, exact, leap):
-    """Assemble the equations and solve them; return 1 where compression was held back, else 0.
-
-    With `leap` the tangent of bending has no negative eigenvalue.
-    """
-    saddle, segments, inertia = stage.saddle, stage.segments, 1.0 / (c1 * c2)
-    rubs = saddle.band.rubs
-    held_back = stiffen(stage.tension, segments.over, segments.weight, exact, saddle.across)
-    coupled = are_tied(system) or couples(system)
-    if is_simple(system, state) and not coupled:
-        rub_along(state.damping_vector, rubs, 1.0 / c1, state.mass, saddle.free, inertia, saddle)
-        add_diagonals(system, 1.0 / c1, saddle.free, saddle.inertia)
-        sweep(saddle)
-    else:
-        rub_along(state.damping_vector, rubs, 0.0, state.mass, saddle.free, inertia, saddle)
-        begin_tangent(system, state, stage.x, stage.v, 1.0, 1.0 / c1, leap, saddle.band)
-        add_tangents(system, state, stage.x, stage.v, 1.0, 1.0 / c1, saddle.band)
-        if coupled:
-            soften(segments.weight, saddle.carries, saddle.compliance)
-            if order_couplings(system, state, stage.x, saddle.network):
-                gather(saddle, saddle.network)
-                add_couplings(system, state, stage.x, stage.v, 1.0, 1.0 / c1, saddle.network)
-                solve_gathered(saddle)
-            else:  # no room for its blocks: no solution
-                saddle.moved[0, 0] = np.inf
-        else:
-            band_sweep(saddle)
-    stage.report[SOLVES] += 1.0
-    return held_back
 
 
 @kernel
@@ -369,6 +297,7 @@ def solve_stage(system, state, stage, c1, c2):
         exact = (by_now if touching else near) and wary <= 0
         leap = leap or (touching and not exact)
         held_back = newton_step(system, state, stage, c1, c2, exact, leap)
+        report[SOLVES] += 1.0
         if not is_finite(saddle.moved, saddle.pulled):
             return UNSOLVED
         if touching:

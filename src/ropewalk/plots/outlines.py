@@ -62,6 +62,8 @@ def _outline(
     ends = np.stack([middle - half * along, middle + half * along])
     if kind == "plane":
         return _edge_on(middle, along, _FAR * extent)
+    if kind == "half-pipe":
+        return _trough(middle, along, view.project(sizes[1:]), float(sizes[0]), extent)
     if kind == "sphere":
         return Outline(middle + sizes[0] * disc)
     if kind == "torus":
@@ -83,6 +85,28 @@ def _edge_on(point: Floats, normal: Floats, far: float) -> Outline | None:
     way = far * np.array([-normal[1], normal[0]])
     below = -far * normal
     return Outline(np.stack([point + way, point - way, point - way + below, point + way + below]))
+
+
+def _trough(
+    middle: Floats, along: Floats, above: Floats, radius: float, extent: float
+) -> Outline | None:
+    """Return what is solid about a half-pipe that is seen along its axis, else None."""
+    if float(np.hypot(*along)) > _EDGE_ON:
+        return None
+    turns = np.linspace(0.0, np.pi, _ROUND)[:, None]
+    far, beside = _FAR * extent, np.array([above[1], -above[0]])
+    inside = middle - radius * (np.cos(turns) * beside + np.sin(turns) * above)
+    wide, high, low = far * beside, far * above, middle - far * above
+    edges = np.stack([middle - wide, middle + wide])
+    return Outline(
+        np.concatenate(
+            [
+                np.stack([low - wide, edges[0] + high, inside[0] + high]),
+                inside,
+                np.stack([inside[-1] + high, edges[1] + high, low + wide]),
+            ]
+        )
+    )
 
 
 def _tilted(along: Floats, disc: Floats) -> Floats:

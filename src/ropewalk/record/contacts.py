@@ -12,8 +12,9 @@ from ropewalk.core.arrays import Floats, Ints
 from ropewalk.laws.pairs.law import memory as pair_memory
 from ropewalk.laws.pairs.table import CONTACTS
 from ropewalk.lowering import Model, build
-from ropewalk.lowering.touching import Contacts, contacts_at, turns
+from ropewalk.lowering.touching import Contacts, at_rates, contacts_at, turns
 from ropewalk.record.contact_modes import SLIPS, STICKS, UNKNOWN, WORDS
+from ropewalk.record.quantities import PULLEYS
 from ropewalk.record.rope_contact_table import forces_of_ropes, modes_on_ropes
 
 if TYPE_CHECKING:
@@ -105,11 +106,14 @@ def each_frame(result: Result, frames: Iterable[int]) -> Iterator[tuple[int, Con
     model = _model(result)
     table, stiffness = model.system.node.obstacle, model.state.stiffness
     x, v, force = result.positions, result.velocities, result.contact_force
+    turning = result.read(PULLEYS) if result.layout.pulleys else None
     for frame in map(int, frames):
         if force[frame].any():
             now = [np.ascontiguousarray(part[frame].T) for part in (x, v, force)]
             t = float(result.time[frame])
             now[2] -= forces_of_ropes(result, frame).T
+            if turning is not None:
+                table = at_rates(table, turning[frame, :, 1])
             contacts = contacts_at(table, now[0], now[1], now[2], stiffness, t)
             yield frame, _told(model, now[0], now[2], contacts)
 

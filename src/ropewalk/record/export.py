@@ -42,16 +42,17 @@ def export(
 ) -> tuple[Path, ...]:
     """Write a run for other programs, in pieces; return the files to open.
 
-    csv and parquet make up to six tables in the folder `out` (nodes, segments, anchors, joints, contacts,
-    run), or the file `out` itself where one table is asked for and `out` ends in .csv or .parquet. npz
-    makes the file `out`; vtk a folder with a .pvd for ParaView and one .vtp a frame.
+    csv and parquet make up to nine tables in the folder `out` (nodes, segments, anchors, joints, pulleys,
+    contacts, rope_contacts, wraps, run), or the file `out` itself where one table is asked for and `out`
+    ends in .csv or .parquet. npz makes the file `out`; vtk a folder with a .pvd for ParaView and one .vtp a
+    frame.
 
     Args:
         run: result, or run folder.
         to: csv, parquet, npz or vtk.
         out: file or folder to make.
         quantities: of positions, velocities, tension, elastic_tension, rest_length, energy, work,
-            reactions, moments, joint_forces, momentum, angular_momentum. Those that a run does not
+            reactions, moments, joint_forces, pulleys, momentum, angular_momentum. Those that a run does not
             record are left out.
         nodes: only these nodes of every rope (negative: from its end), and the segments next to them.
         times: only the frames nearest to these times [s].

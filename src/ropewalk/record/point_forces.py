@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING, NamedTuple, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +12,17 @@ from ropewalk.core.arrays import Floats
 if TYPE_CHECKING:
     from ropewalk.record.contacts import WrapHistory
     from ropewalk.record.result import Result
+
+
+class PulleyMotion(NamedTuple):
+    """How an obstacle turned that turns freely, one row a frame; works since the start."""
+
+    angle: Floats  # (frames,) [rad]
+    speed: Floats  # (frames,) [rad/s]
+    energy: Floats  # (frames,) kinetic [J]
+    rope_work: Floats  # (frames,) of the ropes on it [J]
+    bearing_work: Floats  # (frames,) of its bearing on it [J]
+    rope_torque: Floats  # (frames,) of the ropes in the last step [N m]
 
 
 class PointForces:
@@ -51,6 +62,21 @@ class PointForces:
         if "contact_force" not in result.source.names:
             return np.zeros((result.frames, result.layout.nodes, 3))
         return result.read("contact_force")
+
+    def pulley(self, name: str) -> PulleyMotion:
+        """How an obstacle turned that turns freely: angle, speed, energy, works, torque.
+
+        What ropes and bearing have done on it is the change of its energy, to rounding.
+
+        Raises KeyError where no obstacle of that name turns freely.
+        """
+        result = cast("Result", self)
+        names = result.layout.pulleys
+        if name not in names:
+            known = ", ".join(names) or "(none)"
+            raise KeyError(f"name one of the obstacles that turn freely, {known}, not {name!r}")
+        columns = result.read("pulleys")[:, names.index(name)]
+        return PulleyMotion(*np.ascontiguousarray(columns.T))
 
     def obstacle_positions(self, frames: slice = slice(None)) -> Floats:
         """Where obstacles are at some frames [m], (frames, obstacles, 3): their middles; planes: a point."""

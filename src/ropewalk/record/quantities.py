@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from ropewalk.core.arrays import Floats
 from ropewalk.core.peaks import BOUNDS, EXTREMES
+from ropewalk.laws.wheels import RECORDED, UNITS
 from ropewalk.lowering import Layout
 from ropewalk.methods.recording import energy_names, work_names
 from ropewalk.scene import Scene
@@ -18,7 +19,7 @@ from ropewalk.simulation.rope_contacts import COLUMNS, slots
 AXES = ("x", "y", "z")
 ENERGY = "energy; that of gravity is 0 in the scene's own shape"
 JUMPS = ("limiter", "winch")
-ROPE_CONTACTS = "rope_contacts"
+ROPE_CONTACTS, PULLEYS = "rope_contacts", "pulleys"
 
 
 @dataclass(frozen=True)
@@ -85,6 +86,13 @@ QUANTITIES = (
         "contacts of ropes with ropes",
         "pairs",
     ),
+    Quantity(
+        PULLEYS,
+        ("time", "pulley", "motion"),
+        ", ".join(UNITS),
+        "motion of obstacles that turn freely",
+        "wheel",
+    ),
     Quantity("momentum", ("time", "axis"), "kg m/s", "momentum", "momentum"),
     Quantity(
         "angular_momentum",
@@ -118,6 +126,8 @@ def labels(layout: Layout) -> dict[str, tuple[str, ...]]:
         "bound": BOUNDS,
         "tie": layout.ties,
         "column": COLUMNS if "contact" in layout.more else (),
+        "pulley": layout.pulleys,
+        "motion": RECORDED if layout.pulleys else (),
     }
 
 
@@ -154,6 +164,8 @@ def recorded(layout: Layout, scene: Scene) -> tuple[Quantity, ...]:
         left_out.add("contact_force")
     if scene.contact is None:
         left_out.add(ROPE_CONTACTS)
+    if not layout.pulleys:
+        left_out.add(PULLEYS)
     if not scene.lengths_change:
         left_out.add("rest_length")
     if not scene.run.extremes:

@@ -20,7 +20,13 @@ if TYPE_CHECKING:
 
     from ropewalk.record.result import Result
 
-_PLACES = {"node": "nodes", "segment": "segments", "anchor": "anchors", "tie": "joints"}
+_PLACES = {
+    "node": "nodes",
+    "segment": "segments",
+    "anchor": "anchors",
+    "tie": "joints",
+    "pulley": "pulleys",
+}
 
 
 class RunDataset(xr.Dataset):  # type: ignore[no-untyped-call]

@@ -32,6 +32,7 @@ DEFAULT = (
         "joint_forces",
         "contact_force",
         "rope_contacts",
+        "pulleys",
         "greatest_reactions",
         "greatest_moments",
         "extremes",

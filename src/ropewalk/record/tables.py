@@ -11,9 +11,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ropewalk.core.peaks import BOUNDS, EXTREMES
+from ropewalk.laws.wheels import RECORDED, UNITS
 from ropewalk.record.contacts import COLUMNS, rows
 from ropewalk.record.errors import InputError, RunError
-from ropewalk.record.quantities import AXES, BY_NAME, EXTREME_UNITS, ROPE_CONTACTS, law_names
+from ropewalk.record.quantities import (
+    AXES,
+    BY_NAME,
+    EXTREME_UNITS,
+    PULLEYS,
+    ROPE_CONTACTS,
+    law_names,
+)
 from ropewalk.record.rope_contact_table import HEADERS as ROPE_COLUMNS
 from ropewalk.record.rope_contact_table import rope_rows
 from ropewalk.record.selection import EXPORTED, Indices, Selection, select, take
@@ -26,7 +34,10 @@ if TYPE_CHECKING:
 
     from ropewalk.record.result import Result
 
-NAMES = ("nodes", "segments", "anchors", "joints", "contacts", "rope_contacts", "wraps", "run")
+NAMES = (
+    *("nodes", "segments", "anchors", "joints", "pulleys"),
+    *("contacts", "rope_contacts", "wraps", "run"),
+)
 Columns = list[NDArray[Any]]
 
 
@@ -43,20 +54,22 @@ def tables(result: Result, chosen: Selection, layout: str) -> list[Table]:
     """Return the tables that hold the chosen quantities, `long` or `wide`.
 
     nodes: positions and velocities; segments: tensions and unstretched length; anchors: reactions
-    and moments; joints: their forces on each rope; contacts: a row for each node on each obstacle;
-    rope_contacts: one for each contact of two ropes; wraps: one for each rope on each obstacle; run:
-    energies, works, momentum, one row per frame in either layout.
+    and moments; joints: their forces on each rope; pulleys: how they turn, and works; contacts: a row for
+    each node on each obstacle; rope_contacts: one for each contact of two ropes; wraps: one for each rope on
+    each obstacle; run: energies, works, momentum, one row per frame in either layout.
     """
     ropes, numbers = _node_labels(result)
     at_nodes = [f"{ropes[i]}[{numbers[i]}]" for i in chosen.nodes]
     at_segments = [f"{ropes[j]}[{numbers[j]}]" for j in chosen.segments]
     names, ties = list(result.layout.anchor_names), list(result.layout.ties)
     anchors, tied = np.arange(len(names)), np.arange(len(ties))
+    pulleys = list(result.layout.pulleys)
     kinds = (
         ("nodes", "node", chosen.nodes, at_nodes, _OF_NODES),
         ("segments", "segment", chosen.segments, at_segments, _OF_SEGMENTS),
         ("anchors", "anchor", anchors, names, _OF_ANCHORS),
         ("joints", "tie", tied, ties, ("joint_forces",)),
+        ("pulleys", "pulley", np.arange(len(pulleys)), pulleys, (PULLEYS,)),
     )
     found = []
     for name, noun, places, shown, quantities in kinds:
@@ -110,6 +123,8 @@ def _components(result: Result, quantity: str) -> list[tuple[str, str]]:
     unit = BY_NAME[quantity].unit
     if quantity == "tension":
         return [(result.tension_name, unit)]
+    if quantity == PULLEYS:
+        return list(zip(RECORDED, UNITS, strict=True))
     if quantity in _SYMBOLS:
         return [(_SYMBOLS[quantity] + axis, unit) for axis in AXES]
     return [(_GREATEST.get(quantity, quantity.replace("_", " ")), unit)]

@@ -48,13 +48,24 @@ def _between(description: str, toml: str, python: str) -> Any:
 
 
 class Spin(Model):
-    """Turns an obstacle about its own axis, right-handed: at one ``rate``, or by a table of ``angles``.
+    """Turns an obstacle about its own axis, right-handed: at one ``rate``, by a table of ``angles``, or
+    ``free``, as the friction of ropes turns it.
 
     At a rate it turns from ``start`` to ``stop``; by a table it stands before the first time and after the
-    last one.
+    last one. One that is free has an ``inertia`` and begins at ``rate``, at rest without it.
     """
 
     rate: Number | None = quantity("Angle per time", "rad/s", default=None)
+    free: Flag = Field(default=False, description="Whether it turns freely, as a pulley")
+    inertia: Number | None = positive(
+        "Moment of inertia about its axis, of one that is free", "kg m^2", default=None
+    )
+    bearing: Number = not_negative(
+        "Torque of the bearing's dry friction, of one that is free", "N m", default=0.0
+    )
+    viscous: Number = not_negative(
+        "Torque of the bearing per rate, of one that is free", "N m s", default=0.0
+    )
     start: Number = not_negative("Time at which it begins to turn", "s", default=0.0)
     stop: Number = stop_time()
     times: Many[Annotated[Number, Field(ge=-HUGE, le=HUGE, allow_inf_nan=False)]] = Field(
@@ -70,9 +81,15 @@ class Spin(Model):
     @model_validator(mode="after")
     def _check(self) -> Spin:
         given = self.model_fields_set
+        if self.free:
+            refuse(_wheel_faults(self))
+            return self
+        if over := given & {"inertia", "bearing", "viscous"}:
+            rule = "is for an obstacle that turns freely: give free = true, too, or leave it out"
+            refuse([Fault(min(over), getattr(self, min(over)), rule)])
         by_table = given & {"times", "angles", "interpolation"}
         if self.rate is None and not by_table:
-            refuse([Fault("rate", MISSING, "give rate, or times and angles")])
+            refuse([Fault("rate", MISSING, "give rate, or times and angles, or free = true")])
         if self.rate is not None and by_table:
             rule = "give either rate or times and angles"
             refuse([Fault(min(by_table), NO_VALUE, rule)])
@@ -95,6 +112,22 @@ class Spin(Model):
         """The table of angles as a motion along x."""
         places = [(angle, 0.0, 0.0) for angle in self.angles]
         return Table(times=self.times, positions=places, interpolation=self.interpolation)
+
+
+def _wheel_faults(spin: Spin) -> list[Fault]:
+    """Return what is wrong with one that is free."""
+    faults = []
+    if spin.inertia is None:
+        rule = (
+            "an obstacle that turns freely needs its moment of inertia [kg m^2]: that of a round disc of "
+            "mass m and radius R is m R^2 / 2; of one so light that it does not matter, give a tenth of the "
+            "rope's mass on it times R^2"
+        )
+        faults.append(Fault("inertia", MISSING, rule))
+    if over := spin.model_fields_set & {"start", "stop", "times", "angles", "interpolation"}:
+        rule = "is for an obstacle that is turned: one that is free turns as ropes turn it"
+        faults.append(Fault(min(over), NO_VALUE, rule))
+    return faults
 
 
 BodyMotion = Annotated[Told, Field(discriminator="kind")]
@@ -163,7 +196,7 @@ class Sphere(_Turning):
         return self
 
 
-class _Along(_Turning):
+class _Between(_Body):
     """What lies along a line from one point to another."""
 
     start: Vector = _between("A point of its axis, one end", "from", "start")
@@ -171,23 +204,42 @@ class _Along(_Turning):
     radius: Number = positive("Its radius", "m")
 
     @model_validator(mode="after")
-    def _check(self) -> _Along:
+    def _check_ends(self) -> _Between:
         if self.start == self.end:
             refuse([Fault("to", self.end, "must not be the point from which it goes")])
         return self
 
 
-class Cylinder(_Along):
+class Cylinder(_Between, _Turning):
     """A round bar with flat ends, or ``endless``. It spins about its axis, from ``from`` to ``to``."""
 
     kind: Literal["cylinder"] = "cylinder"
     endless: Flag = Field(default=False, description="Whether it goes on beyond both ends")
 
 
-class Capsule(_Along):
+class Capsule(_Between, _Turning):
     """A round bar with round ends. It spins about its axis, from ``from`` to ``to``."""
 
     kind: Literal["capsule"] = "capsule"
+
+
+class HalfPipe(_Between):
+    """A trough to lie in: half a pipe with upright walls above it, endless, and all else solid."""
+
+    kind: Literal["half-pipe"] = "half-pipe"
+    open_to: Vector = vector(
+        "Direction to which it is open (any length but zero)", "1", default=(0, 0, 1)
+    )
+
+    @model_validator(mode="after")
+    def _check(self) -> HalfPipe:
+        refuse(Fault("open_to", f.value, f.rule) for f in axis_faults(self.open_to))
+        along = [b - a for a, b in zip(self.start, self.end, strict=True)]
+        scale = math.hypot(*along) * math.hypot(*self.open_to)
+        inner = sum(a * b for a, b in zip(along, self.open_to, strict=True))
+        if not abs(inner) < 0.999 * scale:
+            refuse([Fault("open_to", self.open_to, "must not lie along its axis")])
+        return self
 
 
 class Box(_Body):
@@ -227,7 +279,15 @@ class Torus(_Turning):
         return self
 
 
-Obstacle = Annotated[Plane | Sphere | Cylinder | Capsule | Box | Torus, Field(discriminator="kind")]
+Obstacle = Annotated[
+    Plane | Sphere | Cylinder | Capsule | Box | Torus | HalfPipe, Field(discriminator="kind")
+]
+
+
+def is_free(body: Obstacle) -> bool:
+    """Tell whether a body turns freely, as a pulley."""
+    spin: Spin | None = getattr(body, "spin", None)
+    return spin is not None and spin.free
 
 
 def thinnest(body: Obstacle) -> float:

@@ -14,7 +14,7 @@ from ropewalk.core.elimination import tied_network
 from ropewalk.core.saddle import make_saddle
 from ropewalk.display import cells
 from ropewalk.laws.acting import at_rest
-from ropewalk.laws.contact import GRIP
+from ropewalk.laws.contact_frame import GRIP
 from ropewalk.laws.node_law import Rest
 from ropewalk.lowering import Layout, Model, build
 from ropewalk.lowering.curve_tables import put_tension
@@ -24,6 +24,7 @@ from ropewalk.lowering.touching import SLIPS
 from ropewalk.methods.loop import prepare_links
 from ropewalk.scene import Scene, SceneError
 from ropewalk.scene.faults import NO_VALUE, Fault
+from ropewalk.scene.obstacles import is_free
 from ropewalk.statics import Statics, checked_shape
 from ropewalk.statics.balance import standing
 from ropewalk.vibration.drawing import ModePlots
@@ -127,6 +128,9 @@ def modes(source: Scene | Model, about: About = "equilibrium", count: int = 10) 
         rule = "modes of ropes that touch each other are not found; leave contact out"
         raise SceneError([Fault("contact", NO_VALUE, rule)])
     refuse_slides(model.scene, "modes with what slides along a rope are not found")
+    if wheels := [row for row, body in enumerate(model.scene.obstacles) if is_free(body)]:
+        rule = "modes of ropes on an obstacle that turns freely are not found; leave out spin"
+        raise SceneError([Fault(f"obstacle[{wheels[0]}].spin.free", True, rule)])
     x, tension, model = shape_about(model, about)
     linear = linearise(model, x, tension)
     if linear.loose:

@@ -25,7 +25,8 @@ export function drawSolids(context, view, theme) {
     if (solid.kind === "plane") drawPlane(context, camera, solid, room.radius, theme);
     else if (solid.kind === "torus") drawRing(context, camera, solid, theme);
     else drawBody(context, camera, solid, room.radius, theme);
-    if (solid.spin || solid.turns) drawMarks(context, camera, solid, turn, room.radius, theme);
+    if (solid.spin || solid.turns || solid.wheel !== null)
+      drawMarks(context, camera, solid, turn, room.radius, theme);
   }
 }
 

@@ -124,7 +124,7 @@ export class Solids {
     const data = /** @type {Float32Array} */ (this.turns.value.image.data);
     this.all.forEach((solid, k) => {
       data[4 * k] = turns[k] % (2 * Math.PI);
-      data[4 * k + 1] = solid.spin || solid.turns ? 1 : 0;
+      data[4 * k + 1] = solid.spin || solid.turns || solid.wheel !== null ? 1 : 0;
     });
     this.turns.value.needsUpdate = true;
   }

@@ -52,6 +52,7 @@ TELLING = {
     "capstan": Telling((0.0,), Manner(oblique=0.6)),
     "edge": Telling(_every(0.0, 1.0, 5)),
     "bollard": Telling((0.0,), Manner(oblique=0.5)),
+    "pulley": Telling((0.0, 0.5, 1.0)),
     "clove-hitch": Telling((0.0,), Manner(oblique=0.8)),
     "three-leg-sling": Telling((0.0, 0.5, 1.0), Manner(oblique=0.4)),
     "tow": Telling(_every(0.0, 1.2, 5), Manner(apart=(0.0, 0.7))),

@@ -1,0 +1,72 @@
+"""What contacts are seen in: how a body has moved and turned, and a friction spring carried along with it."""
+
+from __future__ import annotations
+
+import math
+
+from ropewalk.core.jit import kernel, small
+from ropewalk.motions.whereabouts import place_now
+
+# Rows of `Memory.grip` after the spring's force: the coefficient of friction, R_n.
+GRIP, PUSH = 3, 4
+
+
+@kernel
+def surface_at(obstacles, row, t):
+    """Return how far an obstacle has moved [m], its velocity [m/s], its angle [rad] and its rate [rad/s].
+
+    Velocity and rate are those just after time `t` [s].
+    """
+    center, spin = obstacles.center[row], obstacles.spin
+    x, y, z, vx, vy, vz = place_now(obstacles.motion, row, t)
+    by_table = place_now(obstacles.turns, row, t)
+    angle = spin[row, 0] * min(max(t - spin[row, 1], 0.0), spin[row, 2] - spin[row, 1])
+    rate = spin[row, 0] if spin[row, 1] <= t < spin[row, 2] else 0.0
+    dx, dy, dz = x - center[0], y - center[1], z - center[2]
+    return dx, dy, dz, vx, vy, vz, angle + by_table[0], rate + by_table[3]
+
+
+@kernel
+def rotated(axis, c, s, x, y, z):
+    """Return a vector turned about an axis by the angle of cosine `c` and sine `s`."""
+    ex, ey, ez = axis[0], axis[1], axis[2]
+    along = (ex * x + ey * y + ez * z) * (1.0 - c)
+    return (
+        c * x + s * (ey * z - ez * y) + along * ex,
+        c * y + s * (ez * x - ex * z) + along * ey,
+        c * z + s * (ex * y - ey * x) + along * ez,
+    )
+
+
+@kernel
+def carried(center, axis, angle, then, grip, place, i, x, y, z):
+    """Return the spring's force R' [N] and the way D [m], both turned with the surface by `angle`.
+
+    x, y, z in the frame of the body; `then` is what `surface_at` gives for when `place` was kept.
+    """
+    fx, fy, fz = grip[0, i], grip[1, i], grip[2, i]
+    ox = place[0, i] - then[0] - center[0]
+    oy = place[1, i] - then[1] - center[1]
+    oz = place[2, i] - then[2] - center[2]
+    if angle != 0.0:
+        c, s = math.cos(angle), math.sin(angle)
+        fx, fy, fz = rotated(axis, c, s, fx, fy, fz)
+        ox, oy, oz = rotated(axis, c, s, ox, oy, oz)
+    return fx, fy, fz, x - center[0] - ox, y - center[1] - oy, z - center[2] - oz
+
+
+@kernel
+def spring_pull(k, center, axis, angle, then, grip, place, i, x, y, z):
+    """Return R' - k D [N]."""
+    fx, fy, fz, dx, dy, dz = carried(center, axis, angle, then, grip, place, i, x, y, z)
+    return fx - k * dx, fy - k * dy, fz - k * dz
+
+
+@small
+def cut(x, y, z, bound):
+    """Return a vector, no longer than `bound`."""
+    total = math.sqrt(x * x + y * y + z * z)
+    if total > bound:
+        share = bound / total
+        return x * share, y * share, z * share
+    return x, y, z
