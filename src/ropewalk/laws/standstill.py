@@ -49,7 +49,7 @@ def standstills(obstacles, before, after, dt, tolerance):
     """Return where a step between two states is to end [s], inf: where it does, and how many nodes stop."""
     end, changes, a = math.inf, 0, before.acceleration
     for o in range(obstacles.kind.shape[0]):
-        if obstacles.wheel[o] >= 0:  # its surface goes with the nodes: left to the estimate of the error
+        if obstacles.wheel[o] >= 0:  # it goes with the nodes: left to the estimate of the error
             continue
         first, last = before.memory.obstacle.grip[o], after.memory.obstacle.grip[o]
         surface = surface_at(obstacles, o, after.now[1] - dt)
