@@ -150,18 +150,11 @@ def _wheels(spins: Sequence[Any]) -> dict[str, Any]:
     free = [row for row, spin in enumerate(spins) if spin is not None and spin.free]
     wheel = np.full(len(spins), -1, np.int64)
     wheel[free] = np.arange(len(free))
-    columns = [
-        [getattr(spins[row], name) or 0.0 for row in free]
-        for name in ("inertia", "bearing", "viscous", "rate")
-    ]
-    inertia, bearing, viscous, rate = (np.array(one, dtype=np.float64) for one in columns)
-    return {
-        "wheel": wheel,
-        "inertia": inertia,
-        "bearing": bearing,
-        "viscous": viscous,
-        "rate": rate,
-    }
+    found: dict[str, Any] = {"wheel": wheel}
+    for name in ("inertia", "bearing", "viscous", "rate"):
+        column = [getattr(spins[row], name) or 0.0 for row in free]
+        found[name] = np.array(column, dtype=np.float64)
+    return found
 
 
 def radius_of(rope: Rope) -> float:
