@@ -56,7 +56,10 @@ def test_nothing_breaks_below_the_automatic_step() -> None:
             refused += 1
             continue
         model, method = simulation.model, simulation.plan.method
-        bare, torn = uncovered(model.system, model.state, method), torn_apart(model) or jerks(model)
+        bare, torn = (
+            uncovered(model.system, model.state, method, model.plan.duration),
+            torn_apart(model) or jerks(model),
+        )
         covered += not bare
         beyond += bool(bare)
         if bare:

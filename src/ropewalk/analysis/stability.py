@@ -242,7 +242,7 @@ def stability(source: Scene | Model, statics: Statics | None = None) -> Stabilit
         notes=_notes(model, theory, steps),
         theory=theory,
         tolerance=plan.tolerance,
-        uncovered=uncovered(model.system, model.state, method),
+        uncovered=uncovered(model.system, model.state, method, plan.duration),
     )
 
 

@@ -27,16 +27,8 @@ from ropewalk.laws.contact import (
 )
 from ropewalk.laws.contact_tangent import contact_tangent
 from ropewalk.laws.node_law import NodeLaw, Rest
-from ropewalk.laws.obstacle_shapes import (
-    BOX,
-    CAPSULE,
-    CYLINDER,
-    HALF_PIPE,
-    PLANE,
-    SPHERE,
-    TORUS,
-    probe,
-)
+from ropewalk.laws.obstacle_rows import KINDS, place_of, spin_of, turning_of, wheel_columns
+from ropewalk.laws.obstacle_shapes import BOX, HALF_PIPE, TORUS, probe
 from ropewalk.laws.standstill import standstills
 from ropewalk.laws.wheels import RATE, ROWS, WIDTH
 from ropewalk.motions.registry import FIXED
@@ -54,15 +46,6 @@ if TYPE_CHECKING:
 FRAME = 1.0 / 60.0  # [s]
 SHARE = 0.15  # [1] compliance of a contact over the rope's own at a node
 DAMPING = 1.0  # [1] damping ratio of a node on its own: it does not bounce
-KINDS = {
-    "plane": PLANE,
-    "sphere": SPHERE,
-    "cylinder": CYLINDER,
-    "capsule": CAPSULE,
-    "box": BOX,
-    "torus": TORUS,
-    "half-pipe": HALF_PIPE,
-}
 
 
 class Obstacles(NamedTuple):
@@ -124,7 +107,7 @@ def lower(
     stiffness = np.empty((count, n))
     for row, body in enumerate(bodies):
         stiffness[row] = own if body.compliance is None else 1.0 / body.compliance
-    places = [_place(body) for body in bodies]
+    places = [place_of(body) for body in bodies]
     centers = np.array([place[0] for place in places], dtype=np.float64).reshape(count, 3)
     motion = motion_rows([body.motion for body in bodies], centers)
     for moved in np.flatnonzero(motion.kind != FIXED):  # a table has places of its own
@@ -135,26 +118,14 @@ def lower(
         axis=np.array([place[1] for place in places], dtype=np.float64).reshape(count, 3),
         size=np.array([place[2] for place in places], dtype=np.float64).reshape(count, 4),
         friction=np.array([body.friction for body in bodies], dtype=np.float64),
-        spin=np.array([_spin(body) for body in bodies], dtype=np.float64).reshape(count, 3),
+        spin=np.array([spin_of(body) for body in bodies], dtype=np.float64).reshape(count, 3),
         motion=motion,
-        turns=motion_rows([_turning(body) for body in bodies], np.zeros((count, 3))),
+        turns=motion_rows([turning_of(body) for body in bodies], np.zeros((count, 3))),
         stiffness=stiffness,
         damping=2.0 * DAMPING * np.sqrt(stiffness * mass),
         thickness=thickness,
-        **_wheels([getattr(body, "spin", None) for body in bodies]),
+        **wheel_columns([getattr(body, "spin", None) for body in bodies]),
     )
-
-
-def _wheels(spins: Sequence[Any]) -> dict[str, Any]:
-    """Return the columns of what turns freely, see `Obstacles`."""
-    free = [row for row, spin in enumerate(spins) if spin is not None and spin.free]
-    wheel = np.full(len(spins), -1, np.int64)
-    wheel[free] = np.arange(len(free))
-    found: dict[str, Any] = {"wheel": wheel}
-    for name in ("inertia", "bearing", "viscous", "rate"):
-        column = [getattr(spins[row], name) or 0.0 for row in free]
-        found[name] = np.array(column, dtype=np.float64)
-    return found
 
 
 def radius_of(rope: Rope) -> float:
@@ -182,50 +153,6 @@ def _loaded(rope: Rope, stiffness: float, mass: float, whole: float) -> tuple[Fl
     for node in {rope.node_index(load.node) for load in rope.loads}:
         found[node] = node_stiffness(rope, whole, float(masses[node]))[0]
     return found, masses
-
-
-def _place(body: Any) -> tuple[Any, Any, Any]:
-    """Return centre [m], axis [1] and size [m] of an obstacle, see `Obstacles`."""
-    match body.kind:
-        case "plane":
-            return body.point, _unit(body.normal), (0.0, 0.0, 0.0, 0.0)
-        case "sphere":
-            return body.center, _unit(body.axis), (body.radius, 0.0, 0.0, 0.0)
-        case "torus":
-            return body.center, _unit(body.axis), (body.radius, body.bar_radius, 0.0, 0.0)
-        case "box":
-            inner = [half - body.edge_radius for half in body.half_sizes]
-            return body.center, (0.0, 0.0, 1.0), (*inner, body.edge_radius)
-    start, end = np.array(body.start, dtype=np.float64), np.array(body.end, dtype=np.float64)
-    if body.kind == "half-pipe":
-        axis, above = _unit(end - start), _unit(body.open_to)
-        above = _unit(above - (above @ axis) * axis)
-        return start, axis, (body.radius, *map(float, above))
-    half = 0.5 * float(np.linalg.norm(end - start))
-    if body.kind == "cylinder" and body.endless:
-        half = math.inf
-    return 0.5 * (start + end), _unit(end - start), (body.radius, half, 0.0, 0.0)
-
-
-def _unit(direction: Any) -> Floats:
-    found = np.array(direction, dtype=np.float64)
-    found /= np.abs(found).max()
-    unit: Floats = found / np.linalg.norm(found)
-    return unit
-
-
-def _spin(body: Any) -> tuple[float, float, float]:
-    """Return what turns at one rate [rad/s], and from when to when [s]."""
-    spin = getattr(body, "spin", None)
-    if spin is None or spin.rate is None or spin.free:
-        return 0.0, 0.0, math.inf
-    return spin.rate, spin.start, spin.stop
-
-
-def _turning(body: Any) -> Any:
-    """Return the angles of what turns by a table, as a motion along x; None else."""
-    spin = getattr(body, "spin", None)
-    return spin.as_motion() if spin is not None and spin.times else None
 
 
 def acts(obstacles: Obstacles) -> bool:

@@ -57,7 +57,7 @@ def candidates(scene: Scene, system: System, state: State, most: float) -> list[
         method = METHODS[name]
         if not method.holds_links and np.isinf(state.stiffness).any():
             continue
-        if uncovered(system, state, name):
+        if uncovered(system, state, name, run.duration):
             continue
         bound = run.auto_fraction * min(cases.largest(name).values())
         step = min(bound, accurate_step(name, scene, system, state), run.frame_interval, most)

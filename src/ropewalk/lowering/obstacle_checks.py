@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from ropewalk.core.arrays import Floats, State, System
@@ -11,7 +13,7 @@ from ropewalk.methods.registry import METHODS
 from ropewalk.motions.rows import largest_speed
 from ropewalk.scene import Scene, SceneError
 from ropewalk.scene.faults import Fault
-from ropewalk.scene.obstacles import thinnest
+from ropewalk.scene.obstacles import Obstacle, thinnest
 
 #: Methods that keep stiff modes ringing, so that no contact comes to rest.
 RINGING = ("implicit-midpoint", "generalized-alpha")
@@ -44,13 +46,30 @@ def refuse_obstacles(
         raise SceneError(faults)
 
 
+def step_past_nodes(scene: Scene, system: System) -> float:
+    """Return an automatic step in which no obstacle moves past nodes [s]; inf: none moves."""
+    found = (
+        0.9 * _radius(system, body) / speed for body, speed in _speeds(scene, system) if speed > 0.0
+    )
+    return min(found, default=math.inf)
+
+
+def _speeds(scene: Scene, system: System) -> list[tuple[Obstacle, float]]:
+    """Return every obstacle with its largest speed [m/s]."""
+    motion = system.node.obstacle.motion
+    return [(body, largest_speed(motion, row)) for row, body in enumerate(scene.obstacles)]
+
+
+def _radius(system: System, body: Obstacle) -> float:
+    """Return a body's least radius, with half the diameter of the thickest rope [m]."""
+    return thinnest(body) + float(system.node.obstacle.thickness.max(initial=0.0))
+
+
 def refuse_fast(scene: Scene, system: System, step: float) -> None:
     """Raise SceneError for obstacles that move past nodes within a step [s]."""
-    table: Obstacles = system.node.obstacle
     faults = []
-    for row, body in enumerate(scene.obstacles):
-        speed = largest_speed(table.motion, row)
-        radius = thinnest(body) + float(table.thickness.max(initial=0.0))
+    for row, (body, speed) in enumerate(_speeds(scene, system)):
+        radius = _radius(system, body)
         if speed * step > radius:
             rule = (
                 f"is {1e3 * speed * step:.4g} mm in a step of {1e3 * step:.4g} ms, more than the radius of "

@@ -10,6 +10,7 @@ import numpy as np
 from ropewalk.core.arrays import State, System
 from ropewalk.laws.winch import WINCH_SHARE
 from ropewalk.lowering.choice import Candidate, choose, reason
+from ropewalk.lowering.obstacle_checks import step_past_nodes
 from ropewalk.lowering.steps import BEYOND, predicted_step, uncovered
 from ropewalk.methods.controller import LONGEST_STEP
 from ropewalk.methods.registry import METHODS
@@ -66,16 +67,17 @@ def make_plan(scene: Scene, system: System, state: State) -> Plan:
     run = scene.run
     _refuse_limiter(scene)
     if run.method == "adaptive":
-        return _adaptive_plan(scene)
+        return _adaptive_plan(scene, system)
     method: str = run.method
     found: list[Candidate] = []
     if method == "auto":
         given = math.inf if run.time_step == "auto" else run.time_step
-        most = min(given, _winch_step(system))
+        most = min(given, _winch_step(system), step_past_nodes(scene, system))
         found = choose(scene, system, state, most)
         method, step = found[0].method, found[0].step
     elif run.time_step == "auto":
-        step = min(auto_step(run, system, state), _winch_step(system))
+        most = min(_winch_step(system), step_past_nodes(scene, system))
+        step = min(auto_step(run, system, state), most)
     else:
         step = run.time_step
     count, dt = divide(run.frame_interval, step, run.steps)
@@ -119,11 +121,12 @@ def _refuse_limiter(scene: Scene) -> None:
         raise SceneError([Fault("run.method", name, rule)])
 
 
-def _adaptive_plan(scene: Scene) -> Plan:
+def _adaptive_plan(scene: Scene, system: System) -> Plan:
     """Return the plan of a run that chooses its own steps, one "step" a frame."""
     run = scene.run
     frames = max(1, round(run.duration / run.frame_interval))
-    longest = LONGEST_STEP if run.time_step == "auto" else run.time_step
+    automatic = min(LONGEST_STEP, step_past_nodes(scene, system))
+    longest = automatic if run.time_step == "auto" else run.time_step
     return Plan(run.method, run.frame_interval, 1, frames, run.tolerance, longest)
 
 
@@ -145,7 +148,7 @@ def auto_step(run: RunSettings, system: System, state: State) -> float:
             "take semi-implicit-euler, verlet or rk4, or give a step yourself"
         )
         raise SceneError([Fault("run.time_step", "auto", rule)])
-    share = BEYOND if uncovered(system, state, run.method) else 1.0
+    share = BEYOND if uncovered(system, state, run.method, run.duration) else 1.0
     return min(share * run.auto_fraction * bound, run.frame_interval)
 
 

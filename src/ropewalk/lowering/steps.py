@@ -25,10 +25,18 @@ from ropewalk.core.arrays import State, System
 from ropewalk.laws.acting import acting
 from ropewalk.lowering.apart import recoil_of_releases
 from ropewalk.lowering.bounce import Bounce, bounce_of, largest_bounce_step
-from ropewalk.lowering.chains import FREE, fastest, free_chains, recoil, with_cases
+from ropewalk.lowering.chains import (
+    FREE,
+    driven_speed,
+    fastest,
+    free_chains,
+    recoil,
+    with_cases,
+)
 from ropewalk.lowering.curve_tables import softest
 from ropewalk.methods.bound import Chain, largest_step
 from ropewalk.methods.registry import METHODS
+from ropewalk.motions.rows import fastest_turn
 
 #: Methods that keep the energy of springs, and have no friction of their own.
 KEEPING = ("semi-implicit-euler", "verlet")
@@ -105,10 +113,12 @@ def predicted_step(system: System, state: State, method: str, duration: float = 
     return min(step_cases(system, state, duration).largest(method).values())
 
 
-def is_pressed(system: System, state: State) -> bool:
+def is_pressed(system: System, state: State, duration: float) -> bool:
     """Tell whether a two-way spring may be pressed below half its length: one that is hit too fast.
 
     Two nodes that meet at the speed u press the segment between them by u / omega, omega its own frequency.
+    Where nothing takes energy, what shakes or goes round adds up to twice its speed in every half cycle of
+    `duration` [s]: that is what a mass on a spring gains whose own frequency is met.
     """
     two_way = (system.slack_floor != 0.0) & (state.stiffness > 0.0) & np.isfinite(state.stiffness)
     inverse = state.inverse_mass[:-1] + state.inverse_mass[1:]
@@ -117,7 +127,7 @@ def is_pressed(system: System, state: State) -> bool:
         return False
     soft = softest(system.curves, state.stiffness)
     waves = state.rest_length[two_way] * np.sqrt(soft[two_way] * inverse[two_way])
-    ratio = _impact(system, state) / waves
+    ratio = max(_impact(system, state), _pumped(system, state, duration)) / waves
     return bool(((ratio > _MACH) & (ratio < _FREE)).any())
 
 
@@ -131,8 +141,20 @@ def _impact(system: System, state: State) -> float:
     return max(apart, back, fastest(system, state) if stops else 0.0)
 
 
-def uncovered(system: System, state: State, method: str) -> str:
-    """Return why no bound holds for a method, or "" where one does."""
+def _pumped(system: System, state: State, duration: float) -> float:
+    """Return the largest speed that shaking can give within a run to a rope without any friction [m/s]."""
+    rubs = state.damping_vector.any() or state.damping_axial.any() or acting(system)
+    if rubs or math.isfinite(float(system.curves.time.min(initial=math.inf))):
+        return 0.0
+    half_cycles = fastest_turn(system.anchors) * duration / math.pi
+    return driven_speed(system) * 2.0 * half_cycles if half_cycles > 0.0 else 0.0
+
+
+def uncovered(system: System, state: State, method: str, duration: float = 0.0) -> str:
+    """Return why no bound holds for a method in a run of `duration` [s], or "" where one does.
+
+    0 s leaves out what adds up over a run.
+    """
     if METHODS[method].implicit:
         return ""
     if system.limiter.active:
@@ -140,9 +162,10 @@ def uncovered(system: System, state: State, method: str) -> str:
             "a stretch limiter acts after the steps of explicit methods, moves nodes and may give energy; "
             "implicit methods solve for it"
         )
-    if method in KEEPING and is_pressed(system, state):
+    if method in KEEPING and is_pressed(system, state, duration):
         return (
-            "something moves so fast that it may press springs below half their length, where the bound "
-            "does not reach; rk4 loses energy there rather than making it up"
+            "something moves so fast, or shakes a rope without friction for so long, that it may press "
+            "springs below half their length, where the bound does not reach; rk4 loses energy there rather "
+            "than making it up"
         )
     return ""

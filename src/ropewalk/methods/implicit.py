@@ -17,14 +17,13 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats, Forces, State, blank
 from ropewalk.core.jit import kernel, part
-from ropewalk.core.ranges import ALL
 from ropewalk.core.status import HIT, OK, UNSOLVED
 from ropewalk.laws.anchors import move_anchors, place_stage
 from ropewalk.laws.couplings import AGAIN, FINE, couples, meet_on_way
 from ropewalk.laws.curved import CHANGE
 from ropewalk.laws.ledger import account
-from ropewalk.laws.nodes import hits, on_channels
-from ropewalk.laws.rare import has_bending, limits, relaxes
+from ropewalk.laws.nodes import hits
+from ropewalk.laws.rare import has_bending, relaxes
 from ropewalk.laws.relaxing import (
     end_arms,
     know_past,
@@ -49,6 +48,7 @@ from ropewalk.methods.scratch import (
     clear_row,
     make_sums,
     put,
+    put_forces,
 )
 from ropewalk.methods.stage import SPLITS, TIME, Stage, make_stage, solve_stage
 from ropewalk.methods.tableaus import BDF2, DIRK, GENERALIZED_ALPHA, SDIRK2, Tableau
@@ -101,26 +101,6 @@ def make_implicit_scratch(state: State, tableau: Tableau) -> ImplicitScratch:
         pull=np.zeros((2, state.rest_length.shape[0])),
         rescue=tableaus.IMPLICIT_EULER,
     )
-
-
-@part
-def _put_channel(source, result, p, q, lo, hi):
-    put(source, result)
-
-
-_put_nodes = on_channels(_put_channel)
-
-
-@part
-def put_forces(system, source, result):
-    """Copy every acting channel but the applied forces, which are the host's."""
-    put(source.elastic, result.elastic)
-    put(source.friction, result.friction)
-    if has_bending(system):
-        put(source.bending, result.bending)
-    if limits(system):
-        put(source.limiter, result.limiter)
-    _put_nodes(system, source.node, result.node, 0.0, 0.0, 0, ALL)
 
 
 @kernel

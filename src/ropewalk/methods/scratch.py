@@ -99,7 +99,25 @@ def _clear_channel(values, same, p, q, lo, hi):
     clear(values)
 
 
+@part
+def _put_channel(source, result, p, q, lo, hi):
+    put(source, result)
+
+
 _add_nodes, _clear_nodes = on_channels(_add_channel), on_channels(_clear_channel)
+_put_nodes = on_channels(_put_channel)
+
+
+@part
+def put_forces(system, source, result):
+    """Copy every acting channel but the applied forces, which are the host's."""
+    put(source.elastic, result.elastic)
+    put(source.friction, result.friction)
+    if has_bending(system):
+        put(source.bending, result.bending)
+    if limits(system):
+        put(source.limiter, result.limiter)
+    _put_nodes(system, source.node, result.node, 0.0, 0.0, 0, ALL)
 
 
 @part

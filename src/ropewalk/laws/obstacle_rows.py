@@ -1,0 +1,78 @@
+"""Obstacles of a scene as rows of numbers: which kind, where, how large, how they turn."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from ropewalk.core.arrays import Floats
+from ropewalk.laws.obstacle_shapes import BOX, CAPSULE, CYLINDER, HALF_PIPE, PLANE, SPHERE, TORUS
+
+KINDS = {
+    "plane": PLANE,
+    "sphere": SPHERE,
+    "cylinder": CYLINDER,
+    "capsule": CAPSULE,
+    "box": BOX,
+    "torus": TORUS,
+    "half-pipe": HALF_PIPE,
+}
+
+
+def wheel_columns(spins: Sequence[Any]) -> dict[str, Any]:
+    """Return the columns of what turns freely, see `Obstacles`."""
+    free = [row for row, spin in enumerate(spins) if spin is not None and spin.free]
+    wheel = np.full(len(spins), -1, np.int64)
+    wheel[free] = np.arange(len(free))
+    found: dict[str, Any] = {"wheel": wheel}
+    for name in ("inertia", "bearing", "viscous", "rate"):
+        column = [getattr(spins[row], name) or 0.0 for row in free]
+        found[name] = np.array(column, dtype=np.float64)
+    return found
+
+
+def place_of(body: Any) -> tuple[Any, Any, Any]:
+    """Return centre [m], axis [1] and size [m] of an obstacle, see `Obstacles`."""
+    match body.kind:
+        case "plane":
+            return body.point, _unit(body.normal), (0.0, 0.0, 0.0, 0.0)
+        case "sphere":
+            return body.center, _unit(body.axis), (body.radius, 0.0, 0.0, 0.0)
+        case "torus":
+            return body.center, _unit(body.axis), (body.radius, body.bar_radius, 0.0, 0.0)
+        case "box":
+            inner = [half - body.edge_radius for half in body.half_sizes]
+            return body.center, (0.0, 0.0, 1.0), (*inner, body.edge_radius)
+    start, end = np.array(body.start, dtype=np.float64), np.array(body.end, dtype=np.float64)
+    if body.kind == "half-pipe":
+        axis, above = _unit(end - start), _unit(body.open_to)
+        above = _unit(above - (above @ axis) * axis)
+        return start, axis, (body.radius, *map(float, above))
+    half = 0.5 * float(np.linalg.norm(end - start))
+    if body.kind == "cylinder" and body.endless:
+        half = math.inf
+    return 0.5 * (start + end), _unit(end - start), (body.radius, half, 0.0, 0.0)
+
+
+def _unit(direction: Any) -> Floats:
+    found = np.array(direction, dtype=np.float64)
+    found /= np.abs(found).max()
+    unit: Floats = found / np.linalg.norm(found)
+    return unit
+
+
+def spin_of(body: Any) -> tuple[float, float, float]:
+    """Return what turns at one rate [rad/s], and from when to when [s]."""
+    spin = getattr(body, "spin", None)
+    if spin is None or spin.rate is None or spin.free:
+        return 0.0, 0.0, math.inf
+    return spin.rate, spin.start, spin.stop
+
+
+def turning_of(body: Any) -> Any:
+    """Return the angles of what turns by a table, as a motion along x; None else."""
+    spin = getattr(body, "spin", None)
+    return spin.as_motion() if spin is not None and spin.times else None
