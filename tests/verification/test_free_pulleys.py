@@ -36,7 +36,11 @@ def atwood(
     """Two loads on a light rope over a wheel of 5 cm."""
     arc = [(-r * math.cos(a), 0.0, r * math.sin(a)) for a in np.linspace(0.0, math.pi, 49)]
     points = [(-r, 0.0, -SIDE), *arc, (r, 0.0, -SIDE)]
-    made_of = Material(EA=2e4, mass_per_length=LINE, axial_damping=5.0)
+    explicit = run.get("method") == "semi-implicit-euler"  # steps would be shorter than 0.1 us
+    rubs = 0.02 if explicit else 5.0
+    made_of = Material(
+        EA=2e4, mass_per_length=20.0 * LINE if explicit else LINE, axial_damping=rubs
+    )
     loads = [Load(node=0, mass=HEAVY), Load(node=-1, mass=light)]
     rope = Rope(
         segments=80, length=2.0 * SIDE + math.pi * r, diameter=THICK, made_of=made_of,
@@ -80,7 +84,7 @@ def closes(result: rw.Result) -> float:
         ("implicit-euler", 1 / 960),
         ("esdirk3", 1 / 240),
         ("bdf2", 1 / 240),
-        ("semi-implicit-euler", 5e-5),
+        ("semi-implicit-euler", 5e-6),
     ],
 )
 def test_an_atwood_machine_falls_as_its_wheel_lets_it(method: str, step: float) -> None:
@@ -207,7 +211,7 @@ def test_the_tangent_is_that_of_differences(friction: float, bearing: float) -> 
 
 @pytest.mark.parametrize("method", ["implicit-euler", "semi-implicit-euler"])
 def test_a_run_that_goes_on_has_the_bits_of_one_in_a_piece(method: str) -> None:
-    scene = atwood(method=method, time_step=2e-4, duration=0.1)
+    scene = atwood(method=method, time_step=5e-6, duration=0.1)
     whole, first = Simulation(scene), Simulation(scene)
     whole.advance_frames(6)
     first.advance_frames(2)
