@@ -57,7 +57,7 @@ TELLING = {
     "three-leg-sling": Telling((0.0, 0.5, 1.0), Manner(oblique=0.4)),
     "tow": Telling(_every(0.0, 1.2, 5), Manner(apart=(0.0, 0.7))),
     "zip-line": Telling(_every(0.0, 1.3, 4), Manner(apart=(0.0, 4.0))),
-    "zip-line-ride": Telling(_every(0.0, 14.0, 6), Manner(apart=(0.0, 4.0))),
+    "zip-line-ride": Telling(_every(0.0, 20.0, 5), Manner(apart=(0.0, 9.0))),
     "falling-chain": Telling(_every(0.5, 1.0, 6), Manner(apart=(0.45, 0.0))),
     "fishing-rod": Telling(_every(1.0, 1.6, 8)),
     "overhand": Telling((0.0,), Manner(oblique=0.9)),
