@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from live.drive import do, r4, slack_rope
+from ropewalk.live.frame import SCALARS
 from ropewalk.live.keeper import Keeper, parts
 from ropewalk.live.relive import relive
 from ropewalk.live.replay import ReplayBroadcast
@@ -158,7 +159,7 @@ def test_a_replay_shows_what_was_recorded(tmp_path: Path) -> None:
     assert len(stage.times) == 32
     assert stage.duration == pytest.approx(270 * session.main.dt)
     data = b"".join(stage.frames_between(0, 40, 1))
-    first = np.frombuffer(data, "<f4", 3 * 41, 48 + 4 * 18).reshape(41, 3)
+    first = np.frombuffer(data, "<f4", 3 * 41, 48 + 4 * len(SCALARS)).reshape(41, 3)
     assert np.allclose(first, Result.open(tmp_path / "run").positions[0], atol=1e-6)
     sizes = [stage._layout_message(part)["bytes"] for part in (0, 1)]
     assert len(data) == 21 * sizes[0] + 11 * sizes[1]

@@ -48,7 +48,7 @@ def _curve(parts: Parts) -> None:
 
 
 def _relaxation(parts: Parts) -> None:
-    parts["stuff"] |= {"relaxing_EA": 3000.0, "relaxation_time": 0.01, "axial_damping": 0.0}
+    parts["stuff"] |= {"relaxing_EA": 3000.0, "relaxation_time": 0.01}
 
 
 def _winch(parts: Parts) -> None:
@@ -179,6 +179,8 @@ def scene_of(method: str, *features: str, implicit: bool) -> Scene:
     for name in FEATURES:
         if name in features:
             FEATURES[name](parts)
+    if parts["stuff"].get("tension_only") and "relaxing_EA" in parts["stuff"]:
+        parts["stuff"]["axial_damping"] = 0.0  # is refused beside both
     more = parts["scene"]
     one = Rope(
         name="one",
