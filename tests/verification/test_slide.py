@@ -13,6 +13,7 @@ from ropewalk.laws.slides.rail import look, point_at, shares
 from ropewalk.laws.slides.slide_force import slide_energy, slide_forces
 from ropewalk.laws.slides.slide_tangent import along_slides, block, weights_of
 from ropewalk.laws.slides.table import AT, Memory, Slides
+from ropewalk.lowering import build
 from ropewalk.methods.verdict import energy_now
 from ropewalk.scene import SceneError, Straight
 
@@ -326,7 +327,7 @@ def test_what_cannot_be_is_refused_in_words(change: dict[str, Any], words: str) 
 
 
 def test_what_is_drawn_elsewhere_has_to_be_told_where_it_slides() -> None:
-    with pytest.raises(SceneError, match="off rope 'line' at the start"):
+    with pytest.raises(SceneError, match="off its place on rope 'line' at the start"):
         rw.Simulation(
             scene(slide={"at": None, "node": -1}).replace(
                 **{
@@ -335,6 +336,42 @@ def test_what_is_drawn_elsewhere_has_to_be_told_where_it_slides() -> None:
                 }
             )
         )
+
+
+def chained(turn: bool, **more: Any) -> rw.Scene:
+    """A hook that slides along a strap, which slides along the line, drawn 0.2 m below it."""
+    light = rw.Material(EA=1e4, mass_per_length=0.1)
+    strap = rw.Rope(
+        name="strap", segments=4, length=2.0, made_of=light, shape=Straight(start=(2.0, 0.0, -0.7))
+    )
+    hook = rw.Rope(
+        name="hook", segments=2, length=3.0, made_of=light, shape=Straight(start=(3.0, 0.0, -0.7))
+    )
+    slides = [
+        rw.Slide(name="lower", rope="hook", on="strap", at=1.0),
+        rw.Slide(name="upper", rope="strap", on="line", at=2.0),
+    ]
+    plain = scene()
+    ropes = [plain.ropes[0], strap, hook]
+    return plain.replace(ropes=ropes, slides=slides[::-1] if turn else slides, **more)
+
+
+def test_lines_are_placed_before_what_slides_along_them() -> None:
+    """In the order of tables a line was moved away from what was on it, and the run began with that gap."""
+    one, other = (build(chained(turn)).state.x for turn in (False, True))
+    assert np.array_equal(one, other)
+    hook, strap = one[:, -3], one[:, LINE : LINE + 5]
+    assert np.linalg.norm(hook - strap[:, 2]) < 1e-9
+    ring = chained(False).slides[1].replace(on="hook")
+    with pytest.raises(SceneError, match="slide along each other in a ring"):
+        build(chained(False).replace(slides=[chained(False).slides[0], ring]))
+
+
+def test_no_anchor_is_moved_with_what_slides() -> None:
+    plain = scene()
+    held = [*plain.anchors, rw.Anchor(rope="rider", node=-1)]
+    with pytest.raises(SceneError, match="draw it there, as an anchor has its rope's place"):
+        build(plain.replace(anchors=held, slides=[plain.slides[0].replace(at=3.7)]))
 
 
 def test_statics_and_modes_say_that_they_cannot() -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ropewalk.core.arrays import State
+from ropewalk.core.arrays import Floats, State
 from ropewalk.laws.slides.rail import nearest_place, point_at
 from ropewalk.lowering.layout import Layout
 from ropewalk.scene import Scene, SceneError
@@ -32,34 +32,61 @@ def refuse_slides(scene: Scene, what: str) -> None:
 
 
 def put_on_ropes(scene: Scene, layout: Layout, state: State) -> None:
-    """Move what slides onto its rope, its own rope with it.
+    """Move what slides onto its rope, its own rope with it: lines first, then what slides along them.
 
-    Raises SceneError where it is drawn too far from there.
+    Raises SceneError where it is drawn too far from there, where an anchor holds what would be moved, and
+    for ropes that slide along each other in a ring.
     """
-    faults, moved = [], set[str]()
-    for i, slide in enumerate(scene.slides):
+    faults, placed = [], set[str]()
+    held = {anchor.rope for anchor in scene.anchors}
+    for i in _lines_first(scene):
+        slide = scene.slides[i]
         node, span, line = layout.node(slide.node, slide.rope), layout.span(slide.rope), slide.on
-        first, last = layout.span(line).start, layout.span(line).end
-        length, x = scene.rope_named(line).segment_length, state.x
-        if slide.at is None:
-            away = np.square(x[:, first : last + 1] - x[:, [node]]).sum(axis=0)
-            u = nearest_place(x, node, first, last, float(np.argmin(away)))
-        else:
-            u = min(slide.at / length, float(last - first))
-        way = np.array(point_at(x, first, last, u)) - x[:, node]
+        way = _way_to_rope(scene, layout, state.x, i)
         far = float(np.linalg.norm(way))
-        again = slide.rope in moved
-        allowed = _SECOND * scene.rope_named(slide.rope).segment_length if again else _NEAR * length
-        if (again or slide.at is None) and far > allowed:
-            rule = f"lies {far:.4g} m off rope {line!r} at the start: draw it there" + (
-                ", as another slide has its rope's place" if again else ", or give `at`"
+        stays = slide.rope in placed or slide.rope in held
+        if stays:
+            allowed = _SECOND * scene.rope_named(slide.rope).segment_length
+        else:
+            allowed = _NEAR * scene.rope_named(line).segment_length
+        if (stays or slide.at is None) and far > allowed:
+            whose = "another slide" if slide.rope in placed else "an anchor"
+            more = f", as {whose} has its rope's place" if stays else ", or give `at`"
+            rule = (
+                f"lies {far:.4g} m off its place on rope {line!r} at the start: draw it there{more}"
             )
             faults.append(Fault(f"slide[{i}].node", f"node {slide.node} of {slide.rope}", rule))
-            continue
-        if again:
-            x[:, node] += way
+        elif stays:
+            state.x[:, node] += way
         else:
-            x[:, span.first : span.last + 1] += way[:, None]
-        moved.add(slide.rope)
+            state.x[:, span.first : span.last + 1] += way[:, None]
+        placed.add(slide.rope)
     if faults:
         raise SceneError(faults)
+
+
+def _way_to_rope(scene: Scene, layout: Layout, x: Floats, i: int) -> Floats:
+    """Return the way from where the node of a slide is drawn to its place on the line, (3,) [m]."""
+    slide = scene.slides[i]
+    node, line = layout.node(slide.node, slide.rope), layout.span(slide.on)
+    first, last = line.start, line.end
+    if slide.at is None:
+        away = np.square(x[:, first : last + 1] - x[:, [node]]).sum(axis=0)
+        u = nearest_place(x, node, first, last, float(np.argmin(away)))
+    else:
+        u = min(slide.at / scene.rope_named(slide.on).segment_length, float(last - first))
+    return np.array(point_at(x, first, last, u)) - x[:, node]
+
+
+def _lines_first(scene: Scene) -> list[int]:
+    """Return the numbers of the slides, those along a rope after those of that rope. Raises SceneError."""
+    left, found = list(range(len(scene.slides))), list[int]()
+    while left:
+        movers = {scene.slides[i].rope for i in left}
+        ready = [i for i in left if scene.slides[i].on not in movers]
+        if not ready:
+            rule = "ropes that slide along each other in a ring have no order to be placed in; leave one out"
+            raise SceneError([Fault(f"slide[{left[0]}].on", scene.slides[left[0]].on, rule)])
+        found += ready
+        left = [i for i in left if i not in ready]
+    return found
