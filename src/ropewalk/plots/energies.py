@@ -23,7 +23,7 @@ from ropewalk.plots.style import (
     styled,
 )
 from ropewalk.plots.torn import broken_note
-from ropewalk.record.balances import turned_over
+from ropewalk.record.turnover import share_turned
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -106,14 +106,8 @@ def _draw_error(axes: Axes, result: Result, curves: dict[str, Floats], good: int
     scaled_axis(axes, "energy error", "J", set_limits(axes, [error, least, most], good, 0.1))
     if good < len(result.time):
         _break_scale(axes, [error, least, most], good, 3)
-    work = {name: part[:good] for name, part in result.work.items()}
-    turned = turned_over({name: part[:good] for name, part in curves.items()}, work)
-    worst = float(np.nanmax(np.abs(result.energy_errors[:good])))
-    share = (
-        f" ({_percent(worst / turned)} of the largest change of an energy or of the work of surfaces)"
-        if turned
-        else ""
-    )
+    worst, part = float(np.nanmax(np.abs(result.energy_errors[:good]))), share_turned(result)
+    share = "" if np.isnan(part) else f" ({_percent(0.01 * part)} of the energy turned over)"
     said = f"Energy error: total energy less its start and all works; at most {worst:.3g} J{share}."
     if result.has_extremes:
         said += " The band has every step."

@@ -28,7 +28,6 @@ if TYPE_CHECKING:
 MOST = 0.01  # [1] of weight times length
 TURNED = 5.0  # [%] of the energy turned over: more than that is no ledger
 _NOTHING = 1e-4  # [1] of weight times length: a rope that hardly moves turns over nothing
-_TOUCHING = tuple(law.name for law in NODE_LAWS if law.touch is not None)
 _WITH_JUMPS = ("limiter", "winch", "clamps", PARTING)
 
 
@@ -45,20 +44,6 @@ def energy_error(energy: Mapping[str, Floats], work: Mapping[str, Floats], ledge
         done = sum(others, np.zeros(total.shape))
         error: Floats = total - total[0] - (done - done[0])
     return error
-
-
-def turned_over(energy: Mapping[str, Floats], work: Mapping[str, Floats]) -> float:
-    """Return the largest change of any one form of energy, or of what surfaces in touch have put in or
-    taken [J]: what an energy error is a share of.
-
-    Where a motor works against the friction of a surface nothing else changes. Works of other laws are
-    not counted: a false ledger of friction or of the limiter is large itself, and would hide its error.
-    Frames whose numbers are not finite are left out; 0 where nothing changes.
-    """
-    forms = [np.asarray(part) for name, part in energy.items() if name != "total"]
-    forms += [np.asarray(work[name]) for name in _TOUCHING if name in work]
-    finite = [part[np.isfinite(part)] for part in forms]
-    return max((float(np.ptp(part)) for part in finite if part.size), default=0.0)
 
 
 def balance_residual(

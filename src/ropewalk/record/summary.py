@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ropewalk.core.arrays import Floats
-from ropewalk.record.balances import energy_note, turned_over
+from ropewalk.record.balances import energy_note
 from ropewalk.record.ends import shortly
 from ropewalk.record.extremes import SEEN, UTILISATION, Extreme, extremes, place_of
 from ropewalk.record.facts import AT_REST, BROKE
@@ -17,6 +16,7 @@ from ropewalk.record.margins import margin_rows
 from ropewalk.record.parted import parting_rows
 from ropewalk.record.pass_notes import pass_note
 from ropewalk.record.tension_notes import curve_note, peak_note, push_note
+from ropewalk.record.turnover import share_turned
 from ropewalk.words.prefixes import prefixed
 
 if TYPE_CHECKING:
@@ -41,8 +41,7 @@ def summary(result: Result) -> dict[str, Any]:
     time, good = result.time, result.good_frames
     energy = {name: part[:good] for name, part in result.energy.items()}
     error, errors = result.energy_error[:good], result.energy_errors[:good]
-    work = {name: part[:good] for name, part in result.work.items()}
-    share = _share(energy, work, errors)
+    share = share_turned(result)
     seconds, broken = result.facts.seconds, _broken(result)
     return {
         "status": result.status,
@@ -202,12 +201,6 @@ def _at_rest(result: Result, found: dict[str, Extreme]) -> dict[str, Any]:
             "wall time [s]": result.facts.seconds,
         }
     )
-
-
-def _share(energy: Mapping[str, Floats], work: Mapping[str, Floats], error: Floats) -> float:
-    """Return the largest energy error over the largest change of one form of energy, or work [%]."""
-    turned = turned_over(energy, work)
-    return 100.0 * _largest(error) / turned if turned > 0.0 else math.nan
 
 
 def _error_at(result: Result, errors: Floats) -> str:

@@ -1,0 +1,212 @@
+"""What an energy error is a share of: the energy that is turned over where an error can arise.
+
+The largest change of a form of energy grows without end with what has nothing to do with the error: a piece
+that has fallen off falls freely, a rope without anchors flies, one is carried a long way by its anchors. Such
+an energy would hide any error. So a piece's energy counts as it is seen by who goes along: with the
+centre of mass of a piece that nothing holds, with the anchors of one that they move. Of the two accounts, at
+rest and going along, the smaller one counts. What surfaces in touch take counts from when they take it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Mapping
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ropewalk.core.arrays import Floats
+from ropewalk.laws.parting import NAME as PARTING
+from ropewalk.laws.registry import NODE_LAWS
+from ropewalk.lowering.masses import line, masses
+from ropewalk.record.quantities import has_rope, rest_length_at_start
+from ropewalk.scene.motions import Fixed
+
+if TYPE_CHECKING:
+    from ropewalk.record.result import Result
+
+Ints = NDArray[np.int64]
+Bools = NDArray[np.bool_]
+_TOUCHING = tuple(law.name for law in NODE_LAWS if law.touch is not None)
+_VALUES = 1_000_000  # numbers of one quantity looked at together
+_LEAST = 1e-9  # [1] of the energy turned over as seen at rest: less is rounding
+
+
+class Carried(NamedTuple):
+    """The energy of pieces as wholes [J], (frames,) each: that of a mass that goes with what carries each."""
+
+    kinetic: Floats
+    gravity: Floats
+    loose: Floats  # both, of pieces in free fall: it does not change but by an error
+
+
+def share_turned(result: Result) -> float:
+    """Return the largest energy error before a break, of the energy turned over [%]; NaN without either.
+
+    Pieces that fall freely (without air and surfaces) have an account of their own, with their own error and their
+    own turn-over; the larger share is told.
+    """
+    good = result.good_frames
+    least, most = result.energy_errors[:good].T
+    if not np.isfinite(least).any():
+        return math.nan
+    forms = {name: part[:good] for name, part in result.energy.items() if name != "total"}
+    touched = surfaces({name: part[:good] for name, part in result.work.items()})
+    turned, shares = largest_change(forms.values()), [0.0]
+    if carried := _carried(result, good):
+        own = forms | {
+            "kinetic": forms["kinetic"] - carried.kinetic,
+            "gravity": forms["gravity"] - carried.gravity,
+        }
+        fall = np.ptp(forms["gravity"]), np.ptp(carried.loose)
+        shares.append(_ratio(fall[1], max(float(fall[0]), turned)))
+        turned = max(min(turned, largest_change(own.values())), _LEAST * turned)
+        before = np.concatenate((carried.loose[:1], carried.loose[:-1]))
+        least = np.minimum(least - np.minimum(before, carried.loose), 0.0)
+        most = np.maximum(most - np.maximum(before, carried.loose), 0.0)
+    error = np.fmax(np.abs(least), np.abs(most))
+    whole = np.maximum(touched, turned)
+    sound = np.isfinite(error) & (whole > 0.0)
+    shares += [100.0 * float((error[sound] / whole[sound]).max())] if sound.any() else []
+    return max(shares) if turned > 0.0 or touched[-1] > 0.0 else math.nan
+
+
+def _ratio(part: float, whole: float) -> float:
+    return 100.0 * float(part) / whole if whole > 0.0 else 0.0
+
+
+def largest_change(forms: Iterable[Floats]) -> float:
+    """Return the largest change of any of these energies [J], (frames,) each, over all finite frames; or 0.
+
+    Where a motor works against the friction of a surface nothing else changes than its work: see `surfaces`.
+    Works of other laws are not counted: a false ledger of friction or of the limiter is large itself, and would
+    hide its error.
+    """
+    finite = [part[np.isfinite(part)] for part in forms]
+    return max((float(np.ptp(part)) for part in finite if part.size), default=0.0)
+
+
+def surfaces(work: Mapping[str, Floats]) -> Floats:
+    """Return the largest change so far of what surfaces in touch have put in or taken [J], (frames,)."""
+    most: Floats = np.zeros(len(next(iter(work.values()))))
+    for name in _TOUCHING:
+        part = np.nan_to_num(work.get(name, most))
+        np.maximum(most, np.maximum.accumulate(part) - np.minimum.accumulate(part), out=most)
+    return most
+
+
+def _carried(result: Result, good: int) -> Carried | None:
+    """Return what pieces have as wholes; None where anchors that stand still hold all of them all the time."""
+    scene, layout = result.scene, result.layout
+    stands = all(
+        isinstance(one.motion, Fixed) and one.release_time is None for one in scene.anchors
+    )
+    live, held = _topology(result, 0)
+    if scene.winches or (
+        stands and not scene.parts and not _loose(_labels(result, live), held).any()
+    ):
+        return None
+    mass = masses(layout, tuple(line(rope) for rope in scene.ropes))[0]
+    found = Carried(np.zeros(good), np.zeros(good), np.zeros(good))
+    falls = _falls_freely(result, good)
+    wild = np.zeros(layout.nodes, dtype=bool) if falls else _loose(_labels(result, live), held)
+    for first, last in _epochs(result, good):
+        live, held = _topology(result, first)
+        labels = _labels(result, live)
+        loose = _loose(labels, held)
+        weight = np.where(loose, mass, held) * ~(loose & wild)
+        _go_along(result, (first, last), labels, weight, mass, found, loose & falls)
+    return found
+
+
+def _falls_freely(result: Result, good: int) -> bool:
+    """Tell whether weight is all that acts on a piece that nothing holds."""
+    scene = result.scene
+    acts = any(getattr(scene, law.section, None) for law in NODE_LAWS if law.name != PARTING)
+    return not acts and scene.limiter is None and not np.any(result.work["applied"][:good])
+
+
+def _topology(result: Result, frame: int) -> tuple[Bools, Bools]:
+    """Return where there is rope, (s,), and which nodes anchors hold, (n,), at a frame."""
+    lengths = [rope.segment_length for rope in result.scene.ropes]
+    if "rest_length" in result.source.names:
+        rest = result.read("rest_length", frame, frame + 1)[0]
+    else:
+        rest = rest_length_at_start(result.layout, lengths)
+    held, time = np.zeros(result.nodes, dtype=bool), float(result.time[frame])
+    for anchor, node in zip(result.scene.anchors, result.layout.anchor_nodes, strict=True):
+        held[node] |= anchor.release_time is None or time <= anchor.release_time
+    return has_rope(result.layout, rest, lengths), held
+
+
+def _labels(result: Result, live: Bools) -> Ints:
+    """Return a number for every node, (n,), the same for all of a piece; joints and slides tie pieces."""
+    labels: Ints = np.concatenate(([0], np.cumsum(~live)))
+    scene, layout = result.scene, result.layout
+    groups = [[layout.node(tie.node, tie.rope) for tie in one.points] for one in scene.joints]
+    groups += [[layout.node(one.node, one.rope), layout.node(0, one.on)] for one in scene.slides]
+    for first, *others in groups:
+        for other in others:
+            labels[labels == labels[other]] = labels[first]
+    return np.unique(labels, return_inverse=True)[1]
+
+
+def _loose(labels: Ints, held: Bools) -> Bools:
+    """Tell which nodes are of pieces that no anchor holds, (n,)."""
+    loose: Bools = (np.bincount(labels, weights=held) == 0.0)[labels]
+    return loose
+
+
+def _epochs(result: Result, good: int) -> Iterator[tuple[int, int]]:
+    """Go through the ranges of frames between which ropes part or anchors let go."""
+    times = [one.release_time for one in result.scene.anchors if one.release_time is not None]
+    starts = {0, *np.searchsorted(result.time[:good], times, side="right")}
+    step = max(1, _VALUES // result.nodes)
+    for start in range(0, good if result.scene.parts else 0, step):
+        there = result.read("rest_length", max(start - 1, 0), min(start + step, good)) > 0.0
+        starts |= set(np.flatnonzero((there[1:] != there[:-1]).any(axis=1)) + max(start, 1))
+    bounds = sorted({int(start) for start in starts if start < good} | {good})
+    yield from zip(bounds[:-1], bounds[1:], strict=True)
+
+
+def _go_along(
+    result: Result,
+    frames: tuple[int, int],
+    labels: Ints,
+    weight: Floats,
+    mass: Floats,
+    found: Carried,
+    falls: Bools,
+) -> None:
+    """Write what pieces have as wholes at some frames, between which nothing parts or is let go.
+
+    `weight` (n,): whose mean goes along with a piece; all 0: nobody does.
+    """
+    order = np.argsort(labels, kind="stable")
+    starts = np.flatnonzero(np.diff(labels[order], prepend=-1))
+
+    def summed(values: Floats) -> Floats:
+        """Return the sums over pieces, (..., pieces, 3), of (..., n, 3)."""
+        sums: Floats = np.add.reduceat(values[..., order, :], starts, axis=-2)
+        return sums
+
+    total = np.bincount(labels, weights=weight)
+    part = (weight / np.where(total > 0.0, total, 1.0)[labels])[:, None]
+    masses_of, of_loose = np.bincount(labels, weights=mass), falls[order][starts]
+    gravity, level = np.asarray(result.scene.gravity), None
+    before = max(frames[0] - 1, 0)
+    base, fallen = found.gravity[before], found.loose[before]
+    step = max(1, _VALUES // (3 * result.nodes))
+    for first in range(*frames, step):
+        last = min(first + step, frames[1])
+        velocity = result.read("velocities", first, last)
+        along, momentum = summed(velocity * part), summed(velocity * mass[:, None])
+        moving = (along * momentum).sum(axis=2) - 0.5 * masses_of * (along**2).sum(axis=2)
+        height = -masses_of * (summed(result.read("positions", first, last) * part) @ gravity)
+        level = height[0] if level is None else level
+        start = moving[0] if first == frames[0] else start
+        found.kinetic[first:last] = moving.sum(axis=1)
+        found.gravity[first:last] = base + (height - level).sum(axis=1)
+        change = (moving - start + height - level)[:, of_loose].sum(axis=1)
+        found.loose[first:last] = fallen + change
