@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Mapping
+from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -44,8 +45,8 @@ class Carried(NamedTuple):
 def share_turned(result: Result) -> float:
     """Return the largest energy error before a break, of the energy turned over [%]; NaN without either.
 
-    Pieces that fall freely (without air and surfaces) have an account of their own, with their own error and their
-    own turn-over; the larger share is told.
+    Pieces that fall freely (without air and surfaces) have an account of their own, with their own error and
+    turn-over; the larger share is told.
     """
     good = result.good_frames
     least, most = result.energy_errors[:good].T
@@ -80,8 +81,8 @@ def largest_change(forms: Iterable[Floats]) -> float:
     """Return the largest change of any of these energies [J], (frames,) each, over all finite frames; or 0.
 
     Where a motor works against the friction of a surface nothing else changes than its work: see `surfaces`.
-    Works of other laws are not counted: a false ledger of friction or of the limiter is large itself, and would
-    hide its error.
+    Works of other laws are not counted: a false ledger of friction or of the limiter is large itself, and
+    would hide its error.
     """
     finite = [part[np.isfinite(part)] for part in forms]
     return max((float(np.ptp(part)) for part in finite if part.size), default=0.0)
@@ -97,7 +98,7 @@ def surfaces(work: Mapping[str, Floats]) -> Floats:
 
 
 def _carried(result: Result, good: int) -> Carried | None:
-    """Return what pieces have as wholes; None where anchors that stand still hold all of them all the time."""
+    """Return what pieces have as wholes; None where anchors that stand still hold all, all the time."""
     scene, layout = result.scene, result.layout
     stands = all(
         isinstance(one.motion, Fixed) and one.release_time is None for one in scene.anchors
@@ -167,7 +168,7 @@ def _epochs(result: Result, good: int) -> Iterator[tuple[int, int]]:
         there = result.read("rest_length", max(start - 1, 0), min(start + step, good)) > 0.0
         starts |= set(np.flatnonzero((there[1:] != there[:-1]).any(axis=1)) + max(start, 1))
     bounds = sorted({int(start) for start in starts if start < good} | {good})
-    yield from zip(bounds[:-1], bounds[1:], strict=True)
+    yield from pairwise(bounds)
 
 
 def _go_along(
@@ -194,7 +195,7 @@ def _go_along(
     total = np.bincount(labels, weights=weight)
     part = (weight / np.where(total > 0.0, total, 1.0)[labels])[:, None]
     masses_of, of_loose = np.bincount(labels, weights=mass), falls[order][starts]
-    gravity, level = np.asarray(result.scene.gravity), None
+    gravity, at_first = np.asarray(result.scene.gravity), None
     before = max(frames[0] - 1, 0)
     base, fallen = found.gravity[before], found.loose[before]
     step = max(1, _VALUES // (3 * result.nodes))
@@ -204,9 +205,9 @@ def _go_along(
         along, momentum = summed(velocity * part), summed(velocity * mass[:, None])
         moving = (along * momentum).sum(axis=2) - 0.5 * masses_of * (along**2).sum(axis=2)
         height = -masses_of * (summed(result.read("positions", first, last) * part) @ gravity)
-        level = height[0] if level is None else level
-        start = moving[0] if first == frames[0] else start
+        at_first = (moving[0], height[0]) if at_first is None else at_first
+        rise = height - at_first[1]
         found.kinetic[first:last] = moving.sum(axis=1)
-        found.gravity[first:last] = base + (height - level).sum(axis=1)
-        change = (moving - start + height - level)[:, of_loose].sum(axis=1)
+        found.gravity[first:last] = base + rise.sum(axis=1)
+        change = (moving - at_first[0] + rise)[:, of_loose].sum(axis=1)
         found.loose[first:last] = fallen + change
