@@ -11,6 +11,8 @@ from matplotlib.collections import LineCollection
 
 import ropewalk as rw
 from ropewalk.record.result import Result
+from ropewalk.record.resume import resume_run
+from ropewalk.record.run import Recorder, record_run
 from verification.test_parting import pulled
 
 SEGMENTS = 8
@@ -48,3 +50,32 @@ def test_vtk_has_no_cell_for_it(result: Result, tmp_path: Path) -> None:
     parted = result.time > result.partings[0].time
     counts = [cells[name] for name in sorted(cells)]
     assert counts == [SEGMENTS - int(one) for one in parted]
+
+
+class Killed(BaseException):
+    """Stands for the end of the process."""
+
+
+def test_a_killed_run_tells_of_no_parting_beyond_its_frames(
+    result: Result, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """All was simulated and logged, and nothing committed but the first frame: it told of a parting that no
+    frame has. Resumed it parts once, as the twin that was never killed.
+    """
+    folder = tmp_path / "run"
+
+    def killed(recorder: Recorder, status: str) -> None:
+        raise Killed
+
+    with monkeypatch.context() as patch, pytest.raises(Killed):
+        patch.setattr(Recorder, "commit", killed)
+        record_run(pulled(segments=SEGMENTS, axial_damping=0.5), folder, commit_seconds=1e9)
+    assert '"rope parted"' in (folder / "events.jsonl").read_text()
+    early = rw.open(folder)
+    assert (early.frames, early.status) == (1, "interrupted")
+    assert early.partings == ()
+    assert [event["event"] for event in early.events] == ["started"]
+    assert early.table["segments parted"] == 0
+    whole = resume_run(folder)
+    assert whole.partings == result.partings
+    assert sum(event["event"] == "rope parted" for event in whole.events) == 1

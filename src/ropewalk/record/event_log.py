@@ -52,10 +52,26 @@ def read_events(folder: Path) -> tuple[Event, ...]:
         if not isinstance(event, dict) or not isinstance(event.get("event"), str):
             continue
         event.pop("checksum", None)
-        if {"anchor", "winch", "segment"} & event.keys() or event["event"] == ROPE_BROKE:
+        if _is_of_the_scene(event):
             what = {key: value for key, value in event.items() if key != "at"}
             if what in told:
                 continue
             told.append(what)
         found.append(event)
     return tuple(found)
+
+
+def until(events: tuple[Event, ...], time: float) -> tuple[Event, ...]:
+    """Leave out what happened in the scene after a time [s].
+
+    A killed run has told of what was never committed; one that is resumed simulates it again.
+    """
+    return tuple(
+        event
+        for event in events
+        if not _is_of_the_scene(event) or float(event.get("time", 0.0)) <= time
+    )
+
+
+def _is_of_the_scene(event: Event) -> bool:
+    return bool({"anchor", "winch", "segment"} & event.keys()) or event["event"] == ROPE_BROKE

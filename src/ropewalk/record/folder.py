@@ -23,7 +23,7 @@ from ropewalk.methods.registry import METHODS
 from ropewalk.record import beyond
 from ropewalk.record.ends import from_dicts
 from ropewalk.record.errors import RunError
-from ropewalk.record.event_log import fault_of, log, read_events
+from ropewalk.record.event_log import fault_of, log, read_events, until
 from ropewalk.record.facts import INTERRUPTED, RUNNING, Facts, now
 from ropewalk.record.files import read_json, reading, write
 from ropewalk.record.lock import is_locked
@@ -157,12 +157,18 @@ def _hash(text: bytes) -> str:
 
 
 def open_parts(folder: Path) -> tuple[Scene, Facts, Stored]:
-    """Open the scene, the facts and the store of a run folder. Raises RunError."""
+    """Open the scene, the facts and the store of a run folder. Raises RunError.
+
+    Of a run that has not ended events are told up to its last frame, as all else is.
+    """
     try:
         scene = read_scene(folder)
         facts = read_facts(folder)
         stored = Stored(folder / DATA, scene, make_layout(scene))
         check_scene(folder, scene, facts)
+        if facts.status in (RUNNING, INTERRUPTED):
+            last = float(stored.read("time", stored.frames - 1)[0])
+            facts = facts.but(events=until(facts.events, last))
     except PermissionError:
         raise RunError(folder, "cannot be read: there is no permission") from None
     return scene, facts, stored
