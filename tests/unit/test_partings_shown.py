@@ -67,9 +67,10 @@ def test_a_killed_run_tells_of_no_parting_beyond_its_frames(
     def killed(recorder: Recorder, status: str) -> None:
         raise Killed
 
-    with monkeypatch.context() as patch, pytest.raises(Killed):
+    with monkeypatch.context() as patch:
         patch.setattr(Recorder, "commit", killed)
-        record_run(pulled(segments=SEGMENTS, axial_damping=0.5), folder, commit_seconds=1e9)
+        with pytest.raises(Killed):
+            record_run(pulled(segments=SEGMENTS, axial_damping=0.5), folder, commit_seconds=1e9)
     assert '"rope parted"' in (folder / "events.jsonl").read_text()
     early = rw.open(folder)
     assert (early.frames, early.status) == (1, "interrupted")
