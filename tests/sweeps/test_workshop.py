@@ -37,6 +37,13 @@ NEVER = {
     ("Table", "file"),
     ("Points", "file"),
     ("TableCurve", "file"),
+    ("Mesh", "file"),
+    ("Mesh", "faces"),  # other ones are no solid
+    ("Sdf", "faces"),
+    ("Sdf", "file"),
+    ("Sdf", "values"),  # taken at once, as files are
+    ("Sdf", "spacing"),
+    ("Sdf", "origin"),
 } | {(name, "kind") for name in ("Springs", "Material", "Plane", *CURVES)}
 NEVER |= {("Tie", "rope"), ("Tie", "node")}
 NEVER |= {("Spin", "free")}  # it goes with an inertia

@@ -32,6 +32,7 @@ from ropewalk.scene import (
     HalfPipe,
     Load,
     Material,
+    Mesh,
     Obstacle,
     Plane,
     Points,
@@ -54,6 +55,11 @@ BODIES: dict[str, Obstacle] = {
     "endless": Cylinder(start=(0, -1, 0), end=(0, 1, 0.5), radius=0.8, endless=True),
     "capsule": Capsule(start=(0, -0.4, -0.2), end=(0.2, 0.4, 0.5), radius=0.6, spin=Spin(rate=1.0)),
     "box": Box(center=(0, 0, 0), half_sizes=(0.6, 0.7, 0.8), edge_radius=0.5),
+    "mesh": Mesh(
+        vertices=[(1, 0, 0), (-1, 1, 0), (-1, -1, 0), (0, 0, 1)],
+        faces=[(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)],
+        rounding=0.3,
+    ),
     "half-pipe": HalfPipe(start=(0, 0, 0), end=(1, 1, -2), radius=0.7, open_to=(1, 1, 1)),
     "torus": Torus(
         center=(0, 0, 0), radius=0.8, bar_radius=0.3, axis=(0, 0.3, 1), spin=Spin(rate=1.0)

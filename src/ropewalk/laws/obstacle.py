@@ -27,7 +27,14 @@ from ropewalk.laws.contact import (
 )
 from ropewalk.laws.contact_tangent import contact_tangent
 from ropewalk.laws.node_law import NodeLaw, Rest
-from ropewalk.laws.obstacle_rows import KINDS, place_of, spin_of, turning_of, wheel_columns
+from ropewalk.laws.obstacle_rows import (
+    KINDS,
+    place_of,
+    size_rows,
+    spin_of,
+    turning_of,
+    wheel_columns,
+)
 from ropewalk.laws.obstacle_shapes import BOX, HALF_PIPE, TORUS, probe
 from ropewalk.laws.standstill import standstills
 from ropewalk.laws.wheels import RATE, ROWS, WIDTH
@@ -54,9 +61,9 @@ class Obstacles(NamedTuple):
     kind: Ints  # (k,)
     center: Floats  # (k, 3) at time zero a point of the plane, or the middle [m]
     axis: Floats  # (k, 3) unit vector; the normal of a plane
-    # (k, 4) radius, half length; of a ring that of the circle and of the bar; of a box without its edges
-    # half sizes, then the edges' radius [m]; of a half-pipe
-    # its radius [m], then the direction to which it is open, across the axis [1]
+    # (k, 4 or more) radius, half length; of a ring that of the circle and of the bar; of a box without its
+    # edges half sizes, then the edges' radius [m]; of a half-pipe its radius [m], then the direction to which
+    # it is open, across the axis [1]; a mesh as `triangles` has it
     size: Floats
     friction: Floats  # (k,) [1]
     spin: Floats  # (k, 3) [rad/s], start and stop [s]
@@ -116,7 +123,7 @@ def lower(
         kind=np.array([KINDS[body.kind] for body in bodies], dtype=np.int64),
         center=centers,
         axis=np.array([place[1] for place in places], dtype=np.float64).reshape(count, 3),
-        size=np.array([place[2] for place in places], dtype=np.float64).reshape(count, 4),
+        size=size_rows([place[2] for place in places]),
         friction=np.array([body.friction for body in bodies], dtype=np.float64),
         spin=np.array([spin_of(body) for body in bodies], dtype=np.float64).reshape(count, 3),
         motion=motion,

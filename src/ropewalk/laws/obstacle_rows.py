@@ -9,7 +9,17 @@ from typing import Any
 import numpy as np
 
 from ropewalk.core.arrays import Floats
-from ropewalk.laws.obstacle_shapes import BOX, CAPSULE, CYLINDER, HALF_PIPE, PLANE, SPHERE, TORUS
+from ropewalk.laws.obstacle_shapes import (
+    BOX,
+    CAPSULE,
+    CYLINDER,
+    HALF_PIPE,
+    MESH,
+    PLANE,
+    SPHERE,
+    TORUS,
+)
+from ropewalk.laws.triangle_rows import mesh_row
 
 KINDS = {
     "plane": PLANE,
@@ -19,6 +29,8 @@ KINDS = {
     "box": BOX,
     "torus": TORUS,
     "half-pipe": HALF_PIPE,
+    "mesh": MESH,
+    "sdf": MESH,
 }
 
 
@@ -46,6 +58,9 @@ def place_of(body: Any) -> tuple[Any, Any, Any]:
         case "box":
             inner = [half - body.edge_radius for half in body.half_sizes]
             return body.center, (0.0, 0.0, 1.0), (*inner, body.edge_radius)
+        case "mesh" | "sdf":
+            row = mesh_row(corners_of(body), np.array(body.faces, np.int64), body.rounding)
+            return body.position, (0.0, 0.0, 1.0), row
     start, end = np.array(body.start, dtype=np.float64), np.array(body.end, dtype=np.float64)
     if body.kind == "half-pipe":
         axis, above = _unit(end - start), _unit(body.open_to)
@@ -55,6 +70,32 @@ def place_of(body: Any) -> tuple[Any, Any, Any]:
     if body.kind == "cylinder" and body.endless:
         half = math.inf
     return 0.5 * (start + end), _unit(end - start), (body.radius, half, 0.0, 0.0)
+
+
+def corners_of(body: Any) -> Floats:
+    """Return the vertices of a mesh about the origin of its frame, (v, 3) [m]."""
+    found: Floats = turned_by(body.rotation, body.scale * np.array(body.vertices, np.float64))
+    return found
+
+
+def turned_by(rotation: Any, places: Floats) -> Floats:
+    """Return places (v, 3) turned about an axis by its length [rad] (Rodrigues' formula)."""
+    angle = float(np.linalg.norm(rotation))
+    if angle == 0.0:
+        return places
+    axis = np.array(rotation) / angle
+    c, s = math.cos(angle), math.sin(angle)
+    along = (places @ axis)[:, None] * axis
+    return c * places + s * np.cross(axis, places) + (1.0 - c) * along
+
+
+def size_rows(sizes: Sequence[Any]) -> Floats:
+    """Return the sizes of all, one row each, (k, 4) or as wide as the largest mesh needs."""
+    width = max([4, *map(len, sizes)])
+    found = np.zeros((len(sizes), width))
+    for row, size in enumerate(sizes):
+        found[row, : len(size)] = size
+    return found
 
 
 def _unit(direction: Any) -> Floats:

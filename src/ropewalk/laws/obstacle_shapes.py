@@ -1,7 +1,7 @@
 """Surfaces of obstacles: distance, normal, and how the normal turns.
 
-All are bodies of revolution about their axis but box and half-pipe, so that one that spins stays where it
-is. The normal n points out of the solid; it changes with the place by
+All are bodies of revolution about their axis but box, half-pipe and mesh, so that one that spins stays where
+it is. The normal n points out of the solid; it changes with the place by
     dn = H dx,   H = c (I - n n^T - a a^T) + c' a a^T,
 where a is tangent to the surface and c, c' are one over the distances from the centres of curvature.
 """
@@ -11,15 +11,16 @@ from __future__ import annotations
 import math
 
 from ropewalk.core.jit import kernel
+from ropewalk.laws.triangles import mesh_probe
 
-PLANE, SPHERE, CYLINDER, CAPSULE, BOX, TORUS, HALF_PIPE = range(7)
+PLANE, SPHERE, CYLINDER, CAPSULE, BOX, TORUS, HALF_PIPE, MESH = range(8)
 
 
 @kernel
 def probe(kind, center, axis, size, x, y, z):
     """Return the distance of a point to a surface [m], negative inside, and n, a, c, c'.
 
-    `center` and `axis` (3,); `size` (4,) as `obstacle.Obstacles` has it.
+    `center` and `axis` (3,); `size` (4,) or more as `obstacle.Obstacles` has it.
     """
     px, py, pz = x - center[0], y - center[1], z - center[2]
     ex, ey, ez = axis[0], axis[1], axis[2]
@@ -30,6 +31,8 @@ def probe(kind, center, axis, size, x, y, z):
         return _ball(px, py, pz, size[0])
     if kind == BOX:
         return _box(px, py, pz, size[0], size[1], size[2], size[3])
+    if kind == MESH:
+        return mesh_probe(size, px, py, pz)
     # from here on about an axis: rho away from it, in the direction u
     ux, uy, uz = px - along * ex, py - along * ey, pz - along * ez
     rho = math.sqrt(ux * ux + uy * uy + uz * uz)

@@ -5,11 +5,15 @@ from __future__ import annotations
 import math
 from typing import Any
 
+import numpy as np
+
 from ropewalk.laws.obstacle import Obstacles, moves
+from ropewalk.laws.obstacle_rows import corners_of
+from ropewalk.laws.obstacle_shapes import MESH
 from ropewalk.lowering import Layout
 from ropewalk.motions.rows import kind_of, own_table
 from ropewalk.record.obstacle_table import obstacle_table
-from ropewalk.scene import Scene
+from ropewalk.scene import Obstacle, Scene
 
 
 def obstacle_list(scene: Scene, where: Layout) -> list[dict[str, Any]]:
@@ -23,10 +27,11 @@ def obstacle_list(scene: Scene, where: Layout) -> list[dict[str, Any]]:
             "kind": body.kind,
             "center": _numbers(table.center[row]),
             "axis": _numbers(table.axis[row]),
-            "size": _numbers(table.size[row]),
+            "size": _numbers(_size(table, row)),
             "friction": body.friction,
             "spin": _numbers(table.spin[row]) if table.spin[row][0] else None,
             **_moving(table, row),
+            **_surface(body),
         }
         for row, body in enumerate(scene.obstacles)
     ]
@@ -50,6 +55,22 @@ def _moving(table: Obstacles, row: int) -> dict[str, Any]:
             "table": rows,
         }
     return found
+
+
+def _size(table: Obstacles, row: int) -> Any:
+    """Return the size of an obstacle, of a mesh how much it is rounded."""
+    size = table.size[row]
+    return size[:1] if table.kind[row] == MESH else size[:4]
+
+
+def _surface(body: Obstacle) -> dict[str, Any]:
+    """Return the triangles of a mesh, of others nothing."""
+    if body.kind not in ("mesh", "sdf"):
+        return {}
+    return {
+        "vertices": np.round(corners_of(body), 6).ravel().tolist(),
+        "faces": [corner for face in body.faces for corner in face],
+    }
 
 
 def _numbers(values: Any) -> list[float | None]:

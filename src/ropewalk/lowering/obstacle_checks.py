@@ -41,9 +41,24 @@ def refuse_obstacles(
             f"them; methods that can: {able}"
         )
         faults.append(Fault("run.method", scene.run.method, rule))
+    faults += _sharp(scene, system)
     faults += _buried(scene, system, state, layout) if drawn else []
     if faults:
         raise SceneError(faults)
+
+
+def _sharp(scene: Scene, system: System) -> list[Fault]:
+    """Return a fault for every body of sharp edges, where there is a rope without a diameter."""
+    rule = (
+        "its edges are sharp, and a rope has no diameter, so that forces would jump there: give ropes a "
+        "diameter, or this a rounding (m)"
+    )
+    bare = float(system.node.obstacle.thickness.min(initial=math.inf)) <= 0.0
+    return [
+        Fault(f"obstacle[{row}].rounding", 0.0, rule)
+        for row, body in enumerate(scene.obstacles)
+        if bare and thinnest(body) <= 0.0
+    ]
 
 
 def step_past_nodes(scene: Scene, system: System) -> float:

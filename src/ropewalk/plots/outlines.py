@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -11,6 +11,7 @@ from matplotlib.patches import PathPatch
 from matplotlib.path import Path
 
 from ropewalk.laws.obstacle import moved_by, moves
+from ropewalk.laws.obstacle_rows import corners_of
 from ropewalk.plots.sight import Floats, Sight
 from ropewalk.record.obstacle_table import obstacle_table
 
@@ -27,10 +28,15 @@ _LOOK = {"facecolor": "#E3E6EA", "edgecolor": "#7B8794", "linewidth": 1.0}
 
 
 class Outline(NamedTuple):
-    """What an obstacle covers: a region and perhaps a hole in it, corners (n, 2) [m]."""
+    """What an obstacle covers: a region and perhaps a hole in it, corners (n, 2) [m].
+
+    A mesh covers its triangles; lines (m, 2, 2) are edges at which its surface turns away from the viewer.
+    """
 
     outer: Floats
     hole: Floats | None = None
+    triangles: Floats | None = None  # (t, 3, 2)
+    lines: Floats | None = None
 
 
 def outlines_of(result: Result, view: Sight, time: float | None = None) -> tuple[Outline, ...]:
@@ -43,10 +49,13 @@ def outlines_of(result: Result, view: Sight, time: float | None = None) -> tuple
         return ()
     points = result.read("positions", 0, 1)[0]
     size = float(np.ptp(points, axis=0).max()) or 1.0
-    found = []
+    found: list[Outline | None] = []
     for row, body in enumerate(result.scene.obstacles):
         if moves(table, row) == (time is not None):
             center = table.center[row] + moved_by(table, row, time or 0.0)
+            if body.kind in ("mesh", "sdf"):
+                found.append(_surface(body, center, view))
+                continue
             parts = body.kind, center, table.axis[row], table.size[row]
             found.append(_outline(*parts, view, size))
     return tuple(one for one in found if one is not None)
@@ -76,6 +85,23 @@ def _outline(
     signs = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
     corners = view.project(center + signs * sizes[:3])
     return Outline(hull((corners[:, None] + sizes[3] * disc).reshape(-1, 2)))
+
+
+def _surface(body: Any, center: Floats, view: Sight) -> Outline:
+    """Return what a mesh covers; a rounding is not drawn."""
+    faces = np.array(body.faces)
+    seen = view.project(center + corners_of(body))
+    corners = seen[faces]
+    first, second = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+    front = first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0] > 0.0
+    edges = np.stack([faces, np.roll(faces, -1, axis=1)], axis=2).reshape(-1, 2)
+    sides: dict[tuple[int, int], bool] = {}
+    for edge, shown in zip(edges.tolist(), np.repeat(front, 3).tolist(), strict=True):
+        sides[edge[0], edge[1]] = shown
+    turning = [edge for edge, shown in sides.items() if shown and not sides[edge[1], edge[0]]]
+    corners[~front] = corners[~front, ::-1]
+    lines = seen[np.array(turning, dtype=np.int64).reshape(-1, 2)]
+    return Outline(hull(seen), triangles=corners, lines=lines)
 
 
 def _edge_on(point: Floats, normal: Floats, far: float) -> Outline | None:
@@ -171,10 +197,28 @@ def near(outlines: Sequence[Outline], points: Floats) -> Floats:
     return found
 
 
+def _draw_surface(axes: Axes, one: Outline) -> list[PathPatch]:
+    """Draw a mesh: its triangles without their edges, then the lines."""
+    assert one.triangles is not None
+    assert one.lines is not None
+    closed = np.concatenate([one.triangles, one.triangles[:, :1]], axis=1).reshape(-1, 2)
+    codes = np.tile([Path.MOVETO, Path.LINETO, Path.LINETO, Path.CLOSEPOLY], len(one.triangles))
+    seams = _LOOK | {"edgecolor": _LOOK["facecolor"], "linewidth": 0.3}
+    inside = PathPatch(Path(closed, codes), zorder=0.4, **seams)
+    pairs = np.tile([Path.MOVETO, Path.LINETO], len(one.lines))
+    rim = PathPatch(Path(one.lines.reshape(-1, 2), pairs), zorder=0.41, **_LOOK, fill=False)
+    for patch in (inside, rim):
+        axes.add_patch(patch)
+    return [inside, rim]
+
+
 def draw_outlines(axes: Axes, outlines: Sequence[Outline]) -> list[PathPatch]:
     """Draw obstacles behind everything else; return what was drawn."""
     drawn = []
     for one in outlines:
+        if one.triangles is not None:
+            drawn += _draw_surface(axes, one)
+            continue
         parts = [one.outer] if one.hole is None else [one.outer, _clockwise(one.hole)]
         vertices = np.concatenate([np.vstack([part, part[:1]]) for part in parts])
         codes = np.concatenate(

@@ -6,6 +6,7 @@ from ropewalk.scene.environment import Air, Ground, Limiter
 from ropewalk.scene.faults import Fault, SceneError, SceneFileError
 from ropewalk.scene.joint import Joint, Tie
 from ropewalk.scene.knot_shape import Knot
+from ropewalk.scene.mesh import Mesh, Sdf
 from ropewalk.scene.motions import Fixed, Hand, Motion, Orbit, Shake, Table, Velocity
 from ropewalk.scene.obstacles import (
     Box,
@@ -59,6 +60,7 @@ __all__ = [
     "Limiter",
     "Load",
     "Material",
+    "Mesh",
     "Motion",
     "NeoHookeanCurve",
     "Obstacle",
@@ -73,6 +75,7 @@ __all__ = [
     "Scene",
     "SceneError",
     "SceneFileError",
+    "Sdf",
     "Shake",
     "Shape",
     "Slack",

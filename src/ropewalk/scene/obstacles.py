@@ -9,12 +9,10 @@ from pydantic import AliasChoices, Field, model_validator
 
 from ropewalk.scene.base import (
     HUGE,
-    NAME,
     Flag,
     Many,
     Model,
     Number,
-    Text,
     Vector,
     not_negative,
     positive,
@@ -23,18 +21,15 @@ from ropewalk.scene.base import (
     stop_time,
     vector,
 )
+from ropewalk.scene.body import Body
 from ropewalk.scene.faults import MISSING, NO_VALUE, Fault
+from ropewalk.scene.mesh import Mesh, Sdf
 from ropewalk.scene.motions import (
-    Fixed,
     Table,
-    Told,
     axis_faults,
     interval_faults,
     time_faults,
 )
-
-#: A coefficient of friction beyond this is a slip of the pen.
-MOST_FRICTION = 100.0
 
 
 def _between(description: str, toml: str, python: str) -> Any:
@@ -130,36 +125,7 @@ def _wheel_faults(spin: Spin) -> list[Fault]:
     return faults
 
 
-BodyMotion = Annotated[Told, Field(discriminator="kind")]
-
-
-class _Body(Model):
-    """What all obstacles have."""
-
-    name: Text = Field(
-        default="",
-        pattern=NAME,
-        max_length=60,
-        description='Name; default "obstacle0", "obstacle1" ..',
-    )
-    friction: Number = quantity(
-        "Coefficient of friction, Coulomb's", "1", default=0.3, ge=0, le=MOST_FRICTION
-    )
-    compliance: Number | None = positive(
-        "How far a node is pressed in per force, across and along; by default as little as the rope's "
-        "own inertia and stiffness allow",
-        "m/N",
-        default=None,
-    )
-
-    motion: BodyMotion = Field(
-        default=Fixed(),
-        description="How it moves, its middle (of a plane its point) as the node of an anchor; it keeps its "
-        "direction",
-    )
-
-
-class _Turning(_Body):
+class _Turning(Body):
     """What may turn: a body of revolution."""
 
     spin: Spin | None = Field(
@@ -196,7 +162,7 @@ class Sphere(_Turning):
         return self
 
 
-class _Between(_Body):
+class _Between(Body):
     """What lies along a line from one point to another."""
 
     start: Vector = _between("A point of its axis, one end", "from", "start")
@@ -242,7 +208,7 @@ class HalfPipe(_Between):
         return self
 
 
-class Box(_Body):
+class Box(Body):
     """A box along the axes of the scene, with rounded edges."""
 
     kind: Literal["box"] = "box"
@@ -280,7 +246,8 @@ class Torus(_Turning):
 
 
 Obstacle = Annotated[
-    Plane | Sphere | Cylinder | Capsule | Box | Torus | HalfPipe, Field(discriminator="kind")
+    Plane | Sphere | Cylinder | Capsule | Box | Torus | HalfPipe | Mesh | Sdf,
+    Field(discriminator="kind"),
 ]
 
 
@@ -291,7 +258,7 @@ def is_free(body: Obstacle) -> bool:
 
 
 def thinnest(body: Obstacle) -> float:
-    """Return the least radius of a body [m]; inf for a plane."""
+    """Return the least radius of a body [m]: inf for a plane, 0 for sharp edges."""
     match body.kind:
         case "plane":
             return math.inf
@@ -299,4 +266,6 @@ def thinnest(body: Obstacle) -> float:
             return body.edge_radius
         case "torus":
             return body.bar_radius
+        case "mesh" | "sdf":
+            return body.rounding
     return body.radius

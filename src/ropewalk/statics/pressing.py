@@ -98,7 +98,7 @@ class Watch:
 
 def allowed_depth(body: float, thick: float) -> float:
     """Return the depth that hardly matters [m], of a body and half a rope's diameter [m]."""
-    return _ALLOWED * (min(body, thick) if thick > 0.0 else body)
+    return _ALLOWED * min(radius for radius in (body, thick) if radius > 0.0)  # edges may be sharp
 
 
 def pressing(model: Model) -> float:

@@ -1,0 +1,176 @@
+"""Reading closed surfaces of triangles, and what is wrong with those that are not closed."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Iterable, Sequence
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ropewalk.scene.base import refuse
+from ropewalk.scene.faults import MISSING, Fault
+from ropewalk.scene.units import WrongUnit, in_unit
+
+SUFFIXES = (".stl", ".obj", ".ply")
+_NEEDS = 'needs the extra "mesh": pip install "ropewalk[mesh]"'
+_SLOPES = (0.5, 2.0)  # between which the slope of distances next to the surface must lie [1]
+
+Triangles = tuple[list[list[float]], list[list[int]]]
+
+
+def read_mesh(folder: Path, file: str) -> Triangles:
+    """Return vertices and faces of a file. Refuses, inside a validator, what is no mesh (path ``file``)."""
+    try:
+        trimesh: Any = import_module("trimesh")
+    except ImportError:
+        refuse([Fault("file", file, _NEEDS)])
+    path = folder / file
+    suffix = path.suffix.lower()
+    if suffix not in SUFFIXES:
+        refuse([Fault("file", file, f"must end in {', '.join(SUFFIXES)}")])
+    _refuse_absent(path, file)
+    try:
+        found = trimesh.load(path, file_type=suffix[1:], force="mesh", process=True)
+    except Exception as error:  # a library's readers raise what they like
+        refuse([Fault("file", file, f"cannot be read as {suffix[1:].upper()}: {error}")])
+    faces = getattr(found, "faces", None)
+    if faces is None or len(faces) == 0:
+        refuse([Fault("file", file, "holds no triangles")])
+    vertices, faces = _joined(np.asarray(found.vertices, np.float64), np.asarray(faces, np.int64))
+    return vertices.tolist(), faces.tolist()
+
+
+def _joined(
+    vertices: NDArray[np.float64], faces: NDArray[np.int64]
+) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
+    """Return a mesh whose equal vertices are one, without triangles of no area."""
+    same, which = np.unique(vertices, axis=0, return_inverse=True)
+    faces = which.ravel()[faces]
+    distinct = (faces != np.roll(faces, 1, axis=1)).all(axis=1)
+    return same, faces[distinct]
+
+
+def _refuse_absent(path: Path, file: str) -> None:
+    if path.is_dir():
+        refuse([Fault("file", file, "is a folder")])
+    if not path.exists():
+        refuse([Fault("file", file, f"no such file ({path})")])
+
+
+def grid_of(folder: Path, given: dict[str, Any]) -> tuple[NDArray[np.float64], float, list[float]]:
+    """Return distances (nx, ny, nz), spacing and origin [m]. Refuses what is no grid."""
+    file = given["file"]
+    if file is not None:
+        path = folder / file
+        _refuse_absent(path, file)
+        try:
+            with np.load(path, allow_pickle=False) as arrays:
+                given = given | {name: arrays[name] for name in arrays if given.get(name) is None}
+        except Exception as error:  # zip, header or pickle
+            refuse([Fault("file", file, f"cannot be read as .npz: {error}")])
+    shown = "" if file is None else f" (of {file})"
+    if given["values"] is None or given["spacing"] is None:
+        absent = "values" if given["values"] is None else "spacing"
+        refuse([Fault(absent, MISSING, f"give values and spacing{shown}")])
+    step, origin = in_unit(given["spacing"], "m"), in_unit(given["origin"], "m")
+    for name, value in (("spacing", step), ("origin", origin)):
+        if isinstance(value, WrongUnit):
+            refuse([Fault(name, value.given, value.rule)])
+    origin = (0.0, 0.0, 0.0) if origin is None else origin
+    try:
+        values = np.array(given["values"], dtype=np.float64)
+        spacing = float(step)
+        corner = [float(x) for x in np.array(origin, dtype=np.float64).reshape(3)]
+    except (TypeError, ValueError) as error:
+        refuse([Fault("values", MISSING, f"must be numbers{shown}: {error}")])
+    refuse(_grid_faults(values, spacing, shown))
+    return values, spacing, corner
+
+
+def _grid_faults(values: NDArray[np.float64], spacing: float, shown: str) -> Iterable[Fault]:
+    """Return what is wrong with distances on a grid."""
+    shape = f"an array of shape {values.shape}{shown}"
+    if values.ndim != 3 or min(values.shape) < 3:
+        return [Fault("values", shape, "must be (nx, ny, nz), three points or more each way")]
+    if not np.isfinite(values).all():
+        return [Fault("values", shape, "must be finite numbers")]
+    if not (np.isfinite(spacing) and spacing > 0.0):
+        return [Fault("spacing", spacing, "must be greater than 0 (m)")]
+    rim = np.ones(values.shape, bool)
+    rim[1:-1, 1:-1, 1:-1] = False
+    if not (values[rim] > 0.0).all():
+        rule = (
+            "must be positive all round: the solid must end inside the grid; make the grid larger"
+        )
+        return [Fault("values", shape, rule)]
+    if not (values < 0.0).any():
+        return [Fault("values", shape, "must be negative inside the solid: there is none")]
+    slope = np.linalg.norm(np.gradient(values, spacing), axis=0)
+    typical = float(np.median(slope[np.abs(values) < 2.0 * spacing]))
+    if not _SLOPES[0] < typical < _SLOPES[1]:
+        rule = (
+            f"must be distances in metres, with a slope of 1 next to the surface, not {typical:.3g}: "
+            "is spacing in metres?"
+        )
+        return [Fault("values", shape, rule)]
+    return []
+
+
+def surface_of(values: NDArray[np.float64], spacing: float, origin: Sequence[float]) -> Triangles:
+    """Return vertices and faces of the surface where distances on a grid are 0 (marching cubes)."""
+    try:
+        marching_cubes: Any = import_module("skimage.measure").marching_cubes
+    except ImportError:
+        refuse([Fault("values", MISSING, _NEEDS)])
+    # a zero at a grid point would give triangles of no area
+    grid = np.where(np.abs(values) < 1e-6 * spacing, 1e-6 * spacing, values)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        vertices, faces, _, _ = marching_cubes(
+            grid, 0.0, spacing=(spacing,) * 3, gradient_direction="descent"
+        )
+    places, corners = _joined(np.asarray(vertices, np.float64), np.asarray(faces, np.int64))
+    return (places + np.asarray(origin)).tolist(), corners.tolist()
+
+
+def surface_faults(vertices: Any, faces: Any) -> list[Fault]:
+    """Return what keeps triangles from being the surface of a solid."""
+    places, corners = np.array(vertices, np.float64), np.array(faces, np.int64)
+    if corners.min() < 0 or corners.max() >= len(places):
+        rule = f"must be numbers of vertices, 0 to {len(places) - 1}"
+        return [Fault("faces", f"from {corners.min()} to {corners.max()}", rule)]
+    sides = np.linalg.norm(np.roll(places[corners], -1, axis=1) - places[corners], axis=2)
+    size = float(np.ptp(places, axis=0).max())
+    if not size > 0.0 or sides.min() < 1e-12 * size:
+        rule = "must have three sides each: two of its corners are one; join them, or take it out"
+        return [Fault(f"faces[{int(np.argmin(sides.min(axis=1)))}]", "a triangle of no area", rule)]
+    edges = np.stack([corners, np.roll(corners, -1, axis=1)], axis=2).reshape(-1, 2)
+    _, first, times = np.unique(edges, axis=0, return_index=True, return_counts=True)
+    back = {tuple(edge) for edge in edges[:, ::-1].tolist()}
+    if times.max() > 1:
+        worst = int(first[np.argmax(times)]) // 3
+        rule = (
+            "its neighbours disagree which side is outside, or three meet at an edge: turn all faces "
+            "counter-clockwise seen from outside (a mesh editor's 'recalculate normals')"
+        )
+        return [Fault(f"faces[{worst}]", "a triangle", rule)]
+    loose = [row for row, edge in enumerate(edges.tolist()) if tuple(edge) not in back]
+    if loose:
+        rule = (
+            f"must be closed: {len(loose)} edges have a triangle on one side only, as of this one; fill the "
+            "holes (a mesh editor's 'make watertight')"
+        )
+        return [Fault(f"faces[{loose[0] // 3}]", "an open mesh", rule)]
+    a, b, c = np.moveaxis(places[corners] - places.mean(axis=0), 1, 0)
+    volume = float((a * np.cross(b, c)).sum()) / 6.0
+    if not volume > 0.0:
+        rule = (
+            "is inside out: faces must be counter-clockwise seen from outside; turn them round (a mesh "
+            "editor's 'flip normals')"
+        )
+        return [Fault("faces", f"a volume of {volume:.3g} m^3", rule)]
+    return []
