@@ -140,7 +140,7 @@ export class App {
     const send = source.send.bind(source);
     source.send = (command) => {
       send(command);
-      if (["drag", "move", "grab"].includes(command.type)) this.tour.handMoved();
+      if (["drag", "move", "grab", "obstacle"].includes(command.type)) this.tour.handMoved();
     };
   }
 

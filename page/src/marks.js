@@ -44,7 +44,8 @@ export class Marks {
     /** @type {Set<number>} nodes of the first variant */ this.followed = new Set();
     /** What has a ring: what lies under the pointer, or where the hand is. @type {Hit | Vector | null} */
     this.hover = null;
-    /** What the keyboard has chosen. @type {Hit | null} */ this.chosen = null;
+    /** What the keyboard has chosen. @type {Hit | import("./input/pick.js").BodyHit | null} */ this.chosen =
+      null;
     /** A kick that is being drawn. @type {{from: Vector, to: Vector, text: string} | null} */
     this.kick = null;
     /** The first of two points that are to be tied. @type {Hit | null} */ this.tying = null;

@@ -17,7 +17,7 @@ import { forget, layoutOf, numberOf, readFrame } from "./source/frame.js";
 
 /** @typedef {{hello: Hello, layout: Layout, parameters: Parameter[], presets: Preset[],
  *   status: Status, stability: Stability[], broken: Broken | null, frame: Frame,
- *   saved: {folder: string}, sound: {seconds: number, forces: number[]},
+ *   obstacles: {obstacles: import("./source/protocol.js").Obstacle[]}, saved: {folder: string}, sound: {seconds: number, forces: number[]},
  *   exported: {name: string, url: string}, note: {text: string},
  *   bye: {text: string},
  *   error: Fault, connection: {state: string, text: string}}} Events */
@@ -105,6 +105,9 @@ export class Session extends Emitter {
       case "layout":
         if (message.layout !== this.layout?.layout) this.frame = null; // written in the old layout
         this.layout = message;
+        break;
+      case "obstacles": // a hand moves one
+        if (this.layout) this.layout.obstacles = message.obstacles;
         break;
       case "parameters":
         this.parameters = message.parameters;

@@ -24,6 +24,10 @@ export class Solids {
     this.floor = null;
     this.key = "";
     this.version = 0; // changes with them
+    stage.session.on("obstacles", () => {
+      if (stage.session.layout) this.take(stage.session.layout, stage.shifts);
+      stage.dirty = true;
+    });
   }
 
   /** @param {Layout} layout @param {number[][]} shifts [m] of the copies */
@@ -55,6 +59,22 @@ export class Solids {
     if (!this.starts.some(({ motion }) => motion)) return;
     this.all = this.starts.map((one) => placed(one, time));
     this.version++;
+  }
+
+  /** A body, of the first copy. @param {string} name */
+  named(name) {
+    return this.all.find((one) => one.name === name) ?? null;
+  }
+
+  /** Where a body's middle is, as the server has it [m]. @param {string} name @returns {Vector | null} */
+  base(name) {
+    const found = this.named(name);
+    return found && minus(found.center, this.stage.shifts[0] ?? [0, 0, 0]);
+  }
+
+  /** How far a body has turned [rad]. @param {string} name */
+  angleOf(name) {
+    return this.turns()[this.all.findIndex((one) => one.name === name)] ?? 0;
   }
 
   /** How far each has turned [rad]. */

@@ -7,11 +7,13 @@ import {
   cornersOf,
   distanceTo,
   hides,
+  meets,
   placed,
   solidsOf,
   turnOf,
   whereabouts,
 } from "../src/view/solids.js";
+import { plus } from "../src/view/vector.js";
 
 const known = JSON.parse(readFileSync(new URL("solids.json", import.meta.url), "utf8"));
 const here = [[0, 0, 0]];
@@ -33,6 +35,21 @@ test("surfaces are where the engine has them", () => {
       assert.ok(Math.abs(distanceTo(solid, place) - known.away[k][i]) < 1e-9, solid.kind),
     ),
   );
+});
+
+test("a half-pipe hides nothing: its near wall is cut away", () => {
+  const trough = solidsOf(known.obstacles, here).find(({ kind }) => kind === "half-pipe");
+  const above = trough.size.slice(1);
+  const bottom = plus(trough.center, above, -0.9 * trough.size[0]);
+  for (const far of [5, -5])
+    assert.ok(!hides(trough, plus(trough.center, above, far), bottom, 0.01));
+});
+
+test("a way meets a ball where it enters, and passes by what lies beside it", () => {
+  const [ball] = solidsOf([{ ...BAR, kind: "sphere", size: [0.5, 0, 0, 0] }], here);
+  assert.ok(Math.abs(meets(ball, [0, 0, 3], [0, 0, -1]) - 2.5) < 1e-3);
+  assert.equal(meets(ball, [0.6, 0, 3], [0, 0, -1]), null);
+  assert.equal(meets(ball, [0, 0, 3], [0, 0, 1]), null);
 });
 
 test("no corner of the box around a body is inside it, and its reach goes to the farthest", () => {

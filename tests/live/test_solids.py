@@ -74,6 +74,12 @@ center = [0, 0, 0.2]
 axis = [1, 2, 0.5]
 radius = 0.4
 bar_radius = 0.1
+[[obstacle]]
+kind = "half-pipe"
+from = [0, -1, 2.5]
+to = [0.2, 1, 2.4]
+radius = 3.2
+open_to = [0.1, 0, 1]
 """
 
 

@@ -8,6 +8,8 @@ import { vector } from "../view/vector.js";
  *   place: Vector}} AnchorHit */
 /** @typedef {{kind: "node", variant: number, rope: string, node: number, segment: number,
  *   place: Vector}} NodeHit */
+/** @typedef {{kind: "obstacle", variant: number, obstacle: string, node: number, segment: number,
+ *   place: Vector, joint?: undefined}} BodyHit */
 /** The name of a joint that ties the node. @typedef {{joint?: string}} Tied */
 /** @typedef {(AnchorHit | NodeHit) & Tied} Hit node and segment are indices in the variant */
 
@@ -97,8 +99,10 @@ function pickNode(stage, px, py, reach) {
   return best;
 }
 
-/** Where what was hit is now. @param {Stage} stage @param {Hit} hit @returns {Vector | null} null if it is gone */
+/** Where what was hit is now. @param {Stage} stage @param {Hit | BodyHit} hit
+ * @returns {Vector | null} null if it is gone */
 export function placeOf(stage, hit) {
+  if (hit.kind === "obstacle") return stage.solids.named(hit.obstacle)?.center ?? null;
   const variant = stage.session.layout?.variants[hit.variant];
   if (!variant || hit.node >= variant.nodes) return null;
   const at = 4 * (stage.starts[hit.variant] + hit.node);

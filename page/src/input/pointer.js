@@ -1,10 +1,12 @@
 // Mouse, pen and fingers on the scene: turn, shift and zoom the view; take hold of anchors and ropes.
 
 import { Hand } from "./hand.js";
+import { BodyHand, pickBody } from "./body.js";
 import { pick } from "./pick.js";
 
 /** @typedef {import("../stage.js").Stage} Stage */
 /** @typedef {import("./pick.js").Hit} Hit */
+/** @typedef {import("./pick.js").BodyHit} BodyHit */
 /** @typedef {"hand" | "pin" | "cut" | "load" | "tie" | "kick" | "follow"} Tool */
 
 const MOUSE = 18; // pixels from a rope that still take hold of it
@@ -17,7 +19,7 @@ const DOUBLE = 350; // ms
 export class Pointer {
   /** @param {Stage} stage @param {HTMLElement} element
    * @param {{use: (tool: Tool, hit: Hit) => void, tie: (one: Hit, other: Hit) => void,
-   *   menu: (hit: Hit | null, x: number,
+   *   menu: (hit: Hit | BodyHit | null, x: number,
    *   y: number) => void}} actions */
   constructor(stage, element, actions) {
     this.stage = stage;
@@ -28,11 +30,12 @@ export class Pointer {
     /** The largest force of a pull [N]; null: what hands may at most. @type {number | null} */
     this.limit = null;
     /** @type {Map<number, {x: number, y: number}>} */ this.down = new Map();
-    /** The hand of each pointer: on a touch screen there may be several. @type {Map<number, Hand>} */
+    /** The hand of each pointer: on a touch screen there may be several. @type {Map<number, Hand | BodyHand>} */
     this.hands = new Map();
     this.near = false; // the press just missed a rope: it is not meant to turn the scene
     /** Where the mouse rests. @type {{x: number, y: number} | null} */ this.resting = null;
     /** @type {Hit | null} */ this.hit = null;
+    /** The body under the press, where no rope is. @type {BodyHit | null} */ this.body = null;
     /** @type {{x: number, y: number, button: number, shift: boolean} | null} */ this.start = null;
     this.moved = false;
     this.lastClick = 0;
@@ -91,9 +94,13 @@ export class Pointer {
     this.start = { x, y, button: event.button, shift: event.shiftKey };
     this.moved = this.menuOpened = false;
     this.hit = pick(this.stage, x, y, this.reach(event));
-    this.near = !this.hit && pick(this.stage, x, y, NEAR * this.reach(event)) !== null;
+    this.body = this.hit ? null : pickBody(this.stage, x, y);
+    this.near =
+      !this.hit && !this.body && pick(this.stage, x, y, NEAR * this.reach(event)) !== null;
     if (event.button === 0 && this.hit && !(event.ctrlKey || event.metaKey))
       this.hold(event.pointerId, this.hit);
+    else if (event.button === 0 && this.body && this.tool === "hand")
+      this.hands.set(event.pointerId, new BodyHand(this.stage, this.body, event.shiftKey));
     if (event.pointerType !== "mouse") {
       this.longPress = window.setTimeout(() => this.openMenu(x, y), LONG);
     }
@@ -164,7 +171,8 @@ export class Pointer {
     const other = ties ? pick(this.stage, x, y, this.reach(event)) : null;
     const hadHand = hand !== undefined && this.moved;
     this.dropHand(event.pointerId, event.shiftKey || this.keep, this.moved, event.timeStamp);
-    if (hand && other && other.node !== hand.hit.node) this.actions.tie(hand.hit, other);
+    if (hand instanceof Hand && other && other.node !== hand.hit.node)
+      this.actions.tie(hand.hit, other);
     if (this.moved || this.menuOpened || hadHand || this.down.size) return;
     if (event.button === 2) this.openMenu(x, y);
     else if (event.button === 0) this.click(event.timeStamp);
@@ -176,7 +184,7 @@ export class Pointer {
       this.actions.use(this.tool, this.hit);
       return;
     }
-    if (this.hit) return;
+    if (this.hit || this.body) return;
     if (time - this.lastClick < DOUBLE) this.letGo();
     this.lastClick = time;
   }
@@ -190,7 +198,7 @@ export class Pointer {
   openMenu(x, y) {
     this.menuOpened = true;
     this.dropHands(false, false);
-    this.actions.menu(this.hit, x, y);
+    this.actions.menu(this.hit ?? this.body, x, y);
   }
 
   /** @param {number} id of the pointer @param {boolean} keep @param {boolean} [used] whether the hand did
@@ -218,7 +226,11 @@ export class Pointer {
   look() {
     if (this.down.size) return;
     const { resting } = this;
-    this.hover(resting ? pick(this.stage, resting.x, resting.y, MOUSE) : null);
+    const over = resting && pick(this.stage, resting.x, resting.y, MOUSE);
+    const takes = resting && !over && this.tool === "hand";
+    this.hover(
+      over ?? (takes ? (pickBody(this.stage, resting.x, resting.y)?.place ?? null) : null),
+    );
   }
 
   /** @param {number} id @param {number} x @param {number} y */
@@ -245,7 +257,7 @@ export class Pointer {
     );
   }
 
-  /** @param {Hit | null} hit */
+  /** @param {Hit | import("../view/vector.js").Vector | null} hit */
   hover(hit) {
     const { marks } = this.stage;
     if (hit === null && marks.hover === null) return;

@@ -2,12 +2,14 @@
 
 import { between, scalar } from "../source/frame.js";
 import { quantity } from "../view/range.js";
+import { BodyKeys, turnable } from "./body.js";
 import { placeOf } from "./pick.js";
 
 /** @typedef {import("../stage.js").Stage} Stage */
 /** @typedef {import("../source/protocol.js").Layout} Layout */
 /** @typedef {import("../source/frame.js").Frame} Frame */
 /** @typedef {import("./pick.js").Hit} Hit */
+/** @typedef {import("./pick.js").BodyHit} BodyHit */
 
 const BETWEEN = 8; // places on a rope, its ends not counted
 const MOST = 40;
@@ -84,7 +86,7 @@ export function sentence(layout, frame, state) {
 
 export class Walk {
   /** @param {Stage} stage @param {HTMLElement} canvas @param {HTMLElement} voice what is read out
-   * @param {(hit: Hit, x: number, y: number) => void} menu */
+   * @param {(hit: Hit | BodyHit, x: number, y: number) => void} menu */
   constructor(stage, canvas, voice, menu) {
     this.stage = stage;
     this.canvas = canvas;
@@ -92,6 +94,7 @@ export class Walk {
     this.menu = menu;
     this.at = -1; // of the stops
     this.state = "";
+    this.bodyKeys = new BodyKeys(stage);
     canvas.setAttribute("role", "slider");
     canvas.setAttribute("aria-label", "Places on the ropes");
     canvas.setAttribute("aria-valuemin", "1");
@@ -102,9 +105,29 @@ export class Walk {
       stage.session.on(name, () => this.tell());
   }
 
+  /** @returns {(Hit | BodyHit)[]} */
   get stops() {
     const { layout, frame } = this.stage.session;
-    return layout && frame ? stopsOf(layout, frame) : [];
+    return layout && frame ? [...stopsOf(layout, frame), ...this.bodies(layout)] : [];
+  }
+
+  /** Obstacles that hands can move. @param {Layout} layout @returns {BodyHit[]} */
+  bodies({ obstacles = [] }) {
+    if (!this.stage.session.can("obstacle")) return [];
+    const common = { variant: 0, node: -1, segment: -1, place: /** @type {any} */ ([0, 0, 0]) };
+    return obstacles
+      .slice(0, MOST)
+      .map(({ name }) => ({ kind: "obstacle", obstacle: name, ...common }));
+  }
+
+  /** What is at a stop, in words. @param {Hit | BodyHit} hit */
+  words(hit) {
+    const { layout, frame } = this.stage.session;
+    if (!layout || !frame) return "";
+    if (hit.kind !== "obstacle") return said(layout, frame, hit);
+    const at = (this.stage.solids.base(hit.obstacle) ?? []).map((one) => quantity(one, "m"));
+    const turns = turnable(this.stage, hit.obstacle) ? ", Page Up and Page Down turn it" : "";
+    return `Obstacle ${hit.obstacle}, at ${at.join(", ")}: arrow keys, Home and End move it${turns}`;
   }
 
   /** @param {KeyboardEvent} event */
@@ -121,13 +144,17 @@ export class Walk {
       if (!place) return;
       const [x, y] = this.stage.camera.project(...place);
       this.menu(stops[this.at], x, y);
+    } else if (stops[this.at]?.kind === "obstacle") {
+      const { obstacle } = /** @type {BodyHit} */ (stops[this.at]);
+      if (!this.bodyKeys.press(obstacle, event.code)) return;
+      event.preventDefault();
+      event.stopPropagation(); // the arrows are not the first anchor's now
     }
   }
 
   /** @param {number} at */
   go(at) {
     const { stage, canvas } = this;
-    const { layout, frame } = stage.session;
     const { stops } = this;
     const hit = stops[at] ?? null;
     this.at = hit ? at : -1;
@@ -135,7 +162,7 @@ export class Walk {
     stage.marks.chosen = hit;
     canvas.setAttribute("aria-valuemax", String(stops.length));
     canvas.setAttribute("aria-valuenow", String(this.at + 1));
-    const words = hit && layout && frame ? said(layout, frame, hit) : "None: Tab goes to the next";
+    const words = hit ? this.words(hit) : "None: Tab goes to the next";
     canvas.setAttribute("aria-valuetext", words);
   }
 

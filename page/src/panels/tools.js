@@ -1,5 +1,6 @@
 // What the hand does to a rope: the tools at the side and the menu at the pointer.
 
+import { lead, turnable } from "../input/body.js";
 import { figures } from "../view/range.js";
 import { times } from "../view/vector.js";
 import { button, h, popup } from "./dom.js";
@@ -9,6 +10,7 @@ import { readNumber } from "./scale.js";
 /** @typedef {import("../input/pointer.js").Pointer} Pointer */
 /** @typedef {import("../input/pointer.js").Tool} Tool */
 /** @typedef {import("../input/pick.js").Hit} Hit */
+/** @typedef {import("../input/pick.js").BodyHit} BodyHit */
 
 const TOOLS =
   /** @type {[Tool, "hand" | "pin" | "cut" | "load" | "tie" | "kick" | "follow", string, string][]} */ ([
@@ -135,10 +137,27 @@ export class Tools {
     else session.tell({ type: "cut", segment });
   }
 
-  /** The menu of a node or anchor, or of empty space. @param {Hit | null} hit @param {number} x
-   * @param {number} y */
+  /** The menu of a body. @param {BodyHit} hit @param {number} x @param {number} y */
+  bodyMenu({ obstacle }, x, y) {
+    const { stage } = this;
+    const turn = (/** @type {number} */ part) => () =>
+      lead(stage, obstacle, null, stage.solids.angleOf(obstacle) + part * Math.PI, true);
+    const turns = turnable(stage, obstacle);
+    const items = [
+      { label: "Turn it by 15° (Page Up)", press: turn(1 / 12), disabled: !turns },
+      { label: "Turn it back by 15° (Page Down)", press: turn(-1 / 12), disabled: !turns },
+    ];
+    popup(this.host, x, y, items, `Obstacle ${obstacle}`);
+  }
+
+  /** The menu of a node or anchor, of a body, or of empty space. @param {Hit | BodyHit | null} hit
+   * @param {number} x @param {number} y */
   menu(hit, x, y) {
     const { session, marks } = this.stage;
+    if (hit?.kind === "obstacle") {
+      this.bodyMenu(hit, x, y);
+      return;
+    }
     if (!hit) {
       popup(this.host, x, y, [
         { label: "Show everything", press: () => this.stage.fit() },

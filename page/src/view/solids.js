@@ -6,7 +6,7 @@ import { cross, dot, minus, plus, times, unit } from "./vector.js";
 /** @typedef {import("./vector.js").Vector} Vector */
 /** @typedef {import("../source/protocol.js").Obstacle} Obstacle */
 /** @typedef {import("../source/protocol.js").Motion} Motion */
-/** @typedef {"plane" | "sphere" | "cylinder" | "capsule" | "box" | "torus"} Kind */
+/** @typedef {"plane" | "sphere" | "cylinder" | "capsule" | "box" | "torus" | "half-pipe"} Kind */
 
 /** One body of one copy. `size` as in the layout message; `zero`: across the axis, where turns are counted from;
  * `reach`: no part of it is farther from its centre [m].
@@ -15,11 +15,12 @@ import { cross, dot, minus, plus, times, unit } from "./vector.js";
  *   motion: (Motion & {origin: Vector}) | null}} Solid */
 
 /** In the order of the shaders. @type {Kind[]} */
-export const KINDS = ["plane", "sphere", "cylinder", "capsule", "box", "torus"];
+export const KINDS = ["plane", "sphere", "cylinder", "capsule", "box", "torus", "half-pipe"];
 export const MOST_SOLIDS = 200; // that are drawn
 const BEVEL = 0.04; // of a cylinder's radius or half length: how far its edges are drawn rounded
 const LARGEST = 1e9; // m, m/s, rad/s: beyond that nothing can be drawn
 const ENDLESS = 1e30; // half a length
+export const RIM = 0.35; // radii of a half-pipe, to which its upright walls are drawn above the axis
 
 /** The bodies of a layout, once for each shift; what no picture can show is left out.
  * @param {Obstacle[]} obstacles @param {number[][]} shifts [m] @returns {Solid[]} */
@@ -63,7 +64,7 @@ function solidOf({ name, kind, center, axis, size, spin, turns, motion, wheel },
 
 /** @param {Kind} kind @param {number[]} size */
 function reachOf(kind, [a, b, c, d]) {
-  if (kind === "plane" || b === ENDLESS) return Infinity;
+  if (kind === "plane" || kind === "half-pipe" || b === ENDLESS) return Infinity;
   if (kind === "sphere") return a;
   if (kind === "cylinder") return Math.hypot(a, b);
   if (kind === "box") return Math.hypot(a, b, c) + d;
@@ -135,11 +136,22 @@ function onTable(table, time) {
 /** The first three of some numbers. @param {(number | null)[]} values @returns {Vector} */
 const vector = ([x, y, z]) => [Number(x), Number(y), Number(z)];
 
+/** How far a place in a trough is from its surface, negative in what is solid [m]. @param {Solid} solid
+ * @param {Vector} p from a point of its axis */
+function inTrough({ axis, size }, p) {
+  const across = minus(p, times(axis, dot(p, axis)));
+  const above = vector(size.slice(1));
+  const high = dot(across, above) > 0;
+  return size[0] - (high ? Math.abs(dot(across, cross(above, axis))) : Math.hypot(...across));
+}
+
 /** How far a place is from the surface, negative inside [m]. @param {Solid} solid @param {ArrayLike<number>} place */
-export function distanceTo({ kind, center, axis, size }, place) {
+export function distanceTo(solid, place) {
+  const { kind, center, axis, size } = solid;
   const p = minus(place, center);
   const along = dot(p, axis);
   if (kind === "plane") return along;
+  if (kind === "half-pipe") return inTrough(solid, p);
   if (kind === "sphere") return Math.hypot(...p) - size[0];
   if (kind === "box") {
     const q = p.map((value, k) => Math.abs(value) - size[k]);
@@ -185,10 +197,26 @@ export function cornersOf(solid) {
   );
 }
 
+/** How far along a way from the eye a body's surface is [m]; null: the way goes past it.
+ * @param {Solid} solid @param {Vector} eye @param {Vector} way of length 1 */
+export function meets(solid, eye, way) {
+  const from = minus(solid.center, eye);
+  const towards = dot(from, way);
+  if (Math.hypot(...minus(from, times(way, towards))) > solid.reach) return null;
+  let at = Math.max(0, towards - solid.reach);
+  for (let step = 0; step < 80 && at < towards + solid.reach; step++) {
+    const away = distanceTo(solid, plus(eye, way, at));
+    if (away < 1e-3 * solid.reach) return at;
+    at += away;
+  }
+  return null;
+}
+
 /** Whether a body hides a place from the eye: the way to it goes through the body.
  * @param {Solid} solid @param {Vector} eye @param {ArrayLike<number>} place @param {number} slack how far it may
  * lie inside [m] */
 export function hides(solid, eye, place, slack) {
+  if (solid.kind === "half-pipe") return false; // of a trough the near wall is cut away
   const way = minus(place, eye);
   const far = Math.hypot(...way);
   const ray = times(way, 1 / Math.max(far, 1e-12));

@@ -46,12 +46,23 @@ def never() -> bool:
     return False
 
 
+class Bodies(NamedTuple):
+    """How obstacles move and turn: what hands change of `obstacle.Obstacles`."""
+
+    kind: Ints  # (k,) of motion
+    params: Floats  # (k, 16)
+    turning: Ints  # (k,) kind of the motion that has the angle
+    angles: Floats  # (k, 16) its parameters
+    spin: Floats  # (k, 3) [rad/s], start and stop [s]
+
+
 class Controls(NamedTuple):
-    """What hands change in the tables of anchors, winches and clamps."""
+    """What hands change in the tables of anchors, winches, clamps and obstacles."""
 
     kinds: Ints  # (a,) kinds of motion
     drive: Floats  # (3, w) speed [m/s], start and stop [s] of the winches
     turns: Floats  # (3, a, 3) direction, axis and turn of the clamps; (3, 0, 3) without any
+    bodies: Bodies
 
 
 class Fall(NamedTuple):
@@ -82,14 +93,30 @@ def controls_of(system: System) -> Controls:
     winches, bending = system.winches, system.bending
     drive = np.stack((winches.speed, winches.start, winches.stop))
     turns = np.stack((bending.direction, bending.axis, bending.turn))
-    return Controls(system.anchors.kind.copy(), drive, turns)
+    bodies = arrays.copy(bodies_of(system))
+    return Controls(system.anchors.kind.copy(), drive, turns, bodies)
+
+
+def bodies_of(system: System) -> Bodies:
+    """Return how obstacles move in some tables."""
+    table = system.node.obstacle
+    motion, turns = table.motion, table.turns
+    return Bodies(motion.kind, motion.params, turns.kind, turns.params, table.spin)
 
 
 def controlled(system: System, controls: Controls) -> System:
     """Return tables with these controls in them, and flags of their own."""
     speed, start, stop = controls.drive
     direction, axis, turn = controls.turns
+    kind, params, turning, angles, spin = controls.bodies
+    table = system.node.obstacle
+    table = table._replace(
+        motion=table.motion._replace(kind=kind, params=params),
+        turns=table.turns._replace(kind=turning, params=angles),
+        spin=spin,
+    )
     return system._replace(
+        node=system.node._replace(obstacle=table),
         bending=system.bending._replace(direction=direction, axis=axis, turn=turn),
         flags=system.flags.copy(),
         anchors=system.anchors._replace(kind=controls.kinds),
@@ -234,8 +261,11 @@ class Engine:
         """Go back to a walk; the state is the caller's."""
         arrays.assign(self.walk, walk)
 
-    def begin_anew(self, row: int) -> None:
-        """Let the adaptive method walk on from the state that is shown, as anchor `row` was taken in hand."""
+    def begin_anew(self, row: int | None) -> None:
+        """Let the adaptive method walk on from the state that is shown, as anchor `row` was taken in hand.
+
+        None: as an obstacle was.
+        """
         self.walk.control[BEGUN:] = 0.0
 
 

@@ -133,8 +133,9 @@ class Islands:
             for share, part in zip(self.shares, parts, strict=True)
         ]
         self._rows = rows, wound, np.concatenate(clamped)
-        kinds, drive, turns = self.controls
-        self._own = Controls(kinds[rows], drive[:, wound], turns[:, self._rows[2]])
+        kinds, drive, turns, bodies = self.controls
+        self._seen = copy(bodies)
+        self._own = Controls(kinds[rows], drive[:, wound], turns[:, self._rows[2]], bodies)
         self._own_controls, a, w, c = [], 0, 0, 0
         for share, held in zip(self.shares, clamped, strict=True):
             to = a + len(share.anchors), w + len(share.winches), c + len(held)
@@ -142,6 +143,7 @@ class Islands:
                 self._own.kinds[a : to[0]],
                 self._own.drive[:, w : to[1]],
                 self._own.turns[:, c : to[2]],
+                bodies,
             )
             self._own_controls.append(Controls(*own))
             a, w, c = to
@@ -223,15 +225,27 @@ class Islands:
         before = self._sea.view(np.int64).copy()
         self._spread()
         changed = before != self._sea.view(np.int64)
+        moved = self._moved_bodies()
         for engine, room in zip(self.engines, self._rooms, strict=True):
-            if changed[room].any():
+            if moved or changed[room].any():
                 engine.prepare(time)
         self._gather()
 
-    def begin_anew(self, row: int) -> None:
-        """Let the adaptive method walk on from the state that is shown, in the island of anchor `row`."""
+    def _moved_bodies(self) -> bool:
+        """Tell whether hands have changed how an obstacle moves: ropes of every island may lie on it."""
+        pairs = zip(self._seen, self.controls.bodies, strict=True)
+        moved = [not np.array_equal(seen, now) for seen, now in pairs]
+        for seen, now in zip(self._seen, self.controls.bodies, strict=True):
+            seen[...] = now
+        return any(moved)
+
+    def begin_anew(self, row: int | None) -> None:
+        """Let the adaptive method walk on from the state that is shown, in the island of anchor `row`.
+
+        None: in all of them.
+        """
         for share, engine in zip(self.shares, self.engines, strict=True):
-            if row in share.anchors:
+            if row is None or row in share.anchors:
                 engine.begin_anew(row)
 
     def island(self, number: int) -> Engine:

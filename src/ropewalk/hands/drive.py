@@ -10,10 +10,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ropewalk.core.arrays import APPLIED, Floats, State, System
+from ropewalk.core.arrays import APPLIED, Floats, Ints, State, System
 from ropewalk.lowering.joint_tables import tied_with
+from ropewalk.motions.registry import HAND
 
 if TYPE_CHECKING:
+    from ropewalk.engine.engine import Bodies
     from ropewalk.lowering import Layout, Model
     from ropewalk.simulation import Snapshot
     from ropewalk.simulation.block import Block
@@ -39,6 +41,9 @@ class Driven:
     apart: bool
     system: System
     _state: State
+    _kinds: Ints
+    _drive: Floats
+    _bodies: Bodies
     _goals: dict[int, Goal]
     _due: float  # [s] time at which the goals are reached
     _first: Snapshot | None  # the beginning, once `reset` was asked for
@@ -55,8 +60,7 @@ class Driven:
         def state(self) -> Snapshot: ...
         def restore(self, snapshot: Snapshot) -> None: ...
         def recording(self) -> Block: ...
-        def take_in_hand(self, row: int) -> None: ...
-        def _begin_anew(self, row: int) -> None: ...
+        def _begin_anew(self, row: int | None) -> None: ...
         def _prepare(self) -> None: ...
 
     # -- again ---------------------------------------------------------------------------
@@ -68,6 +72,17 @@ class Driven:
             self._first = made.state
         self.restore(self._first)
         self._forget_break()
+
+    @property
+    def bodies(self) -> Bodies:
+        """How obstacles move now; see `hands.body`."""
+        return self._bodies
+
+    def set_off_bodies(self) -> None:
+        """Take up what a hand has changed in `bodies`."""
+        self._state.past[0] = 0.0  # a multistep method begins anew
+        self._prepare()
+        self._begin_anew(None)
 
     # -- forces --------------------------------------------------------------------------
 
@@ -126,7 +141,17 @@ class Driven:
         self.system.flags[APPLIED] = int(applied.any())
         self._prepare()
 
-    # -- anchors and clamps --------------------------------------------------------------
+    # -- anchors, winches and clamps -----------------------------------------------------
+
+    def take_in_hand(self, row: int) -> None:
+        """Let the anchor in a `row` be moved by its velocity from now on, whatever its motion was."""
+        self._kinds[row] = HAND
+        self._begin_anew(row)
+
+    def turn_by_hand(self, row: int, speed: float) -> None:
+        """Let the winch in a `row` turn at `speed` [m/s] from now on, whatever the scene told it."""
+        self._drive[:, row] = speed, -math.inf, math.inf
+        self._begin_anew(int(self.system.winches.anchor[row]))
 
     def set_goal(
         self, row: int, *, position: Floats | None = None, direction: Floats | None = None

@@ -10,6 +10,7 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats
 from ropewalk.live import edits, ties
+from ropewalk.live.bodies import lead
 from ropewalk.live.commands import (
     Back,
     Compare,
@@ -22,6 +23,7 @@ from ropewalk.live.commands import (
     LetGo,
     Load,
     Move,
+    Obstacle,
     Pin,
     Remedy,
     Reset,
@@ -104,6 +106,19 @@ def drop(session: Session, command: Drop, client: int) -> str:
     for track in session.tracks:
         if command.anchor in track.simulation.anchors:
             track.hands.still(track.simulation, command.anchor)
+    return ""
+
+
+def obstacle(session: Session, command: Obstacle, client: int) -> str:
+    there = session.main.simulation.obstacles
+    if command.obstacle not in there:
+        rule = f"no such obstacle; there is {', '.join(there) or 'none'}"
+        raise refusal("obstacle", command.obstacle, rule)
+    target = None if command.target is None else np.array(command.target)
+    for track in session.tracks:
+        handle = track.simulation.obstacles.get(command.obstacle)
+        if handle is not None:
+            lead(handle, target, command.angle, command.pace)
     return ""
 
 
@@ -367,7 +382,7 @@ def _structured(session: Session) -> str:
 
 ACTIONS: dict[str, Callable[[Session, Any, int], str]] = {
     "speed": speed, "reset": reset, "set": set_, "move": move, "drag": drag, "drop": drop,
-    "grab": grab, "let_go": let_go, "pin": pin, "unpin": unpin, "cut": cut, "load": load,
+    "obstacle": obstacle, "grab": grab, "let_go": let_go, "pin": pin, "unpin": unpin, "cut": cut, "load": load,
     "untie": untie, "tie": tie, "knot": knot, "kick": kick, "scene": scene, "compare": compare,
     "back": back, "undo": undo, "remedy": remedy,
 }  # fmt: skip

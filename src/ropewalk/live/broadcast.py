@@ -14,11 +14,11 @@ from concurrent.futures import Future
 from functools import partial
 from typing import Any
 
-from ropewalk.core.cache import is_compiled
 from ropewalk.live import describe
 from ropewalk.live.aside import aside
 from ropewalk.live.audience import Audience, Nobody
-from ropewalk.live.commands import COMMANDS, Back, Command, LetGo, Remedy, SceneCommand, Set
+from ropewalk.live.bodies import Told
+from ropewalk.live.commands import COMMANDS, Back, Command, LetGo, Remedy, SceneCommand
 from ropewalk.live.ear import Ear
 from ropewalk.live.explainer import Explainer
 from ropewalk.live.frame import BROKEN, GRABBED, PLAYING, SLOW, Clockwork, encode
@@ -31,8 +31,7 @@ from ropewalk.live.pictures import Compared, combiner, pictures
 from ropewalk.live.session import Session
 from ropewalk.live.sources import address
 from ropewalk.live.stepper import Steps, advance_within
-from ropewalk.live.toil import takes_long
-from ropewalk.methods.registry import METHODS
+from ropewalk.live.toil import note_of_compiling, takes_long
 from ropewalk.record.errors import RunError
 from ropewalk.scene import Fault, SceneError
 from ropewalk.scene.faults import NO_VALUE
@@ -62,6 +61,7 @@ class Broadcast:
         self._shape: Any = None
         self._revision = -1
         self._sent: dict[str, dict[str, Any]] = {}
+        self._bodies = Told()
         self._last_status = 0.0
         self._address = ""
         self._told: Any = None
@@ -120,7 +120,7 @@ class Broadcast:
         elif command.type == "save":
             aside(partial(self._carry_out, item, partial(self._save, item)), "save", self.wake)
         elif takes_long(command, self.session):
-            self._warn_of_compiling(command)
+            self._note(note_of_compiling(command, self.session))
             what = partial(self._carry_out, item, partial(self.act, item, compiles=True))
             self._lent = aside(what, "lent", self.wake)
         else:
@@ -199,15 +199,6 @@ class Broadcast:
     def _end_steps(self) -> None:
         for item in self._steps.end():
             self._done(item.what, item.reply)
-
-    def _warn_of_compiling(self, command: Command) -> None:
-        """Say that a method will be compiled first, when it will."""
-        if isinstance(command, Set) and command.name == "method":
-            name, rare = command.value, self.session.main.simulation.system.rare
-            method = METHODS.get(str(name))
-            if method is not None and not is_compiled(method.advance, rare):
-                text = f"compiling {name}: the first time on this machine takes a minute or two"
-                self.audience.tell({"type": "note", "text": text})
 
     @property
     def count(self) -> int:
@@ -316,11 +307,16 @@ class Broadcast:
                 self.layout_number += 1
                 self._compared = Compared()
             self._tell({**made, "layout": self.layout_number})
+            self._bodies.moved(self.session.main.simulation)
             self._tell(describe.parameters(self.session))
             self.meter.ask([track.simulation.model for track in self.session.tracks])
             loaded = (self.session.loaded, self.session.preset)
             self._address = address(self.session.start, loaded, self.session.changes)
         session = self.session
+        if self._bodies.moved(session.main.simulation):
+            found = describe.obstacles(session)
+            self._sent["layout"] = {**self._sent["layout"], "obstacles": found}
+            self.audience.tell({"type": "obstacles", "obstacles": found})
         about = (session.speed, session.broken, session.undo.word)
         now = (self.playing, *about, self._address, self.text)
         if now != self._told:

@@ -65,9 +65,15 @@ def carry_over(old: Simulation, scene: Scene, source: Floats) -> Simulation:
     if made.plan.dt != dt:
         start, dt, step = old.time, made.plan.dt, 0
     drive = old.state.winch_drive if scene.winches else snapshot.winch_drive
+    same = len(scene.obstacles) == len(old.scene.obstacles)
     made.restore(
         snapshot._replace(
-            start=start, dt=dt, step=step, motion_kinds=kinds, winch_drive=drive.copy()
+            start=start,
+            dt=dt,
+            step=step,
+            motion_kinds=kinds,
+            winch_drive=drive.copy(),
+            bodies=old.state.bodies if same else snapshot.bodies,
         )
     )
     if scene.obstacles or scene.contact is not None:

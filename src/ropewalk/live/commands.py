@@ -95,6 +95,17 @@ class Drop(Command):
     anchor: Name
 
 
+class Obstacle(Command):
+    """A hand leads an obstacle to a place, or turns it; `begin` in the first command of a stroke."""
+
+    type: Literal["obstacle"]
+    obstacle: Name
+    target: Vector | None = None
+    angle: Annotated[Number, Field(ge=-FAR, le=FAR)] | None = None
+    pace: Pace = 1.0
+    begin: Annotated[bool, Field(strict=True)] = True
+
+
 class Grab(Command):
     type: Literal["grab"]
     node: Index
@@ -205,8 +216,8 @@ class Seek(Command):
 COMMANDS: dict[str, type[Command]] = {
     str(model.model_fields["type"].annotation.__args__[0]): model  # type: ignore[union-attr]
     for model in (
-        Ack, Play, Pause, Step, Speed, Reset, Set, Move, Drag, Drop, Grab, LetGo, Pin, Unpin, Cut, Untie,
-        Tie, Knot, Load, Kick, SceneCommand, Compare, Back, Undo, Remedy, Listen, Save, Seek,
+        Ack, Play, Pause, Step, Speed, Reset, Set, Move, Drag, Drop, Obstacle, Grab, LetGo, Pin, Unpin, Cut,
+        Untie, Tie, Knot, Load, Kick, SceneCommand, Compare, Back, Undo, Remedy, Listen, Save, Seek,
     )
 }  # fmt: skip
 # Those that change the simulation, and so are kept in a session's log.
@@ -218,6 +229,7 @@ PHYSICAL = frozenset(
         "move",
         "drag",
         "drop",
+        "obstacle",
         "grab",
         "let_go",
         "pin",

@@ -50,10 +50,16 @@ def layout(session: Session) -> dict[str, Any]:
         "gravity": list(scene.gravity),
         "ground": ground,
         "view": {"center": center, "radius": radius},
-        "obstacles": obstacle_list(scene, session.main.simulation.layout),
+        "obstacles": obstacles(session),
         "scalars": list(SCALARS),
         "variants": variants,
     }
+
+
+def obstacles(session: Session) -> list[dict[str, Any]]:
+    """Return the obstacles of a session, with the motions that hands have given them."""
+    simulation = session.main.simulation
+    return obstacle_list(session.scene, simulation.layout, simulation.bodies)
 
 
 def written(layout: dict[str, Any]) -> Any:

@@ -12,7 +12,7 @@ from ropewalk.live.parameters import refusal
 
 Reply = Callable[[dict[str, Any]], None]
 MOST_WAITING = 2000
-_COALESCED = frozenset(["set", "drag", "grab", "move"])
+_COALESCED = frozenset(["set", "drag", "grab", "move", "obstacle"])
 
 
 class Item(NamedTuple):
@@ -78,7 +78,7 @@ def _replaceable(item: Item) -> bool:
 
 def _subject(item: Item) -> tuple[Any, ...]:
     """What a command is about."""
-    about = item.what.model_dump(exclude={"id", "value", "target", "velocity", "pace"})
+    about = item.what.model_dump(exclude={"id", "value", "target", "velocity", "pace", "angle"})
     return (item.client, *sorted((key, str(value)) for key, value in about.items()))
 
 

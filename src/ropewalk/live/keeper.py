@@ -18,15 +18,18 @@ from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
 
+from ropewalk.hands.drum import PARTED
+from ropewalk.live.bodies import Spot, Way, spots, ways_of, with_ways
 from ropewalk.live.commands import Command
 from ropewalk.live.frozen import Frozen, scene_now
+from ropewalk.live.gaps import Parted
 from ropewalk.live.session import Session
 from ropewalk.lowering import Layout, Plan
 from ropewalk.record.errors import RunError
 from ropewalk.record.event_log import log
 from ropewalk.record.facts import FINISHED, RUNNING, Facts, now, provenance
 from ropewalk.record.files import writing
-from ropewalk.record.folder import begin, change_provenance, write_status
+from ropewalk.record.folder import begin, change_provenance, change_scene, write_status
 from ropewalk.record.lock import locked
 from ropewalk.record.place import DATA, new_folder
 from ropewalk.record.store import Writer
@@ -49,6 +52,9 @@ class Part:
     folder: Path
     writer: Writer
     facts: Facts
+    scene: Scene
+    ways: dict[str, Way]  # of bodies that hands move
+    moved: bool = False  # there is more of them than in the file
     frames: int = 0
     last_time: float = 0.0
 
@@ -71,6 +77,8 @@ class Keeper:
         self._every = 1
         self._count = 0
         self._layout: Layout | None = None
+        self._taken: dict[str, tuple[bool, bool]] = {}  # bodies that hands have moved, turned
+        self._parted: tuple[Parted, ...] = ()  # what was told of
         self._held = ExitStack()
         if go_on:
             self._held.enter_context(locked(folder))
@@ -92,25 +100,36 @@ class Keeper:
         about = command.model_dump(mode="json", exclude={"id"})
         self._put(lambda: self._log("command", step=count, client=client, command=about))
         simulation = self.session.main.simulation
-        if command.type in _JUMPS or simulation.layout != self._layout:
+        taken = {name: one.taken for name, one in spots(simulation).items()}
+        if command.type in _JUMPS or simulation.layout != self._layout or taken != self._taken:
             self._new_part(Frozen.of(self.session, fresh=command.type in ("reset", "scene")))
 
     def _on_break(self, count: int, variant: int) -> None:
         self._put(lambda: self._log("broken", step=count, variant=variant))
 
     def _on_frame(self, session: Session) -> None:
+        simulation = session.main.simulation
+        parted = session.main.parted
+        new = tuple(one for one in parted if one not in self._parted)
+        self._parted = parted
+        if new:
+            self._put(lambda: self._tell_parted(new))
+        if simulation.layout != self._layout:  # what has parted is two ropes now
+            self._new_part(Frozen.of(session))
+            return
         self._count += 1
         if self._count % self._every == 0:
-            block = session.main.frame()
-            self._put(lambda: self._add(block))
+            block, here = session.main.frame(), spots(simulation)
+            self._put(lambda: self._add(block, here))
 
     def _new_part(self, frozen: Frozen) -> None:
         if self._parts >= MOST_PARTS or self.failure:
             return
         layout, plan = self.session.main.simulation.layout, self.session.main.simulation.plan
-        block = self.session.main.frame()
+        block, here = self.session.main.frame(), spots(self.session.main.simulation)
         self._set_rate(layout)
-        self._put(lambda: self._next_part(frozen.thaw(), layout, plan, block))
+        self._taken = {name: one.taken for name, one in here.items()}
+        self._put(lambda: self._next_part(frozen.thaw(), layout, plan, block, here))
 
     def _set_rate(self, layout: Layout) -> None:
         self._layout = layout
@@ -123,28 +142,42 @@ class Keeper:
     def _begin_part(self, scene: Scene) -> None:
         simulation = self.session.main.simulation
         self._set_rate(simulation.layout)
-        self._next_part(scene, simulation.layout, simulation.plan, self.session.main.frame())
+        here = spots(simulation)
+        self._taken = {name: one.taken for name, one in here.items()}
+        self._parted = self.session.main.parted
+        frame = self.session.main.frame()
+        self._next_part(scene, simulation.layout, simulation.plan, frame, here)
 
-    def _next_part(self, scene: Scene, layout: Layout, plan: Plan, block: Block) -> None:
+    def _next_part(
+        self, scene: Scene, layout: Layout, plan: Plan, block: Block, here: dict[str, Spot]
+    ) -> None:
         self._end_part()
         self._parts += 1
         folder = self.folder if self._parts == 1 else self.folder / f"part-{self._parts}"
         facts = Facts(plan, True, False, RUNNING, provenance=_about(plan))
-        held = self._held if self._parts == 1 else None
+        held, ways = self._held if self._parts == 1 else None, ways_of(here)
         with new_folder(folder, overwrite=False, held=held) as made:
-            writer = begin(made, scene, layout, facts, CHUNK_FRAMES)
+            writer = begin(made, with_ways(scene, ways), layout, facts, CHUNK_FRAMES)
             writer.add(block)
             writer.commit()
             write_status(made, facts, 1, float(block.time[-1]))
             log(made, "started", live=1)
         writer.folder = folder / DATA
-        self._part = Part(folder, writer, facts, 1, float(block.time[-1]))
+        self._part = Part(folder, writer, facts, scene, ways, False, 1, float(block.time[-1]))
 
-    def _add(self, block: Block) -> None:
+    def _tell_parted(self, new: tuple[Parted, ...]) -> None:
+        """Log what has parted in the part in which it did."""
+        if self._part is not None:
+            for one, *_ in new:
+                log(self._part.folder, PARTED, **one._asdict())
+
+    def _add(self, block: Block, here: dict[str, Spot]) -> None:
         part = self._part
         if part is None:
             return
         part.writer.add(block)
+        for name, spot in here.items():
+            part.moved |= part.ways[name].add(spot)
         part.frames += 1
         part.last_time = float(block.time[-1])
         if time.monotonic() - self._last_commit >= COMMIT_SECONDS:
@@ -154,6 +187,9 @@ class Keeper:
         part = self._part
         if part is not None:
             part.writer.commit()
+            if part.moved:
+                change_scene(part.folder, with_ways(part.scene, part.ways))
+                part.moved = False
             seconds = time.monotonic() - self._begun
             write_status(part.folder, part.facts.but(seconds=seconds), part.frames, part.last_time)
         self._last_commit = time.monotonic()

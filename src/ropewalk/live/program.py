@@ -27,7 +27,7 @@ class ProgramBroadcast(Broadcast):
     @property
     def can(self) -> list[str]:
         """The types of commands that are accepted."""
-        return ["move", "drag", "drop", "grab", "let_go", "kick"]
+        return ["move", "drag", "drop", "obstacle", "grab", "let_go", "kick"]
 
     def tick(self) -> None:
         """Carry out what waits, bring the hands up to date, show a frame."""

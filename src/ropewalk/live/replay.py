@@ -26,7 +26,7 @@ from ropewalk.live.frame import (
     combined,
     encode,
 )
-from ropewalk.live.gaps import located, told
+from ropewalk.live.gaps import Parted, located, told
 from ropewalk.live.inbox import Reply
 from ropewalk.live.keeper import parts
 from ropewalk.live.messages import error_message
@@ -224,8 +224,7 @@ class ReplayBroadcast:
         places, end = self.parts[part].shape.places(HEADER.size)
         scene, spans = result.scene, result.layout.ropes
         center, radius = view_box(result.read("positions", 0, 1)[0], scene)
-        parted = result.partings
-        where = {result.layout.node(one.segment, one.rope): one for one in parted}
+        where = {result.layout.node(one.segment, one.rope): one for one in result.partings}
         later = float(self.times[self.first[part]] - result.time[0])
         return {
             "type": "layout",
@@ -250,11 +249,24 @@ class ReplayBroadcast:
                     "loads": load_list(scene, result.layout),
                     "forces": force_list(scene, result.layout),
                     "joints": joint_list(scene, result.layout),
-                    **told([located(one, scene) for one in parted], where, later),
+                    **told(self._parted(part), where, later),
                     "offsets": places._asdict(),
                 }
             ],
         }
+
+    def _parted(self, part: int) -> list[Parted]:
+        """Return what has parted in a part and before it, at the times of that part."""
+        found = []
+        now = float(self.times[self.first[part]] - self.parts[part].result.time[0])
+        for before in range(part + 1):
+            result = self.parts[before].result
+            shift = float(self.times[self.first[before]] - result.time[0]) - now
+            found += [
+                located(one._replace(time=one.time + shift), result.scene)
+                for one in result.partings
+            ]
+        return found
 
     def _break(self, part: int) -> dict[str, Any] | None:
         """When the last part broke and why, where frames past that are shown."""

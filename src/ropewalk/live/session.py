@@ -222,7 +222,8 @@ class Session:
             raise KeyError(command.type)
         count = self.count
         before = self._everything()
-        moment = self._moment() if command.type in WORDS else None
+        begins = getattr(command, "begin", True)  # of a stroke all is undone at once
+        moment = self._moment() if command.type in WORDS and begins else None
         try:
             if opened is not None:
                 self.adopt(opened)

@@ -7,20 +7,33 @@ from typing import Any
 
 import numpy as np
 
+from ropewalk.core.arrays import Floats
+from ropewalk.engine.engine import Bodies
 from ropewalk.laws.obstacle import Obstacles, moves
 from ropewalk.laws.obstacle_rows import corners_of
 from ropewalk.laws.obstacle_shapes import MESH
 from ropewalk.lowering import Layout
+from ropewalk.motions.kind import ORIGIN
 from ropewalk.motions.rows import kind_of, own_table
+from ropewalk.motions.velocity import INTERVAL, WAY
 from ropewalk.record.obstacle_table import obstacle_table
 from ropewalk.scene import Obstacle, Scene
+from ropewalk.scene.obstacles import is_free
+
+_NEVER = 1e9  # [s]
 
 
-def obstacle_list(scene: Scene, where: Layout) -> list[dict[str, Any]]:
-    """Return the obstacles of a layout message."""
+def obstacle_list(
+    scene: Scene, where: Layout, bodies: Bodies | None = None
+) -> list[dict[str, Any]]:
+    """Return the obstacles of a layout message; `bodies` is how they move by hand."""
     table = obstacle_table(scene, where)
     if table is None:
         return []
+    if bodies is not None:
+        motion = table.motion._replace(kind=bodies.kind, params=bodies.params)
+        turns = table.turns._replace(kind=bodies.turning, params=bodies.angles)
+        table = table._replace(motion=motion, turns=turns, spin=bodies.spin)
     return [
         {
             "name": body.name or f"obstacle{row}",
@@ -30,6 +43,7 @@ def obstacle_list(scene: Scene, where: Layout) -> list[dict[str, Any]]:
             "size": _numbers(_size(table, row)),
             "friction": body.friction,
             "spin": _numbers(table.spin[row]) if table.spin[row][0] else None,
+            "turnable": hasattr(body, "spin") and not is_free(body),
             **_moving(table, row),
             **_surface(body),
         }
@@ -47,6 +61,8 @@ def _moving(table: Obstacles, row: int) -> dict[str, Any]:
         found["wheel"] = wheel
     if kind_of(turns, row).name == "table":
         found["turns"] = own_table(turns, row).tolist()
+    elif kind_of(turns, row).name == "velocity":  # by hand
+        found["turns"] = _two_angles(turns.params[row])
     if moves(table, row):
         rows = own_table(motion, row).tolist()
         found["motion"] = {
@@ -71,6 +87,14 @@ def _surface(body: Obstacle) -> dict[str, Any]:
         "vertices": np.round(corners_of(body), 6).ravel().tolist(),
         "faces": [corner for face in body.faces for corner in face],
     }
+
+
+def _two_angles(params: Floats) -> list[list[float]]:
+    """Return what turns evenly for a while as the rows of a table."""
+    angle, rate = float(params[ORIGIN][0]), float(params[WAY][0])
+    start, stop = float(params[INTERVAL][0]), min(float(params[INTERVAL][1]), _NEVER)
+    rest = [0.0] * 10
+    return [[start, angle, rate, *rest], [stop, angle + rate * (stop - start), 0.0, *rest]]
 
 
 def _numbers(values: Any) -> list[float | None]:

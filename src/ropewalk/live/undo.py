@@ -13,6 +13,7 @@ WORDS = {
     "unpin": "letting go",
     "load": "the load",
     "kick": "the kick",
+    "obstacle": "moving the obstacle",
     "reset": "the reset",
 }
 

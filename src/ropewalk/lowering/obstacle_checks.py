@@ -64,7 +64,9 @@ def _sharp(scene: Scene, system: System) -> list[Fault]:
 def step_past_nodes(scene: Scene, system: System) -> float:
     """Return an automatic step in which no obstacle moves past nodes [s]; inf: none moves."""
     found = (
-        0.9 * _radius(system, body) / speed for body, speed in _speeds(scene, system) if speed > 0.0
+        0.9 * radius_with_rope(system, body) / speed
+        for body, speed in _speeds(scene, system)
+        if speed > 0.0
     )
     return min(found, default=math.inf)
 
@@ -75,7 +77,7 @@ def _speeds(scene: Scene, system: System) -> list[tuple[Obstacle, float]]:
     return [(body, largest_speed(motion, row)) for row, body in enumerate(scene.obstacles)]
 
 
-def _radius(system: System, body: Obstacle) -> float:
+def radius_with_rope(system: System, body: Obstacle) -> float:
     """Return a body's least radius, with half the diameter of the thickest rope [m]."""
     return thinnest(body) + float(system.node.obstacle.thickness.max(initial=0.0))
 
@@ -84,7 +86,7 @@ def refuse_fast(scene: Scene, system: System, step: float) -> None:
     """Raise SceneError for obstacles that move past nodes within a step [s]."""
     faults = []
     for row, (body, speed) in enumerate(_speeds(scene, system)):
-        radius = _radius(system, body)
+        radius = radius_with_rope(system, body)
         if speed * step > radius:
             rule = (
                 f"is {1e3 * speed * step:.4g} mm in a step of {1e3 * step:.4g} ms, more than the radius of "

@@ -86,6 +86,13 @@ def change_provenance(folder: Path, **more: Any) -> None:
     write_sealed(folder / PROVENANCE, {**read_provenance(folder), **more}, sync=True)
 
 
+def change_scene(folder: Path, scene: Scene) -> None:
+    """Write another scene for a run whose obstacles were moved meanwhile. Raises RunError, OSError."""
+    text = dumps(scene).encode()
+    write(folder / SCENE, text, sync=True)
+    change_provenance(folder, scene_hash=_hash(text))
+
+
 def read_provenance(folder: Path) -> dict[str, Any]:
     """Read the provenance of a run. Raises RunError."""
     if (version := read_json(folder / PROVENANCE).get("format")) not in READABLE:

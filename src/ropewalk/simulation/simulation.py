@@ -18,6 +18,7 @@ from ropewalk.engine.engine import Fall, counts, working_space
 from ropewalk.engine.islands import make_engine
 from ropewalk.engine.slices import Edges
 from ropewalk.engine.spare import Spare
+from ropewalk.hands.body import handles
 from ropewalk.hands.drive import Driven, Goal
 from ropewalk.hands.drum import WinchHandle
 from ropewalk.hands.hand import AnchorHandle
@@ -27,7 +28,6 @@ from ropewalk.lowering.plan import divide
 from ropewalk.methods.recording import ENERGIES, Recording, make_recording, record_frame
 from ropewalk.methods.scratch import make_sums
 from ropewalk.methods.watch import watch
-from ropewalk.motions.registry import HAND
 from ropewalk.scene import Scene
 from ropewalk.simulation.block import Block
 from ropewalk.simulation.rope_contacts import one_by_one, rope_contacts
@@ -47,8 +47,8 @@ LONGEST_BLOCK = 2048  # frames
 #: What a Simulation offers to those who step it; `dir` shows these alone.
 PUBLIC = (
     "advance_frames", "advance_steps", "anchors", "applied_forces", "apply_force", "cut_joint", "failure",
-    "frames", "layout", "ledger", "plan", "positions", "reactions", "reason", "reset", "restore", "scene",
-    "state", "step", "step_counts", "tension", "time", "velocities", "view", "winches",
+    "frames", "layout", "ledger", "obstacles", "plan", "positions", "reactions", "reason", "reset",
+    "restore", "scene", "state", "step", "step_counts", "tension", "time", "velocities", "view", "winches",
 )  # fmt: skip
 
 
@@ -94,7 +94,7 @@ class Simulation(Driven):
         self.model = self._engine.model
         self.scene, self.layout, self.plan = self.model.scene, self.model.layout, self.model.plan
         self.system, self._state = self._engine.system, self._engine.state
-        self._kinds, self._drive, self._turns = self._engine.controls
+        self._kinds, self._drive, self._turns, self._bodies = self._engine.controls
         self._goals: dict[int, Goal] = {}
         self._due = 0.0
         self._first = None
@@ -115,6 +115,7 @@ class Simulation(Driven):
         self.winches = {
             winch.name: WinchHandle(self, row) for row, winch in enumerate(self.scene.winches)
         }
+        self.obstacles = handles(self)
 
     def __dir__(self) -> list[str]:
         """What completion shows: not what recorders and pages use besides."""
@@ -162,7 +163,8 @@ class Simulation(Driven):
         """A copy of everything that evolves; `restore` goes back to it, to the same bits."""
         kinds, drive, turns = self._kinds.copy(), self._drive.copy(), self._turns.copy()
         state, walk = arrays.copy(self._state), arrays.copy(self._engine.walk)
-        return Snapshot(state, *self.clock, kinds, drive, walk, turns, self._engine.inner)
+        bodies = arrays.copy(self._bodies)
+        return Snapshot(state, *self.clock, kinds, drive, walk, turns, bodies, self._engine.inner)
 
     @property
     def step_counts(self) -> dict[str, float]:
@@ -176,6 +178,7 @@ class Simulation(Driven):
         self._start, self._dt, self._step = snapshot.start, snapshot.dt, snapshot.step
         self._kinds[:], self._drive[:] = snapshot.motion_kinds, snapshot.winch_drive
         self._turns[:] = snapshot.clamp_turns
+        arrays.assign(self._bodies, snapshot.bodies)
         self._engine.restore(snapshot.inner, snapshot.walk)
         self.system.flags[APPLIED] = int(self._state.forces.applied.any())
 
@@ -339,24 +342,12 @@ class Simulation(Driven):
         if engine is self._engine:
             return self
         found = Simulation(engine.model, ledger=self.ledger)
-        kinds, drive, turns = engine.controls
-        here = Snapshot(
-            engine.state, *self.clock, kinds, drive, engine.walk, turns, found.state.inner
-        )
-        found.restore(here)
+        kinds, drive, turns, bodies = engine.controls
+        state, walk, inner = engine.state, engine.walk, found.state.inner
+        found.restore(Snapshot(state, *self.clock, kinds, drive, walk, turns, bodies, inner))
         return found
 
     # -- hands --------------------------------------------------------------------------
-
-    def take_in_hand(self, row: int) -> None:
-        """Let the anchor in a `row` be moved by its velocity from now on, whatever its motion was."""
-        self._kinds[row] = HAND
-        self._begin_anew(row)
-
-    def turn_by_hand(self, row: int, speed: float) -> None:
-        """Let the winch in a `row` turn at `speed` [m/s] from now on, whatever the scene told it."""
-        self._drive[:, row] = speed, -math.inf, math.inf
-        self._begin_anew(int(self.system.winches.anchor[row]))
 
     def cut_joint(self, name: str) -> None:
         """Let the nodes of the joint called `name` go their own ways from now on.
@@ -373,8 +364,11 @@ class Simulation(Driven):
         state.inverse_mass[held] = 0.0
         self._prepare()
 
-    def _begin_anew(self, row: int) -> None:
-        """Let the adaptive method walk on from the state that is shown, where anchor `row` holds a rope."""
+    def _begin_anew(self, row: int | None) -> None:
+        """Let the adaptive method walk on from the state that is shown, where anchor `row` holds a rope.
+
+        None: wherever an obstacle may be touched.
+        """
         self._engine.begin_anew(row)
 
     def view(self, *, open_browser: bool = True, port: int | None = None) -> View:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from ropewalk.core.arrays import Floats, Ints, State
+from ropewalk.engine.engine import Bodies
 from ropewalk.methods.adaptive import Walk
 
 
@@ -19,4 +20,5 @@ class Snapshot(NamedTuple):
     winch_drive: Floats  # (3, w) speed [m/s], start and stop [s] of the winches
     walk: Walk  # of the adaptive method
     clamp_turns: Floats  # (3, a, 3) direction, axis and turn of the clamps, see `arrays.Bending`
+    bodies: Bodies  # how obstacles move, as hands have it
     inner: Floats  # (m,) what islands keep to themselves; (0,) where all is one

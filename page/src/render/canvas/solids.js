@@ -1,7 +1,8 @@
 // The bodies that ropes touch on Canvas 2D: their outlines in a few shades, and the marks of those that turn.
 
 import { css } from "../../view/colours.js";
-import { cross, plus, times, unit, minus } from "../../view/vector.js";
+import { RIM } from "../../view/solids.js";
+import { cross, dot, plus, times, unit, minus } from "../../view/vector.js";
 
 /** @typedef {import("../../view/camera.js").Camera} Camera */
 /** @typedef {import("../../view/solids.js").Solid} Solid */
@@ -12,6 +13,8 @@ import { cross, plus, times, unit, minus } from "../../view/vector.js";
 
 const ROUND = 36; // corners of a circle
 const MARKS = 6; // of a body that turns
+const STRIPS = 12; // of half a pipe
+const PIECES = 8; // of each, either way from the middle of the scene
 const LONG = 20; // radii of the scene, half of what is endless
 
 /** Draw all bodies, the nearer later. @param {CanvasRenderingContext2D} context @param {View} view
@@ -24,6 +27,7 @@ export function drawSolids(context, view, theme) {
   for (const { solid, turn } of order) {
     if (solid.kind === "plane") drawPlane(context, camera, solid, room.radius, theme);
     else if (solid.kind === "torus") drawRing(context, camera, solid, theme);
+    else if (solid.kind === "half-pipe") drawTrough(context, camera, solid, room, theme);
     else drawBody(context, camera, solid, room.radius, theme);
     if (solid.spin || solid.turns || solid.wheel !== null)
       drawMarks(context, camera, solid, turn, room.radius, theme);
@@ -113,6 +117,42 @@ function drawPlane(context, camera, { center, axis }, radius, theme) {
   if (sheet.length < ROUND) return;
   context.fillStyle = css(theme.body, 0.55);
   fill(context, sheet);
+}
+
+/** What is seen of the inside of a half-pipe, in pieces; the near wall is cut away.
+ * @param {CanvasRenderingContext2D} context @param {Camera} camera @param {Solid} solid
+ * @param {{center: ArrayLike<number>, radius: number}} room @param {Theme} theme */
+function drawTrough(context, camera, { center, axis, size }, room, theme) {
+  const above = /** @type {Vector} */ (size.slice(1));
+  const beside = cross(above, axis);
+  const middle = plus(center, axis, dot(minus(room.center, center), axis));
+  const edge = (/** @type {number} */ k) => {
+    const angle = (Math.PI * Math.min(Math.max(k, 0), STRIPS)) / STRIPS;
+    const at = plus(middle, beside, size[0] * Math.cos(angle));
+    const high = k < 0 || k > STRIPS ? RIM * size[0] : -size[0] * Math.sin(angle);
+    return plus(at, above, high);
+  };
+  for (let i = 0; i < STRIPS + 2; i++) {
+    const [from, to] = [edge(i - 1), edge(i)];
+    const half = times(plus(from, to), 0.5);
+    const inward = unit(cross(axis, minus(to, from)));
+    const facing =
+      dot(inward, minus(camera.eye, half)) *
+      dot(inward, minus(plus(middle, above, 0.1 * size[0]), half));
+    if (facing <= 0) continue;
+    context.fillStyle = shade(theme, 0.75 + 0.35 * Math.sin((Math.PI * (i + 0.5)) / (STRIPS + 2)));
+    for (let piece = -PIECES; piece < PIECES; piece++) {
+      const [a, b] = [piece, piece + 1].map((k) => (2.2 * k * room.radius) / PIECES);
+      const corners = [
+        plus(from, axis, a),
+        plus(from, axis, b),
+        plus(to, axis, b),
+        plus(to, axis, a),
+      ];
+      const seen = flat(camera, corners);
+      if (seen.length === 4) fill(context, seen);
+    }
+  }
 }
 
 /** @param {CanvasRenderingContext2D} context @param {Camera} camera @param {Solid} solid @param {number} turn

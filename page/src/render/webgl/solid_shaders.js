@@ -1,7 +1,10 @@
 // The shaders of the bodies that ropes touch. A body is found by going along each pixel's ray by the distance to its
 // surface; what is found is kept, with its depth, until the camera moves.
 
+import { RIM } from "../../view/solids.js";
 import { COMMON } from "./shaders.js";
+
+const real = (/** @type {number} */ value) => value.toFixed(4);
 
 /** The distance of a place, from the body's centre, to its surface. */
 export const SURFACE = /* glsl */ `
@@ -13,7 +16,9 @@ float surface(vec3 p, int kind, vec3 axis, vec4 size, float bevel) {
     vec3 q = abs(p) - size.xyz;
     return length(max(q, 0.0)) + min(max(q.x, max(q.y, q.z)), 0.0) - size.w;
   }
-  float rho = length(p - along * axis);
+  vec3 across = p - along * axis;
+  float rho = length(across);
+  if (kind == 6) return size.x - (dot(across, size.yzw) > 0.0 ? abs(dot(across, cross(size.yzw, axis))) : rho);
   if (kind == 5) return length(vec2(rho - size.x, along)) - size.y;
   if (kind == 3) return length(vec2(rho, max(abs(along) - size.y, 0.0))) - size.x;
   vec2 q = vec2(rho - size.x, abs(along) - size.y) + bevel;
@@ -76,6 +81,19 @@ vec3 ray(out float straight) {
   straight = 1.0 / length(found);
   return found * straight;
 }
+// Where a ray leaves a trough: the wall before it is cut away. It fades far from the scene, as a plane does.
+vec2 leave(vec3 from, vec3 way) {
+  vec3 above = sizes.yzw, side = cross(above, axis);
+  vec2 o = vec2(dot(from, side), dot(from, above)), d = vec2(dot(way, side), dot(way, above));
+  float r = sizes.x, a = max(dot(d, d), 1e-12), b = dot(o, d), c = dot(o, o) - r * r, root = b * b - a * c;
+  float rim = ${real(RIM)} * r, wall = (sign(d.x) * r - o.x) / d.x, t = 0.0, cover = 0.0;
+  float high = o.y + d.y * wall, perPixel = pixel * max(wall, 0.0) + 1e-9;
+  if (wall > 0.0 && high > 0.0) { t = wall; cover = clamp((rim - high) / perPixel + 0.5, 0.0, 1.0); }
+  float round = root > 0.0 ? (sqrt(root) - b) / a : 0.0;
+  if (cover == 0.0 && round > 0.0 && o.y + d.y * round <= 0.0) { t = round; cover = 1.0; }
+  float far = length(from + way * t + centre - middle) / (2.2 * radius);
+  return vec2(t, cover * exp(-far * far * far));
+}
 // Go along a ray; returns the way to the surface, or to where the ray comes nearest, and how much of the pixel it
 // covers.
 vec2 follow(vec3 way, float straight) {
@@ -86,6 +104,7 @@ vec2 follow(vec3 way, float straight) {
     float far = length(p) / (2.2 * radius);
     return vec2(t, t > 0.0 ? exp(-far * far * far) : 0.0);
   }
+  if (kind == 6) return leave(from, way);
   float towards = -dot(from, way);
   float aside = dot(from, from) - towards * towards, room = reach + 2.0 * pixel * max(towards, 0.0);
   if (aside > room * room) return vec2(0.0);
@@ -159,9 +178,10 @@ void main() {
   float straight;
   vec3 way = ray(straight);
   uvec4 known = texelFetch(info, ivec2(gl_FragCoord.xy), 0);
-  vec2 found = known.z == uint(number + 1) && kind != 0
+  bool fades = kind == 0 || kind == 6;
+  vec2 found = known.z == uint(number + 1) && !fades
     ? vec2(uintBitsToFloat(known.x) / straight, 1.0)
-    : kind == 0 || atEdge() ? follow(way, straight) : vec2(0.0);
+    : fades || atEdge() ? follow(way, straight) : vec2(0.0);
   if (found.y <= 0.0) discard;
   vec3 p = eye - centre + way * found.x;
   float depth = found.x * straight, perPixel = pixel * depth;

@@ -1,0 +1,208 @@
+"""Obstacles as live objects: read where they are, move and turn them by hand.
+
+A hand gives a body a velocity, or a rate about its axis, from now on or for a while: a motion as a scene may
+have it, in place of the scene's own. So contacts see the velocity of its surface, and what it gives to
+ropes is booked as that of any obstacle that moves.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ropewalk.core.arrays import Floats
+from ropewalk.hands.hand import three
+from ropewalk.lowering.obstacle_checks import radius_with_rope
+from ropewalk.motions.kind import ORIGIN
+from ropewalk.motions.registry import CODES
+from ropewalk.motions.velocity import INTERVAL, WAY
+from ropewalk.motions.whereabouts import place_now
+from ropewalk.scene.obstacles import is_free
+from ropewalk.words.annotations import unquoted
+
+if TYPE_CHECKING:
+    from ropewalk.scene.obstacles import Obstacle
+    from ropewalk.simulation import Simulation
+
+_VELOCITY = CODES["velocity"]
+_LATE = 1e-13  # [1] of the time
+_EVEN = (
+    1e-9  # [1] of a step: what is no more than this beyond a whole number of steps is that number
+)
+
+
+@unquoted
+class ObstacleHandle:
+    """One obstacle of a running simulation."""
+
+    def __init__(self, simulation: Simulation, row: int) -> None:
+        self._simulation = simulation
+        self._row = row
+
+    @property
+    def position(self) -> Floats:
+        """Where its middle is, of a plane or a half-pipe the point that the scene gives [m], (3,), a copy."""
+        return self._now[:3].copy()
+
+    @property
+    def velocity(self) -> Floats:
+        """Its velocity [m/s], (3,), a copy.
+
+        Set it to move the obstacle from now on, whatever motion it had. Raises ValueError for anything but
+        three finite numbers, and for a speed at which it would jump over nodes within a step.
+        """
+        return self._now[3:].copy()
+
+    @velocity.setter
+    def velocity(self, value: ArrayLike) -> None:
+        self._move(three("velocity", value, "m/s"), math.inf)
+
+    def move_to(self, position: ArrayLike, duration: float) -> None:
+        """Let it go to a `position` [m], (3,), straight and evenly, in `duration` [s], and rest there.
+
+        It arrives at the end of a step, with steps of one length. Whatever motion it had is forgotten.
+
+        Raises ValueError for anything but three finite numbers, for a duration that is not positive and
+        finite, and for a speed at which it would jump over nodes within a step.
+        """
+        way = three("position", position, "m") - self.position
+        seconds, stop = self._whole(duration)
+        self._move(way / seconds, stop)
+
+    @property
+    def angle(self) -> float:
+        """How far it has turned about its axis since time zero [rad]."""
+        return self._turned[0]
+
+    @property
+    def rate(self) -> float:
+        """The rate at which it turns about its axis [rad/s].
+
+        Set it to turn the obstacle from now on, whatever the scene told it. Raises ValueError for anything
+        but a finite number, for an obstacle that has no axis to turn about, and for one that turns freely.
+        """
+        return self._turned[1]
+
+    @rate.setter
+    def rate(self, value: float) -> None:
+        self._turn(_finite("rate", value, "rad/s"), math.inf)
+
+    def turn_to(self, angle: float, duration: float) -> None:
+        """Let it turn evenly to an `angle` [rad], counted as `angle` is, in `duration` [s], and rest there.
+
+        Raises ValueError as `rate` does, and for a duration that is not positive and finite.
+        """
+        seconds, stop = self._whole(duration)
+        self._turn((_finite("angle", angle, "rad") - self.angle) / seconds, stop)
+
+    @property
+    def fastest(self) -> float:
+        """The largest speed at which it jumps over no node within a step [m/s]."""
+        simulation = self._simulation
+        return radius_with_rope(simulation.system, self._body) / simulation.clock[1]
+
+    @property
+    def turns(self) -> bool:
+        """Whether a hand can turn it: it has an axis to turn about, and does not turn freely."""
+        return hasattr(self._body, "spin") and not is_free(self._body)
+
+    @property
+    def taken(self) -> tuple[bool, bool]:
+        """Whether its motion, and its turning, are no longer those of the scene."""
+        bodies, row = self._simulation.bodies, self._row
+        own = self._simulation.model.system.node.obstacle
+        moved = not np.array_equal(bodies.params[row], own.motion.params[row])
+        turned = not np.array_equal(bodies.angles[row], own.turns.params[row])
+        return moved, turned
+
+    @property
+    def _body(self) -> Obstacle:
+        return self._simulation.scene.obstacles[self._row]
+
+    @property
+    def _now(self) -> Floats:
+        motion = self._simulation.system.node.obstacle.motion
+        return np.array(place_now(motion, self._row, self._simulation.time))
+
+    @property
+    def _turned(self) -> tuple[float, float]:
+        """Angle [rad] and rate [rad/s] now."""
+        simulation, row = self._simulation, self._row
+        table, time = simulation.system.node.obstacle, simulation.time
+        wheel = int(table.wheel[row])
+        if wheel >= 0:
+            angle, rate = simulation.arrays.memory.obstacle.wheel[wheel, :2]
+            return float(angle), float(rate)
+        by_motion = place_now(table.turns, row, time)
+        rate, start, stop = table.spin[row]
+        angle = float(by_motion[0] + rate * min(max(time - start, 0.0), stop - start))
+        return angle, float(by_motion[3] + (rate if start <= time < stop else 0.0))
+
+    def _whole(self, duration: float) -> tuple[float, float]:
+        """Return a duration [s] as that of whole steps, where they have one length, and when it ends [s]."""
+        seconds = _finite("duration", duration, "s")
+        if not seconds > 0.0:
+            raise ValueError(f"duration: {duration!r} - must be a positive number of seconds")
+        start, step, done = self._simulation.clock
+        count = max(1, math.ceil(seconds / step - _EVEN))
+        stop = start + (done + count) * step
+        late = stop * (1.0 + _LATE)  # a step that ends there sees the velocity before it
+        return late - self._simulation.time, late
+
+    def _move(self, velocity: Floats, stop: float) -> None:
+        speed, fastest = float(np.linalg.norm(velocity)), self.fastest
+        if speed > fastest * (1.0 + _EVEN):
+            rule = f"{self._simulation.clock[1]:.3g} s long steps let it jump over nodes; at most {fastest:.4g} m/s"
+            raise ValueError(f"velocity: {speed:.4g} m/s - {rule}")
+        bodies, row, place = self._simulation.bodies, self._row, self.position
+        bodies.kind[row] = _VELOCITY
+        self._set(bodies.params[row], place, velocity, stop)
+
+    def _turn(self, rate: float, stop: float) -> None:
+        if not self.turns:
+            rule = "it turns freely, as ropes turn it" if is_free(self._body) else "it has no axis"
+            raise ValueError(f"rate: {rate:g} rad/s - {rule}; no hand can turn it")
+        bodies, row, angle = self._simulation.bodies, self._row, self.angle
+        bodies.turning[row] = _VELOCITY
+        bodies.spin[row] = 0.0, 0.0, 0.0
+        self._set(bodies.angles[row], np.array([angle, 0.0, 0.0]), np.array([rate, 0.0, 0.0]), stop)
+
+    def _set(self, params: Floats, place: Floats, velocity: Floats, stop: float) -> None:
+        params[...] = 0.0
+        params[ORIGIN], params[WAY], params[INTERVAL] = (
+            place,
+            velocity,
+            (self._simulation.time, stop),
+        )
+        self._simulation.set_off_bodies()
+
+    def __repr__(self) -> str:
+        x, y, z = self.position
+        return f"<Obstacle {name_of(self._body, self._row)!r} at ({x:.4g}, {y:.4g}, {z:.4g}) m>"
+
+
+def _finite(name: str, value: float, unit: str) -> float:
+    """Return a finite number. Raises ValueError for anything else."""
+    try:
+        found = float(value)
+    except (TypeError, ValueError):
+        found = math.nan
+    if not math.isfinite(found):
+        raise ValueError(f"{name}: {value!r} - must be a finite number [{unit}]")
+    return found
+
+
+def name_of(body: Obstacle, row: int) -> str:
+    """Return the name of an obstacle, or what stands for it where it has none."""
+    return body.name or f"obstacle{row}"
+
+
+def handles(simulation: Simulation) -> dict[str, ObstacleHandle]:
+    """Return the handles of all obstacles, by name."""
+    return {
+        name_of(body, row): ObstacleHandle(simulation, row)
+        for row, body in enumerate(simulation.scene.obstacles)
+    }

@@ -1,0 +1,106 @@
+"""Obstacles in the hand of a page: led by pointer and keys, turned, undone; every kind is seen."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+
+from browser.test_solids import over_a_drum, spot
+from browser.window import Window
+from ropewalk.live.serve import ViewServer
+from ropewalk.live.session import Session
+from ropewalk.scene import loads
+
+pytestmark = pytest.mark.browser
+Open = Callable[..., Window]
+Serve = Callable[..., ViewServer]
+WIDE: dict[str, Any] = {"viewport": {"width": 1000, "height": 700}}
+MIDDLE = "r.stage.solids.base('drum')"
+TROUGH = """
+[run]
+duration = 1.0
+time_step = 0.01
+method = "implicit-euler"
+[[rope]]
+segments = 8
+length = 1.0
+diameter = 0.02
+made_of = { kind = "material", EA = 1e4, mass_per_length = 0.1, axial_damping = 5.0 }
+shape = { kind = "straight", start = [-0.1, -0.5, 0.1], end = [0.1, 0.5, 0.1] }
+"""
+GUTTER = """
+[[obstacle]]
+kind = "half-pipe"
+from = [0, -1, 0]
+to = [0, 1, 0]
+radius = 0.4
+"""
+
+
+def on_drum(window: Window) -> tuple[float, float]:
+    """A pixel of the drum's face that no rope is near."""
+    x, y = window.ask(
+        "(() => { const box = r.stage.renderer.canvas.getBoundingClientRect();"
+        "const [x, y] = r.stage.camera.project(0, -0.2, -0.03); return [x + box.left, y + box.top]; })()"
+    )
+    return x, y
+
+
+def test_a_drum_is_led_turned_and_put_back(open_window: Open, serve: Serve) -> None:
+    window = open_window(serve(Session(over_a_drum()), playing=True).address, **WIDE).ready()
+    window.settled() if window.ask("r.state === 'paused'") else None
+    pose = window.ask("JSON.stringify(r.stage.camera.pose)")
+    window.drag(on_drum(window), (0, -40))
+    window.page.mouse.up()
+    window.until(f"{MIDDLE}[2] > 0.02")
+    assert (
+        window.ask("JSON.stringify(r.stage.camera.pose)") == pose
+    )  # it is not the view that moves
+    window.until("r.session.status.undo === 'moving the obstacle'")
+    window.press("Control+z")
+    window.until(f"Math.abs({MIDDLE}[2]) < 1e-9")
+    canvas = window.page.locator("#view canvas, canvas").first
+    canvas.focus()
+    for _ in range(60):
+        window.press("Tab")
+        if "Obstacle drum" in (canvas.get_attribute("aria-valuetext") or ""):
+            break
+    assert "Page Up and Page Down turn it" in canvas.get_attribute("aria-valuetext")
+    window.press("PageUp")
+    window.until("r.stage.solids.angleOf('drum') > 0.1")
+    window.press("ArrowUp")
+    window.until(f"{MIDDLE}[2] > 0.005")
+    assert window.ask("r.session.frame.parts[0].anchors[2]") == pytest.approx(
+        -0.36
+    )  # not the anchor
+
+
+def test_a_paused_drum_and_a_bare_floor_are_left_alone(open_window: Open, serve: Serve) -> None:
+    """With another tool a press on a body does nothing to it; beside it the view turns."""
+    window = open_window(serve(Session(over_a_drum())).address, **WIDE).ready()
+    window.click("#tool-pin")
+    window.drag(on_drum(window), (0, -40))
+    window.page.mouse.up()
+    assert window.ask(f"Math.abs({MIDDLE}[2])") < 1e-9
+    assert window.ask("r.session.status.undo") == ""
+
+
+@pytest.mark.parametrize("renderer", ["webgl", "canvas"])
+def test_a_half_pipe_is_seen_and_hides_no_rope(
+    open_window: Open, serve: Serve, tmp_path: Any, renderer: str
+) -> None:
+    shown = []
+    for text in (TROUGH + GUTTER, TROUGH):
+        server = serve(Session(loads(text)), folder=tmp_path / str(len(shown)))
+        window = open_window(f"{server.address}?renderer={renderer}", **WIDE).ready()
+        window.settled()
+        assert window.at_rope(range(1, 8)) > 0.9
+        pose = "s.setPose({ ...s.camera.pose, azimuth: -0.9, elevation: 0.7 })"
+        window.page.evaluate(f"() => {{ const s = window.ropewalk.stage; {pose}; }}")
+        window.settled()
+        shown.append(np.median(spot(window, (-0.28, 0.0, -0.28)), axis=0))
+        assert window.at_rope(range(1, 8)) > 0.9
+    assert np.abs(shown[0] - shown[1]).max() > 15

@@ -1,0 +1,54 @@
+"""A rope that parts in a session that is kept: the folder tells of it, and a replay of the folder does."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+import ropewalk as rw
+from live.drive import slack_rope
+from ropewalk.live.keeper import Keeper, parts
+from ropewalk.live.relive import relive
+from ropewalk.live.replay import ReplayBroadcast
+from ropewalk.live.session import Session
+from ropewalk.record.result import Result
+
+
+def pulled(strength: float) -> rw.Scene:
+    """A rope whose end is drawn away from it."""
+    scene = slack_rope(20)
+    made_of = scene.ropes[0].made_of.replace(breaking_load=strength, parts=True)
+    rope = scene.ropes[0].replace(made_of=made_of)
+    pull = rw.Anchor(
+        name="right", node=-1, motion={"kind": "velocity", "velocity": (4.0, 0.0, 0.0)}
+    )
+    return scene.replace(ropes=[rope], anchors=[scene.anchors[0], pull])
+
+
+def kept(folder: Path, strength: float) -> Session:
+    session = Session(pulled(strength))
+    keeper = Keeper(session, folder)
+    session.advance(round(0.7 / session.main.dt))
+    keeper.close()
+    assert keeper.failure is None
+    return session
+
+
+def test_a_folder_tells_what_has_parted(tmp_path: Path) -> None:
+    session = kept(tmp_path / "run", 300.0)
+    known = [one.parting for one in session.main.parted]
+    assert known
+    folders = parts(tmp_path / "run")
+    assert len(folders) > 1  # two ropes have arrays of another shape
+    told = [one for folder in folders for one in Result.open(folder).partings]
+    assert told == known
+    stage = ReplayBroadcast(tmp_path / "run")
+    last = stage._layout_message(len(folders) - 1)["variants"][0]
+    assert [one["time"] for one in last["parted"]] == pytest.approx([one.time for one in known])
+    again = relive(tmp_path / "run")
+    assert (again.main.simulation.positions == session.main.simulation.positions).all()
+    # The twin: a rope that holds, whose folder tells of nothing.
+    kept(tmp_path / "strong", 1e6)
+    assert Result.open(tmp_path / "strong").partings == ()
+    assert len(parts(tmp_path / "strong")) == 1

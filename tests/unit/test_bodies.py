@@ -1,0 +1,114 @@
+"""Obstacles moved and turned from Python, while a simulation runs."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+import ropewalk as rw
+from ropewalk.scene import Box, Cylinder, Material, Scene, Straight
+from ropewalk.scene.motions import Velocity
+
+WAY, BEGIN, END = np.array([0.3, 0.0, 0.2]), 0.1, 0.3
+STEP = 1.0 / 240.0
+
+
+def on_a_table(method: str = "implicit-euler", ropes: int = 1, **more: Any) -> Scene:
+    """Ropes that lie on a table beside each other, above a drum far below."""
+    made_of = Material(EA=1e3, mass_per_length=0.1, axial_damping=1.0)
+    lying = [
+        rw.Rope(
+            name=f"rope{k}",
+            segments=8,
+            length=0.6,
+            diameter=0.02,
+            made_of=made_of,
+            shape=Straight(start=(-0.3, 0.1 * k, 0.1), end=(0.3, 0.1 * k, 0.1)),
+        )
+        for k in range(ropes)
+    ]
+    table = Box(
+        name="table", center=(0, 0, 0), half_sizes=(0.6, 0.4, 0.09), edge_radius=0.02, friction=0.5,
+        **more,
+    )  # fmt: skip
+    drum = Cylinder(name="drum", start=(0, -1, -5), end=(0, 1, -5), radius=0.5)
+    pulley = Cylinder(
+        name="pulley", start=(0, -1, -9), end=(0, 1, -9), radius=0.5, spin={"free": True, "inertia": 1.0}
+    )  # fmt: skip
+    bodies = [table, drum, pulley] if ropes == 1 else [table, drum]
+    run = rw.RunSettings(method=method, time_step=STEP, duration=0.5)
+    return Scene(ropes=lying, obstacles=bodies, run=run)
+
+
+def steps(simulation: rw.Simulation, seconds: float) -> None:
+    simulation.advance_steps(round(seconds / simulation.plan.dt))
+
+
+def led(method: str, ropes: int = 1) -> rw.Simulation:
+    """A table that a hand lifts and draws aside."""
+    simulation = rw.Simulation(on_a_table(method, ropes))
+    steps(simulation, BEGIN)
+    simulation.obstacles["table"].move_to((END - BEGIN) * WAY, END - BEGIN)
+    steps(simulation, 0.2 + END - BEGIN)
+    return simulation
+
+
+@pytest.mark.parametrize(("method", "ropes"), [("implicit-euler", 1), ("implicit-euler", 2)])
+def test_a_hand_moves_it_as_the_scene_would(method: str, ropes: int) -> None:
+    """The same motion by hand and in the scene: the same places, works and forces, in every island."""
+    motion = Velocity(velocity=tuple(WAY), start=BEGIN, stop=END)
+    told = rw.Simulation(on_a_table(method, ropes, motion=motion))
+    steps(told, 0.2 + END)
+    hand, still = led(method, ropes), rw.Simulation(on_a_table(method, ropes))
+    steps(still, 0.2 + END)
+    assert np.abs(hand.positions - told.positions).max() < 1e-10
+    works = [one.arrays.work.node.obstacle.sum() for one in (hand, told)]
+    assert works[0] == pytest.approx(works[1], rel=1e-9)
+    lifted = 0.06 * ropes * 9.81 * 0.04
+    assert works[0] == pytest.approx(lifted, rel=0.2)  # and what friction drew along
+    assert hand.obstacles["table"].position == pytest.approx(0.2 * WAY, abs=1e-12)
+    assert hand.obstacles["table"].velocity == pytest.approx(np.zeros(3))
+    # The twin: where nobody moves the table, the rope stays.
+    assert np.abs(hand.positions - still.positions).max() > 0.03
+
+
+def test_velocity_and_rate_hold_until_told_otherwise() -> None:
+    simulation = rw.Simulation(on_a_table())
+    table, drum = simulation.obstacles["table"], simulation.obstacles["drum"]
+    table.velocity, drum.rate = (0.0, 0.0, 0.1), 2.0
+    steps(simulation, 0.2)
+    assert table.position == pytest.approx([0.0, 0.0, 0.02])
+    assert (drum.angle, drum.rate) == pytest.approx((0.4, 2.0))
+    table.velocity = (0.0, 0.0, 0.0)
+    drum.turn_to(0.0, 0.1)
+    steps(simulation, 0.2)
+    assert table.position == pytest.approx([0.0, 0.0, 0.02])
+    assert (drum.angle, drum.rate) == pytest.approx((0.0, 0.0), abs=1e-12)
+
+
+def test_going_back_takes_the_hand_off() -> None:
+    simulation = led("implicit-euler")
+    moment = simulation.state
+    steps(simulation, 0.1)
+    after = simulation.positions.copy()
+    simulation.reset()
+    assert simulation.obstacles["table"].position == pytest.approx(np.zeros(3))
+    simulation.restore(moment)
+    steps(simulation, 0.1)
+    assert (simulation.positions == after).all()
+
+
+def test_what_cannot_be_is_refused() -> None:
+    bodies = rw.Simulation(on_a_table()).obstacles
+    with pytest.raises(ValueError, match="jump over nodes; at most"):
+        bodies["table"].velocity = (100.0, 0.0, 0.0)
+    with pytest.raises(ValueError, match="three finite numbers"):
+        bodies["table"].velocity = (np.nan, 0.0, 0.0)
+    with pytest.raises(ValueError, match="positive number of seconds"):
+        bodies["table"].move_to((0.0, 0.0, 0.0), -1.0)
+    with pytest.raises(ValueError, match="no axis"):
+        bodies["table"].rate = 1.0
+    with pytest.raises(ValueError, match="turns freely"):
+        bodies["pulley"].rate = 1.0
