@@ -13,11 +13,12 @@ import { forget, layoutOf, numberOf, readFrame } from "./source/frame.js";
 /** @typedef {import("./source/protocol.js").Broken} Broken */
 /** @typedef {import("./source/protocol.js").Done} Done */
 /** @typedef {import("./source/protocol.js").Fault} Fault */
+/** @typedef {import("./source/protocol.js").Obstacle} Obstacle */
 /** @typedef {import("./source/frame.js").Frame} Frame */
 
 /** @typedef {{hello: Hello, layout: Layout, parameters: Parameter[], presets: Preset[],
  *   status: Status, stability: Stability[], broken: Broken | null, frame: Frame,
- *   obstacles: {obstacles: import("./source/protocol.js").Obstacle[]}, saved: {folder: string}, sound: {seconds: number, forces: number[]},
+ *   obstacles: {obstacles: Obstacle[]}, saved: {folder: string}, sound: {seconds: number, forces: number[]},
  *   exported: {name: string, url: string}, note: {text: string},
  *   bye: {text: string},
  *   error: Fault, connection: {state: string, text: string}}} Events */

@@ -22,6 +22,7 @@ from time import perf_counter
 
 import numpy as np
 
+from ropewalk.core import arrays
 from ropewalk.core.arrays import APPLIED, Floats, Ints, flatten, pooled
 from ropewalk.core.peaks import Peaks
 from ropewalk.core.status import BROKEN, OK, PAUSED
@@ -134,7 +135,7 @@ class Islands:
         ]
         self._rows = rows, wound, np.concatenate(clamped)
         kinds, drive, turns, bodies = self.controls
-        self._seen = copy(bodies)
+        self._seen = arrays.copy(bodies)
         self._own = Controls(kinds[rows], drive[:, wound], turns[:, self._rows[2]], bodies)
         self._own_controls, a, w, c = [], 0, 0, 0
         for share, held in zip(self.shares, clamped, strict=True):

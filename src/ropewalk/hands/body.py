@@ -155,7 +155,8 @@ class ObstacleHandle:
     def _move(self, velocity: Floats, stop: float) -> None:
         speed, fastest = float(np.linalg.norm(velocity)), self.fastest
         if speed > fastest * (1.0 + _EVEN):
-            rule = f"{self._simulation.clock[1]:.3g} s long steps let it jump over nodes; at most {fastest:.4g} m/s"
+            step = self._simulation.clock[1]
+            rule = f"in steps of {step:.3g} s it would jump over nodes; at most {fastest:.4g} m/s"
             raise ValueError(f"velocity: {speed:.4g} m/s - {rule}")
         bodies, row, place = self._simulation.bodies, self._row, self.position
         bodies.kind[row] = _VELOCITY

@@ -382,7 +382,7 @@ def _structured(session: Session) -> str:
 
 ACTIONS: dict[str, Callable[[Session, Any, int], str]] = {
     "speed": speed, "reset": reset, "set": set_, "move": move, "drag": drag, "drop": drop,
-    "obstacle": obstacle, "grab": grab, "let_go": let_go, "pin": pin, "unpin": unpin, "cut": cut, "load": load,
-    "untie": untie, "tie": tie, "knot": knot, "kick": kick, "scene": scene, "compare": compare,
+    "obstacle": obstacle, "grab": grab, "let_go": let_go, "pin": pin, "unpin": unpin, "cut": cut,
+    "load": load, "untie": untie, "tie": tie, "knot": knot, "kick": kick, "scene": scene, "compare": compare,
     "back": back, "undo": undo, "remedy": remedy,
 }  # fmt: skip

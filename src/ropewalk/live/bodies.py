@@ -1,8 +1,8 @@
 """Obstacles that hands move and turn: how fast, and the way that they went, as a motion of a scene.
 
 A hand gives a body a target; it goes there straight and evenly within `FOLLOW` of the user's time, or as
-fast as `FASTEST` and the run's step allow. What a hand did is kept in the scene of the recorded part: as a table of
-places and angles at its frames, from which figures, replays and tables know where the body was.
+fast as `FASTEST` and the run's step allow. What a hand did is kept in the scene of the recorded part: as a
+table of places and angles at its frames, from which figures, replays and tables know where the body was.
 """
 
 from __future__ import annotations
@@ -28,8 +28,9 @@ FASTEST_TURN = 12.0  # [rad/s]
 
 
 def lead(handle: ObstacleHandle, target: Floats | None, angle: float | None, pace: float) -> None:
-    """Have a body go to a place [m] and turn to an angle [rad]; `pace`: simulated seconds in one of the user's.
+    """Have a body go to a place [m] and turn to an angle [rad].
 
+    `pace`: simulated seconds in one of the user's.
     Raises SceneError for one that no hand can turn.
     """
     follow = FOLLOW * max(pace, SLOWEST)
