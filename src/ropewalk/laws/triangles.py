@@ -47,23 +47,64 @@ def mesh_probe(mesh, x, y, z):
 def nearest(mesh, x, y, z):
     """Return the triangle, its feature, the place on it [m] and the squared distance [m^2]."""
     boxes, corners = int(mesh[BOXES]), int(mesh[TRIANGLES])
-    triangle, feature, px, py, pz, best = 0, FACE, 0.0, 0.0, 0.0, math.inf
+    triangle, feature, px, py, pz, best = in_box(mesh, corners, likely(mesh, x, y, z), x, y, z)
     box = 0
     while box < boxes:
         at = HEAD + BOX_WIDTH * box
-        dx = max(mesh[at] - x, 0.0, x - mesh[at + 3])
-        dy = max(mesh[at + 1] - y, 0.0, y - mesh[at + 4])
-        dz = max(mesh[at + 2] - z, 0.0, z - mesh[at + 5])
-        if dx * dx + dy * dy + dz * dz >= best:
+        if to_box(mesh, at, x, y, z) >= best:
             box = int(mesh[at + 6])
             continue
-        first = int(mesh[at + 7])
-        for t in range(first, first + int(mesh[at + 8])):
-            f, qx, qy, qz = on_triangle(mesh, corners + TRIANGLE_WIDTH * t, x, y, z)
-            square = (x - qx) ** 2 + (y - qy) ** 2 + (z - qz) ** 2
-            if square < best:
-                triangle, feature, px, py, pz, best = t, f, qx, qy, qz, square
+        t, f, qx, qy, qz, square = in_box(mesh, corners, box, x, y, z)
+        if square < best:
+            triangle, feature, px, py, pz, best = t, f, qx, qy, qz, square
         box += 1
+    return triangle, feature, px, py, pz, best
+
+
+@kernel
+def likely(mesh, x, y, z):
+    """Return a box of triangles near a point: from it on most others are known to be farther."""
+    box = 0
+    while mesh[HEAD + BOX_WIDTH * box + 8] == 0.0:
+        one = HEAD + BOX_WIDTH * (box + 1)
+        second = int(mesh[one + 6])
+        other = HEAD + BOX_WIDTH * second
+        near, far = to_box(mesh, one, x, y, z), to_box(mesh, other, x, y, z)
+        if near == far:  # in both
+            near, far = to_middle(mesh, one, x, y, z), to_middle(mesh, other, x, y, z)
+        box = box + 1 if near <= far else second
+    return box
+
+
+@kernel
+def to_box(mesh, at, x, y, z):
+    """Return the squared distance to a box [m^2], 0 inside."""
+    dx = max(mesh[at] - x, 0.0, x - mesh[at + 3])
+    dy = max(mesh[at + 1] - y, 0.0, y - mesh[at + 4])
+    dz = max(mesh[at + 2] - z, 0.0, z - mesh[at + 5])
+    return dx * dx + dy * dy + dz * dz
+
+
+@kernel
+def to_middle(mesh, at, x, y, z):
+    """Return the squared distance to the middle of a box [m^2]."""
+    dx = 0.5 * (mesh[at] + mesh[at + 3]) - x
+    dy = 0.5 * (mesh[at + 1] + mesh[at + 4]) - y
+    dz = 0.5 * (mesh[at + 2] + mesh[at + 5]) - z
+    return dx * dx + dy * dy + dz * dz
+
+
+@kernel
+def in_box(mesh, corners, box, x, y, z):
+    """Return what `nearest` does of the triangles right in a box; inf as the distance where it has none."""
+    at = HEAD + BOX_WIDTH * box
+    first = int(mesh[at + 7])
+    triangle, feature, px, py, pz, best = first, FACE, 0.0, 0.0, 0.0, math.inf
+    for t in range(first, first + int(mesh[at + 8])):
+        f, qx, qy, qz = on_triangle(mesh, corners + TRIANGLE_WIDTH * t, x, y, z)
+        square = (x - qx) ** 2 + (y - qy) ** 2 + (z - qz) ** 2
+        if square < best:
+            triangle, feature, px, py, pz, best = t, f, qx, qy, qz, square
     return triangle, feature, px, py, pz, best
 
 
