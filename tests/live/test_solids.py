@@ -181,3 +181,23 @@ def test_a_joint_is_cut_without_a_jump_and_tied_again_by_undo() -> None:
     assert np.array_equal(session.main.simulation.positions, twin.main.simulation.positions)
     assert np.ptp(session.main.simulation.positions[nodes], axis=0).max() < 1e-9
     assert "no such joint; there is ring" in refused(session, "untie", joint="bow")
+
+
+def test_a_mesh_is_told_with_its_triangles() -> None:
+    """About the origin of its frame, turned and scaled; its size is its rounding."""
+    own = """
+[[obstacle]]
+kind = "mesh"
+vertices = [[1000, 0, 0], [-1000, 1000, 0], [-1000, -1000, 0], [0, 0, 1000]]
+faces = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]
+scale = "1 mm"
+rotation = [0, 0, 1.5707963267948966]
+position = [0, 0, -5]
+rounding = 0.1
+"""
+    here = loads(ROPE + own)
+    (told,) = obstacle_list(here, Simulation(here).layout)
+    assert told["center"] == [0.0, 0.0, -5.0]
+    assert told["size"] == [0.1]
+    assert told["vertices"] == pytest.approx([0, 1, 0, -1, -1, 0, 1, -1, 0, 0, 0, 1])
+    assert told["faces"] == [0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3]

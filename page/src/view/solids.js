@@ -1,21 +1,32 @@
 // The bodies that ropes touch, as they are drawn: how far a place is from their surface, how far they have turned,
 // and what a picture of them must hold.
 
+import { surfaceOf } from "./surface.js";
 import { cross, dot, minus, plus, times, unit } from "./vector.js";
 
 /** @typedef {import("./vector.js").Vector} Vector */
 /** @typedef {import("../source/protocol.js").Obstacle} Obstacle */
 /** @typedef {import("../source/protocol.js").Motion} Motion */
-/** @typedef {"plane" | "sphere" | "cylinder" | "capsule" | "box" | "torus" | "half-pipe"} Kind */
+/** @typedef {"plane" | "sphere" | "cylinder" | "capsule" | "box" | "torus" | "half-pipe" | "mesh"} Kind */
 
 /** One body of one copy. `size` as in the layout message; `zero`: across the axis, where turns are counted from;
  * `reach`: no part of it is farther from its centre [m].
  * @typedef {{name: string, kind: Kind, number: number, center: Vector, axis: Vector, size: number[], zero: Vector,
  *   reach: number, spin: [number, number, number] | null, turns: number[][] | null, wheel: number | null,
- *   motion: (Motion & {origin: Vector}) | null}} Solid */
+ *   motion: (Motion & {origin: Vector}) | null,
+ *   surface: import("./surface.js").Surface | null}} Solid */
 
 /** In the order of the shaders. @type {Kind[]} */
-export const KINDS = ["plane", "sphere", "cylinder", "capsule", "box", "torus", "half-pipe"];
+export const KINDS = [
+  "plane",
+  "sphere",
+  "cylinder",
+  "capsule",
+  "box",
+  "torus",
+  "half-pipe",
+  "mesh",
+];
 export const MOST_SOLIDS = 200; // that are drawn
 const BEVEL = 0.04; // of a cylinder's radius or half length: how far its edges are drawn rounded
 const LARGEST = 1e9; // m, m/s, rad/s: beyond that nothing can be drawn
@@ -36,10 +47,16 @@ export function solidsOf(obstacles, shifts) {
 const same = (a, b) => a.every((value, k) => value === b[k]);
 
 /** @param {Obstacle} obstacle @param {number[]} shift @returns {Solid | null} */
-function solidOf({ name, kind, center, axis, size, spin, turns, motion, wheel }, shift) {
+function solidOf(obstacle, shift) {
+  const { name, center, axis, size, spin, turns, motion, wheel, vertices, faces } = obstacle;
+  const kind = obstacle.kind === "sdf" ? "mesh" : obstacle.kind;
   const number = KINDS.indexOf(/** @type {Kind} */ (kind));
+  const surface = vertices && faces ? surfaceOf(vertices, faces) : null;
+  if (kind === "mesh" && !surface) return null;
   const long = kind === "cylinder" && size[1] === null ? ENDLESS : (size[1] ?? NaN);
-  const sizes = [size[0] ?? NaN, long, size[2] ?? NaN, size[3] ?? NaN];
+  const sizes = surface
+    ? [...surface.half, 0]
+    : [size[0] ?? NaN, long, size[2] ?? NaN, size[3] ?? NaN];
   const drawable = (/** @type {number} */ value) => Math.abs(value) < LARGEST;
   const known = [...center, ...axis, ...sizes.map((one) => (one === ENDLESS ? 0 : one))];
   if (number < 0 || !known.every(drawable) || !(Math.hypot(...axis) > 0)) return null;
@@ -50,7 +67,7 @@ function solidOf({ name, kind, center, axis, size, spin, turns, motion, wheel },
     name,
     kind: /** @type {Kind} */ (kind),
     number,
-    center: plus(center, shift),
+    center: plus(plus(center, shift), surface?.middle ?? [0, 0, 0]),
     axis: along,
     size: sizes,
     zero: unit(minus(across, times(along, dot(across, along)))),
@@ -59,15 +76,19 @@ function solidOf({ name, kind, center, axis, size, spin, turns, motion, wheel },
     turns: turns ?? null,
     wheel: wheel ?? null,
     motion: motion ? { ...motion, origin: vector(center) } : null,
+    surface,
   };
 }
+
+/** Whether it is a box, or is taken for the one around it. @param {Kind} kind */
+const boxed = (kind) => kind === "box" || kind === "mesh";
 
 /** @param {Kind} kind @param {number[]} size */
 function reachOf(kind, [a, b, c, d]) {
   if (kind === "plane" || kind === "half-pipe" || b === ENDLESS) return Infinity;
   if (kind === "sphere") return a;
   if (kind === "cylinder") return Math.hypot(a, b);
-  if (kind === "box") return Math.hypot(a, b, c) + d;
+  if (boxed(kind)) return Math.hypot(a, b, c) + d;
   return a + b;
 }
 
@@ -145,7 +166,7 @@ function inTrough({ axis, size }, p) {
   return size[0] - (high ? Math.abs(dot(across, cross(above, axis))) : Math.hypot(...across));
 }
 
-/** How far a place is from the surface, negative inside [m]. @param {Solid} solid @param {ArrayLike<number>} place */
+/** How far a place is from the surface, of triangles from the box around them, negative inside [m]. @param {Solid} solid @param {ArrayLike<number>} place */
 export function distanceTo(solid, place) {
   const { kind, center, axis, size } = solid;
   const p = minus(place, center);
@@ -153,7 +174,7 @@ export function distanceTo(solid, place) {
   if (kind === "plane") return along;
   if (kind === "half-pipe") return inTrough(solid, p);
   if (kind === "sphere") return Math.hypot(...p) - size[0];
-  if (kind === "box") {
+  if (boxed(kind)) {
     const q = p.map((value, k) => Math.abs(value) - size[k]);
     const out = Math.hypot(...q.map((value) => Math.max(value, 0)));
     return out + Math.min(Math.max(...q), 0) - size[3];
@@ -170,7 +191,7 @@ export function extent({ kind, axis, size }, direction) {
   const along = Math.abs(dot(axis, direction));
   const across = Math.sqrt(Math.max(0, 1 - along * along));
   if (kind === "sphere") return size[0];
-  if (kind === "box")
+  if (boxed(kind))
     return direction.reduce((sum, value, k) => sum + Math.abs(value) * size[k], size[3]);
   if (kind === "torus") return size[0] * across + size[1];
   return size[1] * along + size[0] * (kind === "cylinder" ? across : 1);
@@ -179,7 +200,7 @@ export function extent({ kind, axis, size }, direction) {
 /** Corners of the box around it, in its own directions. @param {Solid} solid @returns {Vector[]} */
 export function cornersOf(solid) {
   const { center, axis, zero } = solid;
-  const upright = solid.kind === "box";
+  const upright = boxed(solid.kind);
   /** @type {Vector[]} */
   const axes = upright
     ? [
@@ -217,6 +238,7 @@ export function meets(solid, eye, way) {
  * lie inside [m] */
 export function hides(solid, eye, place, slack) {
   if (solid.kind === "half-pipe") return false; // of a trough the near wall is cut away
+  if (solid.kind === "mesh") return false; // only the box around it is known here
   const way = minus(place, eye);
   const far = Math.hypot(...way);
   const ray = times(way, 1 / Math.max(far, 1e-12));

@@ -1,6 +1,7 @@
 // The bodies that ropes touch on Canvas 2D: their outlines in a few shades, and the marks of those that turn.
 
 import { css } from "../../view/colours.js";
+import { drawSurface } from "./surface.js";
 import { RIM } from "../../view/solids.js";
 import { cross, dot, plus, times, unit, minus } from "../../view/vector.js";
 
@@ -26,6 +27,7 @@ export function drawSolids(context, view, theme) {
   order.sort((a, b) => b.depth - a.depth);
   for (const { solid, turn } of order) {
     if (solid.kind === "plane") drawPlane(context, camera, solid, room.radius, theme);
+    else if (solid.kind === "mesh") drawSurface(context, camera, solid, theme);
     else if (solid.kind === "torus") drawRing(context, camera, solid, theme);
     else if (solid.kind === "half-pipe") drawTrough(context, camera, solid, room, theme);
     else drawBody(context, camera, solid, room.radius, theme);

@@ -29,9 +29,7 @@ export function drawSurface(context, camera, solid, theme) {
   seen.sort((a, b) => b.depth - a.depth);
   context.lineWidth = 0.7; // closes the seams
   for (const { flat, light } of seen) {
-    const paint = css(
-      /** @type {Colour} */ (theme.body.map((one) => Math.min(1, light * one))),
-    );
+    const paint = css(/** @type {Colour} */ (theme.body.map((one) => Math.min(1, light * one))));
     context.fillStyle = context.strokeStyle = paint;
     context.beginPath();
     for (const [x, y] of flat) context.lineTo(x, y);

@@ -6,6 +6,7 @@ import * as THREE from "three";
 import { KINDS, bevelOf, cornersOf } from "../../view/solids.js";
 import { times, plus, dot } from "../../view/vector.js";
 import { flatMaterial, material } from "./material.js";
+import { surfaceMeshes } from "./surface_meshes.js";
 import { SOLID_COLOUR, SOLID_INFO, SOLID_SHADOW, SOLID_VERTEX } from "./solid_shaders.js";
 
 /** @typedef {import("../../view/solids.js").Solid} Solid */
@@ -71,7 +72,7 @@ export class Solids {
       }
     }
     this.drawn = all.map((solid, number) => this.make(solid, number));
-    const near = all.slice(0, NEAR_ROPES);
+    const near = all.filter(({ kind }) => kind !== "mesh").slice(0, NEAR_ROPES);
     const values = new Float32Array(12 * Math.max(1, near.length));
     near.forEach((solid, k) => {
       values.set([...solid.center, solid.number, ...solid.axis, bevelOf(solid)], 12 * k);
@@ -108,12 +109,9 @@ export class Solids {
     const boxes = /** @type {[THREE.IUniform, THREE.IUniform]} */ (
       [0, 1].map(() => ({ value: new THREE.Vector4(...FULL) }))
     );
-    const paint = { ...uniforms, box: boxes[0], info: this.info };
-    const colour = material(SOLID_VERTEX, SOLID_COLOUR, paint, true);
-    const depth = flatMaterial(SOLID_VERTEX, SOLID_INFO, { ...uniforms, box: boxes[0] });
-    depth.depthTest = depth.depthWrite = true;
-    const shadow = material(SOLID_VERTEX, SOLID_SHADOW, { ...uniforms, box: boxes[1] }, false);
-    const meshes = [colour, depth, shadow].map((made) => quad(made));
+    const meshes = solid.surface
+      ? surfaceMeshes(solid.surface, uniforms)
+      : bodyMeshes(uniforms, boxes, this.info);
     this.colours.add(meshes[0], meshes[2]);
     this.depths.add(meshes[1]);
     return { solid, boxes, meshes };
@@ -207,6 +205,16 @@ function shadowOf(solid, camera, height) {
       [-1, 1].map((b) => plus(plus(foot, first, a * wide), second, b * wide)),
     );
   });
+}
+
+/** Colour, depth and shadow of a body that pixels' rays are followed to. @param {Record<string, THREE.IUniform>} uniforms
+ * @param {[THREE.IUniform, THREE.IUniform]} boxes of the screen @param {THREE.IUniform} info */
+function bodyMeshes(uniforms, [box, fallen], info) {
+  const colour = material(SOLID_VERTEX, SOLID_COLOUR, { ...uniforms, box, info }, true);
+  const depth = flatMaterial(SOLID_VERTEX, SOLID_INFO, { ...uniforms, box });
+  depth.depthTest = depth.depthWrite = true;
+  const shadow = material(SOLID_VERTEX, SOLID_SHADOW, { ...uniforms, box: fallen }, false);
+  return [colour, depth, shadow].map((made) => quad(made));
 }
 
 /** @param {THREE.Material} made */
