@@ -8,55 +8,28 @@ give the same bits (slow).
 
 from __future__ import annotations
 
-import json
 import math
-import os
-import shutil
-import subprocess
-import sys
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
-import ropewalk
+from verification import added
 
-HERE, PACKAGE = Path(__file__).parent, Path(ropewalk.__file__).parent
-LIST = "laws/registry.py"
-IMPORT = "from ropewalk.laws.node_law import NodeLaw\n"
-ENTRY = "(AIR, GROUND, OBSTACLE, CONTACT, PARTING, SLIDE)"
+HERE = Path(__file__).parent
+ENTRY = "(AIR, GROUND, OBSTACLE, CONTACT, PARTING, SLIDE, *SEGMENT_LAWS)"
 
 
 def copy_with(folder: Path, law: str) -> Path:
     """Copy the package's sources with a law `well` beside its own; return where they lie."""
-    target = folder / "ropewalk"
-    shutil.copytree(PACKAGE, target, ignore=shutil.ignore_patterns("__pycache__", "page", "*.js"))
-    (target / "laws" / "well.py").write_text(law, encoding="utf-8")
-    text = (target / LIST).read_text(encoding="utf-8")
-    assert text.count(IMPORT) == 1
-    assert text.count(ENTRY) == 1
-    text = text.replace(IMPORT, f"{IMPORT}from ropewalk.laws.well import WELL\n")
-    (target / LIST).write_text(
-        text.replace(ENTRY, "(AIR, GROUND, OBSTACLE, CONTACT, PARTING, SLIDE, WELL)"),
-        encoding="utf-8",
-    )
-    return folder
+    entry = ENTRY, ENTRY.replace("*SEGMENT_LAWS", "*SEGMENT_LAWS, WELL")
+    return added.copy_with(folder, law, "well", entry)
 
 
 def run(folder: Path, what: str, *, compiled: bool = False) -> Any:
     """Return what `sample_runs` prints with the package of a folder."""
-    more = {"PYTHONPATH": str(folder), "NUMBA_DISABLE_JIT": "0" if compiled else "1"}
-    more["ROPEWALK_CACHE_DIR"] = str(folder / "cache")
-    found = subprocess.run(
-        [sys.executable, "-W", "ignore", HERE / "sample_runs.py", what],
-        env=os.environ | more,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    assert found.returncode == 0, found.stderr
-    return json.loads(found.stdout)
+    return added.run(folder, "sample_runs.py", what, compiled=compiled)
 
 
 @pytest.fixture(scope="module")
@@ -87,15 +60,9 @@ def potential(x: np.ndarray, k: float = 40.0, s: float = 2.0) -> float:
 
 def test_what_was_touched(package: Path) -> None:
     """One new file, and two lines of one other."""
-    new, lines = [], {}
-    for path in package.glob("ropewalk/**/*.py"):
-        name = path.relative_to(package / "ropewalk")
-        if not (PACKAGE / name).exists():
-            new.append(str(name))
-        elif (mine := path.read_text()) != (theirs := (PACKAGE / name).read_text()):
-            lines[str(name)] = len(set(mine.splitlines()) - set(theirs.splitlines()))
+    new, lines = added.touched(package)
     assert new == [str(Path("laws/well.py"))]
-    assert lines == {str(Path(LIST)): 2}
+    assert lines == {str(Path(added.LIST)): 2}
 
 
 def test_tables_channels_and_columns_have_its_name(found: dict[str, Any]) -> None:

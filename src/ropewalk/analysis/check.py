@@ -225,7 +225,7 @@ def _highest_at_rest(model: Model, statics: Statics) -> float | None:
         return None
     from ropewalk.vibration import highest_frequency
 
-    found = highest_frequency(model, statics.positions.T.copy(), statics.tension)
+    found = highest_frequency(model, statics.positions.T.copy(), statics.elastic_tension)
     return None if found == math.inf else found  # of rigid links
 
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats, System
 from ropewalk.laws.node_law import NodeLaw, Rest
-from ropewalk.laws.registry import NODE_LAWS
+from ropewalk.laws.registry import NODE_LAWS, NodeTables
 
 
 def acting(system: System) -> list[tuple[NodeLaw, Any]]:
@@ -16,6 +16,26 @@ def acting(system: System) -> list[tuple[NodeLaw, Any]]:
     return [
         (law, table) for law, table in zip(NODE_LAWS, system.node, strict=True) if law.acts(table)
     ]
+
+
+def section_of(law: NodeLaw, scene: Any) -> Any:
+    """Return what a scene says of a law; of one of ropes what each says, None where none does."""
+    if not law.of_ropes:
+        return getattr(scene, law.section, None)
+    told = tuple(getattr(rope, law.section, None) for rope in scene.ropes)
+    return told if any(one is not None for one in told) else None
+
+
+def relaxed(system: System) -> System:
+    """Return the system with laws that remember as they are when nothing has moved for long."""
+    tables = [
+        table if law.relaxed is None else law.relaxed(table)
+        for law, table in zip(NODE_LAWS, system.node, strict=True)
+    ]
+    if all(one is other for one, other in zip(tables, system.node, strict=True)):
+        return system
+    acts = [law.acts(table) for law, table in zip(NODE_LAWS, tables, strict=True)]
+    return system._replace(node=NodeTables(*tables), acts=np.array(acts, np.int64))
 
 
 def at_rest(system: System) -> set[Rest]:

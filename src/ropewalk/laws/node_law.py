@@ -27,6 +27,7 @@ class Rest(Enum):
     CARRIES = 1  # it carries along what nothing holds, as a wind does
     BEARS = 2  # it bears what lies on it
     HOLDS = 3  # it has a place for every node
+    PULLS = 4  # it pulls neighbours together or apart, and holds no rope anywhere
 
 
 class NodeLaw(NamedTuple):
@@ -89,6 +90,15 @@ class NodeLaw(NamedTuple):
     # what was found on its way: 1, or to be halved: 2
     meet: Any = None
     fault: Any = None  # part (table, state): not 0 where the run cannot go on
+
+    # A law of segments is made by `segment_law`.
+    of_ropes: bool = False  # its section is a field of every rope
+    carried: Any = (
+        None  # part (table, state, x, v, tension): add what it carries along segments [N], (s,)
+    )
+    relaxed: Callable[[Any], Any] | None = (
+        None  # (table): the table of a law whose memory has had all the time that it asks for
+    )
 
     hold_up: Any = (
         None  # part (table, x, v): put an anchor, (3,) each, on the surface that stops it

@@ -13,8 +13,11 @@ from ropewalk.laws.pairs.law import CONTACT
 from ropewalk.laws.parting import PARTING
 from ropewalk.laws.slides.sliding import SLIDE
 
+#: Laws of segments that act beside the spring's, see `segment_law`.
+SEGMENT_LAWS: tuple[NodeLaw, ...] = ()
+
 #: Forces are summed and works recorded in this order.
-NODE_LAWS: tuple[NodeLaw, ...] = (AIR, GROUND, OBSTACLE, CONTACT, PARTING, SLIDE)
+NODE_LAWS: tuple[NodeLaw, ...] = (AIR, GROUND, OBSTACLE, CONTACT, PARTING, SLIDE, *SEGMENT_LAWS)
 
 NAMES = tuple(law.name for law in NODE_LAWS)
 _named: Any = namedtuple  # mypy wants the names in letters

@@ -46,6 +46,20 @@ def add_line(band, j, tx, ty, tz, across, along):
 
 
 @kernel
+def add_turn(band, j, tx, ty, tz, px, py, pz):
+    """Add df/dd = t p^T of segment j: of a force along the unit vector t that follows a rate."""
+    add_pair(band, j, 0, 0, tx * px)
+    add_pair(band, j, 0, 1, tx * py)
+    add_pair(band, j, 0, 2, tx * pz)
+    add_pair(band, j, 1, 0, ty * px)
+    add_pair(band, j, 1, 1, ty * py)
+    add_pair(band, j, 1, 2, ty * pz)
+    add_pair(band, j, 2, 0, tz * px)
+    add_pair(band, j, 2, 1, tz * py)
+    add_pair(band, j, 2, 2, tz * pz)
+
+
+@kernel
 def elastic_tangent(x, rest_length, stiffness, floor, weight, clamp, band):
     """Add `weight` times the stiffness of all springs; with `clamp` no compression softens it."""
     x0, x1, x2 = x[0], x[1], x[2]
@@ -99,15 +113,7 @@ def axial_tangent(x, v, coefficient, weight_x, weight_v, rubs, band):
         q = weight_x * c / r
         add_line(band, j, tx, ty, tz, q * rate, weight_v * c)
         px, py, pz = q * (ux - rate * tx), q * (uy - rate * ty), q * (uz - rate * tz)
-        add_pair(band, j, 0, 0, tx * px)
-        add_pair(band, j, 0, 1, tx * py)
-        add_pair(band, j, 0, 2, tx * pz)
-        add_pair(band, j, 1, 0, ty * px)
-        add_pair(band, j, 1, 1, ty * py)
-        add_pair(band, j, 1, 2, ty * pz)
-        add_pair(band, j, 2, 0, tz * px)
-        add_pair(band, j, 2, 1, tz * py)
-        add_pair(band, j, 2, 2, tz * pz)
+        add_turn(band, j, tx, ty, tz, px, py, pz)
 
 
 @kernel

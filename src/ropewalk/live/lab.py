@@ -15,6 +15,7 @@ import numpy as np
 from ropewalk import __version__
 from ropewalk.core.arrays import AXIAL, BENDING
 from ropewalk.engine.start import started
+from ropewalk.laws.acting import section_of
 from ropewalk.laws.registry import NODE_LAWS
 from ropewalk.live.share import HERE, as_data, in_script, policy
 from ropewalk.lowering import Model, build
@@ -24,7 +25,6 @@ from ropewalk.scene import Scene, SceneError
 from ropewalk.scene.faults import NO_VALUE, Fault
 from ropewalk.scene.presets import preset
 
-SECTIONS = tuple(law.section for law in NODE_LAWS)
 PRESETS = ("r4", "r1", "r2", "r3", "r9")
 METHODS = ("semi-implicit-euler", "verlet", "rk4")
 _PAGE = """<!doctype html>
@@ -130,7 +130,8 @@ def _anchor(model: Model, row: int) -> dict[str, Any]:
 def _refused(model: Model) -> list[tuple[str, str]]:
     """Return what of a scene the lab's kernel does not have, with its path."""
     scene, system = model.scene, model.system
-    found = [(name, name) for name in (*SECTIONS, "limiter") if getattr(scene, name)]
+    found = [(law.section, law.section) for law in NODE_LAWS if section_of(law, scene)]
+    found += [("limiter", "limiter")] if scene.limiter else []
     found += [("winch", "winches")] if scene.winches else []
     found += [("joint", "joints")] if scene.joints else []
     found += [("rope.made_of.EI", "bending stiffness")] if system.flags[BENDING] else []

@@ -10,6 +10,7 @@ from ropewalk.lowering.layout import Layout, Span, make_layout
 from ropewalk.lowering.obstacle_checks import refuse_fast, refuse_obstacles
 from ropewalk.lowering.pieces import Pieces
 from ropewalk.lowering.plan import Plan, make_plan
+from ropewalk.lowering.segment_checks import refuse_winding
 from ropewalk.lowering.slide_checks import refuse_rest
 from ropewalk.lowering.system import make_tables
 from ropewalk.scene import Scene
@@ -49,6 +50,7 @@ def build(scene: Scene, pieces: Pieces | None = None, *, drawn: bool = True) -> 
     refuse_obstacles(scene, system, state, layout, drawn=drawn)
     refuse_contact(scene, system, state, layout, drawn=drawn)
     refuse_rest(scene)
+    refuse_winding(scene)
     plan = make_plan(scene, system, state)
     refuse_fast(scene, system, plan.dt if plan.longest is None else plan.longest)
     zero = -float(system.gravity @ (state.x * state.mass).sum(axis=1))

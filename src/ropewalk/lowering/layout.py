@@ -7,6 +7,7 @@ from bisect import bisect_left
 from dataclasses import dataclass
 from functools import cached_property
 
+from ropewalk.laws.acting import section_of
 from ropewalk.laws.parting import NAME as PARTING
 from ropewalk.laws.registry import NODE_LAWS
 from ropewalk.scene import Rope, Scene, Winch
@@ -140,11 +141,7 @@ def make_layout(scene: Scene) -> Layout:
         any(rope.bending_stiffness > 0.0 for rope in scene.ropes),
         any(anchor.clamp is not None for anchor in scene.anchors),
         tuple(f"{name}:{spans[rope].name}[{node}]" for name, rope, node in tied),
-        tuple(
-            law.name
-            for law in NODE_LAWS
-            if law.memory is not None and getattr(scene, law.section, None)
-        ),
+        tuple(law.name for law in NODE_LAWS if law.memory is not None and section_of(law, scene)),
         tuple(spans[rope].start + node for _, rope, node in tied),
         tuple(
             body.name or f"obstacle{row}"

@@ -22,6 +22,7 @@ from ropewalk.core.arrays import (
 )
 from ropewalk.core.peaks import no_peaks
 from ropewalk.core.status import BREAK_STRETCH
+from ropewalk.laws.acting import section_of
 from ropewalk.laws.anchors import anchor_places
 from ropewalk.laws.registry import NODE_LAWS, NodeArrays, NodeTables
 from ropewalk.lowering.bending_tables import add_bending, no_bending
@@ -277,12 +278,7 @@ def _node_tables(scene: Scene, layout: Layout, keep: Pieces) -> Any:
         inputs |= {"ropes": scene.ropes, "whole": _tied_masses(scene), "joints": scene.joints}
     return NodeTables(
         *(
-            keep(
-                law.name,
-                law.lower,
-                getattr(scene, law.section, None),
-                *(inputs[name] for name in law.inputs),
-            )
+            keep(law.name, law.lower, section_of(law, scene), *(inputs[n] for n in law.inputs))
             for law in NODE_LAWS
         )
     )

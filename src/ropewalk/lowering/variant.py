@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ropewalk.laws.acting import section_of
 from ropewalk.laws.registry import NODE_LAWS
 from ropewalk.scene import Scene
 
@@ -11,7 +12,7 @@ def rare_of(scene: Scene) -> int | None:
 
     A section of the scene is enough: what it says does not count.
     """
-    sections = [getattr(scene, law.section, None) for law in NODE_LAWS]
+    sections = [section_of(law, scene) for law in NODE_LAWS]
     listed = scene.winches or scene.limiter or scene.joints or any(sections)
     more = any(r.bending_stiffness > 0.0 or r.curved or r.relaxes for r in scene.ropes)
     return 1 if listed or more else None

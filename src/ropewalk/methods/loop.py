@@ -17,7 +17,7 @@ from ropewalk.laws.winch import run_winches
 from ropewalk.methods.errors import look_at_step
 from ropewalk.methods.kinks import near, next_piece, take_up_hands
 from ropewalk.methods.partings import part_ropes
-from ropewalk.methods.peaks import any_rubs, wanted
+from ropewalk.methods.peaks import any_rubs, looks_at_all, wanted
 from ropewalk.methods.recording import record_frame
 from ropewalk.methods.scratch import clear
 from ropewalk.methods.tableaus import BDF2
@@ -151,7 +151,7 @@ def make_advance(step: Any, *, carries: bool = False, solves: bool = False) -> A
                     begin = to
                     if begin < after:  # the end of a pull, often its peak
                         close_interval(system, state, pull, sums, t, begin)
-                if solves or acts_after(extras) or parts(system):
+                if solves or looks_at_all(system, extras):
                     watch(system, state, pull, sums, after)
                 elif wanted(state):
                     look_at_step(system, state, rubs, s + 1, pull, sums, after)

@@ -35,7 +35,8 @@ from ropewalk.core.peaks import (
 from ropewalk.core.ranges import ALL, rows
 from ropewalk.laws.anchors import first_index, last_index
 from ropewalk.laws.curved import keep_curved, settle_curved
-from ropewalk.laws.rare import has_clamps, has_curves, limits, parts, relaxes, winds
+from ropewalk.laws.rare import acts_after, has_clamps, has_curves, limits, parts, relaxes, winds
+from ropewalk.laws.segments import pulls
 
 DEPTH = 32  # steps
 
@@ -48,8 +49,14 @@ def wanted(state):
 
 @part
 def adds_to_springs(system, state):
-    """Tell whether a winch or a bound adds to what springs and friction carry, or they part."""
-    return limits(system) or winds(system, state) or parts(system)
+    """Tell whether anything adds to what springs and friction carry, or they part."""
+    return limits(system) or winds(system, state) or parts(system) or pulls(system)
+
+
+@part
+def looks_at_all(system, extras):
+    """Tell whether a method without equations looks at every step as a frame records it, by `watch`."""
+    return acts_after(extras) or parts(system) or pulls(system)
 
 
 @small

@@ -17,7 +17,8 @@ from ropewalk.laws.node_law import NodeLaw
 from ropewalk.laws.nodes import fold, touch_nodes
 from ropewalk.laws.parting import NAME as PARTING
 from ropewalk.laws.rare import acts, has_bending, has_curves, limits, winds
-from ropewalk.laws.registry import NODE_LAWS
+from ropewalk.laws.registry import NODE_LAWS, SEGMENT_LAWS
+from ropewalk.laws.segments import add_pulls
 from ropewalk.laws.wheels import RECORDED, record_wheels
 from ropewalk.methods.peaks import record_peaks
 from ropewalk.methods.scratch import LANES, clear, clear_row, put
@@ -28,6 +29,7 @@ LAWS = ("elastic", "friction", "weight", *_EVER, "applied", "limiter", "winch")
 # What a system with bending stiffness has besides.
 BENT_ENERGIES = ("bending",)
 BENT_LAWS = ("bending", "clamps")
+_APART = {PARTING, *(law.name for law in SEGMENT_LAWS)}  # with a memory, but they touch nothing
 CONSERVATIVE = ("elastic", "weight", "bending")  # laws with a potential
 
 
@@ -97,7 +99,7 @@ def make_recording(
     shapes += [(s if with_lengths else 0,), (energies,), (laws + a,), (2,), (a, 3), (3,), (3,)]
     shapes += [(clamps, 3), *[(wide,)] * 4, peaks.reaction.shape, peaks.moment.shape]
     shapes += [
-        (3, n if set(more) - {PARTING} else 0),
+        (3, n if set(more) - _APART else 0),
         *[(peaks.error.shape[0],)] * 2,
         state.joint_force.shape,
         (len(getattr(state.memory.obstacle, "wheel", ())), len(RECORDED)),
@@ -261,7 +263,8 @@ def record_curved(x, rest_length, stiffness, floor, curves, arm, solved, tension
 
 @part
 def carried_tension(system, state, elastic, tension):
-    """Write what every segment carries along itself [N], (s,): its elastic tension, friction and bound.
+    """Write what every segment carries along itself [N], (s,): its elastic tension, friction, bound
+    and what laws of segments pull.
 
     Vector friction counts with its part along the segment. A rigid link has no friction, and its elastic
     tension is what was solved for.
@@ -273,6 +276,7 @@ def carried_tension(system, state, elastic, tension):
         take_growth(state.x, state, system.winches, floor, tension)
     if limits(system):
         add_bounds(state.forces.limiter, state.tension, state.limited, elastic, tension)
+    add_pulls(system, state, state.x, state.v, tension)
 
 
 @kernel

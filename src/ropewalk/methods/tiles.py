@@ -11,7 +11,7 @@ from ropewalk.laws.table import reaches_neighbours_only
 from ropewalk.methods.errors import keep_step_error
 from ropewalk.methods.loop import close_frame, named, wind_and_limit
 from ropewalk.methods.partings import part_ropes
-from ropewalk.methods.peaks import DEPTH, search_all, wanted
+from ropewalk.methods.peaks import DEPTH, looks_at_all, search_all, wanted
 from ropewalk.methods.verdict import note_changes
 from ropewalk.methods.watch import close_interval, open_interval, watch
 
@@ -37,7 +37,7 @@ def make_tiled_advance(step: Any, before: Any) -> Any:
         n, pull, sums = state.mass.shape[0], scratch.pull, scratch.sums
         before(state, scratch)
         note_changes(system, state)
-        watches = acts_after(extras) or parts(system)
+        watches = looks_at_all(system, extras)
         errs = ledger and wanted(state) and not watches
         width = TILE if not watches and reaches_neighbours_only(system, state) and not errs else n
         for frame in range(frames):

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ropewalk.core.arrays import Floats
+from ropewalk.laws.acting import section_of
 from ropewalk.laws.parting import NAME as PARTING
 from ropewalk.laws.registry import NODE_LAWS
 from ropewalk.methods.recording import CONSERVATIVE
@@ -112,8 +113,7 @@ def weight_times_length(scene: Scene) -> float:
 
 def is_damped(scene: Scene) -> bool:
     """Tell whether anything in a scene takes energy."""
-    sections = (*(law.section for law in NODE_LAWS), "limiter")
-    if any(getattr(scene, section, None) for section in sections):
+    if scene.limiter or any(section_of(law, scene) for law in NODE_LAWS):
         return True
     rubs = any(rope.segment_friction > 0.0 for rope in scene.ropes)
     bends = (rope.made_of for rope in scene.ropes if isinstance(rope.made_of, Material))

@@ -67,7 +67,7 @@ def _frame(model: Model, statics: Statics) -> Recording:
     state.v[...] = 0.0
     state.reaction[...] = statics.reactions
     let_relax(model.system, state)
-    stored = stored_at_rest(model.system, state, statics.tension)
+    stored = stored_at_rest(model.system, state, statics.elastic_tension)
     if statics.memory is not None:
         arrays.assign(state.memory.obstacle, statics.memory)
     out = make_recording(state, 1, model.scene.lengths_change)
@@ -80,6 +80,7 @@ def _frame(model: Model, statics: Statics) -> Recording:
     same = (out.tension, out.elastic_tension, out.tension_low, out.tension_high)
     for tension in same if model.scene.run.extremes else same[:2]:
         tension[0] = statics.tension
+    out.elastic_tension[0] = statics.elastic_tension
     out.energy[0, ENERGIES.index("gravity")] -= model.gravity_zero
     out.energy[0, ENERGIES.index("elastic")] = stored
     return out

@@ -27,12 +27,14 @@ import numpy as np
 from ropewalk.core import arrays
 from ropewalk.core.arrays import BENDING, Floats, System
 from ropewalk.core.band_lu import solve_band
-from ropewalk.laws.acting import at_rest
+from ropewalk.laws.acting import at_rest, relaxed
 from ropewalk.laws.clamps import start_clamps
 from ropewalk.laws.contact import remember_contacts
+from ropewalk.laws.node_law import Rest
 from ropewalk.laws.obstacle import depths
 from ropewalk.laws.obstacle import standing as still
 from ropewalk.laws.others import other_forces, other_stiffness
+from ropewalk.laws.segments import pulls_of_laws
 from ropewalk.laws.tangent import law_band
 from ropewalk.lowering import Model, Span
 from ropewalk.lowering.curve_tables import put_tension, put_under_tension
@@ -45,7 +47,8 @@ _YIELD = 1e-9  # compliance of rigid links within a Newton step, in the model's 
 
 
 def standing(system: System) -> System:
-    """Return a system whose obstacles stay where they start."""
+    """Return a system whose obstacles stay where they start, and whose laws remember nothing that fades."""
+    system = relaxed(system)
     table = system.node.obstacle
     if not table.spin.size:
         return system
@@ -150,6 +153,13 @@ class Balance:
         """Return the force of all obstacles at the places last asked for [N], (3, n)."""
         force: Floats = self.state.forces.node.obstacle
         return force
+
+    def carried(self, x: Floats, tension: Floats) -> Floats:
+        """Return what segments carry at places `x` (3, n) [m] with these springs' tensions [N], (s,)."""
+        total = tension.copy()
+        if Rest.PULLS in self.rests:
+            pulls_of_laws(self.system, self.state, x, self._zero, total)
+        return total
 
     def clearance(self, x: Floats) -> float:
         """Return the distance from places (3, n) [m] to the nearest obstacle [m]; negative inside."""

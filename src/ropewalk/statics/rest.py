@@ -46,7 +46,8 @@ class Statics:
     """The rest shape of a scene, as the masses and segments have it: the exact discrete solution."""
 
     positions: Floats  # (n, 3) [m]
-    tension: Floats  # (s,) [N], elastic; negative where a segment is pressed
+    tension: Floats  # (s,) [N]; negative where a segment is pressed
+    elastic_tension: Floats  # (s,) its spring's share [N]
     reactions: Floats  # (anchors, 3) force of each anchor on the rope [N]; 0 once released
     slack: NDArray[np.bool_]  # (s,) segments without tension
     stretch: Floats  # (s,) length over rest length [1]; 1 where the rest length is 0
@@ -223,7 +224,8 @@ def _statics(model: Model, balance: Balance, found: Found, unheld: tuple[str, ..
     _, size = balance.directions(x)
     rest = model.state.rest_length
     stretch = np.divide(size, rest, out=np.ones_like(size), where=rest > 0.0)
-    none = np.abs(tension) <= 1e-12 * float(np.abs(tension).max(initial=0.0))
+    carried = balance.carried(x, tension)
+    none = np.abs(carried) <= 1e-12 * float(np.abs(carried).max(initial=0.0))
     slack = (model.state.stiffness > 0.0) & none
     for name in undetermined_ropes(model):  # they stay as drawn
         span = model.layout.span(name)
@@ -240,12 +242,13 @@ def _statics(model: Model, balance: Balance, found: Found, unheld: tuple[str, ..
     obstacles = bool(model.scene.obstacles)
     return Statics(
         positions=positions,
-        tension=tension,
+        tension=carried,
+        elastic_tension=tension,
         reactions=reactions,
         slack=slack,
         stretch=stretch,
         grounded=_grounded(model, x),
-        spans=rest_spans(model, positions, tension),
+        spans=rest_spans(model, positions, carried),
         unheld=unheld,
         residual=float(np.abs(left[:, balance.free]).max(initial=0.0)),
         gap=float(np.abs(balance.gap(x, tension)).max(initial=0.0)),

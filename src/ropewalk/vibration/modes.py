@@ -13,7 +13,7 @@ from ropewalk.core.arrays import BENDING, Floats
 from ropewalk.core.elimination import tied_network
 from ropewalk.core.saddle import make_saddle
 from ropewalk.display import cells
-from ropewalk.laws.acting import at_rest
+from ropewalk.laws.acting import at_rest, relaxed
 from ropewalk.laws.contact_frame import GRIP
 from ropewalk.laws.node_law import Rest
 from ropewalk.lowering import Layout, Model, build
@@ -132,7 +132,7 @@ def modes(source: Scene | Model, about: About = "equilibrium", count: int = 10) 
         rule = "modes of ropes on an obstacle that turns freely are not found; leave out spin"
         raise SceneError([Fault(f"obstacle[{wheels[0]}].spin.free", True, rule)])
     x, tension, model = shape_about(model, about)
-    linear = linearise(model, x, tension)
+    linear = linearise(replace(model, system=relaxed(model.system)), x, tension)
     if linear.loose:
         _refuse_loose(model, about)
     more = 2 * len(model.layout.ropes)  # so that none of equal frequency is cut off
@@ -183,7 +183,7 @@ def shape_about(model: Model, about: About) -> tuple[Floats, Floats, Model]:
     if about == "equilibrium":
         statics = checked_shape(model)
         x = np.ascontiguousarray(statics.positions.T)
-        return x, statics.tension, _held_by_contacts(model, statics, x)
+        return x, statics.elastic_tension, _held_by_contacts(model, statics, x)
     state, rigid = model.state, np.isinf(model.state.stiffness)
     stretch = np.sqrt((np.diff(state.x, axis=1) ** 2).sum(axis=0)) - state.rest_length
     stretch[np.abs(stretch) <= _ROUNDING * np.abs(state.x).max()] = 0.0
