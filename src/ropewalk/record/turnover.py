@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ropewalk.core.arrays import Floats
+from ropewalk.laws.acting import section_of
 from ropewalk.laws.parting import NAME as PARTING
 from ropewalk.laws.registry import NODE_LAWS
 from ropewalk.lowering.masses import line, masses
@@ -124,7 +125,7 @@ def _carried(result: Result, good: int) -> Carried | None:
 def _falls_freely(result: Result, good: int) -> bool:
     """Tell whether weight is all that acts on a piece that nothing holds."""
     scene = result.scene
-    acts = any(getattr(scene, law.section, None) for law in NODE_LAWS if law.name != PARTING)
+    acts = any(section_of(law, scene) for law in NODE_LAWS if law.name != PARTING)
     return not acts and scene.limiter is None and not np.any(result.work["applied"][:good])
 
 
