@@ -89,7 +89,7 @@ def _force(law: SegmentLaw) -> Any:
     pull = law.pull
 
     @part
-    def force(table, state, x, v, force, lo, hi):
+    def _pull_nodes(table, state, x, v, force, lo, hi):
         last = x.shape[1] - 1
         if lo == 0:
             force[0, 0], force[1, 0], force[2, 0] = 0.0, 0.0, 0.0
@@ -107,14 +107,14 @@ def _force(law: SegmentLaw) -> Any:
             force[2, j] += over * dz
             force[0, j + 1], force[1, j + 1], force[2, j + 1] = -over * dx, -over * dy, -over * dz
 
-    return force
+    return _pull_nodes
 
 
 def _tangent(law: SegmentLaw) -> Any:
     pull = law.pull
 
     @part
-    def tangent(table, state, x, v, weight_x, weight_v, marks, band):
+    def _differ(table, state, x, v, weight_x, weight_v, marks, band):
         for j in range(x.shape[1] - 1):
             dx, dy, dz = x[0, j + 1] - x[0, j], x[1, j + 1] - x[1, j], x[2, j + 1] - x[2, j]
             ux, uy, uz = v[0, j + 1] - v[0, j], v[1, j + 1] - v[1, j], v[2, j + 1] - v[2, j]
@@ -129,14 +129,14 @@ def _tangent(law: SegmentLaw) -> Any:
                 px, py, pz = q * (ux - rate * tx), q * (uy - rate * ty), q * (uz - rate * tz)
                 add_turn(band, j, tx, ty, tz, px, py, pz)
 
-    return tangent
+    return _differ
 
 
 def _carried(law: SegmentLaw) -> Any:
     pull = law.pull
 
     @part
-    def carried(table, state, x, v, tension):
+    def _add_pulls(table, state, x, v, tension):
         for j in range(tension.shape[0]):
             dx, dy, dz = x[0, j + 1] - x[0, j], x[1, j + 1] - x[1, j], x[2, j + 1] - x[2, j]
             ux, uy, uz = v[0, j + 1] - v[0, j], v[1, j + 1] - v[1, j], v[2, j + 1] - v[2, j]
@@ -145,21 +145,21 @@ def _carried(law: SegmentLaw) -> Any:
                 found = pull(table, state, j, r, (ux * dx + uy * dy + uz * dz) / r)
                 tension[j] += found[0]
 
-    return carried
+    return _add_pulls
 
 
 def _energy(law: SegmentLaw) -> Any:
     stored = law.energy
 
     @part
-    def energy(table, state, x):
+    def _add_up(table, state, x):
         total = 0.0
         for j in range(x.shape[1] - 1):
             if state.stiffness[j] > 0.0:
                 total += stored(table, state, j, stretched(x, j))
         return total
 
-    return energy
+    return _add_up
 
 
 def _memory(law: SegmentLaw) -> Any:
@@ -176,13 +176,13 @@ def _remember(law: SegmentLaw) -> Any:
     keep = law.remember
 
     @part
-    def remember(table, state):
+    def _keep_all(table, state):
         for j in range(state.stiffness.shape[0]):
             if state.stiffness[j] > 0.0:
                 keep(table, state, j, stretched(state.x, j))
         return 0.0
 
-    return remember
+    return _keep_all
 
 
 def _at_rest(law: SegmentLaw) -> Callable[[Any], Rest]:

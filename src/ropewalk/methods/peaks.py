@@ -35,8 +35,8 @@ from ropewalk.core.peaks import (
 from ropewalk.core.ranges import ALL, rows
 from ropewalk.laws.anchors import first_index, last_index
 from ropewalk.laws.curved import keep_curved, settle_curved
+from ropewalk.laws.pulls import pulls
 from ropewalk.laws.rare import acts_after, has_clamps, has_curves, limits, parts, relaxes, winds
-from ropewalk.laws.segments import pulls
 
 DEPTH = 32  # steps
 

@@ -16,9 +16,9 @@ from ropewalk.laws.curved import elastic_pull, stored_by, stretched
 from ropewalk.laws.node_law import NodeLaw
 from ropewalk.laws.nodes import fold, touch_nodes
 from ropewalk.laws.parting import NAME as PARTING
+from ropewalk.laws.pulls import add_pulls
 from ropewalk.laws.rare import acts, has_bending, has_curves, limits, winds
 from ropewalk.laws.registry import NODE_LAWS, SEGMENT_LAWS
-from ropewalk.laws.segments import add_pulls
 from ropewalk.laws.wheels import RECORDED, record_wheels
 from ropewalk.methods.peaks import record_peaks
 from ropewalk.methods.scratch import LANES, clear, clear_row, put

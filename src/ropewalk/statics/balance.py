@@ -34,7 +34,7 @@ from ropewalk.laws.node_law import Rest
 from ropewalk.laws.obstacle import depths
 from ropewalk.laws.obstacle import standing as still
 from ropewalk.laws.others import other_forces, other_stiffness
-from ropewalk.laws.segments import pulls_of_laws
+from ropewalk.laws.pulls import pulls_of_laws
 from ropewalk.laws.tangent import law_band
 from ropewalk.lowering import Model, Span
 from ropewalk.lowering.curve_tables import put_tension, put_under_tension
