@@ -114,7 +114,7 @@ FAULTS: dict[str, tuple[Callable[[Path], object], str]] = {
         "has the format 99; this version of ropewalk reads 2, 3, 4, 5 and 6",
     ),
     "another store": (
-        lambda f: damage_root(f, lambda root: root["attributes"].update(ropewalk_format=7)),  # type: ignore[attr-defined]
+        lambda f: damage_root(f, lambda root: root["attributes"].update(ropewalk_format=8)),  # type: ignore[attr-defined]
         "has the format 7",
     ),
     "no store": (lambda f: shutil.rmtree(f / "data.zarr"), "zarr.json: is missing"),

@@ -58,7 +58,7 @@ LINES = slice(0, FORCE)  # the extremes that a segment or node has ...
 HOLDERS = slice(FORCE, None)  # ... and those of an anchor
 ADDED = (
     *("energy", "work", "jump", "momentum", "angular_momentum", "moment", "moment_high"),
-    *("error_range", "error_times"),
+    *("error_range", "error_times", "books"),
 )
 NODES_RECORDED = ("x", "v", "speed_high", "lowest", "highest", "contact")
 INDICES = ("anchor_node", "winch_exit")  # hold indices of nodes
@@ -232,7 +232,7 @@ def collect(
         if out.error_range.shape[1]:  # together they err by no more than this; when is not known
             out.error_range[:frames] += found.error_range[:frames]
             out.error_times[:frames] += found.error_times[:frames] if len(parts) == 1 else np.nan
-        for name in ("jump", "momentum", "angular_momentum"):
+        for name in ("jump", "momentum", "angular_momentum", "books"):
             getattr(out, name)[:frames] += getattr(found, name)[:frames]
     if out.extremes.shape[1]:
         rows = [

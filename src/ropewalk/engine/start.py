@@ -14,7 +14,7 @@ from ropewalk.lowering import Model
 from ropewalk.lowering.curve_tables import let_relax
 from ropewalk.lowering.limiter_bounds import with_bounds
 from ropewalk.lowering.link_lengths import with_links
-from ropewalk.lowering.system import with_memory
+from ropewalk.lowering.memory import with_memory
 from ropewalk.methods.recording import bends
 from ropewalk.scene import SceneError
 from ropewalk.scene.faults import Fault
@@ -124,6 +124,6 @@ def _total_force(system: System, state: State, i: int) -> Floats:
     if system.limiter.active:
         total = total + forces.limiter[:, i + 1] - forces.limiter[:, i]
     for channel in (*forces.node, forces.applied):
-        total = total + channel[:, i]
+        total = total + channel[:3, i]
     weight: Floats = state.mass[i] * system.gravity
     return total + weight

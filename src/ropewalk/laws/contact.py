@@ -23,6 +23,7 @@ from __future__ import annotations
 import math
 
 from ropewalk.core.jit import kernel
+from ropewalk.laws.contact_books import RUBBED, note_way, put_apart
 from ropewalk.laws.contact_frame import GRIP, PUSH, cut, spring_pull, surface_at
 from ropewalk.laws.obstacle_shapes import probe
 from ropewalk.laws.wheels import find_rates, keep_wheels, turned
@@ -32,12 +33,14 @@ from ropewalk.laws.wheels import find_rates, keep_wheels, turned
 def contact_forces(x, v, obstacles, memory, now, force, lo, hi):
     """Write the force of all obstacles on nodes `lo` to `hi - 1` [N], (3, n).
 
-    `now` holds the time of `x` and `v`, and that of the memory [s].
+    `now` holds the time of `x` and `v`, and that of the memory [s]. Where `force` has more rows they get, for
+    one obstacle after another, what presses and what rubs, 3 rows each.
     """
-    last, place = min(hi, x.shape[1]), memory.place
+    last, place, apart = min(hi, x.shape[1]), memory.place, force.shape[0] > 3
     find_rates(x, v, obstacles, memory, now)
-    for i in range(lo, last):
-        force[0, i], force[1, i], force[2, i] = 0.0, 0.0, 0.0
+    for row in range(force.shape[0]):
+        for i in range(lo, last):
+            force[row, i] = 0.0
     for o in range(obstacles.kind.shape[0]):
         kind, center, axis = obstacles.kind[o], obstacles.center[o], obstacles.axis[o]
         size, grip = obstacles.size[o], memory.grip[o]
@@ -70,6 +73,8 @@ def contact_forces(x, v, obstacles, memory, now, force, lo, hi):
             force[0, i] += push * nx + sx
             force[1, i] += push * ny + sy
             force[2, i] += push * nz + sz
+            if apart:
+                put_apart(force, o, i, push, nx, ny, nz, sx, sy, sz)
 
 
 @kernel
@@ -87,6 +92,7 @@ def remember_contacts(x, v, obstacles, memory, now, stiffness):
         size, grip = obstacles.size[o], memory.grip[o]
         mx, my, mz, ux, uy, uz, angle, rate = turned(obstacles, memory, o, now)
         then = surface_at(obstacles, o, now[1])
+        to = (mx, my, mz)
         wx, wy, wz = rate * axis[0], rate * axis[1], rate * axis[2]
         for i in range(n):
             px, py, pz = x[0, i] - mx, x[1, i] - my, x[2, i] - mz
@@ -98,6 +104,7 @@ def remember_contacts(x, v, obstacles, memory, now, stiffness):
                 closed += 1.0
             grip[PUSH, i] = max(push, 0.0)
             bound = grip[GRIP, i] * grip[PUSH, i]
+            note_way(obstacles, memory, o, i, to, then, angle, px, py, pz, g, nx, ny, nz)
             sx, sy, sz, rx, ry, rz = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
             ox, oy, oz = px - center[0], py - center[1], pz - center[2]
             gx, gy, gz = wy * oz - wz * oy, wz * ox - wx * oz, wx * oy - wy * ox
@@ -111,6 +118,7 @@ def remember_contacts(x, v, obstacles, memory, now, stiffness):
                 rx, ry, rz = rx - across * nx, ry - across * ny, rz - across * nz
                 rx, ry, rz = cut(rx, ry, rz, bound)
             grip[0, i], grip[1, i], grip[2, i] = sx, sy, sz
+            memory.books[o, RUBBED, i] = 0.5 * (sx * sx + sy * sy + sz * sz) / k
             if push > 0.0:
                 rx, ry, rz = rx + push * nx, ry + push * ny, rz + push * nz
                 power = rx * (ux + gx) + ry * (uy + gy) + rz * (uz + gz)
@@ -120,6 +128,7 @@ def remember_contacts(x, v, obstacles, memory, now, stiffness):
     keep_wheels(obstacles, memory, dt)
     for k in range(3):
         for i in range(n):
+            memory.way[k, i] = x[k, i] - place[k, i]
             place[k, i] = x[k, i]
     return closed
 

@@ -12,6 +12,7 @@ from __future__ import annotations
 from ropewalk.core.arrays import APPLIED
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.ranges import ALL, rows
+from ropewalk.laws.booking import book_nodes
 from ropewalk.laws.nodes import on_channels
 from ropewalk.laws.rare import has_bending, limits
 
@@ -52,6 +53,7 @@ def account(system, state, forces, middle, dt, lo=0, hi=ALL):
     if system.flags[APPLIED] == 1:
         add_power(forces.applied, middle, dt, work.applied, lo, hi)
     _account_nodes(system, forces.node, work.node, middle, dt, lo, hi)
+    book_nodes(system, state, forces, middle, dt)
 
 
 @kernel

@@ -36,9 +36,9 @@ class NodeLaw(NamedTuple):
     name: str
     section: str  # the field or property of the scene that it is made from
     lower: Callable[..., Any]  # (section or None, *inputs): its table, a named tuple
-    inputs: tuple[
-        str, ...
-    ]  # what else that follows from: "layout", "diameters", "ropes", "up", "whole", "joints", "parts"
+    # what else that follows from: "layout", "diameters", "ropes", "up", "gravity", "whole", "joints",
+    # "wound", "parts"
+    inputs: tuple[str, ...]
     acts: Callable[[Any], bool]  # (table): whether there is any force
     # part (table, state, x, v, force, lo, hi): write it, for nodes `lo` to `hi - 1`; None: there is never any
     force: Any
@@ -70,6 +70,9 @@ class NodeLaw(NamedTuple):
     remember: Any = (
         None  # part (table, state): write it, where a step was accepted; return what it hit
     )
+    # part (table, state, force, middle, dt): book a step's mean forces, see `ledger`, once it is remembered
+    book: Any = None
+    channels: Callable[[Any], int] | None = None  # (table): rows of its force, 3 and its own
     hits: Any = None  # part (table, state, x, v): what is hit in a step from the state to there
     touch: Any = (
         None  # part (table, state, force): add what touches the nodes at the state [N], (3, n)

@@ -4,7 +4,8 @@ By default a contact is as stiff as lets it be solved for at frame rates: 1/0.15
 force at one of its nodes in a step of 1/60 s, whatever the run's own steps are,
     sqrt(k0^2 + 4 k k0),   k0 = m / (1/60 s)^2,   k that of the segments,
 but no more than the whole rope's inertia in that time, nor than its segments are (those lighter than that
-step allows for, than k0).
+step allows for, than k0). Round bodies are stiffer where more hangs on a rope than that holds: a tension of
+all its weight, loads and given forces turns by h/R at each node and presses it in by FIRM of its diameter.
 """
 
 from __future__ import annotations
@@ -25,6 +26,7 @@ from ropewalk.laws.contact import (
     count_closing,
     remember_contacts,
 )
+from ropewalk.laws.contact_books import BOOKS, WAYS, book_contacts
 from ropewalk.laws.contact_tangent import contact_tangent
 from ropewalk.laws.node_law import NodeLaw, Rest
 from ropewalk.laws.obstacle_rows import (
@@ -41,6 +43,7 @@ from ropewalk.laws.wheels import RATE, ROWS, WIDTH
 from ropewalk.motions.registry import FIXED
 from ropewalk.motions.rows import Motions, jumps, largest_speed, motion_rows
 from ropewalk.motions.whereabouts import place_now
+from ropewalk.scene.obstacles import thinnest
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -51,6 +54,8 @@ if TYPE_CHECKING:
     from ropewalk.scene.obstacles import Obstacle
 
 FRAME = 1.0 / 60.0  # [s]
+FIRM = 0.005  # [1] depth over the diameter, see above
+SHARP = 2.0  # [1] what a node presses with, over the tension, where the rope turns back
 SHARE = 0.15  # [1] compliance of a contact over the rope's own at a node
 DAMPING = 1.0  # [1] damping ratio of a node on its own: it does not bounce
 
@@ -88,6 +93,9 @@ class Memory(NamedTuple):
     given: (
         Floats  # (n,) what surfaces that move have given to nodes so far, where they gave any [J]
     )
+    books: Floats  # (k, BOOKS, n) see `contact_books`
+    slip: Floats  # (k, WAYS, n) ways over each obstacle in the last step [m], see `contact_books`
+    way: Floats  # (3, n) in the last step [m]
     wheel: Floats  # (w, WIDTH) see `wheels.ANGLE`
     ties: Floats  # (w, ROWS, n) working space of wheels
 
@@ -97,12 +105,17 @@ def lower(
     layout: Layout,
     ropes: Sequence[Rope],
     whole: Sequence[float],
+    gravity: float,
 ) -> Obstacles:
-    """Return the table of a scene's obstacles; `whole` is a rope's mass with all it is tied to [kg]."""
+    """Return the table of a scene's obstacles; `whole` is a rope's mass with all it is tied to [kg].
+
+    `gravity` is its size [m/s^2].
+    """
     bodies = tuple(obstacles or ())
     count, n = len(bodies), layout.nodes
     own, mass = np.zeros(n), np.zeros(n)
     thickness = np.zeros(n)
+    firm = np.zeros((count, n))
     each = zip(ropes, layout.ropes, whole, strict=True) if bodies else ()
     for rope, span, all_mass in each:
         nodes = slice(span.first, span.last + 1)  # those still on a drum, too
@@ -111,9 +124,12 @@ def lower(
         here = slice(span.start, span.end + 1)
         own[here], mass[here] = _loaded(rope, stiff, weight, all_mass)
         thickness[nodes] = radius_of(rope)
+        for row, body in enumerate(bodies):
+            firm[row, nodes] = _firm(rope, gravity * all_mass, thinnest(body), weight)
     stiffness = np.empty((count, n))
     for row, body in enumerate(bodies):
-        stiffness[row] = own if body.compliance is None else 1.0 / body.compliance
+        asked = body.compliance
+        stiffness[row] = np.maximum(own, firm[row]) if asked is None else 1.0 / asked
     places = [place_of(body) for body in bodies]
     centers = np.array([place[0] for place in places], dtype=np.float64).reshape(count, 3)
     motion = motion_rows([body.motion for body in bodies], centers)
@@ -149,7 +165,22 @@ def node_stiffness(rope: Rope, whole: float, mass: float | None = None) -> tuple
     inert, whole = own / FRAME**2, whole / FRAME**2
     k = rope.segment_stiffness
     shown = math.sqrt(inert**2 + 4.0 * k * inert) if math.isfinite(k) else whole
-    return min(min(shown, whole) / SHARE, max(k, inert)), own
+    return min(min(shown, whole) / SHARE, _most(rope, own)), own
+
+
+def _firm(rope: Rope, weight: float, radius: float, mass: float) -> float:
+    """Return how stiff contacts of nodes of `mass` [kg] with a body of `radius` [m] must be [N/m].
+
+    `weight` is that of all that hangs on the rope [N].
+    """
+    pull = weight + sum(math.hypot(*one.force) for one in rope.forces)
+    turn = min(rope.segment_length / (radius + 0.5 * rope.diameter), SHARP)
+    return min(pull * turn / (FIRM * rope.diameter), _most(rope, mass))
+
+
+def _most(rope: Rope, mass: float) -> float:
+    """Return the stiffness of a contact that steps for the rope allow for as well [N/m]."""
+    return max(rope.segment_stiffness, mass / FRAME**2)
 
 
 def _loaded(rope: Rope, stiffness: float, mass: float, whole: float) -> tuple[Floats, Floats]:
@@ -171,9 +202,11 @@ def memory(obstacles: Obstacles, x: Floats, stiffness: Floats) -> Memory:
     """Return what is remembered at the start, for nodes at places (3, n) [m]: no force."""
     count, n, wheels = len(obstacles.kind), x.shape[1], len(obstacles.inertia)
     own = np.zeros((wheels, WIDTH)), np.zeros((wheels, ROWS, n))
+    grip, books, slip = (np.zeros((count, rows, n)) for rows in (5, BOOKS, WAYS))
     if count == 0:
-        return Memory(np.zeros((0, 5, n)), np.zeros((3, 0)), np.zeros(0), *own)
-    found = Memory(np.zeros((count, 5, n)), x.copy(), np.zeros(n), *own)
+        none = np.zeros((3, 0))
+        return Memory(grip, none, np.zeros(0), books, slip, none.copy(), *own)
+    found = Memory(grip, x.copy(), np.zeros(n), books, slip, np.zeros_like(x), *own)
     found.wheel[:, RATE] = obstacles.rate
     remember_contacts(x, np.zeros_like(x), obstacles, found, np.zeros(2), stiffness)
     return found
@@ -202,6 +235,12 @@ def remember(obstacles, state):
     """Keep what contacts carry at the state; return how many have closed."""
     memory = state.memory.obstacle
     return remember_contacts(state.x, state.v, obstacles, memory, state.now, state.stiffness)
+
+
+@part
+def book(obstacles, state, force, middle, dt):
+    """Book what a step's mean forces have done."""
+    book_contacts(state.memory.obstacle, force, middle, dt)
 
 
 @part
@@ -249,6 +288,11 @@ def at_rest(obstacles: Obstacles) -> Rest:
 def touched(obstacles: Obstacles, x: Floats) -> Any:
     """Return which nodes are below the surface of an obstacle where it starts, (n,)."""
     return (depths(obstacles, x) > 0.0).any(axis=0)
+
+
+def channels(obstacles: Obstacles) -> int:
+    """Return how many rows the forces have, with what presses and what rubs of every obstacle."""
+    return 3 + 6 * len(obstacles.kind)
 
 
 def depths(obstacles: Obstacles, x: Floats, t: float = 0.0) -> Floats:
@@ -319,12 +363,14 @@ OBSTACLE = NodeLaw(
     name="obstacle",
     section="obstacles",
     lower=lower,
-    inputs=("layout", "ropes", "whole"),
+    inputs=("layout", "ropes", "whole", "gravity"),
     acts=acts,
     force=force,
     tangent=tangent,
     memory=memory,
     remember=remember,
+    book=book,
+    channels=channels,
     hits=hits,
     crossings=crossings,
     touch=touch,

@@ -14,6 +14,8 @@ from ropewalk.scene import Rope, Scene, Winch
 from ropewalk.scene.base import MOST_ON_DRUM
 from ropewalk.scene.obstacles import is_free
 
+ROPES = "ropes on ropes"
+
 
 @dataclass(frozen=True)
 class Span:
@@ -59,6 +61,9 @@ class Layout:
     more: tuple[str, ...] = ()  # names of the laws of nodes with a memory, where there are any
     tied_nodes: tuple[int, ...] = ()  # their indices
     pulleys: tuple[str, ...] = ()  # names of the obstacles that turn freely
+    surfaces: tuple[
+        str, ...
+    ] = ()  # names of all obstacles, and of ropes where they touch each other
 
     @property
     def segments(self) -> int:
@@ -148,7 +153,14 @@ def make_layout(scene: Scene) -> Layout:
             for row, body in enumerate(scene.obstacles)
             if is_free(body)
         ),
+        surfaces_of(scene),
     )
+
+
+def surfaces_of(scene: Scene) -> tuple[str, ...]:
+    """Return the names of all that ropes of a scene touch: its obstacles, and each other."""
+    bodies = tuple(body.name or f"obstacle{row}" for row, body in enumerate(scene.obstacles))
+    return bodies if scene.contact is None else (*bodies, ROPES)
 
 
 def _spare_nodes(scene: Scene, rope: Rope, winch: Winch) -> int:

@@ -31,6 +31,7 @@ from ropewalk.lowering.joint_tables import join, joint_tables
 from ropewalk.lowering.layout import Layout, Span
 from ropewalk.lowering.limiter_order import limiter_order
 from ropewalk.lowering.masses import line, line_density, masses, passing
+from ropewalk.lowering.memory import with_memory
 from ropewalk.lowering.motion_rows import anchor_tables
 from ropewalk.lowering.pieces import Pieces
 from ropewalk.lowering.slide_checks import put_on_ropes
@@ -63,18 +64,6 @@ def make_tables(
     system = system._replace(kinks=kinks)
     _hold(system, state, keep)
     return system, with_memory(system, state)
-
-
-def with_memory(system: System, state: State) -> State:
-    """Return the state with what laws of nodes remember where it stands: nothing has moved yet."""
-    return state._replace(
-        memory=NodeArrays(
-            *(
-                np.zeros(0) if law.memory is None else law.memory(table, state.x, state.stiffness)
-                for law, table in zip(NODE_LAWS, system.node, strict=True)
-            )
-        )
-    )
 
 
 def _applied(layout: Layout, ropes: tuple[Rope | None, ...], gravity: float, up: Any) -> Floats:
@@ -271,7 +260,14 @@ def _node_tables(scene: Scene, layout: Layout, keep: Pieces) -> Any:
     """Return the tables of the laws of nodes, each made from its section of the scene."""
     thick = tuple(rope.diameter for rope in scene.ropes)
     inputs: dict[str, Any] = {"layout": layout, "diameters": thick}
-    inputs |= {"up": scene.up, "ropes": (), "whole": (), "joints": ()}
+    inputs |= {
+        "gravity": math.hypot(*scene.gravity),
+        "up": scene.up,
+        "ropes": (),
+        "whole": (),
+        "joints": (),
+        "wound": tuple(winch.rope for winch in scene.winches),
+    }
     each = zip(scene.ropes, layout.ropes, strict=True)
     inputs["parts"] = tuple((rope.strength, passing(rope, span)) for rope, span in each)
     if scene.obstacles or scene.slides or scene.contact is not None:  # what only they ask for

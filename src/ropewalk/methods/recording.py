@@ -12,6 +12,7 @@ from ropewalk.core.arrays import Floats, State
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.ranges import rows
 from ropewalk.laws.clamps import bent_energy
+from ropewalk.laws.contact_books import ENTRIES
 from ropewalk.laws.curved import elastic_pull, stored_by, stretched
 from ropewalk.laws.node_law import NodeLaw
 from ropewalk.laws.nodes import fold, touch_nodes
@@ -22,6 +23,7 @@ from ropewalk.laws.registry import NODE_LAWS, SEGMENT_LAWS
 from ropewalk.laws.wheels import RECORDED, record_wheels
 from ropewalk.methods.peaks import record_peaks
 from ropewalk.methods.scratch import LANES, clear, clear_row, put
+from ropewalk.methods.surfaces import count_surfaces, record_surfaces
 
 ENERGIES = ("kinetic", "gravity", "elastic")
 _EVER = tuple(law.name for law in NODE_LAWS if law.memory is None)
@@ -68,6 +70,7 @@ class Recording(NamedTuple):
     error_range: Floats  # (f, 2) least and greatest energy error since the frame before [J] ...
     error_times: Floats  # (f, 2) ... and when [s]; NaN without a ledger
     joint_force: Floats  # (f, p, 3) force of a joint on each of its nodes [N]
+    books: Floats  # (f, k, 5) works of every obstacle, then of ropes on ropes, see `laws.contact_books` [J]
     wheel: Floats  # (f, w, 6) of obstacles that turn freely, see `laws.wheels.RECORDED`
 
     def part(self, start: int, stop: int) -> Recording:
@@ -102,6 +105,7 @@ def make_recording(
         (3, n if set(more) - _APART else 0),
         *[(peaks.error.shape[0],)] * 2,
         state.joint_force.shape,
+        (count_surfaces(state), len(ENTRIES)),
         (len(getattr(state.memory.obstacle, "wheel", ())), len(RECORDED)),
     ]
     large = [empty((frames, *shape)) for shape in shapes[: len(LARGE)]]
@@ -346,6 +350,7 @@ def record_frame(system, state, ledger, sums, frame, out):
         touch_nodes(system, state, out.contact[frame])
     if ledger:
         record_works(system, state.work, sums, out.work[frame], out.jump[frame])
+        record_surfaces(system, state, out.books[frame])
 
 
 ELASTIC, FRICTION, WEIGHT, APPLIED, LIMITER, WINCH, BENT, CLAMPS = (

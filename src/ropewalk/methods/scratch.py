@@ -89,19 +89,30 @@ def _put(source, result):
         result[i] = source[i]
 
 
+@kernel
+def add_rows(values, weight, total):
+    """Add weight * values to `total`, arrays of equal shape."""
+    for k in range(values.shape[0]):
+        row, more = total[k], values[k]
+        for i in range(row.shape[0]):
+            row[i] += weight * more[i]
+
+
 @part
 def _add_channel(values, total, weight, same, lo, hi):
-    add(values, weight, total)
+    add_rows(values, weight, total)
 
 
 @part
 def _clear_channel(values, same, p, q, lo, hi):
-    clear(values)
+    for k in range(values.shape[0]):
+        clear_row(values[k])
 
 
 @part
 def _put_channel(source, result, p, q, lo, hi):
-    put(source, result)
+    for k in range(source.shape[0]):
+        _put(source[k], result[k])
 
 
 _add_nodes, _clear_nodes = on_channels(_add_channel), on_channels(_clear_channel)

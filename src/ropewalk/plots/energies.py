@@ -9,6 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import SymmetricalLogLocator
 
+from ropewalk.lowering.layout import ROPES
 from ropewalk.plots.curves import drawable, mark_break, set_limits, time_limits
 from ropewalk.plots.sight import Floats, good_frames
 from ropewalk.plots.style import (
@@ -153,6 +154,24 @@ def energy_curves(result: Result) -> dict[str, Floats]:
     return parts
 
 
+def surface_curves(result: Result, law: str, good: int) -> dict[str, Floats]:
+    """Return what motors, pressing and friction of the surfaces of a law have done, with what is stored [J].
+
+    Empty where this is not known, of other laws and of runs of before.
+    """
+    if law not in ("obstacle", "contact"):
+        return {}
+    found: dict[str, Floats] = {}
+    for surface, entries in result.contact_work.items():
+        if (surface == ROPES) != (law == "contact"):
+            continue
+        for entry, values in entries.items():
+            label = f"{entry} of {'ropes on ropes' if surface == ROPES else 'obstacles'}"
+            found[label] = found.get(label, 0.0) + values
+    with np.errstate(invalid="ignore"):
+        return {label: values for label, values in found.items() if np.any(values[:good])}
+
+
 def work_curves(result: Result, good: int) -> dict[str, Floats]:
     """Return the works [J] of what acts: friction, air, ground and so on, and anchors that move."""
     found: dict[str, Floats] = {}
@@ -164,7 +183,7 @@ def work_curves(result: Result, good: int) -> dict[str, Floats]:
         if name.startswith("anchor:"):
             anchors[f"anchor {escape(name.removeprefix('anchor:'))}"] = part
         else:
-            found[name] = part
+            found |= surface_curves(result, name, good) or {name: part}
     if len(anchors) > _MOST_ANCHORS:
         with np.errstate(all="ignore"):
             anchors = {_SUM: np.sum(list(anchors.values()), axis=0)}

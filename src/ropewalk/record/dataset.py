@@ -65,6 +65,8 @@ def coordinates(scene: Scene, layout: Layout) -> dict[str, tuple[str, Any, dict[
         "tie": "what a joint ties",
         "column": "what is told of a contact of two ropes",
         "pulley": "obstacle that turns freely",
+        "surface": "what ropes touch: obstacles, and other ropes",
+        "entry": "what did the work: motor, pressing, friction; what is stored; the method's share",
         "motion": "what is told of an obstacle that turns freely",
         "extreme": "greatest or least of all steps since the frame before",
         "bound": "least or greatest of all steps since the frame before",

@@ -15,7 +15,7 @@ def obstacle_table(scene: Scene, where: Layout) -> Obstacles | None:
     if not scene.obstacles:
         return None
     masses = [rope.total_mass for rope in scene.ropes]
-    return lower(scene.obstacles, where, scene.ropes, masses)
+    return lower(scene.obstacles, where, scene.ropes, masses, 0.0)
 
 
 def obstacle_places(scene: Scene, where: Layout, times: Floats) -> Floats:

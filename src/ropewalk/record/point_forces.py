@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, NamedTuple, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ropewalk.core.arrays import Floats
+from ropewalk.laws.contact_books import ENTRIES
+from ropewalk.record.quantities import CONTACT_WORK
 
 if TYPE_CHECKING:
     from ropewalk.record.contacts import WrapHistory
@@ -77,6 +80,28 @@ class PointForces:
             raise KeyError(f"name one of the obstacles that turn freely, {known}, not {name!r}")
         columns = result.read("pulleys")[:, names.index(name)]
         return PulleyMotion(*np.ascontiguousarray(columns.T))
+
+    @property
+    def contact_work(self) -> Mapping[str, Mapping[str, Floats]]:
+        """Work on the ropes of what they touch since the start [J], (frames,) each, by surface and entry.
+
+        Surfaces are obstacles by name, and "ropes on ropes". Of each the entries add up to its work: motor,
+        by what moves or turns it (force times way, torque times angle); normal, taken where contacts close;
+        friction, taken where they slip; stored, less what contacts have stored; method, the part in the
+        error of the steps. NaN without a ledger; empty where there is nothing to touch, and in runs that
+        were recorded before there were entries.
+        """
+        result = cast("Result", self)
+        if CONTACT_WORK not in result.source.names:
+            return {}
+        array = result.read(CONTACT_WORK)
+        array = array - array[:1]  # what is stored at the start is no work
+        if not result.facts.ledger:
+            array = np.full(array.shape, np.nan)
+        return {
+            surface: {entry: array[:, k, e] for e, entry in enumerate(ENTRIES)}
+            for k, surface in enumerate(result.layout.surfaces)
+        }
 
     def obstacle_positions(self, frames: slice = slice(None)) -> Floats:
         """Where obstacles are at some frames [m], (frames, obstacles, 3): their middles; planes: a point."""

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from ropewalk.core.arrays import Floats
 from ropewalk.core.peaks import BOUNDS, EXTREMES
+from ropewalk.laws.contact_books import ENTRIES
 from ropewalk.laws.wheels import RECORDED, UNITS
 from ropewalk.lowering import Layout
 from ropewalk.methods.recording import energy_names, work_names
@@ -19,7 +20,7 @@ from ropewalk.simulation.rope_contacts import COLUMNS, slots
 AXES = ("x", "y", "z")
 ENERGY = "energy; that of gravity is 0 in the scene's own shape"
 JUMPS = ("limiter", "winch")
-ROPE_CONTACTS, PULLEYS = "rope_contacts", "pulleys"
+ROPE_CONTACTS, PULLEYS, CONTACT_WORK = "rope_contacts", "pulleys", "contact_work"
 
 
 @dataclass(frozen=True)
@@ -93,6 +94,13 @@ QUANTITIES = (
         "motion of obstacles that turn freely",
         "wheel",
     ),
+    Quantity(
+        CONTACT_WORK,
+        ("time", "surface", "entry"),
+        "J",
+        "work on the ropes of what they touch, since the start",
+        "books",
+    ),
     Quantity("momentum", ("time", "axis"), "kg m/s", "momentum", "momentum"),
     Quantity(
         "angular_momentum",
@@ -128,6 +136,8 @@ def labels(layout: Layout) -> dict[str, tuple[str, ...]]:
         "column": COLUMNS if "contact" in layout.more else (),
         "pulley": layout.pulleys,
         "motion": RECORDED if layout.pulleys else (),
+        "surface": layout.surfaces,
+        "entry": ENTRIES if layout.surfaces else (),
     }
 
 
@@ -135,12 +145,15 @@ def labels(layout: Layout) -> dict[str, tuple[str, ...]]:
 ELASTIC_ONLY = 2
 FRAMES_ONLY = 3  # until this one nothing was kept of the steps between frames
 SUMS_ONLY = 5  # until this one nothing of ropes on ropes but the sum of all contacts' forces
+IN_ONE = 6  # until this one the work of all obstacles was one number
 _OLD_TENSION = Quantity("tension", ("time", "segment"), "N", "elastic tension", "tension")
 
 
 def stored(layout: Layout, scene: Scene, version: int) -> tuple[Quantity, ...]:
     """Return the quantities in a run folder of a format."""
     now = recorded(layout, scene)
+    if version <= IN_ONE:
+        now = tuple(q for q in now if q.name != CONTACT_WORK)
     if version <= SUMS_ONLY:
         now = tuple(q for q in now if q.name != ROPE_CONTACTS)
     if version > FRAMES_ONLY:
@@ -166,6 +179,8 @@ def recorded(layout: Layout, scene: Scene) -> tuple[Quantity, ...]:
         left_out.add(ROPE_CONTACTS)
     if not layout.pulleys:
         left_out.add(PULLEYS)
+    if not layout.surfaces:
+        left_out.add(CONTACT_WORK)
     if not scene.lengths_change:
         left_out.add("rest_length")
     if not scene.run.extremes:

@@ -33,6 +33,7 @@ DEFAULT = (
         "contact_force",
         "rope_contacts",
         "pulleys",
+        "contact_work",
         "greatest_reactions",
         "greatest_moments",
         "extremes",

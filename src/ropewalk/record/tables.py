@@ -17,6 +17,7 @@ from ropewalk.record.errors import InputError, RunError
 from ropewalk.record.quantities import (
     AXES,
     BY_NAME,
+    CONTACT_WORK,
     EXTREME_UNITS,
     PULLEYS,
     ROPE_CONTACTS,
@@ -195,6 +196,12 @@ def series(result: Result, quantity: str) -> dict[str, NDArray[np.float64]]:
     if quantity == "work":
         names = law_names(result.layout)
         return {f"work of {name} [{unit}]": result.work[name] for name in names}
+    if quantity == CONTACT_WORK:
+        return {
+            f"{entry} of {surface} [{unit}]": array
+            for surface, entries in result.contact_work.items()
+            for entry, array in entries.items()
+        }
     if quantity in OF_ERRORS and not result.facts.ledger:
         return {}
     symbol = quantity.replace("_", " ")
@@ -269,7 +276,15 @@ OF_EXTREMES = {
     "extreme_until": "time until which came ",
 }
 OF_ERRORS = {"energy_errors": "", "energy_error_times": "time of the "}
-OF_THE_RUN = ("energy", "work", "momentum", "angular_momentum", *OF_EXTREMES, *OF_ERRORS)
+OF_THE_RUN = (
+    "energy",
+    "work",
+    CONTACT_WORK,
+    "momentum",
+    "angular_momentum",
+    *OF_EXTREMES,
+    *OF_ERRORS,
+)
 
 
 def to_pandas(

@@ -6,10 +6,8 @@ from collections.abc import Sequence
 
 from ropewalk.scene.base import Model, Number, positive, quantity
 from ropewalk.scene.body import MOST_FRICTION
-from ropewalk.scene.environment import Limiter
-from ropewalk.scene.faults import MISSING, NO_VALUE, Fault
+from ropewalk.scene.faults import MISSING, Fault
 from ropewalk.scene.rope import Rope
-from ropewalk.scene.winch import Winch
 
 
 class Contact(Model):
@@ -36,8 +34,6 @@ class Contact(Model):
 def contact_faults(
     contact: Contact | None,
     ropes: Sequence[Rope],
-    winches: Sequence[Winch],
-    limiter: Limiter | None,
 ) -> list[Fault]:
     """The faults of a scene whose ropes touch each other."""
     if contact is None:
@@ -45,25 +41,8 @@ def contact_faults(
     rule = (
         "is needed where ropes touch each other: give the rope its diameter, or leave out contact"
     )
-    found = [
+    return [
         Fault(f"rope[{i}].diameter", MISSING, rule)
         for i, rope in enumerate(ropes)
         if "diameter" not in rope.model_fields_set
     ]
-    found += [
-        Fault(
-            f"rope[{i}].made_of.parts",
-            True,
-            "cannot work with ropes that touch each other yet: what has parted would still be touched; "
-            "leave out parts, or contact",
-        )
-        for i, rope in enumerate(ropes)
-        if rope.made_of.parts
-    ]
-    if winches:
-        rule = "cannot work with a winch yet: leave out the winches, or contact"
-        found.append(Fault("contact", NO_VALUE, rule))
-    if limiter is not None:
-        rule = "cannot work with a stretch limiter yet: leave out the limiter, or contact"
-        found.append(Fault("contact", NO_VALUE, rule))
-    return found

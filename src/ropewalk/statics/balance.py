@@ -151,7 +151,7 @@ class Balance:
 
     def contact_force(self) -> Floats:
         """Return the force of all obstacles at the places last asked for [N], (3, n)."""
-        force: Floats = self.state.forces.node.obstacle
+        force: Floats = self.state.forces.node.obstacle[:3]
         return force
 
     def carried(self, x: Floats, tension: Floats) -> Floats:

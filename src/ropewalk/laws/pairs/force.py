@@ -80,16 +80,17 @@ def pressed(grip, row, u, w, soft, hard, stop, damping, size):
 
 @kernel
 def pair_forces(x, v, table, memory, force, lo, hi):
-    """Write the force of all contacts on every node [N], (3, n)."""
-    for i in range(lo, min(hi, x.shape[1])):
-        force[0, i], force[1, i], force[2, i] = 0.0, 0.0, 0.0
+    """Write the force of all contacts on every node [N], (3, n), and what of it rubs, the next 3 rows."""
+    for row in range(force.shape[0]):
+        for i in range(lo, min(hi, x.shape[1])):
+            force[row, i] = 0.0
     add_pair_forces(x, v, table, memory, force)
 
 
 @kernel
 def add_pair_forces(x, v, table, memory, force):
-    """Add the force of all contacts on every node [N], (3, n)."""
-    pair, grip = memory.pair, memory.grip
+    """Add the force of all contacts on every node [N], (3, n), and what of it rubs where there are rows."""
+    pair, grip, apart = memory.pair, memory.grip, force.shape[0] > 3
     for row in range(memory.tally[CONTACTS]):
         i, j = pair[row, 0], pair[row, 1]
         soft, hard, stop, damping, size = spring_of(table, memory.grip, row, i, j)
@@ -108,6 +109,12 @@ def add_pair_forces(x, v, table, memory, force):
             force[k, i + 1] += s * f
             force[k, j] -= (1.0 - t) * f
             force[k, j + 1] -= t * f
+            if apart:
+                r = share * q[k]
+                force[3 + k, i] += (1.0 - s) * r
+                force[3 + k, i + 1] += s * r
+                force[3 + k, j] -= (1.0 - t) * r
+                force[3 + k, j + 1] -= t * r
 
 
 @small

@@ -19,8 +19,10 @@ from ropewalk.core.ordering import order_network
 from ropewalk.laws.node_law import NodeLaw, Rest
 from ropewalk.laws.obstacle import node_stiffness
 from ropewalk.laws.pairs.force import add_pair_forces, pair_energy, pair_forces, pair_rounding
+from ropewalk.laws.pairs.pair_books import book_pairs
 from ropewalk.laws.pairs.pair_memory import remember_pairs
 from ropewalk.laws.pairs.pair_tangent import along_pairs, couple_pairs
+from ropewalk.laws.pairs.search import note_ropes
 from ropewalk.laws.pairs.table import (
     CONTACTS,
     CROWDED,
@@ -57,8 +59,12 @@ def lower(
     ropes: Sequence[Rope],
     whole: Sequence[float],
     joints: Sequence[Joint],
+    wound: Sequence[str],
 ) -> Pairs:
-    """Return the table of a scene's ropes; `whole` is a rope's mass with all it is tied to [kg]."""
+    """Return the table of a scene's ropes; `whole` is a rope's mass with all it is tied to [kg].
+
+    `wound` are the names of those on winches.
+    """
     s = layout.segments if contact is not None else 0
     table = Pairs(
         friction=np.zeros(min(s, 1)),
@@ -87,7 +93,8 @@ def lower(
             table.soft[here] = table.hard[here] = 0.5 * contact.compliance
             table.stop[here] = min(1.0 / (STOP * far), 0.5 * contact.compliance / STOP)
         table.rope[here] = number
-        table.skip[here] = max(1, neighbours(rope))
+        # the segment that comes off a drum begins without a length
+        table.skip[here] = max(1, neighbours(rope)) + (rope.name in wound)
     table.skin[0] = SKIN * 2.0 * float(table.radius.max())
     _note_joints(table, layout, ropes, joints)
     return table
@@ -135,8 +142,12 @@ def memory(table: Pairs, x: Floats, stiffness: Floats) -> Memory:
         origin=np.full((3, x.shape[1]), 1e150) if s else np.zeros((3, 0)),
         box=np.zeros((s, 6)),
         order=np.arange(s),
+        rope=np.full(s, -1, np.int64),
+        way=np.zeros((3, x.shape[1] if s else 0)),
+        books=np.zeros(3 if s else 0),
     )
     if s:
+        note_ropes(table, found, stiffness)
         found.tally[SEEN] = 1
         tied = np.ones(int(table.joint.max(initial=-1)) + 1, np.int64)
         remember_pairs(x, np.zeros_like(x), 0.0, table, found, tied)
@@ -182,7 +193,14 @@ def along(table, state, x, v, d, weight_x, weight_v):
 def remember(table, state):
     """Keep what contacts carry at the state; return how many have closed."""
     memory, dt = state.memory.contact, state.now[0] - state.now[1]
+    note_ropes(table, memory, state.stiffness)
     return remember_pairs(state.x, state.v, dt, table, memory, state.tied)
+
+
+@part
+def book(table, state, force, middle, dt):
+    """Book what a step's mean forces have done."""
+    book_pairs(state.memory.contact, force, middle, dt)
 
 
 @part
@@ -226,6 +244,11 @@ def at_rest(table: Pairs) -> Rest:
     return Rest.BEARS
 
 
+def channels(table: Pairs) -> int:
+    """Return how many rows the forces have, with what rubs."""
+    return 6 if acts(table) else 3
+
+
 def touched(table: Pairs, x: Floats) -> Any:
     """Return which nodes lie on something that bears them, (n,): none for sure."""
     return np.zeros(x.shape[1], bool)
@@ -253,12 +276,14 @@ CONTACT = NodeLaw(
     name="contact",
     section="contact",
     lower=lower,
-    inputs=("layout", "ropes", "whole", "joints"),
+    inputs=("layout", "ropes", "whole", "joints", "wound"),
     acts=acts,
     force=force,
     tangent=tangent,
     memory=memory,
     remember=remember,
+    book=book,
+    channels=channels,
     hits=hits,
     touch=touch,
     rounding=rounding,

@@ -121,7 +121,7 @@ def lead(x, y, table, memory, row, tied):
     size = table.radius[i] + table.radius[j]
     s, t, distance = nearest(x, y, 1.0, i, j)
     before = depth_at(x, memory, row, i, j, size)
-    if not (0.0 < distance < REACH * size and owns(x, y, 1.0, table, tied, i, j, s, t)):
+    if not (0.0 < distance < REACH * size and owns(x, y, 1.0, table, memory, tied, i, j, s, t)):
         return False
     n, along = normal_at(x, y, 1.0, memory, row, s, t), 0.0
     for k in range(3):
@@ -134,12 +134,12 @@ def lead(x, y, table, memory, row, tied):
 
 
 @kernel
-def run_on(x, v, dt, table, y):
+def run_on(x, v, dt, rope, y):
     """Write where nodes will be that go on along their rope for another step, (3, n) [m].
 
     How fast they go across it says little of where they will be: what is pressed rocks.
     """
-    rope, last = table.rope, x.shape[1] - 1
+    last = x.shape[1] - 1
     for i in range(x.shape[1]):
         a = i - 1 if i > 0 and rope[i - 1] >= 0 else i
         b = i + 1 if i < last and rope[i] >= 0 else i
@@ -161,13 +161,13 @@ def refresh(x, y, table, memory, row, tied):
     i, j, grip = memory.pair[row, 0], memory.pair[row, 1], memory.grip
     size = table.radius[i] + table.radius[j]
     s, t, distance = nearest(x, x, 0.0, i, j)
-    if distance >= REACH * size:
+    if distance >= REACH * size or memory.rope[i] < 0 or memory.rope[j] < 0:
         grip[row, GONE] = 1.0
         return
     if slips(memory, row, table.friction[0]) and lead(x, y, table, memory, row, tied):
         return
     if not is_right(x, memory, row, size, distance):
-        if owns(x, x, 0.0, table, tied, i, j, s, t):
+        if owns(x, x, 0.0, table, memory, tied, i, j, s, t):
             before = depth_at(x, memory, row, i, j, size)
             freeze(x, x, 0.0, memory, row, s, t)
             begin_contact(x, table, memory, row, before)
@@ -254,7 +254,7 @@ def list_new(x, table, memory, tied):
             continue
         size = table.radius[i] + table.radius[j]
         s, t, distance = nearest(x, x, 0.0, i, j)
-        if distance >= REACH * size or not owns(x, x, 0.0, table, tied, i, j, s, t):
+        if distance >= REACH * size or not owns(x, x, 0.0, table, memory, tied, i, j, s, t):
             continue
         if is_covered(x, memory, i, j, s, t, size):
             continue
@@ -292,7 +292,10 @@ def remember_pairs(x, v, dt, table, memory, tied):
     if count[SEEN] == 0:
         look_for_passes(place, x, memory, table)
     count[SEEN], count[ROUNDS], count[REFUSED] = 0, 0, 0
-    run_on(x, v, dt, table, place)
+    for k in range(3):
+        for i in range(x.shape[1]):
+            memory.way[k, i] = x[k, i] - place[k, i]
+    run_on(x, v, dt, memory.rope, place)
     for row in range(count[CONTACTS]):
         closed += hold(x, v, table, memory, row)
         refresh(x, place, table, memory, row, tied)

@@ -40,11 +40,12 @@ def moved_from(origin, x):
 
 
 @kernel
-def box_in(x, y, table, box):
+def box_in(x, y, table, memory):
     """Write the boxes in which segments move from x to y, (s, 6), wide enough that those near overlap.
 
     Return the axis along which they lie.
     """
+    box = memory.box
     low0, low1, low2 = math.inf, math.inf, math.inf
     high0, high1, high2 = -math.inf, -math.inf, -math.inf
     for j in range(box.shape[0]):
@@ -53,7 +54,7 @@ def box_in(x, y, table, box):
             low = min(min(x[k, j], x[k, j + 1]), min(y[k, j], y[k, j + 1]))
             high = max(max(x[k, j], x[k, j + 1]), max(y[k, j], y[k, j + 1]))
             box[j, k], box[j, 3 + k] = low - wide, high + wide
-        if table.rope[j] >= 0:
+        if memory.rope[j] >= 0:
             low0, high0 = min(low0, box[j, 0]), max(high0, box[j, 3])
             low1, high1 = min(low1, box[j, 1]), max(high1, box[j, 4])
             low2, high2 = min(low2, box[j, 2]), max(high2, box[j, 5])
@@ -79,20 +80,21 @@ def sort_along(box, order, axis):
 def list_near(x, y, table, memory, tied):
     """List the pairs whose boxes overlap on the way from x to y; return whether there was room for them."""
     box, order, near, count = memory.box, memory.order, memory.near, memory.tally
-    axis, found = box_in(x, y, table, box), 0
+    rope = memory.rope
+    axis, found = box_in(x, y, table, memory), 0
     sort_along(box, order, axis)
     one, two = (axis + 1) % 3, (axis + 2) % 3
     count[NEAR] = 0
     for a in range(order.shape[0]):
         p = order[a]
-        if table.rope[p] < 0:
+        if rope[p] < 0:
             continue
         end = box[p, 3 + axis]
         for b in range(a + 1, order.shape[0]):
             q = order[b]
             if box[q, axis] > end:
                 break
-            if table.rope[q] < 0 or box[p, one] > box[q, 3 + one] or box[q, one] > box[p, 3 + one]:
+            if rope[q] < 0 or box[p, one] > box[q, 3 + one] or box[q, one] > box[p, 3 + one]:
                 continue
             if box[p, two] > box[q, 3 + two] or box[q, two] > box[p, 3 + two]:
                 continue
@@ -118,6 +120,19 @@ def find_near(x, y, table, memory, tied):
     if moved_from(memory.origin, x) <= half and moved_from(memory.origin, y) <= half:
         return True
     return list_near(x, y, table, memory, tied)
+
+
+@kernel
+def note_ropes(table, memory, stiffness):
+    """Note which segments are rope: not those on a drum, nor those that have parted; lists are made anew."""
+    changed = 0
+    for j in range(memory.rope.shape[0]):
+        there = table.rope[j] if stiffness[j] > 0.0 else -1
+        if there != memory.rope[j]:
+            memory.rope[j] = there
+            changed += 1
+    if changed > 0:
+        memory.origin[0, 0] = NOWHERE
 
 
 @kernel
@@ -170,12 +185,12 @@ def is_next(x, y, share, i, s, p):
 
 
 @kernel
-def owns(x, y, share, table, tied, i, j, s, t):
+def owns(x, y, share, table, memory, tied, i, j, s, t):
     """Tell whether the nearest points of segments i < j are theirs, and not those of segments beside them.
 
     A contact at a node is that of the segment before it, where that one may touch at all.
     """
-    rope = table.rope
+    rope = memory.rope
     if s <= 0.0 and i > 0 and rope[i - 1] == rope[i]:
         if not are_neighbours(table, tied, i - 1, j):
             return False

@@ -80,7 +80,7 @@ def fits(x, y, share, memory, row, s, t, size, before):
 def add_contact(x, y, share, table, memory, tied, i, j):
     """Make a contact of a pair that touches at a share of the way from x to y; return how many."""
     s, t, _ = nearest(x, y, share, i, j)
-    if not owns(x, y, share, table, tied, i, j, s, t):
+    if not owns(x, y, share, table, memory, tied, i, j, s, t):
         return 0
     row = -1 - row_of(memory, i, j)
     if not new_row(memory, i, j, row):
@@ -164,7 +164,9 @@ def meet_pairs(x, y, table, memory, tied):
             gap = plane_gap(y, memory, row, size)
             off = abs(end[2] - size - gap) > WRONG * size and (end[2] < size or gap < 0.0)
             # past a node the next segment has the contact: its normal is not to lean towards the node
-            own = count[ROUNDS] < WARY_ROUNDS and owns(y, y, 0.0, table, tied, i, j, end[0], end[1])
+            own = count[ROUNDS] < WARY_ROUNDS and owns(
+                y, y, 0.0, table, memory, tied, i, j, end[0], end[1]
+            )
             if off and (through or too_deep or own):
                 hit = comes_to(x, y, i, j, size, start, way) if hit == NEVER else hit
                 changed = turn_contact(x, y, table, memory, row, hit, end)

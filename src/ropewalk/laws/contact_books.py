@@ -1,0 +1,86 @@
+"""The books of contacts: what surfaces give and take, motor, squeeze and friction apart.
+
+Over an accepted step let N and Q be the mean forces of an obstacle on a node, what presses and what rubs, m
+the way of the surface as it moves, D the node's way over it as it moves and turns, d = D + w, and G by how
+much its gap has grown along the normal n. Then
+    N . n G        what presses,        Q . D        what rubs,        N . m + Q . w        the motor
+have done. The first two only take, but for what the contact stores, k e^2 / 2 of the depth e and |R|^2 / (2 k)
+of the friction spring: by implicit Euler in every step, for both are convex. The ledger's own work is
+F . (v0 + v1) h / 2, F = N + Q (see `ledger`); what is left of it is the method's, which takes chords for arcs
+and a mean speed for a way. With it the entries add up to the ledger's to rounding.
+"""
+
+from __future__ import annotations
+
+from ropewalk.core.jit import kernel
+from ropewalk.laws.contact_frame import carried
+
+# Rows of `Memory.books`: works so far [J], what is stored now [J], and the gap now [m].
+MOTOR, PRESS, RUB, METHOD, PRESSED, RUBBED, GAP, BOOKS = range(8)
+#: What is recorded of every surface [J]: work on the ropes; they add up to the law's.
+ENTRIES = ("motor", "normal", "friction", "stored", "method")
+RISE, OVER, LED, WAYS = 0, 3, 6, 9  # rows of `Memory.slip`: n G, D and m [m]
+
+
+@kernel
+def put_apart(force, o, i, push, nx, ny, nz, sx, sy, sz):
+    """Write what presses and what rubs into an obstacle's own rows of the force."""
+    row = 3 + 6 * o
+    force[row, i], force[row + 1, i], force[row + 2, i] = push * nx, push * ny, push * nz
+    force[row + 3, i], force[row + 4, i], force[row + 5, i] = sx, sy, sz
+
+
+@kernel
+def note_way(obstacles, memory, o, i, now, then, angle, x, y, z, gap, n0, n1, n2):
+    """Keep a node's way over an obstacle in the step that ends at x, y, z, in its frame, and its gap.
+
+    `now` and `then` are what `surface_at` gives for the step's ends, `angle` by what it has turned between.
+    """
+    slip, place, center, axis = memory.slip[o], memory.place, obstacles.center[o], obstacles.axis[o]
+    books, depth = memory.books[o], max(obstacles.thickness[i] - gap, 0.0)
+    _, _, _, dx, dy, dz = carried(center, axis, angle, then, memory.grip[o], place, i, x, y, z)
+    rise = gap - books[GAP, i]
+    slip[RISE, i], slip[RISE + 1, i], slip[RISE + 2, i] = rise * n0, rise * n1, rise * n2
+    slip[OVER, i], slip[OVER + 1, i], slip[OVER + 2, i] = dx, dy, dz
+    for k in range(3):
+        slip[LED + k, i] = now[k] - then[k]
+    books[GAP, i] = gap
+    books[PRESSED, i] = 0.5 * obstacles.stiffness[o, i] * depth * depth
+
+
+@kernel
+def book_contacts(memory, force, middle, dt):
+    """Book a step's works: of its mean forces, `middle` the mean of the speeds at its ends, (3, n)."""
+    way = memory.way
+    if force.shape[0] < 3 + 6 * memory.slip.shape[0]:
+        return
+    for o in range(memory.slip.shape[0]):
+        books, slip, row = memory.books[o], memory.slip[o], 3 + 6 * o
+        for i in range(way.shape[1]):
+            press, rub, motor, whole = 0.0, 0.0, 0.0, 0.0
+            for k in range(3):
+                n, q = force[row + k, i], force[row + 3 + k, i]
+                press += n * slip[RISE + k, i]
+                rub += q * slip[OVER + k, i]
+                motor += n * slip[LED + k, i] + q * (way[k, i] - slip[OVER + k, i])
+                whole += (n + q) * (dt * middle[k, i])
+            books[PRESS, i] += press
+            books[RUB, i] += rub
+            books[MOTOR, i] += motor
+            books[METHOD, i] += whole - press - rub - motor
+
+
+@kernel
+def record_books(books, out):
+    """Write the entries of every obstacle, (k, 5) [J]; see ENTRIES."""
+    for o in range(books.shape[0]):
+        sums = out[o]
+        for e in range(sums.shape[0]):
+            sums[e] = 0.0
+        for i in range(books.shape[2]):
+            pressed, rubbed = books[o, PRESSED, i], books[o, RUBBED, i]
+            sums[0] += books[o, MOTOR, i]
+            sums[1] += books[o, PRESS, i] + pressed
+            sums[2] += books[o, RUB, i] + rubbed
+            sums[3] -= pressed + rubbed
+            sums[4] += books[o, METHOD, i]
