@@ -25,13 +25,9 @@ APART = {
     ("winch", "clamp"): "has bending stiffness",
     ("winch", "joint"): "cannot wind a rope that is tied",
     ("limiter", "joint"): "cannot limit ropes that joints tie",
-    ("winch", "contact"): "cannot work with a winch yet",
-    ("contact", "parting"): "cannot work with ropes that touch each other yet",
-    ("limiter", "contact"): "cannot work with a stretch limiter yet",
-    ("winch", "slide"): "cannot work with a winch yet",
-    ("limiter", "slide"): "cannot work with a stretch limiter yet",
-    ("contact", "slide"): "cannot work with ropes that touch each other yet",
-    ("parting", "slide"): "nothing slides along a rope that parts yet",
+    ("winch", "slide"): "on whose drum rope has no length to slide along",
+    ("contact", "slide"): "inside each other as they are where one slides",
+    ("parting", "slide"): "then nothing tells along which part to slide",
 }
 #: What changes nothing beside another feature, which has it already.
 IDLE = {"clamp": "bending"}
