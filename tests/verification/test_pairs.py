@@ -25,6 +25,7 @@ APART = {
     ("winch", "clamp"): "has bending stiffness",
     ("winch", "joint"): "cannot wind a rope that is tied",
     ("limiter", "joint"): "cannot limit ropes that joints tie",
+    ("winch", "contact"): "which takes nodes onto its drum",
     ("winch", "slide"): "on whose drum rope has no length to slide along",
     ("contact", "slide"): "inside each other as they are where one slides",
     ("parting", "slide"): "then nothing tells along which part to slide",

@@ -11,10 +11,12 @@ import pytest
 
 import ropewalk as rw
 from ropewalk.cli.commands.run import _tell_of_partings
+from ropewalk.laws.pairs.table import CONTACTS, NEAR
 from ropewalk.methods.registry import METHODS
 from ropewalk.record.parted import Parting
 from ropewalk.record.simulate import simulate_in_memory
 from ropewalk.scene import Kick, SceneError, Straight
+from verification.feature_pairs import scene_of
 
 K, M, G, SPEED, LOAD = 4000.0, 2.0, 9.81, 1.0, 80.0  # N/m, kg, m/s^2, m/s, N
 OMEGA = math.sqrt(K / M)
@@ -321,3 +323,19 @@ def test_no_more_than_three_partings_are_told_one_by_one(
     told = capsys.readouterr().err
     assert told.count("a rope parted: segment") == 3
     assert "and 37 more segments parted" in told
+
+
+def test_what_has_parted_is_not_touched() -> None:
+    """Segments that part go from the contacts of ropes; their neighbours stay."""
+    simulation = rw.Simulation(scene_of("implicit-euler", "contact", "parting", implicit=True))
+    table, memory = simulation.system.node.contact, simulation.arrays.memory.contact
+    whole = memory.rope.copy()
+    assert (whole == table.rope).all()
+    simulation.advance_steps(20)
+    memory = simulation.arrays.memory.contact
+    parted = (simulation.arrays.stiffness == 0.0) & (table.rope >= 0)
+    assert parted.any()
+    assert not parted.all()
+    assert ((memory.rope < 0) == (parted | (whole < 0))).all()
+    assert not parted[memory.pair[: memory.tally[CONTACTS]]].any()
+    assert not parted[memory.near[: memory.tally[NEAR]]].any()

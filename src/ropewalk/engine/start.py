@@ -14,7 +14,7 @@ from ropewalk.lowering import Model
 from ropewalk.lowering.curve_tables import let_relax
 from ropewalk.lowering.limiter_bounds import with_bounds
 from ropewalk.lowering.link_lengths import with_links
-from ropewalk.lowering.memory import with_memory
+from ropewalk.lowering.remembered import with_memory
 from ropewalk.methods.recording import bends
 from ropewalk.scene import SceneError
 from ropewalk.scene.faults import Fault

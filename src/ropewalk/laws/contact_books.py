@@ -4,8 +4,9 @@ Over an accepted step let N and Q be the mean forces of an obstacle on a node, w
 the way of the surface as it moves, D the node's way over it as it moves and turns, d = D + w, and G by how
 much its gap has grown along the normal n. Then
     N . n G        what presses,        Q . D        what rubs,        N . m + Q . w        the motor
-have done. The first two only take, but for what the contact stores, k e^2 / 2 of the depth e and |R|^2 / (2 k)
-of the friction spring: by implicit Euler in every step, for both are convex. The ledger's own work is
+have done. The first two only take, but for what the contact stores, k e^2 / 2 of the depth e and
+|R|^2 / (2 k) of the friction spring: by implicit Euler friction in every step, pressing on flat bodies, for
+both are convex, and on round ones but for what a step's chord lacks of its arc. The ledger's own work is
 F . (v0 + v1) h / 2, F = N + Q (see `ledger`); what is left of it is the method's, which takes chords for arcs
 and a mean speed for a way. With it the entries add up to the ledger's to rounding.
 """

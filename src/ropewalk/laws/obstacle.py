@@ -171,8 +171,11 @@ def node_stiffness(rope: Rope, whole: float, mass: float | None = None) -> tuple
 def _firm(rope: Rope, weight: float, radius: float, mass: float) -> float:
     """Return how stiff contacts of nodes of `mass` [kg] with a body of `radius` [m] must be [N/m].
 
-    `weight` is that of all that hangs on the rope [N].
+    `weight` is that of all that hangs on the rope [N]. 0: as stiff as the rope asks for, on flat bodies and
+    those without a radius.
     """
+    if not radius > 0.0:
+        return 0.0
     pull = weight + sum(math.hypot(*one.force) for one in rope.forces)
     turn = min(rope.segment_length / (radius + 0.5 * rope.diameter), SHARP)
     return min(pull * turn / (FIRM * rope.diameter), _most(rope, mass))

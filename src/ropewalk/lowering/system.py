@@ -31,9 +31,9 @@ from ropewalk.lowering.joint_tables import join, joint_tables
 from ropewalk.lowering.layout import Layout, Span
 from ropewalk.lowering.limiter_order import limiter_order
 from ropewalk.lowering.masses import line, line_density, masses, passing
-from ropewalk.lowering.memory import with_memory
 from ropewalk.lowering.motion_rows import anchor_tables
 from ropewalk.lowering.pieces import Pieces
+from ropewalk.lowering.remembered import with_memory
 from ropewalk.lowering.slide_checks import put_on_ropes
 from ropewalk.lowering.variant import rare_of
 from ropewalk.methods.kinks import kink_times
@@ -266,7 +266,6 @@ def _node_tables(scene: Scene, layout: Layout, keep: Pieces) -> Any:
         "ropes": (),
         "whole": (),
         "joints": (),
-        "wound": tuple(winch.rope for winch in scene.winches),
     }
     each = zip(scene.ropes, layout.ropes, strict=True)
     inputs["parts"] = tuple((rope.strength, passing(rope, span)) for rope, span in each)

@@ -23,7 +23,7 @@ from ropewalk.laws.registry import NODE_LAWS, SEGMENT_LAWS
 from ropewalk.laws.wheels import RECORDED, record_wheels
 from ropewalk.methods.peaks import record_peaks
 from ropewalk.methods.scratch import LANES, clear, clear_row, put
-from ropewalk.methods.surfaces import count_surfaces, record_surfaces
+from ropewalk.methods.surface_books import count_surfaces, record_surfaces
 
 ENERGIES = ("kinetic", "gravity", "elastic")
 _EVER = tuple(law.name for law in NODE_LAWS if law.memory is None)

@@ -59,12 +59,8 @@ def lower(
     ropes: Sequence[Rope],
     whole: Sequence[float],
     joints: Sequence[Joint],
-    wound: Sequence[str],
 ) -> Pairs:
-    """Return the table of a scene's ropes; `whole` is a rope's mass with all it is tied to [kg].
-
-    `wound` are the names of those on winches.
-    """
+    """Return the table of a scene's ropes; `whole` is a rope's mass with all it is tied to [kg]."""
     s = layout.segments if contact is not None else 0
     table = Pairs(
         friction=np.zeros(min(s, 1)),
@@ -93,8 +89,7 @@ def lower(
             table.soft[here] = table.hard[here] = 0.5 * contact.compliance
             table.stop[here] = min(1.0 / (STOP * far), 0.5 * contact.compliance / STOP)
         table.rope[here] = number
-        # the segment that comes off a drum begins without a length
-        table.skip[here] = max(1, neighbours(rope)) + (rope.name in wound)
+        table.skip[here] = max(1, neighbours(rope))
     table.skin[0] = SKIN * 2.0 * float(table.radius.max())
     _note_joints(table, layout, ropes, joints)
     return table
@@ -276,7 +271,7 @@ CONTACT = NodeLaw(
     name="contact",
     section="contact",
     lower=lower,
-    inputs=("layout", "ropes", "whole", "joints", "wound"),
+    inputs=("layout", "ropes", "whole", "joints"),
     acts=acts,
     force=force,
     tangent=tangent,

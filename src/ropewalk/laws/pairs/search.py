@@ -124,7 +124,7 @@ def find_near(x, y, table, memory, tied):
 
 @kernel
 def note_ropes(table, memory, stiffness):
-    """Note which segments are rope: not those on a drum, nor those that have parted; lists are made anew."""
+    """Note which segments are rope, and have not parted; where that has changed lists are made anew."""
     changed = 0
     for j in range(memory.rope.shape[0]):
         there = table.rope[j] if stiffness[j] > 0.0 else -1

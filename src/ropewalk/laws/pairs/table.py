@@ -64,7 +64,7 @@ class Memory(NamedTuple):
     origin: Floats  # (3, n) where the nodes were when `near` was found [m]
     box: Floats  # (s, 6) working space of the search
     order: Ints  # (s,) segments along an axis
-    rope: Ints  # (s,) as in `Pairs`, -1 as well where there is no rope now, on a drum or where it has parted
+    rope: Ints  # (s,) as in `Pairs`, -1 as well where one has parted
     way: Floats  # (3, n) in the last step [m]
     books: Floats  # (3,) works so far: what pressed, what rubbed, the method's share [J]
 
