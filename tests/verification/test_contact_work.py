@@ -172,9 +172,9 @@ def test_ropes_on_ropes_have_entries_of_their_own() -> None:
 def test_they_are_in_table_dataset_and_file(tmp_path: Path) -> None:
     scene = thrown(1)
     folder = tmp_path / "run"
-    result = rw.simulate(scene.replace(run=scene.run.replace(duration=0.2)), out=folder)
+    result = rw.run(scene.replace(run=scene.run.replace(duration=0.2)), folder)
     header = "friction of drum [J]"
-    kept = rw.open_run(folder)
+    kept = rw.open(folder)
     expected = result.contact_work["drum"]["friction"]
     assert np.array_equal(kept.contact_work["drum"]["friction"], expected)
     assert np.array_equal(kept.to_pandas("run")[header], expected)
