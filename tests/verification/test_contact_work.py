@@ -182,9 +182,6 @@ def test_they_are_in_table_dataset_and_file(tmp_path: Path) -> None:
     data = kept.dataset["contact_work"]
     assert data.dims == ("time", "surface", "entry")
     assert list(data["surface"].values) == ["floor", "ball", "drum"]
-    assert np.isnan(
-        rw.simulate(scene.replace(run=scene.run.replace(ledger=False, duration=0.1))).contact_work[
-            "drum"
-        ]["friction"]
-    ).all()
+    blind = rw.simulate(scene.replace(run=scene.run.replace(duration=0.1)), ledger=False)
+    assert np.isnan(blind.contact_work["drum"]["friction"]).all()
     assert math.isclose(float(data.sel(surface="drum", entry="friction")[-1]), expected[-1])
