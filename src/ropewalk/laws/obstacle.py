@@ -32,6 +32,7 @@ from ropewalk.laws.node_law import NodeLaw, Rest
 from ropewalk.laws.obstacle_rows import (
     KINDS,
     place_of,
+    radius_round,
     size_rows,
     spin_of,
     turning_of,
@@ -43,7 +44,6 @@ from ropewalk.laws.wheels import RATE, ROWS, WIDTH
 from ropewalk.motions.registry import FIXED
 from ropewalk.motions.rows import Motions, jumps, largest_speed, motion_rows
 from ropewalk.motions.whereabouts import place_now
-from ropewalk.scene.obstacles import thinnest
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -112,6 +112,7 @@ def lower(
     `gravity` is its size [m/s^2].
     """
     bodies = tuple(obstacles or ())
+    places = [place_of(body) for body in bodies]
     count, n = len(bodies), layout.nodes
     own, mass = np.zeros(n), np.zeros(n)
     thickness = np.zeros(n)
@@ -125,12 +126,12 @@ def lower(
         own[here], mass[here] = _loaded(rope, stiff, weight, all_mass)
         thickness[nodes] = radius_of(rope)
         for row, body in enumerate(bodies):
-            firm[row, nodes] = _firm(rope, gravity * all_mass, thinnest(body), weight)
+            radius = radius_round(KINDS[body.kind], places[row][2])
+            firm[row, nodes] = _firm(rope, gravity * all_mass, radius, weight)
     stiffness = np.empty((count, n))
     for row, body in enumerate(bodies):
         asked = body.compliance
         stiffness[row] = np.maximum(own, firm[row]) if asked is None else 1.0 / asked
-    places = [place_of(body) for body in bodies]
     centers = np.array([place[0] for place in places], dtype=np.float64).reshape(count, 3)
     motion = motion_rows([body.motion for body in bodies], centers)
     for moved in np.flatnonzero(motion.kind != FIXED):  # a table has places of its own

@@ -72,6 +72,13 @@ def place_of(body: Any) -> tuple[Any, Any, Any]:
     return 0.5 * (start + end), _unit(end - start), (body.radius, half, 0.0, 0.0)
 
 
+def radius_round(kind: int, size: Any) -> float:
+    """Return the least radius about which a rope may lie [m]: inf of a plane, 0 of what has edges or none."""
+    if kind in (PLANE, MESH):
+        return math.inf if kind == PLANE else 0.0
+    return float(size[{TORUS: 1, BOX: 3}.get(kind, 0)])
+
+
 def corners_of(body: Any) -> Floats:
     """Return the vertices of a mesh about the origin of its frame, (v, 3) [m]."""
     found: Floats = turned_by(body.rotation, body.scale * np.array(body.vertices, np.float64))
