@@ -126,8 +126,7 @@ def lower(
         own[here], mass[here] = _loaded(rope, stiff, weight, all_mass)
         thickness[nodes] = radius_of(rope)
         for row, body in enumerate(bodies):
-            radius = radius_round(KINDS[body.kind], places[row][2])
-            firm[row, nodes] = _firm(rope, gravity * all_mass, radius, weight)
+            firm[row, nodes] = _firm(rope, gravity * all_mass, radius_round(body), weight)
     stiffness = np.empty((count, n))
     for row, body in enumerate(bodies):
         asked = body.compliance

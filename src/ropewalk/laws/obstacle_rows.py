@@ -72,11 +72,12 @@ def place_of(body: Any) -> tuple[Any, Any, Any]:
     return 0.5 * (start + end), _unit(end - start), (body.radius, half, 0.0, 0.0)
 
 
-def radius_round(kind: int, size: Any) -> float:
-    """Return the least radius about which a rope may lie [m]: inf of a plane, 0 of what has edges or none."""
-    if kind in (PLANE, MESH):
-        return math.inf if kind == PLANE else 0.0
-    return float(size[{TORUS: 1, BOX: 3}.get(kind, 0)])
+def radius_round(body: Any) -> float:
+    """Return the least radius about which a rope may lie [m]: inf of a plane, 0 of sharp edges."""
+    if body.kind == "plane":
+        return math.inf
+    name = {"torus": "bar_radius", "box": "edge_radius", "mesh": "rounding", "sdf": "rounding"}
+    return float(getattr(body, name.get(body.kind, "radius")))
 
 
 def corners_of(body: Any) -> Floats:
