@@ -12,7 +12,6 @@ from ropewalk.core.arrays import Floats, State
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.ranges import rows
 from ropewalk.laws.clamps import bent_energy
-from ropewalk.laws.contact_books import ENTRIES
 from ropewalk.laws.curved import elastic_pull, stored_by, stretched
 from ropewalk.laws.node_law import NodeLaw
 from ropewalk.laws.nodes import fold, touch_nodes
@@ -20,10 +19,9 @@ from ropewalk.laws.parting import NAME as PARTING
 from ropewalk.laws.pulls import add_pulls
 from ropewalk.laws.rare import acts, has_bending, has_curves, limits, winds
 from ropewalk.laws.registry import NODE_LAWS, SEGMENT_LAWS
-from ropewalk.laws.wheels import RECORDED, record_wheels
 from ropewalk.methods.peaks import record_peaks
 from ropewalk.methods.scratch import LANES, clear, clear_row, put
-from ropewalk.methods.surface_books import count_surfaces, record_surfaces
+from ropewalk.methods.surface_books import record_surfaces, record_turning, surface_shapes
 
 ENERGIES = ("kinetic", "gravity", "elastic")
 _EVER = tuple(law.name for law in NODE_LAWS if law.memory is None)
@@ -105,8 +103,7 @@ def make_recording(
         (3, n if set(more) - _APART else 0),
         *[(peaks.error.shape[0],)] * 2,
         state.joint_force.shape,
-        (count_surfaces(state), len(ENTRIES)),
-        (len(getattr(state.memory.obstacle, "wheel", ())), len(RECORDED)),
+        *surface_shapes(state),
     ]
     large = [empty((frames, *shape)) for shape in shapes[: len(LARGE)]]
     return Recording(*large, *(np.zeros((frames, *shape)) for shape in shapes[len(LARGE) :]))
@@ -343,8 +340,7 @@ def record_frame(system, state, ledger, sums, frame, out):
     p, spin = out.momentum[frame], out.angular_momentum[frame]
     record_motion(state.x, state.v, state.mass, system.gravity, sums, energy, p, spin)
     record_peaks(state.peaks, frame, out)
-    if system.rare is not None:
-        record_wheels(system.node.obstacle.inertia, state.memory.obstacle.wheel, out.wheel[frame])
+    record_turning(system, state, out.wheel[frame])
     if out.contact.shape[2] > 0:
         clear(out.contact[frame])
         touch_nodes(system, state, out.contact[frame])

@@ -4,14 +4,24 @@ from __future__ import annotations
 
 from ropewalk.core.arrays import State
 from ropewalk.core.jit import part
-from ropewalk.laws.contact_books import record_books
+from ropewalk.laws.contact_books import ENTRIES, record_books
 from ropewalk.laws.pairs.pair_books import record_pair_books
+from ropewalk.laws.wheels import RECORDED, record_wheels
 
 
-def count_surfaces(state: State) -> int:
-    """Return how many obstacles there are, and one more where ropes touch ropes."""
+def surface_shapes(state: State) -> list[tuple[int, int]]:
+    """Return the shapes of the books of obstacles and of ropes on ropes, and of what turns freely."""
     of_ropes = min(len(getattr(state.memory.contact, "books", ())), 1)
-    return len(getattr(state.memory.obstacle, "books", ())) + of_ropes
+    count = len(getattr(state.memory.obstacle, "books", ())) + of_ropes
+    wheels = len(getattr(state.memory.obstacle, "wheel", ()))
+    return [(count, len(ENTRIES)), (wheels, len(RECORDED))]
+
+
+@part
+def record_turning(system, state, out):
+    """Write how what turns freely does so, (w, 6)."""
+    if system.rare is not None:
+        record_wheels(system.node.obstacle.inertia, state.memory.obstacle.wheel, out)
 
 
 @part
