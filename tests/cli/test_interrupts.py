@@ -74,6 +74,7 @@ def test_nothing_is_collected_at_the_end_of_the_process() -> None:
 
 WATCHED = """
 import atexit, sys
+from ropewalk.cli import main
 from ropewalk.record.run import Recorder
 real, seen = Recorder.record, set()
 def watched(recorder, progress):
