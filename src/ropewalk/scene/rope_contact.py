@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ropewalk.scene.base import Model, Number, positive, quantity
-from ropewalk.scene.body import MOST_FRICTION
 from ropewalk.scene.environment import Limiter
 from ropewalk.scene.faults import MISSING, NO_VALUE, Fault
 from ropewalk.scene.rope import Rope
+from ropewalk.scene.solid import MOST_FRICTION
 from ropewalk.scene.winch import Winch
 
 
