@@ -94,7 +94,6 @@ def test_a_circle_is_found() -> None:
 SHARED = {
     "apart": "anchors that pull a rope apart: what they do, and what is said of it",
     "app": "an application: of the command line, of the page",
-    "body": "an obstacle: how a scene describes it, and one that is moved by hand",
     "drawing": "the way from a thing to its figures",
     "errors": "of energy, in the kernels; and the exceptions whose path the reference gives",
     "facts": "what is known of a run, of a sweep, besides their numbers",
