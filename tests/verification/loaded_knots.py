@@ -57,13 +57,13 @@ class Loaded:
         return f"{self.end} {'at ' if self.end == 'slips' else ''}{self.most:.0f} N, {way}"
 
 
-def line(shape: Knot, ends: float, stiffness: float = 0.0, one: float = 1.0) -> Rope:
-    """A rope in a knot, of segments of so many diameters and ends of so many [m] together."""
+def line(shape: Knot, ends: float, stiffness: float = 0.0) -> Rope:
+    """A rope in a knot, of segments of a diameter and ends of so many [m] together."""
     need = shape.tied(D).length + ends
-    count = math.ceil(need / (one * D))
+    count = math.ceil(need / D)
     stuff = STUFF | ({"EI": stiffness} if stiffness else {})
     return Rope(
-        segments=count, length=count * one * D, diameter=D, made_of=Material(**stuff), shape=shape
+        segments=count, length=count * D, diameter=D, made_of=Material(**stuff), shape=shape
     )
 
 
@@ -190,10 +190,10 @@ def ratio(scene: Scene, seconds: float = 1.5) -> tuple[float, int]:
     return float(np.mean(found[len(found) // 2 :])), passed
 
 
-def braked(knot: Any, friction: float, force: float, one: float = 1.0, **sizes: Any) -> Scene:
+def braked(knot: Any, friction: float, force: float, **sizes: Any) -> Scene:
     """A hitch that is held at its last end by a force [N] while the first one is drawn out."""
     shape = Knot(knot=knot, post_radius=2.0 * D, **sizes)
-    rope = line(shape, 0.5, one=one)
+    rope = line(shape, 0.5)
     places, out = ends(rope)
     rope = rope.replace(forces=[Force(node=-1, force=(force * out[1]).tolist())])
     motion = Table(times=[0.0, 10.0], positions=[places[0].tolist(), (places[0] + out[0]).tolist()])
