@@ -7,7 +7,7 @@ from pathlib import Path
 
 import ropewalk as rw
 from ropewalk import plots
-from ropewalk.scene import apply_overrides, loads
+from ropewalk.scene import loads
 
 HERE = Path(__file__).parent
 PILE = HERE.parent / "how-to" / "pile.md"
@@ -15,7 +15,7 @@ PILE = HERE.parent / "how-to" / "pile.md"
 
 def main() -> None:
     """Run the scenes and draw them."""
-    slides = rw.simulate(apply_overrides(rw.preset("edge"), ["run.duration=1.1"]))
+    slides = rw.simulate("edge")
     plots.save(plots.film(slides, 6), HERE / "edge.png", dpi=75)
     holds = rw.simulate("capstan")
     plots.save(plots.sticking(holds), HERE / "sticking.png", dpi=75)

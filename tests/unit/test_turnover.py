@@ -82,6 +82,13 @@ def test_a_share_does_not_fall_while_a_piece_does() -> None:
     assert landed.table[KEY] >= falls.table[KEY] > 0.0
 
 
+def test_few_frames_make_no_share_smaller() -> None:
+    """What falls between the last frame before a rope parts and the next one is no turn-over either."""
+    few = torn(2.0)
+    many = few.replace(run=few.run.replace(frame_rate=540.0))
+    assert share(few) > 0.99 * share(many)
+
+
 def test_weight_changes_no_share_of_what_flies() -> None:
     """Seen by who falls along there is no weight. It was 7.7 % for 96 %."""
     for method in ("rk4", "semi-implicit-euler"):

@@ -166,7 +166,8 @@ function inTrough({ axis, size }, p) {
   return size[0] - (high ? Math.abs(dot(across, cross(above, axis))) : Math.hypot(...across));
 }
 
-/** How far a place is from the surface, of triangles from the box around them, negative inside [m]. @param {Solid} solid @param {ArrayLike<number>} place */
+/** How far a place is from the surface, of triangles from the box around them, negative inside [m].
+ * @param {Solid} solid @param {ArrayLike<number>} place */
 export function distanceTo(solid, place) {
   const { kind, center, axis, size } = solid;
   const p = minus(place, center);

@@ -38,6 +38,7 @@ from ropewalk.cli.commands.share import share
 from ropewalk.cli.commands.sheet import sheet
 from ropewalk.cli.commands.sweep import sweep
 from ropewalk.cli.commands.view import view
+from ropewalk.cli.startup import without_last_rites
 from ropewalk.words.nearest import nearest
 
 
@@ -90,6 +91,7 @@ class RopewalkGroup(click.Group):
         name = prog_name or "ropewalk"
         if not standalone_mode:
             return super().main(args, name, complete_var, standalone_mode=False, **extra)
+        without_last_rites()
         try:
             with warnings.catch_warnings(), failures.interrupts() as interrupts:
                 warnings.simplefilter("ignore", RuntimeWarning)  # numpy's, of broken runs

@@ -25,6 +25,11 @@ def console(*, stderr: bool = False) -> Console:
     return made
 
 
+def load_tables() -> None:
+    """Load now what a table at the end needs, so that Ctrl-C in between is answered sooner."""
+    _drawn(("all",), [("that",)], "is: drawn", ())
+
+
 def say(text: str = "") -> None:
     """Print a line of results on stdout."""
     click.echo(text)
@@ -67,6 +72,12 @@ def print_table(
     right: Iterable[int] = (),
 ) -> None:
     """Print a table on stdout; `right` names the columns of numbers."""
+    click.echo(_drawn(columns, rows, title, right))
+
+
+def _drawn(
+    columns: Sequence[str], rows: Iterable[Sequence[str]], title: str, right: Iterable[int]
+) -> str:
     from rich import box
     from rich.table import Table
     from rich.text import Text
@@ -88,4 +99,4 @@ def print_table(
     with page.capture() as drawn:
         page.print(table)
     lines = [line.rstrip() for line in drawn.get().splitlines()]
-    click.echo("\n".join(line for line in lines if click.unstyle(line)))
+    return "\n".join(line for line in lines if click.unstyle(line))

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
-from ropewalk.cli.console import tell
+from ropewalk.cli.console import load_tables, tell
 from ropewalk.display.bar import Bar
 
 if TYPE_CHECKING:
@@ -99,6 +99,7 @@ class RunProgress:
         self._from: float | None = None  # simulated time where this part of the run began [s]
 
     def __enter__(self) -> RunProgress:
+        load_tables()
         self._bar.__enter__()
         return self
 

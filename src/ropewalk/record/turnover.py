@@ -196,19 +196,29 @@ def _go_along(
     total = np.bincount(labels, weights=weight)
     part = (weight / np.where(total > 0.0, total, 1.0)[labels])[:, None]
     masses_of, of_loose = np.bincount(labels, weights=mass), falls[order][starts]
-    gravity, at_first = np.asarray(result.scene.gravity), None
-    before = max(frames[0] - 1, 0)
-    base, fallen = found.gravity[before], found.loose[before]
-    step = max(1, _VALUES // (3 * result.nodes))
-    for first in range(*frames, step):
-        last = min(first + step, frames[1])
+    gravity, start = np.asarray(result.scene.gravity), max(frames[0] - 1, 0)
+
+    def height(first: int, last: int) -> Floats:
+        """Return the energy of weight of what goes along [J], (frames, pieces)."""
+        places: Floats = summed(result.read("positions", first, last) * part) @ -gravity
+        return masses_of * places
+
+    def moving(first: int, last: int) -> Floats:
+        """Return the kinetic energy of what goes along [J], (frames, pieces)."""
         velocity = result.read("velocities", first, last)
         along, momentum = summed(velocity * part), summed(velocity * mass[:, None])
-        moving = (along * momentum).sum(axis=2) - 0.5 * masses_of * (along**2).sum(axis=2)
-        height = -masses_of * (summed(result.read("positions", first, last) * part) @ gravity)
-        at_first = (moving[0], height[0]) if at_first is None else at_first
-        rise = height - at_first[1]
-        found.kinetic[first:last] = moving.sum(axis=1)
-        found.gravity[first:last] = base + rise.sum(axis=1)
-        change = (moving - at_first[0] + rise)[:, of_loose].sum(axis=1)
-        found.loose[first:last] = fallen + change
+        energy: Floats = (along * momentum).sum(axis=2) - 0.5 * masses_of * (along**2).sum(axis=2)
+        return energy
+
+    low, base = (
+        height(start, start + 1),
+        found.gravity[start],
+    )  # what is new falls since the frame before
+    begin = height(frames[0], frames[0] + 1) + moving(frames[0], frames[0] + 1)
+    fallen, step = found.loose[start], max(1, _VALUES // (3 * result.nodes))
+    for first in range(*frames, step):
+        last = min(first + step, frames[1])
+        high, quick = height(first, last), moving(first, last)
+        found.kinetic[first:last] = quick.sum(axis=1)
+        found.gravity[first:last] = base + (high - low).sum(axis=1)
+        found.loose[first:last] = fallen + (quick + high - begin)[:, of_loose].sum(axis=1)

@@ -17,8 +17,8 @@ from ropewalk.scene.base import (
     refuse,
     vector,
 )
-from ropewalk.scene.body import Body
 from ropewalk.scene.faults import MISSING, NO_VALUE, Fault
+from ropewalk.scene.solid import Body
 
 #: No mesh has more; what has is to be made coarser.
 MOST_FACES = 200_000

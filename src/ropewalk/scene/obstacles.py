@@ -21,7 +21,6 @@ from ropewalk.scene.base import (
     stop_time,
     vector,
 )
-from ropewalk.scene.body import Body
 from ropewalk.scene.faults import MISSING, NO_VALUE, Fault
 from ropewalk.scene.mesh import Mesh, Sdf
 from ropewalk.scene.motions import (
@@ -30,6 +29,7 @@ from ropewalk.scene.motions import (
     interval_faults,
     time_faults,
 )
+from ropewalk.scene.solid import Body
 
 
 def _between(description: str, toml: str, python: str) -> Any:

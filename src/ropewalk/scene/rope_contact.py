@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ropewalk.scene.base import Model, Number, positive, quantity
-from ropewalk.scene.body import MOST_FRICTION
 from ropewalk.scene.faults import MISSING, NO_VALUE, Fault
 from ropewalk.scene.rope import Rope
+from ropewalk.scene.solid import MOST_FRICTION
 from ropewalk.scene.winch import Winch
 
 

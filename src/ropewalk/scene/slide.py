@@ -7,10 +7,10 @@ from collections.abc import Iterator, Sequence
 from pydantic import Field
 
 from ropewalk.scene.base import NAME, Model, Number, Text, Whole, not_negative, positive, quantity
-from ropewalk.scene.body import MOST_FRICTION
 from ropewalk.scene.faults import MISSING, NO_VALUE, Fault
 from ropewalk.scene.rope import Rope, node_range
 from ropewalk.scene.rope_contact import Contact
+from ropewalk.scene.solid import MOST_FRICTION
 from ropewalk.scene.winch import Winch
 from ropewalk.words.nearest import nearest
 

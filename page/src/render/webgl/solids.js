@@ -207,7 +207,8 @@ function shadowOf(solid, camera, height) {
   });
 }
 
-/** Colour, depth and shadow of a body that pixels' rays are followed to. @param {Record<string, THREE.IUniform>} uniforms
+/** Colour, depth and shadow of a body that pixels' rays are followed to.
+ * @param {Record<string, THREE.IUniform>} uniforms
  * @param {[THREE.IUniform, THREE.IUniform]} boxes of the screen @param {THREE.IUniform} info */
 function bodyMeshes(uniforms, [box, fallen], info) {
   const colour = material(SOLID_VERTEX, SOLID_COLOUR, { ...uniforms, box, info }, true);

@@ -1,0 +1,42 @@
+"""Knots that are loaded: with friction they hold, without they slip, and nothing passes through."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from verification.loaded_knots import LOADED, braked, follow, loaded, ratio
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("knot", LOADED)
+def test_it_holds_with_friction_and_slips_without(knot: str) -> None:
+    """700 N on 0.6 with a free tail; without friction not ten."""
+    borne = follow(loaded(knot, 0.6))
+    assert borne.end == "holds"
+    assert borne.most > 700.0
+    assert borne.slid < 0.06
+    assert borne.passed == 0
+    twin = follow(loaded(knot, 0.0))
+    assert twin.end == "slips"
+    assert twin.most < 10.0
+    assert twin.passed == 0
+
+
+@pytest.mark.slow
+def test_a_munter_brakes_on_its_ring() -> None:
+    """It runs under several times the hand's pull, the more the rougher; little more than that without."""
+    found = [ratio(braked("munter", friction, 10.0, ring_radius=0.1)) for friction in (0.0, 0.3)]
+    assert found[0][0] < 2.0
+    assert 5.0 < found[1][0] < 12.0
+    assert found[0][1] == found[1][1] == 0
+
+
+@pytest.mark.slow
+def test_turns_on_a_bollard_hold_what_they_should() -> None:
+    """Two of them, exp(4 pi mu) times the hand's pull."""
+    for friction in (0.0, 0.3):
+        held, passed = ratio(braked("bollard", friction, 1.0))
+        assert held == pytest.approx(math.exp(4.0 * math.pi * friction), rel=0.06)
+        assert passed == 0
