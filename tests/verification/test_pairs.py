@@ -25,12 +25,10 @@ APART = {
     ("winch", "clamp"): "has bending stiffness",
     ("winch", "joint"): "cannot wind a rope that is tied",
     ("limiter", "joint"): "cannot limit ropes that joints tie",
-    ("winch", "contact"): "cannot work with a winch yet",
+    ("winch", "contact"): "which takes nodes onto its drum",
     ("contact", "parting"): "cannot work with ropes that touch each other yet",
-    ("limiter", "contact"): "cannot work with a stretch limiter yet",
-    ("winch", "slide"): "cannot work with a winch yet",
-    ("limiter", "slide"): "cannot work with a stretch limiter yet",
-    ("contact", "slide"): "cannot work with ropes that touch each other yet",
+    ("winch", "slide"): "on whose drum rope has no length to slide along",
+    ("contact", "slide"): "inside each other as they are where one slides",
     ("parting", "slide"): "nothing slides along a rope that parts yet",
 }
 #: What changes nothing beside another feature, which has it already.

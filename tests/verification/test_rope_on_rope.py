@@ -20,7 +20,6 @@ from ropewalk.scene import (
     Anchor,
     Contact,
     Joint,
-    Limiter,
     Material,
     Points,
     Polyline,
@@ -357,7 +356,7 @@ def test_a_run_goes_on_to_the_same_bits_from_a_snapshot() -> None:
 
 
 def test_what_cannot_touch_is_refused_in_words() -> None:
-    """Diameters, methods, rest, ropes inside each other, winches and limiters."""
+    """Diameters, methods, rest, ropes inside each other, winches."""
     scene = thrown(1.0)
     bare = scene.ropes[0].model_copy()
     bare = Rope(
@@ -369,8 +368,6 @@ def test_what_cannot_touch_is_refused_in_words() -> None:
         scene.replace(ropes=(bare, scene.ropes[1]))
     with pytest.raises(SceneError, match="cannot work with a winch"):
         scene.replace(winches=(Winch(rope="a", end="start", speed=0.1),))
-    with pytest.raises(SceneError, match="cannot work with a stretch limiter"):
-        scene.replace(limiter=Limiter())
     for method in ("adaptive", "implicit-midpoint", "generalized-alpha"):
         with pytest.raises(SceneError, match=r"run.method: .* cannot work with ropes that touch"):
             build(scene.replace(run=RunSettings(method=method)))

@@ -317,7 +317,6 @@ def test_it_begins_on_its_rope() -> None:
         ({"slide.at": 9.0}, "must be on rope 'line'"),
         ({"slide.brake_from": 1.0}, "slide[0].brake: missing"),
         ({"rope.line.segments": 1}, "has one segment"),
-        ({"limiter": {}}, "cannot work with a stretch limiter yet"),
     ],
 )
 def test_what_cannot_be_is_refused_in_words(change: dict[str, Any], words: str) -> None:

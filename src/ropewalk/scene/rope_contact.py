@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ropewalk.scene.base import Model, Number, positive, quantity
-from ropewalk.scene.environment import Limiter
 from ropewalk.scene.faults import MISSING, NO_VALUE, Fault
 from ropewalk.scene.rope import Rope
 from ropewalk.scene.solid import MOST_FRICTION
@@ -37,7 +36,6 @@ def contact_faults(
     contact: Contact | None,
     ropes: Sequence[Rope],
     winches: Sequence[Winch],
-    limiter: Limiter | None,
 ) -> list[Fault]:
     """The faults of a scene whose ropes touch each other."""
     if contact is None:
@@ -61,9 +59,9 @@ def contact_faults(
         if rope.made_of.parts
     ]
     if winches:
-        rule = "cannot work with a winch yet: leave out the winches, or contact"
-        found.append(Fault("contact", NO_VALUE, rule))
-    if limiter is not None:
-        rule = "cannot work with a stretch limiter yet: leave out the limiter, or contact"
+        rule = (
+            "cannot work with a winch, which takes nodes onto its drum after the way of a step was looked "
+            "at: leave out the winches, or contact"
+        )
         found.append(Fault("contact", NO_VALUE, rule))
     return found

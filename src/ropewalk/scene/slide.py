@@ -7,7 +7,6 @@ from collections.abc import Iterator, Sequence
 from pydantic import Field
 
 from ropewalk.scene.base import NAME, Model, Number, Text, Whole, not_negative, positive, quantity
-from ropewalk.scene.environment import Limiter
 from ropewalk.scene.faults import MISSING, NO_VALUE, Fault
 from ropewalk.scene.rope import Rope, node_range
 from ropewalk.scene.rope_contact import Contact
@@ -76,20 +75,24 @@ def slide_faults(
     slides: Sequence[Slide],
     ropes: Sequence[Rope],
     winches: Sequence[Winch],
-    limiter: Limiter | None,
     contact: Contact | None,
 ) -> list[Fault]:
     """The faults of a scene in which nodes slide along ropes."""
     if not slides:
         return []
     others = (
-        ("winch", "a winch", bool(winches)),
-        ("limiter", "a stretch limiter", limiter is not None),
-        ("contact", "ropes that touch each other", contact is not None),
+        (
+            bool(winches),
+            "a winch, on whose drum rope has no length to slide along: leave out the winch",
+        ),
+        (
+            contact is not None,
+            "ropes that touch each other, inside each other as they are where one slides: leave out contact",
+        ),
     )
     found = [
-        Fault("slide", NO_VALUE, f"cannot work with {what} yet: leave out {section}, or the slides")
-        for section, what, there in others
+        Fault("slide", NO_VALUE, f"cannot work with {what}, or the slides")
+        for there, what in others
         if there
     ]
     names, seen = [rope.name for rope in ropes], dict[tuple[str, int], int]()
