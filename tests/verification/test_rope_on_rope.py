@@ -231,6 +231,16 @@ def test_a_rope_thrown_at_another_does_not_pass(speed: float, more: dict[str, fl
         assert simulation.arrays.memory.contact.tally[FAULT] == 0
 
 
+def test_beside_a_stretch_limiter_it_does_not_pass_either() -> None:
+    """The line is at its bound when it stops what was thrown at it."""
+    simulation = Simulation(thrown(20.0).replace(limiter=Limiter(max_stretch=1.001)))
+    before = linked(simulation.arrays.x)
+    for _ in range(2):
+        simulation.step(1.0 / 60.0)
+        assert linked(simulation.arrays.x) == before
+    assert simulation.arrays.forces.limiter.any()
+
+
 def test_the_twin_without_contact_passes() -> None:
     """Else the test above would show nothing."""
     simulation = Simulation(thrown(20.0, touch=False))
