@@ -20,6 +20,7 @@ from ropewalk.scene import (
     Anchor,
     Contact,
     Joint,
+    Limiter,
     Material,
     Points,
     Polyline,
