@@ -69,7 +69,9 @@ export class Solids {
   /** Where a body's middle is, as the server has it [m]. @param {string} name @returns {Vector | null} */
   base(name) {
     const found = this.named(name);
-    return found && minus(found.center, this.stage.shifts[0] ?? [0, 0, 0]);
+    if (!found) return null;
+    const middle = found.surface?.middle ?? [0, 0, 0]; // of triangles, from the place that moves
+    return minus(minus(found.center, middle), this.stage.shifts[0] ?? [0, 0, 0]);
   }
 
   /** How far a body has turned [rad]. @param {string} name */

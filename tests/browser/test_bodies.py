@@ -50,15 +50,15 @@ def on_drum(window: Window) -> tuple[float, float]:
 
 
 def test_a_drum_is_led_turned_and_put_back(open_window: Open, serve: Serve) -> None:
-    window = open_window(serve(Session(over_a_drum()), playing=True).address, **WIDE).ready()
-    window.settled() if window.ask("r.state === 'paused'") else None
-    pose = window.ask("JSON.stringify(r.stage.camera.pose)")
+    window = open_window(serve(Session(over_a_drum())).address, **WIDE).ready()
+    window.settled()
+    pose = "JSON.stringify(r.stage.camera.pose)"
+    before = window.ask(pose)
     window.drag(on_drum(window), (0, -40))
     window.page.mouse.up()
+    assert window.ask(pose) == before  # it is not the view that moves
+    window.press(" ")  # while time is paused, hands wait
     window.until(f"{MIDDLE}[2] > 0.02")
-    assert (
-        window.ask("JSON.stringify(r.stage.camera.pose)") == pose
-    )  # it is not the view that moves
     window.until("r.session.status.undo === 'moving the obstacle'")
     window.press("Control+z")
     window.until(f"Math.abs({MIDDLE}[2]) < 1e-9")

@@ -309,7 +309,17 @@ def test_tab_goes_from_place_to_place_and_enter_opens_the_menu(
     window.page.locator("#view").focus()
     window.press("Tab", "Tab", "Enter")
     assert "Node " in window.page.locator(".popup .popup-title").inner_text()
+    focused = "document.activeElement.textContent"
+    first = window.ask(focused)
+    window.press("ArrowDown")
+    second = window.ask(focused)
+    window.press("ArrowUp")
+    assert window.ask(focused) == first != second
+    window.press("ArrowUp")  # round to the last
+    assert window.ask(focused).startswith("Follow")
     window.press("Escape")
+    assert window.ask("document.activeElement.id") == "view"
+    assert window.ask(words) == found[1]  # where it was
     assert "paused" in window.page.locator("#voice").inner_text()
     assert "3 anchors hold" in window.page.locator("#voice").inner_text()
 

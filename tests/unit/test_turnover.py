@@ -138,3 +138,24 @@ def test_an_anchor_that_lets_go(tmp_path: Path) -> None:
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(turnover, "_VALUES", 100)
         assert turnover.share_turned(result) == pytest.approx(whole, rel=1e-12)
+
+
+def test_what_errs_after_another_rope_broke_is_told() -> None:
+    """The broken one has no velocity from then on; the other flies on, and its error goes on to count."""
+    points = [(0.14 * i, 5.0 + 0.02 * (i % 2), 0.0) for i in range(9)]
+    flyer = Rope(
+        name="flyer", segments=8, length=1.0, made_of=Material(**SOFT), shape=Points(points=points)
+    )
+    stiff = Material(EA=2000.0, mass_per_length=0.1)
+    bad = Rope(name="bad", segments=8, length=1.0, made_of=stiff, shape=Straight(direction=LEVEL))
+    scene = Scene(ropes=[bad, flyer], anchors=[Anchor(rope="bad", node=0)], run=settings())
+    result = rw.simulate(scene, on_failure="return")
+    assert result.ends
+    assert result.ends[0].ropes == ("bad",)
+    assert result.ends[0].time < 1.0
+    assert np.isnan(result.velocities[-1]).any()
+    late = np.abs(result.energy_error[result.ends[0].frames :]).max()
+    forms = [part for name, part in result.energy.items() if name != "total"]
+    early = turnover.largest_change([result.energy_error[: result.ends[0].frames]])
+    assert late > 2.0 * early
+    assert result.table[KEY] >= 99.0 * late / turnover.largest_change(forms)

@@ -93,6 +93,7 @@ export class Walk {
     this.voice = voice;
     this.menu = menu;
     this.at = -1; // of the stops
+    this.back = -1; // to which a closed menu comes back
     this.state = "";
     this.bodyKeys = new BodyKeys(stage);
     canvas.setAttribute("role", "slider");
@@ -100,7 +101,11 @@ export class Walk {
     canvas.setAttribute("aria-valuemin", "1");
     canvas.addEventListener("keydown", (event) => this.press(event));
     canvas.addEventListener("blur", () => this.go(-1));
-    canvas.addEventListener("pointerdown", () => this.go(-1));
+    canvas.addEventListener("focus", () => {
+      this.go(this.back);
+      this.back = -1;
+    });
+    canvas.addEventListener("pointerdown", () => this.go((this.back = -1)));
     for (const name of /** @type {const} */ (["status", "broken", "frame"]))
       stage.session.on(name, () => this.tell());
   }
@@ -143,6 +148,7 @@ export class Walk {
       const place = placeOf(this.stage, stops[this.at]);
       if (!place) return;
       const [x, y] = this.stage.camera.project(...place);
+      this.back = this.at;
       this.menu(stops[this.at], x, y);
     } else if (stops[this.at]?.kind === "obstacle") {
       const { obstacle } = /** @type {BodyHit} */ (stops[this.at]);

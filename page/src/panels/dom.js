@@ -131,8 +131,11 @@ export function popup(host, x, y, items, title = "") {
     { className: "popup", role: "menu" },
     title && h("div", { className: "popup-title" }, title),
   );
+  const opener = document.activeElement;
   const close = () => {
+    const held = menu.contains(document.activeElement);
     menu.remove();
+    if (held && opener instanceof HTMLElement) opener.focus({ preventScroll: true });
     removeEventListener("pointerdown", outside, true);
     removeEventListener("keydown", escape, true);
   };
@@ -142,6 +145,7 @@ export function popup(host, x, y, items, title = "") {
   const escape = (/** @type {KeyboardEvent} */ event) => {
     if (event.key === "Escape") close();
   };
+  menu.addEventListener("keydown", (event) => goInMenu(menu, event));
   for (const item of items) {
     const press = () => {
       close();
@@ -170,6 +174,18 @@ export function popup(host, x, y, items, title = "") {
   addEventListener("keydown", escape, true);
   menu.querySelector("button")?.focus({ preventScroll: true });
   return menu;
+}
+
+/** The arrows, Home and End go from item to item. @param {HTMLElement} menu @param {KeyboardEvent} event */
+function goInMenu(menu, event) {
+  const items = [.../** @type {NodeListOf<HTMLButtonElement>} */ (menu.querySelectorAll("button"))];
+  const able = items.filter((one) => !one.disabled);
+  const here = able.findIndex((one) => one === document.activeElement);
+  const to = { ArrowDown: here + 1, ArrowUp: here - 1, Home: 0, End: able.length - 1 }[event.key];
+  if (to === undefined || !able.length) return;
+  event.preventDefault();
+  event.stopPropagation(); // the arrows are no anchor's now
+  able[(to + able.length) % able.length].focus({ preventScroll: true });
 }
 
 /** A file for the user to keep. @param {string} address @param {string} name */

@@ -113,12 +113,14 @@ def _carried(result: Result, good: int) -> Carried | None:
     found = Carried(np.zeros(good), np.zeros(good), np.zeros(good))
     falls = _falls_freely(result, good)
     wild = np.zeros(layout.nodes, dtype=bool) if falls else _loose(_labels(result, live), held)
+    for span in (layout.span(name) for end in result.ends for name in end.ropes):
+        wild[span.first : span.last + 1] = True  # a rope that broke has no velocity any more
     for first, last in _epochs(result, good):
         live, held = _topology(result, first)
         labels = _labels(result, live)
         loose = _loose(labels, held)
         weight = np.where(loose, mass, held) * ~(loose & wild)
-        _go_along(result, (first, last), labels, weight, mass, found, loose & falls)
+        _go_along(result, (first, last), labels, weight, mass, found, loose & falls & ~wild)
     return found
 
 
@@ -205,7 +207,7 @@ def _go_along(
 
     def moving(first: int, last: int) -> Floats:
         """Return the kinetic energy of what goes along [J], (frames, pieces)."""
-        velocity = result.read("velocities", first, last)
+        velocity = np.nan_to_num(result.read("velocities", first, last))
         along, momentum = summed(velocity * part), summed(velocity * mass[:, None])
         energy: Floats = (along * momentum).sum(axis=2) - 0.5 * masses_of * (along**2).sum(axis=2)
         return energy
