@@ -10,7 +10,7 @@ import pytest
 from ropewalk.analysis.check import check
 from ropewalk.analysis.cost import seconds_per_step
 from ropewalk.analysis.unit_slips import unit_slips
-from ropewalk.api import simulate
+from ropewalk.api import preset, simulate
 from ropewalk.lowering import build
 from ropewalk.scene import (
     Anchor,
@@ -204,6 +204,15 @@ def test_slips_of_a_material(changes: dict[str, object], words: str) -> None:
         assert words in found
     else:
         assert found == ""
+
+
+def test_a_rider_s_density_is_that_of_his_loads_too() -> None:
+    """His diameter is to the air; grams for kilograms is still seen where nothing slides."""
+    ride = preset("zip-line-ride")
+    assert unit_slips(build(ride)) == []
+    light = ride.replace(**{"rope[1].load[1].mass": 0.03, "rope[1].load[2].mass": 0.03})
+    light = light.replace(**{"rope[1].load[0].mass": 0.03})
+    assert "density" in "\n".join(unit_slips(build(light)))
 
 
 @pytest.mark.parametrize(

@@ -240,6 +240,33 @@ def test_what_is_recorded_is_in_folder_dataset_and_tables(tmp_path: Path) -> Non
         result.pulley("drum")
 
 
+def test_the_table_of_a_run_says_how_fast_it_turns_and_what_its_axle_carries() -> None:
+    """At the start M (g - a) + m (g + a) and the line; twice, where it is found contact by contact."""
+    result = rw.simulate(atwood(duration=0.2))
+    table = result.table
+    assert table["largest rate of a pulley [rad/s]"] == np.abs(result.pulley("wheel").speed).max()
+    assert table["largest rate of a pulley at"].startswith("pulley 'wheel', t = ")
+    a, line = acceleration(), sum(rope.own_mass for rope in result.scene.ropes)
+    loads = sum(load.mass for load in result.scene.ropes[0].loads)
+    heavy = loads - LIGHT
+    pull = heavy * (g - a) + LIGHT * (g + a) + line * g
+    from ropewalk.record.moving_rows import axle_loads
+
+    found = axle_loads(result, range(result.frames))[:, 0]
+    assert table["largest load on the axle of a pulley [N]"] == found.max()
+    assert found[found > 0.0].mean() == pytest.approx(pull, rel=0.03)
+    body = result.scene.obstacles[0]
+    far = body.model_copy(
+        update={"name": "far", "spin": None, "start": (9, 0, 0), "end": (9, 1, 0)}
+    )
+    both = rw.simulate(result.scene.model_copy(update={"obstacles": (body, far)}))
+    np.testing.assert_allclose(
+        axle_loads(both, range(5, 9))[:, 0],
+        np.linalg.norm(both.contact_force[5:9].sum(axis=1), axis=1),
+        rtol=1e-9,
+    )
+
+
 def test_two_ropes_on_one_wheel_turn_it_together() -> None:
     """Each of two machines side by side on one wheel of twice the inertia does what one on its own does."""
     one = atwood()

@@ -239,6 +239,28 @@ def test_a_free_pair_keeps_momentum_and_angular_momentum() -> None:
     assert np.abs(before).max() > 10.0
 
 
+def test_the_table_of_a_run_says_where_it_slid_and_what_it_carried() -> None:
+    result = rw.simulate(scene())
+    found, table = result.slide("slide0"), result.table
+    assert found.place[0] == pytest.approx(1.2, abs=0.02)
+    assert np.all(np.diff(found.place) > 0.0)  # down the slope
+    rider = result.layout.span("rider").start
+    np.testing.assert_array_equal(found.speed, np.linalg.norm(result.velocities[:, rider], axis=1))
+    assert table["largest speed of a sliding node [m/s]"] == found.speed.max()
+    assert table["farthest place of a slide [m]"] == found.place.max()
+    assert table["farthest place of a slide at"].endswith(
+        f"in the end 'slide0' {found.place[-1]:.5g} m along"
+    )
+    assert "of the recorded frames" in table["largest load of a slide on its rope at"]
+    # Over the ride what the line carries across is its weight's share, and the tail's.
+    assert np.median(found.load) == pytest.approx(2.025 * g * math.cos(0.2), rel=0.1)
+    heavy = rw.simulate(scene(tail=8.0))  # 4 kg in the tail: their middle is a quarter metre below
+    slow = heavy.slide("slide0")
+    assert not np.allclose(slow.carried, slow.speed, rtol=1e-3)
+    with pytest.raises(KeyError, match="name one of the slides, slide0, not 'hook'"):
+        result.slide("hook")
+
+
 def test_it_stops_at_the_end_of_the_rope() -> None:
     simulation = rw.Simulation(scene("rk4", 5e-4, speed=9.0, slide={"at": 6.8}))
     last = 0.0

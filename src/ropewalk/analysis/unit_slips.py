@@ -32,7 +32,7 @@ def unit_slips(model: Model) -> list[str]:
     found = _gravity(scene) + _run(scene)
     for i, rope in enumerate(scene.ropes):
         path = f"rope[{i}]"
-        found += _line(path, rope) + _section(path, rope) + _size(path, rope, model)
+        found += _line(path, rope) + _section(path, rope, scene) + _size(path, rope, model)
         found += _bending(path, rope) + _in_water(path, rope, scene)
         for j, load in enumerate(rope.loads):
             if load.mass > 1000.0 * max(rope.own_mass, 1.0):
@@ -107,7 +107,7 @@ def _line(path: str, rope: Rope) -> list[str]:
     return found
 
 
-def _section(path: str, rope: Rope) -> list[str]:
+def _section(path: str, rope: Rope, scene: Scene) -> list[str]:
     """A diameter that was given, and the modulus and density that it implies."""
     if "diameter" not in rope.model_fields_set:
         return []
@@ -123,6 +123,9 @@ def _section(path: str, rope: Rope) -> list[str]:
                 f"diameter is a modulus of {modulus:.3g} N/m^2, that of no material; EA is in N"
             )
         density = rope.made_of.mass_per_length / area
+        if density < _DENSITY[0] and any(slide.rope == rope.name for slide in scene.slides):
+            # A rider: his masses are loads, and the diameter is his to the air.
+            density = rope.total_mass / (area * rope.length_unstretched)
         if not _DENSITY[0] <= density <= _DENSITY[1]:
             found.append(
                 f"{path}.made_of.mass_per_length: {rope.made_of.mass_per_length:g} kg/m over "

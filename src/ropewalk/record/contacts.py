@@ -103,7 +103,7 @@ def each_frame(result: Result, frames: Iterable[int]) -> Iterator[tuple[int, Con
     """Return the frames of those given in which something touches, with their contacts."""
     if "contact_force" not in result.source.names:
         return
-    model = _model(result)
+    model = model_of(result)
     table, stiffness = model.system.node.obstacle, model.state.stiffness
     x, v, force = result.positions, result.velocities, result.contact_force
     turning = result.read(PULLEYS) if result.layout.pulleys else None
@@ -139,7 +139,8 @@ def _told(model: Model, x: Floats, force: Floats, contacts: Contacts) -> Contact
     return contacts._replace(rub=rub)
 
 
-def _model(result: Result) -> Model:
+def model_of(result: Result) -> Model:
+    """Return the model of a run's scene in its drawn shape."""
     run = result.scene.run.model_copy(update={"start": "shape", "ring": None})
     return build(result.scene.model_copy(update={"run": run}), drawn=False)
 

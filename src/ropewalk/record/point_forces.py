@@ -14,6 +14,7 @@ from ropewalk.record.quantities import CONTACT_WORK
 
 if TYPE_CHECKING:
     from ropewalk.record.contacts import WrapHistory
+    from ropewalk.record.moving_rows import SlideMotion
     from ropewalk.record.result import Result
 
 
@@ -102,6 +103,15 @@ class PointForces:
             surface: {entry: array[:, k, e] for e, entry in enumerate(ENTRIES)}
             for k, surface in enumerate(result.layout.surfaces)
         }
+
+    def slide(self, name: str) -> SlideMotion:
+        """How a node slid along its rope: place [m], speed, load, and the speed of its rope's centre of mass.
+
+        Raises KeyError where the scene has no slide of that name.
+        """
+        from ropewalk.record.moving_rows import slide_motion
+
+        return slide_motion(cast("Result", self), name)
 
     def obstacle_positions(self, frames: slice = slice(None)) -> Floats:
         """Where obstacles are at some frames [m], (frames, obstacles, 3): their middles; planes: a point."""

@@ -13,6 +13,7 @@ from ropewalk.record.ends import shortly
 from ropewalk.record.extremes import SEEN, UTILISATION, Extreme, extremes, place_of
 from ropewalk.record.facts import AT_REST, BROKE
 from ropewalk.record.margins import margin_rows
+from ropewalk.record.moving_rows import moving_rows
 from ropewalk.record.parted import parting_rows
 from ropewalk.record.pass_notes import pass_note
 from ropewalk.record.tension_notes import curve_note, peak_note, push_note
@@ -53,6 +54,7 @@ def summary(result: Result) -> dict[str, Any]:
         **_steps(result),
         **_told(result, found),
         **_margins(result, found),
+        **moving_rows(result),
         **(parting_rows(result.partings) if result.scene.parts else {}),
         "largest energy error [J]": _largest(errors),
         **({"largest energy error at": at} if (at := _error_at(result, errors)) else {}),

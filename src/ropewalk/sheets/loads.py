@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ropewalk.record.extremes import UTILISATION, extremes, place_of
+from ropewalk.record.moving_rows import moving_rows
 from ropewalk.sheets.content import Item, Section, Table, Text
 from ropewalk.words.prefixes import prefixed
 
@@ -77,13 +78,18 @@ def rest_section(result: Result, spans: tuple[RestSpan, ...]) -> Section:
 
 
 def run_section(result: Result) -> Section:
-    """Return the extremes of every step of a run, and the greatest force of every anchor."""
+    """Return the extremes of every step of a run, those of what turns and slides, and of every anchor."""
     found = extremes(result)
     rows = []
     for name, (title, unit) in _TITLES.items():
         one = found[name]
         if not math.isnan(one.value):
             rows.append((title, _value(one.value, unit), place_of(result, name, one)))
+    moving = moving_rows(result)
+    for title, value in moving.items():
+        bare, _, unit = title.removesuffix("]").partition(" [")
+        if unit:
+            rows.append((bare, _value(value, unit), moving[f"{bare} at"]))
     items: list[Item] = []
     if result.diagnosis:
         items.append(Text(f"THE RUN BROKE: {result.diagnosis}", warning=True))

@@ -1,0 +1,186 @@
+"""Rows of a run's table about pulleys that turn freely and about what slides along ropes.
+
+Of the recorded frames: between two of them there may be more, and the rows say so.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from ropewalk.core.arrays import Floats
+from ropewalk.record.extremes import SEEN
+from ropewalk.record.quantities import PULLEYS
+
+if TYPE_CHECKING:
+    from ropewalk.laws.slides.table import Slides
+    from ropewalk.record.result import Result
+
+_VALUES = 2_000_000  # numbers of one quantity looked at together
+_RATE = 1  # column of the quantity pulleys
+
+
+class SlideMotion(NamedTuple):
+    """How a node slid along a rope, one row a frame."""
+
+    place: Floats  # (frames,) unstretched rope from the line's start [m]
+    speed: Floats  # (frames,) of the node [m/s]
+    load: Floats  # (frames,) that it presses on the line with, across it [N]
+    carried: (
+        Floats  # (frames,) speed of the centre of mass of the node's rope, with its loads [m/s]
+    )
+
+
+def moving_rows(result: Result) -> dict[str, Any]:
+    """Return the rows of pulleys and of slides; nothing where there are none."""
+    return _pulley_rows(result) | _slide_rows(result)
+
+
+def slide_motion(result: Result, name: str) -> SlideMotion:
+    """Return how one slide moved. Raises KeyError where the scene has none of that name."""
+    names = [slide.name for slide in result.scene.slides]
+    if name not in names:
+        raise KeyError(f"name one of the slides, {', '.join(names) or '(none)'}, not {name!r}")
+    row, parts = names.index(name), list[SlideMotion]()
+    table, masses = _slides(result), _masses(result, row)
+    for start, stop in _pieces(result, result.frames):
+        parts.append(_piece(result, row, table, masses, start, stop))
+    return SlideMotion(*(np.concatenate(column) for column in zip(*parts, strict=True)))
+
+
+def axle_loads(result: Result, frames: range) -> Floats:
+    """Return the force of the ropes on each pulley, (frames, pulleys) [N]; without its own weight.
+
+    Friction that cannot be told, where a rope touches another on the pulley, is left out.
+    """
+    from ropewalk.record.contacts import each_frame
+
+    bodies = [body.name for body in result.scene.obstacles]
+    where = [bodies.index(name) for name in result.layout.pulleys]
+    if len(bodies) == 1 and result.scene.contact is None:  # then all contact forces are its own
+        force = result.read("contact_force", frames.start, frames.stop).sum(axis=1)
+        return np.asarray(np.linalg.norm(force, axis=1)[:, None])
+    found = np.zeros((len(frames), len(where), 3))
+    for frame, contacts in each_frame(result, frames):
+        forces = contacts.push[:, None] * contacts.normal + np.nan_to_num(contacts.rub)
+        for column, o in enumerate(where):
+            found[frame - frames.start, column] = forces[contacts.obstacle == o].sum(axis=0)
+    return np.asarray(np.linalg.norm(found, axis=2))
+
+
+def _pulley_rows(result: Result) -> dict[str, Any]:
+    """Return the largest rate and the largest load on an axle."""
+    names = result.layout.pulleys
+    if not names or "contact_force" not in result.source.names:
+        return {}
+    best, shown = dict[str, tuple[float, str]](), [f"pulley {name!r}" for name in names]
+    for start, stop in _pieces(result, result.good_frames):
+        rates = np.abs(result.read(PULLEYS, start, stop)[..., _RATE])
+        for title, values in (("rate", rates), ("load", axle_loads(result, range(start, stop)))):
+            _keep(best, title, values, shown, result.time[start:stop])
+    return {
+        "largest rate of a pulley [rad/s]": best["rate"][0],
+        "largest rate of a pulley at": best["rate"][1],
+        "largest load on the axle of a pulley [N]": best["load"][0],
+        "largest load on the axle of a pulley at": f"{best['load'][1]}; its own weight is not in it",
+    }
+
+
+def _slide_rows(result: Result) -> dict[str, Any]:
+    """Return speeds, load and places of what slides."""
+    slides = result.scene.slides
+    if not slides:
+        return {}
+    table, best, last = _slides(result), dict[str, tuple[float, str]](), list[str]()
+    for row, slide in enumerate(slides):
+        masses, said = _masses(result, row), f"slide {slide.name!r}"
+        for start, stop in _pieces(result, result.good_frames):
+            found = _piece(result, row, table, masses, start, stop)
+            for title, values in zip(SlideMotion._fields, found, strict=True):
+                frame = int(np.argmax(np.where(np.isfinite(values), values, -np.inf)))
+                where = f"{said}, {found.place[frame]:.5g} m along {slide.on!r}"
+                there = f"rope {slide.rope!r}, {where}" if title == "carried" else where
+                words = f"{said} along {slide.on!r}" if title == "place" else there
+                _keep(best, title, values[:, None], [words], result.time[start:stop])
+        last.append(f"{slide.name!r} {found.place[-1]:.5g} m along")
+    titles = {
+        "speed": "largest speed of a sliding node [m/s]",
+        "carried": "largest speed of a sliding rope's centre of mass [m/s]",
+        "load": "largest load of a slide on its rope [N]",
+        "place": "farthest place of a slide [m]",
+    }
+    rows: dict[str, Any] = {}
+    for name, title in titles.items():
+        rows |= {title: best[name][0], f"{title.partition(' [')[0]} at": best[name][1]}
+    rows["farthest place of a slide at"] += f"; in the end {', '.join(last[:4])}"
+    return rows
+
+
+def _keep(
+    best: dict[str, tuple[float, str]],
+    title: str,
+    values: Floats,
+    named: Sequence[str],
+    times: Floats,
+) -> None:
+    """Keep the largest of (frames, things), with which of those `named`, and when it was."""
+    signed = np.where(np.isfinite(values), values, -np.inf)
+    frame, column = divmod(int(np.argmax(signed)), values.shape[1])
+    if signed[frame, column] > best.get(title, (-math.inf, ""))[0]:
+        at = f"{named[column]}, t = {times[frame]:.6g} s, {SEEN}"
+        best[title] = float(signed[frame, column]), at
+
+
+def _pieces(result: Result, frames: int) -> Iterator[tuple[int, int]]:
+    """Return the first and last frame of pieces that fit into memory."""
+    step = max(1, _VALUES // (3 * result.nodes))
+    return ((start, min(start + step, frames)) for start in range(0, frames, step))
+
+
+def _slides(result: Result) -> Slides:
+    from ropewalk.record.contacts import model_of
+
+    table: Slides = model_of(result).system.node.slide
+    return table
+
+
+def _masses(result: Result, row: int) -> Floats:
+    """Return the masses of the nodes of the rope of a slide, with their loads, (nodes,) [kg]."""
+    rope = result.scene.rope_named(result.scene.slides[row].rope)
+    length = rope.own_mass / max(rope.nodes - 1, 1)
+    masses = np.full(rope.nodes, length)
+    masses[[0, -1]] *= 0.5
+    if rope.made_of.kind == "springs":
+        masses[:] = rope.own_mass / rope.nodes
+    for load in rope.loads:
+        masses[rope.node_index(load.node)] += load.mass
+    return masses
+
+
+def _piece(
+    result: Result, row: int, table: Slides, masses: Floats, start: int, stop: int
+) -> SlideMotion:
+    """Return how a slide moved in some frames."""
+    from ropewalk.laws.slides.rail import nearest_place, point_at
+    from ropewalk.laws.slides.sliding import place_near
+
+    places = result.read("positions", start, stop).transpose(0, 2, 1)
+    velocities = result.read("velocities", start, stop)
+    node, first, last = int(table.node[row]), int(table.first[row]), int(table.last[row])
+    span = result.layout.span(result.scene.slides[row].rope)
+    place, load, u = np.zeros(stop - start), np.zeros(stop - start), math.nan
+    for i, x in enumerate(np.ascontiguousarray(places)):
+        u = nearest_place(x, node, first, last, u) if u == u else place_near(table, row, x)
+        apart = x[:, node] - np.array(point_at(x, first, last, u))
+        place[i] = u * table.length[row]
+        load[i] = table.stiffness[row] * float(np.linalg.norm(apart))
+    middle = np.einsum("n,fnk->fk", masses, velocities[:, span.start : span.end + 1])
+    return SlideMotion(
+        place,
+        np.linalg.norm(velocities[:, node], axis=1),
+        load,
+        np.linalg.norm(middle, axis=1) / masses.sum(),
+    )
