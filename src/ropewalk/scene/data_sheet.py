@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from ropewalk.library.wire_factors import wire_factors
-from ropewalk.scene.faults import Fault, SceneError
+from ropewalk.scene.faults import MISSING, Fault, SceneError
 from ropewalk.scene.units import WrongUnit, in_unit
+from ropewalk.theory.edge_fall import harder_by, solid_from_edge_fall
 from ropewalk.theory.fall import rope_from_fall
 from ropewalk.theory.solid_fall import solid_from_fall
 
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
 
 
 _STATIC_LOAD = 80.0 * 9.81  # under which labels of EN 892 give a static elongation [N]
+_CURVE = 0.5  # strain up to which a curve made here goes at least [1]
 
 
 class FromDataSheet:
@@ -54,15 +56,19 @@ class FromDataSheet:
         factor: float = 1.77,
         length: Quantity = 2.8,
         static_elongation: Quantity | None = None,
+        edge_friction: float = 0.0,
+        measured: str = "mass",
+        stiffening: float = 0.0,
+        later_force: Quantity | None = None,
         **others: Any,
     ) -> Self:
         """Return the climbing rope whose standard fall has its label's force and stretch.
 
         With the label's static elongation the rope relaxes: EA = 80 kg g / static_elongation, and relaxing_EA
-        and relaxation_time are solved for in a fall of the mass into the rope (`theory.solid_from_fall`).
-        Without it EA and axial_damping are, spring and damper side by side (`theory.rope_from_fall`). Both
-        are without the friction at the edge of the test rig: what they give with another mass or length is an
-        estimate. The force is that on the anchor, in the first fall.
+        and relaxation_time are solved for in a fall of the mass into the rope (`theory.solid_from_fall`), or
+        over an edge (`theory.solid_from_edge_fall`). Without it EA and axial_damping are, spring and damper
+        side by side (`theory.rope_from_fall`). What they give with another mass or length is an estimate. The
+        force is that of the first fall, on the anchor, and with an edge as `measured` says.
 
         Args:
             impact_force: of the label [N].
@@ -72,6 +78,12 @@ class FromDataSheet:
             factor: free fall over length of rope [1]; the standard's by default.
             length: of the rope [m]; the standard's by default.
             static_elongation: of the label, under 80 kg [1], such as 0.08 or "8 %".
+            edge_friction: of the rope that turns over the rig's edge, coefficient of friction times angle,
+                mu beta [1]; 0 for a fall without an edge. Needs static_elongation, as the next three do.
+            measured: "mass" or "anchor", on which side of the edge impact_force is.
+            stiffening: s of a tension at rest EA e (1 + s e^2) [1]; the material then has a curve.
+            later_force: of a later fall of the series [N], such as the fifth: the rope returned is as it is
+                in that fall, the new one made harder by one factor (`theory.harder_by`), an assumption.
             others: fields of the material.
 
         Raises SceneError for what is no number greater than zero; ValueError for a force and a stretch that
@@ -89,12 +101,31 @@ class FromDataSheet:
         size = _given("length", length, "m")
         made = {"mass_per_length": mass_per_length, "tension_only": True}
         if static_elongation is None:
+            _need_static(edge_friction, stiffening, later_force)
             EA, damping = rope_from_fall(force, share, mass, factor=factor, length=size)
             return cls(**({"EA": EA, "axial_damping": damping} | made | others))
-        EA = _STATIC_LOAD / _given("static_elongation", static_elongation, "1")
-        arm, time = solid_from_fall(force, share, EA, mass, factor=factor, length=size)
-        made |= {"EA": EA, "relaxing_EA": arm, "relaxation_time": time}
-        return cls(**(made | others))
+        rest = _given("static_elongation", static_elongation, "1")
+        EA = _STATIC_LOAD / (rest * (1.0 + stiffening * rest**2))
+        rig: dict[str, Any] = {"factor": factor, "length": size}
+        edge: dict[str, Any] = {"edge_friction": edge_friction, "measured": measured}
+        edge |= {"stiffening": stiffening}
+        if edge_friction == stiffening == 0.0:
+            arm, time = solid_from_fall(force, share, EA, mass, **rig)
+        else:
+            arm, time = solid_from_edge_fall(force, share, EA, mass, **edge, **rig)
+        harder = 1.0
+        if later_force is not None:
+            later = _given("later_force", later_force, "N")
+            harder = harder_by(later, EA, arm, time, mass, **edge, **rig)
+        made |= {"relaxing_EA": harder * arm, "relaxation_time": time}
+        if stiffening == 0.0:
+            return cls(**({"EA": harder * EA} | made | others))
+        curve = {
+            "kind": "polynomial",
+            "coefficients": [harder * EA, 0.0, harder * EA * stiffening],
+            "largest_strain": max(_CURVE, 1.5 * share),
+        }
+        return cls(**({"curve": curve} | made | others))
 
     @classmethod
     def from_break(
@@ -147,6 +178,15 @@ class FromDataSheet:
             "breaking_load": factors.K * R * 1e6 * d**2,
         }
         return cls(**(made | {"tension_only": True} | others))
+
+
+def _need_static(edge_friction: float, stiffening: float, later_force: Quantity | None) -> None:
+    """Raise SceneError where what only a rope that relaxes has is asked of another."""
+    asked = {"edge_friction": edge_friction, "stiffening": stiffening, "later_force": later_force}
+    wanted = [name for name, value in asked.items() if value]
+    if wanted:
+        rule = f"is needed with {' and '.join(wanted)}: give it, as the label has it"
+        raise SceneError([Fault("static_elongation", MISSING, rule)])
 
 
 def _given(name: str, value: Any, unit: str) -> float:

@@ -21,6 +21,7 @@ from ropewalk.theory.chain_modes import (
     chain_frequencies,
     chain_shape,
 )
+from ropewalk.theory.edge_fall import EdgeFall, edge_fall, harder_by, solid_from_edge_fall
 from ropewalk.theory.elastic_catenary import elastic_catenary
 from ropewalk.theory.fall import Fall, rope_fall, rope_from_fall
 from ropewalk.theory.parabola import Parabola, parabola
@@ -28,6 +29,7 @@ from ropewalk.theory.solid_fall import SolidFall, solid_fall, solid_from_fall
 
 __all__ = [
     "Cable",
+    "EdgeFall",
     "Fall",
     "Hung",
     "Parabola",
@@ -39,15 +41,18 @@ __all__ = [
     "chain_factors",
     "chain_frequencies",
     "chain_shape",
+    "edge_fall",
     "elastic_catenary",
     "hanging_chain",
     "hanging_frequencies",
+    "harder_by",
     "lumped_chain",
     "parabola",
     "rigid_chain_frequencies",
     "rope_fall",
     "rope_from_fall",
     "solid_fall",
+    "solid_from_edge_fall",
     "solid_from_fall",
     "string_frequencies",
 ]

@@ -222,14 +222,14 @@ def solid_from_fall(
         return solid_fall(EA, arm, time, mass, factor=factor, length=length, gravity=gravity)
 
     def arm_of(time: float) -> float:
-        return _arm_of(lambda arm: fall(arm, time).stretch, stretch, *reach)
+        return find_arm(lambda arm: fall(arm, time).stretch, stretch, *reach)
 
     catch = math.sqrt(length * mass * stretch**2 / whole)  # a time of it [s]
-    time = _time_of(lambda time: fall(arm_of(time), time).force, force, catch)
+    time = find_time(lambda time: fall(arm_of(time), time).force, force, catch)
     return arm_of(time), time
 
 
-def _time_of(force_of: Callable[[float], float], force: float, catch: float) -> float:
+def find_time(force_of: Callable[[float], float], force: float, catch: float) -> float:
     """Return the relaxation time with which the force is this one [s]; a catch takes about `catch` [s].
 
     Raises ValueError for a force that none gives.
@@ -250,7 +250,7 @@ def _time_of(force_of: Callable[[float], float], force: float, catch: float) -> 
     return math.exp(root_of(lambda size: force_of(math.exp(size)) - force, low, high))
 
 
-def _arm_of(
+def find_arm(
     stretch_of: Callable[[float], float], stretch: float, softest: float, stiffest: float
 ) -> float:
     """Return the arm between these two [N] that gives the stretch."""
