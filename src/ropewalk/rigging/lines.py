@@ -145,7 +145,7 @@ class Line:
         chord = math.hypot(self.span, self.height_difference)
         text = [
             f"line of {made_of} over {self.span:.6g} m, {self.height_difference:+.4g} m; {self.given}",
-            f"length to cut {self.length:.6g} m without tension, {self.length - chord:+.4g} m to the chord",
+            f"length to cut {self.length:.6g} m without tension, {_against(self.length - chord)}",
             f"sag {self.sag:.4g} m, {100.0 * self.sag / self.span:.3g} % of the span",
             f"tension {force(first)} at the first end, {force(last)} at the second one",
         ]
@@ -311,3 +311,8 @@ def _bisected(
         else:
             high = middle
     return 0.5 * (low + high)
+
+
+def _against(more: float) -> str:
+    """Say how a length is to the straight line between the ends, by how much it is longer [m]."""
+    return f"{abs(more):.4g} m {'shorter' if more < 0.0 else 'longer'} than the ends are apart"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ropewalk.library.wire_factors import wire_factors
 from ropewalk.scene.faults import MISSING, Fault, SceneError
@@ -89,43 +89,9 @@ class FromDataSheet:
         Raises SceneError for what is no number greater than zero; ValueError for a force and a stretch that
         do not go together, with the forces that would.
         """
-        share = _given("dynamic_elongation", dynamic_elongation, "1")
-        if share > 1.0:  # no climbing rope doubles its length: per cent were meant
-            raise SceneError(
-                [Fault("dynamic_elongation", dynamic_elongation, f"must be{_in('1')[1:]}")]
-            )
-        force, mass = (
-            _given("impact_force", impact_force, "N"),
-            _given("falling_mass", falling_mass, "kg"),
-        )
-        size = _given("length", length, "m")
-        made = {"mass_per_length": mass_per_length, "tension_only": True}
-        if static_elongation is None:
-            _need_static(edge_friction, stiffening, later_force)
-            EA, damping = rope_from_fall(force, share, mass, factor=factor, length=size)
-            return cls(**({"EA": EA, "axial_damping": damping} | made | others))
-        rest = _given("static_elongation", static_elongation, "1")
-        EA = _STATIC_LOAD / (rest * (1.0 + stiffening * rest**2))
-        rig: dict[str, Any] = {"factor": factor, "length": size}
-        edge: dict[str, Any] = {"edge_friction": edge_friction, "measured": measured}
-        edge |= {"stiffening": stiffening}
-        if edge_friction == stiffening == 0.0:
-            arm, time = solid_from_fall(force, share, EA, mass, **rig)
-        else:
-            arm, time = solid_from_edge_fall(force, share, EA, mass, **edge, **rig)
-        harder = 1.0
-        if later_force is not None:
-            later = _given("later_force", later_force, "N")
-            harder = harder_by(later, EA, arm, time, mass, **edge, **rig)
-        made |= {"relaxing_EA": harder * arm, "relaxation_time": time}
-        if stiffening == 0.0:
-            return cls(**({"EA": harder * EA} | made | others))
-        curve = {
-            "kind": "polynomial",
-            "coefficients": [harder * EA, 0.0, harder * EA * stiffening],
-            "largest_strain": max(_CURVE, 1.5 * share),
-        }
-        return cls(**({"curve": curve} | made | others))
+        rig = _Rig(falling_mass, factor, length, edge_friction, measured, stiffening, later_force)
+        made = _of_fall(impact_force, dynamic_elongation, static_elongation, rig)
+        return cls(**(made | {"mass_per_length": mass_per_length, "tension_only": True} | others))
 
     @classmethod
     def from_break(
@@ -178,6 +144,53 @@ class FromDataSheet:
             "breaking_load": factors.K * R * 1e6 * d**2,
         }
         return cls(**(made | {"tension_only": True} | others))
+
+
+class _Rig(NamedTuple):
+    """Mass and rig of a fall, and how the rope is; as for `from_fall`."""
+
+    mass: Quantity
+    factor: float
+    length: Quantity
+    edge_friction: float
+    measured: str
+    stiffening: float
+    later_force: Quantity | None
+
+
+def _of_fall(
+    impact_force: Quantity, elongation: Quantity, static: Quantity | None, rig: _Rig
+) -> dict[str, Any]:
+    """Return the fields of a material that has a label's fall; see `from_fall`."""
+    share = _given("dynamic_elongation", elongation, "1")
+    if share > 1.0:  # no climbing rope doubles its length: per cent were meant
+        raise SceneError([Fault("dynamic_elongation", elongation, f"must be{_in('1')[1:]}")])
+    if rig.measured not in ("mass", "anchor"):
+        raise SceneError([Fault("measured", rig.measured, "must be 'mass' or 'anchor'")])
+    force = _given("impact_force", impact_force, "N")
+    mass = _given("falling_mass", rig.mass, "kg")
+    fall: dict[str, Any] = {"factor": rig.factor, "length": _given("length", rig.length, "m")}
+    s = rig.stiffening
+    if static is None:
+        _need_static(rig.edge_friction, s, rig.later_force)
+        EA, damping = rope_from_fall(force, share, mass, **fall)
+        return {"EA": EA, "axial_damping": damping}
+    rest = _given("static_elongation", static, "1")
+    EA = _STATIC_LOAD / (rest * (1.0 + s * rest**2))
+    edge = fall | {"edge_friction": rig.edge_friction, "measured": rig.measured, "stiffening": s}
+    if rig.edge_friction == s == 0.0:
+        arm, time = solid_from_fall(force, share, EA, mass, **fall)
+    else:
+        arm, time = solid_from_edge_fall(force, share, EA, mass, **edge)
+    if rig.later_force is not None:
+        later = _given("later_force", rig.later_force, "N")
+        harder = harder_by(later, EA, arm, time, mass, **edge)
+        EA, arm = harder * EA, harder * arm
+    made = {"relaxing_EA": arm, "relaxation_time": time}
+    if s == 0.0:
+        return made | {"EA": EA}
+    curve = {"coefficients": [EA, 0.0, EA * s], "largest_strain": max(_CURVE, 1.5 * share)}
+    return made | {"curve": {"kind": "polynomial"} | curve}
 
 
 def _need_static(edge_friction: float, stiffening: float, later_force: Quantity | None) -> None:

@@ -83,7 +83,9 @@ def _list(found: list[LibraryRope], plain: bool) -> None:
     ]
     heads = [_head(key, plain) for key in _COLUMNS]
     print_table(("rope", *heads, ""), rows, right=range(1, 5))
-    say(f"{len(found)} ropes; ~ is a guess. ropewalk ropes NAME shows sources and ranges.")
+    say(
+        f"{len(found)} rope{'s' * (len(found) != 1)}; ~ is a guess. ropewalk ropes NAME shows sources and ranges."
+    )
 
 
 def _show(one: LibraryRope, plain: bool) -> None:
