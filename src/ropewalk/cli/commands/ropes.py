@@ -83,9 +83,8 @@ def _list(found: list[LibraryRope], plain: bool) -> None:
     ]
     heads = [_head(key, plain) for key in _COLUMNS]
     print_table(("rope", *heads, ""), rows, right=range(1, 5))
-    say(
-        f"{len(found)} rope{'s' * (len(found) != 1)}; ~ is a guess. ropewalk ropes NAME shows sources and ranges."
-    )
+    count = "1 rope" if len(found) == 1 else f"{len(found)} ropes"
+    say(f"{count}; ~ is a guess. ropewalk ropes NAME shows sources and ranges.")
 
 
 def _show(one: LibraryRope, plain: bool) -> None:
