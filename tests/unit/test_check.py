@@ -206,6 +206,11 @@ def test_slips_of_a_material(changes: dict[str, object], words: str) -> None:
         assert found == ""
 
 
+@pytest.mark.parametrize("name", ["tow", "zip-line", "highline", "crane-snap", "climbing-fall"])
+def test_rigging_presets_look_like_no_slip(name: str) -> None:
+    assert unit_slips(build(preset(name))) == []
+
+
 def test_a_rider_s_density_is_that_of_his_loads_too() -> None:
     """His diameter is to the air; grams for kilograms is still seen where nothing slides."""
     ride = preset("zip-line-ride")

@@ -18,6 +18,7 @@ from ropewalk.scene import Material, Rope, Scene, Springs
 _SLOWEST = {"springs": 0.5, "material": 20.0}  # springs are often meant to be soft
 _FASTEST = 15_000.0
 _HEAVIEST_LINE = 500.0  # kg/m
+_HEAVIEST_LOAD = 5000.0  # of a rope's own mass, at least of 1 kg [1]; a car on a tow rope has 1060
 _HEAVY_NODE = 10.0  # kg, of a rope whose nodes are at most a metre apart
 _THINNEST_LINE = 1e-6  # kg/m
 _YOUNG = 1e3, 2e12  # N/m^2
@@ -35,7 +36,7 @@ def unit_slips(model: Model) -> list[str]:
         found += _line(path, rope) + _section(path, rope, scene) + _size(path, rope, model)
         found += _bending(path, rope) + _in_water(path, rope, scene)
         for j, load in enumerate(rope.loads):
-            if load.mass > 1000.0 * max(rope.own_mass, 1.0):
+            if load.mass > _HEAVIEST_LOAD * max(rope.own_mass, 1.0):
                 found.append(
                     f"{path}.load[{j}].mass: {load.mass:g} kg is {load.mass / rope.own_mass:.3g} "
                     "times the rope's own mass; grams for kilograms?"
