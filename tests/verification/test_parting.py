@@ -305,15 +305,12 @@ def test_bad_input_is_refused_by_name(changes: dict[str, Any], words: str) -> No
         string(**changes)
 
 
-def test_springs_of_no_length_and_ropes_that_touch_do_not_part_yet() -> None:
+def test_springs_of_no_length_do_not_part() -> None:
     made_of = rw.Springs(
         spring_constant=1.0, node_mass=1.0, segment_length=0.0, parts=True, breaking_load=1.0
     )
     with pytest.raises(SceneError, match="needs springs of a length"):
         rw.Rope(segments=2, made_of=made_of)
-    rope = string().ropes[0].replace(diameter=0.01)
-    with pytest.raises(SceneError, match="what has parted would still be touched"):
-        rw.Scene(ropes=[rope], contact=rw.Contact(friction=0.1))
 
 
 def test_no_more_than_three_partings_are_told_one_by_one(
