@@ -31,6 +31,7 @@ class _Surface(Body):
     vertices: Many[Vector] = Field(
         default=(),
         description="Corners of the triangles, in a frame of their own and in units of scale",
+        json_schema_extra={"unit": "1"},
     )
     faces: Many[_Corners] = Field(
         default=(),
