@@ -25,7 +25,8 @@ TURNS = 1.5
 
 def round_a_drum(friction: float = 0.3, mass: float = 1e-3) -> Scene:
     """A rope of little weight three half turns round a drum that drags it, a load at one end."""
-    radius, count = 0.055, 36
+    count = 36
+    radius = 0.055 / math.cos(math.pi * TURNS / count)  # chords touch the drum
     angles = [2.0 * math.pi * TURNS * i / count for i in range(count + 1)]
     round_it = [[radius * math.cos(a), 0.0, radius * math.sin(a)] for a in angles]
     points = [[radius, 0.0, -0.2], *round_it, [-radius, 0.0, -0.2]]

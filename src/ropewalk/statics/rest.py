@@ -32,7 +32,7 @@ from ropewalk.words.prefixes import prefixed
 _SOFT = 1e-6  # compliance of rigid links on the way to their shape, in the model's units [1]
 _PUSHED = 1e-7  # of the unit of force: what counts as compression [1]
 _LARGE = 100_000  # nodes from which on the closed form is not polished
-_PATIENCE, _CHECKED = 6000, 2500  # Newton steps on obstacles, when asked for and for a check
+_PATIENCE, _CHECKED = 12_000, 2500  # Newton steps on obstacles, when asked for and for a check
 _NUDGE = 1e-3  # of a segment: the push aside that tells whether a compressed shape is stable [1]
 
 
