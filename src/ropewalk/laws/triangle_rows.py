@@ -9,6 +9,8 @@ from ropewalk.core.arrays import Floats, Ints
 from ropewalk.laws.triangles import BOX_WIDTH, HEAD, NORMAL_WIDTH, TRIANGLE_WIDTH
 
 _LEAF = 4  # triangles that need no smaller boxes
+_SLIVER = 1e-7  # of the mesh's size: lower triangles have no direction of their own [1]
+_CHAIN = 8  # slivers side by side
 
 
 def mesh_row(vertices: Floats, faces: Ints, rounding: float) -> Floats:
@@ -56,15 +58,35 @@ def _normals(vertices: Floats, faces: Ints) -> Floats:
     """Return the normals of faces, edges (both faces') and corners (weighted by angles), (f, 7, 3)."""
     corners = vertices[faces]
     along = np.roll(corners, -1, axis=1) - corners  # ab, bc, ca
-    face = _unit(np.cross(along[:, 0], -along[:, 2]))
     pairs = np.sort(np.stack([faces, np.roll(faces, -1, axis=1)], axis=2).reshape(-1, 2), axis=1)
     _, which = np.unique(pairs, axis=0, return_inverse=True)
+    face = _face_normals(along, which.reshape(-1, 3))
     edges = _summed(which, np.repeat(face, 3, axis=0)).reshape(-1, 3, 3)
     toward, back = _unit(along), _unit(-np.roll(along, 1, axis=1))
     angle = np.arccos(np.clip((toward * back).sum(axis=2), -1.0, 1.0))
     weighted = (angle[:, :, None] * face[:, None]).reshape(-1, 3)
     at_corners = _summed(faces.ravel(), weighted).reshape(-1, 3, 3)
     return np.concatenate([face[:, None], _unit(edges), _unit(at_corners)], axis=1)
+
+
+def _face_normals(along: Floats, edges: Ints) -> Floats:
+    """Return the normals of faces with sides (f, 3, 3) and the numbers of their edges, (f, 3).
+
+    That of a sliver would be rounding, and would turn the sides of its edges over: it has that of the
+    neighbour at its longest side.
+    """
+    across = np.cross(along[:, 0], -along[:, 2])
+    sides = np.linalg.norm(along, axis=2)
+    area, size = np.linalg.norm(across, axis=1), sides.max()
+    rows = np.arange(len(along))
+    both = np.zeros(int(edges.max()) + 1, dtype=np.int64)
+    np.add.at(both, edges, rows[:, None])  # the two faces of an edge, added up
+    beside = both[edges[rows, sides.argmax(axis=1)]] - rows
+    slivers = area < _SLIVER * size * sides.max(axis=1)
+    face = _unit(across)
+    for _ in range(_CHAIN):
+        face[slivers] = face[beside[slivers]]
+    return face
 
 
 def _summed(which: NDArray[np.int64], vectors: Floats) -> Floats:

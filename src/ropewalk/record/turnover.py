@@ -4,7 +4,9 @@ The largest change of a form of energy grows without end with what has nothing t
 that has fallen off falls freely, a rope without anchors flies, one is carried a long way by its anchors. Such
 an energy would hide any error. So a piece's energy counts as it is seen by who goes along: with the
 centre of mass of a piece that nothing holds, with the anchors of one that they move. Of the two accounts, at
-rest and going along, the smaller one counts. What surfaces in touch take counts from when they take it.
+rest and going along, the smaller one counts. What surfaces in touch take counts from when they take it,
+without what their motors give where that is less. Pieces in air, and those that a winch feeds, count as seen
+at rest.
 """
 
 from __future__ import annotations
@@ -54,7 +56,8 @@ def share_turned(result: Result) -> float:
     if not np.isfinite(least).any():
         return math.nan
     forms = {name: part[:good] for name, part in result.energy.items() if name != "total"}
-    touched = surfaces({name: part[:good] for name, part in result.work.items()})
+    works = {name: part[:good] for name, part in result.work.items()}
+    touched = np.minimum(surfaces(works), surfaces(_without_motors(result, works)))
     turned, shares = largest_change(forms.values()), [0.0]
     if carried := _carried(result, good):
         own = forms | {
@@ -98,6 +101,15 @@ def surfaces(work: Mapping[str, Floats]) -> Floats:
     return most
 
 
+def _without_motors(result: Result, work: Mapping[str, Floats]) -> dict[str, Floats]:
+    """Return the works without what the motors of obstacles gave: a lift gives more and more on its way."""
+    motors = [np.nan_to_num(part["motor"]) for part in result.contact_work.values()]
+    if not motors or "obstacle" not in work:
+        return dict(work)
+    given = np.sum(motors, axis=0)[: len(work["obstacle"])]
+    return dict(work) | {"obstacle": work["obstacle"] - given}
+
+
 def _carried(result: Result, good: int) -> Carried | None:
     """Return what pieces have as wholes; None where anchors that stand still hold all, all the time."""
     scene, layout = result.scene, result.layout
@@ -105,30 +117,41 @@ def _carried(result: Result, good: int) -> Carried | None:
         isinstance(one.motion, Fixed) and one.release_time is None for one in scene.anchors
     )
     live, held = _topology(result, 0)
-    if scene.winches or (
-        stands and not scene.parts and not _loose(_labels(result, live), held).any()
-    ):
+    fed = np.zeros(layout.nodes, dtype=bool)
+    for span in (layout.span(winch.rope) for winch in scene.winches):
+        fed[span.first : span.last + 1] = True
+    if stands and not scene.parts and not (_loose(_labels(result, live), held) & ~fed).any():
         return None
     mass = masses(layout, tuple(line(rope) for rope in scene.ropes))[0]
     found = Carried(np.zeros(good), np.zeros(good), np.zeros(good))
-    falls = _falls_freely(result, good)
-    wild = np.zeros(layout.nodes, dtype=bool) if falls else _loose(_labels(result, live), held)
+    free, lands = _falls_freely(result, good), _lands(result, good)
+    wild = np.zeros(layout.nodes, dtype=bool) if free else _loose(_labels(result, live), held)
+    wild |= fed
     for span in (layout.span(name) for end in result.ends for name in end.ropes):
         wild[span.first : span.last + 1] = True  # a rope that broke has no velocity any more
-    for first, last in _epochs(result, good):
+    for first, last in _epochs(result, good, lands):
         live, held = _topology(result, first)
         labels = _labels(result, live)
         loose = _loose(labels, held)
-        weight = np.where(loose, mass, held) * ~(loose & wild)
-        _go_along(result, (first, last), labels, weight, mass, found, loose & falls & ~wild)
+        weight = np.where(loose, mass, held) * ~(loose & wild) * ~fed
+        falls = loose & (free and first < lands) & ~wild
+        _go_along(result, (first, last), labels, weight, mass, found, falls)
     return found
 
 
 def _falls_freely(result: Result, good: int) -> bool:
-    """Tell whether weight is all that acts on a piece that nothing holds."""
+    """Tell whether weight and surfaces are all that acts on a piece that nothing holds."""
     scene = result.scene
-    acts = any(section_of(law, scene) for law in NODE_LAWS if law.name != PARTING)
+    others = (law for law in NODE_LAWS if law.name != PARTING and law.name not in _TOUCHING)
+    acts = any(section_of(law, scene) for law in others)
     return not acts and scene.limiter is None and not np.any(result.work["applied"][:good])
+
+
+def _lands(result: Result, good: int) -> int:
+    """Return the first frame by which a surface has done anything, past all where none has."""
+    works = [np.nan_to_num(result.work[name][:good]) for name in _TOUCHING if name in result.work]
+    done = [np.flatnonzero(work != work[0]) for work in works]
+    return min((int(rows[0]) for rows in done if rows.size), default=good)
 
 
 def _topology(result: Result, frame: int) -> tuple[Bools, Bools]:
@@ -162,10 +185,10 @@ def _loose(labels: Ints, held: Bools) -> Bools:
     return loose
 
 
-def _epochs(result: Result, good: int) -> Iterator[tuple[int, int]]:
-    """Go through the ranges of frames between which ropes part or anchors let go."""
+def _epochs(result: Result, good: int, lands: int) -> Iterator[tuple[int, int]]:
+    """Go through the ranges of frames between which ropes part, anchors let go or surfaces begin to act."""
     times = [one.release_time for one in result.scene.anchors if one.release_time is not None]
-    starts = {0, *np.searchsorted(result.time[:good], times, side="right")}
+    starts = {0, lands, *np.searchsorted(result.time[:good], times, side="right")}
     step = max(1, _VALUES // result.nodes)
     for start in range(0, good if result.scene.parts else 0, step):
         there = result.read("rest_length", max(start - 1, 0), min(start + step, good)) > 0.0

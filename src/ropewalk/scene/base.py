@@ -48,7 +48,8 @@ def _plain(value: Any) -> Any:
     """Take a numpy number or array as the Python value it stands for; refuse a wrong unit."""
     if isinstance(value, WrongUnit):
         raise PydanticCustomError("unit", "{rule}", {"rule": value.rule, "given": value.given})
-    if type(value).__module__ == "numpy":
+    kind = type(value)
+    if kind.__module__ != "builtins" and any(one.__module__ == "numpy" for one in kind.__mro__):
         return value.tolist()
     return value
 

@@ -111,8 +111,8 @@ class Sdf(_Surface):
     @model_validator(mode="before")
     @classmethod
     def _read(cls, data: Any, info: ValidationInfo) -> Any:
-        if not isinstance(data, dict):
-            return data
+        if not isinstance(data, dict) or not isinstance(data.get("file", ""), str | None):
+            return data  # the field says what is wrong with it
         given = [name for name in ("file", "values") if data.get(name) is not None]
         if not given:
             return data

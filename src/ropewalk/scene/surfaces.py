@@ -144,7 +144,7 @@ def surface_faults(vertices: Any, faces: Any) -> list[Fault]:
         rule = f"must be numbers of vertices, 0 to {len(places) - 1}"
         return [Fault("faces", f"from {corners.min()} to {corners.max()}", rule)]
     sides = np.linalg.norm(np.roll(places[corners], -1, axis=1) - places[corners], axis=2)
-    size = float(np.ptp(places, axis=0).max())
+    size = float(np.ptp(places[corners].reshape(-1, 3), axis=0).max())
     if not size > 0.0 or sides.min() < 1e-12 * size:
         rule = "must have three sides each: two of its corners are one; join them, or take it out"
         return [Fault(f"faces[{int(np.argmin(sides.min(axis=1)))}]", "a triangle of no area", rule)]
@@ -165,12 +165,38 @@ def surface_faults(vertices: Any, faces: Any) -> list[Fault]:
             "holes (a mesh editor's 'make watertight')"
         )
         return [Fault(f"faces[{loose[0] // 3}]", "an open mesh", rule)]
-    a, b, c = np.moveaxis(places[corners] - places.mean(axis=0), 1, 0)
-    volume = float((a * np.cross(b, c)).sum()) / 6.0
-    if not volume > 0.0:
+    return _inverted(places, corners)
+
+
+def _inverted(places: NDArray[np.float64], corners: NDArray[np.int64]) -> list[Fault]:
+    """Return a fault for a part that is inside out and no cavity: in no part that is not."""
+    whole = places[corners]
+    parts = _parts(len(places), corners)[corners[:, 0]]
+    boxes, volumes, firsts = [], [], []
+    for part in np.unique(parts):
+        own = whole[parts == part]
+        a, b, c = np.moveaxis(own - own.mean(axis=(0, 1)), 1, 0)
+        volumes.append(float((a * np.cross(b, c)).sum()) / 6.0)
+        boxes.append((own.min(axis=(0, 1)), own.max(axis=(0, 1))))
+        firsts.append(int(np.argmax(parts == part)))
+    solid = [box for box, volume in zip(boxes, volumes, strict=True) if volume > 0.0]
+    for (low, high), volume, first in zip(boxes, volumes, firsts, strict=True):
+        if volume > 0.0 or any((a < low).all() and (high < b).all() for a, b in solid):
+            continue
         rule = (
             "is inside out: faces must be counter-clockwise seen from outside; turn them round (a mesh "
             "editor's 'flip normals')"
         )
-        return [Fault("faces", f"a volume of {volume:.3g} m^3", rule)]
+        return [Fault(f"faces[{first}]", f"of a part with a volume of {volume:.3g}", rule)]
     return []
+
+
+def _parts(count: int, corners: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Return for every vertex the least one that faces join it to, (count,)."""
+    least = np.arange(count)
+    while True:
+        before = least.copy()
+        np.minimum.at(least, corners, least[corners].min(axis=1, keepdims=True))
+        least = least[least]
+        if (least == before).all():
+            return least
