@@ -86,10 +86,15 @@ def main() -> None:
     chosen = given.case
     console = Console()
     rows: list[Row] = []
+    failed: list[str] = []
     for case in CASES:
         if not chosen or case.__name__ in chosen:
             console.print(f"{case.__name__}: {case.__doc__}", style="dim")
-            rows += case()
+            try:
+                rows += case()
+            except Exception:  # a case that fails takes none of the others' rows with it
+                console.print_exception()
+                failed.append(case.__name__)
     if not chosen or WORK_PRECISION in chosen:
         rows += precision(given.rope, lambda text: console.print(text, style="dim"))
     table = Table("case", "value", "unit", "target", title=f"Ropewalk {__version__}, {processor()}")
@@ -99,6 +104,8 @@ def main() -> None:
     console.print(table)
     if not chosen:
         console.print(f"stored as {store(rows)}")
+    if failed:
+        raise SystemExit(f"failed: {', '.join(failed)}")
 
 
 if __name__ == "__main__":

@@ -84,7 +84,7 @@ def _watch(scene: Scene) -> tuple[float, float, float, list[float]]:
         try:
             assert process.stdout is not None
             address = process.stdout.readline().strip().replace("http:", "ws:") + "socket"
-            with connect(address, max_size=None) as page:
+            with connect(address, max_size=None, open_timeout=600.0) as page:
                 _look_on(page, WARM_UP)
                 before, begun = _cpu_seconds(process.pid), time.monotonic()
                 frames, realtime = _look_on(page, SECONDS)

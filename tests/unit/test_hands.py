@@ -36,6 +36,21 @@ def wound(
     )
 
 
+def test_slips_of_names_are_told() -> None:
+    simulation = wound()
+    with pytest.raises(KeyError, match='no winch "hosit"; did you mean "hoist"'):
+        simulation.winches["hosit"]
+    with pytest.raises(KeyError, match='no anchor "left"; known: anchor0'):
+        simulation.anchors["left"]
+    with pytest.raises(KeyError, match='no obstacle "rock"; there is none'):
+        simulation.obstacles["rock"]
+    assert simulation.anchors.get("left") is None
+    with pytest.raises(AttributeError):
+        simulation.winches["hoist"].sped = 1.0
+    with pytest.raises(AttributeError):
+        simulation.anchors["anchor0"].postion = (0.0, 0.0, 1.0)
+
+
 def test_a_winch_tells_how_it_is() -> None:
     """4 m out and 1.2 m on the drum, and rest tension of all that hangs below half a segment:
     (4 - 0.25) mu g; the twin pays out at 0.4 m/s for half a second.

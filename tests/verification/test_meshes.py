@@ -272,6 +272,10 @@ def test_faults_of_distances_are_told() -> None:
         "three points or more each way": {"values": values[0], "spacing": 0.04},
         "must be finite": {"values": np.where(values > 0.2, np.nan, values), "spacing": 0.04},
         "give values and spacing": {"values": values},
+        "spacing: .* the same spacing each way": {"values": values, "spacing": (0.04, 0.04, 0.04)},
+        "spacing: .* must be finite": {"values": values, "spacing": np.nan},
+        "spacing: must be numbers": {"values": values, "spacing": "wide"},
+        "values: must be numbers": {"values": "many", "spacing": 0.04},
     }
     for rule, given in cases.items():
         with pytest.raises(SceneError, match=rule):

@@ -38,6 +38,8 @@ _EVEN = (
 class ObstacleHandle:
     """One obstacle of a running simulation."""
 
+    __slots__ = ("_row", "_simulation")  # so that a slip of a name is refused
+
     def __init__(self, simulation: Simulation, row: int) -> None:
         self._simulation = simulation
         self._row = row

@@ -23,6 +23,8 @@ _ROUNDING = 1e-9  # [1] of a segment
 class WinchHandle:
     """One winch of a running simulation."""
 
+    __slots__ = ("_row", "_simulation")  # so that a slip of a name is refused
+
     def __init__(self, simulation: Simulation, row: int) -> None:
         self._simulation = simulation
         self._row = row

@@ -30,6 +30,8 @@ def three(name: str, value: ArrayLike, unit: str) -> Floats:
 class AnchorHandle:
     """One anchor of a running simulation; once it has let go it follows the node that it held."""
 
+    __slots__ = ("_row", "_simulation")  # so that a slip of a name is refused
+
     def __init__(self, simulation: Simulation, row: int) -> None:
         self._simulation = simulation
         self._row = row

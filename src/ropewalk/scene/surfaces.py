@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ropewalk.scene.base import refuse
-from ropewalk.scene.faults import MISSING, Fault
+from ropewalk.scene.faults import MISSING, NO_VALUE, Fault
 from ropewalk.scene.units import WrongUnit, in_unit
 
 SUFFIXES = (".stl", ".obj", ".ply")
@@ -80,15 +80,28 @@ def grid_of(folder: Path, given: dict[str, Any]) -> tuple[NDArray[np.float64], f
     for name, value in (("spacing", step), ("origin", origin)):
         if isinstance(value, WrongUnit):
             refuse([Fault(name, value.given, value.rule)])
-    origin = (0.0, 0.0, 0.0) if origin is None else origin
+    values = _numbers("values", given["values"], shown)
+    size = _numbers("spacing", step, shown)
+    corner = _numbers("origin", (0.0, 0.0, 0.0) if origin is None else origin, shown)
+    if size.size != 1:
+        rule = "must be one number [m]: the grid has the same spacing each way"
+        refuse([Fault("spacing", size.tolist(), rule)])
+    if corner.shape != (3,):
+        refuse([Fault("origin", corner.tolist(), "must be three numbers [m]")])
+    refuse(_grid_faults(values, float(size.item()), shown))
+    return values, float(size.item()), corner.tolist()
+
+
+def _numbers(name: str, given: Any, shown: str) -> NDArray[np.float64]:
+    """Return what was given as an array. Refuses what are no finite numbers, by the field's name."""
     try:
-        values = np.array(given["values"], dtype=np.float64)
-        spacing = float(step)
-        corner = [float(x) for x in np.array(origin, dtype=np.float64).reshape(3)]
+        found = np.array(given, dtype=np.float64)
     except (TypeError, ValueError) as error:
-        refuse([Fault("values", MISSING, f"must be numbers{shown}: {error}")])
-    refuse(_grid_faults(values, spacing, shown))
-    return values, spacing, corner
+        refuse([Fault(name, NO_VALUE, f"must be numbers{shown}: {error}")])
+    if not np.isfinite(found).all():
+        where = f"an array of shape {found.shape}{shown}" if found.size > 3 else found.tolist()
+        refuse([Fault(name, where, "must be finite numbers")])
+    return found
 
 
 def _grid_faults(values: NDArray[np.float64], spacing: float, shown: str) -> Iterable[Fault]:
@@ -96,9 +109,7 @@ def _grid_faults(values: NDArray[np.float64], spacing: float, shown: str) -> Ite
     shape = f"an array of shape {values.shape}{shown}"
     if values.ndim != 3 or min(values.shape) < 3:
         return [Fault("values", shape, "must be (nx, ny, nz), three points or more each way")]
-    if not np.isfinite(values).all():
-        return [Fault("values", shape, "must be finite numbers")]
-    if not (np.isfinite(spacing) and spacing > 0.0):
+    if not spacing > 0.0:
         return [Fault("spacing", spacing, "must be greater than 0 (m)")]
     rim = np.ones(values.shape, bool)
     rim[1:-1, 1:-1, 1:-1] = False

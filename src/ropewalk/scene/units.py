@@ -53,6 +53,8 @@ def _from_text(text: str, unit: str) -> Any:
     if found is None:
         rule = f"is no number with a unit; write it as {_example(unit)}"
         return WrongUnit(text, rule + (", with a point for the decimals" if "," in text else ""))
+    if "%" in found[2] and found[2].strip() != "%":
+        return WrongUnit(text, f"mixes % with another unit; write it as {_example(unit)}")
     import pint
 
     try:

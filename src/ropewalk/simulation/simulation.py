@@ -33,6 +33,7 @@ from ropewalk.simulation.block import Block
 from ropewalk.simulation.rope_contacts import one_by_one, rope_contacts
 from ropewalk.simulation.snapshot import Snapshot
 from ropewalk.words.annotations import unquoted
+from ropewalk.words.named import Named
 
 if TYPE_CHECKING:
     from ropewalk.live.view import View
@@ -109,13 +110,14 @@ class Simulation(Driven):
         self._engine.begin()
         self._gravity_zero = 0.0
         self._gravity_zero = self._zero_of_gravity()
-        self.anchors = {
-            name: AnchorHandle(self, row) for row, name in enumerate(self.layout.anchor_names)
-        }
-        self.winches = {
-            winch.name: WinchHandle(self, row) for row, winch in enumerate(self.scene.winches)
-        }
-        self.obstacles = handles(self)
+        anchors, winches = self.layout.anchor_names, self.scene.winches
+        self.anchors = Named(
+            "anchor", {name: AnchorHandle(self, i) for i, name in enumerate(anchors)}
+        )
+        self.winches = Named(
+            "winch", {one.name: WinchHandle(self, i) for i, one in enumerate(winches)}
+        )
+        self.obstacles = Named("obstacle", handles(self))
 
     def __dir__(self) -> list[str]:
         """What completion shows: not what recorders and pages use besides."""
