@@ -159,6 +159,8 @@ def test_sentences() -> None:
     )
     assert repr(scene.ropes[0]) == "Rope 'rope': 20 segments, 10 m, 1.05 kg, springs of 10000 N/m."
     assert repr(material_rope(1)) == "Rope 'rope': 1 segment, 5 m, 1 kg, material with EA = 1000 N."
+    loaded = material_rope(1).model_copy(update={"loads": [Load(node=-1, mass=80)]})
+    assert "1 segment, 5 m, 1 kg, with loads 81 kg, material" in repr(loaded)
     assert repr(scene.anchors[0]) == (
         "Anchor 'left' holds node 0 of 'rope', moved at (2, 0, 0) m/s from 0.5 to 3.5 s."
     )

@@ -15,6 +15,7 @@ from ropewalk.lowering.curve_tables import curve_of
 from ropewalk.record.margins import breaking_load, margin_words
 from ropewalk.scene import Rope
 from ropewalk.scene.from_library import origin_words
+from ropewalk.scene.rope import mass_words
 from ropewalk.statics import Statics
 from ropewalk.theory.curve import at_strain
 from ropewalk.words.prefixes import prefixed
@@ -31,6 +32,7 @@ class RopeCheck:
     segments: int
     length: float  # unstretched [m]
     mass: float  # with loads [kg]
+    own_mass: float  # without loads [kg]
     longitudinal: tuple[float, float]  # slowest and fastest wave along the rope at rest [m/s]
     transverse: tuple[float, float] | None  # slowest and fastest sideways wave at rest [m/s]
     largest_tension: float  # at rest [N]
@@ -47,9 +49,8 @@ class RopeCheck:
 
     def lines(self) -> list[str]:
         """What it is, and what it carries at rest; one fact a line."""
-        text = [
-            f"rope {self.name!r}: {self.segments} segments, {self.length:.6g} m, {self.mass:.6g} kg"
-        ]
+        masses = mass_words(self.own_mass, self.mass, ".6g")
+        text = [f"rope {self.name!r}: {self.segments} segments, {self.length:.6g} m, {masses}"]
         text += [f"  {one}" for one in (self.made_of, self.curve) if one]
         if not self.rests:
             return text
@@ -101,6 +102,7 @@ def rope_check(model: Model, statics: Statics, name: str) -> RopeCheck:
         segments=rope.segments,
         length=rope.length_unstretched,
         mass=rope.total_mass,
+        own_mass=rope.own_mass,
         longitudinal=_speeds_along(rope, own, statics.stretch[segments]),
         transverse=(float(speed.min()), float(speed.max())) if speed.size else None,
         largest_tension=float(tension.max(initial=0.0)),

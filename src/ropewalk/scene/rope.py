@@ -306,9 +306,15 @@ class Rope(Model):
         if not isinstance(made_of, Springs) and made_of.relaxing_EA is not None:
             stuff += f" and {made_of.relaxing_EA:g} N that relax"
         size = f"{_count(self.segments, 'segment')}, {self.length_unstretched:g} m"
-        return f"Rope {self.name!r}: {size}, {self.total_mass:g} kg, {stuff}."
+        masses = mass_words(self.own_mass, self.total_mass)
+        return f"Rope {self.name!r}: {size}, {masses}, {stuff}."
 
     __repr__ = __str__
+
+
+def mass_words(own: float, whole: float, form: str = "g") -> str:
+    """A rope's own mass [kg] in words, and with its loads where it has any; each number in a `form`."""
+    return f"{own:{form}} kg" + ("" if whole == own else f", with loads {whole:{form}} kg")
 
 
 def node_range(rope: Rope) -> str:

@@ -160,7 +160,11 @@ def assumption_section(scene: Scene) -> Section:
 def _push(scene: Scene) -> str:
     pushing = [rope.name for rope in scene.ropes if not rope.made_of.tension_only]
     if not pushing:
-        return "Slack segments carry nothing."
+        damped = any(rope.segment_friction > 0.0 for rope in scene.ropes)
+        brake = (
+            " A stretched one that shortens fast is held back by its friction, below zero tension."
+        )
+        return "Slack segments carry nothing." + (brake if damped else "")
     which = (
         "Segments" if len(pushing) == len(scene.ropes) else f"Segments of {', '.join(pushing[:4])}"
     )
