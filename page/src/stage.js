@@ -219,6 +219,7 @@ export class Stage {
     this.floor.giveWay(layout);
     if (camera.version !== this.ownVersion && !this.flight) this.following = false;
     if (!this.following || this.flight || this.held()) return;
+    if (!this.besideLegend) this.covered(camera.pose); // a rope that sinks below it is followed, too
     const wanted = follower.wanted(camera, this.strips());
     if (wanted) this.fly(wanted, CALM);
   }

@@ -13,6 +13,7 @@ from live.drive import slack_rope
 from ropewalk.live.serve import ViewServer
 from ropewalk.live.session import Session
 from ropewalk.scene.presets import names as preset_names
+from ropewalk.scene.presets import preset
 
 pytestmark = pytest.mark.browser
 Open = Callable[..., Window]
@@ -120,6 +121,33 @@ def test_a_break_freezes_says_why_and_goes_back(window: Window) -> None:
     window.until("r.state === 'paused'")
     window.page.locator("#broken").wait_for(state="hidden")
     window.until(f"document.querySelector('{CONSTANT}').value === '10000'")
+
+
+@pytest.mark.parametrize(
+    ("width", "height", "graphs"),
+    [(1280, 800, True), (900, 640, True), (844, 390, False), (390, 844, False), (1280, 800, False)],
+)
+def test_the_card_of_a_break_leaves_the_rope_in_sight(
+    open_window: Open, serve: Serve, width: int, height: int, graphs: bool
+) -> None:
+    """Where there is little room its words are behind a click; with room they are there at once."""
+    served = serve(Session(preset("r6"), "r6"))
+    window = open_window(served.address, viewport={"width": width, "height": height}).ready()
+    window.press(*("g" if graphs else ""), " ")
+    window.until("r.state === 'broken'")
+    window.settled()
+    card = window.page.locator("#broken")
+    box = card.bounding_box()
+    for node in range(21):
+        x, y = window.screen(node)
+        over = box["x"] <= x <= box["x"] + box["width"]
+        assert not (over and box["y"] <= y <= box["y"] + box["height"])
+    roomy = height == 800 and not graphs
+    assert card.locator("p.why").is_visible() == roomy
+    assert all(button.is_visible() for button in card.locator("button").all())
+    window.click("#broken summary")
+    assert card.locator("p.why").is_visible()
+    assert "a + 2b = " in card.inner_text()
 
 
 def test_the_suggested_step_and_the_implicit_method_mend_it(window: Window) -> None:

@@ -95,7 +95,7 @@ def test_friction_is_handed_on_to_a_contact_that_was_found_on_the_way() -> None:
     state.x[0, 3:] = 0.106
     row = -1 - row_of(memory, 1, 3)
     assert new_row(memory, 1, 3, row)
-    freeze(state.x, state.x, 0.0, memory, row, 0.06, 0.5)
+    freeze(state.x, state.x, 0.0, system.node.contact, memory, row, 0.06, 0.5)
     begin_contact(state.x, table, memory, row, 0.0)
     memory.grip[row, FOUND] = 1.0
     remember_pairs(state.x, state.v, 0.0, table, memory, state.tied)

@@ -10,6 +10,7 @@ import { h } from "./dom.js";
 
 const STEP = 300; // ms that a step past a break is seen
 const REST = 3; // times that long the last one stays
+const MOST = 0.3; // of the view's height that the card may take; beyond, its words are folded away
 const SIGNS = /** @type {Record<string, string>} */ ({
   back: "Back to before",
   step: "Use the suggested step",
@@ -31,6 +32,8 @@ export class BrokenCard {
       id: "broken",
     });
     host.append(this.card);
+    this.host = host;
+    new ResizeObserver(() => this.fold()).observe(host);
     session.on("broken", (broken) => this.show(broken));
     session.on("frame", ({ flags }) => this.tellReplay((flags & BROKEN) !== 0));
   }
@@ -72,14 +75,24 @@ export class BrokenCard {
     this.card.replaceChildren(
       h("h2", {}, "The simulation broke"),
       h("p", { className: "why" }, whyItBroke(broken.cause)),
-      h(
-        "details",
-        {},
-        h("summary", {}, "The theory, in numbers"),
-        h("p", {}, `${broken.text} ${theoryOf(broken.cause)}`),
-      ),
+      h("details", {}, h("summary", {}), h("p", {}, `${broken.text} ${theoryOf(broken.cause)}`)),
       h("div", { className: "row" }, ...buttons, ...this.look(broken)),
     );
+    this.fold();
+  }
+
+  /** Where the words would cover the rope, put them behind a click, and the buttons beside the title. */
+  fold() {
+    const [why, details] = ["p.why", "details"].map((part) => this.card.querySelector(part));
+    if (!why || !details || this.card.hidden) return;
+    this.card.classList.remove("tight");
+    details.before(why);
+    const tight = this.card.scrollHeight > MOST * this.host.clientHeight;
+    this.card.classList.toggle("tight", tight);
+    if (tight) details.children[0].after(why);
+    details.children[0].textContent = tight
+      ? "Why, in words and numbers"
+      : "The theory, in numbers";
   }
 
   /** A button that shows the steps past the last good frame. @param {Broken} broken */

@@ -1,15 +1,17 @@
 """The force of contacts of segments: as that of obstacles, between two points of ropes.
 
 With u the vector from a point of segment j to one of segment i, both frozen like the normal n, d the sum
-of the radii, g = n.u - d - e (e fades, see `pair_memory`), P = I - n n^T, D = u - u' what u has changed by
-since the last accepted step and R' the friction spring's force then,
+of the radii, g = n.u - d - e (e fades, see `pair_memory`), P = I - n n^T, D what the vector between the
+surfaces (`table.apart`) has changed by since the last accepted step, D' its rate, and R' the friction
+spring's force then,
     R_n = max(0, R(-g) - c n.u')                       it presses
-    q   = P (R' - k_t D) - c P u'
+    q   = P (R' - k_t D) - c P D'
     R_t = q            where |q| <= mu R_n             it sticks
           mu R_n q/|q| elsewhere                       it slips
-on segment i, and the opposite on j, shared among their nodes as the points lie. R is k times the depth in a
-skin of LAYER d, gets as stiff as the rope is across from 2 LAYER d on, and STOP times that from 3 to 5 LAYER
-d: what is thrown against it stops. The damper grows with k_t, so that an impact does not bounce back whole.
+on segment i, and the opposite on j, shared among their nodes as the points and `apart` have it. R is k
+times the depth in a skin of LAYER d, gets as stiff as the rope is across from 2 LAYER d on, and STOP times
+that from 3 to 5 LAYER d: what is thrown against it stops. The damper grows with k_t, so that an impact does
+not bounce back whole.
 Sources: Cundall & Strack 1979, Geotechnique 29:47 (friction with memory); Simo & Hughes, Computational
 Inelasticity, 1998, ch. 2 (return mapping).
 """
@@ -28,8 +30,11 @@ from ropewalk.laws.pairs.table import (
     OWN,
     SPRING,
     STIFF,
+    apart,
     between,
     depth_of,
+    lever_of,
+    share_of,
     spring_of,
 )
 
@@ -90,12 +95,11 @@ def pair_forces(x, v, table, memory, force, lo, hi):
 @kernel
 def add_pair_forces(x, v, table, memory, force):
     """Add the force of all contacts on every node [N], (3, n), and what of it rubs where there are rows."""
-    pair, grip, apart = memory.pair, memory.grip, force.shape[0] > 3
+    pair, grip, rubs = memory.pair, memory.grip, force.shape[0] > 3
     for row in range(memory.tally[CONTACTS]):
         i, j = pair[row, 0], pair[row, 1]
         soft, hard, stop, damping, size = spring_of(table, memory.grip, row, i, j)
-        s, t = grip[row, OWN], grip[row, OTHER]
-        u, w = between(x, i, j, s, t), between(v, i, j, s, t)
+        u, w = apart(x, grip, row, i, j), apart(v, grip, row, i, j)
         push, _ = pressed(grip, row, u, w, soft, hard, stop, damping, size)
         if not push > 0.0:
             continue
@@ -103,18 +107,17 @@ def add_pair_forces(x, v, table, memory, force):
         total = math.sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2])
         bound = table.friction[0] * push
         share = bound / total if total > bound else 1.0
-        for k in range(3):
-            f = push * grip[row, NORMAL + k] + share * q[k]
-            force[k, i] += (1.0 - s) * f
-            force[k, i + 1] += s * f
-            force[k, j] -= (1.0 - t) * f
-            force[k, j + 1] -= t * f
-            if apart:
-                r = share * q[k]
-                force[3 + k, i] += (1.0 - s) * r
-                force[3 + k, i + 1] += s * r
-                force[3 + k, j] -= (1.0 - t) * r
-                force[3 + k, j + 1] -= t * r
+        rub = (share * q[0], share * q[1], share * q[2])
+        for a in range(4):
+            node, part = i + a if a < 2 else j + a - 2, share_of(grip, row, a)
+            lever = lever_of(grip, row, a)
+            turn = lever[0] * rub[0] + lever[1] * rub[1] + lever[2] * rub[2]
+            for k in range(3):
+                n = grip[row, NORMAL + k]
+                r = part * rub[k] + turn * n
+                force[k, node] += part * push * n + r
+                if rubs:
+                    force[3 + k, node] += r
 
 
 @small

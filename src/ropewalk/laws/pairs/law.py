@@ -28,6 +28,7 @@ from ropewalk.laws.pairs.table import (
     CROWDED,
     FAULT,
     HARD,
+    LEAN,
     SEEN,
     STOP,
     WIDTH,
@@ -66,6 +67,7 @@ def lower(
         friction=np.zeros(min(s, 1)),
         skin=np.zeros(1),
         radius=np.zeros(s),
+        lever=np.zeros(s),
         soft=np.zeros(s),
         hard=np.zeros(s),
         stop=np.zeros(s),
@@ -83,6 +85,8 @@ def lower(
         across = rope.segment_stiffness * rope.segment_length / rope.diameter
         far = max(own, across) if math.isfinite(across) else RIGID * own
         table.radius[here] = 0.5 * rope.diameter
+        if rope.segment_length > 0.0:
+            table.lever[here] = 0.5 * rope.diameter / (rope.segment_length * math.sqrt(LEAN))
         table.soft[here], table.hard[here] = 1.0 / own, 1.0 / far
         table.stop[here] = 1.0 / (STOP * far)
         if contact.compliance is not None:  # of the skin: how ropes stop each other stays as it is
@@ -252,17 +256,20 @@ def touched(table: Pairs, x: Floats) -> Any:
 def cases(table: Pairs, chain: Chain) -> dict[str, Chain]:
     """Return a chain all of whose nodes are pressed to other ropes on two sides, as hard as can be.
 
-    A spring k between two points is no stiffer than 2 k at each of them: (a - b)^2 <= 2 a^2 + 2 b^2.
+    A spring k of the sum of c_a x_a is no stiffer than k |c_a| (|c_1| + |c_2| + ...) at each x_a. Across,
+    the c are shares, 2 in all; along the surfaces come the levers, four times A, the largest of them.
     """
     if not len(table.rope):
         return {}
     alive = table.rope >= 0
     soft, stiff = 0.5 / table.soft[alive].min(), 0.5 / table.stop[alive].min()
     damping = 2.0 * math.sqrt(max(soft, HARD**2 * stiff) * 0.5 * float(table.mass[alive].max()))
+    lever = table.lever[alive].max()
+    both = 2.0 * max(2.0 + 4.0 * lever, 2.0 + lever * (2.0 + 4.0 * lever))
     return {
         "pressed to ropes": chain._replace(
-            node_stiffness=chain.node_stiffness + 2.0 * 2.0 * stiff,
-            node_damping=chain.node_damping + 2.0 * 2.0 * damping,
+            node_stiffness=chain.node_stiffness + both * stiff,
+            node_damping=chain.node_damping + both * damping,
         )
     }
 

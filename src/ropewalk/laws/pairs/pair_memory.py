@@ -40,6 +40,7 @@ from ropewalk.laws.pairs.table import (
     STIFF,
     WIDTH,
     WRONG,
+    apart,
     between,
     depth_of,
     spring_of,
@@ -82,8 +83,7 @@ def hold(x, v, table, memory, row):
     """Keep what a contact carries at `x` and `v`; return 1 where it has closed, else 0."""
     i, j, grip = memory.pair[row, 0], memory.pair[row, 1], memory.grip
     soft, hard, stop, damping, size = spring_of(table, grip, row, i, j)
-    s, t = grip[row, OWN], grip[row, OTHER]
-    u, w = between(x, i, j, s, t), between(v, i, j, s, t)
+    u, w = apart(x, grip, row, i, j), apart(v, grip, row, i, j)
     push, _ = pressed(grip, row, u, w, soft, hard, stop, damping, size)
     closed = 1.0 if push > 0.0 and grip[row, PUSH] == 0.0 else 0.0
     push = max(push, 0.0)
@@ -128,7 +128,7 @@ def lead(x, y, table, memory, row, tied):
         along += n[k] * memory.grip[row, NORMAL + k]
     if 1.0 - along < TURNED or not fits(x, y, 1.0, memory, row, s, t, size, before):
         return False
-    freeze(x, y, 1.0, memory, row, s, t)
+    freeze(x, y, 1.0, table, memory, row, s, t)
     begin_contact(x, table, memory, row, before)
     return True
 
@@ -169,7 +169,7 @@ def refresh(x, y, table, memory, row, tied):
     if not is_right(x, memory, row, size, distance):
         if owns(x, x, 0.0, table, memory, tied, i, j, s, t):
             before = depth_at(x, memory, row, i, j, size)
-            freeze(x, x, 0.0, memory, row, s, t)
+            freeze(x, x, 0.0, table, memory, row, s, t)
             begin_contact(x, table, memory, row, before)
         else:
             grip[row, GONE] = 1.0
@@ -261,7 +261,7 @@ def list_new(x, table, memory, tied):
         if not new_row(memory, i, j, -1 - at):
             count[FAULT], count[FIRST], count[SECOND] = FULL, i, j
             return
-        freeze(x, x, 0.0, memory, -1 - at, s, t)
+        freeze(x, x, 0.0, table, memory, -1 - at, s, t)
         before = inherit(x, table, memory, -1 - at)
         begin_contact(x, table, memory, -1 - at, before)
 

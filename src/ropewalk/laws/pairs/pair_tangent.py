@@ -1,9 +1,10 @@
 """How the forces of contacts of segments change: 3 x 3 blocks between the four nodes of each.
 
-With b = mu R_n, q before it is cut, s = q/|q| and z the change of u,
+With b = mu R_n, q before it is cut, s = q/|q| and z the change of the vector between the surfaces,
     -dR_n = (R' n + c n) . dz                           of a contact that presses
     -dR   = n (-dR_n) + (k_t + c) P dz                                      where it sticks
             n (-dR_n) + (b/|q|) (k_t + c) (P - s s^T) dz + mu s (-dR_n)     where it slips
+A node whose part of that vector is M = w I + l n^T, w its share and l its lever, gets M^T dR.
 The last term makes it unsymmetric; without it Newton's method takes two to three times the iterations.
 """
 
@@ -11,28 +12,27 @@ from __future__ import annotations
 
 import math
 
-from ropewalk.core.blocks import ZERO9, scale9
+from ropewalk.core.blocks import ZERO9, apply, apply_left, dot3, less_product, scale3, scale9
 from ropewalk.core.jit import kernel, small
 from ropewalk.core.network import add_block, put_pair
 from ropewalk.laws.pairs.force import pressed, pull_of
 from ropewalk.laws.pairs.table import (
     CONTACTS,
     NORMAL,
-    OTHER,
-    OWN,
     STIFF,
-    between,
+    apart,
+    lever_of,
+    share_of,
     spring_of,
 )
 
 
 @small
 def tangent_of(table, memory, row, x, v, weight_x, weight_v):
-    """Return the matrix, row by row, that takes a change of u to that of the force, with weights."""
+    """Return the matrix, row by row, that takes a change of `apart` to that of the force, with weights."""
     grip, i, j = memory.grip, memory.pair[row, 0], memory.pair[row, 1]
     soft, hard, stop, damping, size = spring_of(table, grip, row, i, j)
-    s, t = grip[row, OWN], grip[row, OTHER]
-    u, w = between(x, i, j, s, t), between(v, i, j, s, t)
+    u, w = apart(x, grip, row, i, j), apart(v, grip, row, i, j)
     push, slope = pressed(grip, row, u, w, soft, hard, stop, damping, size)
     if not push > 0.0:
         return ZERO9
@@ -65,23 +65,38 @@ def tangent_of(table, memory, row, x, v, weight_x, weight_v):
     )
 
 
+@small
+def between_nodes(m, grip, row, a, b):
+    """Return M_a^T m M_b of two of the four nodes."""
+    wa, wb = share_of(grip, row, a), share_of(grip, row, b)
+    la, lb = lever_of(grip, row, a), lever_of(grip, row, b)
+    n = (grip[row, NORMAL], grip[row, NORMAL + 1], grip[row, NORMAL + 2])
+    left, right = apply_left(la, m), apply(m, lb)
+    both = dot3(la, right)
+    column = (
+        -wa * right[0] - both * n[0],
+        -wa * right[1] - both * n[1],
+        -wa * right[2] - both * n[2],
+    )
+    return less_product(less_product(scale9(wa * wb, m), column, n), scale3(-wb, n), left)
+
+
 @kernel
 def couple_pairs(x, v, table, memory, weight_x, weight_v, network):
     """Add -(weight_x dR/dx + weight_v dR/dv) of all contacts to the network's blocks."""
-    number = network.number
+    number, grip = network.number, memory.grip
     for row in range(memory.tally[CONTACTS]):
         block = tangent_of(table, memory, row, x, v, weight_x, weight_v)
         i, j = memory.pair[row, 0], memory.pair[row, 1]
-        s, t = memory.grip[row, OWN], memory.grip[row, OTHER]
         at = 0
         for a in range(4):
             p = number[i + a] if a < 2 else number[j + a - 2]
-            wa = share_of(a, s, t)
-            add_block(network.diagonal, p, scale9(wa * wa, block))
+            add_block(network.diagonal, p, between_nodes(block, grip, row, a, a))
             for b in range(a + 1, 4):
                 q = number[i + b] if b < 2 else number[j + b - 2]
-                beside = scale9(wa * share_of(b, s, t), block)
-                put_pair(network, p, q, network.room.spots[row, at], beside, beside)
+                up = between_nodes(block, grip, row, a, b)
+                low = between_nodes(block, grip, row, b, a)
+                put_pair(network, p, q, network.room.spots[row, at], up, low)
                 at += 1
 
 
@@ -91,21 +106,6 @@ def along_pairs(x, v, d, table, memory, weight_x, weight_v):
     total = 0.0
     for row in range(memory.tally[CONTACTS]):
         m = tangent_of(table, memory, row, x, v, weight_x, weight_v)
-        i, j = memory.pair[row, 0], memory.pair[row, 1]
-        a, b, c = between(d, i, j, memory.grip[row, OWN], memory.grip[row, OTHER])
-        total += a * (m[0] * a + m[1] * b + m[2] * c)
-        total += b * (m[3] * a + m[4] * b + m[5] * c)
-        total += c * (m[6] * a + m[7] * b + m[8] * c)
+        z = apart(d, memory.grip, row, memory.pair[row, 0], memory.pair[row, 1])
+        total += dot3(z, apply(m, z))
     return total
-
-
-@small
-def share_of(a, s, t):
-    """Return what node a of the four has in u [1]."""
-    if a == 0:
-        return 1.0 - s
-    if a == 1:
-        return s
-    if a == 2:
-        return t - 1.0
-    return -t

@@ -9,7 +9,7 @@ import math
 
 from ropewalk.core.jit import kernel, small
 from ropewalk.laws.pairs.distance import on_way, product
-from ropewalk.laws.pairs.table import CONTACTS, NEAR, NORMAL, OTHER, OWN, REACH, WIDTH
+from ropewalk.laws.pairs.table import CONTACTS, LEAN, LEVER, NEAR, NORMAL, OTHER, OWN, REACH, WIDTH
 
 NOWHERE = 1e150  # [m] so far are all nodes from where a list was made that does not count
 
@@ -211,14 +211,22 @@ def owns(x, y, share, table, memory, tied, i, j, s, t):
 
 
 @kernel
+def between_on_way(x, y, share, i, j, s, t):
+    """Return the vector from a point of segment j to one of segment i at a share of the way."""
+    a, b = on_way(x, y, share, i), on_way(x, y, share, i + 1)
+    c, e = on_way(x, y, share, j), on_way(x, y, share, j + 1)
+    return (
+        (1.0 - s) * a[0] + s * b[0] - ((1.0 - t) * c[0] + t * e[0]),
+        (1.0 - s) * a[1] + s * b[1] - ((1.0 - t) * c[1] + t * e[1]),
+        (1.0 - s) * a[2] + s * b[2] - ((1.0 - t) * c[2] + t * e[2]),
+    )
+
+
+@kernel
 def normal_at(x, y, share, memory, row, s, t):
     """Return the normal of a contact as it is at a share of the way; without one, that it has."""
     i, j, grip = memory.pair[row, 0], memory.pair[row, 1], memory.grip
-    a, b = on_way(x, y, share, i), on_way(x, y, share, i + 1)
-    c, e = on_way(x, y, share, j), on_way(x, y, share, j + 1)
-    u0 = (1.0 - s) * a[0] + s * b[0] - ((1.0 - t) * c[0] + t * e[0])
-    u1 = (1.0 - s) * a[1] + s * b[1] - ((1.0 - t) * c[1] + t * e[1])
-    u2 = (1.0 - s) * a[2] + s * b[2] - ((1.0 - t) * c[2] + t * e[2])
+    u0, u1, u2 = between_on_way(x, y, share, i, j, s, t)
     size = math.sqrt(u0 * u0 + u1 * u1 + u2 * u2)
     if size > 0.0:
         return (u0 / size, u1 / size, u2 / size)
@@ -226,8 +234,38 @@ def normal_at(x, y, share, memory, row, s, t):
 
 
 @kernel
-def freeze(x, y, share, memory, row, s, t):
-    """Give a contact points and a normal as they are at a share of the way; without one, that it has."""
+def across(x, y, share, i, n):
+    """Return the part of the vector along segment i across n at a share of the way, and its size squared.
+
+    The size is no smaller than LEAN of the segment's: at a node the normal may lean towards it.
+    """
+    a, b = on_way(x, y, share, i), on_way(x, y, share, i + 1)
+    e0, e1, e2 = b[0] - a[0], b[1] - a[1], b[2] - a[2]
+    en = e0 * n[0] + e1 * n[1] + e2 * n[2]
+    p = (e0 - en * n[0], e1 - en * n[1], e2 - en * n[2])
+    return p, max(product(p, p), LEAN * (e0 * e0 + e1 * e1 + e2 * e2))
+
+
+@kernel
+def freeze(x, y, share, table, memory, row, s, t):
+    """Give a contact points, normal and levers as they are at a share of the way.
+
+    Where the points are one it keeps the normal that it has. The levers are those of strands that are within
+    30 degrees of parallel, and none from 60 degrees on: what turns round a strand across it rubs.
+    """
     n, grip = normal_at(x, y, share, memory, row, s, t), memory.grip
     grip[row, OWN], grip[row, OTHER] = s, t
     grip[row, NORMAL], grip[row, NORMAL + 1], grip[row, NORMAL + 2] = n
+    i, j = memory.pair[row, 0], memory.pair[row, 1]
+    e, ee = across(x, y, share, i, n)
+    f, ff = across(x, y, share, j, n)
+    parallel, own, other = 0.0, 0.0, 0.0
+    if ee > 0.0 and ff > 0.0:
+        parallel = min(max(2.0 * product(e, f) ** 2 / (ee * ff) - 0.5, 0.0), 1.0)
+    if parallel > 0.0:
+        gap = product(between_on_way(x, y, share, i, j, s, t), n)
+        part = parallel * gap / (table.radius[i] + table.radius[j])
+        own = part * min(table.radius[i] / math.sqrt(ee), table.lever[i]) / math.sqrt(ee)
+        other = part * min(table.radius[j] / math.sqrt(ff), table.lever[j]) / math.sqrt(ff)
+    for k in range(3):
+        grip[row, LEVER + k], grip[row, LEVER + 3 + k] = own * e[k], other * f[k]

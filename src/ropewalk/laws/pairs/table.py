@@ -15,12 +15,13 @@ REACH = 1.1  # [1] pairs nearer than this, over the sum of their radii, are cont
 LAYER = 0.02  # [1] soft skin of a contact, over the same sum
 STOP = 200.0  # [1] stiffness of one pressed through, over that of one pressed far
 HARD = 0.3  # [1] damping ratio of contacts pressed beyond their skin
+LEAN = 0.75  # [1] least square of the cosine between a segment and the plane of a contact, for its lever
 WRONG = 0.03  # [1] by which a frozen contact may err, over the same sum
 # Columns of `Memory.grip`: normal, points of both segments, the friction spring's force [N] and the vector
 # between the points [m] at the end of the last step, R_n then [N], the spring's stiffness [N/m], whether
-# the row is to go, by how much more it counts as pressed than its points say [m], and whether it was found
-# on the way of the step in hand.
-NORMAL, OWN, OTHER, SPRING, APART, PUSH, STIFF, GONE, MORE, FOUND = (
+# the row is to go, by how much more it counts as pressed than its points say [m], whether it was found
+# on the way of the step in hand, and the levers of both segments [1], see `apart`.
+NORMAL, OWN, OTHER, SPRING, APART, PUSH, STIFF, GONE, MORE, FOUND, LEVER = (
     0,
     3,
     4,
@@ -31,8 +32,9 @@ NORMAL, OWN, OTHER, SPRING, APART, PUSH, STIFF, GONE, MORE, FOUND = (
     13,
     14,
     15,
+    16,
 )
-WIDTH = 16
+WIDTH = 22
 # Places in `Memory.tally`.
 CONTACTS, NEAR, ROUNDS, SEEN, REFUSED, FAULT, FIRST, SECOND = range(8)
 PASSED, FULL, CROWDED = 1, 2, 3  # faults
@@ -44,6 +46,7 @@ class Pairs(NamedTuple):
     friction: Floats  # (1,) coefficient of friction [1]; (0,) without contact
     skin: Floats  # (1,) how far lists of pairs look ahead [m]
     radius: Floats  # (s,) [m]
+    lever: Floats  # (s,) largest lever: radius over length at rest, for the most lean [1]
     soft: Floats  # (s,) compliance of a contact that is pressed little [m/N]
     hard: Floats  # (s,) the same of one that is pressed far [m/N]
     stop: Floats  # (s,) the same of one that is pressed through
@@ -98,3 +101,43 @@ def between(x, i, j, s, t):
         a * x[1, i] + s * x[1, i + 1] - (b * x[1, j] + t * x[1, j + 1]),
         a * x[2, i] + s * x[2, i + 1] - (b * x[2, j] + t * x[2, j + 1]),
     )
+
+
+@small
+def apart(x, grip, row, i, j):
+    """Return the vector between the points of segments i and j as friction sees it: between their surfaces.
+
+    A segment that turns takes its surface along: u + a (n . e_i) + b (n . e_j), e the vectors along the
+    segments and a, b the levers. Strands that lie along each other and turn together do not rub then. The
+    force that belongs to it has a couple on each segment, which keeps the angular momentum.
+    """
+    u = between(x, i, j, grip[row, OWN], grip[row, OTHER])
+    rise, other = 0.0, 0.0
+    for k in range(3):
+        rise += grip[row, NORMAL + k] * (x[k, i + 1] - x[k, i])
+        other += grip[row, NORMAL + k] * (x[k, j + 1] - x[k, j])
+    return (
+        u[0] + grip[row, LEVER] * rise + grip[row, LEVER + 3] * other,
+        u[1] + grip[row, LEVER + 1] * rise + grip[row, LEVER + 4] * other,
+        u[2] + grip[row, LEVER + 2] * rise + grip[row, LEVER + 5] * other,
+    )
+
+
+@small
+def lever_of(grip, row, a):
+    """Return the lever of node a of the four, with its sign in `apart`."""
+    at, sign = LEVER if a < 2 else LEVER + 3, -1.0 if a % 2 == 0 else 1.0
+    return sign * grip[row, at], sign * grip[row, at + 1], sign * grip[row, at + 2]
+
+
+@small
+def share_of(grip, row, a):
+    """Return what node a of the four has in u [1]."""
+    s, t = grip[row, OWN], grip[row, OTHER]
+    if a == 0:
+        return 1.0 - s
+    if a == 1:
+        return s
+    if a == 2:
+        return t - 1.0
+    return -t

@@ -32,6 +32,7 @@ from ropewalk.laws.pairs.table import (
     SEEN,
     STIFF,
     WRONG,
+    apart,
     between,
     depth_of,
     spring_of,
@@ -53,7 +54,7 @@ def begin_contact(x, table, memory, row, before):
     begins with none. The difference is held to WRONG: what counts as open for long would be pressed through.
     """
     i, j, grip = memory.pair[row, 0], memory.pair[row, 1], memory.grip
-    u = between(x, i, j, grip[row, OWN], grip[row, OTHER])
+    u = apart(x, grip, row, i, j)
     grip[row, APART], grip[row, APART + 1], grip[row, APART + 2] = u
     soft, _, _, _, size = spring_of(table, grip, row, i, j)
     grip[row, STIFF] = max(grip[row, STIFF], soft)
@@ -89,7 +90,7 @@ def add_contact(x, y, share, table, memory, tied, i, j):
     if not fits(x, y, share, memory, row, s, t, table.radius[i] + table.radius[j], 0.0):
         share = 0.0
         s, t, _ = nearest(x, y, share, i, j)
-    freeze(x, y, share, memory, row, s, t)
+    freeze(x, y, share, table, memory, row, s, t)
     begin_contact(x, table, memory, row, 0.0)
     memory.grip[row, FOUND] = 1.0
     return 1
@@ -121,7 +122,7 @@ def turn_contact(x, y, table, memory, row, hit, end):
     s, t, _ = nearest(x, y, share, i, j)
     if not fits(x, y, share, memory, row, s, t, size, before):
         return 0
-    freeze(x, y, share, memory, row, s, t)
+    freeze(x, y, share, table, memory, row, s, t)
     begin_contact(x, table, memory, row, before)
     return 1
 
