@@ -253,6 +253,22 @@ def test_the_panel_of_constants_leaves_the_rope_in_sight(
     assert window.at_rope(range(1, 40)) > 0.7
 
 
+def test_a_rope_that_sinks_below_the_legend_is_followed(open_window: Open, serve: Serve) -> None:
+    """On a lying phone the legend is a bar below the ropes; the report's falls by a third of the view."""
+    lying = {"width": 844, "height": 390}
+    window = open_window(serve().address, viewport=lying).ready()
+    window.press(" ")
+    window.until("r.time > 2")
+    window.press(" ")
+    window.until("r.state === 'paused'")
+    window.settled()
+    legend = window.page.locator(".legend").bounding_box()
+    for node in range(21):
+        x, y = window.screen(node)
+        over = legend["x"] <= x <= legend["x"] + legend["width"]
+        assert not (over and legend["y"] <= y <= legend["y"] + legend["height"])
+
+
 def _cards(window: Window) -> list[tuple[str, np.ndarray]]:
     """Names and edges (left, top, right, bottom) of what lies over the scene."""
     return [(name, np.array([x, y, x + w, y + h])) for name, x, y, w, h in window.ask(BOXES)]

@@ -278,7 +278,8 @@ export class Graphs {
   draw({ kind, plot }) {
     if (!Number.isFinite(this.history.last)) return;
     const to = this.history.last - this.back; // what has not been yet is not on the axis
-    const from = Math.min(Math.max(to - this.span, this.history.first), to - LEAST);
+    const young = Math.min(Math.max(to - this.span, this.history.first), to - LEAST);
+    const from = to > 0 ? Math.max(young, 0) : young; // no time before the first
     if (plot instanceof Plot) {
       plot.show(this.history.between(from, to, plot.names), from, to);
     } else if (plot && kind === "phase") {

@@ -10,6 +10,7 @@ from ropewalk.engine.too_near import fault_of
 from ropewalk.laws.slides.sliding import lost
 from ropewalk.lowering import Layout
 from ropewalk.methods.verdict import energy_now
+from ropewalk.scene import Scene
 
 #: Ends a reason where the numbers are right: a rope was stretched beyond what is one.
 ACCOUNTED = "its energy is accounted for"
@@ -32,13 +33,13 @@ def off_rope(state: State, layout: Layout, system: System) -> str:
     )
 
 
-def reason(system: System, state: State, layout: Layout) -> str:
+def reason(system: System, state: State, layout: Layout, scene: Scene) -> str:
     """Say what `methods.verdict` found wrong with a state."""
     bad = np.flatnonzero(~(np.isfinite(state.x) & np.isfinite(state.v)).all(axis=0))
     if bad.size:
         rope, node = layout.rope_of(int(bad[0]))
         return f"node {node} of rope {rope!r} has no finite place or speed any more"
-    if fault := fault_of(state, layout):
+    if fault := fault_of(state, layout, scene):
         return fault
     if fault := off_rope(state, layout, system):
         return fault

@@ -1,10 +1,14 @@
-"""What contacts of ropes say of a run that cannot go on."""
+"""What contacts say of a run that cannot go on."""
 
 from __future__ import annotations
 
-from ropewalk.core.arrays import State
+import numpy as np
+
+from ropewalk.core.arrays import Ints, State
 from ropewalk.laws.pairs.table import CONTACTS, CROWDED, FAULT, FIRST, PASSED, REFUSED, SECOND
 from ropewalk.lowering import Layout
+from ropewalk.scene import Scene
+from ropewalk.scene.obstacles import name_of
 
 
 def pair_of(state: State, layout: Layout) -> str:
@@ -14,8 +18,22 @@ def pair_of(state: State, layout: Layout) -> str:
     return f"segment {a} of rope {one!r} and segment {b} of rope {other!r}"
 
 
-def fault_of(state: State, layout: Layout) -> str:
+def passing(which: Ints, layout: Layout, scene: Scene) -> str:
+    """Name the first node that goes through an obstacle, and the obstacle; "" where none does."""
+    found = np.flatnonzero(which)
+    if not found.size:
+        return ""
+    rope, node = layout.rope_of(int(found[0]))
+    row = int(which[found[0]]) - 1
+    name = name_of(scene.obstacles[row], row)
+    return f"node {node} of rope {rope!r} would go through obstacle {name!r}, or too deep into it"
+
+
+def fault_of(state: State, layout: Layout, scene: Scene) -> str:
     """Say what is wrong with the contacts; "" for nothing."""
+    if through := passing(state.memory.obstacle.fault, layout, scene):
+        gone = through.replace("would go", "has gone")
+        return f"{gone}: take a shorter time_step, implicit-euler, or a stiffer contact (its compliance)"
     count = state.memory.contact.tally
     if not count.size or count[FAULT] == 0:
         return ""
@@ -37,11 +55,13 @@ def fault_of(state: State, layout: Layout) -> str:
     )
 
 
-def refused_pair(state: State, layout: Layout) -> str:
+def refused_pair(state: State, layout: Layout, scene: Scene) -> str:
     """Say between whom the last step was not let pass; "" where that was not why it ended."""
     count = state.memory.contact.tally
-    if fault := fault_of(state, layout):
+    if fault := fault_of(state, layout, scene):
         return fault
+    if through := passing(state.memory.obstacle.through, layout, scene):
+        return f"{through}. Try a shorter time_step, slower anchors, or a stiffer contact (its compliance)"
     if not count.size or count[REFUSED] == 0:
         return ""
     return (

@@ -51,7 +51,7 @@ def describe(model: Model, state: State, clock: Clock, scratch: Any) -> str:
     start, dt, done = clock
     time = float(scratch.stage.report[TIME])
     step = done + max(1, math.ceil((time - start) / dt - done - 1e-9))
-    refused = refused_pair(state, layout)
+    refused = refused_pair(state, layout, model.scene)
     text = (
         f"{plan.method} found no solution of step {step} at t = {time:.6g} s, not even in "
         f"parts of {dt * SMALLEST_PART:.2g} s: {refused or _what_is_left(layout, state, scratch.stage)}"

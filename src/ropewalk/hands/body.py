@@ -20,7 +20,7 @@ from ropewalk.motions.kind import ORIGIN
 from ropewalk.motions.registry import CODES
 from ropewalk.motions.velocity import INTERVAL, WAY
 from ropewalk.motions.whereabouts import place_now
-from ropewalk.scene.obstacles import is_free
+from ropewalk.scene.obstacles import is_free, name_of
 from ropewalk.words.annotations import unquoted
 
 if TYPE_CHECKING:
@@ -196,11 +196,6 @@ def _finite(name: str, value: float, unit: str) -> float:
     if not math.isfinite(found):
         raise ValueError(f"{name}: {value!r} - must be a finite number [{unit}]")
     return found
-
-
-def name_of(body: Obstacle, row: int) -> str:
-    """Return the name of an obstacle, or what stands for it where it has none."""
-    return body.name or f"obstacle{row}"
 
 
 def handles(simulation: Simulation) -> dict[str, ObstacleHandle]:

@@ -31,6 +31,7 @@ from ropewalk.laws.contact_tangent import contact_tangent
 from ropewalk.laws.node_law import NodeLaw, Rest
 from ropewalk.laws.obstacle_rows import (
     KINDS,
+    half_thickness,
     place_of,
     radius_round,
     size_rows,
@@ -39,6 +40,7 @@ from ropewalk.laws.obstacle_rows import (
     wheel_columns,
 )
 from ropewalk.laws.obstacle_shapes import BOX, HALF_PIPE, TORUS, probe
+from ropewalk.laws.obstacle_way import find_pass, gone, meet
 from ropewalk.laws.standstill import standstills
 from ropewalk.laws.wheels import RATE, ROWS, WIDTH
 from ropewalk.motions.registry import FIXED
@@ -70,6 +72,7 @@ class Obstacles(NamedTuple):
     # edges half sizes, then the edges' radius [m]; of a half-pipe its radius [m], then the direction to which
     # it is open, across the axis [1]; a mesh as `triangles` has it
     size: Floats
+    thin: Floats  # (k,) least half thickness of the solid [m], inf without another side
     friction: Floats  # (k,) [1]
     spin: Floats  # (k, 3) [rad/s], start and stop [s]
     motion: Motions  # of `center`
@@ -98,6 +101,8 @@ class Memory(NamedTuple):
     way: Floats  # (3, n) in the last step [m]
     wheel: Floats  # (w, WIDTH) see `wheels.ANGLE`
     ties: Floats  # (w, ROWS, n) working space of wheels
+    through: Ints  # (n,) which obstacle a node would have gone through in a step, from 1 on
+    fault: Ints  # (n,) the same of a step that was taken
 
 
 def lower(
@@ -140,6 +145,7 @@ def lower(
         center=centers,
         axis=np.array([place[1] for place in places], dtype=np.float64).reshape(count, 3),
         size=size_rows([place[2] for place in places]),
+        thin=np.array([half_thickness(body) for body in bodies], dtype=np.float64),
         friction=np.array([body.friction for body in bodies], dtype=np.float64),
         spin=np.array([spin_of(body) for body in bodies], dtype=np.float64).reshape(count, 3),
         motion=motion,
@@ -204,7 +210,8 @@ def acts(obstacles: Obstacles) -> bool:
 def memory(obstacles: Obstacles, x: Floats, stiffness: Floats) -> Memory:
     """Return what is remembered at the start, for nodes at places (3, n) [m]: no force."""
     count, n, wheels = len(obstacles.kind), x.shape[1], len(obstacles.inertia)
-    own = np.zeros((wheels, WIDTH)), np.zeros((wheels, ROWS, n))
+    passes = np.zeros((2, n if count else 0), np.int64)
+    own = np.zeros((wheels, WIDTH)), np.zeros((wheels, ROWS, n)), passes[0], passes[1].copy()
     grip, books, slip = (np.zeros((count, rows, n)) for rows in (5, BOOKS, WAYS))
     if count == 0:
         none = np.zeros((3, 0))
@@ -237,6 +244,8 @@ def tangent(obstacles, state, x, v, weight_x, weight_v, marks, band):
 def remember(obstacles, state):
     """Keep what contacts carry at the state; return how many have closed."""
     memory = state.memory.obstacle
+    place, fault = memory.place, memory.fault
+    find_pass(place, state.x, state.inverse_mass, obstacles, memory.grip, fault, state.now)
     return remember_contacts(state.x, state.v, obstacles, memory, state.now, state.stiffness)
 
 
@@ -384,4 +393,6 @@ OBSTACLE = NodeLaw(
     at_rest=at_rest,
     bears=touched,
     cases=cases,
+    meet=meet,
+    fault=gone,
 )

@@ -125,3 +125,18 @@ def turning_of(body: Any) -> Any:
     """Return the angles of what turns by a table, as a motion along x; None else."""
     spin = getattr(body, "spin", None)
     return spin.as_motion() if spin is not None and spin.times else None
+
+
+def half_thickness(body: Any) -> float:
+    """Return half of how thick a solid is at least [m]: inf where it has no other side.
+
+    A mesh may be as thin as can be, but for its rounding.
+    """
+    match body.kind:
+        case "plane" | "half-pipe":
+            return math.inf
+        case "box":
+            return float(min(body.half_sizes))
+        case "cylinder" if not body.endless:
+            return min(body.radius, 0.5 * math.dist(body.start, body.end))
+    return radius_round(body)

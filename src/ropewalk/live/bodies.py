@@ -14,12 +14,12 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ropewalk.core.arrays import Floats
-from ropewalk.hands.body import ObstacleHandle, name_of
+from ropewalk.hands.body import ObstacleHandle
 from ropewalk.live.hands import FASTEST, SLOWEST
 from ropewalk.live.parameters import refusal
 from ropewalk.scene import Scene
 from ropewalk.scene.motions import Table
-from ropewalk.scene.obstacles import Spin
+from ropewalk.scene.obstacles import Spin, name_of
 from ropewalk.simulation import Simulation
 
 FOLLOW = 0.05  # [s] of the user's time in which a body reaches its target

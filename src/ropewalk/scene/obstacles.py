@@ -257,6 +257,11 @@ def is_free(body: Obstacle) -> bool:
     return spin is not None and spin.free
 
 
+def name_of(body: Obstacle, row: int) -> str:
+    """Return the name of an obstacle, or what stands for it where it has none."""
+    return body.name or f"obstacle{row}"
+
+
 def thinnest(body: Obstacle) -> float:
     """Return the least radius of a body [m]: inf for a plane, 0 for sharp edges."""
     match body.kind:

@@ -1,0 +1,112 @@
+"""The way of a step past obstacles: no node goes through a solid, or ends on another side of it.
+
+No step may end deeper in a solid than three quarters of its least half thickness (half the diameter counted
+in), but where it was deeper: so what is pressed hard does not creep through by and by.
+
+A way may cut the corner of a surface that a node slides round. It goes through where the normals at which it
+comes in and goes out, or ends, are more than a right angle apart. What does not press yet and moves by less
+than a body's thinnest cannot, and is not looked at: a node's way inside is longer than that then.
+Source: conservative advancement (Mirtich 1996), for one point and signed distances.
+"""
+
+from __future__ import annotations
+
+import math
+
+from ropewalk.core.jit import kernel, part
+from ropewalk.laws.contact_frame import PUSH, surface_at
+from ropewalk.laws.obstacle_shapes import probe
+
+FINE, HALVE = 0, 2  # see `laws.couplings`
+TRIES = 500
+DEEPEST = 0.75  # [1] depth over the thinnest
+LEAST = 0.01  # [1] of the thinnest: the least part of a way that is gone at once
+
+
+@kernel
+def inward(kind, center, axis, size, thickness, thin, p, q):
+    """Return whether a point from p to q comes to a surface, and the normal where it first does."""
+    dx, dy, dz = q[0] - p[0], q[1] - p[1], q[2] - p[2]
+    way, share = math.sqrt(dx * dx + dy * dy + dz * dz), 0.0
+    nx, ny, nz = 0.0, 0.0, 0.0
+    for _ in range(TRIES):
+        x, y, z = p[0] + share * dx, p[1] + share * dy, p[2] + share * dz
+        gap, nx, ny, nz, _, _, _, _, _ = probe(kind, center, axis, size, x, y, z)
+        gap -= thickness
+        if gap <= 0.0:
+            return True, nx, ny, nz
+        if share >= 1.0:
+            return False, nx, ny, nz
+        share = min(share + max(gap, LEAST * thin) / way, 1.0)
+    return True, nx, ny, nz  # in doubt it does
+
+
+@kernel
+def goes_through(obstacles, o, i, p, q):
+    """Tell whether node i goes through obstacle o from p to q, in the body's frame."""
+    kind, center, axis, size = (
+        obstacles.kind[o],
+        obstacles.center[o],
+        obstacles.axis[o],
+        obstacles.size[o],
+    )
+    thickness = obstacles.thickness[i]
+    thin = obstacles.thin[o] + thickness
+    enters, ax, ay, az = inward(kind, center, axis, size, thickness, thin, p, q)
+    if not enters:
+        return False
+    _, bx, by, bz = inward(kind, center, axis, size, thickness, thin, q, p)
+    if ax * bx + ay * by + az * bz < 0.0:
+        return True
+    after = probe(kind, center, axis, size, q[0], q[1], q[2])[0] - thickness
+    if after > -DEEPEST * thin:
+        return False
+    return after < probe(kind, center, axis, size, p[0], p[1], p[2])[0] - thickness
+
+
+@kernel
+def find_pass(x, y, inverse_mass, obstacles, grip, through, now):
+    """Note for every node that is not held which obstacle it goes through from x to y, from 1 on.
+
+    What is noted already stays. `now` holds the times of y and of x [s], `grip` what presses at x. Return how
+    many do.
+    """
+    count = 0
+    for o in range(obstacles.kind.shape[0]):
+        if obstacles.thin[o] == math.inf:
+            continue
+        ax, ay, az, _, _, _, _, _ = surface_at(obstacles, o, now[1])
+        bx, by, bz, _, _, _, _, _ = surface_at(obstacles, o, now[0])
+        for i in range(x.shape[1]):
+            p = (x[0, i] - ax, x[1, i] - ay, x[2, i] - az)
+            q = (y[0, i] - bx, y[1, i] - by, y[2, i] - bz)
+            square = (q[0] - p[0]) ** 2 + (q[1] - p[1]) ** 2 + (q[2] - p[2]) ** 2
+            thin = obstacles.thin[o] + obstacles.thickness[i]
+            if square < thin * thin and grip[o, PUSH, i] == 0.0:
+                continue
+            if not inverse_mass[i] > 0.0 or through[i] != 0:
+                continue
+            if goes_through(obstacles, o, i, p, q):
+                through[i] = o + 1
+                count += 1
+    return count
+
+
+@part
+def meet(obstacles, state, x):
+    """Tell whether the way from the state to `x` may stand, see `obstacle_way`."""
+    memory = state.memory.obstacle
+    grip, through = memory.grip, memory.through
+    for i in range(through.shape[0]):
+        through[i] = 0
+    many = find_pass(state.x, x, state.inverse_mass, obstacles, grip, through, state.now)
+    return HALVE if many > 0 else FINE
+
+
+@part
+def gone(obstacles, state):
+    """Return how many nodes have gone through an obstacle."""
+    count = 0
+    for which in state.memory.obstacle.fault:
+        count += 1 if which > 0 else 0
+    return count
