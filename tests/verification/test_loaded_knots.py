@@ -14,7 +14,7 @@ from verification.loaded_knots import LOADED, braked, follow, loaded, ratio
 def test_it_holds_with_friction_and_slips_without(knot: str) -> None:
     """700 N on 0.6 with a free tail; without friction not ten.
 
-    The figure-eight is an exception: no step was found beyond 104 N with 0.6, nor any once it is let go with 0.
+    But for the figure-eight: no step was found beyond 104 N with 0.6, nor any once it is let go with 0.
     """
     odd = knot.startswith("figure-eight")
     borne = follow(loaded(knot, 0.4 if odd else 0.6))
