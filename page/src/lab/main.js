@@ -285,7 +285,7 @@ class Lab {
     find("state").textContent = `t = ${rope.time.toFixed(2)} s`;
     const numbers = [
       ["largest tension now", this.broken ? "none: it is broken" : told(now, "N")],
-      ["largest tension so far", told(this.largest ?? 0, "N")],
+      ["largest tension so far", told(Math.max(this.largest ?? 0, now || 0), "N")],
     ];
     find("numbers").replaceChildren(
       ...numbers.flatMap(([name, value]) => {
