@@ -13,6 +13,7 @@ from ropewalk.scene import (
     Box,
     Cylinder,
     Material,
+    Mesh,
     Obstacle,
     Plane,
     Rope,
@@ -88,6 +89,27 @@ def test_a_ring_stops_what_meets_its_bar_and_lets_through_the_rest(
         assert crossings(from_bar, 1.0) % 2 == 1  # below it the ends are flung round
     assert simulation.positions[0, 2] < 0.0
     assert speed == 50.0 or simulation.positions[50, 2] < 0.0  # what is fast springs back
+
+
+def test_a_thread_without_thickness_lies_on_a_mesh_that_is_hardly_rounded() -> None:
+    """Hardly a thickness to go by: it may press as deep as its contact gives, and does not pass."""
+    s = 0.5
+    corners = [(x, y, z) for x in (-s, s) for y in (-s, s) for z in (-0.05, 0.05)]
+    faces = [(0, 1, 3), (0, 3, 2), (4, 6, 7), (4, 7, 5), (0, 4, 5), (0, 5, 1), (2, 3, 7), (2, 7, 6)]
+    slab = Mesh(
+        vertices=corners, faces=[*faces, (0, 2, 6), (0, 6, 4), (1, 5, 7), (1, 7, 3)], rounding=1e-4
+    )
+    for speed in (1.0, 50.0):
+        scene = thrown(slab, speed, "implicit-euler")
+        rope = scene.ropes[0].replace(
+            length=0.8, shape=scene.ropes[0].shape.replace(end=(0.3, 0.004, 0.3))
+        )
+        bare = Rope(**rope.model_dump(exclude={"diameter"}))
+        simulation = Simulation(scene.replace(ropes=[bare]))
+        assert simulation.system.node.obstacle.thickness.max() == 0.0
+        for _ in range(30):
+            simulation.step(FRAME)
+        assert (simulation.positions[:, 2] > 0.04).all()
 
 
 def test_what_is_pressed_half_way_into_a_solid_ends_in_words() -> None:

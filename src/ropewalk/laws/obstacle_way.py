@@ -1,7 +1,8 @@
 """The way of a step past obstacles: no node goes through a solid, or ends on another side of it.
 
 No step may end deeper in a solid than three quarters of its least half thickness (half the diameter counted
-in), but where it was deeper: so what is pressed hard does not creep through by and by.
+in), but where it was deeper: so what is pressed hard does not creep through by and by. How thick a mesh is
+at a place is not known; there only the normals tell.
 
 A way may cut the corner of a surface that a node slides round. It goes through where the normals at which it
 comes in and goes out, or ends, are more than a right angle apart. What does not press yet and moves by less
@@ -15,7 +16,7 @@ import math
 
 from ropewalk.core.jit import kernel, part
 from ropewalk.laws.contact_frame import PUSH, surface_at
-from ropewalk.laws.obstacle_shapes import probe
+from ropewalk.laws.obstacle_shapes import MESH, probe
 
 FINE, HALVE = 0, 2  # see `laws.couplings`
 TRIES = 500
@@ -37,7 +38,7 @@ def inward(kind, center, axis, size, thickness, thin, p, q):
             return True, nx, ny, nz
         if share >= 1.0:
             return False, nx, ny, nz
-        share = min(share + max(gap, LEAST * thin) / way, 1.0)
+        share = min(share + max(gap, LEAST * thin, way / TRIES) / way, 1.0)
     return True, nx, ny, nz  # in doubt it does
 
 
@@ -59,7 +60,7 @@ def goes_through(obstacles, o, i, p, q):
     if ax * bx + ay * by + az * bz < 0.0:
         return True
     after = probe(kind, center, axis, size, q[0], q[1], q[2])[0] - thickness
-    if after > -DEEPEST * thin:
+    if kind == MESH or after > -DEEPEST * thin:
         return False
     return after < probe(kind, center, axis, size, p[0], p[1], p[2])[0] - thickness
 
