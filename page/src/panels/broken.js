@@ -10,7 +10,7 @@ import { h } from "./dom.js";
 
 const STEP = 300; // ms that a step past a break is seen
 const REST = 3; // times that long the last one stays
-const MOST = 0.3; // of the view's height that the card may take; beyond, its words are folded away
+const MOST = 0.38; // of the view's height that the card may take; beyond, its words are folded away
 const SIGNS = /** @type {Record<string, string>} */ ({
   back: "Back to before",
   step: "Use the suggested step",
