@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import re
+import sys
 import tomllib
+from importlib.metadata import distributions
 from pathlib import Path
 
 import pytest
@@ -61,6 +63,34 @@ def test_the_locks_hold_what_is_asked_for(python: str) -> None:
     assert missing(dev, [*ABOUT["dependencies"], *everything]) == []
     assert all(hashes for _, hashes in (demo | dev).values())
     assert demo.items() <= dev.items()  # so that the second installation changes nothing
+
+
+def without_extras(text: str) -> set[str]:
+    """Return what installed packages ask for with an extra that a lock names without it."""
+    entries = text.replace("\\\n", " ").splitlines()
+    lines = [entry.split("--hash")[0] for entry in entries if entry and entry[0] != "#"]
+    locked = {canonicalize_name(one.name): one.extras for one in map(Requirement, lines)}
+    wants = [
+        Requirement(line)
+        for package in distributions()
+        if canonicalize_name(package.metadata["Name"]) in locked
+        for line in package.requires or []
+    ]
+    return {
+        want.name
+        for want in wants
+        if want.extras
+        and (not want.marker or want.marker.evaluate({"extra": ""}))
+        and not want.extras <= locked.get(canonicalize_name(want.name), want.extras)
+    }
+
+
+def test_the_lock_names_extras() -> None:
+    """A pin without its extra binds older pips not: each new release then ended the installation."""
+    python = ".".join(map(str, sys.version_info[:2]))
+    text = (HERE / "requirements" / python / "dev.txt").read_text(encoding="utf-8")
+    assert without_extras(text) == set()
+    assert without_extras(text.replace("coverage[toml]", "coverage")) == {"coverage"}
 
 
 def test_there_is_a_lock_for_each_python_and_none_names_a_host() -> None:
