@@ -54,7 +54,7 @@ def test_the_edge_starts_without_stretch() -> None:
 
 
 def passes(warnings: tuple[str, ...]) -> bool:
-    return any("may pass through" in warning for warning in warnings)
+    return any("would go through" in warning for warning in warnings)
 
 
 def test_what_starts_at_rest_is_not_taken_to_fall() -> None:
@@ -63,24 +63,6 @@ def test_what_starts_at_rest_is_not_taken_to_fall() -> None:
     assert not passes(check(scene, measure=False).warnings)
     thrown = scene.replace(run=scene.run.replace(start="shape"))
     assert passes(check(thrown, measure=False).warnings)
-
-
-def test_a_run_tells_that_a_node_was_too_fast_for_a_bar() -> None:
-    """50 m/s are 0.83 m in a step of 1/60 s."""
-    notes = []
-    for speed in (50.0, 0.5):
-        points = [(0.05 * i, 0.0, 1.0) for i in range(7)]
-        shape = Points(points=points, velocity=(0.0, 0.0, -speed))
-        rope = Rope(
-            segments=6, length=0.3, made_of=Material(EA=1e3, mass_per_length=0.1), shape=shape
-        )
-        bar = Capsule(name="bar", start=(0, -1, -9), end=(0, 1, -9), radius=0.1)
-        run = RunSettings(method="implicit-euler", time_step=1 / 60, duration=0.1, frame_rate=60.0)
-        simulation = rw.simulate(Scene(ropes=[rope], obstacles=[bar], run=run))
-        notes.append(simulation.table.get("about the largest speed", ""))
-    assert "obstacle 'bar'" in notes[0]
-    assert "steps of at most 2 ms" in notes[0]
-    assert notes[1] == ""
 
 
 def test_a_blow_of_a_moving_bar_is_honest_energy() -> None:

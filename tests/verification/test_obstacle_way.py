@@ -16,9 +16,11 @@ from ropewalk.scene import (
     Mesh,
     Obstacle,
     Plane,
+    Polyline,
     Rope,
     RunSettings,
     Scene,
+    SceneError,
     Straight,
     Table,
     Torus,
@@ -171,3 +173,67 @@ def test_a_floor_is_not_looked_at() -> None:
     for _ in range(3):
         simulation.step(FRAME)
     assert (simulation.positions[:, 2] > 0.0).all()
+
+
+# -- between two nodes -----------------------------------------------------------------------
+
+WIRE = Cylinder(name="wire", start=(0.0125, -2, 0), end=(0.0125, 2, 0), radius=0.001)  # half way
+
+
+def go_on(simulation: Simulation) -> None:
+    for _ in range(24):
+        simulation.step(FRAME)
+
+
+def over_wire(speed: float, method: str, segments: int = 40, **more: Any) -> Scene:
+    """A rope that flies at a wire; of 40 segments each is 25 mm long, four times as the wire with it."""
+    scene = thrown(WIRE, speed, method, **more)
+    return scene.replace(ropes=[scene.ropes[0].replace(segments=segments, diameter=0.004)])
+
+
+@pytest.mark.parametrize("speed", [1.0, 50.0])
+@pytest.mark.parametrize("method", [*IMPLICIT, "adaptive", "semi-implicit-euler"])
+def test_no_segment_slips_over_a_wire_between_its_nodes(method: str, speed: float) -> None:
+    """Nothing pushes there: the run ends in words, and says what would do. It went through, silently."""
+    auto = {"time_step": "auto"} if method in ("adaptive", "semi-implicit-euler") else {}
+    simulation = Simulation(over_wire(speed, method, **auto))
+    words = r"segment 20 of rope 'rope' .* go(ne)? through obstacle 'wire' between .*at most 4.2 mm"
+    with pytest.raises(Broken, match=words):
+        go_on(simulation)
+    if method != "semi-implicit-euler":  # explicit steps are looked at when they are done
+        assert simulation.positions[20:22, 2].max() > 0.0
+
+
+def test_with_the_segments_that_are_asked_for_it_hangs_over_the_wire() -> None:
+    simulation = Simulation(over_wire(1.0, "implicit-euler", segments=240))
+    for _ in range(24):
+        simulation.step(FRAME)
+        assert crossings(simulation.positions - (0.0125, 0.0, 0.0), 1.0) % 2 == 1
+
+
+def test_a_corner_that_a_segment_cuts_is_no_way_through() -> None:
+    """It lies on a shelf and hangs over the edge, with segments longer than the shelf is thick."""
+    stuff = Material(EA=1e4, mass_per_length=0.1, axial_damping=1.0)
+    shape = Polyline(points=[(-0.31, 0, 0.015), (0.04, 0, 0.015), (0.04, 0, -0.235)])
+    rope = Rope(segments=20, length=0.6, diameter=0.01, made_of=stuff, shape=shape)
+    shelf = PLATE.replace(center=(-0.968, 0, 0), friction=0.5)
+    run = RunSettings(method="implicit-euler", time_step=1 / 240, frame_rate=60.0)
+    anchors = [Anchor(node=0)]
+    simulation = Simulation(Scene(ropes=[rope], anchors=anchors, obstacles=[shelf], run=run))
+    for _ in range(60):
+        simulation.step(FRAME)
+    hangs = simulation.positions[:, 2] < -0.05
+    assert 0 < hangs.sum() < 21
+
+
+def test_a_rope_that_is_drawn_through_a_bar_is_refused() -> None:
+    scene = over_wire(1.0, "implicit-euler")
+    through = scene.ropes[0].replace(
+        shape=Straight(start=(-0.5, 0.004, 0.0), end=(0.5, 0.004, 0.001))
+    )
+    with pytest.raises(
+        SceneError, match="rope.0..shape: .segment 20. - goes through obstacle 'wire'"
+    ):
+        Simulation(scene.replace(ropes=[through]))
+    beside = through.replace(shape=Straight(start=(-0.5, 0.004, 0.01), end=(0.5, 0.004, 0.01)))
+    Simulation(scene.replace(ropes=[beside]))

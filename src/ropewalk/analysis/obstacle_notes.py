@@ -9,6 +9,7 @@ import numpy as np
 from ropewalk.laws.obstacle import turning_rate
 from ropewalk.lowering import Model
 from ropewalk.lowering.chains import driven_speed, fastest
+from ropewalk.methods.registry import METHODS
 from ropewalk.scene.obstacles import thinnest
 from ropewalk.statics import Statics
 from ropewalk.statics.pressing import pressing, rounded
@@ -28,18 +29,21 @@ def obstacle_warnings(model: Model, statics: Statics) -> list[str]:
     thick = float(table.thickness.max())
     step = model.plan.dt if model.plan.longest is None else model.plan.longest
     way = _speed(model, statics) * step
+    through = "a run in which one goes through ends there"
+    if METHODS[model.plan.method].implicit:
+        through = "a step that would go through is solved again in halves, which takes long"
     for row, body in enumerate(scene.obstacles):
         name, radius = f"obstacle {body.name!r}", thinnest(body) + thick
         if longest > 2.0 * radius:
             found.append(
                 f"{name}: segments of {1e3 * longest:.4g} mm are longer than twice its radius "
-                f"({1e3 * radius:.4g} mm, the rope's half diameter counted in): only nodes touch, so it may "
-                "slip through between two of them; take more segments"
+                f"({1e3 * radius:.4g} mm, the rope's half diameter counted in): only nodes touch, and a run "
+                "in which it would slip through between two of them ends there; take more segments"
             )
         if way > radius:
             found.append(
                 f"{name}: a node may move {1e3 * way:.4g} mm in a step, more than its radius "
-                f"({1e3 * radius:.4g} mm): it may pass through; take steps of at most "
+                f"({1e3 * radius:.4g} mm): {through}; take steps of at most "
                 f"{1e3 * step * radius / way:.3g} ms"
             )
         turn = turning_rate(table, row) * step

@@ -5,6 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from ropewalk.core.arrays import Ints, State
+from ropewalk.laws.obstacle import radius_of
+from ropewalk.laws.obstacle_rows import half_thickness
+from ropewalk.laws.obstacle_way import LONG
 from ropewalk.laws.pairs.table import CONTACTS, CROWDED, FAULT, FIRST, PASSED, REFUSED, SECOND
 from ropewalk.lowering import Layout
 from ropewalk.scene import Scene
@@ -18,22 +21,38 @@ def pair_of(state: State, layout: Layout) -> str:
     return f"segment {a} of rope {one!r} and segment {b} of rope {other!r}"
 
 
-def passing(which: Ints, layout: Layout, scene: Scene) -> str:
-    """Name the first node that goes through an obstacle, and the obstacle; "" where none does."""
+def passing(which: Ints, layout: Layout, scene: Scene) -> tuple[str, str]:
+    """Say what goes through which obstacle, and what helps; "" twice where nothing does.
+
+    `which` is `Memory.through` of the obstacles, or its `fault`.
+    """
     found = np.flatnonzero(which)
     if not found.size:
-        return ""
+        return "", ""
     rope, node = layout.rope_of(int(found[0]))
-    row = int(which[found[0]]) - 1
-    name = name_of(scene.obstacles[row], row)
-    return f"node {node} of rope {rope!r} would go through obstacle {name!r}, or too deep into it"
+    row = abs(int(which[found[0]])) - 1
+    body = scene.obstacles[row]
+    name = name_of(body, row)
+    if which[found[0]] > 0:
+        what = (
+            f"node {node} of rope {rope!r} would go through obstacle {name!r}, or too deep into it"
+        )
+        return what, "a shorter time_step, slower anchors, or a stiffer contact (its compliance)"
+    radius = radius_of(next(one for one in scene.ropes if one.name == rope))
+    short = LONG * (half_thickness(body) + radius)
+    what = (
+        f"segment {node} of rope {rope!r} would go through obstacle {name!r} between its two nodes, where "
+        "nothing holds it"
+    )
+    return what, f"more segments (at most {1e3 * short:.3g} mm long)"
 
 
 def fault_of(state: State, layout: Layout, scene: Scene) -> str:
     """Say what is wrong with the contacts; "" for nothing."""
-    if through := passing(state.memory.obstacle.fault, layout, scene):
+    through, helps = passing(state.memory.obstacle.fault, layout, scene)
+    if through:
         gone = through.replace("would go", "has gone")
-        return f"{gone}: take a shorter time_step, implicit-euler, or a stiffer contact (its compliance)"
+        return f"{gone}: take implicit-euler, {helps}"
     count = state.memory.contact.tally
     if not count.size or count[FAULT] == 0:
         return ""
@@ -60,8 +79,9 @@ def refused_pair(state: State, layout: Layout, scene: Scene) -> str:
     count = state.memory.contact.tally
     if fault := fault_of(state, layout, scene):
         return fault
-    if through := passing(state.memory.obstacle.through, layout, scene):
-        return f"{through}. Try a shorter time_step, slower anchors, or a stiffer contact (its compliance)"
+    through, helps = passing(state.memory.obstacle.through, layout, scene)
+    if through:
+        return f"{through}. Try {helps}"
     if not count.size or count[REFUSED] == 0:
         return ""
     return (

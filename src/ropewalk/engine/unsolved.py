@@ -47,7 +47,8 @@ def describe(model: Model, state: State, clock: Clock, scratch: Any) -> str:
     plan, layout, limiter = model.plan, model.layout, model.scene.limiter
     longest = limiter.max_stretch if limiter else math.inf
     if plan.tolerance is not None:
-        return _describe_shortest(layout, state, plan.tolerance, longest, scratch)
+        refused = refused_pair(state, layout, model.scene)
+        return _describe_shortest(layout, state, plan.tolerance, longest, scratch, refused)
     start, dt, done = clock
     time = float(scratch.stage.report[TIME])
     step = done + max(1, math.ceil((time - start) / dt - done - 1e-9))
@@ -96,10 +97,15 @@ def _what_is_left(layout: Layout, state: State, stage: Stage) -> str:
 
 
 def _describe_shortest(
-    layout: Layout, state: State, tolerance: float, longest: float, scratch: Any
+    layout: Layout, state: State, tolerance: float, longest: float, scratch: Any, refused: str
 ) -> str:
-    """Say where the adaptive method found no step short enough, and what to try."""
+    """Say where the adaptive method found no step short enough, and what to try.
+
+    `refused` is why contacts let none stand, if they do not.
+    """
     time, node, error = adaptive.failure(scratch)
+    if refused:
+        return f"adaptive needs steps below {SHORTEST_STEP:g} s at t = {time:.6g} s: {refused}"
     if not math.isfinite(error):
         why = _what_is_left(layout, state, scratch.stage)
     else:

@@ -40,7 +40,7 @@ from ropewalk.laws.obstacle_rows import (
     wheel_columns,
 )
 from ropewalk.laws.obstacle_shapes import BOX, HALF_PIPE, TORUS, probe
-from ropewalk.laws.obstacle_way import find_pass, gone, meet
+from ropewalk.laws.obstacle_way import find_pass, find_sweep, gone, meet
 from ropewalk.laws.standstill import standstills
 from ropewalk.laws.wheels import RATE, ROWS, WIDTH
 from ropewalk.motions.registry import FIXED
@@ -101,7 +101,8 @@ class Memory(NamedTuple):
     way: Floats  # (3, n) in the last step [m]
     wheel: Floats  # (w, WIDTH) see `wheels.ANGLE`
     ties: Floats  # (w, ROWS, n) working space of wheels
-    through: Ints  # (n,) which obstacle a node would have gone through in a step, from 1 on
+    # (n,) which obstacle a node would have gone through in a step, from 1 on; from -1 down the segment after
+    through: Ints
     fault: Ints  # (n,) the same of a step that was taken
 
 
@@ -245,7 +246,9 @@ def remember(obstacles, state):
     """Keep what contacts carry at the state; return how many have closed."""
     memory = state.memory.obstacle
     place, fault = memory.place, memory.fault
-    find_pass(place, state.x, state.inverse_mass, obstacles, memory.grip, fault, state.now)
+    inert, now = state.inverse_mass, state.now
+    find_pass(place, state.x, inert, obstacles, memory.grip, fault, now)
+    find_sweep(place, state.x, inert, state.stiffness, obstacles, fault, now)
     return remember_contacts(state.x, state.v, obstacles, memory, state.now, state.stiffness)
 
 

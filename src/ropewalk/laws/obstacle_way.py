@@ -7,6 +7,10 @@ at a place is not known; there only the normals tell.
 A way may cut the corner of a surface that a node slides round. It goes through where the normals at which it
 comes in and goes out, or ends, are more than a right angle apart. What does not press yet and moves by less
 than a body's thinnest cannot, and is not looked at: a node's way inside is longer than that then.
+
+Only nodes are pushed. So what is thinner than a segment is long could slip through between two of them: no
+segment may come to lie across a body either, at the end of a step or on the way. It lies across where the
+normals at which its line comes in and goes out are more than 135 degrees apart; a corner is cut by less.
 Source: conservative advancement (Mirtich 1996), for one point and signed distances.
 """
 
@@ -22,6 +26,9 @@ FINE, HALVE = 0, 2  # see `laws.couplings`
 TRIES = 500
 DEEPEST = 0.75  # [1] depth over the thinnest
 LEAST = 0.01  # [1] of the thinnest: the least part of a way that is gone at once
+FACING = -0.7  # [1] cosine between the normals at both ends of what lies across a body
+LONG = 1.4  # [1] length over half the thickness of what may lie across; across shorter ones a node goes
+APART = 0.3  # [1] of the half thickness: how far a segment moves from one look to the next
 
 
 @kernel
@@ -66,6 +73,94 @@ def goes_through(obstacles, o, i, p, q):
 
 
 @kernel
+def lies_across(obstacles, o, i, p, q):
+    """Tell whether segment i, from p to q in the body's frame, lies across obstacle o."""
+    kind, center, axis, size = (
+        obstacles.kind[o],
+        obstacles.center[o],
+        obstacles.axis[o],
+        obstacles.size[o],
+    )
+    thickness = obstacles.thickness[i]
+    length = math.sqrt((q[0] - p[0]) ** 2 + (q[1] - p[1]) ** 2 + (q[2] - p[2]) ** 2)
+    thin = obstacles.thin[o] + thickness
+    if not length > LONG * thin:
+        return False
+    x, y, z = 0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]), 0.5 * (p[2] + q[2])
+    if probe(kind, center, axis, size, x, y, z)[0] - thickness > 0.5 * length:
+        return False
+    enters, ax, ay, az = inward(kind, center, axis, size, thickness, thin, p, q)
+    if not enters:
+        return False
+    _, bx, by, bz = inward(kind, center, axis, size, thickness, thin, q, p)
+    return ax * bx + ay * by + az * bz < FACING
+
+
+@kernel
+def sweeps_across(obstacles, o, i, a, b, p, q):
+    """Tell whether segment i comes to lie across obstacle o, its ends going from a to p and from b to q."""
+    way = 0.0
+    for one, other in ((a, p), (b, q)):
+        far = (other[0] - one[0]) ** 2 + (other[1] - one[1]) ** 2 + (other[2] - one[2]) ** 2
+        way = max(way, math.sqrt(far))
+    thin = obstacles.thin[o] + obstacles.thickness[i]
+    looks = 1 + int(min(way / (APART * thin), TRIES))
+    for look in range(1, looks + 1):
+        s = look / looks
+        r = 1.0 - s
+        one = (r * a[0] + s * p[0], r * a[1] + s * p[1], r * a[2] + s * p[2])
+        other = (r * b[0] + s * q[0], r * b[1] + s * q[1], r * b[2] + s * q[2])
+        if lies_across(obstacles, o, i, one, other):
+            return not lies_across(obstacles, o, i, a, b)
+    return False
+
+
+@kernel
+def _may_reach(obstacles, o, i, a, b, p, q):
+    """Tell whether segment i, its ends going from a to p and from b to q, is long and may meet obstacle o."""
+    square, far = 0.0, 0.0
+    for k in range(3):
+        square += (q[k] - p[k]) ** 2
+        far += (0.5 * (p[k] + q[k] - a[k] - b[k])) ** 2
+    length, thickness = math.sqrt(square), obstacles.thickness[i]
+    if not length > LONG * (obstacles.thin[o] + thickness):
+        return False
+    x, y, z = 0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]), 0.5 * (p[2] + q[2])
+    gap = probe(
+        obstacles.kind[o], obstacles.center[o], obstacles.axis[o], obstacles.size[o], x, y, z
+    )[0]
+    return gap - thickness <= 0.5 * length + math.sqrt(far)
+
+
+@kernel
+def find_sweep(x, y, inverse_mass, stiffness, obstacles, through, now):
+    """Note for a segment's first node which obstacle it comes to lie across from x to y, from -1 down.
+
+    What is noted already stays. Return how many do; see `find_pass`.
+    """
+    count = 0
+    for o in range(obstacles.kind.shape[0]):
+        if obstacles.thin[o] == math.inf:
+            continue
+        ax, ay, az, _, _, _, _, _ = surface_at(obstacles, o, now[1])
+        bx, by, bz, _, _, _, _, _ = surface_at(obstacles, o, now[0])
+        for i in range(x.shape[1] - 1):
+            held = inverse_mass[i] == 0.0 and inverse_mass[i + 1] == 0.0
+            if held or stiffness[i] == 0.0 or through[i] != 0:
+                continue
+            a = (x[0, i] - ax, x[1, i] - ay, x[2, i] - az)
+            b = (x[0, i + 1] - ax, x[1, i + 1] - ay, x[2, i + 1] - az)
+            p = (y[0, i] - bx, y[1, i] - by, y[2, i] - bz)
+            q = (y[0, i + 1] - bx, y[1, i + 1] - by, y[2, i + 1] - bz)
+            if _may_reach(obstacles, o, i, a, b, p, q) and sweeps_across(
+                obstacles, o, i, a, b, p, q
+            ):
+                through[i] = -o - 1
+                count += 1
+    return count
+
+
+@kernel
 def find_pass(x, y, inverse_mass, obstacles, grip, through, now):
     """Note for every node that is not held which obstacle it goes through from x to y, from 1 on.
 
@@ -100,14 +195,16 @@ def meet(obstacles, state, x):
     grip, through = memory.grip, memory.through
     for i in range(through.shape[0]):
         through[i] = 0
-    many = find_pass(state.x, x, state.inverse_mass, obstacles, grip, through, state.now)
+    inert, now = state.inverse_mass, state.now
+    many = find_pass(state.x, x, inert, obstacles, grip, through, now)
+    many += find_sweep(state.x, x, inert, state.stiffness, obstacles, through, now)
     return HALVE if many > 0 else FINE
 
 
 @part
 def gone(obstacles, state):
-    """Return how many nodes have gone through an obstacle."""
+    """Return how many nodes or segments have gone through an obstacle."""
     count = 0
     for which in state.memory.obstacle.fault:
-        count += 1 if which > 0 else 0
+        count += 1 if which != 0 else 0
     return count

@@ -7,7 +7,8 @@ import math
 import numpy as np
 
 from ropewalk.core.arrays import Floats, State, System
-from ropewalk.laws.obstacle import Obstacles, depths
+from ropewalk.laws.obstacle import Obstacles, depths, moved_by
+from ropewalk.laws.obstacle_way import LONG, lies_across
 from ropewalk.lowering.layout import Layout
 from ropewalk.methods.registry import METHODS
 from ropewalk.motions.rows import largest_speed
@@ -43,6 +44,7 @@ def refuse_obstacles(
         faults.append(Fault("run.method", scene.run.method, rule))
     faults += _sharp(scene, system)
     faults += _buried(scene, system, state, layout) if drawn else []
+    faults += [] if faults or not drawn else _speared(scene, system, state, layout)
     if faults:
         raise SceneError(faults)
 
@@ -117,6 +119,31 @@ def _buried(scene: Scene, system: System, state: State, layout: Layout) -> list[
             "counted in; move the rope or the obstacle"
         )
         faults.append(Fault(f"rope[{number}].shape", f"node {node}", rule))
+    return faults
+
+
+def _speared(scene: Scene, system: System, state: State, layout: Layout) -> list[Fault]:
+    """Return a fault for every rope that is drawn with an obstacle between two of its nodes."""
+    table: Obstacles = system.node.obstacle
+    faults = []
+    for number, span in enumerate(layout.ropes):
+        ends = state.x[:, span.start : span.end + 1].T
+        size = np.linalg.norm(np.diff(ends, axis=0), axis=1)
+        for row, body in enumerate(scene.obstacles):
+            places = ends - moved_by(table, row, 0.0)
+            long = size > LONG * (table.thin[row] + table.thickness[span.start])
+            across = (
+                k
+                for k in np.flatnonzero(long)
+                if lies_across(table, row, span.start + k, tuple(places[k]), tuple(places[k + 1]))
+            )
+            if (first := next(across, None)) is not None:
+                rule = (
+                    f"goes through obstacle {body.name!r} between its two nodes, where nothing holds it; "
+                    "move the rope or the obstacle, or draw the rope round it with more segments"
+                )
+                faults.append(Fault(f"rope[{number}].shape", f"segment {first}", rule))
+                break
     return faults
 
 

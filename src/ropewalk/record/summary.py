@@ -15,7 +15,6 @@ from ropewalk.record.facts import AT_REST, BROKE
 from ropewalk.record.margins import margin_rows
 from ropewalk.record.moving_rows import moving_rows
 from ropewalk.record.parted import parting_rows
-from ropewalk.record.pass_notes import pass_note
 from ropewalk.record.tension_notes import curve_note, peak_note, push_note
 from ropewalk.record.turnover import share_turned
 from ropewalk.words.prefixes import prefixed
@@ -156,7 +155,6 @@ def _told(result: Result, found: dict[str, Extreme]) -> dict[str, Any]:
         "greatest tension": peak_note(result, most),
         "least tension": push_note(result, least, most.value),
         "greatest stretch": curve_note(result, found["greatest stretch"]),
-        "greatest speed": pass_note(result, found["greatest speed"]),
     }
     for name, title in _titles(result).items():
         anchors = name in ("greatest anchor force", "greatest clamp moment")
