@@ -6,8 +6,11 @@ import { uniformMap } from "../view/colours.js";
 /** @typedef {{left: number, right: number, low: number, high: number}} Box in metres */
 
 const ROOM = 0.14; // of the drawing on every side
+const FAR = 1e5; // pixels
 const FLAT = 0.45; // a box is at least that high over its width
 
+/** @param {number} pixel what broke flies off farther than canvases can draw */
+const near = (pixel) => Math.min(Math.max(pixel, -FAR), FAR);
 /** @param {HTMLElement} element @param {string} name */
 const colour = (element, name) => getComputedStyle(element).getPropertyValue(name).trim();
 
@@ -134,8 +137,8 @@ export class Drawing {
     pen.beginPath();
     for (const [i, [x, y]] of places.entries()) {
       if (!Number.isFinite(x + y)) continue;
-      if (i) pen.lineTo(x, y);
-      else pen.moveTo(x, y);
+      if (i) pen.lineTo(near(x), near(y));
+      else pen.moveTo(near(x), near(y));
     }
     pen.stroke();
   }

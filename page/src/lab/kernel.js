@@ -25,6 +25,9 @@ export class Rope {
     this.n = n;
     this.time = 0;
     this.middle = 0; // of the present piece of a step [s]
+    this.ropes = scene.ropes;
+    this.first = 0; // of the nodes that are stepped at present
+    this.last = n - 1;
     this.gravity = [...scene.gravity];
     this.x = scene.x.map((row) => Float64Array.from(row));
     this.v = scene.v.map((row) => Float64Array.from(row));
@@ -63,7 +66,7 @@ export class Rope {
     const [v0, v1, v2] = v;
     const [e0, e1, e2] = this.pull;
     const [c0, c1, c2] = this.friction;
-    for (let j = 0; j < this.n - 1; j++) {
+    for (let j = this.first; j < this.last; j++) {
       const dx = x0[j + 1] - x0[j];
       const dy = x1[j + 1] - x1[j];
       const dz = x2[j + 1] - x2[j];
@@ -87,18 +90,24 @@ export class Rope {
     }
     for (let k = 0; k < 3; k++) {
       const [e, c, out, g] = [this.pull[k], this.friction[k], a[k], this.gravity[k]];
-      for (let i = 0; i < this.n; i++) {
+      for (let i = this.first; i <= this.last; i++) {
         const w = this.inverse[i];
         out[i] = (e[i + 1] + c[i + 1] - (e[i] + c[i])) * w + (w > 0 ? g : 0);
       }
     }
   }
 
+  /** Whether an anchor holds one of the nodes that are stepped at present.
+   * @param {{node: number, held: boolean}} anchor */
+  #steps({ node, held }) {
+    return held && this.first <= node && node <= this.last;
+  }
+
   /** Put the held nodes where they are at a time [s]; they move or not as in the middle of the present piece.
    * @param {number} time @param {Float64Array[]} x @param {Float64Array[]} v */
   place(time, x, v) {
     for (const anchor of this.anchors) {
-      if (!anchor.held) continue;
+      if (!this.#steps(anchor)) continue;
       const gone = Math.min(Math.max(time - anchor.start, 0), anchor.stop - anchor.start);
       const moves = anchor.start <= this.middle && this.middle < anchor.stop;
       for (let k = 0; k < 3; k++) {
@@ -123,14 +132,30 @@ export class Rope {
       this.middle = after; // of order one: its steps are not cut
       this.#swing(dt, after);
       this.time = after;
-    } else this.#pieces(method, dt, after);
-    this.#release(dt);
+      this.#release(dt);
+    } else this.#each(method, dt, after);
+  }
+
+  /** Let every rope take the step by itself, so that the anchors of one cut no other's.
+   * @param {Method} method @param {number} dt @param {number} after */
+  #each(method, dt, after) {
+    const begin = this.time;
+    for (const [first, last] of this.ropes) {
+      [this.first, this.last, this.time] = [first, last, begin];
+      this.#pieces(method, dt, after);
+      this.#release(dt);
+    }
+    [this.first, this.last] = [0, this.n - 1];
   }
 
   /** Let go of the anchors whose time has come. @param {number} dt */
   #release(dt) {
     for (const anchor of this.anchors) {
-      if (anchor.held && anchor.release !== null && anchor.release <= this.time + 1e-6 * dt) {
+      if (
+        this.#steps(anchor) &&
+        anchor.release !== null &&
+        anchor.release <= this.time + 1e-6 * dt
+      ) {
         anchor.held = false;
         this.inverse[anchor.node] = 1 / this.mass[anchor.node];
         this.#let(anchor.node);
@@ -160,7 +185,9 @@ export class Rope {
   #pieces(method, dt, after) {
     const begin = this.time;
     const cuts = this.anchors
-      .flatMap((anchor) => (anchor.held ? [anchor.start, anchor.stop, anchor.release ?? -1] : []))
+      .flatMap((anchor) =>
+        this.#steps(anchor) ? [anchor.start, anchor.stop, anchor.release ?? -1] : [],
+      )
       .filter((t) => t > begin + 1e-6 * dt && t < after - 1e-6 * dt)
       .sort((a, b) => a - b);
     for (const end of [...cuts, after]) {
@@ -179,7 +206,7 @@ export class Rope {
     this.middle = middle;
     let jumped = false;
     for (const anchor of this.anchors) {
-      if (!anchor.held) continue;
+      if (!this.#steps(anchor)) continue;
       const moves = anchor.start < middle && middle < anchor.stop;
       for (let k = 0; k < 3; k++) {
         const now = moves ? anchor.velocity[k] : 0;
@@ -195,7 +222,7 @@ export class Rope {
     this.accelerate(this.x, this.v, this.a);
     for (let k = 0; k < 3; k++) {
       const [x, v, a] = [this.x[k], this.v[k], this.a[k]];
-      for (let i = 0; i < this.n; i++) {
+      for (let i = this.first; i <= this.last; i++) {
         const now = v[i] + dt * a[i];
         v[i] = now;
         x[i] += dt * now;
@@ -209,7 +236,7 @@ export class Rope {
     copy(this.a, this.old);
     for (let k = 0; k < 3; k++) {
       const [x, v, a, guess] = [this.x[k], this.v[k], this.a[k], this.vs[k]];
-      for (let i = 0; i < this.n; i++) {
+      for (let i = this.first; i <= this.last; i++) {
         guess[i] = v[i] + dt * a[i];
         x[i] += dt * v[i];
         x[i] += 0.5 * dt * dt * a[i];
@@ -219,7 +246,7 @@ export class Rope {
     this.accelerate(this.x, this.vs, this.a);
     for (let k = 0; k < 3; k++) {
       const [v, a, old] = [this.v[k], this.a[k], this.old[k]];
-      for (let i = 0; i < this.n; i++) v[i] += 0.5 * dt * (old[i] + a[i]);
+      for (let i = this.first; i <= this.last; i++) v[i] += 0.5 * dt * (old[i] + a[i]);
     }
     this.place(after, this.x, this.v);
   }
@@ -234,7 +261,7 @@ export class Rope {
       const [c, b] = [dt * shares[s], dt * weights[s]];
       for (let k = 0; k < 3; k++) {
         const [x, v, X, V, A] = [this.x[k], this.v[k], xs[k], vs[k], a[k]];
-        for (let i = 0; i < this.n; i++) {
+        for (let i = this.first; i <= this.last; i++) {
           X[i] = s ? x[i] + c * V[i] : x[i];
           V[i] = s ? v[i] + c * A[i] : v[i];
         }
@@ -242,14 +269,14 @@ export class Rope {
       if (s) this.place(s === 3 ? after : this.time + c, xs, vs);
       this.accelerate(xs, vs, a);
       for (let k = 0; k < 3; k++) {
-        for (let i = 0; i < this.n; i++) {
+        for (let i = this.first; i <= this.last; i++) {
           dx[k][i] += b * vs[k][i];
           dv[k][i] += b * a[k][i];
         }
       }
     }
     for (let k = 0; k < 3; k++) {
-      for (let i = 0; i < this.n; i++) {
+      for (let i = this.first; i <= this.last; i++) {
         this.x[k][i] += dx[k][i];
         this.v[k][i] += dv[k][i];
       }

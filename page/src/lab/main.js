@@ -4,17 +4,20 @@ import { largestStep } from "./bounds.js";
 import { Drawing } from "./draw.js";
 import { follow } from "./hand.js";
 import { METHODS, Rope } from "./kernel.js";
-import { energies, isBroken, tensions } from "./measures.js";
+import { energies, isBroken, tautEnergy, tensions } from "./measures.js";
 import { Probe } from "./probe.js";
 import { Resampler, Sound } from "../sound.js";
 import { bridge } from "./bridge.js";
 import { Strip } from "./strip.js";
+import { Values } from "./values.js";
 
 /** @typedef {import("./kernel.js").Scene} Scene */
 /** @typedef {import("./kernel.js").Method} Method */
 
 const BUDGET = 11; // milliseconds of a picture for steps
 const SAFE = 0.8; // of the largest stable step
+const NOTE = 0.02; // seconds of the watch between points of the graphs
+const ENERGIES = ["gravity", "elastic", "kinetic", "total"];
 
 /** @param {string} id */
 const find = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
@@ -30,6 +33,11 @@ const told = (value, unit) => {
   const [factor, prefix] = size >= 1e6 ? [1e6, "M"] : size >= 1e4 ? [1e3, "k"] : [1, ""];
   return `${Number((value / factor).toPrecision(3))} ${prefix}${unit}`;
 };
+/** @param {number} value four figures; what is below a billionth is rounding */
+const small = (value) => String(Number((Math.abs(value) < 1e-9 ? 0 : value).toPrecision(4)));
+/** A value that goes with another: where they are equal, to the last bit.
+ * @param {number} value @param {number} own @param {number} now */
+const scaled = (value, own, now) => (value === own ? now : (now / own) * value);
 /** @param {number} seconds */
 const milliseconds = (seconds) => `${Number((1e3 * seconds).toPrecision(4))} ms`;
 
@@ -38,15 +46,19 @@ class Lab {
   constructor(scenes) {
     this.scenes = scenes;
     this.drawing = new Drawing(canvas("rope"));
-    this.energy = new Strip(canvas("energy"), [
-      { name: "gravity" },
-      { name: "elastic" },
-      { name: "kinetic" },
-      { name: "total", wide: true },
-    ]);
+    this.energy = new Strip(
+      canvas("energy"),
+      ENERGIES.map((name) => ({ name, wide: name === "total" })),
+      () => this.draw(),
+    );
     this.fall = 0; // gravity's energy at time zero, from which it counts [J]
+    /** @type {number | undefined} */ this.step = undefined; // [s]
+    this.since = this.count = 0; // when the steps got their length [s], and how many there were since
+    this.taut = 0; // the elastic energy of the straight rope, from which that counts [J]
     this.probe = new Probe(this, find);
     this.sound = new Sound();
+    find("ramp").style.backgroundImage = `linear-gradient(90deg, ${this.drawing.map.join(", ")})`;
+    this.values = new Values(find, () => this.apply());
     this.playing = false;
     this.owed = 0; // simulated time that the clock is ahead [s]
     /** @type {number | null} */ this.hover = null;
@@ -73,12 +85,7 @@ class Lab {
     this.scene = this.scenes[index];
     find("about").textContent = this.scene.about;
     this.base = new Rope(this.scene);
-    const own = METHODS.find((method) => method === this.scene?.method) ?? METHODS[0];
-    choice("method").value = own;
-    input("k").value = "0";
-    input("c").value = "0";
-    input("step").value = String(Math.log10(this.scene.step));
-    input("g").value = String(Math.hypot(...this.scene.gravity));
+    this.values.choose(this.scene, this.base);
     this.probe.node = (this.base.n - 1) >> 1;
     this.restart();
     this.probe.choose(this.probe.node);
@@ -92,12 +99,13 @@ class Lab {
     this.tension = new Float64Array(this.rope.n);
     this.largest = this.reached = 0;
     this.broken = false;
-    this.owed = 0;
+    this.owed = this.since = this.count = 0;
     find("broken").hidden = true;
     this.apply();
     const whole = scene.length.reduce((sum, one) => sum + one, 0);
     this.drawing.look(...this.plane());
     this.drawing.fit(this.rope, whole / scene.ropes.length);
+    this.drawing.largest = 0;
     this.fall = energies(this.rope).gravity;
     this.energy.clear();
     this.sound.restart();
@@ -116,35 +124,26 @@ class Lab {
     return [[0, 1, 2].map((k) => (k === axis ? 1 : 0)), up];
   }
 
-  /** Bring the values of the controls to the rope, and say what they mean for its stability. */
+  /** Bring the values to the rope, and say what they mean for its stability. */
   apply() {
     const { rope, base, scene } = this;
+    const { now, own } = this.values;
     if (!rope || !base || !scene) return;
-    const [k, c] = [10 ** Number(input("k").value), this.#friction()];
     for (let j = 0; j < rope.n - 1; j++) {
-      rope.stiffness[j] = k * base.stiffness[j];
-      rope.vector[j] = c * base.vector[j];
-      rope.axial[j] = c * base.axial[j];
+      rope.stiffness[j] = scaled(base.stiffness[j], own.k, now.k);
+      if (own.c > 0) {
+        rope.vector[j] = scaled(base.vector[j], own.c, now.c);
+        rope.axial[j] = scaled(base.axial[j], own.c, now.c);
+      } else if (base.stiffness[j] > 0) rope.vector[j] = now.c; // the scene has none of its own
     }
-    const pull = Number(input("g").value);
-    rope.gravity = scene.up.map((part) => -pull * part + 0);
+    rope.gravity = scene.up.map((part) => -now.g * part + 0);
     rope.renew();
-    this.method = /** @type {Method} */ (choice("method").value);
-    this.step = 10 ** Number(input("step").value);
+    if (rope.time === 0) this.taut = tautEnergy(rope);
+    this.method = now.method;
+    if (this.step !== now.step) [this.since, this.count] = [rope.time, 0];
+    this.step = now.step;
     this.bound = largestStep(rope, this.method);
-    const live = base.stiffness.findIndex((value) => value > 0);
-    const rubs = base.vector[live] + base.axial[live];
-    find("k-shown").textContent = told(rope.stiffness[live] ?? 0, "N/m");
-    find("c-shown").textContent = rubs ? told(c * rubs, "N s/m") : "none in this scene";
-    find("step-shown").textContent = milliseconds(this.step);
-    find("g-shown").textContent = `${pull.toFixed(2)} m/s²`;
     this.#meter();
-  }
-
-  /** @returns {number} the factor of the friction: none at the slider's left end */
-  #friction() {
-    const slider = input("c");
-    return slider.value === slider.min ? 0 : 10 ** Number(slider.value);
   }
 
   #meter() {
@@ -156,14 +155,12 @@ class Lab {
     const limit = `the largest stable step is ${milliseconds(bound)}`;
     find("verdict").textContent =
       share > 1
-        ? `Unstable: the step is ${Number(share.toPrecision(3))} times too long; ${limit}.`
+        ? `Unstable: the step is ${share < 1.005 ? "just" : `${Number(share.toPrecision(3))} times`} too long; ${limit}.`
         : `Stable: ${Math.round(100 * share)} % of what holds; ${limit}.`;
   }
 
   #listen() {
     choice("scene").onchange = () => this.choose(Number(choice("scene").value));
-    for (const id of ["k", "c", "step", "g"]) input(id).oninput = () => this.apply();
-    choice("method").onchange = () => this.apply();
     input("sound").onchange = () => this.sound.turn(input("sound").checked);
     choice("tall").onchange = () => {
       this.drawing.tall = Number(choice("tall").value);
@@ -179,7 +176,7 @@ class Lab {
     onhashchange = () => this.choose(this.#named());
     for (const id of ["restart", "again"]) find(id).onclick = () => this.restart();
     find("shorten").onclick = () => {
-      input("step").value = String(Math.log10(SAFE * (this.bound ?? 1e-3)));
+      this.values.set({ step: Number((SAFE * (this.bound ?? 1e-3)).toPrecision(4)) });
       this.restart();
       this.play(true);
     };
@@ -197,11 +194,14 @@ class Lab {
     const { rope } = this;
     if (!rope || this.broken) return;
     for (let i = 0; i < steps; i++) {
-      rope.step(this.method ?? METHODS[0], this.step ?? 1e-3);
+      const dt = this.step ?? 1e-3;
+      rope.step(this.method ?? METHODS[0], dt, this.since + ++this.count * dt);
       this.#peak(); // of every step, so that none is missed
       if (this.sound.on) this.#hear();
       if ((i & 7) === 7 || i === steps - 1) this.#look();
       if (this.broken) return;
+      const every = NOTE * Number(choice("pace").value);
+      if (rope.time - (this.noted ?? 0) >= every * (1 - 1e-6)) this.note(); // as often on slow machines
     }
   }
 
@@ -239,6 +239,7 @@ class Lab {
           "ten times its length.";
     find("shorten").hidden = step <= bound;
     find("broken").hidden = false;
+    find("broken").scrollIntoView({ block: "nearest" }); // on a phone
   }
 
   /** @param {number} now [ms] */
@@ -264,11 +265,12 @@ class Lab {
 
   /** Add this moment to the graphs. */
   note() {
-    if (!this.rope || !this.tension) return;
+    if (!this.rope || !this.tension || this.broken) return; // a break would flatten what was before it
     tensions(this.rope, this.tension);
     const { kinetic, elastic, gravity } = energies(this.rope);
-    const high = gravity - this.fall;
-    this.energy.add(this.rope.time, [high, elastic, kinetic, high + elastic + kinetic]);
+    const [high, taut] = [gravity - this.fall, elastic - this.taut];
+    this.energy.add(this.rope.time, [high, taut, kinetic, high + taut + kinetic]);
+    this.noted = this.rope.time;
     this.probe.note();
   }
 
@@ -280,7 +282,7 @@ class Lab {
     const top = this.drawing.largest;
     if (!this.broken) this.drawing.largest = Math.max(now, 0.98 * top, 1e-9);
     this.drawing.draw(rope, tension, scene.ropes, this.hover, this.probe.node);
-    this.energy.draw();
+    this.#tell();
     this.probe.draw();
     find("state").textContent = `t = ${rope.time.toFixed(2)} s`;
     const numbers = [
@@ -294,6 +296,16 @@ class Lab {
         return [term, text];
       }),
     );
+    find("hottest").textContent = told(this.drawing.largest, "N");
+  }
+
+  /** Draw the energies, and say what they are now, or were under the pointer. */
+  #tell() {
+    this.energy.draw();
+    const point = this.energy.read() ?? this.energy.kept.at(-1);
+    for (const [i, name] of ENERGIES.entries())
+      find(`${name}-shown`).textContent = point ? small(point.values[i]) : "";
+    find("energy-time").textContent = this.energy.read() ? `at ${point?.t.toFixed(3)} s` : "";
   }
 }
 

@@ -36,6 +36,24 @@ export function energies(rope) {
   return { kinetic, elastic, gravity };
 }
 
+/** The least elastic energy that a rope can have between the nodes that are held: each piece straight [J].
+ * @param {Rope} rope */
+export function tautEnergy(rope) {
+  const held = rope.anchors.filter((anchor) => anchor.held).map((anchor) => anchor.node);
+  held.sort((a, b) => a - b);
+  let energy = 0;
+  for (const [i, last] of held.slice(1).entries()) {
+    let [soft, long] = [0, 0]; // 1/k of the piece, and its length without tension
+    for (let j = held[i]; j < last; j++) {
+      soft += 1 / rope.stiffness[j]; // between two ropes there is no spring: infinite
+      long += rope.length[j];
+    }
+    const apart = Math.hypot(...rope.x.map((row) => row[last] - row[held[i]]));
+    energy += (0.5 * Math.max(apart - long, 0) ** 2) / soft;
+  }
+  return energy;
+}
+
 /** Whether something is not finite, or stretched beyond reason. @param {Rope} rope */
 export function isBroken(rope) {
   for (let j = 0; j < rope.n - 1; j++) {

@@ -43,7 +43,7 @@ export class Strip {
 
   /** @param {number} t @param {number[]} values one of each curve */
   add(t, values) {
-    if (!values.every(Number.isFinite)) return;
+    if (!values.every(Number.isFinite) || this.kept.at(-1)?.t === t) return;
     this.kept.push({ t, values });
     while (this.kept.length > MOST || this.kept[0].t < t - SECONDS) this.kept.shift();
   }
