@@ -33,8 +33,6 @@ from ropewalk.scene import (
     Winch,
 )
 from ropewalk.simulation import Broken, Simulation
-from ropewalk.statics import checked_shape
-from ropewalk.vibration import modes
 from verification.topology import linking_number
 
 g = 9.81
@@ -367,7 +365,7 @@ def test_a_run_goes_on_to_the_same_bits_from_a_snapshot() -> None:
 
 
 def test_what_cannot_touch_is_refused_in_words() -> None:
-    """Diameters, methods, rest, ropes inside each other, winches."""
+    """Diameters, methods, ropes inside each other, winches."""
     scene = thrown(1.0)
     bare = scene.ropes[0].model_copy()
     bare = Rope(
@@ -382,21 +380,9 @@ def test_what_cannot_touch_is_refused_in_words() -> None:
     for method in ("adaptive", "implicit-midpoint", "generalized-alpha"):
         with pytest.raises(SceneError, match=r"run.method: .* cannot work with ropes that touch"):
             build(scene.replace(run=RunSettings(method=method)))
-    with pytest.raises(SceneError, match=r"run.start"):
-        build(thrown(0.0).replace(run=RunSettings(method="esdirk3", start="at-rest")))
     through = Straight(start=(0, -0.5, 0.004), end=(0, 0.5, 0.004))
     crossed = scene.ropes[1].replace(shape=through)
     with pytest.raises(SceneError, match=r"mm inside segment 2 of rope 'a'"):
         build(scene.replace(ropes=(scene.ropes[0], crossed)))
     with pytest.raises(SceneError, match=r"friction: -0.1 - must be at least 0"):
         Contact(friction=-0.1)
-
-
-def test_rest_and_modes_of_ropes_that_touch_are_refused() -> None:
-    """Neither is looked for; both say so."""
-    scene = thrown(0.0)
-    with pytest.raises(SceneError, match="the rest of ropes that touch each other depends on how"):
-        checked_shape(build(scene))
-    for about in ("start", "equilibrium"):
-        with pytest.raises(SceneError, match="contact: modes of ropes that touch each other"):
-            modes(scene, about=about)

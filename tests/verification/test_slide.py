@@ -393,12 +393,3 @@ def test_no_anchor_is_moved_with_what_slides() -> None:
     held = [*plain.anchors, rw.Anchor(rope="rider", node=-1)]
     with pytest.raises(SceneError, match="draw it there, as an anchor has its rope's place"):
         build(plain.replace(anchors=held, slides=[plain.slides[0].replace(at=3.7)]))
-
-
-def test_statics_and_modes_say_that_they_cannot() -> None:
-    with pytest.raises(SceneError, match="slides along a rope is not looked for"):
-        rw.equilibrium(scene())
-    with pytest.raises(SceneError, match="slides along a rope is not looked for"):
-        rw.Simulation(scene(run={"start": "at-rest"}))
-    with pytest.raises(SceneError, match="modes with what slides"):
-        rw.modes(scene(), "start")

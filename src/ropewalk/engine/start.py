@@ -49,7 +49,7 @@ def started(model: Model) -> Model:
     if rest.memory is not None:
         memory = found.state.memory.obstacle
         rates = memory.wheel.copy()
-        arrays.assign(memory, rest.memory)
+        arrays.assign(found.state.memory, rest.memory)
         memory.wheel[...] = rates
         _load_wheels(found)
     return found

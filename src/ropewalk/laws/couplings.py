@@ -156,6 +156,14 @@ meet_on_way = fold(_meeting, _nothing_met, "meet")
 """meet_on_way(system, state, x): tell whether a step from the state to there may stand."""
 
 
+def _meeting_coupled(law: NodeLaw, k: int, rest: Any) -> Any:
+    return rest if law.meet is None else _meeting(law, k, rest)
+
+
+meet_couplings = fold(_meeting_coupled, _nothing_met, "couple")
+"""meet_couplings(system, state, x): the same of laws between nodes that are no neighbours alone."""
+
+
 @part
 def _no_fault(system, state):
     return False

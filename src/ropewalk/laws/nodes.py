@@ -244,6 +244,8 @@ def _remembering(law: NodeLaw, k: int, rest: Any) -> Any:
 
 
 _remember_all = fold(_remembering, _nothing_to_remember, "remember")
+remember_couplings = fold(_remembering, _nothing_to_remember, "couple")
+"""remember_couplings(system, state): the same of laws between nodes that are no neighbours alone."""
 
 
 @part

@@ -11,11 +11,6 @@ from ropewalk.methods.registry import METHODS
 from ropewalk.scene import Scene, SceneError
 from ropewalk.scene.faults import NO_VALUE, Fault
 
-#: Why nothing looks for a rest of ropes that touch each other.
-NO_REST = (
-    "the rest of ropes that touch each other depends on how they came there, and is not looked for; draw the "
-    "shape near rest and let the run settle, with some axial_damping"
-)
 _REFUSED = (*RINGING, "adaptive")
 _DEEPEST = 0.9  # [1] least distance at the start over the sum of the radii
 
@@ -44,8 +39,6 @@ def refuse_contact(
         )
         rule = f"cannot work with ropes that touch each other: {why}; methods that can: {able}"
         faults.append(Fault("run.method", method, rule))
-    if scene.run.start == "at-rest":
-        faults.append(Fault("run.start", "at-rest", NO_REST))
     faults += _inside(system, state, layout) if drawn else []
     if faults:
         raise SceneError(faults)

@@ -10,19 +10,8 @@ from ropewalk.lowering.layout import Layout
 from ropewalk.scene import Scene, SceneError
 from ropewalk.scene.faults import NO_VALUE, Fault
 
-#: Why nothing looks for a rest of ropes that slide along each other.
-NO_REST = (
-    "the rest of what slides along a rope is not looked for here: let the run settle, with some friction; "
-    "for a load at rest along one span there is `ropewalk line --load`"
-)
 _NEAR = 1.0  # [1] a node that is drawn farther off, over the length of a segment, is somewhere else
 _SECOND = 0.01  # [1] the same of a second node of one rope, which alone is moved
-
-
-def refuse_rest(scene: Scene) -> None:
-    """Raise SceneError where something slides and a rest is asked for."""
-    if scene.slides and scene.run.start == "at-rest":
-        raise SceneError([Fault("run.start", "at-rest", NO_REST)])
 
 
 def refuse_slides(scene: Scene, what: str) -> None:

@@ -69,7 +69,7 @@ def _frame(model: Model, statics: Statics) -> Recording:
     let_relax(model.system, state)
     stored = stored_at_rest(model.system, state, statics.elastic_tension)
     if statics.memory is not None:
-        arrays.assign(state.memory.obstacle, statics.memory)
+        arrays.assign(state.memory, statics.memory)
     out = make_recording(state, 1, model.scene.lengths_change)
     prepare(model.system, state)
     start_clamps(model.system, state)

@@ -38,6 +38,7 @@ from ropewalk.laws.pulls import pulls_of_laws
 from ropewalk.laws.tangent import law_band
 from ropewalk.lowering import Model, Span
 from ropewalk.lowering.curve_tables import put_tension, put_under_tension
+from ropewalk.statics.couplings import Couplings, Entries
 from ropewalk.statics.tied import points, solve_tied, together
 
 _TINY = 1e-300
@@ -76,7 +77,10 @@ class Balance:
         # Under weight alone no kernel is needed, and none is compiled.
         self._weight = np.outer(model.system.gravity, state.mass)
         self.rests = at_rest(model.system)
-        self._plain = not (self.rests or self.bends or state.forces.applied.any())
+        self.coupled = Couplings(self.system, state)
+        self._plain = not (
+            self.rests or self.bends or state.forces.applied.any() or self.coupled.acts
+        )
         self._band = law_band(self.nodes, self.bends)
         self.drag = 0.0  # [N/m], see `others`
         self.origin = self._zero
@@ -97,6 +101,8 @@ class Balance:
         """Set the units of force [N], length [m] and time [1/s^2] in which residuals are judged."""
         state = self.state
         load = np.linalg.norm(self.others(state.x) - self.contact_force(), axis=0)
+        if self.coupled.acts:  # drawn a little into each other, ropes press by any force
+            load = np.linalg.norm(self._weight + state.forces.applied, axis=0)
         pull = self.elastic(state.x)
         stretched = float(np.abs(pull[np.isfinite(pull)]).max(initial=0.0))
         lengths = self.rest[self.live]
@@ -126,7 +132,10 @@ class Balance:
         table = self.system.node.obstacle
         size = max(float(np.abs(x).max(initial=0.0)), float(np.abs(table.center).max(initial=0.0)))
         stiff = float(table.stiffness.max(initial=0.0))
-        return 4.0 * float(np.finfo(float).eps) * size * stiff / self.force
+        found = 4.0 * float(np.finfo(float).eps) * size * stiff
+        if self.coupled.acts:
+            found = max(found, self.coupled.rounding(x))
+        return found / self.force
 
     def _of_places(self, x: Floats, tension: Floats) -> float:
         """Return the error that rounding the places makes of the largest tension's direction [1]."""
@@ -165,18 +174,30 @@ class Balance:
         """Return the distance from places (3, n) [m] to the nearest obstacle [m]; negative inside."""
         return -float(depths(self.system.node.obstacle, x)[:, self.free].max(initial=-np.inf))
 
+    def stiffness(self) -> Floats:
+        """Return how stiff contacts are at every node [N/m], (n,)."""
+        stiff = self.system.node.obstacle.stiffness.max(axis=0, initial=0.0)
+        if not self.coupled.acts:
+            return np.asarray(stiff)
+        stiff = np.maximum(stiff, self.coupled.stiffness())
+        return np.asarray(np.maximum(stiff, 1e-3 * float(stiff.max(initial=0.0))))
+
     def kept(self) -> Any:
         """Return a copy of what contacts carry; `restore` puts it back."""
-        return arrays.copy(self.state.memory.obstacle)
+        return arrays.copy(self.state.memory.obstacle), *self.coupled.kept()
 
     def restore(self, kept: Any) -> None:
         """Let contacts carry again what they did."""
-        arrays.assign(self.state.memory.obstacle, kept)
+        arrays.assign(self.state.memory.obstacle, kept[0])
+        self.coupled.restore(kept[1:])
 
-    def remember(self, x: Floats) -> None:
+    def remember(self, x: Floats, *, at_last: bool = False) -> None:
         """Let contacts keep what they carry at places `x` (3, n) [m], as at the end of a step."""
         table, memory = self.system.node.obstacle, self.state.memory.obstacle
-        remember_contacts(x, self._zero, table, memory, np.zeros(2), self.state.stiffness)
+        if table.kind.size:
+            remember_contacts(x, self._zero, table, memory, np.zeros(2), self.state.stiffness)
+        if self.coupled.acts:
+            self.coupled.remember(x, at_last=at_last)
 
     def elastic(self, x: Floats) -> Floats:
         """Return the tension that Hooke's law gives [N], (s,); infinite or NaN for rigid links."""
@@ -278,11 +299,24 @@ class Balance:
             matrix[4 * held + k, reach] = 1.0
         right[held, :3] = 0.0
         found = right.reshape(-1)  # a view: `right` is the solution
-        if self.number is None:
+        if self.coupled.acts:
+            more = self.coupled.entries(x)
+            if more is None:
+                return np.zeros_like(x), tension, 0.0
+            tied = np.arange(n) if self.number is None else self.number
+            pivot = solve_tied(matrix, found, reach, tied, self._of_free(more, unit))
+        elif self.number is None:
             pivot = solve_band(matrix, found, reach, reach)
         else:
             pivot = solve_tied(matrix, found, reach, self.number)
         return np.ascontiguousarray(right[:, :3].T), right[:-1, 3] * unit, float(pivot)
+
+    def _of_free(self, entries: Entries, unit: float) -> Entries:
+        """Return what couples free nodes, by places in Newton's equations, over `unit` [N/m]."""
+        rows, columns, values = entries
+        free = self.free[rows // 3]
+        rows, columns = rows[free], columns[free]
+        return rows + rows // 3, columns + columns // 3, values[free] / unit
 
     def _put_blocks(
         self,

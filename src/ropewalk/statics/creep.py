@@ -20,11 +20,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from ropewalk.core.arrays import Floats
+from ropewalk.laws.couplings import AGAIN, FINE
 from ropewalk.statics.balance import Balance
 from ropewalk.statics.newton import Found
 from ropewalk.statics.searching import search
 
-_STEPS = 600  # of creeping
+_STEPS, _MORE = 600, 3000  # of creeping; the same of ropes that touch each other or slide
 _INNER = 40  # Newton steps for one of them
 _EVERY = 5  # steps between two looks for rest without drag
 _CLEAR = 0.5  # of the thinnest body: how far a node may go in one step, so that it passes none [1]
@@ -33,6 +34,7 @@ _SLOW = 100.0  # drag under which it may be, in the model's units [1]
 _LEAST, _MOST = 1e-9, 1e9  # of the drag, in the model's units and over the stiffest contact [1]
 _FAR = 3.0  # of the ropes' length and all distances: on a longer way nothing comes to rest [1]
 _AWAY = 3.0  # of a segment: on the way for so long, and not to rest, is to slide or fall [1]
+_TURNS = 60  # rounds in which the planes of contacts of ropes turn with them
 _ROUNDS = 10  # in which the coefficients of friction follow the turns of the rope at its nodes
 
 
@@ -60,16 +62,16 @@ def creep(
     pull = balance.elastic(x)
     tension = np.where(np.isfinite(pull), np.maximum(pull, 0.0), 0.0)
     unit = balance.force / balance.length
-    drag = stiffest = max(unit, float(balance.system.node.obstacle.stiffness.max()))
+    drag = stiffest = max(unit, float(balance.stiffness().max()))
     longest, reach = _FAR * _size(balance, x), _CLEAR * thinnest  # farther where all is far away
     way, spent, share = 0.0, 0, 0.1
-    for count in range(_STEPS):
+    for count in range(_MORE if balance.coupled.acts else _STEPS):
         step = _dragged(balance, x, tension, drag)
         spent += step.steps
         moved = _largest(balance, step.x - x)
-        if not step.at_rest or not moved <= max(reach, _CLEAR * balance.clearance(x)):
+        if not step.at_rest or not moved <= _allowed(balance, x, reach):
             drag, share = 4.0 * drag, 0.5
-            if drag > _MOST * stiffest or spent > patience:
+            if drag > _MOST * stiffest or spent > patience or balance.coupled.fails:
                 break
             continue
         x, tension, way = step.x, step.tension, way + moved
@@ -91,26 +93,64 @@ def creep(
 def _dragged(balance: Balance, x: Floats, tension: Floats, drag: float) -> Found:
     """Return the end of one step from places `x` under a drag [N/m]."""
     balance.drag, balance.origin = drag, x
-    found = search(balance, x, tension, _INNER)
+    found = _met(balance, x, search(balance, x, tension, _INNER))
     balance.drag = 0.0
     return found
+
+
+def _met(balance: Balance, x: Floats, found: Found) -> Found:
+    """Return the end of a step from places `x` that ropes find without passing through each other."""
+    steps = found.steps
+    while found.at_rest and (met := balance.coupled.meets(x, found.x)) != FINE:
+        if met != AGAIN:
+            return found._replace(error=math.inf, steps=steps)
+        found = search(balance, found.x, found.tension, _INNER)
+        steps += found.steps
+    return found._replace(steps=steps)
+
+
+def _allowed(balance: Balance, x: Floats, reach: float) -> float:
+    """Return how far a node may go in one step from places `x` [m]."""
+    return min(max(reach, _CLEAR * balance.clearance(x)), balance.coupled.longest())
 
 
 def _at_last(balance: Balance, x: Floats, tension: Floats, reach: float) -> Found:
     """Return the rest near `x` without drag, by contacts that hold with what they carry."""
     kept = balance.kept()
-    found = search(balance, x, tension, 3 * _INNER)
+    reach = min(reach, balance.coupled.longest())
+    found = _met(balance, x, search(balance, x, tension, 3 * _INNER))
     steps = found.steps
     for _ in range(_ROUNDS):
         if not found.at_rest or not _largest(balance, found.x - x) <= reach:
             break
-        balance.remember(found.x)
+        balance.remember(found.x, at_last=True)
         if balance.error(found.x, found.tension) <= found.allowed:
-            return found._replace(steps=steps)
-        found = search(balance, found.x, found.tension, _INNER)
+            return _exactly(balance, found._replace(steps=steps), reach)
+        found = _met(balance, found.x, search(balance, found.x, found.tension, _INNER))
         steps += found.steps
     balance.restore(kept)
     return found._replace(error=math.inf, steps=steps)
+
+
+def _exactly(balance: Balance, found: Found, reach: float) -> Found:
+    """Return a rest whose contacts of ropes have the planes that ropes have there, if that is near.
+
+    As it is found they are right to some hundredths, which without friction would hold on a slope as steep.
+    """
+    if not balance.coupled.touch:
+        return found
+    kept, start, last = balance.kept(), found, found
+    for _ in range(_TURNS):
+        balance.coupled.straighten(last.x)
+        if balance.error(last.x, last.tension) <= last.allowed:
+            return last
+        after = _met(balance, last.x, search(balance, last.x, last.tension, _INNER))
+        last = after._replace(steps=last.steps + after.steps)
+        if not last.at_rest or not _largest(balance, last.x - start.x) <= reach:
+            break
+        balance.remember(last.x, at_last=True)
+    balance.restore(kept)
+    return start._replace(steps=last.steps)
 
 
 def _size(balance: Balance, x: Floats) -> float:

@@ -9,10 +9,8 @@ import numpy as np
 from ropewalk.laws.acting import at_rest
 from ropewalk.laws.node_law import Rest
 from ropewalk.lowering import Model, Span
-from ropewalk.lowering.contact_checks import NO_REST
-from ropewalk.lowering.slide_checks import NO_REST as NO_ROLLING_REST
 from ropewalk.scene import SceneError
-from ropewalk.scene.faults import NO_VALUE, Fault
+from ropewalk.scene.faults import Fault
 from ropewalk.statics.hung import held_nodes
 from ropewalk.statics.tied import partners, tied_nodes
 
@@ -29,8 +27,6 @@ def undetermined_ropes(model: Model) -> tuple[str, ...]:
 
 def refuse_impossible(model: Model) -> None:
     """Raise SceneError for ropes that have no rest shape, or that nothing gives one."""
-    if model.scene.slides:
-        raise SceneError([Fault("slide", NO_VALUE, NO_ROLLING_REST)])
     faults = []
     for number, rope in enumerate(model.layout.ropes):
         rule = _fault_of(model, rope)
@@ -42,10 +38,6 @@ def refuse_impossible(model: Model) -> None:
 
 def _fault_of(model: Model, rope: Span) -> str:
     """Return what is missing for one rope to be at rest; "" where nothing is."""
-    if model.scene.contact is not None:
-        return NO_REST
-    if model.scene.slides:
-        return NO_ROLLING_REST
     held = held_nodes(model, rope)
     heavy, rests = bool(np.any(model.system.gravity)), at_rest(model.system)
     if Rest.HOLDS in rests:
@@ -53,7 +45,7 @@ def _fault_of(model: Model, rope: Span) -> str:
     windy = Rest.CARRIES in rests
     if not _is_held(model, rope):
         return _unheld(model, rope, heavy, rests)
-    held = sorted({*held, *tied_nodes(model, rope)})
+    held = sorted({*held, *tied_nodes(model, rope), *_sliding_nodes(model, rope)})
     bends = model.scene.ropes[model.scene.rope_index(rope.name)].bending_stiffness > 0.0
     if heavy or windy or bends or _is_pushed(model, rope):
         return ""
@@ -95,6 +87,12 @@ def _is_held(model: Model, rope: Span) -> bool:
     if not tied_nodes(model, rope):
         return bool(held_nodes(model, rope))
     return any(held_nodes(model, one) for one in partners(model, rope))
+
+
+def _sliding_nodes(model: Model, rope: Span) -> set[int]:
+    """Return the nodes of a rope that slide along others, as indices of the arrays."""
+    slides = [slide for slide in model.scene.slides if slide.rope == rope.name]
+    return {model.layout.node(slide.node, slide.rope) for slide in slides}
 
 
 def _is_pushed(model: Model, rope: Span) -> bool:

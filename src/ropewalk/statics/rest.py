@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ropewalk.core import arrays
 from ropewalk.core.arrays import Floats
 from ropewalk.laws.acting import borne
 from ropewalk.laws.node_law import Rest
 from ropewalk.lowering import Model, build
-from ropewalk.lowering.contact_checks import NO_REST
-from ropewalk.lowering.slide_checks import NO_REST as NO_ROLLING_REST
 from ropewalk.lowering.touching import Contacts
 from ropewalk.scene import Scene
 from ropewalk.scene.obstacles import thinnest
@@ -25,6 +26,7 @@ from ropewalk.statics.pressing import Watch
 from ropewalk.statics.refusal import refuse_impossible, undetermined_ropes, unheld_ropes
 from ropewalk.statics.spans import RestSpan, rest_spans
 from ropewalk.statics.tied import tied_nodes
+from ropewalk.statics.touches import Seat, Touch, seats, touches
 from ropewalk.statics.wraps import Wrap, going_on_words, on_the_way_words, sliding_words, wraps
 from ropewalk.words.annotations import unquoted
 from ropewalk.words.prefixes import prefixed
@@ -33,6 +35,15 @@ _SOFT = 1e-6  # compliance of rigid links on the way to their shape, in the mode
 _PUSHED = 1e-7  # of the unit of force: what counts as compression [1]
 _LARGE = 100_000  # nodes from which on the closed form is not polished
 _PATIENCE, _CHECKED = 12_000, 2500  # Newton steps on obstacles, when asked for and for a check
+_UNSEEN = (
+    "the rest of ropes that touch each other or slide along each other is not looked for here; `ropewalk "
+    "settle` finds it"
+)
+_GOES_ON = "there is no rest: the ropes slide or fall on and on. Give more friction, or an anchor"
+_CROWDED = (
+    "no shape of rest was found: ropes touch in more places than there is room for, or come through each "
+    "other; draw them farther apart, or take fewer segments"
+)
 _NUDGE = 1e-3  # of a segment: the push aside that tells whether a compressed shape is stable [1]
 
 
@@ -57,11 +68,13 @@ class Statics:
     residual: float  # largest force that is left on a free node [N]
     gap: float  # largest difference between a segment's length and that of its tension [m]
     steps: int  # Newton steps; 0 where the closed form is exact already
-    solved: bool  # whether it is at rest, to rounding; never where ropes touch each other
+    solved: bool  # whether it is at rest, to rounding
     wraps: tuple[Wrap, ...] = ()  # where ropes lie on obstacles
     contacts: Contacts | None = None  # of single nodes
+    touches: tuple[Touch, ...] = ()  # where ropes lie on each other
+    seats: tuple[Seat, ...] = ()  # where slides are
     trouble: str = ""  # why ropes that touch obstacles or each other are not at rest
-    memory: Any = None  # what contacts carry, as `State.memory.obstacle`; None without obstacles
+    memory: Any = None  # what laws of nodes carry, as `State.memory`; None where nothing does
 
     @property
     def searched(self) -> bool:
@@ -75,8 +88,9 @@ class Statics:
 
     @property
     def by_friction(self) -> bool:
-        """Whether friction holds ropes on obstacles, so that there are many shapes of rest."""
-        return any(wrap.friction > 0.0 for wrap in self.wraps)
+        """Whether friction holds ropes where they touch or slide, so that there are many shapes of rest."""
+        rubs = [wrap.friction for wrap in self.wraps] + [touch.friction for touch in self.touches]
+        return any(most > 0.0 for most in (*rubs, *(seat.most for seat in self.seats)))
 
     @property
     def sag(self) -> tuple[float, ...]:
@@ -92,7 +106,8 @@ def static_shape(source: Scene | Model, *, strict: bool = True) -> Statics:
     """Return the rest shape of a scene or a built model, all anchors at their initial places.
 
     With `strict` off what Newton's method came to is returned even when it is not at rest, and more
-    than 100000 nodes on which more than their weight acts hang as without that; look at `solved`.
+    than 100000 nodes on which more than their weight acts hang as without that; look at `solved`. Ropes that
+    touch each other or slide are then left where they are.
 
     Ropes that nothing gives a shape (not held, or slack without weight) are left where they are,
     without tension; `checked_shape` refuses them. The stretch limiter takes no part.
@@ -101,12 +116,14 @@ def static_shape(source: Scene | Model, *, strict: bool = True) -> Statics:
     """
     model = source if isinstance(source, Model) else build(source)
     balance = Balance(model)
-    for name in undetermined_ropes(model):
+    unseen = balance.coupled.acts and not strict
+    left = [rope.name for rope in model.layout.ropes] if unseen else undetermined_ropes(model)
+    for name in left:
         balance.leave_out(model.layout.span(name))
     found = _find(model, balance, patient=strict)
     if strict and not found.at_rest:
         raise NoRest(_complaint(model, balance, found))
-    return _statics(model, balance, found, unheld_ropes(model))
+    return _statics(model, balance, found, left, unseen=unseen)
 
 
 def checked_shape(source: Scene | Model) -> Statics:
@@ -121,8 +138,10 @@ def checked_shape(source: Scene | Model) -> Statics:
 
 def _find(model: Model, balance: Balance, *, patient: bool) -> Found:
     """Solve from the hung shape, or from the scene's own where other laws decide."""
-    if model.scene.obstacles:
-        return _find_on_obstacles(model, balance, patient=patient)
+    if balance.coupled.acts and not patient:
+        return _evaluated(balance, model.state.x.copy(), np.zeros(model.state.x.shape[1] - 1))
+    if model.scene.obstacles or balance.coupled.acts:
+        return _find_by_creeping(model, balance, patient=patient)
     x, tension = hung(model)
     if balance.number is not None:
         x = _tied_start(model, x)
@@ -153,13 +172,13 @@ def _find(model: Model, balance: Balance, *, patient: bool) -> Found:
     return best
 
 
-def _find_on_obstacles(model: Model, balance: Balance, *, patient: bool) -> Found:
+def _find_by_creeping(model: Model, balance: Balance, *, patient: bool) -> Found:
     """Let the ropes creep from the scene's own shape, rigid links with a little stretch at first."""
     x = model.state.x.copy()
     if x.shape[1] > _LARGE and not patient:
         return _evaluated(balance, x, np.zeros(x.shape[1] - 1))
     thick = float(model.system.node.obstacle.thickness.max())
-    least = min(map(thinnest, model.scene.obstacles)) + thick
+    least = min(map(thinnest, model.scene.obstacles), default=math.inf) + thick
     watch = Watch(model, balance)
     crept = creep(balance, x, least, _PATIENCE if patient else _CHECKED, watch.see)
     balance.goes_on, balance.slid = crept.goes_on, crept.slid
@@ -218,7 +237,10 @@ def _grounded(model: Model, x: Floats) -> NDArray[np.bool_]:
     return np.asarray(found)
 
 
-def _statics(model: Model, balance: Balance, found: Found, unheld: tuple[str, ...]) -> Statics:
+def _statics(
+    model: Model, balance: Balance, found: Found, left_out: Sequence[str], *, unseen: bool
+) -> Statics:
+    unheld = unheld_ropes(model)
     x, tension = found.x, found.tension
     left = balance.imbalance(x, tension)
     _, size = balance.directions(x)
@@ -227,7 +249,7 @@ def _statics(model: Model, balance: Balance, found: Found, unheld: tuple[str, ..
     carried = balance.carried(x, tension)
     none = np.abs(carried) <= 1e-12 * float(np.abs(carried).max(initial=0.0))
     slack = (model.state.stiffness > 0.0) & none
-    for name in undetermined_ropes(model):  # they stay as drawn
+    for name in left_out:  # they stay as drawn
         span = model.layout.span(name)
         stretch[span.first : span.last] = 1.0
     for name in unheld:
@@ -239,7 +261,7 @@ def _statics(model: Model, balance: Balance, found: Found, unheld: tuple[str, ..
             reactions[row] = 0.0 - left[:, node]
     positions = np.ascontiguousarray(x.T)
     lie, contacts = _lie(model, balance, x, tension)
-    obstacles = bool(model.scene.obstacles)
+    obstacles, held = bool(model.scene.obstacles), balance.state.memory
     return Statics(
         positions=positions,
         tension=carried,
@@ -253,11 +275,13 @@ def _statics(model: Model, balance: Balance, found: Found, unheld: tuple[str, ..
         residual=float(np.abs(left[:, balance.free]).max(initial=0.0)),
         gap=float(np.abs(balance.gap(x, tension)).max(initial=0.0)),
         steps=found.steps,
-        solved=found.at_rest and not _looks_for_none(model.scene),
+        solved=found.at_rest and not unseen,
         wraps=lie,
         contacts=contacts,
-        trouble=_trouble(model, balance, found),
-        memory=balance.kept() if obstacles else None,
+        touches=() if unseen else touches(model, held, x, tension),
+        seats=() if unseen else seats(model, held, x),
+        trouble=_UNSEEN if unseen else _trouble(model, balance, found),
+        memory=arrays.copy(held) if obstacles or balance.coupled.acts else None,
     )
 
 
@@ -270,15 +294,8 @@ def _lie(
     return wraps(model, np.ascontiguousarray(x.T), tension, force, others - force)
 
 
-def _looks_for_none(scene: Scene) -> bool:
-    """Tell whether ropes touch each other or slide: their rest is not looked for."""
-    return scene.contact is not None or bool(scene.slides)
-
-
 def _trouble(model: Model, balance: Balance, found: Found) -> str:
-    """Return why a scene with contact or slides is not at rest; "" where it is."""
-    if _looks_for_none(model.scene):
-        return NO_REST if model.scene.contact is not None else NO_ROLLING_REST
+    """Return why a scene with obstacles is not at rest; "" where it is."""
     obstacles = bool(model.scene.obstacles)
     return _complaint(model, balance, found) if obstacles and not found.at_rest else ""
 
@@ -289,12 +306,14 @@ def _complaint(model: Model, balance: Balance, found: Found) -> str:
     rope, number = model.layout.rope_of(node)
     gap = np.abs(balance.gap(found.x, found.tension)).max(initial=0.0)
     remedy = "Give the scene a shape nearer to rest, or softer ropes"
-    if model.scene.obstacles:
+    if balance.coupled.fails:
+        return _CROWDED
+    if model.scene.obstacles or balance.coupled.acts:
         if balance.pressed is not None:
             return str(balance.pressed.words(model))
         lie, _ = _lie(model, balance, found.x, found.tension)
         if balance.goes_on:
-            return going_on_words(lie)
+            return going_on_words(lie) if model.scene.obstacles else _GOES_ON
         if balance.slid > 0.0:
             return on_the_way_words(lie, balance.slid)
         remedy = sliding_words(lie) or remedy

@@ -65,7 +65,7 @@ class _Judge:
 
     def __init__(self, balance: Balance) -> None:
         self.balance = balance
-        stiff = balance.system.node.obstacle.stiffness.max(axis=0)
+        stiff = balance.stiffness()
         self.yields = np.where(balance.free, 1.0 / stiff, 0.0)
         self.stiff = float(np.median(stiff))
 

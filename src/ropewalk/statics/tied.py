@@ -25,11 +25,18 @@ def together(number: Ints, force: Floats) -> Floats:
     return np.asarray(sums[:, number])
 
 
-def solve_tied(matrix: Floats, right: Floats, reach: int, number: Ints) -> float:
+def solve_tied(
+    matrix: Floats,
+    right: Floats,
+    reach: int,
+    number: Ints,
+    more: tuple[Ints, Ints, Floats] | None = None,
+) -> float:
     """As `core.band_lu.solve_band` for the nodes' places and the segments' tensions, of points.
 
     `matrix` (4 n, 3 reach + 1) and `right` (4 n,) are those of the nodes by themselves: three places and the
-    tension of the segment after it for each. The solution is in `right`.
+    tension of the segment after it for each. `more` are rows, columns and values beyond the band. The
+    solution is in `right`.
     """
     load_scipy()
     from scipy import sparse
@@ -46,7 +53,11 @@ def solve_tied(matrix: Floats, right: Floats, reach: int, number: Ints) -> float
         unknown[k::4] = 3 * number + k
     unknown[3::4] = 3 * count + np.arange(n)
     size = 3 * count + n
-    entries = values[there], (unknown[rows[there]], unknown[columns[there]])
+    rows, columns, values = rows[there], columns[there], values[there]
+    if more is not None:
+        pairs = zip((rows, columns, values), more, strict=True)
+        rows, columns, values = (np.concatenate(both) for both in pairs)
+    entries = values, (unknown[rows], unknown[columns])
     whole = sparse.coo_array(entries, shape=(size, size)).tocsc()
     forces = np.bincount(unknown, right, size)
     try:

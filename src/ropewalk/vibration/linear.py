@@ -23,6 +23,7 @@ from ropewalk.laws.others import other_stiffness
 from ropewalk.laws.tangent import assemble_tangent, law_band
 from ropewalk.lowering import Model
 from ropewalk.lowering.curve_tables import put_under_tension
+from ropewalk.statics.couplings import Couplings, Entries
 from ropewalk.statics.tied import points
 from ropewalk.theory.borrowed import load_scipy
 
@@ -110,6 +111,10 @@ def linearise(model: Model, x: Floats, tension: Floats, *, springs_only: bool = 
 
     still = np.zeros_like(x)
     friction, other = _bands(model, x, still) if not springs_only else _nothing(n)
+    coupled = Couplings(model.system, arrays.copy(model.state))
+    if coupled.acts and not springs_only:
+        stiff, rubs = (_from_entries(part, n) for part in coupled.small_motions(x))
+        other, friction = other + stiff, friction + rubs
     d = np.diff(x, axis=1)
     r = np.sqrt((d * d).sum(axis=0))
     t = d / np.maximum(r, 1e-300)
@@ -155,6 +160,13 @@ def _bands(model: Model, x: Floats, still: Floats) -> tuple[Any, Any]:
     friction = _sparse(band, n)
     other_stiffness(system, state, x, still, band)
     return friction, _sparse(band, n)
+
+
+def _from_entries(entries: Entries, n: int) -> Any:
+    from scipy.sparse import coo_array
+
+    rows, columns, values = entries
+    return coo_array((values, (rows, columns)), shape=(3 * n, 3 * n)).tocsr()
 
 
 def _nothing(n: int) -> tuple[Any, Any]:

@@ -19,11 +19,10 @@ from ropewalk.laws.node_law import Rest
 from ropewalk.lowering import Layout, Model, build
 from ropewalk.lowering.curve_tables import put_tension
 from ropewalk.lowering.link_lengths import has_links
-from ropewalk.lowering.slide_checks import refuse_slides
 from ropewalk.lowering.touching import SLIPS
 from ropewalk.methods.loop import prepare_links
 from ropewalk.scene import Scene, SceneError
-from ropewalk.scene.faults import NO_VALUE, Fault
+from ropewalk.scene.faults import Fault
 from ropewalk.scene.obstacles import is_free
 from ropewalk.statics import Statics, checked_shape
 from ropewalk.statics.balance import standing
@@ -124,10 +123,6 @@ def modes(source: Scene | Model, about: About = "equilibrium", count: int = 10) 
     if count < 1:
         raise ValueError(f"count: {count!r} - must be at least 1")
     model = source if isinstance(source, Model) else build(source)
-    if model.scene.contact is not None:
-        rule = "modes of ropes that touch each other are not found; leave contact out"
-        raise SceneError([Fault("contact", NO_VALUE, rule)])
-    refuse_slides(model.scene, "modes with what slides along a rope are not found")
     if wheels := [row for row, body in enumerate(model.scene.obstacles) if is_free(body)]:
         rule = "modes of ropes on an obstacle that turns freely are not found; leave out spin"
         raise SceneError([Fault(f"obstacle[{wheels[0]}].spin.free", True, rule)])
@@ -169,7 +164,8 @@ def highest_frequency(model: Model, x: Floats, tension: Floats) -> float | None:
 
     In rad/s. None where other laws stiffen the ropes, too: bending, and those that bear or hold nodes.
     """
-    if at_rest(model.system) - {Rest.CARRIES} or model.system.flags[BENDING]:
+    stiffens = at_rest(model.system) - {Rest.CARRIES} or model.system.flags[BENDING]
+    if stiffens or model.scene.slides:
         return None
     linear = linearise(model, x, tension, springs_only=True)
     return highest(linear) if linear.nodes.size else 0.0
@@ -196,14 +192,17 @@ def shape_about(model: Model, about: About) -> tuple[Floats, Floats, Model]:
 
 
 def _held_by_contacts(model: Model, statics: Statics, x: Floats) -> Model:
-    """Return the model with contacts as they are at rest: what slips has no friction for small motions."""
+    """Return the model with contacts as they are at rest: what slips has no friction for small motions.
+
+    Of contacts of ropes and of slides `statics.couplings` sees to that.
+    """
     if statics.memory is None or statics.contacts is None:
         return model
     memory, state = arrays.copy(statics.memory), arrays.copy(model.state)
     contacts = statics.contacts
     free = contacts.use >= SLIPS
-    memory.grip[contacts.obstacle[free], GRIP, contacts.node[free]] = 0.0
-    arrays.assign(state.memory.obstacle, memory)
+    memory.obstacle.grip[contacts.obstacle[free], GRIP, contacts.node[free]] = 0.0
+    arrays.assign(state.memory, memory)
     return replace(model, system=standing(model.system), state=state)
 
 

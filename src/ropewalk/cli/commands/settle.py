@@ -17,8 +17,7 @@ from ropewalk.words.prefixes import prefix_of, prefixed
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
-    from ropewalk.statics import RestSpan
-    from ropewalk.statics.wraps import Wrap
+    from ropewalk.statics import RestSpan, Statics
 
 
 @click.command()
@@ -39,8 +38,9 @@ def settle(
     """Find the shape in which a scene is at rest, without running it.
 
     Prints sag, tension, the force of every anchor, and what is left of the forces on the nodes. With
-    weight, stretch, ground, wind and bending; inner friction does not matter at rest. On obstacles
-    with friction it is one of many shapes: that to which the scene's own creeps. The folder can be
+    weight, stretch, ground, wind and bending; inner friction does not matter at rest. Where ropes touch
+    obstacles or each other, or slide, with friction, it is one of many shapes: that to which the scene's
+    own creeps. The folder can be
     plotted and exported like a run. A run begins from this shape with: run.start = "at-rest".
     """
     loaded = load_scene(scene, overrides)
@@ -61,12 +61,12 @@ def settle(
     if loaded.limiter is not None:
         warn("the stretch limiter takes no part in the equilibrium")
     if as_json:
-        print_json(_facts(result, spans, rest.wraps))
+        print_json(_facts(result, spans, rest))
         return
     print_results(result, f"{result.scene.name}: {result.status}")
     _print_spans(spans)
-    for wrap in rest.wraps:
-        say(str(wrap))
+    for place in (*rest.wraps, *rest.touches, *rest.seats):
+        say(str(place))
     if rest.by_friction:
         say(f"note: {MANY}")
     _print_anchors(result)
@@ -105,7 +105,7 @@ def _print_anchors(result: Result) -> None:
         print_table(columns, rows, right=range(1, 5))
 
 
-def _facts(result: Result, spans: tuple[RestSpan, ...], wraps: tuple[Wrap, ...]) -> dict[str, Any]:
+def _facts(result: Result, spans: tuple[RestSpan, ...], rest: Statics) -> dict[str, Any]:
     names = result.layout.anchor_names
     return {
         "name": result.scene.name,
@@ -114,7 +114,9 @@ def _facts(result: Result, spans: tuple[RestSpan, ...], wraps: tuple[Wrap, ...])
         "results": {name: value for name, value in result.table.items() if name != "status"},
         "residual": result.residual,
         "spans": [vars(span) for span in spans],
-        "wraps": [wrap.as_dict() for wrap in wraps],
+        "wraps": [wrap.as_dict() for wrap in rest.wraps],
+        "touches": [touch.as_dict() for touch in rest.touches],
+        "seats": [seat.as_dict() for seat in rest.seats],
         "anchors": {
             name: list(force) for name, force in zip(names, result.reactions[0], strict=True)
         },

@@ -1,0 +1,169 @@
+"""Where ropes at rest lie on each other, what slides on them, and what friction carries there."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ropewalk.core.arrays import Floats, Ints
+from ropewalk.laws.pairs.table import CONTACTS, PUSH, SPRING
+from ropewalk.laws.slides.rail import look
+from ropewalk.laws.slides.slide_force import bound_of
+from ropewalk.laws.slides.table import APART, AT
+from ropewalk.laws.slides.table import SPRING as HELD
+from ropewalk.lowering import Model, Span
+from ropewalk.lowering.touching import turns
+from ropewalk.words.prefixes import prefixed
+
+_ROUNDING = 1e-6  # of a tension [1]
+_CENT = 100.0
+
+
+@dataclass(frozen=True)
+class Strand:
+    """What one of two ropes does where they touch."""
+
+    rope: str
+    first: int  # segment of the rope
+    last: int
+    angle: float  # by which it turns there [rad]
+    before: float  # tension of the segment before the first [N]; 0 at the rope's end
+    after: float  # ... after the last
+    # Least and largest tension after it that friction holds with the one before as it is, by exp(mu angle)
+    # [N]; NaN where the rope ends there, nothing pulls, or something else holds it.
+    least: float
+    most: float
+
+    @property
+    def words(self) -> str:
+        """Which segments they are."""
+        if self.first == self.last:
+            return f"segment {self.first} of rope {self.rope!r}"
+        return f"segments {self.first} to {self.last} of rope {self.rope!r}"
+
+
+@dataclass(frozen=True)
+class Touch:
+    """A place where a rope lies on another, or on itself."""
+
+    strand: Strand
+    other: Strand
+    force: float  # sum of the normal forces [N]
+    use: float  # largest |R_t| / (mu R_n) of its contacts [1]; 1: at the limit; 0 without friction
+    friction: float  # coefficient [1]
+
+    def __str__(self) -> str:
+        verb = "touches" if self.strand.first == self.strand.last else "touch"
+        said = f"{self.strand.words} {verb} {self.other.words} with {prefixed(self.force, 'N', 4)}"
+        if self.friction == 0.0:
+            return said
+        said += f"; contacts take up to {_CENT * self.use:.3g} % of what friction can carry"
+        for side in (self.strand, self.other):
+            if not math.isnan(side.most):
+                pulls = " and ".join(prefixed(pull, "N", 4) for pull in (side.before, side.after))
+                holds = " to ".join(prefixed(pull, "N", 4) for pull in (side.least, side.most))
+                said += f"; {side.rope!r} has {pulls} beside it, where friction holds {holds}"
+        return said
+
+    def as_dict(self) -> dict[str, Any]:
+        """Plain values."""
+        return vars(self) | {"strand": vars(self.strand), "other": vars(self.other)}
+
+
+@dataclass(frozen=True)
+class Seat:
+    """Where something that slides along a rope is at rest."""
+
+    slide: str
+    on: str  # the rope that it slides along
+    at: float  # [m] along it, unstretched
+    force: float  # across the rope [N]
+    along: float  # what friction and brake carry [N], positive away from the rope's start
+    most: float  # ... and could carry [N]
+
+    @property
+    def use(self) -> float:
+        """Share of what friction and brake can carry [1]; 0 without any."""
+        return abs(self.along) / self.most if self.most > 0.0 else 0.0
+
+    def __str__(self) -> str:
+        said = f"slide {self.slide!r} rests at {self.at:.5g} m of rope {self.on!r}"
+        said += f", {prefixed(self.force, 'N', 4)} across it"
+        if self.most == 0.0:
+            return said
+        carried, most = prefixed(abs(self.along), "N", 4), prefixed(self.most, "N", 4)
+        return f"{said}; friction and brake carry {carried} of at most {most}"
+
+    def as_dict(self) -> dict[str, Any]:
+        """Plain values, with the share."""
+        return vars(self) | {"use": self.use}
+
+
+def touches(model: Model, memory: Any, x: Floats, tension: Floats) -> tuple[Touch, ...]:
+    """Return where ropes touch each other at places (3, n) [m], with what `State.memory` carries there."""
+    if model.scene.contact is None:
+        return ()
+    contact = memory.contact
+    count = int(contact.tally[CONTACTS])
+    rows = np.flatnonzero(contact.grip[:count, PUSH] > 0.0)
+    pair, grip = contact.pair[rows], contact.grip[rows]
+    mu, found = model.scene.contact.friction, []
+    push, rub = grip[:, PUSH], np.linalg.norm(grip[:, SPRING : SPRING + 3], axis=1)
+    for here in _clusters(pair):
+        use = float((rub[here] / (mu * push[here])).max()) if mu > 0.0 else 0.0
+        one, other = (_strand(model, x, tension, pair[here, side], mu) for side in (0, 1))
+        found.append(Touch(one, other, float(push[here].sum()), use, mu))
+    return tuple(found)
+
+
+def _clusters(pair: Ints) -> Iterator[Ints]:
+    """Yield the rows of pairs of segments, (c, 2), that are beside each other on both ropes."""
+    left = list(range(len(pair)))
+    while left:
+        found, fresh = [], [left.pop(0)]
+        while fresh:
+            row = fresh.pop()
+            found.append(row)
+            beside = [k for k in left if np.abs(pair[k] - pair[row]).max() <= 2]
+            left = [k for k in left if k not in beside]
+            fresh += beside
+        yield np.array(sorted(found))
+
+
+def _strand(model: Model, x: Floats, tension: Floats, segments: Ints, mu: float) -> Strand:
+    first, last = int(segments.min()), int(segments.max())
+    rope: Span = model.layout.span(model.layout.rope_of(first)[0])
+    inner = rope.first < first and last < rope.last - 1
+    before = float(tension[first - 1]) if first > rope.first else 0.0
+    after = float(tension[last + 1]) if last < rope.last - 1 else 0.0
+    angle = float(turns(x[:, max(first - 1, rope.first) : min(last + 3, rope.last + 1)].T).sum())
+    least, most = before * math.exp(-mu * angle), before * math.exp(mu * angle)
+    held = np.isin(model.state.anchor_node[model.state.held == 1], np.arange(first, last + 2)).any()
+    fits = (1.0 - _ROUNDING) * least <= after <= (1.0 + _ROUNDING) * most
+    if mu == 0.0 or not inner or before == 0.0 or held or not fits:
+        least = most = math.nan
+    start = rope.first
+    return Strand(rope.name, first - start, last - start, angle, before, after, least, most)
+
+
+def seats(model: Model, memory: Any, x: Floats) -> tuple[Seat, ...]:
+    """Return where what slides is at places (3, n) [m], with what `State.memory` carries there."""
+    table, found = model.system.node.slide, []
+    for row, slide in enumerate(model.scene.slides):
+        look(x, table, memory.slide, row)
+        sight = memory.slide.sight[row]
+        found.append(
+            Seat(
+                slide=slide.name,
+                on=slide.on,
+                at=float(sight[AT] * table.length[row]),
+                force=float(table.stiffness[row] * sight[APART]),
+                along=float(memory.slide.grip[row, HELD]),
+                most=float(bound_of(table, memory.slide.sight, row)),
+            )
+        )
+    return tuple(found)

@@ -1,0 +1,133 @@
+"""Rest of what slides along a rope: the lowest place without friction, any within its reach with it."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+
+import ropewalk as rw
+from ropewalk.core import arrays
+from ropewalk.laws.slides.rail import look
+from ropewalk.laws.slides.table import R1
+from ropewalk.lowering import build
+from ropewalk.scene import Slack, Straight
+from ropewalk.simulation import Simulation
+from ropewalk.statics import checked_shape
+from ropewalk.statics.balance import Balance
+from ropewalk.vibration.linear import linearise
+
+g = 9.81
+
+
+def trolley(
+    at: float, friction: float = 0.0, drop: float = -0.5, length: float = 10.05, **more: Any
+) -> rw.Scene:
+    """5 kg on a light line across 10 m, with a light tail that hangs from them."""
+    line = rw.Rope(
+        name="line",
+        segments=more.pop("segments", 20),
+        length=length,
+        made_of=rw.Material(EA=1e8, mass_per_length=0.002),
+        shape=Slack(start=(0, 0, 0), end=(10, 0, drop)),
+    )
+    rider = rw.Rope(
+        name="rider",
+        segments=1,
+        length=0.3,
+        made_of=rw.Material(EA=1e4, mass_per_length=0.002),
+        shape=Straight(end=(0, 0, -0.3)),
+        loads=[rw.Load(node=0, mass=5.0)],
+    )
+    run = {"duration": 1.0, "method": "implicit-euler", "time_step": 1 / 240, "frame_rate": 60.0}
+    slide = rw.Slide(rope="rider", on="line", at=at, friction=friction, **more)
+    anchors = [rw.Anchor(rope="line", node=node) for node in (0, -1)]
+    return rw.Scene(ropes=[line, rider], anchors=anchors, slides=[slide], run=run)
+
+
+def slope(scene: rw.Scene) -> tuple[float, Any]:
+    """How steep the line is at rest where the trolley is [1], and the rest."""
+    found = checked_shape(scene)
+    memory, table = found.memory.slide, build(scene).system.node.slide
+    look(np.ascontiguousarray(found.positions.T), table, memory, 0)
+    along = memory.sight[0, R1 : R1 + 3]
+    return float(along[2] / along[0]), found
+
+
+def test_without_friction_it_rolls_to_where_the_line_is_level() -> None:
+    """From anywhere, to the same place; on a light line both sides are as steep: cos = across / length."""
+    steep = math.acos(10.0 / 10.05)
+    lower = 0.5 * (10.05 + 0.5 / math.sin(steep))  # m from the upper anchor to the lowest place
+    places = []
+    for at in (1.0, 4.0, 9.0):
+        level, found = slope(trolley(at, segments=40))
+        (seat,) = found.seats
+        assert abs(level) < 1e-9
+        assert found.residual < 1e-8
+        assert (seat.along, seat.most, seat.use) == (0.0, 0.0, 0.0)
+        assert seat.force == pytest.approx(g * 5.0, rel=2e-3)
+        places.append(seat.at)
+    assert np.ptp(places) < 1e-6
+    assert places[0] == pytest.approx(lower, abs=0.25 * 10.05 / 40)
+    assert not found.by_friction
+
+
+def test_with_friction_it_stops_where_friction_holds_it() -> None:
+    """From both ends it comes to the ends of what friction allows, mu on either side; within it stays."""
+    ends = []
+    for at in (1.0, 9.5):
+        steep, found = slope(trolley(at, 0.05))
+        (seat,) = found.seats
+        assert seat.use == pytest.approx(1.0, abs=1e-6)
+        assert abs(steep) == pytest.approx(0.05, rel=0.05)
+        assert found.by_friction
+        ends.append(seat.at)
+    assert ends[1] - ends[0] > 1.0
+    steep, found = slope(trolley(0.5 * sum(ends) + 0.2, 0.05))
+    (seat,) = found.seats
+    assert 0.0 < seat.use < 0.9
+    assert seat.at == pytest.approx(0.5 * sum(ends) + 0.2, abs=0.2)
+    assert "friction and brake carry" in str(seat)
+    _, found = slope(trolley(4.0, brake=100.0))
+    assert 0.0 < found.seats[0].use < 1.0
+
+
+@pytest.mark.parametrize("friction", [0.0, 0.05])
+def test_it_stays_at_rest(friction: float) -> None:
+    scene = trolley(4.0, friction)
+    simulation = Simulation(scene.replace(run=scene.run.replace(start="at-rest")))
+    before = simulation.positions.copy()
+    simulation.step(1.0)
+    assert np.abs(simulation.positions - before).max() < 1e-8
+
+
+def test_it_rolls_about_the_lowest_place_as_on_an_ellipse() -> None:
+    """omega^2 = g / rho, rho = a^2 / b of the ellipse about both anchors; where friction holds it is not."""
+    a, c = 0.5 * 10.01, 5.0
+    expected = math.sqrt(g * math.sqrt(a * a - c * c) / (a * a)) / (2.0 * math.pi)
+    for segments in (20, 21, 80):
+        rolling = rw.modes(trolley(4.0, drop=0.0, length=10.01, segments=segments), count=1)
+        assert rolling.frequencies[0] == pytest.approx(expected, rel=0.03), segments
+    stuck = rw.modes(trolley(5.1, 0.2, drop=0.0, length=10.01), count=1)
+    assert stuck.frequencies[0] > 2.0 * expected
+    assert stuck.motions[0].name == "out of plane"
+
+
+@pytest.mark.parametrize("friction", [0.0, 0.2])
+def test_modes_have_the_tangents_of_slides(friction: float) -> None:
+    scene = trolley(6.0, friction)
+    model, found = build(scene), checked_shape(scene)
+    balance = Balance(model)
+    for state in (balance.state, model.state):
+        arrays.assign(state.memory, found.memory)
+    x = np.ascontiguousarray(found.positions.T)
+    linear = linearise(model, x, np.zeros_like(found.elastic_tension))
+    way = np.random.default_rng(3).normal(size=x.shape)
+    way[:, ~balance.free] = 0.0
+    way *= 1e-7 / np.abs(way).max()
+    ends = [balance.others(x + sign * way).copy() for sign in (1.0, -1.0)]
+    change = -0.5 * (ends[0] - ends[1])[:, balance.free].T.ravel()
+    said = linear.other @ way[:, balance.free].T.ravel()
+    assert np.abs(change - said).max() < 1e-5 * np.abs(said).max()
