@@ -23,6 +23,7 @@ from ropewalk.laws.wheels import COLUMN, ROW, TIE, TRIAL
 from ropewalk.lowering import build
 from ropewalk.scene import Cylinder, Load, Material, Polyline, Rope, RunSettings, Scene, Spin
 from ropewalk.simulation import Simulation
+from ropewalk.statics import checked_shape
 
 g, RADIUS, THICK, SIDE = 9.81, 0.05, 0.01, 0.3
 r, LINE, HEAVY, LIGHT, INERTIA = RADIUS + 0.5 * THICK, 1e-3, 1.0, 0.6, 2e-3
@@ -295,3 +296,14 @@ def test_two_ropes_on_one_wheel_turn_it_together() -> None:
 def test_what_cannot_be_a_pulley_is_refused_in_words(given: dict[str, Any], words: str) -> None:
     with pytest.raises(ValueError, match=words):
         Spin(**given)
+
+
+def test_at_rest_it_is_held_and_says_whether_its_bearing_would_hold_it() -> None:
+    """The ropes' torque is the difference of the loads times the radius."""
+    expected = (HEAVY - LIGHT) * g * r
+    for bearing, stands in ((0.0, False), (0.95 * expected, False), (1.05 * expected, True)):
+        spin = Spin(free=True, inertia=INERTIA, bearing=bearing)
+        (pulley,) = checked_shape(atwood(spin)).pulleys
+        assert abs(pulley.torque) == pytest.approx(expected, rel=0.01)
+        assert pulley.stands is stands
+        assert ("turns when it is let go" in str(pulley)) is not stands

@@ -23,6 +23,7 @@ from ropewalk.statics.creep import creep
 from ropewalk.statics.hung import hung
 from ropewalk.statics.newton import Found, settle
 from ropewalk.statics.pressing import Watch
+from ropewalk.statics.pulleys import Pulley, pulleys
 from ropewalk.statics.refusal import refuse_impossible, undetermined_ropes, unheld_ropes
 from ropewalk.statics.spans import RestSpan, rest_spans
 from ropewalk.statics.tied import tied_nodes
@@ -73,6 +74,7 @@ class Statics:
     contacts: Contacts | None = None  # of single nodes
     touches: tuple[Touch, ...] = ()  # where ropes lie on each other
     seats: tuple[Seat, ...] = ()  # where slides are
+    pulleys: tuple[Pulley, ...] = ()  # held still, and what turns them
     trouble: str = ""  # why ropes that touch obstacles or each other are not at rest
     memory: Any = None  # what laws of nodes carry, as `State.memory`; None where nothing does
 
@@ -280,6 +282,7 @@ def _statics(
         contacts=contacts,
         touches=() if unseen else touches(model, held, x, tension),
         seats=() if unseen else seats(model, held, x),
+        pulleys=pulleys(model, held, x),
         trouble=_UNSEEN if unseen else _trouble(model, balance, found),
         memory=arrays.copy(held) if obstacles or balance.coupled.acts else None,
     )

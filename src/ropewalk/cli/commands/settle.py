@@ -65,7 +65,7 @@ def settle(
         return
     print_results(result, f"{result.scene.name}: {result.status}")
     _print_spans(spans)
-    for place in (*rest.wraps, *rest.touches, *rest.seats):
+    for place in (*rest.wraps, *rest.touches, *rest.seats, *rest.pulleys):
         say(str(place))
     if rest.by_friction:
         say(f"note: {MANY}")
@@ -117,6 +117,7 @@ def _facts(result: Result, spans: tuple[RestSpan, ...], rest: Statics) -> dict[s
         "wraps": [wrap.as_dict() for wrap in rest.wraps],
         "touches": [touch.as_dict() for touch in rest.touches],
         "seats": [seat.as_dict() for seat in rest.seats],
+        "pulleys": [pulley.as_dict() for pulley in rest.pulleys],
         "anchors": {
             name: list(force) for name, force in zip(names, result.reactions[0], strict=True)
         },

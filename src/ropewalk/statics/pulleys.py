@@ -1,0 +1,52 @@
+"""Pulleys at rest: they are held while rest is looked for; whether their bearings would hold them, too."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ropewalk.core.arrays import Floats
+from ropewalk.laws.contact_frame import GRIP
+from ropewalk.lowering import Model
+from ropewalk.words.prefixes import prefixed
+
+_ROUNDING = 1e-6  # of a torque [1]
+
+
+@dataclass(frozen=True)
+class Pulley:
+    """An obstacle that turns freely, and what ropes at rest turn it with."""
+
+    obstacle: str
+    torque: float  # of the ropes' friction about its axis [N m]
+    bearing: float  # what its bearing holds [N m]
+
+    @property
+    def stands(self) -> bool:
+        """Whether its bearing holds it: else this is no rest but the start of a motion."""
+        return abs(self.torque) <= (1.0 + _ROUNDING) * self.bearing
+
+    def __str__(self) -> str:
+        turn, most = prefixed(abs(self.torque), "N m", 4), prefixed(self.bearing, "N m", 4)
+        said = f"pulley {self.obstacle!r}: ropes turn it with {turn}, its bearing holds {most}"
+        if self.stands:
+            return said
+        return f"{said}: it is held still here, and turns when it is let go"
+
+    def as_dict(self) -> dict[str, Any]:
+        """Plain values, with whether it stands."""
+        return vars(self) | {"stands": self.stands}
+
+
+def pulleys(model: Model, memory: Any, x: Floats) -> tuple[Pulley, ...]:
+    """Return what turns every pulley at places (3, n) [m], with what `State.memory` carries there."""
+    table, found = model.system.node.obstacle, []
+    for row, w in enumerate(table.wheel):
+        if w >= 0:
+            arms = np.cross(table.axis[row], x.T - table.center[row])
+            torque = -float((arms * memory.obstacle.grip[row, :GRIP].T).sum())
+            name = model.scene.obstacles[row].name
+            found.append(Pulley(name, torque, float(table.bearing[w])))
+    return tuple(found)
