@@ -46,6 +46,8 @@ def test_bad_lines(ropewalk: Any) -> None:
         (("--span", "300", "--sag", "2", "-o", "x.pdf"), "needs a load"),
         (("--span", "300", "--sag", "2", "-o", "x.doc"), "must end in"),
         (("--span", "300", "--sag", "2", "--load", "x"), "must be a number of kg"),
+        (("--span", "300", "--sag", "2", "--load", "80 kgf"), "load: "),
+        (("--span", "300", "--sag", "2", "--rise", "3 kg"), "rise: "),
     ):
         done = ropewalk("line", "wire-7x19-12", *options)
         assert done.exit_code == 2

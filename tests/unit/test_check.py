@@ -185,6 +185,14 @@ def test_slips_of_units(changes: dict[str, object], words: str) -> None:
     assert words in slips(**changes)
 
 
+def test_strains_in_per_cent_are_a_slip() -> None:
+    for strain, warned in ((10.0, True), (5.0, False)):  # rubber bears some 7
+        curve = [(0.5 * strain, 500.0), (strain, 900.0)]
+        one = Rope(segments=4, length=2.0, made_of=Material(curve=curve, mass_per_length=0.06))
+        found = "\n".join(unit_slips(build(scene().model_copy(update={"ropes": (one,)}))))
+        assert ("per cent for shares?" in found) is warned
+
+
 @pytest.mark.parametrize(
     ("changes", "words"),
     [

@@ -150,6 +150,35 @@ made_of = {kind = "material", mass_per_length = "100 g/m", curve = {kind = "tabl
     assert found.curve == plain
 
 
+def test_units_in_a_header_are_taken(tmp_path: Path) -> None:
+    """A column of per cent and one of kN, as a pull test is written down."""
+    plain = TableCurve(strain=(0.0, 0.1, 0.2), tension=(0.0, 1000.0, 3000.0))
+    (tmp_path / "pull.csv").write_text("tension (kN);strain [%]\n0;0\n1;10\n3;20\n")
+    context = {"folder": str(tmp_path)}
+    found = TableCurve.model_validate({"file": "pull.csv"}, context=context)
+    assert found.strain == pytest.approx(plain.strain, rel=1e-15)
+    assert found.tension == pytest.approx(plain.tension, rel=1e-15)
+    for header, words in (
+        ("strain [%], tension [kg]", 'column tension: "kg" - is of another kind: a quantity in N'),
+        (
+            "strain [Prozent], tension [N]",
+            'column strain: "Prozent" - has a unit that is not known',
+        ),
+    ):
+        (tmp_path / "bad.csv").write_text(f"{header}\n0, 0\n10, 1000\n")
+        with pytest.raises(SceneError) as error:
+            rw.loads(
+                """
+[[rope]]
+segments = 4
+length = 2.0
+made_of = {kind = "material", mass_per_length = 0.1, curve = {kind = "table", file = "bad.csv"}}
+""",
+                folder=tmp_path,
+            )
+        assert words in str(error.value)
+
+
 def test_a_rope_of_the_library_may_have_a_curve_of_its_own() -> None:
     found = material([(0.2, 1000.0), (0.4, 3000.0)], library="dynamic-single-9.8")
     assert found.curve.slopes[2] == found.EA  # type: ignore[union-attr]

@@ -6,9 +6,12 @@ import math
 import tomllib
 
 import jsonschema
+import numpy as np
 import pytest
 
-from ropewalk.scene import Scene, SceneError, Springs, dumps, loads, schema
+import ropewalk as rw
+from ropewalk.lowering import build
+from ropewalk.scene import Scene, SceneError, Slack, Springs, dumps, loads, schema
 from ropewalk.scene.presets import names, preset, preset_text
 
 EXPECTED = {
@@ -53,6 +56,54 @@ def test_the_constants_of_a_preset_have_a_source(name: str) -> None:
     for line in preset_text(name).splitlines():
         if line.split("=")[0].strip() in keys:
             assert "#" in line, line
+
+
+@pytest.mark.parametrize(
+    ("name", "ends"),
+    [
+        ("zip-line", (150.0, -7.5)),
+        ("zip-line-ride", (150.0, -7.5)),
+        ("power-line-in-wind", (300.0, 0.0)),
+        ("guyed-mast", (30.48, 30.48)),
+    ],
+)
+def test_a_line_begins_as_it_hangs_alone(name: str, ends: tuple[float, float]) -> None:
+    """Not on the curve of an unstretched rope, from which it would drop into its tension with a jerk."""
+    scene = preset(name)
+    rope = scene.ropes[0]
+    hung = rw.line(*ends, rope.made_of, length=rope.length)
+    state = build(scene).state
+    own = slice(0, rope.segments)
+    stretch = np.linalg.norm(np.diff(state.x[:, : rope.segments + 1], axis=1), axis=0)
+    tension = state.stiffness[own] * (stretch - state.rest_length[own])
+    assert tension.max() == pytest.approx(sum(hung.tensions) / 2, rel=0.02)
+    assert tension.min() > 0.95 * min(hung.tensions)
+
+
+def test_a_slack_shape_may_have_a_sag_of_its_own() -> None:
+    shape = Slack(start=(0, 0, 1), end=(30, 40, 11), sag="3 m")  # type: ignore[arg-type]
+    x = shape.places(4000, 1.0, 1.0, (0.0, 0.0, 1.0), 0.01)
+    share = np.hypot(x[:, 0], x[:, 1]) / 50.0
+    assert (1.0 + 10.0 * share - x[:, 2]).max() == pytest.approx(3.0, rel=1e-6)
+    assert x[[0, -1]] == pytest.approx(np.array([(0, 0, 1), (30, 40, 11)]), abs=1e-12)
+    pieces = np.linalg.norm(np.diff(x, axis=0), axis=1)
+    assert pieces.max() == pytest.approx(pieces.min(), rel=1e-6)
+    own = Slack(start=(0, 0, 1), end=(30, 40, 11))
+    length = float(pieces.sum())
+    assert own.places(4000, length, 1.0, (0.0, 0.0, 1.0), 0.01) == pytest.approx(x, abs=1e-5)
+    with pytest.raises(SceneError, match="aside from start, across gravity"):
+        loads(PLUMB)
+
+
+PLUMB = """
+[[rope]]
+segments = 10
+length = 5.0
+made_of = "semistatic-10.5"
+shape = {kind = "slack", end = [0.0, 0.0, -6.0], sag = 1.0}
+[[anchor]]
+node = 0
+"""
 
 
 def test_an_unknown_preset_names_the_nearest() -> None:

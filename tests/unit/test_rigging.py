@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
@@ -48,6 +49,7 @@ def test_a_line_of_what_does_not_stretch() -> None:
         ({}, "give one of sag, pretension and length"),
         ({"sag": 1.0, "length": 301.0}, "sag, length"),
         ({"sag": "3 kg"}, "of another kind"),
+        ({"sag": "2cm%"}, "or a share of the span such as"),
         ({"sag": -1.0}, "greater than 0"),
         ({"pretension": 10.0}, "must be from 1217"),
         ({"length": 10.0}, "no rope stretches that far"),
@@ -58,6 +60,42 @@ def test_a_line_of_what_does_not_stretch() -> None:
 def test_what_cannot_be_is_refused(given: dict[str, object], words: str) -> None:
     with pytest.raises(SceneError, match=words):
         rw.line(300.0, 0.0, "wire-7x19-12", **given)  # type: ignore[arg-type]
+
+
+def test_a_climbing_rope_is_taken_as_it_is_at_rest() -> None:
+    """A line is at rest, and the label's fall is no load at rest: three times the stiffness."""
+    single = rw.rope("dynamic-single-9.8")
+    for rope in ("dynamic-single-9.8", single):
+        line = rw.line(30.0, 0.0, rope, sag="2 %")
+        assert single.EA_static == line.material.EA
+        assert line.material.relaxing_EA == single.relaxing_EA
+    assert rw.line(30.0, 0.0, "dynamic-single-9.8:static", sag=1.0).material.relaxing_EA is None
+    assert "breaking load not known" in str(line)
+    rest = rw.equilibrium(line.scene(60))
+    assert float(rest.tension.max()) == pytest.approx(max(line.tensions), rel=1e-3)
+    assert "that of a fall" in str(rw.line(30.0, 0.0, "dynamic-half-8", sag=1.0))  # has no other
+
+
+def test_guesses_of_a_line_are_told_with_what_they_make_of_it() -> None:
+    line = rw.line(30.0, 0.0, "semistatic-10.5", sag="2 %")
+    guess = rw.rope("semistatic-10.5").numbers["EA"]
+    assert guess.low is not None
+    assert guess.high is not None
+    soft, stiff = line.with_EA(guess.low), line.with_EA(guess.high)
+    assert soft.sag == pytest.approx(line.sag, rel=1e-9)
+    assert soft.length < line.length < stiff.length
+    assert f"length to cut {soft.length:.6g} to {stiff.length:.6g} m" in str(line)
+    pulls = [one.rolling(80.0).largest_tension.max() for one in (soft, line, stiff)]
+    assert pulls[0] < pulls[1] < pulls[2]
+    assert f"the largest is {pulls[0] / 1e3:.4g} kN to {pulls[2] / 1e3:.4g} kN" in str(
+        line.rolling(80)
+    )
+    for sure in (
+        rw.line(30.0, 0.0, "wire-7x19-12", sag=1.0),
+        rw.line(30.0, 0.0, line.material, sag=1),
+    ):
+        assert "guess" not in str(sure)
+        assert "with EA" not in str(sure.rolling(80.0))
 
 
 def test_an_unknown_rope_and_none() -> None:
@@ -139,6 +177,33 @@ def test_data_sheets_that_cannot_be() -> None:
         M.from_fall(8800.0, 32, 0.06)
     with pytest.raises(ValueError, match="6x36 IWRC"):
         M.of_wire("5x5", 0.01)
+
+
+@pytest.mark.parametrize(
+    ("made", "words"),
+    [
+        (
+            lambda M: M.from_elongation("1 kN", 3, 0.06),
+            '3 - may be 3 % or 300 %; write it as "3 %"',
+        ),
+        (lambda M: M.from_break("50 kN", 4.0, 0.06), "may be 4 % or 400 %"),
+        (lambda M: M.from_fall(8800, 0.32, 0.06, static_elongation=9.3), "9.3 - must be a share"),
+        (lambda M: M.of_wire("7x7", 16), "16 - is 16 m, and no wire rope is thicker"),
+        (lambda M: M.of_wire("7x7", "16 mm", grade=17700), "17700 - must be from 200 to 3500"),
+        (
+            lambda M: M.from_fall(8800, 0.32, 0.06, static_elongation=0.09, later_force="6 kN"),
+            '"6 kN" - must be at least impact_force, 8800 N',
+        ),
+    ],
+)
+def test_slips_of_a_hundred_and_a_thousand_in_data_sheets(made: Any, words: str) -> None:
+    with pytest.raises(SceneError) as error:
+        made(rw.Material)
+    assert words in str(error.value)
+
+
+def test_a_share_above_one_may_be_written_with_its_unit() -> None:
+    assert pytest.approx(10.0) == rw.Material.from_break("50 N", "500 %", 0.06).EA
 
 
 def test_what_hoists_and_tows_pull_with() -> None:

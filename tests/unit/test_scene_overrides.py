@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -9,6 +11,7 @@ from ropewalk.scene import (
     Anchor,
     Load,
     Material,
+    Mesh,
     Rope,
     Scene,
     SceneError,
@@ -107,6 +110,24 @@ def test_a_new_kind_drops_what_it_does_not_know() -> None:
         ONE, ['anchor.left.motion={kind="shake", axis=[0,0,1], amplitude=0.1, frequency=2}']
     )
     assert table == scene
+
+
+def test_another_file_takes_the_place_of_what_was_read(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "b.csv").write_text("strain, tension\n0.1, 500\n0.2, 1500\n")
+    made = Material(curve=[(0.1, 400.0), (0.2, 900.0)], mass_per_length=0.1)
+    scene = Scene(ropes=Rope(segments=4, length=2.0, made_of=made), anchors=[Anchor(node=0)])
+    changed = apply_overrides(scene, ["rope.made_of.curve.file=b.csv"])
+    assert changed.ropes[0].made_of.curve.tension == (500.0, 1500.0)  # type: ignore[union-attr]
+    tetra = Mesh(
+        vertices=[(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)],
+        faces=[(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)],
+        rounding=0.1,
+    )
+    with pytest.raises(SceneError, match=r'obstacle\[0\].file: "none.obj" - no such file'):
+        apply_overrides(scene.replace(obstacles=[tetra]), ["obstacle.file=none.obj"])
 
 
 def test_none_takes_a_value_away() -> None:

@@ -190,6 +190,22 @@ def test_a_recut_rope_is_the_same_rope() -> None:
     assert odd.scene.ropes[0].loads[0].node == 10
 
 
+def test_a_rope_in_motion_is_recut_with_its_motion() -> None:
+    """Kicks at every node that no anchor holds are a motion of the rope: it stays the same one."""
+    fall = rw.preset("climbing-fall")
+    half = recut(fall)
+    assert half.scene is not None
+    (rope,), (whole,) = half.scene.ropes, fall.ropes
+    assert [kick.node for kick in rope.kicks] == [*range(1, 8)]
+    assert rope.kicks[-1].velocity == whole.kicks[-1].velocity
+    fine = recut(half.scene).scene  # 7 segments: cut twice as fine
+    assert fine is not None
+    found = {kick.node: kick.velocity[2] for kick in fine.ropes[0].kicks}
+    want = {kick.node: kick.velocity[2] for kick in whole.kicks}
+    assert found == pytest.approx(want, abs=1e-3)
+    assert recut(fall.replace(ropes=[whole.replace(kicks=whole.kicks[1:])])).scene is None
+
+
 def test_what_cannot_be_recut_says_why() -> None:
     rope = hung().ropes[0].replace(kicks=[Kick(node=2, velocity=(0, 1, 0))])
     assert "kick" in recut(hung(ropes=[rope])).why_not

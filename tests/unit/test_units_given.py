@@ -85,7 +85,7 @@ def test_the_command_line_takes_them() -> None:
         ("EA", "80 kg", "a weight is written in kgf or lbf"),
         ("EA", "5,65 MN", "with a point for the decimals"),
         ("EA", "5.65 MNN", "unit that is not known, 'MNN'"),
-        ("EA", "5.65 cm%", "mixes % with another unit"),
+        ("EA", "5.65 cm%", "has % beside another unit"),
         ("EA", "5.65", "must be a number (N)"),
         ("EA", "lots", "must be a number (N)"),
         ("EA", "-3 kN", "must be greater than 0"),

@@ -12,7 +12,7 @@ import math
 import numpy as np
 
 from ropewalk.lowering import Model
-from ropewalk.scene import Material, Rope, Scene, Springs
+from ropewalk.scene import Material, Rope, Scene, Springs, TableCurve
 
 # Speed of sound along a rope, sqrt(EA / mass per length) [m/s].
 _SLOWEST = {"springs": 0.5, "material": 20.0}  # springs are often meant to be soft
@@ -22,6 +22,7 @@ _HEAVIEST_LOAD = 5000.0  # of a rope's own mass, at least of 1 kg [1]; a car on 
 _HEAVY_NODE = 10.0  # kg, of a rope whose nodes are at most a metre apart
 _THINNEST_LINE = 1e-6  # kg/m
 _YOUNG = 1e3, 2e12  # N/m^2
+_MOST_STRAIN = 8.0  # [1] rubber breaks at some 7
 _DENSITY = 10.0, 40_000.0  # kg/m^3; a chain goes by the diameter of its bar
 _STIFFEST = 1.5  # [1] radius of gyration over that of a solid round section; a thin tube has 1.41
 _FAR_OFF = 100.0  # initial length over unstretched length, or the reverse
@@ -93,6 +94,13 @@ def _line(path: str, rope: Rope) -> list[str]:
             f"{path}.made_of.{mass} makes {line:.3g} kg per metre, less than a spider's thread; "
             "lengths in millimetres?"
         )
+    if isinstance(made_of, Material) and isinstance(made_of.curve, TableCurve):
+        strain = made_of.curve.strain[-1]
+        if strain > _MOST_STRAIN:
+            found.append(
+                f"{path}.made_of.curve.strain: {strain:g} is {100.0 * strain:g} % of stretch, more than "
+                "rubber's; per cent for shares?"
+            )
     sound = math.sqrt(stiffness / line)
     if sound > _FASTEST and not rope.rigid:
         why = "Young's modulus (N/m^2) for EA (N)" if name == "EA" else "kN/m^2 or N/m^2 for N/m"

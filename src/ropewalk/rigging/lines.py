@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ropewalk.library import LibraryRope
+from ropewalk.rigging.guessed import line_notes
 from ropewalk.rigging.words import force, margins
 from ropewalk.scene import (
     Anchor,
@@ -35,6 +36,7 @@ if TYPE_CHECKING:
 _LONGEST = 0.9  # strain up to which a line may be pulled [1]; no rope bears more
 _SLACKEST = 20.0  # lengths of the chord up to which a line may be long [1]
 _HALVINGS = 200
+_UNITS = {"pretension": "N", "length": "m"}
 
 
 @dataclass(frozen=True)
@@ -49,6 +51,8 @@ class Line:
     diameter: float  # [m]
     gravity: float  # [m/s^2]
     given: str  # what it was set up by, in words
+    rope: LibraryRope | None = None  # that the material is of
+    set_up: tuple[str, float] = ("", 0.0)  # "sag", "pretension" or "length", and how much
 
     @property
     def span(self) -> float:
@@ -92,6 +96,15 @@ class Line:
         """Breaking load over the largest tension [1]; None where that is not known."""
         load = self.material.breaking_load
         return None if load is None else load / max(self.tensions)
+
+    def with_EA(self, EA: float) -> Line:
+        """Return the line of a rope of another EA [N], set up by the same sag, pretension or length.
+
+        Raises SceneError where such a line cannot have it.
+        """
+        made = self.material.replace(EA=EA)
+        cable, words = _hung(self.span, self.height_difference, made, self.gravity, *self.set_up)
+        return Line(cable, made, self.diameter, self.gravity, words, self.rope, self.set_up)
 
     def rolling(
         self, mass: Quantity, *, held: bool = False, places: int = 41, at: Any = None
@@ -151,7 +164,8 @@ class Line:
         ]
         for noun, (across, up) in zip(("first", "second"), self.anchor_forces, strict=True):
             text.append(f"the {noun} anchor pulls {force(across)} across and {force(up)} up")
-        return text + margins(max(first, last), self.material.breaking_load)
+        text += margins(max(first, last), self.material.breaking_load)
+        return text + line_notes(self)
 
     def __str__(self) -> str:
         return "\n".join(self.lines())
@@ -181,7 +195,8 @@ def line(
     Args:
         span: horizontal distance of the ends [m].
         height_difference: how much higher the second end is [m].
-        rope: the name of a rope of the library, such a rope, or a material.
+        rope: the name of a rope of the library, such a rope, or a material. A climbing rope is taken as it is
+            at rest, with its `EA_static`, and relaxes in `Line.scene` where it is known how.
         sag: largest drop below the straight line between the ends [m], or a share of the span, "2 %".
         pretension: tension at the first end, nothing hung on it [N].
         length: without tension [m].
@@ -191,7 +206,7 @@ def line(
     Raises SceneError for quantities that cannot be, and unless exactly one of sag, pretension and length is
     given; UnknownRope for a name that the library has not.
     """
-    material, own = _made_of(rope)
+    material, own, known_rope = _made_of(rope)
     if material.curve is not None:
         rule = (
             "a line in closed form has a straight one: give EA, or take a scene and its equilibrium"
@@ -208,14 +223,25 @@ def line(
         named = ", ".join(known) or "sag, pretension, length"
         raise SceneError([Fault(named, NO_VALUE if known else MISSING, rule)])
     ((way, value),) = known.items()
-    cable, words = _hung(across, rise, material, g, way, value)
-    return Line(cable, material, d, g, words)
+    size = _drop(value, across) if way == "sag" else quantity(way, value, _UNITS[way])
+    cable, words = _hung(across, rise, material, g, way, size)
+    return Line(cable, material, d, g, words, known_rope, (way, size))
+
+
+def _drop(sag: Any, across: float) -> float:
+    """Return a sag that may be given as a share of the span [m]."""
+    if not isinstance(sag, str) or "%" not in sag:
+        return quantity("sag", sag, "m")
+    if isinstance(in_unit(sag, "1"), WrongUnit):
+        rule = 'must be a length such as "3 m", or a share of the span such as "2 %"'
+        raise SceneError([Fault("sag", sag, rule)])
+    return quantity("sag", sag, "1") * across
 
 
 def _hung(
-    across: float, rise: float, material: Material, gravity: float, way: str, value: Any
+    across: float, rise: float, material: Material, gravity: float, way: str, wanted: float
 ) -> tuple[Cable, str]:
-    """Return the cable that has the sag, the pretension or the length, and in words what it has."""
+    """Return the cable that has the sag [m], pretension [N] or length [m], and in words what it has."""
     weight = material.mass_per_length * gravity
 
     def hung(size: float) -> Cable:
@@ -227,32 +253,29 @@ def _hung(
     chord = math.hypot(across, rise)
     shortest = chord / (1.0 + _LONGEST) if math.isfinite(material.EA) else chord * (1.0 + 1e-10)
     if way == "length":
-        size = quantity("length", value, "m")
-        _refuse_length(size, shortest, chord, math.isinf(material.EA))
-        return hung(size), f"length {size:.6g} m"
+        _refuse_length(wanted, shortest, chord, math.isinf(material.EA))
+        return hung(wanted), f"length {wanted:.6g} m"
     if way == "sag":
-        share = isinstance(value, str) and "%" in value
-        drop = quantity("sag", value, "1") * across if share else quantity("sag", value, "m")
-        size = _bisected("sag", drop, lambda size: hung(size).sag, shortest, _SLACKEST * chord, "m")
-        return hung(size), f"sag {drop:.4g} m"
-    wanted = quantity("pretension", value, "N")
+        longest = _SLACKEST * chord
+        size = _bisected("sag", wanted, lambda size: hung(size).sag, shortest, longest, "m")
+        return hung(size), f"sag {wanted:.4g} m"
     size = _bisected("pretension", wanted, pull, shortest, _slackest(pull, shortest, chord), "N")
     return hung(size), f"pretension {force(wanted)} at the first end"
 
 
-def _made_of(rope: Any) -> tuple[Material, float]:
-    """Return material and diameter [m] of what stands for a rope."""
+def _made_of(rope: Any) -> tuple[Material, float, LibraryRope | None]:
+    """Return material, diameter [m] and entry of what stands for a rope, as it is at rest."""
     if isinstance(rope, Material):
-        return rope, 0.01
-    if isinstance(rope, LibraryRope):
-        return rope.material(), rope.diameter
-    if not isinstance(rope, str):
+        return rope, 0.01, None
+    if not isinstance(rope, str | LibraryRope):
         raise SceneError([Fault("rope", rope, "must be a name of the library, or a material")])
     try:
-        found, use = entry(rope)
+        found, use = (rope, "") if isinstance(rope, LibraryRope) else entry(rope)
     except ValueError as error:
         raise SceneError([Fault("rope", rope, str(error).partition(" - ")[2])]) from None
-    return Material(**found.material_numbers(use)), found.diameter
+    if not use and "EA_static" in found.numbers:
+        use = "relaxing" if "relaxing_EA" in found.numbers else "static"
+    return Material(**found.material_numbers(use)), found.diameter, found
 
 
 def quantity(name: str, value: Any, unit: str, *, any_sign: bool = False) -> float:

@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ropewalk.rigging.guessed import rolling_notes
 from ropewalk.rigging.words import force, margins
 from ropewalk.theory import Cable, elastic_catenary
 from ropewalk.theory.cable import Floats
@@ -105,7 +106,8 @@ class Rolling:
             f"largest sag of the load {self.sag.max():.4g} m; lowest at {self.place[low]:.4g} m, "
             f"{self.height[low]:+.4g} m to the first end",
         ]
-        return text + margins(largest, self.line.material.breaking_load)
+        text += margins(largest, self.line.material.breaking_load)
+        return text + rolling_notes(self)
 
     def __str__(self) -> str:
         return "\n".join(self.lines())

@@ -118,7 +118,8 @@ def _slack(gravity: Sequence[float], ropes: Sequence[Rope | None]) -> Iterator[F
         step = [b - a for a, b in zip(shape.start, shape.end, strict=True)]
         rise = sum(a * b for a, b in zip(step, up, strict=True))
         width = math.hypot(*(a - rise * b for a, b in zip(step, up, strict=True)))
-        if width < _LEAST_WIDTH * length and length > shape.span * (1 + 1e-9):
+        sags = shape.sag is not None or length > shape.span * (1 + 1e-9)
+        if sags and width < _LEAST_WIDTH * length:
             rule = f"must be at least {_LEAST_WIDTH * length:g} m aside from start, across gravity"
             yield Fault(f"rope[{i}].shape.end", shape.end, rule)
 

@@ -4,31 +4,36 @@ from __future__ import annotations
 
 import csv
 import math
-from collections.abc import Sequence
+import re
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ropewalk.scene.base import HUGE, refuse
 from ropewalk.scene.faults import Fault
+from ropewalk.scene.units import WrongUnit, in_unit
 
 if TYPE_CHECKING:
     from pydantic import ValidationInfo
 
 _MOST_FAULTS = 10
+_IN_BRACKETS = re.compile(r"[\[(]([^\])]*)[\])]")
+_PLAIN = ("", "-", "1")  # what people write in a header for no unit
 
 
 def read_columns(
-    folder: Path, file: str, names: Sequence[str], *, rising: bool = False
+    folder: Path, file: str, units: Mapping[str, str], *, rising: bool = False
 ) -> list[list[float]]:
     """Read named columns of a CSV file: comma, semicolon or tab; ``#`` begins a comment line.
 
     With a header line the columns may come in any order and others are passed over; a header
-    may carry units, as in ``x [m]``. Without one, the columns are taken in the order of names.
+    may carry units, as in ``x [mm]`` or ``tension (kN)``, from which the column is then converted. Without
+    one, the columns are taken in the order of `units`, and their numbers are in these.
 
     Args:
         folder: what a relative file name is relative to.
         file: the file's name.
-        names: the columns wanted.
+        units: the columns wanted, and the unit of the numbers to return.
         rising: whether the first column must rise from row to row.
 
     Raises:
@@ -46,19 +51,22 @@ def read_columns(
         (number, [cell.strip() for cell in next(csv.reader([line], delimiter=delimiter))])
         for number, line in lines
     ]
+    names = list(units)
     order = _header(file, rows[0], names)
     width = len(rows[0][1])
+    factors = [1.0] * len(names)
     if order is None:
         order = list(range(len(names)))
     else:
-        del rows[0]
+        factors = _factors(file, rows.pop(0), order, units)
     if not rows:
         refuse([Fault("file", file, "has a header but no rows")])
     for number, cells in rows:
         if len(cells) > width:
             rule = f"line {number}: has {len(cells)} cells, the first line has {width}"
             refuse([Fault("file", file, rule)])
-    return _numbers(file, rows, names, order, rising)
+    columns = _numbers(file, rows, names, order, rising)
+    return [[k * value for value in column] for k, column in zip(factors, columns, strict=True)]
 
 
 def _text(folder: Path, file: str) -> str:
@@ -98,6 +106,26 @@ def _header(file: str, row: tuple[int, list[str]], names: Sequence[str]) -> list
     return [titles.index(name) for name in names]
 
 
+def _factors(
+    file: str, row: tuple[int, list[str]], order: Sequence[int], units: Mapping[str, str]
+) -> list[float]:
+    """By how much each wanted column is multiplied, from the units in the header; refuses other kinds."""
+    number, cells = row
+    factors: list[float] = []
+    faults: list[Fault] = []
+    for (name, unit), place in zip(units.items(), order, strict=True):
+        given = _IN_BRACKETS.search(cells[place])
+        text = given[1].strip() if given else ""
+        factor = 1.0 if text in _PLAIN else in_unit(f"1 {text}", unit)
+        if isinstance(factor, WrongUnit):
+            where = f'line {number}, column {name}: "{text}"'
+            faults.append(Fault("file", file, f"{where} - {factor.rule.partition(';')[0]}"))
+            factor = math.nan
+        factors.append(factor)
+    refuse(faults)
+    return factors
+
+
 def _numbers(
     file: str,
     rows: Sequence[tuple[int, list[str]]],
@@ -114,6 +142,7 @@ def _numbers(
             value = _number(cell)
             if value is None or not abs(value) <= HUGE:
                 what = f'"{cell}" - must be a finite number' if cell else "the cell is missing"
+                what += ", with a point for the decimals" if "," in cell else ""
                 faults.append(Fault("file", file, f"line {number}, column {name}: {what}"))
                 value = math.nan
             column.append(value)

@@ -18,6 +18,8 @@ if TYPE_CHECKING:
 
 
 _STATIC_LOAD = 80.0 * 9.81  # under which labels of EN 892 give a static elongation [N]
+_GRADES = 200.0, 3500.0  # of steel wires [N/mm^2]; ropes have 1370 to 2160
+_THICKEST = 0.5  # that a wire rope can be [m]
 _CURVE = 0.5  # strain up to which a curve made here goes at least [1]
 
 
@@ -40,7 +42,7 @@ class FromDataSheet:
 
         Raises SceneError for what is no number greater than zero, or a quantity of another kind.
         """
-        F, share = _given("force", force, "N"), _given("elongation", elongation, "1")
+        F, share = _given("force", force, "N"), _share("elongation", elongation)
         return cls(
             **({"EA": F / share, "mass_per_length": mass_per_length, "tension_only": True} | others)
         )
@@ -114,7 +116,7 @@ class FromDataSheet:
         Raises SceneError for what is no number greater than zero, or a quantity of another kind.
         """
         F = _given("breaking_load", breaking_load, "N")
-        share = _given("elongation_at_break", elongation_at_break, "1")
+        share = _share("elongation_at_break", elongation_at_break)
         made = {"EA": F / share, "mass_per_length": mass_per_length, "breaking_load": F}
         return cls(**(made | {"tension_only": True} | others))
 
@@ -137,7 +139,15 @@ class FromDataSheet:
         """
         factors = wire_factors(construction)
         d = _given("diameter", diameter, "m")
+        if d > _THICKEST:
+            rule = f"is {d:g} m, and no wire rope is thicker than {_THICKEST:g} m; write it with its unit"
+            raise SceneError([Fault("diameter", diameter, rule)])
         R = _given("grade", grade, "N/mm^2")
+        if not _GRADES[0] <= R <= _GRADES[1]:
+            rule = (
+                f"must be from {_GRADES[0]:g} to {_GRADES[1]:g} N/mm^2, the strength of steel wires"
+            )
+            raise SceneError([Fault("grade", grade, rule)])
         made = {
             "EA": factors.EA * d**2,
             "mass_per_length": factors.W * 1e4 * d**2,
@@ -162,9 +172,7 @@ def _of_fall(
     impact_force: Quantity, elongation: Quantity, static: Quantity | None, rig: _Rig
 ) -> dict[str, Any]:
     """Return the fields of a material that has a label's fall; see `from_fall`."""
-    share = _given("dynamic_elongation", elongation, "1")
-    if share > 1.0:  # no climbing rope doubles its length: per cent were meant
-        raise SceneError([Fault("dynamic_elongation", elongation, f"must be{_in('1')[1:]}")])
+    share = _below_one("dynamic_elongation", elongation)
     if rig.measured not in ("mass", "anchor"):
         raise SceneError([Fault("measured", rig.measured, "must be 'mass' or 'anchor'")])
     force = _given("impact_force", impact_force, "N")
@@ -175,7 +183,7 @@ def _of_fall(
         _need_static(rig.edge_friction, s, rig.later_force)
         EA, damping = rope_from_fall(force, share, mass, **fall)
         return {"EA": EA, "axial_damping": damping}
-    rest = _given("static_elongation", static, "1")
+    rest = _below_one("static_elongation", static)
     EA = _STATIC_LOAD / (rest * (1.0 + s * rest**2))
     edge = fall | {"edge_friction": rig.edge_friction, "measured": rig.measured, "stiffening": s}
     if rig.edge_friction == s == 0.0:
@@ -184,6 +192,9 @@ def _of_fall(
         arm, time = solid_from_edge_fall(force, share, EA, mass, **edge)
     if rig.later_force is not None:
         later = _given("later_force", rig.later_force, "N")
+        if later < force:
+            rule = f"must be at least impact_force, {force:g} N: later falls are harder"
+            raise SceneError([Fault("later_force", rig.later_force, rule)])
         harder = harder_by(later, EA, arm, time, mass, **edge)
         EA, arm = harder * EA, harder * arm
     made = {"relaxing_EA": arm, "relaxation_time": time}
@@ -210,6 +221,24 @@ def _given(name: str, value: Any, unit: str) -> float:
     if isinstance(number, bool) or not isinstance(number, int | float) or not 0.0 < number < 1e15:
         raise SceneError([Fault(name, value, f"must be a number greater than 0{_in(unit)}")])
     return float(number)
+
+
+def _share(name: str, value: Any) -> float:
+    """Return a share; a bare number above 1 is refused: per cent may have been meant, or times."""
+    share = _given(name, value, "1")
+    if share > 1.0 and not isinstance(value, str) and not hasattr(value, "dimensionality"):
+        few, many = f"{value:g} %", f"{100.0 * value:g} %"
+        rule = f'may be {few} or {many}; write it as "{few}" or "{many}"'
+        raise SceneError([Fault(name, value, rule)])
+    return share
+
+
+def _below_one(name: str, value: Any) -> float:
+    """Return a share of a climbing rope's label: none doubles its length, so that more is per cent."""
+    share = _given(name, value, "1")
+    if share > 1.0:
+        raise SceneError([Fault(name, value, f"must be{_in('1')[1:]}")])
+    return share
 
 
 def _in(unit: str) -> str:

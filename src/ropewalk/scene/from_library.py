@@ -7,8 +7,10 @@ from typing import Any
 
 from ropewalk.library import LibraryRope, UnknownRope, rope
 from ropewalk.library.catalogue import nearest
+from ropewalk.library.entry import UNITS
 from ropewalk.scene.base import refuse
 from ropewalk.scene.faults import Fault
+from ropewalk.words.prefixes import prefixed
 
 #: What a material always has; where one of them is missing, the library gives it.
 _NEEDED = ("EA", "mass_per_length")
@@ -108,7 +110,11 @@ def origin_words(made_of: Any) -> str:
         return ""
     if not about.get("known", True):
         return f"said to be {about['library']}, which this library has not"
-    guessed = [key for key, one in about["numbers"].items() if one["quality"] == "guess"]
+    guessed = [
+        f"{key} ({prefixed(one['low'], UNITS[key])} to {prefixed(one['high'], UNITS[key])})"
+        for key, one in about["numbers"].items()
+        if one["quality"] == "guess"
+    ]
     text = f"{about['library']} of the library"
     text += f"; guessed there: {', '.join(guessed)}" if guessed else ""
     return text + (f"; changed here: {', '.join(about['changed'])}" if about["changed"] else "")

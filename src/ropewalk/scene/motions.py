@@ -74,7 +74,9 @@ class Table(Model):
             return data
         if "times" in data or "positions" in data:
             refuse([Fault("file", NO_VALUE, "give either file or times and positions")])
-        columns = read_columns(folder_of(info), data["file"], ("time", "x", "y", "z"), rising=True)
+        columns = read_columns(
+            folder_of(info), data["file"], {"time": "s"} | dict.fromkeys("xyz", "m"), rising=True
+        )
         rest = {key: value for key, value in data.items() if key != "file"}
         places = list(zip(*columns[1:], strict=True))
         return rest | {"times": columns[0], "positions": places}

@@ -21,6 +21,11 @@ from ropewalk.words.nearest import nearest
 M = TypeVar("M", bound=Model)
 #: Free texts, in which "none" is a word like others.
 _TEXTS = {"name", "description"}
+#: What a file holds, which is in the table once it is read; another file takes its place.
+_FROM_FILES = {
+    *("vertices", "faces", "values", "spacing", "origin"),
+    *("strain", "tension", "times", "positions", "points"),
+}
 _STEP = re.compile(r"([^.\[\]=\s]+)((?:\[\d+\])*)")
 
 
@@ -373,6 +378,9 @@ def _set(target: _Target, value: Any) -> None:
         _change_kind(owner, model, value)
     if key == "library":  # its numbers take the place of those that are there
         for other in set(owner) - {"kind"}:
+            del owner[other]
+    if key == "file":
+        for other in _FROM_FILES & set(owner):
             del owner[other]
     if key == "made_of" and isinstance(value, str):
         owner.pop("diameter", None)

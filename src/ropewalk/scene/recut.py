@@ -5,6 +5,7 @@ from __future__ import annotations
 from itertools import pairwise
 from typing import Any, NamedTuple
 
+from ropewalk.scene.at_nodes import Kick
 from ropewalk.scene.rope import Rope, Springs
 from ropewalk.scene.scene import Scene
 from ropewalk.scene.shapes import Points
@@ -29,11 +30,18 @@ def recut(scene: Scene) -> Recut:
         if isinstance(rope.made_of, Springs):
             why = f"rope {rope.name!r} is given spring by spring: with other segments it is another rope"
             return Recut(None, 1.0, why)
-        if rope.kicks:
-            why = f"rope {rope.name!r} has a kick at one node, which pushes less mass the finer it is cut"
+        if rope.kicks and not _everywhere(scene, rope):
+            why = f"rope {rope.name!r} has a kick at some of its nodes, which pushes less mass the finer it is cut"
             return Recut(None, 1.0, why)
     half = all(_halves(rope, _named(scene, rope)) for rope in scene.ropes) and not _close(scene)
     return Recut(_cut(scene, half=half), 0.5 if half else 2.0)
+
+
+def _everywhere(scene: Scene, rope: Rope) -> bool:
+    """Tell whether every node that no anchor holds is kicked, so that the kicks are a motion of the rope."""
+    held = [rope.node_index(one.node) for one in scene.anchors if one.rope == rope.name]
+    kicked = [rope.node_index(kick.node) for kick in rope.kicks]
+    return len({*kicked}) == len(kicked) and {*held, *kicked} == {*range(rope.segments + 1)}
 
 
 def _close(scene: Scene) -> bool:
@@ -71,6 +79,7 @@ def _cut(scene: Scene, *, half: bool) -> Scene:
             "segments": rope.segments // 2 if half else 2 * rope.segments,
             "loads": tuple(moved(rope, load) for load in rope.loads),
             "forces": tuple(moved(rope, force) for force in rope.forces),
+            "kicks": _kicks(rope, half),
         }
         if isinstance(rope.shape, Points):
             changes["shape"] = rope.shape.replace(points=_thinned(rope.shape.points, half))
@@ -82,6 +91,22 @@ def _cut(scene: Scene, *, half: bool) -> Scene:
     ]
     slides = [moved(scene.rope_named(slide.rope), slide) for slide in scene.slides]
     return scene.replace(ropes=ropes, anchors=anchors, joints=joints, slides=slides)
+
+
+def _kicks(rope: Rope, half: bool) -> list[Kick]:
+    """Return the kicks of every other node, or those and the means between neighbours."""
+    if not rope.kicks:
+        return []
+    velocity: list[Any] = [getattr(rope.shape, "velocity", (0.0, 0.0, 0.0))] * (rope.segments + 1)
+    kicked = {rope.node_index(kick.node): kick.velocity for kick in rope.kicks}
+    for node, one in kicked.items():
+        velocity[node] = one
+    found = []
+    for node, one in enumerate(_thinned(velocity, half)):
+        old = 2 * node if half else node / 2  # a node that an anchor holds has no kick
+        if old in kicked or old % 1:
+            found.append(Kick(node=node, velocity=one))
+    return found
 
 
 def _thinned(points: Any, half: bool) -> list[Any]:

@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from ropewalk.core.arrays import Floats
-from ropewalk.theory.catenary import parameter
+from ropewalk.theory.catenary import catenary, parameter
 
 
 def along_polyline(corners: Floats, share: Floats) -> Floats:
@@ -45,3 +45,21 @@ def catenary_points(
     points: Floats = start + (x / span)[:, None] * across - height[:, None] * down
     points[-1] = end
     return points
+
+
+def length_of_sag(start: Floats, end: Floats, sag: float, down: Floats) -> float:
+    """Return the arc length [m] of the catenary that drops by so much below the line between two points."""
+    step = end - start
+    drop = float(step @ down)
+    across = float(np.linalg.norm(step - drop * down))
+    low = math.hypot(across, drop) * (1.0 + 1e-13)
+    high = low + 2.0 * sag  # down and up again
+    for _ in range(100):
+        middle = 0.5 * (low + high)
+        if not low < middle < high:
+            break
+        if catenary(middle, across, -drop).sag < sag:
+            low = middle
+        else:
+            high = middle
+    return 0.5 * (low + high)

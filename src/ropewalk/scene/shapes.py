@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 import numpy as np
 from pydantic import Field, ValidationInfo, model_validator
 
-from ropewalk.scene.base import HUGE, Many, Text, Vector, refuse, vector
+from ropewalk.scene.base import HUGE, Many, Number, Text, Vector, positive, refuse, vector
 from ropewalk.scene.faults import MISSING, NO_VALUE, Fault
 from ropewalk.scene.knot_shape import Knot
 from ropewalk.scene.shape_model import ShapeModel
@@ -124,11 +124,19 @@ class Hanging(ShapeModel):
 
 
 class Slack(ShapeModel):
-    """A smooth sagging curve (catenary) of the rope's own length between two points; straight if shorter."""
+    """A smooth sagging curve (catenary) between two points, of the rope's own length; straight if shorter.
+
+    With `sag` it has that sag whatever the rope's length: so a rope hangs that its own weight has stretched.
+    """
 
     kind: Literal["slack"] = "slack"
     start: Vector = vector("Place of the first node", "m", default=_ZERO)
     end: Vector = vector("Place of the last node", "m")
+    sag: Number | None = positive(
+        "Largest drop below the straight line between the ends; of the rope's own length when left out",
+        "m",
+        default=None,
+    )
     velocity: Vector = vector(_VELOCITY, "m/s", default=_ZERO)
 
     @model_validator(mode="after")
@@ -151,11 +159,12 @@ class Slack(ShapeModel):
         diameter: float,
     ) -> Floats:
         """See `ShapeModel.places`."""
-        from ropewalk.scene.shape_lines import catenary_points
+        from ropewalk.scene.shape_lines import catenary_points, length_of_sag
 
-        start, end = np.array(self.start, float), np.array(self.end, float)
+        start, end, down = np.array(self.start, float), np.array(self.end, float), -np.array(up)
         share = np.arange(segments + 1) / segments
-        return catenary_points(start, end, length, -np.array(up), share)
+        arc = length if self.sag is None else length_of_sag(start, end, self.sag, down)
+        return catenary_points(start, end, arc, down, share)
 
 
 class Points(ShapeModel):
@@ -182,7 +191,7 @@ class Points(ShapeModel):
             return data
         if "points" in data:
             refuse([Fault("points", NO_VALUE, "give either file or points, not both")])
-        columns = read_columns(folder_of(info), data["file"], ("x", "y", "z"))
+        columns = read_columns(folder_of(info), data["file"], dict.fromkeys("xyz", "m"))
         rest = {key: value for key, value in data.items() if key != "file"}
         return rest | {"points": list(zip(*columns, strict=True))}
 

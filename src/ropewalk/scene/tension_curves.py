@@ -110,7 +110,9 @@ class TableCurve(CurveModel):
             return data
         if "strain" in data or "tension" in data:
             refuse([Fault("file", NO_VALUE, "give either file or strain and tension")])
-        strain, tension = read_columns(folder_of(info), data["file"], ("strain", "tension"))
+        strain, tension = read_columns(
+            folder_of(info), data["file"], {"strain": "1", "tension": "N"}
+        )
         rest = {key: value for key, value in data.items() if key != "file"}
         return rest | {"strain": strain, "tension": tension}
 

@@ -54,7 +54,7 @@ def _from_text(text: str, unit: str) -> Any:
         rule = f"is no number with a unit; write it as {_example(unit)}"
         return WrongUnit(text, rule + (", with a point for the decimals" if "," in text else ""))
     if "%" in found[2] and found[2].strip() != "%":
-        return WrongUnit(text, f"mixes % with another unit; write it as {_example(unit)}")
+        return WrongUnit(text, f"has % beside another unit; write it as {_example(unit)}")
     import pint
 
     try:
@@ -91,7 +91,7 @@ def _converted(quantity: Any, unit: str, given: str) -> Any:
         target.dimensionality == (registry.Quantity(1.0, quantity.units) * force).dimensionality
     )
     hint = "; a weight is written in kgf or lbf" if per_mass else ""
-    kind = f"a quantity in {unit}" if unit != "1" else "a plain number or a share, such as 5 %"
+    kind = f"a quantity in {unit}" if unit != "1" else "a plain number or a share such as 5 %"
     return WrongUnit(given, f"is of another kind: {kind} is needed{hint}")
 
 
@@ -102,7 +102,7 @@ def _turns(value: Any) -> float:
 
 def _example(unit: str) -> str:
     known = {"N": '"5.65 MN"', "m": '"12 mm"', "kg/m": '"63 g/m"', "s": '"20 ms"', "kg": '"80 kg"'}
-    return known.get(unit, f'"2.5 {unit}"' if unit != "1" else "2.5")
+    return known.get(unit, f'"2.5 {unit}"' if unit != "1" else '2.5 or "2.5 %"')
 
 
 @cache

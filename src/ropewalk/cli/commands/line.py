@@ -57,6 +57,7 @@ def line(
     Gives the length to cut, tensions, forces on the anchors, and how near to breaking.
     """
     from ropewalk.rigging import line as set_up
+    from ropewalk.rigging.lines import quantity
     from ropewalk.scene.overrides import as_value
 
     if output is not None:
@@ -64,8 +65,10 @@ def line(
         refuse_existing(output, overwrite=overwrite)
     given = {"sag": sag, "pretension": pretension, "length": length}
     numbers = {name: as_value(text) for name, text in given.items() if text is not None}
-    found = set_up(as_value(span), as_value(rise), rope, **numbers)
-    rolled = found.rolling(as_value(load), held=held) if load is not None else None
+    higher = quantity("rise", as_value(rise), "m", any_sign=True)
+    mass = quantity("load", as_value(load), "kg") if load is not None else None
+    found = set_up(as_value(span), higher, rope, **numbers)
+    rolled = found.rolling(mass, held=held) if mass is not None else None
     if output is not None:
         _write(found, rolled, output)
     if as_json:
@@ -126,10 +129,13 @@ def _print(rolled: Rolling) -> None:
 
 
 def _facts(found: Line, rolled: Rolling | None) -> dict[str, Any]:
+    from ropewalk.rigging.guessed import line_notes, rolling_notes
+
     about: dict[str, Any] = {
         "span": found.span,
         "height_difference": found.height_difference,
         "rope": found.material.library,
+        "EA": found.material.EA,
         "length": found.length,
         "sag": found.sag,
         "tensions": found.tensions,
@@ -137,5 +143,6 @@ def _facts(found: Line, rolled: Rolling | None) -> dict[str, Any]:
         "breaking_load": found.material.breaking_load,
         "utilisation": found.utilisation,
         "safety_factor": found.safety_factor,
+        "notes": line_notes(found) + (rolling_notes(rolled) if rolled is not None else []),
     }
     return about | ({"rolling": rolled.table} if rolled is not None else {})

@@ -1,0 +1,77 @@
+"""What a library rope's guesses make of a line: the same one at the ends of their ranges."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ropewalk.rigging.words import force
+from ropewalk.scene import SceneError
+
+if TYPE_CHECKING:
+    from ropewalk.rigging.lines import Line
+    from ropewalk.rigging.rolling import Rolling
+
+
+def between(line: Line) -> tuple[Line, Line] | None:
+    """Return the line with the least and with the greatest EA of a guess, set up alike.
+
+    None where EA is no guess of the library, or a line with such an EA cannot be.
+    """
+    guess = line.rope.numbers["EA"] if line.rope is not None else None
+    if guess is None or guess.low is None or guess.high is None or guess.value != line.material.EA:
+        return None
+    try:
+        return line.with_EA(guess.low), line.with_EA(guess.high)
+    except SceneError:
+        return None
+
+
+def line_notes(line: Line) -> list[str]:
+    """Return what is to be known of the numbers that a line's rope has from the library, one a line."""
+    if line.rope is None:
+        return []
+    notes = []
+    ends = between(line)
+    if ends is not None:
+        soft, stiff = ends
+        pulls = [max(one.tensions) for one in ends]
+        notes.append(
+            f"EA {force(line.material.EA)} is a guess, from {force(soft.material.EA)} to "
+            f"{force(stiff.material.EA)}: length to cut {soft.length:.6g} to {stiff.length:.6g} m, "
+            f"largest tension {force(min(pulls))} to {force(max(pulls))}"
+        )
+    elif "EA_static" not in line.rope.numbers and line.rope.label:
+        notes.append(f"EA {force(line.material.EA)} is that of a fall: at rest the rope is softer")
+    mass = line.rope.numbers["mass_per_length"]
+    if mass.guessed and mass.low is not None and mass.high is not None:
+        low, high = 1e3 * mass.low, 1e3 * mass.high
+        notes.append(
+            f"mass {1e3 * mass.value:.4g} g/m is a guess, from {low:.4g} to {high:.4g} g/m"
+        )
+    load = line.rope.numbers.get("breaking_load")
+    if line.material.breaking_load is None and load is not None and load.low is not None:
+        notes.append(
+            f"breaking load not known, so no utilisation; guessed {force(load.value)}, "
+            f"at least {force(load.low)}"
+        )
+    return notes
+
+
+def rolling_notes(rolling: Rolling) -> list[str]:
+    """Return the largest tension under the load at the ends of the range of a guessed EA."""
+    ends = between(rolling.line)
+    if ends is None:
+        return []
+    try:
+        pulls = [
+            float(
+                one.rolling(rolling.mass, held=rolling.held, at=rolling.place).largest_tension.max()
+            )
+            for one in ends
+        ]
+    except ArithmeticError:
+        return []
+    EAs = [force(one.material.EA) for one in ends]
+    return [
+        f"with EA {EAs[0]} to {EAs[1]} the largest is {force(min(pulls))} to {force(max(pulls))}"
+    ]
