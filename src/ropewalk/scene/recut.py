@@ -31,7 +31,7 @@ def recut(scene: Scene) -> Recut:
             why = f"rope {rope.name!r} is given spring by spring: with other segments it is another rope"
             return Recut(None, 1.0, why)
         if rope.kicks and not _everywhere(scene, rope):
-            why = f"rope {rope.name!r} has a kick at some of its nodes, which pushes less mass the finer it is cut"
+            why = f"rope {rope.name!r} has kicks at some nodes, which push less mass the finer it is cut"
             return Recut(None, 1.0, why)
     half = all(_halves(rope, _named(scene, rope)) for rope in scene.ropes) and not _close(scene)
     return Recut(_cut(scene, half=half), 0.5 if half else 2.0)
