@@ -37,12 +37,16 @@ from ropewalk.simulation import Simulation
 FOLDER = Path(__file__).parent
 ROUNDING = 1e-13  # [1] of the largest coordinate or speed: machines differ in sine and cosine
 STEP, STEPS = 1e-3, 60
+CURVE = [(0.02, 0.5), (0.05, 2.0), (0.2, 11.0)]  # strain and tension [1, N]
+ARM = {"relaxing_EA": 40.0, "relaxation_time": 0.01}
+SOLID = {"EA": 60.0, "axial_damping": 0.0} | ARM
 
 
 def rope(**more: Any) -> Rope:
     """A slack rope of eight segments, one node kicked."""
     line = {"EA": 60.0, "mass_per_length": 0.2, "axial_damping": 0.02}
     line |= more.pop("line", {})
+    line = {name: value for name, value in line.items() if value is not None}
     rest = {"segments": 8, "length": 2.0, "shape": Slack(start=(0, 0, 1), end=(1.7, 0, 1.2))}
     rest |= {"kicks": [{"node": 5, "velocity": (0.3, 2.0, 1.0)}], "made_of": Material(**line)}
     return Rope(name="rope", **(rest | more))
@@ -62,10 +66,17 @@ def laws() -> dict[str, dict[str, Any]]:
     clamp = Clamp(direction=(1, 0, 0), turn_axis=(0, 1, 0), turn_rate=2.0)
     bent = rope(line={"EI": 0.02, "bending_damping": 1e-4})
     free = [Anchor(name="near", node=0)]
+    curved_slack = rope(line={"EA": None, "curve": CURVE, "tension_only": True})
+    relaxing = {"EA": None, "curve": CURVE, "axial_damping": 0.0, "tension_only": True} | ARM
+    relaxing_slack = rope(line=relaxing)
     return {
         "stretch": {},
         "springs": {"ropes": [springs()]},
         "slack": {"ropes": [rope(line={"tension_only": True})], "anchors": free},
+        "curve": {"ropes": [rope(line={"EA": None, "curve": CURVE})]},
+        "curve-slack": {"ropes": [curved_slack], "anchors": free},
+        "relaxing": {"ropes": [rope(line=SOLID)]},
+        "relaxing-curve-slack": {"ropes": [relaxing_slack], "anchors": free},
         "rigid": {"ropes": [rope(line={"EA": float("inf")})]},
         "shaken": {"anchors": [*free, shaken]},
         "released": {"anchors": [Anchor(name="near", node=0, release_time=0.03)]},
