@@ -15,10 +15,10 @@ def name_of(path: Path) -> str:
 
 
 def is_kernel(function: ast.FunctionDef | ast.AsyncFunctionDef) -> bool:
-    """Tell whether the function carries `@kernel` or `@part`, with or without arguments."""
+    """Tell whether the function is compiled, with arguments of its decorator or without."""
     for decorator in function.decorator_list:
         target = decorator.func if isinstance(decorator, ast.Call) else decorator
-        if isinstance(target, ast.Name) and target.id in ("kernel", "part"):
+        if isinstance(target, ast.Name) and target.id in ("kernel", "part", "small", "apart"):
             return True
     return False
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import sys
+from collections.abc import Callable
 from hashlib import sha256
 from typing import Any
 
@@ -96,26 +97,25 @@ def moved(method: str, dt: float, **more: Any) -> dict[str, Any]:
 
 
 def newton() -> list[float]:
+    """Orders of convergence of Newton's method of a taut rope with a stiff law."""
+    return orders(lambda taut: Fibred(**(taut | {"fibre": Fibre(cubic=4e5, arm=800.0)})))
+
+
+def orders(make: Callable[[dict[str, Any]], Fibred]) -> list[float]:
     """Orders of convergence of Newton's method, as `test_implicit` takes them, of a taut rope; see there."""
     soft = Material(EA=200.0, mass_per_length=0.2)
-    taut = Fibred(
-        name="rope",
-        segments=8,
-        length=1.0,
-        made_of=soft,
-        shape=Straight(end=(1.02, 0, 0)),
-        fibre=Fibre(cubic=4e5, arm=800.0),
-    )
+    taut = {"name": "rope", "segments": 8, "length": 1.0, "made_of": soft}
+    taut |= {"shape": Straight(end=(1.02, 0, 0))}
     ends = [Anchor(name="near", node=0), Anchor(name="far", node=-1)]
-    simulation = Simulation(scene("implicit-euler", 0.05, 0.5, ropes=[taut], anchors=ends))
-    report, orders = simulation._engine._scratch.stage.report, []  # type: ignore[union-attr]
+    simulation = Simulation(scene("implicit-euler", 0.05, 0.5, ropes=[make(taut)], anchors=ends))
+    report, found = simulation._engine._scratch.stage.report, []  # type: ignore[union-attr]
     for _ in range(10):
         simulation.step(0.05)
         merits = report[HISTORY : HISTORY + int(report[ITERATIONS]) + 1]
         falls = np.log(merits[1:] / merits[:-1])
         kept = (falls[:-1] < -6.0) & (merits[2:] > 1e-21 * merits[0])
-        orders += list((falls[1:] / falls[:-1])[kept])
-    return [float(order) for order in orders]
+        found += list((falls[1:] / falls[:-1])[kept])
+    return [float(order) for order in found]
 
 
 def one_segment(**more: Any) -> Fibred:

@@ -143,13 +143,12 @@ def test_modes_about_rest_are_those_of_the_slopes_there() -> None:
 
 def forces(model: Any) -> Any:
     """Return the springs' force on every node from the derivative of their energy alone, (3, n) [N]."""
-    from ropewalk.laws.curved import curved_forces
+    from ropewalk.laws.elastic import law_forces
 
     state, out = model.state, np.zeros((3, model.state.mass.size + 1))
     lengths, k = state.rest_length, state.stiffness
-    curved_forces(
-        state.x, lengths, k, model.system.slack_floor, model.system.curves, state.arm, out
-    )
+    floor, elastic = model.system.slack_floor, model.system.elastic
+    law_forces(state.x, lengths, k, floor, elastic, state.inner, out)
     return np.diff(out, axis=1)
 
 

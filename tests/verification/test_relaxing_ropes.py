@@ -174,9 +174,9 @@ def test_a_slack_segment_relaxes_without_tension(method: str) -> None:
         rope = scene.ropes[0].replace(shape=Straight(end=(1.1, 0.0, 0.0)))
         simulation = Simulation(scene.replace(ropes=[rope]))
         simulation.advance_frames(2)
-        before = float(simulation.arrays.arm[0, 0])
+        before = float(simulation.arrays.inner[0, 0])
         simulation.advance_frames(4)
-        left.append(float(simulation.arrays.arm[0, 0]) / before)
+        left.append(float(simulation.arrays.inner[0, 0]) / before)
         pull = simulation.recording().recording.tension[0, 0]
         assert pull == 0.0 if tension_only else pull < 0.0
     assert left[0] == pytest.approx(np.exp(-0.04 / slow), rel=2e-3)
@@ -259,8 +259,8 @@ def test_a_state_that_is_kept_goes_on_to_the_same_bits() -> None:
         again.restore(parts.state)
         again.advance_frames(2)
         one, other = flatten(whole.arrays), flatten(again.arrays)
-        assert np.abs(one["arm"][0]).max() > 0.0
-        assert all(one[name].tobytes() == other[name].tobytes() for name in ("x", "v", "arm"))
+        assert np.abs(one["inner"][0]).max() > 0.0
+        assert all(one[name].tobytes() == other[name].tobytes() for name in ("x", "v", "inner"))
 
 
 def test_a_solid_beside_another_rope_moves_as_alone() -> None:

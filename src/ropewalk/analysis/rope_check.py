@@ -11,13 +11,12 @@ from ropewalk.analysis.rest_notes import may_say_nothing
 from ropewalk.analysis.strains import percent, words_of_curve
 from ropewalk.core.arrays import Floats
 from ropewalk.lowering import Model
-from ropewalk.lowering.curve_tables import curve_of
+from ropewalk.lowering.elastic_tables import slopes_at_rest
 from ropewalk.record.margins import breaking_load, margin_words
 from ropewalk.scene import Rope
 from ropewalk.scene.from_library import origin_words
 from ropewalk.scene.rope import mass_words
 from ropewalk.statics import Statics
-from ropewalk.theory.curve import at_strain
 from ropewalk.words.prefixes import prefixed
 
 _OF_REST = ("transverse", "largest_tension", "largest_strain", "slack", "utilisation")
@@ -103,7 +102,7 @@ def rope_check(model: Model, statics: Statics, name: str) -> RopeCheck:
         length=rope.length_unstretched,
         mass=rope.total_mass,
         own_mass=rope.own_mass,
-        longitudinal=_speeds_along(rope, own, statics.stretch[segments]),
+        longitudinal=_speeds_along(model, rope, segments, own, statics.stretch),
         transverse=(float(speed.min()), float(speed.max())) if speed.size else None,
         largest_tension=float(tension.max(initial=0.0)),
         largest_strain=_strain(rest, statics.stretch[segments]),
@@ -117,19 +116,20 @@ def rope_check(model: Model, statics: Statics, name: str) -> RopeCheck:
     )
 
 
-def _speeds_along(rope: Rope, node_mass: float, stretch: Floats) -> tuple[float, float]:
-    """Return the slowest and the fastest wave along a rope [m/s]; `stretch` [1], (s,), of its segments.
+def _speeds_along(
+    model: Model, rope: Rope, segments: slice, node_mass: float, stretch: Floats
+) -> tuple[float, float]:
+    """Return the slowest and the fastest wave along a rope [m/s]; `stretch` [1], (s,), of all segments.
 
     Where a part of the stiffness relaxes slow waves do without it, and fast ones have it.
     """
-    curve = curve_of(rope)
     length = rope.segment_length
-    if curve is None:
+    if not model.system.elastic.least.size or (model.system.elastic.of[segments] < 0).all():
         speed = length * math.sqrt(rope.segment_stiffness / node_mass)
         return speed, speed
-    slopes = at_strain(curve.pieces, stretch - 1.0)[1]
-    slow, fast = float(slopes.min()), float(slopes.max()) + curve.relaxing_EA
-    return math.sqrt(slow * length / node_mass), math.sqrt(fast * length / node_mass)
+    slow, fast = slopes_at_rest(model.system, model.state, stretch - 1.0)
+    least, most = float(slow[segments].min()), float(fast[segments].max())
+    return length * math.sqrt(least / node_mass), length * math.sqrt(most / node_mass)
 
 
 def _strain(rest: Floats, stretch: Floats) -> float | None:

@@ -82,17 +82,15 @@ class Bending(NamedTuple):
     turn: Floats  # (a, 3) rate [rad/s], start [s], stop [s]
 
 
-class Curves(NamedTuple):
-    """Tension against strain over EA, where it is no straight line; see `laws.curved`."""
+class Elastic(NamedTuple):
+    """Laws of segments whose tension is no straight line of the strain; see `laws.elastic_law`."""
 
-    of: Ints  # (s,) the curve of every segment, -1: none
-    first: Ints  # (c + 1,) where the pieces of a curve begin
-    piece: Floats  # (p, 5) strain, tension, slope, bend and energy per length [1]
-    least: Floats  # (c,) least slope over EA [1]
-    arm: (
-        Floats  # (c,) slope of the relaxing arm beside it over EA [1], 0: none; see `laws.relaxing`
+    of: Ints  # (s,) the law of every segment by its place in the list, -1: Hooke's
+    least: (
+        Floats  # (s,) least slope of the tension over the largest [1]; (0,) where all are Hooke's
     )
-    time: Floats  # (c,) relaxation time [s], inf: no arm
+    time: Floats  # (s,) the time in which a segment forgets [s], inf: it remembers nothing; (0,) as above
+    table: Any  # the tables of the laws, by name; see `laws.registry`
 
 
 class Joints(NamedTuple):
@@ -118,7 +116,7 @@ class System(NamedTuple):
     winches: Winches
     bending: Bending
     joints: Joints
-    curves: Curves
+    elastic: Elastic
     kinks: Floats  # (k,) times at which the velocity of an anchor or clamp jumps [s], sorted
     rare: (
         int | None
@@ -192,7 +190,7 @@ class State(NamedTuple):
     memory: Any  # by name of the law of nodes, (0,) of one without
     forces: Forces
     work: Work
-    arm: Floats  # (4, s) what segments that relax remember, see `laws.relaxing`; (4, 0): none does
+    inner: Floats  # (4, s) what segments remember, see `laws.inner`; (4, 0): none does
     most: Floats  # (a + 1,) largest work so far of every anchor, and of all winches [J]
     balance: Floats  # (5,) [J], for the verdict, see `core.status`
     peaks: Peaks

@@ -37,7 +37,7 @@ def lowest(word):
 
 
 @small
-def ones(word):
+def bits_set(word):
     """Count the bits of a number of up to WORD bits."""
     word = word - ((word >> 1) & 0x555555555555555)
     word = (word & 0x333333333333333) + ((word >> 2) & 0x333333333333333)
@@ -119,7 +119,7 @@ def degree_of(bits, p):
     """Count the neighbours of a point."""
     total = 0
     for word in range(bits.shape[1]):
-        total += ones(bits[p, word])
+        total += bits_set(bits[p, word])
     return total
 
 

@@ -35,7 +35,7 @@ NODES = (
 )
 SEGMENTS = (
     *("tension", "limited", "rest_length", "stiffness", "damping_vector", "damping_axial"),
-    *("arm", "work.elastic", "work.friction", "work.bending"),
+    *("inner", "work.elastic", "work.friction", "work.bending"),
 )
 BETWEEN = ("forces.elastic", "forces.friction", "forces.bending", "forces.limiter")  # n + 1
 ANCHORS = (

@@ -11,7 +11,7 @@ from ropewalk.core.arrays import Floats, State, System
 from ropewalk.laws.clamps import start_clamps
 from ropewalk.laws.wheels import PULL, RATE, TORQUE
 from ropewalk.lowering import Model
-from ropewalk.lowering.curve_tables import let_relax
+from ropewalk.lowering.elastic_tables import let_relax
 from ropewalk.lowering.limiter_bounds import with_bounds
 from ropewalk.lowering.link_lengths import with_links
 from ropewalk.lowering.remembered import with_memory

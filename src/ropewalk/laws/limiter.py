@@ -17,7 +17,7 @@ import math
 from ropewalk.core.jit import kernel
 from ropewalk.core.status import TAKEN
 from ropewalk.laws.clamps import bent_energy
-from ropewalk.laws.curved import stored_energy
+from ropewalk.laws.elastic import stored_energy
 from ropewalk.laws.ledger import gravity_energy, kinetic_energy
 from ropewalk.laws.rare import has_bending, limits
 
@@ -76,7 +76,7 @@ def _potential(system, state):
     bending = bent_energy(system, state, state.x) if has_bending(system) else 0.0
     return (
         gravity_energy(state.x, state.mass, system.gravity)
-        + stored_energy(system, state, state.x, state.arm)
+        + stored_energy(system, state, state.x, state.inner)
         + bending
     )
 

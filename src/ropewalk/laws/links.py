@@ -24,7 +24,7 @@ from ropewalk.core.band import clear_band
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.network import SOFTEST, solve_network
 from ropewalk.laws.anchors import anchor_target
-from ropewalk.laws.curved import tensions
+from ropewalk.laws.elastic import tensions
 from ropewalk.laws.joint_forces import note_joint_forces
 from ropewalk.laws.joints import follow, tied_to
 from ropewalk.laws.rare import are_tied, limits

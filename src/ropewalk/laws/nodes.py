@@ -17,18 +17,18 @@ from ropewalk.laws.node_law import NodeLaw
 from ropewalk.laws.rare import acts
 from ropewalk.laws.registry import NODE_LAWS
 
-Make = Callable[[NodeLaw, int, Any], Any]
+Make = Callable[[Any, int, Any], Any]
 
 
-def fold(make: Make, end: Any, having: str = "force") -> Any:
+def fold(make: Make, end: Any, having: str = "force", laws: Any = NODE_LAWS) -> Any:
     """Return the part of all laws that have a piece: `make(law, its place, part of the laws after it)`.
 
     `end` is the part of no law.
     """
     found = end
-    for k in reversed(range(len(NODE_LAWS))):
-        if getattr(NODE_LAWS[k], having) is not None:
-            found = make(NODE_LAWS[k], k, found)
+    for k in reversed(range(len(laws))):
+        if getattr(laws[k], having) is not None:
+            found = make(laws[k], k, found)
     return found
 
 

@@ -18,15 +18,15 @@ def has_bending(system):
 
 
 @part
-def has_curves(system):
+def has_elastic_laws(system):
     """Tell whether the tension of any segment is no straight line of its strain."""
-    return system.rare is not None and system.curves.piece.shape[0] > 0
+    return system.rare is not None and system.elastic.least.shape[0] > 0
 
 
 @part
-def relaxes(system, state):
-    """Tell whether any segment relaxes."""
-    return system.rare is not None and state.arm.shape[1] > 0
+def has_inner(system, state):
+    """Tell whether any segment remembers anything."""
+    return system.rare is not None and state.inner.shape[1] > 0
 
 
 @part

@@ -23,8 +23,8 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats
 from ropewalk.core.jit import part
-from ropewalk.laws.curved import stretched
 from ropewalk.laws.node_law import NodeLaw, Rest
+from ropewalk.laws.stretch import stretched
 from ropewalk.laws.stretch_tangent import add_line, add_turn
 
 if TYPE_CHECKING:

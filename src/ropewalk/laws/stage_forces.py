@@ -2,7 +2,7 @@
 
 A segment pulls with its tension T, whatever its length; that T fits the length is an equation of its own,
     g = r - L - T/k = 0,      tension-only: min(T e', T/k - (r - L)) = 0 with any e' > 0,
-(with a curve T/k stands for the stretch under T, and its derivative for 1/k in the equations to solve),
+(of an elastic law T/k stands for the stretch under T, and its derivative for 1/k in the equations to solve),
 the second a complementarity (Qi & Sun 1993): either the segment is slack and T = 0, or it is taut.
 What begins and ends abruptly (friction of slack segments, a contact) acts where it is marked.
 """
@@ -14,9 +14,9 @@ import math
 from ropewalk.core.arrays import TENSION_ONLY
 from ropewalk.core.jit import kernel, part
 from ropewalk.laws.bounds import bound_segments, split_tension
-from ropewalk.laws.curved import hold_secants, hold_tangents
+from ropewalk.laws.elastic import hold_secants, hold_tangents
 from ropewalk.laws.nodes import mark_nodes, marked_node_forces
-from ropewalk.laws.rare import has_bending, has_curves, limits
+from ropewalk.laws.rare import has_bending, has_elastic_laws, limits
 from ropewalk.laws.stretch import drop_marked_friction
 from ropewalk.laws.table import evaluate_bending, rub_segments
 
@@ -63,11 +63,11 @@ def evaluate_stage(system, state, x, v, tension, work, saddle, forces):
     over, stretch = work.over, work.stretch
     pull(x, tension, state.rest_length, work.alive, saddle.direction, stretch, over, forces.elastic)
     floor, carries, e, g = system.slack_floor, saddle.carries, saddle.compliance, saddle.misfit
-    if has_curves(system):
+    if has_elastic_laws(system):
         lengths, k = state.rest_length, state.stiffness
-        hold_secants(tension, lengths, k, system.curves, work)
+        hold_secants(tension, lengths, k, system.elastic, work)
         decide(stretch, tension, over, work.soft, work.weight, floor, carries, e, g)
-        hold_tangents(tension, lengths, k, system.curves, work, carries, e)
+        hold_tangents(tension, lengths, k, system.elastic, work, carries, e)
     else:
         decide(stretch, tension, over, work.soft, work.weight, floor, carries, e, g)
     if limits(system):

@@ -13,9 +13,16 @@ import math
 
 import numpy as np
 
-from ropewalk.core.jit import apart, kernel, part
+from ropewalk.core.jit import apart, kernel, part, small
 from ropewalk.core.peaks import greater, lesser
 from ropewalk.core.ranges import ALL, rows
+
+
+@small
+def stretched(x, j):
+    """Return the length of segment `j` [m]."""
+    dx, dy, dz = x[0, j + 1] - x[0, j], x[1, j + 1] - x[1, j], x[2, j + 1] - x[2, j]
+    return math.sqrt(dx * dx + dy * dy + dz * dz)
 
 
 @kernel

@@ -1,4 +1,4 @@
-"""All laws together: springs, bending and limiter by name, the laws of nodes as `registry` lists them."""
+"""All laws together: springs, bending and limiter by name, all others as `registry` lists them."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from ropewalk.core.jit import kernel, part
 from ropewalk.core.ranges import ALL, rows
 from ropewalk.laws.bending import bending_forces, bending_friction
 from ropewalk.laws.clamps import clamp_forces
-from ropewalk.laws.curved import curved_forces
+from ropewalk.laws.elastic import law_forces
 from ropewalk.laws.joints import tie
 from ropewalk.laws.nodes import add_node_force, node_forces, on_channels, remembers
 from ropewalk.laws.rare import (
@@ -15,9 +15,9 @@ from ropewalk.laws.rare import (
     are_tied,
     has_bending,
     has_clamps,
-    has_curves,
+    has_elastic_laws,
+    has_inner,
     limits,
-    relaxes,
     winds,
 )
 from ropewalk.laws.stretch import (
@@ -38,9 +38,9 @@ def evaluate(system, state, x, v, forces, lo=0, hi=ALL):
     """
     floor = system.slack_floor
     elastic_forces(x, state.rest_length, state.stiffness, floor, forces.elastic, lo, hi)
-    if has_curves(system):
-        lengths, k, curves = state.rest_length, state.stiffness, system.curves
-        curved_forces(x, lengths, k, floor, curves, state.arm, forces.elastic, lo, hi)
+    if has_elastic_laws(system):
+        lengths, k, elastic = state.rest_length, state.stiffness, system.elastic
+        law_forces(x, lengths, k, floor, elastic, state.inner, forces.elastic, lo, hi)
     rub_segments(system, state, x, v, forces, lo, hi)
     if system.flags[TENSION_ONLY] == 1:
         drop_slack_friction(x, state.rest_length, floor, forces.friction, lo, hi)
@@ -159,8 +159,8 @@ def has_plain_forces(system):
 
 @part
 def has_plain_springs(system, state):
-    """Tell whether, besides, no segment goes slack or grows, and none has a curve."""
-    more = winds(system, state) or has_curves(system)
+    """Tell whether, besides, no segment goes slack or grows, and all obey Hooke's law."""
+    more = winds(system, state) or has_elastic_laws(system)
     return system.flags[TENSION_ONLY] == 0 and not more
 
 
@@ -206,9 +206,9 @@ def add_up_and_look(system, state, x, v, total, rubs, over, height, lo, hi):
 def reaches_neighbours_only(system, state):
     """Tell whether a node's acceleration depends on itself and the nodes next to it alone.
 
-    A law with a memory keeps it of whole steps, and so of all nodes at once; so does a rope that relaxes.
+    A law with a memory keeps it of whole steps, and so of all nodes at once; so does a segment.
     """
-    keeps = remembers(system) or relaxes(system, state)
+    keeps = remembers(system) or has_inner(system, state)
     return not has_bending(system) and not are_tied(system) and not keeps
 
 

@@ -13,9 +13,9 @@ from ropewalk.core.arrays import BENDING, TENSION_ONLY, Floats, State, System
 from ropewalk.core.band import Band, clear_band, make_band
 from ropewalk.core.jit import kernel, part
 from ropewalk.laws.bending_tangent import bending_tangent, clamp_tangent
-from ropewalk.laws.curved import curved_tangent
+from ropewalk.laws.elastic import law_tangent
 from ropewalk.laws.nodes import mark_nodes, node_tangents
-from ropewalk.laws.rare import has_bending, has_clamps, has_curves
+from ropewalk.laws.rare import has_bending, has_clamps, has_elastic_laws
 from ropewalk.laws.registry import NODE_LAWS
 from ropewalk.laws.stretch_tangent import elastic_tangent, friction_tangent, mark_rubbing
 
@@ -68,9 +68,9 @@ def assemble_tangent(system, state, x, v, weight_x, weight_v, band, clamp=False)
     floor = system.slack_floor
     mark(system, state, x, band)
     begin_tangent(system, state, x, v, weight_x, weight_v, False, band)
-    if has_curves(system):
-        lengths, k, curves = state.rest_length, state.stiffness, system.curves
-        curved_tangent(x, lengths, k, floor, curves, weight_x, clamp, band)
+    if has_elastic_laws(system):
+        lengths, k = state.rest_length, state.stiffness
+        law_tangent(x, lengths, k, floor, system.elastic, weight_x, clamp, band)
     else:
         elastic_tangent(x, state.rest_length, state.stiffness, floor, weight_x, clamp, band)
     add_tangents(system, state, x, v, weight_x, weight_v, band)

@@ -13,7 +13,7 @@ from __future__ import annotations
 import math
 
 from ropewalk.core.jit import kernel
-from ropewalk.laws.curved import stored_energy
+from ropewalk.laws.elastic import stored_energy
 from ropewalk.laws.ledger import gravity_energy, kinetic_energy
 from ropewalk.laws.parting import has_parted
 from ropewalk.laws.rare import parts, winds
@@ -47,7 +47,7 @@ def run_winches(system, state, t, dt):
 
 @kernel
 def _potential(system, state):
-    stored = stored_energy(system, state, state.x, state.arm)
+    stored = stored_energy(system, state, state.x, state.inner)
     return gravity_energy(state.x, state.mass, system.gravity) + stored
 
 

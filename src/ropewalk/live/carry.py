@@ -181,8 +181,8 @@ def _carry_memory(old: Simulation, made: Simulation, state: State, source: Float
     if len(made.scene.obstacles) == len(old.scene.obstacles) > 0:
         grip = old.arrays.memory.obstacle.grip
         state.memory.obstacle.grip[:, :, whole] = grip[:, :, nodes]
-    if old.arrays.arm.shape == state.arm.shape:
-        state.arm[...] = old.arrays.arm
+    if old.arrays.inner.shape == state.inner.shape:
+        state.inner[...] = old.arrays.inner
     kept, made_now = old.arrays.memory.contact, state.memory.contact
     same = nodes.size == old.arrays.x.shape[1] and (nodes == np.arange(nodes.size)).all()
     slid, now = old.arrays.memory.slide, state.memory.slide

@@ -13,7 +13,7 @@ from ropewalk.live.counterparts import counterparts
 from ropewalk.live.frame import Picture, Shape, combined, turns_of
 from ropewalk.live.seen import Seen
 from ropewalk.live.track import Track
-from ropewalk.lowering.curve_tables import put_under_tension
+from ropewalk.lowering.elastic_tables import put_under_tension
 from ropewalk.simulation import Simulation
 
 
@@ -106,7 +106,7 @@ def _largest_strain(simulation: Simulation, tension: Floats) -> float:
     strain, soft = np.zeros_like(tension), np.zeros_like(tension)
     stiff = state.stiffness[alive] * state.rest_length[alive]
     strain[alive] = tension[alive] / stiff
-    if simulation.system.curves.least.size:
+    if simulation.system.elastic.least.size:
         stretch = strain * state.rest_length
         put_under_tension(simulation.system, state, tension, stretch, soft)
         strain[alive] = stretch[alive] / state.rest_length[alive]

@@ -10,7 +10,7 @@ from ropewalk.lowering.layout import Layout, Span, make_layout
 from ropewalk.lowering.obstacle_checks import refuse_fast, refuse_obstacles
 from ropewalk.lowering.pieces import Pieces
 from ropewalk.lowering.plan import Plan, make_plan
-from ropewalk.lowering.segment_checks import refuse_winding
+from ropewalk.lowering.segment_checks import refuse_segments
 from ropewalk.lowering.system import make_tables
 from ropewalk.scene import Scene
 
@@ -48,7 +48,7 @@ def build(scene: Scene, pieces: Pieces | None = None, *, drawn: bool = True) -> 
     system, state = make_tables(scene, layout, keep, drawn=drawn)
     refuse_obstacles(scene, system, state, layout, drawn=drawn)
     refuse_contact(scene, system, state, layout, drawn=drawn)
-    refuse_winding(scene)
+    refuse_segments(scene, system, layout)
     plan = make_plan(scene, system, state)
     refuse_fast(scene, system, plan.dt if plan.longest is None else plan.longest)
     zero = -float(system.gravity @ (state.x * state.mass).sum(axis=1))

@@ -13,7 +13,7 @@ from ropewalk.laws.registry import NODE_LAWS
 from ropewalk.laws.winch import MERGE, SPLIT
 from ropewalk.lowering.apart import recoil_of_releases
 from ropewalk.lowering.bends import bends
-from ropewalk.lowering.curve_tables import softest
+from ropewalk.lowering.elastic_tables import softest
 from ropewalk.methods.bound import Chain
 from ropewalk.motions.rows import largest_speed
 
@@ -62,8 +62,8 @@ def free_chains(system: System, state: State, speed: float = 0.0) -> dict[str, C
     )
     base = _under_laws(system, base, state.rest_length, speed)
     cases = {FREE: base}
-    if system.curves.least.size:
-        soft = softest(system.curves, base.stiffness)
+    if system.elastic.least.size:
+        soft = softest(system.elastic, base.stiffness)
         cases["where its curve is softest"] = base._replace(stiffness=soft)
     for row in range(len(state.winch_exit)):
         for share in (MERGE, SPLIT):

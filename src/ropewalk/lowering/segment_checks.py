@@ -1,22 +1,55 @@
-"""Scenes with laws of segments that cannot be run: a winch changes what such a law knows its segments by."""
+"""Scenes with laws of segments that cannot be run.
+
+Two elastic laws at once; or a limiter or a winch, which know segments by Hooke's law or by nominal length.
+"""
 
 from __future__ import annotations
 
-from ropewalk.laws.registry import SEGMENT_LAWS
-from ropewalk.scene import Scene, SceneError
-from ropewalk.scene.faults import Fault
+from collections.abc import Iterator
+
+import numpy as np
+
+from ropewalk.core.arrays import Elastic, System
+from ropewalk.laws.registry import ELASTIC_LAWS, SEGMENT_LAWS
+from ropewalk.lowering.layout import Layout, Span
+from ropewalk.scene import Rope, Scene, SceneError
+from ropewalk.scene.faults import NO_VALUE, Fault
 
 
-def refuse_winding(scene: Scene) -> None:
-    """Raise SceneError for a winch on a rope with a law of segments."""
+def refuse_segments(scene: Scene, system: System, layout: Layout) -> None:
+    """Raise SceneError for two elastic laws of a rope, and a winch or limiter that does not know them."""
     faults = []
+    for i, rope in enumerate(scene.ropes):
+        said = _elastic(rope)
+        if len(said) > 1:
+            rule = (
+                f"has {' and '.join(said)}, and its tension can obey one only: leave out the others"
+            )
+            faults.append(Fault(f"rope[{i}]", NO_VALUE, rule))
+        if said and rope.rigid:
+            rule = f"has {said[0]}, but links that do not stretch (inf): give it a finite stiffness"
+            faults.append(Fault(f"rope[{i}]", NO_VALUE, rule))
+        if said and scene.limiter is not None:
+            rule = f"cannot limit rope[{i}], which has {said[0]}: leave out one of them"
+            faults.append(Fault("limiter", NO_VALUE, rule))
     for winch in scene.winches:
         rope = scene.rope_named(winch.rope)
-        for law in SEGMENT_LAWS:
-            if getattr(rope, law.section, None) is not None:
-                rule = (
-                    f"has {law.section}, with which a winch cannot wind it: leave out one of them"
-                )
-                faults.append(Fault("rope", rope.name, rule))
+        for name in _unwindable(rope, system.elastic, layout.span(rope.name)):
+            rule = f"has {name}, with which a winch cannot wind it: leave out one of them"
+            faults.append(Fault("rope", rope.name, rule))
     if faults:
         raise SceneError(faults)
+
+
+def _elastic(rope: Rope) -> list[str]:
+    """Return the elastic laws that a rope says something of."""
+    return [law.name for law in ELASTIC_LAWS if law.says(rope) is not None]
+
+
+def _unwindable(rope: Rope, elastic: Elastic, span: Span) -> Iterator[str]:
+    """Yield the laws of a rope whose tables or memory know its segments by their nominal length."""
+    for law in SEGMENT_LAWS:
+        if getattr(rope, law.section, None) is not None:
+            yield law.section
+    if np.isfinite(elastic.time[span.first : span.last]).any():
+        yield from _elastic(rope)

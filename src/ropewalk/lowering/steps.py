@@ -33,7 +33,7 @@ from ropewalk.lowering.chains import (
     recoil,
     with_cases,
 )
-from ropewalk.lowering.curve_tables import softest
+from ropewalk.lowering.elastic_tables import softest
 from ropewalk.methods.bound import Chain, largest_step
 from ropewalk.methods.registry import METHODS
 from ropewalk.motions.rows import fastest_turn
@@ -99,7 +99,7 @@ def step_cases(system: System, state: State, duration: float) -> Cases:
             if (bounce := bounce_of(chain, one_way)) is not None:
                 where = "" if name == FREE else f", {name}"
                 bounces[f"where segments go slack and taut{where}"] = bounce
-    relaxation = float(system.curves.time.min(initial=math.inf))
+    relaxation = float(system.elastic.time.min(initial=math.inf))
     return Cases(with_cases(system, free), bounces, duration, relaxation)
 
 
@@ -125,7 +125,7 @@ def is_pressed(system: System, state: State, duration: float) -> bool:
     two_way &= (inverse > 0.0) & (state.rest_length > 0.0)
     if not two_way.any():
         return False
-    soft = softest(system.curves, state.stiffness)
+    soft = softest(system.elastic, state.stiffness)
     waves = state.rest_length[two_way] * np.sqrt(soft[two_way] * inverse[two_way])
     ratio = max(_impact(system, state), _pumped(system, state, duration)) / waves
     return bool(((ratio > _MACH) & (ratio < _FREE)).any())
@@ -144,7 +144,7 @@ def _impact(system: System, state: State) -> float:
 def _pumped(system: System, state: State, duration: float) -> float:
     """Return the largest speed that shaking can give within a run to a rope without any friction [m/s]."""
     rubs = state.damping_vector.any() or state.damping_axial.any() or acting(system)
-    if rubs or math.isfinite(float(system.curves.time.min(initial=math.inf))):
+    if rubs or math.isfinite(float(system.elastic.time.min(initial=math.inf))):
         return 0.0
     half_cycles = fastest_turn(system.anchors) * duration / math.pi
     return driven_speed(system) * 2.0 * half_cycles if half_cycles > 0.0 else 0.0

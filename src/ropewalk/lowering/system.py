@@ -26,7 +26,7 @@ from ropewalk.laws.acting import section_of
 from ropewalk.laws.anchors import anchor_places
 from ropewalk.laws.registry import NODE_LAWS, NodeArrays, NodeTables
 from ropewalk.lowering.bending_tables import add_bending, no_bending
-from ropewalk.lowering.curve_tables import curve_of, curve_tables, softest
+from ropewalk.lowering.elastic_tables import elastic_tables, remembers, said_by, softest
 from ropewalk.lowering.joint_tables import join, joint_tables
 from ropewalk.lowering.layout import Layout, Span
 from ropewalk.lowering.limiter_order import limiter_order
@@ -54,6 +54,8 @@ def make_tables(
         put_on_ropes(scene, layout, state)
         join(scene, layout, state)
     system = _system(scene, layout, state, keep)
+    if remembers(system.elastic):
+        state = state._replace(inner=np.zeros((4, layout.segments)))
     system, state = add_bending(scene, layout, system, state, keep)
     turns = tuple(
         law.kinks(table)
@@ -186,7 +188,7 @@ def _ropes(scene: Scene, layout: Layout, keep: Pieces) -> State:
         memory=NodeArrays(*(np.zeros(0) for _ in NODE_LAWS)),
         forces=_no_forces(n, applied, scene.limiter is not None),
         work=_no_work(s, n, a),
-        arm=np.zeros((4, s if any(rope.relaxes for rope in ropes) else 0)),
+        inner=np.zeros((4, 0)),
         most=np.zeros(a + 1),
         balance=np.zeros(5),
         peaks=no_peaks(s, n, a) if scene.run.extremes else no_peaks(0, 0, 0),
@@ -231,8 +233,8 @@ def _system(scene: Scene, layout: Layout, state: State, keep: Pieces) -> System:
     one_way = tuple(rope.made_of.tension_only for rope in ropes)
     floor = keep("slack floor", _slack_floor, layout, one_way)
     origins = state.x[:, state.anchor_node].T.copy()
-    curves = keep("curves", curve_tables, layout, tuple(map(curve_of, ropes)))
-    stretch = state.mass, applied, softest(curves, state.stiffness), state.rest_length
+    elastic = keep("elastic", elastic_tables, layout, said_by(ropes))
+    stretch = state.mass, applied, softest(elastic, state.stiffness), state.rest_length
     limiter, tables = scene.limiter, _node_tables(scene, layout, keep)
     order = keep("limiter order", limiter_order, layout) if limiter is not None else None
     return System(
@@ -250,7 +252,7 @@ def _system(scene: Scene, layout: Layout, state: State, keep: Pieces) -> System:
         winches=_winches(scene, layout) if scene.winches else keep("no winches", _table_of, ()),
         bending=no_bending(),
         joints=keep("joints", joint_tables, scene.joints, layout),
-        curves=curves,
+        elastic=elastic,
         kinks=np.zeros(0),
         rare=rare_of(scene),
     )

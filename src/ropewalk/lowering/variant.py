@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ropewalk.laws.acting import section_of
-from ropewalk.laws.registry import NODE_LAWS
+from ropewalk.laws.registry import ELASTIC_LAWS, NODE_LAWS
 from ropewalk.scene import Scene
 
 
@@ -14,5 +14,6 @@ def rare_of(scene: Scene) -> int | None:
     """
     sections = [section_of(law, scene) for law in NODE_LAWS]
     listed = scene.winches or scene.limiter or scene.joints or any(sections)
-    more = any(r.bending_stiffness > 0.0 or r.curved or r.relaxes for r in scene.ropes)
-    return 1 if listed or more else None
+    bends = any(rope.bending_stiffness > 0.0 for rope in scene.ropes)
+    elastic = any(law.says(rope) is not None for law in ELASTIC_LAWS for rope in scene.ropes)
+    return 1 if listed or bends or elastic else None

@@ -109,7 +109,7 @@ def crossings(system, before, after, dt, tolerance):
             system.node.parting.strength,
         )
         other, more = load_crossings(
-            before.x, before.v, after.x, after.v, states, system.curves.of, strength, dt, tolerance
+            before.x, before.v, after.x, after.v, states, system.elastic.of, strength, dt, tolerance
         )
         end, changes = min(end, other), changes + more
     return end, changes

@@ -18,10 +18,10 @@ import math
 from ropewalk.core.jit import kernel, part
 from ropewalk.laws.clamps import bent_energy
 from ropewalk.laws.couplings import coupled_energy, coupled_work, couples
-from ropewalk.laws.curved import CHANGE, stored_energy
+from ropewalk.laws.elastic import CHANGE, stored_energy
+from ropewalk.laws.inner import heat
 from ropewalk.laws.ledger import kinetic_energy
-from ropewalk.laws.rare import has_bending, limits, relaxes
-from ropewalk.laws.relaxing import heat
+from ropewalk.laws.rare import has_bending, has_inner, limits
 
 # Of kinetic and stored energy, and of weight times length [1]: a whole step; twice as much each time that it
 # is halved, as what is hard to solve must end somewhere; any part.
@@ -38,13 +38,13 @@ def most_of(system, level):
 def makes_up_energy(system, state, stage, ends, mean, dt, most):
     """Tell whether a step from `state` to `stage` under the `mean` forces makes up more than `most` [1].
 
-    `ends` are the arms of segments that relax at its end.
+    `ends` are what segments remember at its end.
     """
-    before = stored_energy(system, state, state.x, state.arm)
+    before = stored_energy(system, state, state.x, state.inner)
     after = stored_energy(system, state, stage.x, ends)
     work = taken(mean.elastic, state.v, stage.v, dt)
-    if relaxes(system, state):
-        work -= heat(system.curves, state.stiffness, state.rest_length, ends[CHANGE], dt)
+    if has_inner(system, state):
+        work -= heat(system.elastic, state.stiffness, state.rest_length, ends[CHANGE], dt)
     if has_bending(system):
         before += bent_energy(system, state, state.x)
         after += bent_energy(system, state, stage.x)

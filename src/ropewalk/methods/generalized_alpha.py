@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.ranges import ALL
-from ropewalk.laws.curved import RATE
+from ropewalk.laws.elastic import RATE
+from ropewalk.laws.inner import know_past, write_end
 from ropewalk.laws.nodes import on_channels
 from ropewalk.laws.rare import has_bending
-from ropewalk.laws.relaxing import know_past, write_end
 from ropewalk.laws.table import accelerate
 from ropewalk.methods.scratch import add, add_forces, axpy, put
 

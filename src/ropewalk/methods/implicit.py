@@ -20,12 +20,9 @@ from ropewalk.core.jit import kernel, part
 from ropewalk.core.status import HIT, OK, UNSOLVED
 from ropewalk.laws.anchors import move_anchors, place_stage
 from ropewalk.laws.couplings import AGAIN, FINE, couples, meet_on_way
-from ropewalk.laws.curved import CHANGE
-from ropewalk.laws.ledger import account
-from ropewalk.laws.nodes import hits
-from ropewalk.laws.rare import has_bending, relaxes
-from ropewalk.laws.relaxing import (
-    end_arms,
+from ropewalk.laws.elastic import CHANGE
+from ropewalk.laws.inner import (
+    end_inner,
     know_past,
     know_stages,
     take_ends,
@@ -33,6 +30,9 @@ from ropewalk.laws.relaxing import (
     write_ends,
     write_rates,
 )
+from ropewalk.laws.ledger import account
+from ropewalk.laws.nodes import hits
+from ropewalk.laws.rare import has_bending, has_inner
 from ropewalk.laws.table import accelerate
 from ropewalk.laws.wheels import aim_no_wheels, end_aim
 from ropewalk.methods import tableaus
@@ -65,8 +65,8 @@ class ImplicitScratch(NamedTuple):
     stage: Stage
     u: Floats  # (stages, 3, n) velocities of the stages
     k: Floats  # (stages, 3, n) accelerations of the stages
-    rates: Floats  # (stages, s) of what segments that relax remember [1/s]; (stages, 0) without
-    ends: Floats  # (4, s) the same at the step's end, see `laws.relaxing`
+    rates: Floats  # (stages, s) of what segments remember [1/s]; (stages, 0) without
+    ends: Floats  # (4, s) the same at the step's end, see `laws.inner`
     middle: Floats  # (3, n)
     mean: Forces
     point: Floats  # (3,)
@@ -88,8 +88,8 @@ def make_implicit_scratch(state: State, tableau: Tableau) -> ImplicitScratch:
         stage=make_stage(state),
         u=np.zeros(shape),
         k=np.zeros(shape),
-        rates=np.zeros((shape[0], state.arm.shape[1])),
-        ends=np.zeros_like(state.arm),
+        rates=np.zeros((shape[0], state.inner.shape[1])),
+        ends=np.zeros_like(state.inner),
         middle=np.zeros_like(state.x),
         mean=blank(state.forces),
         point=np.zeros(3),
@@ -227,7 +227,7 @@ def take_step(system, state, scratch, t, after, dt, ledger, level, kind, A, b, c
         if kind == DIRK and A[s, s] == 0.0:
             put(state.v, scratch.u[s])
             put(state.acceleration, scratch.k[s])
-            if relaxes(system, state):
+            if has_inner(system, state):
                 write_rates(system, state, state.x, scratch.rates[s])
             put(state.acceleration, stage.a)
             add_forces(system, state.forces, b[s], mean)
@@ -260,7 +260,7 @@ def take_step(system, state, scratch, t, after, dt, ledger, level, kind, A, b, c
         if status != OK:
             stage.report[TIME] = time
             return UNSOLVED
-        end_arms(system, state, stage.segments, stage.tension, c2, scratch.rates[s])
+        end_inner(system, state, stage.segments, stage.tension, c2, scratch.rates[s])
         if has_wheels(system):
             end_aim(state.memory.obstacle.wheel, s, kind != DIRK or s == b.shape[0] - 1)
         if kind == DIRK:

@@ -7,11 +7,11 @@ from typing import Any
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.status import OK
 from ropewalk.laws.anchors import release_anchors
-from ropewalk.laws.curved import RATE, tensions
+from ropewalk.laws.elastic import RATE, tensions
+from ropewalk.laws.inner import write_rates
 from ropewalk.laws.limiter import limit_stretch
 from ropewalk.laws.links import hold_links
-from ropewalk.laws.rare import acts_after, limits, parts, relaxes
-from ropewalk.laws.relaxing import write_rates
+from ropewalk.laws.rare import acts_after, has_inner, limits, parts
 from ropewalk.laws.table import accelerate, evaluate
 from ropewalk.laws.winch import run_winches
 from ropewalk.methods.errors import look_at_step
@@ -33,8 +33,8 @@ def prepare(system, state):
     if limits(system):
         clear(state.forces.limiter)
     accelerate(system, state, state.forces, state.acceleration)
-    if relaxes(system, state):
-        write_rates(system, state, state.x, state.arm[RATE])
+    if has_inner(system, state):
+        write_rates(system, state, state.x, state.inner[RATE])
     tensions(system, state, state.tension)
     state.past[0] = 0.0
 

@@ -13,7 +13,7 @@ import math
 
 from ropewalk.core.jit import kernel, part
 from ropewalk.laws.clamps import bent_energy
-from ropewalk.laws.curved import stored_energy
+from ropewalk.laws.elastic import stored_energy
 from ropewalk.laws.rare import has_bending, winds
 from ropewalk.methods.recording import carried_tension, record_elastic
 
@@ -106,7 +106,7 @@ def most_loaded(rope, over, begin):
 def part_segment(system, state, j, tension, t):
     """Let segment `j` go, which carries `tension` [N], at time `t` [s]; what it stored is lost."""
     x = state.x
-    lost = stored_energy(system, state, x, state.arm)
+    lost = stored_energy(system, state, x, state.inner)
     if has_bending(system):
         lost += bent_energy(system, state, x)
     state.stiffness[j] = 0.0
@@ -121,7 +121,7 @@ def part_segment(system, state, j, tension, t):
             state.bending_stiffness[i] = 0.0
             state.bending_damping[i] = 0.0
         lost -= bent_energy(system, state, x)
-    lost -= stored_energy(system, state, x, state.arm)
+    lost -= stored_energy(system, state, x, state.inner)
     state.memory.parting.time[j] = t
     state.memory.parting.tension[j] = tension
     state.work.node.parting[j] -= lost

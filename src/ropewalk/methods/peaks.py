@@ -34,9 +34,17 @@ from ropewalk.core.peaks import (
 )
 from ropewalk.core.ranges import ALL, rows
 from ropewalk.laws.anchors import first_index, last_index
-from ropewalk.laws.curved import keep_curved, settle_curved
+from ropewalk.laws.elastic import keep_laws, settle_laws
 from ropewalk.laws.pulls import pulls
-from ropewalk.laws.rare import acts_after, has_clamps, has_curves, limits, parts, relaxes, winds
+from ropewalk.laws.rare import (
+    acts_after,
+    has_clamps,
+    has_elastic_laws,
+    has_inner,
+    limits,
+    parts,
+    winds,
+)
 
 DEPTH = 32  # steps
 
@@ -187,12 +195,12 @@ def keep_springs(system, state, rubs, lo=0, hi=ALL):
     """Look at elastic segments without bounds and winches; `rubs` tells whether any has friction."""
     peaks = state.peaks
     keep_squares(state.x, peaks.square_high, peaks.square_low, lo, hi)
-    if rubs or relaxes(system, state):
+    if rubs or has_inner(system, state):
         lengths, k, floor = state.rest_length, state.stiffness, system.slack_floor
         vector, axial = state.damping_vector, state.damping_axial
         high, low = peaks.tension_high, peaks.tension_low
-        if has_curves(system):
-            keep_curved(state, floor, system.curves, high, low, lo, hi)
+        if has_elastic_laws(system):
+            keep_laws(state, floor, system.elastic, high, low, lo, hi)
         else:
             keep_tension(state.x, state.v, lengths, k, floor, vector, axial, high, low, lo, hi)
 
@@ -286,9 +294,9 @@ def search_all(system, state, until):
         state.peaks.looked[0],
     )
     vector, axial, found = state.damping_vector, state.damping_axial, state.peaks.found
-    if has_curves(system):
-        floor, curves, arm = system.slack_floor, system.curves, state.arm
-        settle_curved(peaks, lengths, k, floor, vector, axial, curves, arm)
+    if has_elastic_laws(system):
+        floor, elastic, inner = system.slack_floor, system.elastic, state.inner
+        settle_laws(peaks, lengths, k, floor, vector, axial, elastic, inner)
     else:
         settle(peaks, lengths, k, system.slack_floor, vector, axial)
     search_live(peaks.tension_high, lengths, k, 1.0, TENSION, found, since, until)

@@ -12,12 +12,12 @@ from ropewalk.core.arrays import Floats, State
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.ranges import rows
 from ropewalk.laws.clamps import bent_energy
-from ropewalk.laws.curved import elastic_pull, stored_by, stretched
+from ropewalk.laws.elastic import solved_laws
 from ropewalk.laws.node_law import NodeLaw
 from ropewalk.laws.nodes import fold, touch_nodes
 from ropewalk.laws.parting import NAME as PARTING
 from ropewalk.laws.pulls import add_pulls
-from ropewalk.laws.rare import acts, has_bending, has_curves, limits, winds
+from ropewalk.laws.rare import acts, has_bending, has_elastic_laws, limits, winds
 from ropewalk.laws.registry import NODE_LAWS, SEGMENT_LAWS
 from ropewalk.methods.peaks import record_peaks
 from ropewalk.methods.scratch import LANES, clear, clear_row, put
@@ -233,33 +233,13 @@ def record_elastic(system, state, sums, tension):
         system.slack_floor,
         state.tension,
     )
-    if has_curves(system):
-        curves, arm = system.curves, state.arm
-        energy = record_curved(state.x, lengths, k, floor, curves, arm, solved, tension)
+    if has_elastic_laws(system):
+        elastic, inner = system.elastic, state.inner
+        near = SOLVED, ROUNDING
+        energy = solved_laws(state.x, lengths, k, floor, elastic, inner, solved, near, tension)
     else:
         energy = record_tension(state.x, lengths, k, floor, solved, sums, tension)
     return energy
-
-
-@kernel
-def record_curved(x, rest_length, stiffness, floor, curves, arm, solved, tension):
-    """As `record_tension`, of segments with a curve or without."""
-    total = 0.0
-    for j in range(rest_length.shape[0]):
-        length, k = rest_length[j], stiffness[j]
-        r = stretched(x, j)
-        e, gives = r - length, k < np.inf
-        pull = k * e if gives else solved[j]
-        stored = 0.5 * pull * e if gives and pull >= floor[j] else 0.0
-        if curves.of[j] >= 0 and k > 0.0:
-            pull = elastic_pull(curves, arm, j, length, k, r)
-            stored = stored_by(curves, arm, j, length, k, floor[j], e / length)
-        size = max(abs(x[0, j]), abs(x[1, j]), abs(x[2, j]))
-        if abs(solved[j] - pull) <= k * (SOLVED * length + ROUNDING * size):
-            pull = solved[j]
-        tension[j] = max(pull, floor[j])
-        total += stored
-    return total
 
 
 @part

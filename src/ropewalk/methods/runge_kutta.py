@@ -11,9 +11,9 @@ import numpy as np
 
 from ropewalk.core.jit import part
 from ropewalk.laws.anchors import move_anchors, place_stage
+from ropewalk.laws.inner import end_stages, next_stage
 from ropewalk.laws.ledger import account
-from ropewalk.laws.rare import relaxes
-from ropewalk.laws.relaxing import end_stages, next_stage
+from ropewalk.laws.rare import has_inner
 from ropewalk.laws.table import accelerate, evaluate
 from ropewalk.methods.loop import make_advance
 from ropewalk.methods.scratch import add, add_forces, axpy, clear, clear_forces, put
@@ -44,7 +44,7 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
             # The last one may end at a kink, just before which `after` is.
             time = after if c == dt and system.kinks.shape[0] > 0 else t + c
             place_stage(system, state, time, c, xs, vs, scratch.point, scratch.speed)
-        if relaxes(system, state):
+        if has_inner(system, state):
             next_stage(system, state, xs, c, b, s == 0)
         evaluate(system, state, xs, vs, state.forces)
         accelerate(system, state, state.forces, a)
@@ -57,7 +57,7 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
     move_anchors(system, state, mean, after, dt, middle, scratch.point, scratch.speed)
     if ledger:
         account(system, state, mean, middle, dt)
-    if relaxes(system, state):
+    if has_inner(system, state):
         end_stages(system, state, dt, ledger)
 
 

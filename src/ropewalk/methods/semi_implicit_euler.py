@@ -11,9 +11,9 @@ from ropewalk.core.arrays import Forces
 from ropewalk.core.jit import kernel, part, small
 from ropewalk.core.ranges import rows
 from ropewalk.laws.anchors import move_anchors
+from ropewalk.laws.inner import note_strains, relax
 from ropewalk.laws.ledger import account
-from ropewalk.laws.rare import relaxes
-from ropewalk.laws.relaxing import note_strains, relax
+from ropewalk.laws.rare import has_inner
 from ropewalk.laws.table import (
     accelerate,
     add_up_and_look,
@@ -102,7 +102,7 @@ def step(system, state, scratch, t, after, dt, ledger, tableau, lo, hi):
     elastic, friction = state.forces.elastic, state.forces.friction
     w, g = state.inverse_mass, system.gravity
     plain, looks = has_plain_forces(system), wanted(state) and not adds_to_springs(system, state)
-    if relaxes(system, state):
+    if has_inner(system, state):
         note_strains(system, state)
     rubs, quick = scratch.about[0] == 1.0, scratch.about[1] == 1.0
     if plain and not ledger and has_plain_springs(system, state):
@@ -138,7 +138,7 @@ def step(system, state, scratch, t, after, dt, ledger, tableau, lo, hi):
         keep_anchors(system, state, lo, hi)
     if ledger:
         account(system, state, forces, middle, dt, lo, hi)
-    if relaxes(system, state):
+    if has_inner(system, state):
         relax(system, state, dt, ledger)
 
 

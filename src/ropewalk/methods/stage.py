@@ -28,9 +28,9 @@ from ropewalk.core.jit import kernel, part
 from ropewalk.core.saddle import Saddle, make_saddle
 from ropewalk.core.status import OK, UNSOLVED
 from ropewalk.laws.couplings import couples
+from ropewalk.laws.inner import begin_inner
 from ropewalk.laws.rare import has_bending, limits
 from ropewalk.laws.registry import NODE_LAWS
-from ropewalk.laws.relaxing import begin_arms
 from ropewalk.laws.stage_forces import evaluate_stage, mark_stage
 from ropewalk.laws.table import accelerate
 from ropewalk.methods.model_slope import follow_model
@@ -63,16 +63,16 @@ ITERATIONS, RESIDUAL, NODE, SCALE, MISFIT, SOLVES, SPLITS, TIME, ROUNDING, HISTO
 
 
 class Segments(NamedTuple):
-    """What a stage knows of its segments, (s,) each."""
+    """What a stage knows of its segments, (s,) each but the last."""
 
     alive: Floats  # 1, or 0 between ropes and on a drum
     soft: Floats  # compliance 1/k [m/N]; 0 where not alive
     weight: Floats  # inertial stiffness m / (c1 c2) of the lighter node [N/m]
     stretch: Floats  # r - L [m]
     over: Floats  # 1 / r [1/m], 0 where the ends coincide
-    known: Floats  # d^ of the dampers of segments that relax [1]; (0,) without, as the next two
-    arm: Floats  # slope of the arm in this stage, over k L [1]
+    known: Floats  # d^ of what segments remember [1]; (0,) without, as the next one
     free: Floats  # strain without tension [1]
+    follow: Floats  # (1,) c [s], d being d^ + c d'
 
 
 class Stage(NamedTuple):
@@ -95,8 +95,8 @@ def make_stage(state: State) -> Stage:
     s = state.rest_length.shape[0]
     x, v, x_known, v_known, a = (np.zeros_like(state.x) for _ in range(5))
     forces = blank(state.forces)._replace(applied=state.forces.applied)
-    relaxing = state.arm.shape[1]
-    sizes = (*(5 * (s,)), *(3 * (relaxing,)))
+    inner = state.inner.shape[1]
+    sizes = (*(5 * (s,)), inner, inner, 1)
     segments = Segments(*(np.zeros(size) for size in sizes))
     saddle = make_saddle(state.x.shape[1], state.bending_stiffness.shape[0] > 0, len(NODE_LAWS))
     known, report = (x_known, v_known), np.zeros(HISTORY + MOST_ITERATIONS + 1)
@@ -247,7 +247,7 @@ def solve_stage(system, state, stage, c1, c2):
     x, v, tension, known = stage.x, stage.v, stage.tension, stage.v_known
     mass, free = state.mass, saddle.free
     begin(mass, state.inverse_mass, state.stiffness, segments, saddle, 1.0 / (c1 * c2))
-    begin_arms(system, state, segments, c2)
+    begin_inner(system, state, segments, c2)
     merit, size, exact, wary, held_back, failed = np.inf, 0.0, False, 0, 0, False
     iteration, leaps, leap, bar, first = 0, 0, False, np.inf, 0
     calm, touching, last = not has_bending(system), couples(system), np.inf

@@ -16,7 +16,7 @@ from ropewalk.core.jit import kernel, part
 from ropewalk.core.status import BROKEN, HONEST, LAST, MADE_UP, OK, SEEN, TAKEN, ZERO
 from ropewalk.laws.clamps import bent_energy
 from ropewalk.laws.couplings import any_fault
-from ropewalk.laws.curved import stored_energy
+from ropewalk.laws.elastic import stored_energy
 from ropewalk.laws.ledger import gravity_energy, kinetic_energy
 from ropewalk.laws.nodes import node_energy, node_given, node_power
 from ropewalk.laws.rare import has_bending
@@ -29,7 +29,7 @@ def energy_now(system, state):
     """Return the energy of all ropes [J], that of laws of nodes and of applied forces included."""
     total = kinetic_energy(state.v, state.mass)
     total += gravity_energy(state.x, state.mass, system.gravity)
-    total += stored_energy(system, state, state.x, state.arm)
+    total += stored_energy(system, state, state.x, state.inner)
     if has_bending(system):
         total += bent_energy(system, state, state.x)
     x = state.x

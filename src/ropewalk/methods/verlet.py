@@ -10,9 +10,9 @@ from __future__ import annotations
 
 from ropewalk.core.jit import part
 from ropewalk.laws.anchors import move_anchors, place_stage
+from ropewalk.laws.inner import note_strains, relax
 from ropewalk.laws.ledger import account
-from ropewalk.laws.rare import relaxes
-from ropewalk.laws.relaxing import note_strains, relax
+from ropewalk.laws.rare import has_inner
 from ropewalk.laws.table import accelerate, evaluate
 from ropewalk.methods.loop import make_advance
 from ropewalk.methods.scratch import add, add_forces, axpy, clear_forces, put
@@ -24,7 +24,7 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
     x, v, a, middle = state.x, state.v, state.acceleration, scratch.middle
     old, predicted, mean = scratch.x, scratch.v, scratch.mean
     clear_forces(system, mean)
-    if relaxes(system, state):
+    if has_inner(system, state):
         note_strains(system, state)
     add_forces(system, state.forces, 0.5, mean)
     put(a, old)
@@ -32,7 +32,7 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
     add(v, dt, x)
     add(a, 0.5 * dt * dt, x)
     place_stage(system, state, after, dt, x, predicted, scratch.point, scratch.speed)
-    if relaxes(system, state):
+    if has_inner(system, state):
         relax(system, state, dt, ledger)
     evaluate(system, state, x, predicted, state.forces)
     accelerate(system, state, state.forces, a)

@@ -10,7 +10,7 @@ import numpy as np
 from ropewalk.core import arrays
 from ropewalk.laws.clamps import start_clamps
 from ropewalk.lowering import Model, build
-from ropewalk.lowering.curve_tables import let_relax, stored_at_rest
+from ropewalk.lowering.elastic_tables import let_relax, stored_at_rest
 from ropewalk.methods.loop import prepare
 from ropewalk.methods.recording import ENERGIES, Recording, make_recording, record_frame
 from ropewalk.methods.scratch import make_sums

@@ -37,7 +37,7 @@ from ropewalk.laws.others import other_forces, other_stiffness
 from ropewalk.laws.pulls import pulls_of_laws
 from ropewalk.laws.tangent import law_band
 from ropewalk.lowering import Model, Span
-from ropewalk.lowering.curve_tables import put_tension, put_under_tension
+from ropewalk.lowering.elastic_tables import put_tension, put_under_tension
 from ropewalk.statics.couplings import Couplings, Entries
 from ropewalk.statics.tied import points, solve_tied, together
 
@@ -211,7 +211,7 @@ class Balance:
     def given(self, tension: Floats) -> tuple[Floats, Floats]:
         """Return the stretch under tensions [m] and its slope, the compliance [m/N], (s,) each."""
         stretch, soft = tension * self.soft, self.soft
-        if self.system.curves.least.size:
+        if self.system.elastic.least.size:
             soft = soft.copy()
             put_under_tension(self.system, self.state, tension, stretch, soft)
         return stretch, soft

@@ -12,7 +12,7 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats
 from ropewalk.lowering import Model, Span
-from ropewalk.lowering.curve_tables import put_under_tension
+from ropewalk.lowering.elastic_tables import put_under_tension
 from ropewalk.scene import SceneError
 from ropewalk.scene.faults import Fault
 from ropewalk.theory.chain import hang
@@ -29,7 +29,7 @@ def hung(model: Model) -> tuple[Floats, Floats]:
     that do not reach from one held node to the next.
     """
     x, tension = _hung(model, model.state.stiffness)
-    for _ in range(_ROUNDS if model.system.curves.least.size else 0):
+    for _ in range(_ROUNDS if model.system.elastic.least.size else 0):
         x, tension = _hung(model, _secants(model, tension))
     return x, tension
 

@@ -22,7 +22,7 @@ from ropewalk.core.band import Band, triplets
 from ropewalk.laws.others import other_stiffness
 from ropewalk.laws.tangent import assemble_tangent, law_band
 from ropewalk.lowering import Model
-from ropewalk.lowering.curve_tables import put_under_tension
+from ropewalk.lowering.elastic_tables import put_under_tension
 from ropewalk.statics.couplings import Couplings, Entries
 from ropewalk.statics.tied import points
 from ropewalk.theory.borrowed import load_scipy

@@ -17,7 +17,7 @@ from ropewalk.laws.acting import at_rest, relaxed
 from ropewalk.laws.contact_frame import GRIP
 from ropewalk.laws.node_law import Rest
 from ropewalk.lowering import Layout, Model, build
-from ropewalk.lowering.curve_tables import put_tension
+from ropewalk.lowering.elastic_tables import put_tension
 from ropewalk.lowering.link_lengths import has_links
 from ropewalk.lowering.touching import SLIPS
 from ropewalk.methods.loop import prepare_links

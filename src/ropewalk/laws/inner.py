@@ -1,0 +1,307 @@
+"""What segments remember, an inner strain each, whatever their law; see `elastic_law`.
+
+* Runge-Kutta methods have d among their unknowns.
+* Semi-implicit Euler and Verlet take d over the step with the strain linear in time, as its law does.
+* A stage of an implicit method knows d = d^ + c d', so that only compliance and length of a segment change.
+
+A tension-only segment that is slack keeps the strain without tension, and changes as one that nothing pulls.
+What is lost is booked as friction, and taken out of what springs did.
+
+Rows of `State.inner`: NOW, d; CHANGE, that in the last step; RATE, which a method keeps [1/s]; FIRST, the
+strain that a step began with.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from ropewalk.core.jit import kernel, part, small
+from ropewalk.laws.elastic import CHANGE, FIRST, NOW, RATE, asking, held_strain, strain_of
+from ropewalk.laws.elastic_law import ElasticLaw
+from ropewalk.laws.nodes import fold
+from ropewalk.laws.rare import has_inner
+from ropewalk.laws.registry import ELASTIC_LAWS
+from ropewalk.laws.stretch import stretched
+
+# -- what the laws say, each of its own segments ----------------------------------------------
+
+
+@part
+def _no_rate(elastic, j, strain, inner, c):
+    return 0.0
+
+
+@part
+def _no_move(elastic, j, inner, first, last, dt):
+    return inner
+
+
+def _moving(law: ElasticLaw, k: int, rest: Any) -> Any:
+    rate = law.rate
+
+    @part
+    def _by_its_rate(table, j, inner, first, last, dt):
+        return inner + dt * rate(table, j, 0.5 * (first + last), inner, 0.5 * dt)
+
+    own = _by_its_rate if law.move is None else law.move
+
+    @part
+    def _move(elastic, j, inner, first, last, dt):
+        if elastic.of[j] == k:
+            found = own(elastic.table[k], j, inner, first, last, dt)
+        else:
+            found = rest(elastic, j, inner, first, last, dt)
+        return found
+
+    return _move
+
+
+@part
+def _no_heat(elastic, j, change, dt):
+    return 0.0
+
+
+def _heating(law: ElasticLaw, k: int, rest: Any) -> Any:
+    own = law.heat
+
+    @part
+    def _heat(elastic, j, change, dt):
+        if elastic.of[j] == k:
+            found = own(elastic.table[k], j, change, dt)
+        else:
+            found = rest(elastic, j, change, dt)
+        return found
+
+    return _heat
+
+
+_rate_of = fold(asking("rate"), _no_rate, "rate", ELASTIC_LAWS)
+_move_of = fold(_moving, _no_move, "rate", ELASTIC_LAWS)
+_heat_of = fold(_heating, _no_heat, "heat", ELASTIC_LAWS)
+
+
+@small
+def rate_of(elastic, j, strain, inner, c):
+    """Return d' of segment `j` where d is `inner + c d'` [1/s]."""
+    return _rate_of(elastic, j, strain, inner, c)
+
+
+@small
+def move_of(elastic, j, inner, first, last, dt):
+    """Return d of segment `j` after a step [1]."""
+    return _move_of(elastic, j, inner, first, last, dt)
+
+
+@small
+def heat_of(elastic, stiffness, rest_length, change, j, dt):
+    """Return what segment `j` loses in a step of `dt` [J], as its inner strain changes [1]."""
+    if not remembers(elastic, stiffness, j):
+        return 0.0
+    return stiffness[j] * rest_length[j] * rest_length[j] * _heat_of(elastic, j, change, dt)
+
+
+@small
+def remembers(elastic, stiffness, j):
+    """Tell whether segment `j` is there and has a law with a memory."""
+    return stiffness[j] > 0.0 and elastic.time[j] < math.inf
+
+
+# -- explicit methods --------------------------------------------------------------------------
+
+
+@kernel
+def strains(elastic, stiffness, rest_length, floor, x, inner, out):
+    """Write the strain of what the segments are made of at places `x`, (s,) [1]."""
+    for j in range(out.shape[0]):
+        if remembers(elastic, stiffness, j):
+            strain = (stretched(x, j) - rest_length[j]) / rest_length[j]
+            out[j] = held_strain(elastic, j, floor[j], strain, inner[j])
+
+
+@kernel
+def rates(elastic, stiffness, strain, inner, out):
+    """Write d' of every segment, (s,) [1/s]; `out` may be `strain`."""
+    for j in range(out.shape[0]):
+        acts = remembers(elastic, stiffness, j)
+        out[j] = rate_of(elastic, j, strain[j], inner[j], 0.0) if acts else 0.0
+
+
+@part
+def write_rates(system, state, x, out):
+    """Write d' of every segment at places `x`, (s,) [1/s], for the d that the state has."""
+    elastic, k, inner = system.elastic, state.stiffness, state.inner[NOW]
+    strains(elastic, k, state.rest_length, system.slack_floor, x, inner, out)
+    rates(elastic, k, out, inner, out)
+
+
+@part
+def note_strains(system, state):
+    """Note what a step begins with."""
+    elastic, k, first = system.elastic, state.stiffness, state.inner[FIRST]
+    floor, inner = system.slack_floor, state.inner[NOW]
+    strains(elastic, k, state.rest_length, floor, state.x, inner, first)
+
+
+@part
+def relax(system, state, dt, ledger):
+    """Take what segments remember through a step of `dt` [s] that has led to the places in `state`."""
+    floor = system.slack_floor
+    relax_through(
+        system.elastic, state.stiffness, state.rest_length, floor, state.x, state.inner, dt
+    )
+    if ledger:
+        book_heat(system, state, dt)
+
+
+@kernel
+def relax_through(elastic, stiffness, rest_length, floor, x, inner, dt):
+    """Move d, the strain being linear in time; twice, as the strain of a slack one follows it."""
+    for j in range(inner.shape[1]):
+        if not remembers(elastic, stiffness, j):
+            continue
+        before, first = inner[NOW, j], inner[FIRST, j]
+        strain = (stretched(x, j) - rest_length[j]) / rest_length[j]
+        now = before
+        for _ in range(2):
+            last = held_strain(elastic, j, floor[j], strain, now)
+            now = move_of(elastic, j, before, first, last, dt)
+        inner[NOW, j], inner[CHANGE, j] = now, now - before
+
+
+@kernel
+def book_heat(system, state, dt):
+    """Book what was lost in a step of `dt` [s], from the change of d in it."""
+    elastic, inner, work = system.elastic, state.inner, state.work
+    for j in range(inner.shape[1]):
+        heat = heat_of(elastic, state.stiffness, state.rest_length, inner[CHANGE, j], j, dt)
+        work.friction[j] -= heat
+        work.elastic[j] += heat
+
+
+@kernel
+def heat(elastic, stiffness, rest_length, change, dt):
+    """Return what all segments lose in a step of `dt` [J]; `change` (s,) of their d in it [1]."""
+    total = 0.0
+    for j in range(change.shape[0]):
+        total += heat_of(elastic, stiffness, rest_length, change[j], j, dt)
+    return total
+
+
+@kernel
+def next_stage(system, state, x, c, b, first):
+    """Bring d to a stage of an explicit Runge-Kutta method, at places `x`.
+
+    It is `c` [s] along the rate of the stage before, of which `first` has none; its own counts for `b` [s].
+    """
+    inner = state.inner
+    for j in range(inner.shape[1]):
+        if first:
+            inner[FIRST, j], inner[CHANGE, j] = inner[NOW, j], 0.0
+        else:
+            inner[NOW, j] = inner[FIRST, j] + c * inner[RATE, j]
+    write_rates(system, state, x, inner[RATE])
+    for j in range(inner.shape[1]):
+        inner[CHANGE, j] += b * inner[RATE, j]
+
+
+@part
+def end_stages(system, state, dt, ledger):
+    """Bring d to the end of a step of an explicit Runge-Kutta method."""
+    inner = state.inner
+    for j in range(inner.shape[1]):
+        inner[NOW, j] = inner[FIRST, j] + inner[CHANGE, j]
+    if ledger:
+        book_heat(system, state, dt)
+
+
+# -- implicit methods --------------------------------------------------------------------------
+
+
+@part
+def know_past(state, share, row, known):
+    """Write what a stage knows of d, (s,) [1]: now, and `share` of a row of `State.inner`."""
+    if state.inner.shape[1] > 0:
+        inner = state.inner
+        for j in range(known.shape[0]):
+            known[j] = inner[NOW, j] + share * inner[row, j]
+
+
+@part
+def know_stages(state, table, s, dt, known_rates, known):
+    """Write what stage `s` of a DIRK method knows of d, (s,) [1], from rates (stages, s)."""
+    if state.inner.shape[1] > 0:
+        for j in range(known.shape[0]):
+            total = state.inner[NOW, j]
+            for r in range(s):
+                total += dt * table[s, r] * known_rates[r, j]
+            known[j] = total
+
+
+@part
+def begin_inner(system, state, work, c):
+    """Write what stays the same of segments that remember while a stage is solved, d = d^ + c d'."""
+    if has_inner(system, state):
+        work.follow[0] = c
+        _begin(system.elastic, state.stiffness, work.known, work.free, c)
+
+
+@kernel
+def _begin(elastic, stiffness, known, free, c):
+    for j in range(free.shape[0]):
+        free[j] = 0.0
+        if remembers(elastic, stiffness, j):
+            free[j], _ = strain_of(elastic, j, 0.0, known[j], c)
+
+
+@part
+def end_inner(system, state, work, tension, c, out):
+    """Write d' of a stage that is solved, from its tensions, (s,) [1/s]."""
+    if has_inner(system, state):
+        _end(system.elastic, state.stiffness, state.rest_length, work, tension, c, out)
+
+
+@kernel
+def _end(elastic, stiffness, rest_length, work, tension, c, out):
+    for j in range(out.shape[0]):
+        out[j] = 0.0
+        if remembers(elastic, stiffness, j):
+            pull = tension[j] / (stiffness[j] * rest_length[j])
+            strain, _ = strain_of(elastic, j, pull, work.known[j], c)
+            out[j] = rate_of(elastic, j, strain, work.known[j], c)
+
+
+@part
+def write_ends(state, ends, weights, stage_rates, dt):
+    """Write the end of a DIRK step, rows as in `State.inner`, from rates (stages, s)."""
+    for j in range(state.inner.shape[1]):
+        total = 0.0
+        for s in range(weights.shape[0]):
+            total += dt * weights[s] * stage_rates[s, j]
+        ends[NOW, j] = state.inner[NOW, j] + total
+        ends[CHANGE, j], ends[RATE, j] = total, stage_rates[weights.shape[0] - 1, j]
+
+
+@part
+def write_end(state, ends, share, row, c, rate, kept):
+    """Write the end of a multistep method's step, rows as in `State.inner`.
+
+    d changes by `share` of a row and `c` [s] of the `rate` (s,) that is kept, which is
+    (rate - kept RATE) / (1 - kept): filtered where `kept` is not 0.
+    """
+    for j in range(state.inner.shape[1]):
+        now = (rate[j] - kept * state.inner[RATE, j]) / (1.0 - kept)
+        change = share * state.inner[row, j] + c * now
+        ends[NOW, j] = state.inner[NOW, j] + change
+        ends[CHANGE, j], ends[RATE, j] = change, now
+
+
+@part
+def take_ends(system, state, ends, dt, ledger):
+    """Bring d to the end of a step of an implicit method."""
+    if has_inner(system, state):
+        for j in range(ends.shape[1]):
+            for row in range(ends.shape[0]):
+                state.inner[row, j] = ends[row, j]
+        if ledger:
+            book_heat(system, state, dt)
