@@ -177,7 +177,7 @@ def test_the_scene_lists_the_methods_that_there_are() -> None:
     """Its list is written apart, so that a scene loads without kernels."""
     from typing import get_args
 
+    from ropewalk.methods.names import Method
     from ropewalk.methods.registry import METHODS
-    from ropewalk.scene.run_settings import Method
 
     assert set(get_args(Method)) == {*METHODS, "auto"}

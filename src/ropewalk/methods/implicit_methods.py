@@ -1,7 +1,11 @@
-"""The implicit methods, one entry each."""
+"""The implicit methods, one entry each, in the order of `names`."""
 
 from __future__ import annotations
 
+from importlib import import_module
+from typing import get_args
+
+from ropewalk.methods.names import Implicit
 from ropewalk.methods.tableaus import (
     BDF_2,
     ESDIRK3,
@@ -12,7 +16,7 @@ from ropewalk.methods.tableaus import (
     generalized_alpha,
 )
 
-IMPLICIT = (
+_MADE = (
     ImplicitMethod(
         "implicit-euler",
         1,
@@ -61,3 +65,15 @@ IMPLICIT = (
         fixed=False,
     ),
 )
+
+
+def _of_name(name: str) -> ImplicitMethod:
+    """Return the method of a name, from a file of its own where it is not made here."""
+    for method in _MADE:
+        if method.name == name:
+            return method
+    found: ImplicitMethod = import_module(f"ropewalk.methods.{name.replace('-', '_')}").METHOD
+    return found
+
+
+IMPLICIT = tuple(map(_of_name, get_args(Implicit)))

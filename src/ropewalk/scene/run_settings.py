@@ -6,26 +6,12 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field, model_validator
 
+from ropewalk.methods.names import Method
 from ropewalk.scene.base import HUGE, TINY, Model, Number, not_negative, positive, refuse
 from ropewalk.scene.faults import NO_VALUE, Fault
 from ropewalk.scene.ring import Ring
 from ropewalk.scene.units import WrongUnit
 
-Method = Literal[
-    "euler",
-    "semi-implicit-euler",
-    "verlet",
-    "heun",
-    "rk4",
-    "implicit-euler",
-    "implicit-midpoint",
-    "bdf2",
-    "sdirk2",
-    "esdirk3",
-    "generalized-alpha",
-    "adaptive",
-    "auto",
-]
 #: Most frames one run may record.
 MOST_FRAMES = 1e9
 
