@@ -119,8 +119,8 @@ def test_a_straight_curve_is_EA() -> None:
     straight = material([(0.1, 1000.0), (0.2, 2000.0), (0.4, 4000.0)])
     assert straight.EA == 1e4
     system = build(scene(straight)).system
-    assert system.elastic.least.size == 0
-    assert build(scene(material([(0.1, 1000.0), (0.2, 2100.0)]))).system.elastic.least.size > 0
+    assert system.elastic.time.size == 0
+    assert build(scene(material([(0.1, 1000.0), (0.2, 2100.0)]))).system.elastic.time.size > 0
 
 
 def test_EA_is_the_largest_slope_and_is_left_out_of_files() -> None:

@@ -124,7 +124,7 @@ def _speeds_along(
     Where a part of the stiffness relaxes slow waves do without it, and fast ones have it.
     """
     length = rope.segment_length
-    if not model.system.elastic.least.size or (model.system.elastic.of[segments] < 0).all():
+    if not model.system.elastic.time.size or (model.system.elastic.of[segments] < 0).all():
         speed = length * math.sqrt(rope.segment_stiffness / node_mass)
         return speed, speed
     slow, fast = slopes_at_rest(model.system, model.state, stretch - 1.0)

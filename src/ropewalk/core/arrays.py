@@ -86,8 +86,7 @@ class Elastic(NamedTuple):
     """Laws of segments whose tension is no straight line of the strain; see `laws.elastic_law`."""
 
     of: Ints  # (s,) the law of every segment by its place in the list, -1: Hooke's
-    least: Floats  # (s,) least slope over the largest [1]; (0,) where all are Hooke's
-    time: Floats  # (s,) in which a segment forgets [s], inf: it remembers nothing; (0,) as above
+    time: Floats  # (s,) in which a segment forgets [s], inf: never; (0,) where all are Hooke's
     table: Any  # the tables of the laws, by name; see `laws.registry`
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -21,7 +22,6 @@ class Curve(NamedTuple):
     which: Ints  # (s,) -1: none
     first: Ints  # (c + 1,) where the pieces of a curve begin
     piece: Floats  # (p, 5) strain, tension, slope, bend and energy per length [1]
-    least: Floats  # (c,) least slope [1]
 
 
 @small
@@ -103,23 +103,21 @@ def put_together(curves: tuple[tuple[Floats, float] | None, ...], layout: Any) -
     """
     which = np.full(layout.segments, -1, np.int64)
     first, pieces = [0], [np.zeros((0, 5))]
-    least: list[float] = []
     for curve, span in zip(curves, layout.ropes, strict=True):
         if curve is None:
             continue
-        low, high = slope_range(curve[0])
-        high += curve[1]
-        which[span.first : span.last] = len(least)
+        high = slope_range(curve[0])[1] + curve[1]
+        which[span.first : span.last] = len(first) - 1
         pieces.append(curve[0] / np.array([1.0, high, high, high, high]))
         first.append(first[-1] + len(curve[0]))
-        least.append(low / high)
     table = np.ascontiguousarray(np.concatenate(pieces))
-    return Curve(which, np.array(first, np.int64), table, np.array(least))
+    return Curve(which, np.array(first, np.int64), table)
 
 
-def least(curve: Curve) -> Floats:
+def least(curve: Any) -> Floats:
     """Return the least slope over the largest, (s,) [1]; 1 where there is no curve."""
-    return of_each(curve.which, curve.least, 1.0)
+    slopes = [curve.piece[first:last, SLOPE].min() for first, last in pairwise(curve.first)]
+    return of_each(curve.which, np.array(slopes), 1.0)
 
 
 def of_each(which: Ints, values: Floats, other: float) -> Floats:

@@ -20,7 +20,7 @@ def has_bending(system):
 @part
 def has_elastic_laws(system):
     """Tell whether the tension of any segment is no straight line of its strain."""
-    return system.rare is not None and system.elastic.least.shape[0] > 0
+    return system.rare is not None and system.elastic.time.shape[0] > 0
 
 
 @part

@@ -19,7 +19,7 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats, Ints
 from ropewalk.core.jit import part, small
-from ropewalk.laws.curved import at_strain, at_tension, of_each, pieces_of, put_together
+from ropewalk.laws.curved import at_strain, at_tension, least, of_each, pieces_of, put_together
 from ropewalk.laws.elastic_law import ElasticLaw
 
 _SHORT = 1e-3  # [1] a step over the relaxation time below which a series is exact
@@ -31,7 +31,6 @@ class Solid(NamedTuple):
     which: Ints  # (s,) -1: none
     first: Ints  # (c + 1,) where the pieces of a curve begin
     piece: Floats  # (p, 5), see `curved.Curve`
-    least: Floats  # (c,) least slope at rest [1]
     arm: Floats  # (c,) slope of the arm [1]
     time: Floats  # (c,) [s]
 
@@ -111,7 +110,7 @@ SOLID = ElasticLaw(
     lower=lower,
     pull=pull,
     strain=strain,
-    least=lambda solid: of_each(solid.which, solid.least, 1.0),
+    least=least,
     time=lambda solid: of_each(solid.which, solid.time, math.inf),
     rate=rate,
     move=move,

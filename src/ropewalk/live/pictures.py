@@ -106,7 +106,7 @@ def _largest_strain(simulation: Simulation, tension: Floats) -> float:
     strain, soft = np.zeros_like(tension), np.zeros_like(tension)
     stiff = state.stiffness[alive] * state.rest_length[alive]
     strain[alive] = tension[alive] / stiff
-    if simulation.system.elastic.least.size:
+    if simulation.system.elastic.time.size:
         stretch = strain * state.rest_length
         put_under_tension(simulation.system, state, tension, stretch, soft)
         strain[alive] = stretch[alive] / state.rest_length[alive]

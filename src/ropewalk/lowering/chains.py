@@ -62,7 +62,7 @@ def free_chains(system: System, state: State, speed: float = 0.0) -> dict[str, C
     )
     base = _under_laws(system, base, state.rest_length, speed)
     cases = {FREE: base}
-    if system.elastic.least.size:
+    if system.elastic.time.size:
         soft = softest(system.elastic, base.stiffness)
         cases["where its curve is softest"] = base._replace(stiffness=soft)
     for row in range(len(state.winch_exit)):

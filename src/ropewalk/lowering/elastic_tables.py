@@ -31,14 +31,12 @@ def elastic_tables(layout: Layout, said: Said) -> Elastic:
             if word is not None:
                 of[span.first : span.last] = k
     any_law = bool((of >= 0).any())
-    least, time = np.ones(len(of) * any_law), np.full(len(of) * any_law, math.inf)
+    time = np.full(len(of) * any_law, math.inf)
     for k, (law, table) in enumerate(zip(ELASTIC_LAWS, tables, strict=True)):
         mine = np.flatnonzero(of == k)
-        if mine.size:
-            least[mine] = law.least(table)[mine]
-            if law.time is not None:
-                time[mine] = law.time(table)[mine]
-    return Elastic(of, least, time, ElasticTables(*tables))
+        if mine.size and law.time is not None:
+            time[mine] = law.time(table)[mine]
+    return Elastic(of, time, ElasticTables(*tables))
 
 
 def remembers(elastic: Elastic) -> bool:
@@ -62,7 +60,7 @@ def stored_at_rest(system: System, state: State, tension: Floats) -> float:
     """Return the elastic energy of all segments under tensions at rest [J], (s,) [N]."""
     k = state.stiffness
     stored = np.divide(tension**2, 2.0 * k, out=np.zeros_like(k), where=k > 0.0)
-    if system.elastic.least.size:
+    if system.elastic.time.size:
         stretch, soft, pull = (np.zeros_like(tension) for _ in range(3))
         put_under_tension(system, state, tension, stretch, soft)
         rest_pulls(system.elastic, state.rest_length, k, stretch, pull, stored)
@@ -73,14 +71,14 @@ def put_under_tension(
     system: System, state: State, tension: Floats, stretch: Floats, soft: Floats
 ) -> None:
     """Write stretch [m] and compliance [m/N] of segments with a law under tensions [N], (s,) each."""
-    if system.elastic.least.size:
+    if system.elastic.time.size:
         lengths, k = state.rest_length, state.stiffness
         rest_strains(system.elastic, lengths, k, np.asarray(tension, float), stretch, soft)
 
 
 def put_tension(system: System, state: State, stretch: Floats, tension: Floats) -> None:
     """Write the tension [N] of segments with a law at stretches [m], (s,) each, pressed ones too."""
-    if system.elastic.least.size:
+    if system.elastic.time.size:
         lengths, k, stored = state.rest_length, state.stiffness, np.zeros_like(tension)
         rest_pulls(system.elastic, lengths, k, stretch, tension, stored)
 
@@ -88,11 +86,15 @@ def put_tension(system: System, state: State, stretch: Floats, tension: Floats) 
 def slopes_at_rest(system: System, state: State, strain: Floats) -> tuple[Floats, Floats]:
     """Return how the tension rises with the length [N/m], (s,): slowly, and at once; at strains [1], (s,)."""
     slow, fast = state.stiffness.copy(), state.stiffness.copy()
-    if system.elastic.least.size:
+    if system.elastic.time.size:
         slopes(system.elastic, state.stiffness, strain, slow, fast)
     return slow, fast
 
 
 def softest(elastic: Elastic, stiffness: Floats) -> Floats:
     """Return the least slope of every segment's tension by its length [N/m], (s,), from the largest."""
-    return elastic.least * stiffness if elastic.least.size else stiffness
+    found = stiffness
+    for k, (law, table) in enumerate(zip(ELASTIC_LAWS, elastic.table, strict=True)):
+        if (elastic.of == k).any():
+            found = np.where(elastic.of == k, law.least(table) * stiffness, found)
+    return found

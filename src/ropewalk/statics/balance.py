@@ -211,7 +211,7 @@ class Balance:
     def given(self, tension: Floats) -> tuple[Floats, Floats]:
         """Return the stretch under tensions [m] and its slope, the compliance [m/N], (s,) each."""
         stretch, soft = tension * self.soft, self.soft
-        if self.system.elastic.least.size:
+        if self.system.elastic.time.size:
             soft = soft.copy()
             put_under_tension(self.system, self.state, tension, stretch, soft)
         return stretch, soft

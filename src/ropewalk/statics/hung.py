@@ -29,7 +29,7 @@ def hung(model: Model) -> tuple[Floats, Floats]:
     that do not reach from one held node to the next.
     """
     x, tension = _hung(model, model.state.stiffness)
-    for _ in range(_ROUNDS if model.system.elastic.least.size else 0):
+    for _ in range(_ROUNDS if model.system.elastic.time.size else 0):
         x, tension = _hung(model, _secants(model, tension))
     return x, tension
 
