@@ -8,6 +8,7 @@ import { dot, vector } from "./view/vector.js";
 /** @typedef {import("./source/protocol.js").Layout} Layout */
 
 const BELOW = 0.12; // of the ropes' extent, below the lowest place they can reach
+const CLEAR = 0.03; // of the ropes' extent, by which a body must be lower than they to stand on the floor
 const STEP = 0.1; // radii of the scene, by which it goes below what came through it
 const DEEPEST = 4; // radii of the scene: what is lower fell off
 
@@ -44,7 +45,9 @@ export class Floor {
     );
     const size = Math.hypot(...box.high.map((value, k) => value - box.low[k]));
     const now = Math.min(...[box.low, box.high].map((corner) => dot(corner, up)));
-    const height = Math.min(...levels, now, solids.lowest()) - BELOW * size;
+    const ropes = Math.min(...levels, now);
+    const body = solids.lowest(); // that stands on the floor where it is lower than all ropes
+    const height = body < ropes - CLEAR * size ? body : Math.min(ropes, body) - BELOW * size;
     if (Number.isFinite(height)) this.height = this.goal = height;
   }
 
@@ -58,8 +61,11 @@ export class Floor {
     for (let i = 0; i < 4 * nodesOf(layout); i += 4) {
       least = Math.min(least, to[i] * up[0] + to[i + 1] * up[1] + to[i + 2] * up[2]);
     }
-    if (least >= this.height || least < dot(center, up) - DEEPEST * radius) return;
-    this.goal = Math.min(this.goal, least - STEP * radius);
+    const deepest = dot(center, up) - DEEPEST * radius;
+    if (least < this.height && least >= deepest)
+      this.goal = Math.min(this.goal, least - STEP * radius);
+    const body = this.stage.solids.lowest(); // one that a hand leads down
+    if (body < this.height && body >= deepest) this.goal = Math.min(this.goal, body);
   }
 
   /** Once per animation frame. */

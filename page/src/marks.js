@@ -4,6 +4,7 @@ import { ROPES, fromHex } from "./view/colours.js";
 import { quantity } from "./view/range.js";
 import { dot, plus, vector } from "./view/vector.js";
 import { placeOf } from "./input/pick.js";
+import { LEAST, REACTION, hasTail, holding, longest, strongestOf } from "./reactions.js";
 import { Trails } from "./render/trails.js";
 
 /** @typedef {import("./stage.js").Stage} Stage */
@@ -16,7 +17,6 @@ import { Trails } from "./render/trails.js";
 /** @typedef {{from: Vector, at: Vector, text: string, kind: "reaction" | "given" | "grab" | "kick"}} Label
  *   beside the tip of an arrow */
 
-const REACTION = 84; // length of the longest arrow [CSS pixels]
 const CONTACT = 56; // length of the longest arrow of a contact [CSS pixels]
 const LEAST_CONTACT = 0.03; // of the strongest contact, below which there is no arrow
 const HEADLESS = 0.2; // of the strongest contact, below which arrows have no head
@@ -58,11 +58,16 @@ export class Marks {
     /** The forces of contacts. @type {Arrow[]} */ this.touches = [];
     /** What anchors stand on, on the floor. @type {Arrow[]} */ this.posts = [];
     this.standing = true; // whether they are shown
+    /** Anchors from which a loose end hangs: a post would run along it. @type {Set<number>} */
+    this.hanging = new Set();
   }
 
   /** @param {Layout} layout */
   setLayout(layout) {
-    const most = layout.variants[0].nodes;
+    const [copy] = layout.variants;
+    const held = layout.obstacles?.length ? [] : copy.anchors.map(({ index }) => index); // bodies bear ropes
+    this.hanging = new Set(held.filter((index) => hasTail(copy, index)));
+    const most = copy.nodes;
     for (const node of this.followed) if (node >= most) this.followed.delete(node);
     this.resetTrails();
     this.strongest = this.firmest = 0;
@@ -118,49 +123,30 @@ export class Marks {
 
   /** @param {Marker[]} markers @param {Arrow[]} arrows */
   addAnchors(markers, arrows) {
-    const { session, theme, anchors, camera } = this.stage;
-    const layout = /** @type {Layout} */ (session.layout);
-    const frame = /** @type {Frame} */ (session.frame);
-    const longest = Math.min(REACTION, 0.14 * camera.width);
-    const reach = (longest * camera.pose.distance) / camera.focal;
-    let at = 0;
-    let strongest = 0;
-    /** @type {{place: Vector, force: number[], size: number, most: number}[]} */ const forces = [];
-    layout.variants.forEach((variant, v) => {
-      const part = frame.parts[v];
-      variant.anchors.forEach((anchor, a) => {
-        const place = vector(anchors.shown.subarray(at, at + 3));
-        at += 3;
-        if (part.anchors[10 * a + 9] < 0.5) return; // it has let go
-        if (!place.every(Number.isFinite)) return; // a recorded run may go on after its break
-        const [x, y, z] = place;
-        const colour = anchor.pinned
-          ? theme.pin
-          : anchor.motion === "hand"
-            ? theme.hand
-            : theme.anchor;
-        const pixels = anchor.pinned ? 14 : 19;
-        markers.push({ x, y, z, kind: "eye", colour, size: 0, pixels });
-        if (STILL.has(anchor.motion)) this.addPost(place);
-        const force = [...part.anchors.subarray(10 * a + 6, 10 * a + 9)];
-        const size = Math.hypot(...force);
-        if (!Number.isFinite(size)) return;
-        strongest = Math.max(strongest, size);
-        if (v === 0 || this.stage.apart) {
-          const most = Math.max(size, part.seen.greatestForce[a], this.most[v]?.[a] ?? 0);
-          forces.push({ place, force, size, most });
-        }
-      });
-    });
+    const { stage } = this;
+    const { theme, camera } = stage;
+    const held = holding(stage, stage.anchors.shown);
+    for (const { place, anchor } of held) {
+      const [x, y, z] = place;
+      const colour = anchor.pinned
+        ? theme.pin
+        : anchor.motion === "hand"
+          ? theme.hand
+          : theme.anchor;
+      markers.push({ x, y, z, kind: "eye", colour, size: 0, pixels: anchor.pinned ? 14 : 19 });
+      if (STILL.has(anchor.motion) && !this.hanging.has(anchor.index)) this.addPost(place);
+    }
     if (!this.reactions) return;
-    this.strongest = Math.max(strongest, this.strongest * 0.995);
-    for (const { place, force, size, most } of forces) {
-      if (size < 0.04 * this.strongest || size < 1e-9) continue;
-      const to = plus(place, force, reach / this.strongest);
+    this.strongest = Math.max(strongestOf(held), this.strongest * 0.995);
+    const per = (longest(camera) * camera.pose.distance) / camera.focal / this.strongest;
+    const shown = held.filter(({ variant }) => variant === 0 || stage.apart);
+    for (const { variant, a, place, force, size, peak } of shown) {
+      if (!(peak >= LEAST * this.strongest) || size < 1e-9) continue;
+      const to = plus(place, force, (peak / size) * per); // as long as its label says
       arrows.push({ from: place, to, colour: theme.arrow, pixels: 2.6, head: true });
-      if (forces.length <= MOST_LABELS) {
-        this.labels.push({ from: place, at: to, text: quantity(most, "N"), kind: "reaction" });
-      }
+      if (shown.length > MOST_LABELS) continue;
+      const most = Math.max(peak, this.most[variant]?.[a] ?? 0);
+      this.labels.push({ from: place, at: to, text: quantity(most, "N"), kind: "reaction" });
     }
   }
 

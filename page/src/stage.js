@@ -7,15 +7,16 @@ import { CALM, Flight } from "./view/flight.js";
 import { Follow } from "./view/follow.js";
 import { Range } from "./view/range.js";
 import { cornersOf, nodesOf, shiftsOf, starts } from "./view/copies.js";
-import { boxOf, firstAngles, flatAxis, groundOf, tame } from "./view/room.js";
+import { boxOf, firstAngles, flatAxis, groundOf, lies, tame } from "./view/room.js";
 import { readTheme } from "./view/theme.js";
 import { vector } from "./view/vector.js";
 import { textureSize } from "./render/webgl/texture_size.js";
 import { BROKEN, PLAYING } from "./source/frame.js";
-import { gather } from "./source/gather.js";
+import { gather, gatherAnchors } from "./source/gather.js";
 import { Floor } from "./floor.js";
 import { Gaps } from "./gaps.js";
 import { Marks } from "./marks.js";
+import { roomFor } from "./reactions.js";
 import { Solids } from "./solids.js";
 
 /** @typedef {import("./session.js").Session} Session */
@@ -58,6 +59,7 @@ export class Stage {
     this.following = true; // until the user moves the camera
     this.ownVersion = -1; // of the camera, as the stage has set it
     this.axis = -1; // that a flat scene has no extent along (0, 1, 2), else -1
+    this.lying = false; // all of the scene on one level
     this.past = false; // what is shown is past a break
     this.lookPending = true;
     this.layoutNumber = -1;
@@ -164,7 +166,7 @@ export class Stage {
     }
     this.lastPush = now;
     if (!again) this.marks.take(frame);
-    this.gatherAnchors(frame, this.anchors.next(now, jump));
+    gatherAnchors(frame, this.shifts, this.anchors.next(now, jump));
     if (this.lookPending) this.look(layout);
     else this.keepInView(layout, now);
     if (this.marks.trails) this.marks.trails.push(this.nodes.to);
@@ -186,21 +188,13 @@ export class Stage {
     this.takeFrame({ ...frame, parts, flags: frame.flags | BROKEN }, true);
   }
 
-  /** @param {Frame} frame @param {Float32Array} out */
-  gatherAnchors(frame, out) {
-    let at = 0;
-    frame.parts.forEach((part, v) => {
-      for (let i = 0; i < part.anchors.length; i += 10) {
-        for (let k = 0; k < 3; k++) out[at++] = part.anchors[i + k] + this.shifts[v][k];
-      }
-    });
-  }
-
   /** The first look at a scene. @param {Layout} layout */
   look(layout) {
     this.lookPending = false;
     const box = boxOf(this.nodes.to, nodesOf(layout));
-    this.axis = flatAxis(box, this.camera.up, layout.view.radius);
+    const axis = flatAxis(box, this.camera.up, layout.view.radius);
+    this.lying = lies(axis, this.camera.up, layout.gravity);
+    this.axis = this.lying ? -1 : axis;
     this.floor.put(layout, box);
     this.follower.clear();
     this.setPose(this.firstPose(layout));
@@ -220,7 +214,8 @@ export class Stage {
     if (camera.version !== this.ownVersion && !this.flight) this.following = false;
     if (!this.following || this.flight || this.held()) return;
     if (!this.besideLegend) this.covered(camera.pose); // a rope that sinks below it is followed, too
-    const wanted = follower.wanted(camera, this.strips());
+    const strips = this.strips();
+    const wanted = follower.wanted(camera, strips, roomFor(this, camera, strips));
     if (wanted) this.fly(wanted, CALM);
   }
 
@@ -252,7 +247,7 @@ export class Stage {
   /** The pose for the first look; if a card would cover a rope there, one beside the card.
    * @param {Layout} layout @returns {Pose} */
   firstPose(layout) {
-    const angles = firstAngles(this.camera, this.axis, this.solids.all.length > 0);
+    const angles = firstAngles(this.camera, this.axis, this.solids.all.length > 0, this.lying);
     this.besideLegend = false;
     const pose = this.wholePose(layout, angles);
     return this.covered(pose) ? this.wholePose(layout, angles) : pose;
@@ -261,7 +256,10 @@ export class Stage {
   /** The pose that shows all ropes, beside the card. @param {Layout} layout
    * @param {{azimuth?: number, elevation?: number}} from */
   wholePose(layout, from) {
-    return this.camera.framed(this.places(layout), from, this.strips());
+    const strips = this.strips();
+    const pose = this.camera.framed(this.places(layout), from, strips);
+    const room = roomFor(this, this.camera.at(pose), strips);
+    return this.camera.framed(this.places(layout), from, room);
   }
 
   /** What the picture must hold: the nodes, and bodies. @param {Layout} layout */
@@ -283,9 +281,11 @@ export class Stage {
     this.fly(this.covered(pose) ? this.wholePose(layout, from) : pose);
   }
 
-  /** Show all ropes if the card covers one. */
+  /** Show all ropes if the card covers one, or the arrow of an anchor. */
   uncover() {
-    if (!this.lookPending && this.covered(this.camera.pose)) this.fit();
+    const strips = this.strips();
+    const cramped = this.card() && roomFor(this, this.camera, strips).top > strips.top + 1;
+    if (!this.lookPending && (cramped || this.covered(this.camera.pose))) this.fit();
   }
 
   /** Whether a card would cover a rope; the legend is kept clear of where it would. @param {Pose} pose */

@@ -28,7 +28,7 @@ function share(made, places) {
   const seen = places.map(([x, y, z]) => made.project(x, y, z));
   const spread = (/** @type {number} */ k) =>
     Math.max(...seen.map((p) => p[k])) - Math.min(...seen.map((p) => p[k]));
-  return Math.max(spread(0) / made.width / 0.72, spread(1) / made.height / 0.68);
+  return Math.max(spread(0) / made.width / 0.72, spread(1) / made.height / 0.74);
 }
 
 test("what is framed fills the picture to its margin, from any side and in any shape", () => {

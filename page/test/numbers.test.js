@@ -18,6 +18,7 @@ test("quantities for people", () => {
   assert.equal(quantity(0, "J"), "0 J");
   assert.equal(figures(0.098765), "0.0988");
   assert.equal(figures(1.5e-20), "1.5e−20");
+  assert.equal(figures(-1.3e-4), "−1.3e−4");
   assert.equal(speedText(0.01), "1/100×");
   assert.equal(speedText(4), "4×");
 });

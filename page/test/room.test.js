@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { Camera } from "../src/view/camera.js";
-import { GONE, boxOf, tame } from "../src/view/room.js";
+import { GONE, boxOf, firstAngles, flatAxis, lies, tame } from "../src/view/room.js";
 
 const VIEW = { center: [0, 0, 0], radius: 2 };
 const finite = (values) => [...values].every(Number.isFinite);
@@ -42,4 +42,16 @@ test("a camera takes no pose that is not finite, and goes on from the one it has
   assert.deepEqual(camera.pose.target, [1, 2, 3]);
   assert.equal(camera.pose.distance, 4);
   assert.ok(finite(camera.view) && finite(camera.projection));
+});
+
+test("a net that can sag is looked at from the side, a drawing on a table from above", () => {
+  const camera = new Camera();
+  const up = [0, 0, 1];
+  const axis = flatAxis({ low: [0, 0, 1], high: [4, 4, 1] }, up, 4);
+  assert.equal(axis, 2);
+  assert.equal(lies(axis, up, [0, 0, -9.81]), true);
+  assert.equal(lies(axis, up, [0, 0, 0]), false);
+  assert.equal(lies(1, up, [0, 0, -9.81]), false); // one that hangs in a plane
+  assert.ok(Math.abs(firstAngles(camera, -1, false, true).elevation - 0.62) < 1e-9);
+  assert.equal(firstAngles(camera, axis).elevation, Math.PI / 2);
 });

@@ -208,6 +208,25 @@ def test_one_rope_of_several_is_changed(open_window: Open, serve: Serve) -> None
     assert found == [0.01, 0.05, 0.7, 1.0]
 
 
+def test_a_switch_on_which_ropes_differ_is_neither_on_nor_off(
+    open_window: Open, serve: Serve
+) -> None:
+    """Without a value for it the panel was left half made, and the page told of an error."""
+    scene = preset("r5")
+    slack = scene.ropes[1]
+    made_of = slack.made_of.replace(tension_only=True)
+    ropes = [rope if rope is not slack else rope.replace(made_of=made_of) for rope in scene.ropes]
+    server = serve(Session(scene.replace(ropes=ropes)))
+    window = open_window(server.address, viewport=SIZE).ready()
+    _folder(window, "More", "Rope")
+    switch = f"document.querySelector('{_row('tension_only')} input[type=checkbox]')"
+    window.until(f"{switch}.indeterminate")
+    names = window.ask("r.session.layout.variants[0].ropes.map((rope) => rope.name)")
+    for name, on in ((names[1], True), (names[0], False)):
+        window.page.locator(".panel select").first.select_option(label=name)
+        window.until(f"!{switch}.indeterminate && {switch}.checked === {str(on).lower()}")
+
+
 def test_a_change_makes_no_jump_while_it_runs(open_window: Open, serve: Serve) -> None:
     window = open_window(serve(Session(slack_rope()), playing=True).address, viewport=SIZE).ready()
     window.until("r.time > 0.5")

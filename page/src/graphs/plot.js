@@ -7,6 +7,8 @@ import { figures, quantity } from "../view/range.js";
 /** `low` and `high` name the bounds of a band, what was between two samples.
  * @typedef {{name: string, label: string, colour: string, low?: string, high?: string}} Series */
 
+const FONT = "11px system-ui, sans-serif";
+const BESIDE = 14; // of an axis, for its ticks and beside its numbers [CSS pixels]
 const PAUSE = 3; // s without a sample that leave a gap
 
 const colour = (/** @type {string} */ name) =>
@@ -42,7 +44,6 @@ export class Plot {
     ]);
     const ink = () => colour("--faint");
     const line = { stroke: () => colour("--line"), width: 1 };
-    const font = "11px system-ui, sans-serif";
     this.uplot = new uPlot(
       {
         width: 100,
@@ -59,7 +60,7 @@ export class Plot {
             stroke: ink,
             grid: line,
             ticks: { ...line, size: 4 },
-            font,
+            font: FONT,
             size: 24,
             values: (_, ticks) => ticks.map((t) => `${figures(t)} s`),
           },
@@ -70,8 +71,8 @@ export class Plot {
             stroke: one ? one.colour : ink,
             grid: i === 0 ? line : { show: false },
             ticks: { ...line, size: 4 },
-            font,
-            size: 52,
+            font: FONT,
+            size: widthOf,
             space: 20, // between two marks [CSS pixels]: a low graph has more than one
             values: (/** @type {uPlot} */ _, /** @type {number[]} */ ticks) =>
               ticks.map((v) => quantity(v, unit)),
@@ -136,6 +137,17 @@ export class Plot {
   destroy() {
     this.uplot.destroy();
   }
+}
+
+/** The width of an axis, by its longest number: none is cut off. @param {uPlot} plot
+ * @param {string[] | null} values @returns {number} CSS pixels */
+function widthOf(plot, values) {
+  const { ctx } = plot;
+  const before = ctx.font;
+  ctx.font = FONT; // in CSS pixels, whatever the screen's
+  const longest = Math.max(0, ...(values ?? []).map((text) => ctx.measureText(text).width));
+  ctx.font = before;
+  return Math.max(52, Math.ceil(longest) + BESIDE);
 }
 
 /** The least and the largest of all numbers but times; what is not there (NaN) does not count.

@@ -136,3 +136,19 @@ export class VectorController extends Base {
     return super.disable(on);
   }
 }
+
+/** A switch; neither on nor off where ropes differ. @param {GUI} parent
+ * @param {{value: boolean | null}} holder */
+export function addFlag(parent, holder) {
+  const { value } = holder;
+  holder.value = value ?? false; // lil-gui takes no switch without a value
+  /** @type {any} */ const controller = parent.add(holder, "value");
+  const display = controller.updateDisplay.bind(controller);
+  controller.updateDisplay = () => {
+    display();
+    controller.$input.indeterminate = holder.value === null;
+    return controller;
+  };
+  holder.value = value;
+  return controller;
+}

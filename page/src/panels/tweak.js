@@ -4,7 +4,7 @@ import GUI from "lil-gui";
 
 import { unitText } from "../view/range.js";
 import { h, icon } from "./dom.js";
-import { QuantityController, VectorController } from "./fields.js";
+import { QuantityController, VectorController, addFlag } from "./fields.js";
 
 /** @typedef {import("../session.js").Session} Session */
 /** @typedef {import("../source/protocol.js").Parameter} Parameter */
@@ -99,7 +99,7 @@ export class Tweak {
     if (parameter.kind === "choice") {
       const names = (parameter.choices ?? []).map(({ value, label }) => [label, value]);
       controller = folder.add(holder, "value", Object.fromEntries(names));
-    } else if (parameter.kind === "flag") controller = folder.add(holder, "value");
+    } else if (parameter.kind === "flag") controller = addFlag(folder, holder);
     else if (parameter.kind === "vector")
       controller = new VectorController(folder, holder, parameter);
     else controller = new QuantityController(folder, holder, parameter);

@@ -64,3 +64,14 @@ export function gather(frame, layout, colouring, shifts, out) {
     return { low: 0, high: Math.max(1, highest), most: Math.max(0, highest) };
   return { low: lowest, high: highest, most: Math.max(0, highest) };
 }
+
+/** Write the places of all anchors of all variants. @param {Frame} frame @param {number[][]} shifts [m]
+ * @param {Float32Array} out */
+export function gatherAnchors(frame, shifts, out) {
+  let at = 0;
+  frame.parts.forEach((part, v) => {
+    for (let i = 0; i < part.anchors.length; i += 10) {
+      for (let k = 0; k < 3; k++) out[at++] = part.anchors[i + k] + shifts[v][k];
+    }
+  });
+}

@@ -9,7 +9,7 @@ import { cross, dot, minus, plus, times, unit, vector } from "./vector.js";
 const FIELD = (28 * Math.PI) / 180; // vertical field of view [rad]
 const WIDE = 0.72; // of the picture's width, which ropes fill when all is shown
 const EDGE = 0.35; // of a plane, seen from there: too little of it to be drawn about on
-const HIGH = 0.68; // of its height
+const HIGH = 0.74; // of its height
 const HALF_TURN = Math.PI / 2;
 
 export class Camera {

@@ -66,10 +66,11 @@ export class Follow {
   }
 
   /** The pose the camera should fly to, or null where it may stay. @param {Camera} camera
-   * @param {Strips} strips kept free @returns {Pose | null} */
-  wanted(camera, strips) {
+   * @param {Strips} strips kept free @param {Strips} [room] that a pose leaves above and below the ropes
+   * @returns {Pose | null} */
+  wanted(camera, strips, room = strips) {
     if (!this.low.every(Number.isFinite)) return null;
-    const wanted = camera.framed(this.corners(camera), {}, strips);
+    const wanted = camera.framed(this.corners(camera), {}, room);
     const small = wanted.distance < SMALL * camera.pose.distance;
     return small || this.leaves(camera, strips) ? wanted : null;
   }

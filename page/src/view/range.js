@@ -74,7 +74,7 @@ export function figures(value) {
   if (size >= 1e5 || size < 1e-3) {
     if (value === 0) return "0";
     const [mantissa, power] = value.toExponential(2).split("e");
-    return `${Number(mantissa)}e${Number(power)}`.replace("-", "−");
+    return `${Number(mantissa)}e${Number(power)}`.replaceAll("-", "−");
   }
   const digits = Math.max(0, 2 - Math.floor(Math.log10(size)));
   return String(Number(value.toFixed(Math.min(6, digits)))).replace("-", "−");

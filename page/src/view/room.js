@@ -70,11 +70,16 @@ export function flatAxis(box, up, radius) {
   return level.length ? level[0] : thin[0];
 }
 
+/** Whether a flat scene lies on its back and can sag: it is not looked at from straight above.
+ * @param {number} axis of a flat scene, or -1 @param {ArrayLike<number>} up @param {number[]} gravity */
+export const lies = (axis, up, gravity) =>
+  axis >= 0 && Math.abs(up[axis]) > 0.9 && gravity.some((value) => value !== 0);
+
 /** The angles of the first look: at a flat scene a little from the side and above, else more so.
  * @param {Camera} camera @param {number} axis of a flat scene, or -1 @param {boolean} [solid] whether there are
- * bodies in it */
-export function firstAngles(camera, axis, solid = false) {
-  if (axis < 0) return { azimuth: -Math.PI / 2 + 0.55, elevation: 0.3 };
+ * bodies in it @param {boolean} [lying] whether all of it lies */
+export function firstAngles(camera, axis, solid = false, lying = false) {
+  if (axis < 0) return { azimuth: -Math.PI / 2 + 0.55, elevation: lying ? 0.62 : 0.3 };
   if (Math.abs(camera.up[axis]) > 0.9) return { azimuth: -Math.PI / 2, elevation: Math.PI / 2 };
   const normal = vector([0, 0, 0]);
   normal[axis] = 1;

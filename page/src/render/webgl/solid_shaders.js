@@ -315,7 +315,8 @@ void main() {
   float part = (uintBitsToFloat(known.y) - turn.x) / 6.2831853;
   float sector = fract(part * MARKS), first = floor(mod(part * MARKS + 0.5, MARKS));
   float away = (0.5 - abs(sector - 0.5)) * 6.2831853 / MARKS; // from the nearest mark [rad]
-  float wide = first < 0.5 ? 0.16 : 0.05, fine = uintBitsToFloat(known.w);
+  float fine = uintBitsToFloat(known.w); // of the angle, that one pixel takes
+  float wide = first < 0.5 ? min(0.16, 2.6 * fine) : min(0.05, 1.1 * fine); // lines, narrower near the axis
   float cover = clamp((wide - away) / max(fine, 1e-4) + 0.5, 0.0, 1.0) * smoothstep(1.2, 0.3, fine);
   colour.rgb *= 1.0 - 0.42 * cover;
 }

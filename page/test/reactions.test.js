@@ -1,0 +1,46 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { hasTail, roomFor } from "../src/reactions.js";
+import { Camera } from "../src/view/camera.js";
+
+test("a loose end hangs from an anchor, not from one between two others, nor from a tied one", () => {
+  const ropes = [{ first: 0, nodes: 11 }];
+  const held = (...nodes) => ({ ropes, anchors: nodes.map((index) => ({ index })) });
+  assert.equal(hasTail(held(0), 0), true);
+  assert.equal(hasTail(held(0, 10), 0), false);
+  assert.equal(hasTail(held(0, 5), 0), false); // the next one has the loose end
+  assert.equal(hasTail(held(0, 5), 5), true);
+  assert.equal(hasTail({ ...held(0), joints: [{ nodes: [10, 30] }] }, 0), false);
+  assert.equal(hasTail(held(40), 40), false); // of no rope
+});
+
+/** A stage with one anchor at the origin. */
+function stage(force, seen = [0]) {
+  const anchors = new Float32Array(10);
+  anchors.set(force, 6);
+  anchors[9] = 1;
+  const layout = { variants: [{ anchors: [{ index: 0, motion: "fixed" }] }] };
+  return {
+    session: { layout, frame: { parts: [{ anchors, seen: { greatestForce: seen } }] } },
+    anchors: { to: new Float32Array(3) },
+    marks: { reactions: true, strongest: 0 },
+  };
+}
+
+test("an arrow that would leave the picture is given room, at its side only", () => {
+  const camera = new Camera();
+  camera.resize(900, 200); // where it is 34 pixels long
+  camera.set({ target: [0, 0, 0], distance: 10, azimuth: -Math.PI / 2, elevation: 0 });
+  const strips = { top: 40, bottom: 50 };
+  const above = roomFor(stage([0, 0, 5]), camera, strips);
+  assert.ok(Math.abs(above.top - 48) < 0.1, `${above.top}`); // 40, and 34 for the label: 8 too many
+  assert.equal(above.bottom, 50);
+  const below = roomFor(stage([0, 0, -5]), camera, strips);
+  assert.ok(Math.abs(below.bottom - 68) < 0.1, `${below.bottom}`);
+  assert.equal(below.top, 40);
+  assert.deepEqual(roomFor(stage([5, 0, 0]), camera, strips), strips); // the twin: to the side
+  assert.deepEqual(roomFor(stage([0, 0, 0]), camera, strips), strips);
+  const card = roomFor(stage([0, 0, 5]), camera, { top: 90, bottom: 0 });
+  assert.equal(card.top, 90 + 0.3 * 110); // no more than a part of what is free
+});
