@@ -12,7 +12,7 @@ import { plus, vector } from "./view/vector.js";
  *   size: number, peak: number}} Holding */
 
 export const REACTION = 84; // length of the longest arrow [CSS pixels]
-export const LEAST = 0.04; // of the strongest, below which there is no arrow
+export const LEAST = 0.1; // of the strongest, below which there is neither arrow nor label: the eye hides it
 const CHIP = 34; // that a label takes beyond its arrow's tip [CSS pixels]
 const MOST = 0.3; // of the height that is free, which arrows may take at one side
 

@@ -16,6 +16,8 @@ test("quantities for people", () => {
   assert.equal(quantity(9.81, "m/s^2"), "9.81 m/s²");
   assert.equal(quantity(null, "N"), "–");
   assert.equal(quantity(0, "J"), "0 J");
+  assert.equal(quantity(1e-30, "N"), "0 N"); // of a rope that is slack everywhere
+  assert.equal(quantity(3e-13, "J"), "3e−13 J");
   assert.equal(figures(0.098765), "0.0988");
   assert.equal(figures(1.5e-20), "1.5e−20");
   assert.equal(figures(-1.3e-4), "−1.3e−4");

@@ -181,5 +181,6 @@ export class Walk {
     if (key === this.state) return;
     this.state = key;
     this.voice.textContent = sentence(layout, frame, state);
+    if (this.at >= 0) this.go(this.at); // what is there has changed since
   }
 }

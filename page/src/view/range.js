@@ -1,5 +1,6 @@
 // Ranges of what colours mean, and numbers in words.
 
+const NOTHING = 1e-25; // what stands for nothing where nothing is allowed
 const LITTLE = 1e-9; // what rounding leaves of nothing [N], [m/s] ...
 const SLOW = 4; // s in which a range shrinks that was filled a while ago ...
 const QUICK = 0.5; // s ... and one that nothing has filled
@@ -58,8 +59,8 @@ export function quantity(value, unit = "") {
   if (value === null || value === undefined || Number.isNaN(value)) return "–";
   if (!Number.isFinite(value)) return value > 0 ? "∞" : "−∞";
   const space = unit && unit !== "1" ? ` ${unitText(unit)}` : "";
-  if (value === 0) return `0${space}`;
   const size = Math.abs(value);
+  if (size < NOTHING) return `0${space}`;
   if (PREFIXED.has(unit) && (size >= 1e4 || size < 0.1) && size >= 1e-9) {
     const small = unit === "m" || unit === "m/s" ? 1 : 1e10; // no kilometres here
     const [scale, prefix] = PREFIXES.find(([s]) => size >= s * 0.9995 && s <= small) ?? PREFIXES[6];
