@@ -14,7 +14,7 @@ import { plus, vector } from "./view/vector.js";
 export const REACTION = 84; // length of the longest arrow [CSS pixels]
 export const LEAST = 0.1; // of the strongest, below which there is neither arrow nor label: the eye hides it
 const CHIP = 34; // that a label takes beyond its arrow's tip [CSS pixels]
-const MOST = 0.3; // of the height that is free, which arrows may take at one side
+const MOST = 0.12; // of the height that is free, which arrows may take at one side
 
 /** The anchors that hold, where they are. @param {Stage} stage @param {Float32Array} places @returns {Holding[]} */
 export function holding({ session }, places) {
@@ -47,8 +47,7 @@ export const strongestOf = (held) =>
 export const longest = ({ width, height }) => Math.min(REACTION, 0.14 * width, 0.17 * height);
 
 /** What a picture must keep free above and below its ropes, so that arrows and their labels are in it, too: the
- * strips, or more. @param {Stage} stage @param {Camera} camera @param {{top: number, bottom: number}} strips
- * [CSS pixels] */
+ * strips, or more. @param {Stage} stage @param {Camera} camera @param {import("./view/camera.js").Strips} strips */
 export function roomFor(stage, camera, strips) {
   const { session, anchors, marks } = stage;
   if (!session.frame || !marks.reactions) return strips;
@@ -65,6 +64,7 @@ export function roomFor(stage, camera, strips) {
   }
   const most = MOST * (camera.height - strips.top - strips.bottom);
   return {
+    ...strips,
     top: strips.top + Math.min(most, top),
     bottom: strips.bottom + Math.min(most, bottom),
   };

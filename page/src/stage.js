@@ -1,19 +1,18 @@
 // The stage: takes frames, moves smoothly between them and draws when something has changed.
 
 import { Blend } from "./view/blend.js";
-import { covers, stripsBeside } from "./view/cards.js";
 import { Camera } from "./view/camera.js";
 import { CALM, Flight } from "./view/flight.js";
 import { Follow } from "./view/follow.js";
 import { Range } from "./view/range.js";
 import { cornersOf, nodesOf, shiftsOf, starts } from "./view/copies.js";
-import { boxOf, firstAngles, flatAxis, groundOf, lies, tame } from "./view/room.js";
+import { boxOf, flatAxis, groundOf, lies, tame } from "./view/room.js";
 import { readTheme } from "./view/theme.js";
-import { vector } from "./view/vector.js";
 import { textureSize } from "./render/webgl/texture_size.js";
 import { BROKEN, PLAYING } from "./source/frame.js";
 import { gather, gatherAnchors } from "./source/gather.js";
 import { Floor } from "./floor.js";
+import { Framing } from "./framing.js";
 import { Gaps } from "./gaps.js";
 import { Marks } from "./marks.js";
 import { roomFor } from "./reactions.js";
@@ -56,6 +55,7 @@ export class Stage {
     this.solids = new Solids(this);
     /** @type {Flight | null} */ this.flight = null;
     this.follower = new Follow();
+    this.framing = new Framing(this);
     this.following = true; // until the user moves the camera
     this.ownVersion = -1; // of the camera, as the stage has set it
     this.axis = -1; // that a flat scene has no extent along (0, 1, 2), else -1
@@ -70,7 +70,6 @@ export class Stage {
     this.cameraVersion = -1;
     /** The card that is in the way, if there is one. @type {() => DOMRect | null} */
     this.card = () => null;
-    this.besideLegend = false; // whether it would cover a rope
     /** @type {(() => void)[]} */ this.beforeDraw = [];
     /** @type {(() => void)[]} */ this.afterDraw = [];
     session.on("layout", (layout) => this.takeLayout(layout));
@@ -197,7 +196,7 @@ export class Stage {
     this.axis = this.lying ? -1 : axis;
     this.floor.put(layout, box);
     this.follower.clear();
-    this.setPose(this.firstPose(layout));
+    this.setPose(this.framing.first(layout));
     this.following = true;
     this.flight = null;
   }
@@ -213,8 +212,7 @@ export class Stage {
     this.floor.giveWay(layout);
     if (camera.version !== this.ownVersion && !this.flight) this.following = false;
     if (!this.following || this.flight || this.held()) return;
-    if (!this.besideLegend) this.covered(camera.pose); // a rope that sinks below it is followed, too
-    const strips = this.strips();
+    const strips = this.framing.now();
     const wanted = follower.wanted(camera, strips, roomFor(this, camera, strips));
     if (wanted) this.fly(wanted, CALM);
   }
@@ -244,65 +242,19 @@ export class Stage {
     this.ownVersion = this.camera.version;
   }
 
-  /** The pose for the first look; if a card would cover a rope there, one beside the card.
-   * @param {Layout} layout @returns {Pose} */
-  firstPose(layout) {
-    const angles = firstAngles(this.camera, this.axis, this.solids.all.length > 0, this.lying);
-    this.besideLegend = false;
-    const pose = this.wholePose(layout, angles);
-    return this.covered(pose) ? this.wholePose(layout, angles) : pose;
-  }
-
-  /** The pose that shows all ropes, beside the card. @param {Layout} layout
-   * @param {{azimuth?: number, elevation?: number}} from */
-  wholePose(layout, from) {
-    const strips = this.strips();
-    const pose = this.camera.framed(this.places(layout), from, strips);
-    const room = roomFor(this, this.camera.at(pose), strips);
-    return this.camera.framed(this.places(layout), from, room);
-  }
-
-  /** What the picture must hold: the nodes, and bodies. @param {Layout} layout */
-  *places(layout) {
-    const { to } = this.nodes;
-    for (let i = 0; i < nodesOf(layout); i++) yield vector(to.subarray(4 * i, 4 * i + 3));
-    yield* this.solids.places();
-  }
-
   /** Show all ropes, from here or from other angles.
    * @param {{azimuth?: number, elevation?: number}} [from] */
   fit(from = {}) {
     const { layout } = this.session;
     if (!layout || this.nodes.empty) return;
     this.following = true;
-    this.besideLegend = false;
     this.follower.clear();
-    const pose = this.wholePose(layout, from);
-    this.fly(this.covered(pose) ? this.wholePose(layout, from) : pose);
+    this.fly(this.framing.clear(layout, from));
   }
 
   /** Show all ropes if the card covers one, or the arrow of an anchor. */
   uncover() {
-    const strips = this.strips();
-    const cramped = this.card() && roomFor(this, this.camera, strips).top > strips.top + 1;
-    if (!this.lookPending && (cramped || this.covered(this.camera.pose))) this.fit();
-  }
-
-  /** Whether a card would cover a rope; the legend is kept clear of where it would. @param {Pose} pose */
-  covered(pose) {
-    const { layout } = this.session;
-    if (!layout) return false;
-    const look = /** @type {const} */ ([this.camera.at(pose), this.nodes.to, nodesOf(layout)]);
-    if (covers(...look, this.card())) return true;
-    const under = covers(...look, this.legendCard());
-    if (under) this.besideLegend = true;
-    return under;
-  }
-
-  /** What a card takes of the scene's height, at the top or at the bottom [CSS pixels]. */
-  strips() {
-    const card = this.card() ?? (this.besideLegend ? this.legendCard() : null);
-    return stripsBeside(card, this.camera.height);
+    if (!this.lookPending && this.framing.obstructed()) this.fit();
   }
 
   /** @param {Pose} pose @param {number} [duration] ms */

@@ -57,6 +57,6 @@ export class Views {
   home() {
     const { layout } = this.stage.session;
     if (!layout) return;
-    this.stage.fly(this.stage.firstPose(layout));
+    this.stage.fly(this.stage.framing.first(layout));
   }
 }

@@ -6,10 +6,13 @@ import { cross, dot, minus, plus, times, unit, vector } from "./vector.js";
 /** @typedef {{low: Vector, high: Vector}} Box a box of the scene [m] */
 /** @typedef {{target: Vector, distance: number, azimuth: number, elevation: number}} Pose */
 
+/** What cards take of the picture at its sides [CSS pixels].
+ * @typedef {{top: number, bottom: number, left?: number}} Strips */
+
 const FIELD = (28 * Math.PI) / 180; // vertical field of view [rad]
 const WIDE = 0.72; // of the picture's width, which ropes fill when all is shown
 const EDGE = 0.35; // of a plane, seen from there: too little of it to be drawn about on
-const HIGH = 0.74; // of its height
+const HIGH = 0.68; // of its height
 const HALF_TURN = Math.PI / 2;
 
 export class Camera {
@@ -175,7 +178,7 @@ export class Camera {
 
   /** The pose that shows a whole box from the present direction, or from another one.
    * @param {Box} box @param {{azimuth?: number, elevation?: number}} [from]
-   * @param {{top: number, bottom: number}} [strips] to be kept free [pixels] @returns {Pose} */
+   * @param {Strips} [strips] to be kept free @returns {Pose} */
   fitted(box, from = {}, strips) {
     const corners = Array.from({ length: 8 }, (_, corner) =>
       vector([0, 1, 2].map((i) => ((corner >> i) & 1 ? box.high[i] : box.low[i]))),
@@ -186,13 +189,13 @@ export class Camera {
   /** The pose that lets points fill the picture, up to a margin, from the present direction or another one: along
    * each side of the view the point that needs the most room says where the eye must be.
    * @param {Iterable<Vector>} points @param {{azimuth?: number, elevation?: number}} [from]
-   * @param {{top: number, bottom: number}} [strips] to be kept free [pixels] @returns {Pose} */
-  framed(points, from = {}, { top, bottom } = { top: 0, bottom: 0 }) {
+   * @param {Strips} [strips] to be kept free @returns {Pose} */
+  framed(points, from = {}, { top, bottom, left: aside = 0 } = { top: 0, bottom: 0 }) {
     const probe = this.at({ ...from, target: [0, 0, 0], distance: 1 });
     const half = Math.tan(FIELD / 2);
     const free = Math.max(0.3, 1 - (top + bottom) / this.height);
     const high = half * HIGH * free;
-    const wide = (half * WIDE * this.width) / this.height;
+    const wide = (half * WIDE * Math.max(0.3 * this.width, this.width - aside)) / this.height;
     let [right, left, above, below] = [-Infinity, -Infinity, -Infinity, -Infinity];
     let [nearest, farthest] = [-Infinity, Infinity];
     for (const point of points) {
@@ -208,8 +211,9 @@ export class Camera {
     const middle = (nearest + farthest) / 2;
     const distance = eye - middle;
     const shift = ((top - bottom) / 2) * (distance / this.focal);
+    const across = (aside / 2) * (distance / this.focal);
     const target = plus(
-      plus(times(probe.right, (right - left) / 2), probe.top, (above - below) / 2 + shift),
+      plus(times(probe.right, (right - left) / 2 - across), probe.top, (above - below) / 2 + shift),
       probe.toward,
       middle,
     );

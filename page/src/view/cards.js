@@ -5,6 +5,7 @@ import { vector } from "./vector.js";
 /** @typedef {import("./camera.js").Camera} Camera */
 
 const TOOLS = 60; // height of the tool bars where they lie in a row, above a card [CSS pixels]
+const ROOMY = 400; // width that must be left beside a card [CSS pixels]
 const LOW = 400; // height of a scene in which they always do [CSS pixels]
 
 /** Whether a card lies over a rope. @param {Camera} camera @param {Float32Array} nodes x, y, z, value
@@ -24,6 +25,14 @@ export function stripsBeside(card, height) {
   if (!card) return { top: height > 3 * TOOLS && height < LOW ? TOOLS : 0, bottom: 0 };
   const below = height - card.top;
   return card.bottom < below ? { top: card.bottom, bottom: 0 } : { top: TOOLS, bottom: below };
+}
+
+/** What a card at the left takes of the scene's width; null where it is none, or would leave too little.
+ * @param {DOMRect | null} card @param {{width: number, height: number}} scene [CSS pixels] */
+export function stripAside(card, { width, height }) {
+  return card && width - card.right > ROOMY
+    ? { ...stripsBeside(null, height), left: card.right }
+    : null;
 }
 
 /** Where a card lies in the scene; null: it is not shown. @param {HTMLElement} card @param {HTMLElement} canvas */

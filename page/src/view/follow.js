@@ -6,7 +6,7 @@ import { dot } from "./vector.js";
 /** @typedef {import("./camera.js").Camera} Camera */
 /** @typedef {import("./camera.js").Pose} Pose */
 /** @typedef {import("./vector.js").Vector} Vector */
-/** @typedef {{top: number, bottom: number}} Strips */
+/** @typedef {import("./camera.js").Strips} Strips */
 
 const SHRINK = 4; // s in which the envelope forgets
 const ROOMS = 4; // radii of the scene
@@ -76,11 +76,11 @@ export class Follow {
   }
 
   /** @param {Camera} camera @param {Strips} strips */
-  leaves(camera, { top, bottom }) {
+  leaves(camera, { top, bottom, left = 0 }) {
     const { width, height } = camera;
     return this.corners(camera).some((corner) => {
       const [x, y, depth] = camera.project(...corner);
-      const across = Math.abs(x - width / 2) / (width / 2);
+      const across = Math.abs(x - (left + width) / 2) / ((width - left) / 2);
       const middle = (top + height - bottom) / 2;
       const up = Math.abs(y - middle) / ((height - top - bottom) / 2);
       return depth <= 0 || across > OUTER || up > OUTER;
