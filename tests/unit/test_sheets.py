@@ -15,6 +15,7 @@ from ropewalk.scene import Anchor, Kick, Load, Material, Rope, RunSettings, Scen
 from ropewalk.scene.recut import recut
 from ropewalk.scene.shapes import Points
 from ropewalk.sheets.content import Listing, Picture, Section, Table, Text
+from ropewalk.sheets.ropes import assumption_section, rope_section
 from ropewalk.words.prefixes import prefixed
 
 LINE = Material(EA=4e4, mass_per_length=0.1, axial_damping=40.0, breaking_load=9e3)
@@ -172,6 +173,26 @@ def test_files(made: rw.Sheet, tmp_path: Path) -> None:
     assert sorted(p.name for p in tmp_path.iterdir()) == ["job.pdf", "new"]
     with pytest.raises(ValueError, match=r"must end in \.html or \.pdf"):
         made.save(tmp_path / "job.doc")
+
+
+def test_what_is_taken_for_granted_is_what_the_ropes_are() -> None:
+    """A rope that relaxes, or has a curve, is not said to be a spring."""
+    fall = rw.preset("climbing-fall")
+    told = words(assumption_section(fall))
+    assert "a part of the stiffness relaxes" in told
+    assert "rate of strain" not in told  # it has no such friction
+    rows = dict(table(rope_section(fall)).rows)
+    assert rows["EA that relaxes"] == "28.71 kN"
+    assert rows["relaxation time"] == "0.1871 s"
+    assert rows["breaking load"].endswith("the library guesses 14.41 kN to 24.97 kN")
+    assert "proportional to strain; friction along" in words(assumption_section(hung()))
+    curved = Material(curve=[(0.1, 500.0), (0.2, 1500.0)], mass_per_length=0.1)
+    told = words(assumption_section(hung(ropes=[hung().ropes[0].replace(made_of=curved)])))
+    assert "tension follows it" in told
+    assert "proportional to strain" not in told
+    webbing = hung().ropes[0].replace(made_of=rw.rope("semistatic-10.5").material())
+    sources = table(rope_section(hung(ropes=[webbing])), 1).rows
+    assert ("axial stiffness EA", "guess", "19.6 kN to 61 kN") in [row[:3] for row in sources]
 
 
 def test_a_recut_rope_is_the_same_rope() -> None:

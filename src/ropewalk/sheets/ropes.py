@@ -6,9 +6,12 @@ import math
 
 import numpy as np
 
+from ropewalk.library import names
+from ropewalk.library import rope as library_rope
 from ropewalk.library.catalogue import sources
+from ropewalk.library.entry import UNITS
 from ropewalk.record.margins import breaking_load
-from ropewalk.scene import Rope, Scene, Springs
+from ropewalk.scene import Material, Rope, Scene, Springs
 from ropewalk.scene.curve_words import curve_words
 from ropewalk.scene.from_library import origin, origin_words
 from ropewalk.scene.obstacles import Obstacle
@@ -21,6 +24,8 @@ _NAMES = {
     "EA": "axial stiffness EA",
     "mass_per_length": "mass per length",
     "axial_damping": "axial damping",
+    "relaxing_EA": "EA that relaxes",
+    "relaxation_time": "relaxation time",
     "EI": "bending stiffness EI",
     "breaking_load": "breaking load",
     "diameter": "diameter",
@@ -64,13 +69,14 @@ def _rope_rows(rope: Rope) -> list[tuple[str, str]]:
             *([("tension", curve_words(made_of.curve))] if made_of.curve is not None else []),
             (_NAMES["mass_per_length"], f"{made_of.mass_per_length:.5g} kg/m"),
             (_NAMES["axial_damping"], f"{made_of.axial_damping:.5g} N s"),
+            *_relaxing(made_of),
             (
                 _NAMES["EI"],
                 f"{made_of.EI:.4g} N m²" if made_of.EI else "none: it bends freely",
             ),
             (_NAMES["diameter"], f"{1e3 * rope.diameter:.4g} mm"),
         ]
-    known = "not given: no utilisation can be told" if load is None else prefixed(load, "N", 5)
+    known = _unknown_load(rope) if load is None else prefixed(load, "N", 5)
     rows.append((_NAMES["breaking_load"], known))
     rows += [(f"load at {_at(rope, part.node)}", f"{part.mass:.5g} kg") for part in rope.loads]
     rows += [
@@ -80,6 +86,25 @@ def _rope_rows(rope: Rope) -> list[tuple[str, str]]:
     if rope.submerged_weight is not None:
         rows.append(("weight in water", f"{rope.submerged_weight:.5g} N/m"))
     return rows
+
+
+def _relaxing(made_of: Material) -> list[tuple[str, str]]:
+    if made_of.relaxing_EA is None or made_of.relaxation_time is None:
+        return []
+    return [
+        (_NAMES["relaxing_EA"], prefixed(made_of.relaxing_EA, "N", 5)),
+        (_NAMES["relaxation_time"], f"{made_of.relaxation_time:.4g} s"),
+    ]
+
+
+def _unknown_load(rope: Rope) -> str:
+    """Say that no breaking load is given, and which one the library guesses."""
+    known = "not given: no utilisation can be told"
+    name = getattr(rope.made_of, "library", "").partition(":")[0]
+    guess = library_rope(name).numbers.get("breaking_load") if name in names() else None
+    if guess is None or guess.low is None or guess.high is None:
+        return known
+    return f"{known}; the library guesses {prefixed(guess.low, 'N')} to {prefixed(guess.high, 'N')}"
 
 
 def _kind(rope: Rope) -> str:
@@ -104,7 +129,8 @@ def _sources(rope: Rope) -> list[Item]:
     for field, number in about["numbers"].items():
         span = ""
         if "low" in number and "high" in number:
-            span = f"{number['low']:.4g} to {number['high']:.4g}"
+            low, high = (prefixed(number[end], str(UNITS[field])) for end in ("low", "high"))
+            span = f"{low} to {high}"
         code = str(number["source"])
         told = known.get(code, code)
         rows.append((_NAMES.get(field, field), number["quality"], span, told))
@@ -128,8 +154,8 @@ def assumption_section(scene: Scene) -> Section:
         else "There is no weight."
     )
     texts = [
-        "Every rope is a chain of straight segments with its mass in the nodes between them. Tension is "
-        "proportional to strain; friction along a segment is proportional to the rate of strain.",
+        "Every rope is a chain of straight segments with its mass in the nodes between them.",
+        _tension(scene),
         weight,
         _push(scene),
         _bends(scene),
@@ -155,6 +181,24 @@ def assumption_section(scene: Scene) -> Section:
     )
     items = (Text(" ".join(text for text in texts if text)), Text(left_out), Text(claim))
     return Section("Assumptions", items)
+
+
+def _tension(scene: Scene) -> str:
+    """Say how tension goes with strain, of every kind of rope that the scene has."""
+    materials = [rope.made_of for rope in scene.ropes if isinstance(rope.made_of, Material)]
+    texts = []
+    if any(not rope.rigid and getattr(rope.made_of, "curve", None) is None for rope in scene.ropes):
+        texts.append("Tension is proportional to strain")
+    if any(made_of.curve is not None for made_of in materials):
+        texts.append("where a rope has a curve, tension follows it, up and down alike")
+    if any(made_of.relaxing_EA is not None for made_of in materials):
+        texts.append("a part of the stiffness relaxes, with one relaxation time")
+    if any(rope.rigid for rope in scene.ropes):
+        texts.append("a rope of infinite EA does not stretch")
+    if any(rope.segment_friction > 0.0 for rope in scene.ropes):
+        texts.append("friction along a segment is proportional to the rate of strain")
+    words = "; ".join(texts)
+    return f"{words[:1].upper()}{words[1:]}."
 
 
 def _push(scene: Scene) -> str:
