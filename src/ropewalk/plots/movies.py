@@ -34,6 +34,7 @@ from ropewalk.plots.ffmpeg import MovieError, Mp4Writer
 from ropewalk.plots.gif import GifWriter, make_palette
 from ropewalk.plots.given_forces import GIVEN, GivenForces, given_notes
 from ropewalk.plots.sight import Floats, held_nodes, load_nodes, parted_segments, tame
+from ropewalk.plots.strands import LINE, SHADE, Strands
 from ropewalk.plots.style import (
     method_and_step,
     scaled_axis,
@@ -198,7 +199,7 @@ class _Painter:
         prepare(axes, seen.box)
         label(axes, seen.view)
         draw_still(axes, seen)
-        self._rope = LineCollection([], cmap=self.colours, norm=self._scale, linewidths=2.2)
+        self._rope = LineCollection([], cmap=self.colours, norm=self._scale, linewidths=LINE)
         axes.add_collection(self._rope)
         bar = figure.colorbar(self._rope, ax=axes, pad=0.02, shrink=0.9)
         scaled_axis(bar.ax, result.tension_name, "N", reach(self._scale))
@@ -222,11 +223,13 @@ class _Painter:
         note += magnification_note(seen.box) + given_notes(result.scene)
         set_note(figure, note)
         self._forces = GivenForces(axes, result, seen)
-        drawn = (self._rope, self._joints, self._loads, self._anchors)
+        self._strands = Strands(axes, result, seen.view)
+        drawn = (self._strands.artist, self._rope, self._joints, self._loads, self._anchors)
         self._moving = (*drawn, *self._forces.artists, self._stamp)
         for artist in self._moving:
             artist.set_animated(True)
         self._canvas.draw()  # type: ignore[no-untyped-call]
+        self._thick = seen.box.magnified == 1.0 and Strands.wide(axes, result)
         figure.set_layout_engine("none")
         self._still = self._canvas.copy_from_bbox(figure.bbox)  # type: ignore[no-untyped-call]
         self._live = _live_segments(result)
@@ -243,8 +246,13 @@ class _Painter:
         live = self._live.copy()
         live[parted_segments(self._result, moment.time)] = False
         pieces = np.stack([points[:-1], points[1:]], axis=1)[live]
-        self._rope.set_segments(list(pieces))
-        if moment.broken:
+        thick = self._thick and not moment.broken
+        self._rope.set_segments([] if thick else list(pieces))
+        self._strands.artist.set_visible(thick)
+        if thick:
+            shades = self.colours(self._scale(moment.tension))
+            self._strands.show(moment.points, shades, live)
+        elif moment.broken:
             self._rope.set_array(None)
             self._rope.set_color(BROKEN)
         else:
@@ -298,9 +306,10 @@ def _palette(colours: matplotlib.colors.Colormap) -> Image.Image:
     tones = [tuple(round(255 * part) for part in colours(i / 139)[:3]) for i in range(140)]
     # Pillow takes any colour within 8 levels of another for it: nothing else may come near white.
     pale = [tone for tone in (_mixed(tone, 0.5) for tone in tones[::4]) if min(tone) < 240]
+    dark = [tuple(round(SHADE * part) for part in tone) for tone in tones[::5]]
     greys = [(level, level, level) for level in np.linspace(0, 255, 26).round().astype(int)]
     earth = [(239, 234, 228), (140, 123, 104), (189, 178, 166), (214, 206, 197)]
-    found = [*greys, *earth, *tones, *pale]
+    found = [*greys, *earth, *tones, *pale, *dark]
     for one in (BROKEN, GIVEN):
         tone = tuple(round(255 * part) for part in to_rgb(one))
         found += [_mixed(tone, share) for share in (1.0, 0.5)]

@@ -1,0 +1,82 @@
+"""Ropes in films as thick as they are, nearer strands over farther ones."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.collections import PolyCollection
+from numpy.typing import NDArray
+
+from ropewalk.plots.sight import Floats, Sight, along
+
+if TYPE_CHECKING:
+    from ropewalk.record.result import Result
+
+LINE = 2.2  # width of a rope that is drawn as a line [points]
+SHADE = 0.45  # of a rope's colour, at its edges: where strands cross one sees which is nearer
+_EDGE = 1.25  # width with the edges, in diameters
+_MITRE = 1.5  # at most: how much wider a bend is
+
+
+class Strands:
+    """The ropes of a run as ribbons of their diameter."""
+
+    def __init__(self, axes: Axes, result: Result, view: Sight) -> None:
+        self._view = view
+        self._toward = np.cross(view.across, view.up)
+        self._half = np.zeros(result.layout.segments)  # [m]
+        for span, rope in zip(result.layout.ropes, result.scene.ropes, strict=True):
+            self._half[span.first : span.last] = 0.5 * rope.diameter
+        self.artist = PolyCollection([], closed=True)
+        axes.add_collection(self.artist)
+
+    @staticmethod
+    def wide(axes: Axes, result: Result) -> bool:
+        """Whether the thickest rope is wider than a line, on axes that have been laid out."""
+        left, right = axes.get_xlim()
+        inches = axes.get_window_extent().width / axes.figure.dpi
+        diameter = max(rope.diameter for rope in result.scene.ropes)
+        return diameter * 72.0 * inches / (right - left) > LINE
+
+    def show(self, places: Floats, colours: Floats, live: NDArray[np.bool_]) -> None:
+        """Draw segments between nodes at places [m], (n, 3), with colours (s, 4); only those that live."""
+        points = self._view.project(places)
+        inner, outer = (ribbon(points, live, share * self._half) for share in (1.0, _EDGE))
+        depth = along(places, self._toward)
+        order = np.argsort(depth[:-1] + depth[1:], kind="stable")
+        order = order[live[order]]
+        dark = colours[order] * [SHADE, SHADE, SHADE, 1.0]
+        pairs = np.stack([dark, colours[order]], axis=1).reshape(-1, 4)
+        shades = [(r, g, b, a) for r, g, b, a in pairs.tolist()]
+        corners = np.stack([outer[order], inner[order]], axis=1).reshape(-1, 4, 2)
+        self.artist.set_verts(list(corners))
+        self.artist.set_facecolor(shades)
+        self.artist.set_edgecolor(shades)
+        self.artist.set_linewidth([0.0, 0.4] * len(order))  # no gaps between neighbours
+
+
+def ribbon(points: Floats, live: NDArray[np.bool_], half: Floats) -> Floats:
+    """Return the corners, (s, 4, 2), of segments of half a width (s,) between points (n, 2).
+
+    Neighbours that live share their corners, so that bends have no gaps.
+    """
+    way = np.diff(points, axis=0)
+    length = np.linalg.norm(way, axis=1, keepdims=True)
+    way = np.where(length > 0.0, way / np.maximum(length, 1e-300), 0.0)
+    own = way * live[:, None]
+    bend = np.zeros_like(points)
+    bend[:-1] += own
+    bend[1:] += own
+    size = np.linalg.norm(bend, axis=1, keepdims=True)
+    both = np.zeros(len(points))
+    both[:-1] += live
+    both[1:] += live
+    # In a bend the middle of both ways is shorter than they are: the ribbon's edge is farther out.
+    mitre = np.minimum(both[:, None] / np.maximum(size, 1e-12), _MITRE)
+    middle = mitre * bend / np.maximum(size, 1e-12)
+    side = np.stack([-middle[:, 1], middle[:, 0]], axis=1)
+    first, last = side[:-1] * half[:, None], side[1:] * half[:, None]
+    begin, end = points[:-1], points[1:]
+    return np.stack([begin + first, end + last, end - last, begin - first], axis=1)

@@ -1,0 +1,81 @@
+"""Ropes in films: as thick as they are, nearer ones over farther ones; lines where they are thin."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from ropewalk.plots.canvas import backdrop
+from ropewalk.plots.movies import _Moment, _Painter
+from ropewalk.plots.strands import SHADE, ribbon
+from ropewalk.record.simulate import simulate_in_memory
+from ropewalk.scene import loads
+
+SIZE = (600, 500)
+
+
+def crossing(diameter: float):
+    """Two straight ropes of 1 m that cross, seen along y: the upright one is nearer."""
+    rope = """
+[[rope]]
+name = "{name}"
+segments = 10
+length = 1.0
+diameter = {diameter}
+made_of = {{ kind = "material", EA = 100.0, mass_per_length = 0.1 }}
+shape = {{ kind = "straight", start = {start}, direction = {way} }}
+"""
+    level = rope.format(name="level", diameter=diameter, start=[-0.5, 0.1, 0], way=[1, 0, 0])
+    upright = rope.format(
+        name="upright", diameter=diameter, start=[0.05, -0.1, -0.5], way=[0, 0, 1]
+    )
+    head = 'gravity = [0, 0, 0]\n[run]\nduration = 0.01\ntime_step = 1e-3\nmethod = "semi-implicit-euler"\n'
+    return simulate_in_memory(loads(head + level + upright))
+
+
+def painted(diameter: float):
+    """The picture, (h, w, 3), the colours of both ropes, and pixels per metre."""
+    result = crossing(diameter)
+    seen = backdrop(result, "xz")
+    painter = _Painter(result, seen, SIZE, 1.0)
+    tension = np.zeros(result.layout.segments)
+    tension[11:] = 1.0
+    painter._scale.vmin, painter._scale.vmax = 0.0, 1.0
+    start = result.read("positions", 0, 1)[0]
+    picture = np.asarray(painter.paint(_Moment(0.0, start, tension, False))).astype(int)
+    box = painter._axes.get_window_extent()
+    left, right = painter._axes.get_xlim()
+    colours = [np.round(255 * np.array(painter.colours(t)[:3])) for t in (0.0, 1.0)]
+    across, up = painter._axes.transData.transform((0.05, 0.0))
+    return picture, colours, box.width / (right - left), (round(SIZE[1] - up), round(across))
+
+
+def like(picture, colour):
+    return np.abs(picture - colour).max(axis=-1) < 12
+
+
+def test_a_rope_is_as_wide_as_its_diameter_and_hides_the_one_behind_it():
+    picture, (far, near), scale, (row, column) = painted(0.1)
+    half = round(0.05 * scale)
+    assert half > 15
+    cross = picture[row - half + 2 : row + half - 2, column - half + 2 : column + half - 2]
+    assert like(cross, near).all()  # the level one passes behind
+    aside = column - round(0.2 * scale)
+    assert like(picture[:, aside], far).sum() == pytest.approx(0.1 * scale, abs=3)
+    edge = SHADE * near  # where strands cross one sees which is nearer
+    assert like(picture[row, column - half - 8 : column], edge).any()
+
+
+def test_a_thin_rope_is_a_line():
+    picture, (far, _), scale, (_, column) = painted(0.001)
+    aside = column - round(0.2 * scale)
+    assert 1 <= like(picture[:, aside], far).sum() <= 4
+
+
+def test_ribbons_have_their_width_and_no_gaps_in_bends():
+    points = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [1.0, 1.0], [3.0, 1.0]])
+    found = ribbon(points, np.array([True, True, True, False]), np.full(4, 0.1))
+    assert np.allclose(found[0], [[0.0, 0.1], [0.9, 0.1], [1.1, -0.1], [0.0, -0.1]])
+    assert np.array_equal(found[0][1], found[1][0])
+    assert np.array_equal(found[0][2], found[1][3])
+    assert np.isfinite(found).all()  # of no length, too
