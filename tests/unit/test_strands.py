@@ -7,7 +7,7 @@ import pytest
 
 from ropewalk.plots.canvas import backdrop
 from ropewalk.plots.movies import _Moment, _Painter
-from ropewalk.plots.strands import SHADE, ribbon
+from ropewalk.plots.strands import ribbon
 from ropewalk.record.simulate import simulate_in_memory
 from ropewalk.scene import loads
 
@@ -62,8 +62,9 @@ def test_a_rope_is_as_wide_as_its_diameter_and_hides_the_one_behind_it():
     assert like(cross, near).all()  # the level one passes behind
     aside = column - round(0.2 * scale)
     assert like(picture[:, aside], far).sum() == pytest.approx(0.1 * scale, abs=3)
-    edge = SHADE * near  # where strands cross one sees which is nearer
-    assert like(picture[row, column - half - 8 : column], edge).any()
+    white = like(picture[row, column - half - 8 : column], 255.0)  # which is nearer is seen
+    assert white.any()
+    assert not like(picture[row, aside - half : aside], 255.0).any()  # the twin
 
 
 def test_a_thin_rope_is_a_line():

@@ -34,7 +34,7 @@ from ropewalk.plots.ffmpeg import MovieError, Mp4Writer
 from ropewalk.plots.gif import GifWriter, make_palette
 from ropewalk.plots.given_forces import GIVEN, GivenForces, given_notes
 from ropewalk.plots.sight import Floats, held_nodes, load_nodes, parted_segments, tame
-from ropewalk.plots.strands import LINE, SHADE, Strands
+from ropewalk.plots.strands import LINE, Strands
 from ropewalk.plots.style import (
     method_and_step,
     scaled_axis,
@@ -306,10 +306,9 @@ def _palette(colours: matplotlib.colors.Colormap) -> Image.Image:
     tones = [tuple(round(255 * part) for part in colours(i / 139)[:3]) for i in range(140)]
     # Pillow takes any colour within 8 levels of another for it: nothing else may come near white.
     pale = [tone for tone in (_mixed(tone, 0.5) for tone in tones[::4]) if min(tone) < 240]
-    dark = [tuple(round(SHADE * part) for part in tone) for tone in tones[::5]]
     greys = [(level, level, level) for level in np.linspace(0, 255, 26).round().astype(int)]
     earth = [(239, 234, 228), (140, 123, 104), (189, 178, 166), (214, 206, 197)]
-    found = [*greys, *earth, *tones, *pale, *dark]
+    found = [*greys, *earth, *tones, *pale]
     for one in (BROKEN, GIVEN):
         tone = tuple(round(255 * part) for part in to_rgb(one))
         found += [_mixed(tone, share) for share in (1.0, 0.5)]

@@ -15,8 +15,7 @@ if TYPE_CHECKING:
     from ropewalk.record.result import Result
 
 LINE = 2.2  # width of a rope that is drawn as a line [points]
-SHADE = 0.45  # of a rope's colour, at its edges: where strands cross one sees which is nearer
-_EDGE = 1.25  # width with the edges, in diameters
+_EDGE = 1.3  # width with a white edge, in diameters: where strands cross one sees which is nearer
 _MITRE = 1.5  # at most: how much wider a bend is
 
 
@@ -47,14 +46,13 @@ class Strands:
         depth = along(places, self._toward)
         order = np.argsort(depth[:-1] + depth[1:], kind="stable")
         order = order[live[order]]
-        dark = colours[order] * [SHADE, SHADE, SHADE, 1.0]
-        pairs = np.stack([dark, colours[order]], axis=1).reshape(-1, 4)
+        pairs = np.stack([np.ones_like(colours[order]), colours[order]], axis=1).reshape(-1, 4)
         shades = [(r, g, b, a) for r, g, b, a in pairs.tolist()]
         corners = np.stack([outer[order], inner[order]], axis=1).reshape(-1, 4, 2)
         self.artist.set_verts(list(corners))
         self.artist.set_facecolor(shades)
         self.artist.set_edgecolor(shades)
-        self.artist.set_linewidth([0.0, 0.4] * len(order))  # no gaps between neighbours
+        self.artist.set_linewidth([0.0, 0.9] * len(order))  # no gaps between neighbours
 
 
 def ribbon(points: Floats, live: NDArray[np.bool_], half: Floats) -> Floats:
