@@ -51,7 +51,7 @@ await build({
 });
 await build({
   ...common,
-  entryPoints: ["src/lab/lab.css"],
+  entryPoints: ["src/lab/sheet.css"],
   outfile: join(out, "lab.css"),
 });
 await build({

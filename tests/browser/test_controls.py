@@ -297,7 +297,5 @@ def _fits_fingers(window: Window) -> None:
     assert len(found) > 20
     for one in found:
         assert one["height"] >= 44, one
-        assert one["width"] >= (42 if "open-" in one["name"] or "toggle-" in one["name"] else 44), (
-            one
-        )
+        assert one["width"] >= 44, one
         assert one["away"] < 1, one

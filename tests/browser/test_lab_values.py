@@ -217,6 +217,12 @@ def test_the_energies_are_read_and_a_break_leaves_them(tmp_path: Path, open_wind
     assert told == pytest.approx(total[np.abs(t - when).argmin()], rel=1e-3)
     page.select_option("#scene", "1")
     write(page, "k", 5000.0)
+    write(page, "g", 3.0)  # before it begins: what is counted from the start, is
+    first = page.evaluate(
+        "window.ropewalkLab.lab.energy.kept.map(({ t, values }) => [t, ...values])"
+    )
+    assert np.abs(first).max() < 1e-12
+    assert len(first) == 1
     page.evaluate("window.ropewalkLab.lab.advance(4000)")
     assert page.is_visible("#broken")
     page.evaluate("window.ropewalkLab.lab.draw()")

@@ -4,7 +4,7 @@ import { largestStep } from "./bounds.js";
 import { Drawing } from "./draw.js";
 import { follow } from "./hand.js";
 import { METHODS, Rope } from "./kernel.js";
-import { energies, isBroken, tautEnergy, tensions } from "./measures.js";
+import { energies, gravityAt, isBroken, tautEnergy, tensions } from "./measures.js";
 import { Probe } from "./probe.js";
 import { Resampler, Sound } from "../sound.js";
 import { bridge } from "./bridge.js";
@@ -51,14 +51,17 @@ class Lab {
       ENERGIES.map((name) => ({ name, wide: name === "total" })),
       () => this.draw(),
     );
-    this.fall = 0; // gravity's energy at time zero, from which it counts [J]
+    this.fall = 0; // gravity's energy where the rope began, from which it counts [J]
     /** @type {number | undefined} */ this.step = undefined; // [s]
     this.since = this.count = 0; // when the steps got their length [s], and how many there were since
     this.taut = 0; // the elastic energy of the straight rope, from which that counts [J]
     this.probe = new Probe(this, find);
     this.sound = new Sound();
     find("ramp").style.backgroundImage = `linear-gradient(90deg, ${this.drawing.map.join(", ")})`;
-    this.values = new Values(find, () => this.apply());
+    this.values = new Values(find, () => {
+      this.apply();
+      if (!this.playing) this.draw();
+    });
     this.playing = false;
     this.owed = 0; // simulated time that the clock is ahead [s]
     /** @type {number | null} */ this.hover = null;
@@ -106,11 +109,7 @@ class Lab {
     this.drawing.look(...this.plane());
     this.drawing.fit(this.rope, whole / scene.ropes.length);
     this.drawing.largest = 0;
-    this.fall = energies(this.rope).gravity;
-    this.energy.clear();
     this.sound.restart();
-    this.probe.strip.clear();
-    this.note();
     this.draw();
   }
 
@@ -138,12 +137,15 @@ class Lab {
     }
     rope.gravity = scene.up.map((part) => -now.g * part + 0);
     rope.renew();
-    if (rope.time === 0) this.taut = tautEnergy(rope);
+    [this.fall, this.taut] = [gravityAt(rope, base.x), tautEnergy(rope, base.x)];
     this.method = now.method;
     if (this.step !== now.step) [this.since, this.count] = [rope.time, 0];
     this.step = now.step;
     this.bound = largestStep(rope, this.method);
     this.#meter();
+    if (rope.time > 0) return;
+    for (const strip of [this.energy, this.probe.strip]) strip.clear(); // it begins with these values
+    this.note();
   }
 
   #meter() {
@@ -152,10 +154,11 @@ class Lab {
     const kind = share > 1 ? "over" : share > 0.9 ? "near" : "well";
     find("needle").style.width = `${100 * Math.min(share / 1.25, 1)}%`;
     find("needle").className = `needle ${kind}`;
+    const times = share < 1.005 ? "just" : `${Number(share.toPrecision(3))} times`;
     const limit = `the largest stable step is ${milliseconds(bound)}`;
     find("verdict").textContent =
       share > 1
-        ? `Unstable: the step is ${share < 1.005 ? "just" : `${Number(share.toPrecision(3))} times`} too long; ${limit}.`
+        ? `Unstable: the step is ${times} too long; ${limit}.`
         : `Stable: ${Math.round(100 * share)} % of what holds; ${limit}.`;
   }
 
@@ -193,6 +196,7 @@ class Lab {
   advance(steps) {
     const { rope } = this;
     if (!rope || this.broken) return;
+    const every = NOTE * Number(choice("pace").value);
     for (let i = 0; i < steps; i++) {
       const dt = this.step ?? 1e-3;
       rope.step(this.method ?? METHODS[0], dt, this.since + ++this.count * dt);
@@ -200,7 +204,6 @@ class Lab {
       if (this.sound.on) this.#hear();
       if ((i & 7) === 7 || i === steps - 1) this.#look();
       if (this.broken) return;
-      const every = NOTE * Number(choice("pace").value);
       if (rope.time - (this.noted ?? 0) >= every * (1 - 1e-6)) this.note(); // as often on slow machines
     }
   }

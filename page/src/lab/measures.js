@@ -21,26 +21,29 @@ export function tensions(rope, out) {
 
 /** Kinetic, elastic and gravity's energy [J], the last from the origin. @param {Rope} rope */
 export function energies(rope) {
-  let [kinetic, elastic, gravity] = [0, 0, 0];
-  for (let i = 0; i < rope.n; i++) {
-    for (let k = 0; k < 3; k++) {
-      kinetic += 0.5 * rope.mass[i] * rope.v[k][i] * rope.v[k][i];
-      gravity -= rope.mass[i] * rope.gravity[k] * rope.x[k][i];
-    }
-  }
+  let [kinetic, elastic] = [0, 0];
+  for (let i = 0; i < rope.n; i++)
+    for (const row of rope.v) kinetic += 0.5 * rope.mass[i] * row[i] * row[i];
   for (let j = 0; j < rope.n - 1; j++) {
     const r = Math.hypot(...[0, 1, 2].map((k) => rope.x[k][j + 1] - rope.x[k][j]));
     const more = rope.slack[j] ? Math.max(r - rope.length[j], 0) : r - rope.length[j];
     elastic += 0.5 * rope.stiffness[j] * more * more;
   }
-  return { kinetic, elastic, gravity };
+  return { kinetic, elastic, gravity: gravityAt(rope, rope.x) };
 }
 
-/** The least elastic energy that a rope can have between the nodes that are held: each piece straight [J].
- * @param {Rope} rope */
-export function tautEnergy(rope) {
-  const held = rope.anchors.filter((anchor) => anchor.held).map((anchor) => anchor.node);
-  held.sort((a, b) => a - b);
+/** Gravity's energy at other places, from the origin [J]. @param {Rope} rope @param {Float64Array[]} x */
+export function gravityAt(rope, x) {
+  let energy = 0;
+  for (let i = 0; i < rope.n; i++)
+    for (let k = 0; k < 3; k++) energy -= rope.mass[i] * rope.gravity[k] * x[k][i];
+  return energy;
+}
+
+/** The least elastic energy that a rope can have between its anchors where they are: each piece straight [J].
+ * @param {Rope} rope @param {Float64Array[]} x */
+export function tautEnergy(rope, x) {
+  const held = rope.anchors.map((anchor) => anchor.node).sort((a, b) => a - b);
   let energy = 0;
   for (const [i, last] of held.slice(1).entries()) {
     let [soft, long] = [0, 0]; // 1/k of the piece, and its length without tension
@@ -48,7 +51,7 @@ export function tautEnergy(rope) {
       soft += 1 / rope.stiffness[j]; // between two ropes there is no spring: infinite
       long += rope.length[j];
     }
-    const apart = Math.hypot(...rope.x.map((row) => row[last] - row[held[i]]));
+    const apart = Math.hypot(...x.map((row) => row[last] - row[held[i]]));
     energy += (0.5 * Math.max(apart - long, 0) ** 2) / soft;
   }
   return energy;
