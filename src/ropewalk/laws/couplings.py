@@ -6,7 +6,7 @@ from typing import Any
 
 from ropewalk.core.jit import kernel, part
 from ropewalk.laws.node_law import NodeLaw
-from ropewalk.laws.nodes import fold, whether
+from ropewalk.laws.nodes import fold, nothing_to_remember, remembering, whether
 from ropewalk.laws.rare import acts
 
 FINE, AGAIN, HALVE = range(3)  # what `meet` says of a step
@@ -162,6 +162,9 @@ def _meeting_coupled(law: NodeLaw, k: int, rest: Any) -> Any:
 
 meet_couplings = fold(_meeting_coupled, _nothing_met, "couple")
 """meet_couplings(system, state, x): the same of laws between nodes that are no neighbours alone."""
+
+remember_couplings = fold(remembering, nothing_to_remember, "couple")
+"""remember_couplings(system, state): let these laws keep what they carry; return what they have hit."""
 
 
 @part

@@ -226,11 +226,12 @@ hold_up = fold(_stopping, _no_stop, "hold_up")
 
 
 @part
-def _nothing_to_remember(system, state):
+def nothing_to_remember(system, state):
+    """Return that nothing was hit."""
     return 0.0
 
 
-def _remembering(law: NodeLaw, k: int, rest: Any) -> Any:
+def remembering(law: NodeLaw, k: int, rest: Any) -> Any:
     remember = law.remember
 
     @part
@@ -243,9 +244,7 @@ def _remembering(law: NodeLaw, k: int, rest: Any) -> Any:
     return _remember_nodes
 
 
-_remember_all = fold(_remembering, _nothing_to_remember, "remember")
-remember_couplings = fold(_remembering, _nothing_to_remember, "couple")
-"""remember_couplings(system, state): the same of laws between nodes that are no neighbours alone."""
+_remember_all = fold(remembering, nothing_to_remember, "remember")
 
 
 @part

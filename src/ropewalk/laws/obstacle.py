@@ -244,12 +244,11 @@ def tangent(obstacles, state, x, v, weight_x, weight_v, marks, band):
 @part
 def remember(obstacles, state):
     """Keep what contacts carry at the state; return how many have closed."""
-    memory = state.memory.obstacle
+    memory, inert, now = state.memory.obstacle, state.inverse_mass, state.now
     place, fault = memory.place, memory.fault
-    inert, now = state.inverse_mass, state.now
     find_pass(place, state.x, inert, obstacles, memory.grip, fault, now)
     find_sweep(place, state.x, inert, state.stiffness, obstacles, fault, now)
-    return remember_contacts(state.x, state.v, obstacles, memory, state.now, state.stiffness)
+    return remember_contacts(state.x, state.v, obstacles, memory, now, state.stiffness)
 
 
 @part

@@ -4,8 +4,12 @@ from __future__ import annotations
 
 from ropewalk.core.blocks import ZERO9, store9
 from ropewalk.core.jit import kernel
-from ropewalk.laws.couplings import add_couplings, meet_couplings, order_couplings
-from ropewalk.laws.nodes import remember_couplings
+from ropewalk.laws.couplings import (
+    add_couplings,
+    meet_couplings,
+    order_couplings,
+    remember_couplings,
+)
 from ropewalk.laws.table import evaluate, force_on_node
 from ropewalk.laws.tangent import add_tangents, begin_tangent, mark
 

@@ -26,7 +26,9 @@ from ropewalk.scene.faults import Fault
 from ropewalk.scene.obstacles import is_free
 from ropewalk.statics import Statics, checked_shape
 from ropewalk.statics.balance import standing
+from ropewalk.statics.couplings import NoRoom
 from ropewalk.vibration.drawing import ModePlots
+from ropewalk.vibration.flexibility import NoModes
 from ropewalk.vibration.linear import linearise
 from ropewalk.vibration.motion import Motion, motions, plane_normal
 from ropewalk.vibration.solve import Complex, highest, solve, untangle
@@ -127,7 +129,10 @@ def modes(source: Scene | Model, about: About = "equilibrium", count: int = 10) 
         rule = "modes of ropes on an obstacle that turns freely are not found; leave out spin"
         raise SceneError([Fault(f"obstacle[{wheels[0]}].spin.free", True, rule)])
     x, tension, model = shape_about(model, about)
-    linear = linearise(replace(model, system=relaxed(model.system)), x, tension)
+    try:
+        linear = linearise(replace(model, system=relaxed(model.system)), x, tension)
+    except NoRoom as error:
+        raise NoModes(str(error)) from None
     if linear.loose:
         _refuse_loose(model, about)
     more = 2 * len(model.layout.ropes)  # so that none of equal frequency is cut off
