@@ -19,10 +19,11 @@ from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler import CompilerBase, CompileResult, DefaultPassBuilder
 from numba.core.compiler_machinery import FunctionPass, register_pass
 from numba.core.registry import CPUDispatcher
-from numba.core.typed_passes import NativeLowering
+from numba.core.typed_passes import NativeLowering, NopythonRewrites, NopythonTypeInference
 from numba.core.untyped_passes import MakeFunctionToJitFunction, ReconstructSSA
 
 from ropewalk.core.inlining import InlineParts
+from ropewalk.core.passes import AssignOnce, InferTypes
 from ropewalk.core.pointed import pointed
 from ropewalk.core.values import LowerValues
 
@@ -72,6 +73,13 @@ class _ForwardCopies(FunctionPass):
         return bool(copies)
 
 
+_OURS = {
+    ReconstructSSA: AssignOnce,
+    NopythonTypeInference: InferTypes,
+    NativeLowering: LowerValues,
+}
+
+
 class Compiler(CompilerBase):
     """numba's own passes and ours."""
 
@@ -80,8 +88,9 @@ class Compiler(CompilerBase):
         manager.add_pass_after(InlineParts, MakeFunctionToJitFunction)
         manager.add_pass_after(_ForwardCopies, ReconstructSSA)
         manager.passes = [
-            (LowerValues, about) if step is NativeLowering else (step, about)
+            (_OURS.get(step, step), about)
             for step, about in manager.passes
+            if step is not NopythonRewrites  # of arrays that kernels do not make, and of strings
         ]
         manager.finalize()
         return [manager]

@@ -1,0 +1,127 @@
+"""Passes of numba without what they do again and again: the same code, in a fraction of the time.
+
+Kernels are functions of some thousand statements, as all parts are put into them. numba rewrites all of
+a function for every variable that is given several values, and asks every statement for its types until
+no type changes any more.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from typing import Any
+
+from numba.core import errors, ir_utils, ssa, typeinfer
+from numba.core.analysis import compute_cfg_from_blocks
+from numba.core.compiler_machinery import FunctionPass, register_pass
+from numba.core.postproc import PostProcessor
+
+
+def _rewrite_once(blocks: dict[int, Any]) -> None:
+    """Give every variable one value, as `ssa.reconstruct_ssa`, where it is in a block at all."""
+    cfg = compute_cfg_from_blocks(blocks)
+    fronts, variables = ssa._iterated_domfronts(cfg), ssa._CacheListVars()
+    having: dict[str, list[int]] = defaultdict(list)
+    for label, block in blocks.items():
+        for name in {one.name for statement in block.body for one in statement.list_vars()}:
+            having[name].append(label)
+    for name in ssa._find_defs_violators(blocks, cfg):
+        mine, given = ssa._fresh_vars({label: blocks[label] for label in having[name]}, name)
+        phis: dict[int, list[Any]] = defaultdict(list)
+        states = ssa._make_states(blocks) | {
+            "varname": name,
+            "defmap": given,
+            "phimap": phis,
+            "cfg": cfg,
+            "phi_locations": ssa._compute_phi_locations(fronts, given),
+        }
+        blocks.update(ssa._run_block_rewrite(mine, states, ssa._FixSSAVars(variables)))
+        for label, some in phis.items():
+            blocks[label].body = some + blocks[label].body
+
+
+@register_pass(mutates_CFG=False, analysis_only=False)
+class AssignOnce(FunctionPass):
+    """Give every variable one value."""
+
+    _name = "ropewalk_assign_once"
+
+    def __init__(self) -> None:
+        FunctionPass.__init__(self)
+
+    def run_pass(self, state: Any) -> bool:
+        func_ir = state.func_ir
+        _rewrite_once(func_ir.blocks)
+        func_ir._definitions = ir_utils.build_definitions(func_ir.blocks)
+        PostProcessor(func_ir).run()
+        return True
+
+
+class _Types(typeinfer.TypeVarMap):  # type: ignore[misc]
+    """The types of all variables, and which were asked for."""
+
+    asked: dict[str, Any]
+
+    def __getitem__(self, name: str) -> Any:
+        found = super().__getitem__(name)
+        self.asked[name] = found
+        return found
+
+
+class _Constraints(typeinfer.ConstraintNetwork):  # type: ignore[misc]
+    """What every statement says about types; one whose types are as it left them has no more to say."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._left: dict[int, list[tuple[Any, Any]]] = {}
+
+    def propagate(self, inferer: Any) -> list[Any]:
+        """Ask those that may have something to say; return their errors."""
+        found: list[Any] = []
+        for constraint in self.constraints:
+            left = self._left.get(id(constraint))
+            if left is not None and all(one.type is kind for one, kind in left):
+                continue
+            inferer.typevars.asked = asked = {}
+            alone = typeinfer.ConstraintNetwork()
+            alone.append(constraint)
+            failed = alone.propagate(inferer)
+            found += failed
+            if not failed:
+                self._left[id(constraint)] = [(one, one.type) for one in asked.values()]
+        return found
+
+
+class _Inferer(typeinfer.TypeInferer):  # type: ignore[misc]
+    """Infers types with both."""
+
+    def __init__(self, context: Any, func_ir: Any, warnings: Any) -> None:
+        super().__init__(context, func_ir, warnings)
+        self.typevars, self.constraints = _Types(), _Constraints()
+        self.typevars.set_context(context)
+        self.typevars.asked = {}
+
+
+@register_pass(mutates_CFG=True, analysis_only=False)
+class InferTypes(FunctionPass):
+    """Find the type of every variable."""
+
+    _name = "ropewalk_infer_types"
+
+    def __init__(self) -> None:
+        FunctionPass.__init__(self)
+
+    def run_pass(self, state: Any) -> bool:
+        func_ir, context = state.func_ir, state.typingctx
+        warnings = errors.WarningsFixer(errors.NumbaWarning)
+        inferer = _Inferer(context, func_ir, warnings)
+        active = context.callstack.register(
+            state.targetctx.target, inferer, state.func_id, state.args
+        )
+        with active, warnings:
+            for i, (name, kind) in enumerate(zip(func_ir.arg_names, state.args, strict=True)):
+                inferer.seed_argument(name, i, kind)
+            inferer.build_constraint()
+            inferer.propagate()
+            state.typemap, state.return_type, state.calltypes = inferer.unify()
+        state.typing_errors = []
+        return True
