@@ -56,7 +56,7 @@ class AssignOnce(FunctionPass):
         return True
 
 
-class _Types(typeinfer.TypeVarMap):  # type: ignore[misc]
+class _Types(typeinfer.TypeVarMap):
     """The types of all variables, and which were asked for."""
 
     asked: dict[str, Any]
@@ -67,7 +67,7 @@ class _Types(typeinfer.TypeVarMap):  # type: ignore[misc]
         return found
 
 
-class _Constraints(typeinfer.ConstraintNetwork):  # type: ignore[misc]
+class _Constraints(typeinfer.ConstraintNetwork):
     """What every statement says about types; one whose types are as it left them has no more to say."""
 
     def __init__(self) -> None:
@@ -81,7 +81,8 @@ class _Constraints(typeinfer.ConstraintNetwork):  # type: ignore[misc]
             left = self._left.get(id(constraint))
             if left is not None and all(one.type is kind for one, kind in left):
                 continue
-            inferer.typevars.asked = asked = {}
+            asked: dict[str, Any] = {}
+            inferer.typevars.asked = asked
             alone = typeinfer.ConstraintNetwork()
             alone.append(constraint)
             failed = alone.propagate(inferer)
@@ -91,7 +92,7 @@ class _Constraints(typeinfer.ConstraintNetwork):  # type: ignore[misc]
         return found
 
 
-class _Inferer(typeinfer.TypeInferer):  # type: ignore[misc]
+class _Inferer(typeinfer.TypeInferer):
     """Infers types with both."""
 
     def __init__(self, context: Any, func_ir: Any, warnings: Any) -> None:
@@ -112,7 +113,8 @@ class InferTypes(FunctionPass):
 
     def run_pass(self, state: Any) -> bool:
         func_ir, context = state.func_ir, state.typingctx
-        warnings = errors.WarningsFixer(errors.NumbaWarning)
+        known: Any = errors  # numba's types know no fixer
+        warnings = known.WarningsFixer(errors.NumbaWarning)
         inferer = _Inferer(context, func_ir, warnings)
         active = context.callstack.register(
             state.targetctx.target, inferer, state.func_id, state.args

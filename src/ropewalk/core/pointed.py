@@ -29,6 +29,11 @@ class Pointed(types.NamedTuple):
         members = hashlib.sha1(self.name.encode()).hexdigest()[:12]
         self.name = f"{instance_class.__name__}_{members}"
 
+    @property
+    def key(self) -> Any:
+        """Return what types are told apart by; not the members, which the compiler hashed all day."""
+        return self.instance_class, self.name
+
 
 def pointed(kind: Any) -> Any:
     """Return the type of a value with all named tuples in it by their addresses."""
@@ -38,6 +43,15 @@ def pointed(kind: Any) -> Any:
         named = isinstance(kind, types.BaseNamedTuple)
         return Pointed(items, each.instance_class) if named else types.BaseTuple.from_types(items)
     return kind
+
+
+def is_full(signature: tuple[Any, ...]) -> bool | None:
+    """Tell whether arguments of these types have the rare laws; None: there is no system among them."""
+    for kind in signature:
+        names = getattr(kind, "fields", ())
+        if "rare" in names:
+            return not isinstance(kind[names.index("rare")], types.NoneType)
+    return None
 
 
 def _block(dmm: Any, kind: Pointed) -> Any:
