@@ -23,10 +23,9 @@ from pathlib import Path
 from typing import Any
 
 import numba
-from numba.core import caching
+from numba.core import caching, types
 
 from ropewalk.core.compiler import rebuild_inner, reduce_inner
-from ropewalk.core.pointed import is_full
 
 PACKAGE = Path(__file__).resolve().parent.parent
 KERNEL_FOLDERS = ("core", "laws", "methods", "motions")
@@ -92,7 +91,7 @@ def is_compiled(function: Any, rare: int | None) -> bool:
     if not hasattr(function, "signatures"):  # plain Python is as ready as it gets
         return True
     wanted = rare is not None
-    if any(is_full(one) == wanted for one in function.signatures):
+    if any(_is_full(one) == wanted for one in function.signatures):
         return True
     code = function.py_func.__code__
     stem = Path(code.co_filename).stem
@@ -104,7 +103,16 @@ def is_compiled(function: Any, rare: int | None) -> bool:
         return False
     found = [_contents(path) for path in indexes]
     keys = [key for index in found if isinstance(index, dict) for key in index]
-    return any(is_full(signature) == wanted for signature, *_ in keys)
+    return any(_is_full(signature) == wanted for signature, *_ in keys)
+
+
+def _is_full(signature: tuple[Any, ...]) -> bool | None:
+    """Tell whether machine code for arguments of these types has the rare laws; None: there is no system."""
+    for kind in signature:
+        names = getattr(kind, "fields", ())
+        if "rare" in names:
+            return not isinstance(kind[names.index("rare")], types.NoneType)
+    return None
 
 
 def _contents(path: Path) -> Any:

@@ -16,7 +16,7 @@ from numba.core.compiler_machinery import FunctionPass, register_pass
 from numba.core.postproc import PostProcessor
 
 
-def _rewrite_once(blocks: dict[int, Any]) -> None:
+def rewrite_once(blocks: dict[int, Any]) -> None:
     """Give every variable one value, as `ssa.reconstruct_ssa`, where it is in a block at all."""
     cfg = compute_cfg_from_blocks(blocks)
     fronts, variables = ssa._iterated_domfronts(cfg), ssa._CacheListVars()
@@ -50,7 +50,7 @@ class AssignOnce(FunctionPass):
 
     def run_pass(self, state: Any) -> bool:
         func_ir = state.func_ir
-        _rewrite_once(func_ir.blocks)
+        rewrite_once(func_ir.blocks)
         func_ir._definitions = ir_utils.build_definitions(func_ir.blocks)
         PostProcessor(func_ir).run()
         return True

@@ -45,15 +45,6 @@ def pointed(kind: Any) -> Any:
     return kind
 
 
-def is_full(signature: tuple[Any, ...]) -> bool | None:
-    """Tell whether arguments of these types have the rare laws; None: there is no system among them."""
-    for kind in signature:
-        names = getattr(kind, "fields", ())
-        if "rare" in names:
-            return not isinstance(kind[names.index("rare")], types.NoneType)
-    return None
-
-
 def _block(dmm: Any, kind: Pointed) -> Any:
     """Return LLVM's type of the members in memory."""
     return llvm.LiteralStructType([_stored(dmm, item) for item in kind.types])

@@ -17,7 +17,6 @@ from numba.core.lowering import Lower
 from numba.core.typed_passes import NativeLowering
 
 from ropewalk.core.elements import View, is_plain, make_array
-from ropewalk.core.pointed import is_full
 
 
 class _Builder(IRBuilder):  # type: ignore[misc]
@@ -28,14 +27,6 @@ class _Builder(IRBuilder):  # type: ignore[misc]
         self.members: dict[
             int, dict[int, Any]
         ] = {}  # by the address's identity, see `core.pointed`
-        self.calls = False  # whether LLVM is to put no copy of what is called in place of the call
-
-    def call(self, fn: Any, args: Any, *more: Any, **options: Any) -> Any:
-        """Call a function."""
-        found = super().call(fn, args, *more, **options)
-        if self.calls:
-            found.attributes.add("noinline")
-        return found
 
     def extract_value(self, agg: Any, idx: Any, name: str = "") -> Any:
         """Return member `idx` of an aggregate."""
@@ -117,19 +108,6 @@ class _Lower(Lower):
         """Lower a function, and leave out what takes tuples apart or puts them together for nothing."""
         super().lower_normal_function(fndesc)
         _drop_unused(self.function)
-
-    def _lower_call_normal(self, fnty: Any, expr: Any, signature: Any) -> Any:
-        """Call a function; in the variant with all laws a kernel is called and not copied.
-
-        LLVM put whole laws into every kernel of a step, and took three times as long for it.
-        """
-        options = getattr(getattr(fnty, "dispatcher", None), "targetoptions", None)
-        rather = options is not None and not options.get("forceinline")
-        self.builder.calls = rather and is_full(self.fndesc.argtypes) is True
-        try:
-            return super()._lower_call_normal(fnty, expr, signature)
-        finally:
-            self.builder.calls = False
 
 
 def _drop_unused(function: Any) -> None:

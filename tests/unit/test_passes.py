@@ -1,0 +1,74 @@
+"""Passes of numba in our own words: the same names and phis as numba's own."""
+
+from __future__ import annotations
+
+from io import StringIO
+from typing import Any
+
+import pytest
+
+from ropewalk.core.jit import PLAIN
+
+pytestmark = pytest.mark.skipif(PLAIN, reason="kernels are not compiled")
+
+
+def behind(n):
+    """Leave the loop with a copy taken before the last change."""
+    now = 0
+    while True:
+        before = now
+        now = now + 1
+        if now > n:
+            break
+    return before
+
+
+def on_one_way(n):
+    """Use a variable that one way through the loop leaves without a value."""
+    total = 0
+    for i in range(n):
+        if i > 0:
+            last = i
+        if i > 1:
+            total = total + last
+    return total
+
+
+def nested(n):
+    """Change variables in loops, on branches and after them."""
+    a, b, found = 0, 1, 0
+    for i in range(n):
+        for j in range(i):
+            if j % 2 == 0:
+                a, b = b, a + b
+            else:
+                found = found + a
+        if found > 100:
+            found = found - b
+            continue
+        b = i
+    if a > b:
+        a = b
+    return a + b + found
+
+
+def told(blocks: dict[int, Any]) -> str:
+    """Return all statements as text."""
+    file = StringIO()
+    for label, block in sorted(blocks.items()):
+        print(label, file=file)
+        block.dump(file)
+    return file.getvalue()
+
+
+@pytest.mark.parametrize("function", [behind, on_one_way, nested])
+def test_every_variable_gets_one_value_as_numba_gives_it(function) -> None:
+    from numba.core import compiler, ssa
+
+    from ropewalk.core.passes import rewrite_once
+
+    theirs, ours = compiler.run_frontend(function), compiler.run_frontend(function)
+    before = told(ours.blocks)
+    rewrite_once(ours.blocks)
+    assert told(ours.blocks) == told(ssa.reconstruct_ssa(theirs).blocks)
+    assert told(ours.blocks) != before
