@@ -141,7 +141,10 @@ def law_energy(x, rest_length, stiffness, floor, elastic, inner):
 
 @kernel
 def hold_secants(tension, rest_length, stiffness, elastic, work):
-    """Write what a segment with a law gives over its tension [m/N], (s,), beyond its length without."""
+    """Write what a segment with a law gives over its tension [m/N], (s,), beyond its length without.
+
+    With it the tangent of that, for `hold_tangents`.
+    """
     soft, remembers = work.soft, work.known.shape[0] > 0
     for j in range(tension.shape[0]):
         if elastic.of[j] >= 0 and stiffness[j] > 0.0:
@@ -151,18 +154,16 @@ def hold_secants(tension, rest_length, stiffness, elastic, work):
                 strain -= work.free[j]
                 work.stretch[j] -= rest_length[j] * work.free[j]
             given = strain * rest_length[j] / tension[j] if tension[j] != 0.0 else 0.0
-            soft[j] = given if tension[j] != 0.0 else 1.0 / (stiffness[j] * slope)
+            work.tangent[j] = 1.0 / (stiffness[j] * slope)
+            soft[j] = given if tension[j] != 0.0 else work.tangent[j]
 
 
 @kernel
-def hold_tangents(tension, rest_length, stiffness, elastic, work, carries, compliance):
+def hold_tangents(stiffness, elastic, work, carries, compliance):
     """Write the tangent compliance [m/N], (s,), of the segments with a law that carry."""
-    remembers = work.known.shape[0] > 0
-    for j in range(tension.shape[0]):
+    for j in range(carries.shape[0]):
         if elastic.of[j] >= 0 and stiffness[j] > 0.0 and carries[j] != 0.0:
-            product, known = stiffness[j] * rest_length[j], work.known[j] if remembers else 0.0
-            _, slope = strain_of(elastic, j, tension[j] / product, known, work.follow[0])
-            compliance[j] = 1.0 / (stiffness[j] * slope)
+            compliance[j] = work.tangent[j]
 
 
 @kernel

@@ -67,7 +67,7 @@ def evaluate_stage(system, state, x, v, tension, work, saddle, forces):
         lengths, k = state.rest_length, state.stiffness
         hold_secants(tension, lengths, k, system.elastic, work)
         decide(stretch, tension, over, work.soft, work.weight, floor, carries, e, g)
-        hold_tangents(tension, lengths, k, system.elastic, work, carries, e)
+        hold_tangents(k, system.elastic, work, carries, e)
     else:
         decide(stretch, tension, over, work.soft, work.weight, floor, carries, e, g)
     if limits(system):

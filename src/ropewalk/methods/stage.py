@@ -70,6 +70,7 @@ class Segments(NamedTuple):
     weight: Floats  # inertial stiffness m / (c1 c2) of the lighter node [N/m]
     stretch: Floats  # r - L [m]
     over: Floats  # 1 / r [1/m], 0 where the ends coincide
+    tangent: Floats  # tangent compliance of segments with an elastic law [m/N]
     known: Floats  # d^ of what segments remember [1]; (0,) without, as the next one
     free: Floats  # strain without tension [1]
     follow: Floats  # (1,) c [s], d being d^ + c d'
@@ -96,7 +97,7 @@ def make_stage(state: State) -> Stage:
     x, v, x_known, v_known, a = (np.zeros_like(state.x) for _ in range(5))
     forces = blank(state.forces)._replace(applied=state.forces.applied)
     inner = state.inner.shape[1]
-    sizes = (*(5 * (s,)), inner, inner, 1)
+    sizes = (*(6 * (s,)), inner, inner, 1)
     segments = Segments(*(np.zeros(size) for size in sizes))
     saddle = make_saddle(state.x.shape[1], state.bending_stiffness.shape[0] > 0, len(NODE_LAWS))
     known, report = (x_known, v_known), np.zeros(HISTORY + MOST_ITERATIONS + 1)
