@@ -1,8 +1,7 @@
 """The laws of nodes together: every piece that they have, folded into one part.
 
-A fold is a closure over a law and the fold of the laws after it. All are parts: a kernel gets the same code
-as from calls by name, and a law that does not act costs a comparison. (Compiled functions as values would
-cost 0.2 to 0.5 us a step.)
+A fold is a closure over a law and the fold of the laws after it, all of them parts. A law that does not act
+costs a comparison, where compiled functions as values would cost 0.2 to 0.5 us a step.
 """
 
 from __future__ import annotations

@@ -93,9 +93,7 @@ class Memory(NamedTuple):
 
     grip: Floats  # (k, 5, n) force of the friction spring [N], coefficient of friction, R_n [N]
     place: Floats  # (3, n) [m]
-    given: (
-        Floats  # (n,) what surfaces that move have given to nodes so far, where they gave any [J]
-    )
+    given: Floats  # (n,) what moving surfaces have given to nodes so far, where any did [J]
     books: Floats  # (k, BOOKS, n) see `contact_books`
     slip: Floats  # (k, WAYS, n) ways over each obstacle in the last step [m], see `contact_books`
     way: Floats  # (3, n) in the last step [m]
