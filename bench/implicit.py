@@ -38,6 +38,12 @@ class Swing:
         """Go back to the start."""
         self.simulation.restore(self.start)
 
+    def go_on(self, steps: int) -> None:
+        """Take so many steps from the start, and start from there."""
+        if steps:
+            self.simulation._advance(steps, 1, self.nothing)
+            self.start = self.simulation.state
+
     def run(self) -> None:
         """Take the steps."""
         self.simulation._advance(self.steps, 1, self.nothing)
