@@ -74,12 +74,14 @@ export class Framing {
     return under;
   }
 
-  /** Whether a card covers a rope now, or the arrow of an anchor. */
+  /** Whether a card covers a rope now, or the arrow of an anchor, or ropes have left the picture. */
   obstructed() {
     const { stage } = this;
     const strips = this.strips();
-    const cramped = stage.card() && roomFor(stage, stage.camera, strips).top > strips.top + 1;
-    return cramped || this.covered(stage.camera.pose);
+    if (this.covered(stage.camera.pose)) return true;
+    if (!stage.card()) return false;
+    const { camera, follower } = stage; // with a card up nothing else brings back what has left the picture
+    return roomFor(stage, camera, strips).top > strips.top + 1 || follower.leaves(camera, strips);
   }
 
   /** What cards take now: of a rope that sinks below the legend, too. */
