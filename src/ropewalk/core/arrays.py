@@ -233,12 +233,7 @@ def pooled(state: State, pool: Floats | None = None) -> tuple[State, Floats]:
     Whole numbers lie there by their bits. What the steps were looked at for stays in the arrays it is in.
     `pool` is filled where one is given.
     """
-    parts = {
-        key: part
-        for key, part in flatten(state).items()
-        if not key.startswith("peaks.")
-        and not key.endswith(".through")  # nor why one did not stand
-    }
+    parts = {key: part for key, part in flatten(state).items() if not key.startswith("peaks.")}
     starts = np.cumsum([0] + [-(-part.size // 8) * 8 for part in parts.values()])
     pool = np.zeros(int(starts[-1])) if pool is None else pool
     views = {}

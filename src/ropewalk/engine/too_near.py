@@ -44,7 +44,7 @@ def passing(which: Ints, layout: Layout, scene: Scene) -> tuple[str, str]:
         f"segment {node} of rope {rope!r} would go through obstacle {name!r} between its two nodes, where "
         "nothing holds it"
     )
-    return what, f"more segments (at most {1e3 * short:.3g} mm long)"
+    return what, f"more segments (at most {1e3 * short:.3g} mm long), or other ways of anchors"
 
 
 def fault_of(state: State, layout: Layout, scene: Scene) -> str:

@@ -190,8 +190,11 @@ def stride(system, scratch, extras, ledger, tableau):
         if again == 0.0:
             break
         control[REJECTED] += 1.0
+        short = again < SHORTEST_STEP or t + again == t
+        if short:
+            put_row(scratch.walk.ahead, scratch.here)  # it tells the host why
         put_row(scratch.walk.begin, scratch.walk.ahead)
-        if again < SHORTEST_STEP or t + again == t:
+        if short:
             return UNSOLVED
         if changes < 0:
             cut = True

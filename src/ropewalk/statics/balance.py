@@ -38,7 +38,7 @@ from ropewalk.laws.pulls import pulls_of_laws
 from ropewalk.laws.tangent import law_band
 from ropewalk.lowering import Model, Span
 from ropewalk.lowering.elastic_tables import put_tension, put_under_tension
-from ropewalk.statics.couplings import Couplings, Entries
+from ropewalk.statics.coupled import Couplings, Entries
 from ropewalk.statics.tied import points, solve_tied, together
 
 _TINY = 1e-300

@@ -23,7 +23,7 @@ from ropewalk.laws.others import other_stiffness
 from ropewalk.laws.tangent import assemble_tangent, law_band
 from ropewalk.lowering import Model
 from ropewalk.lowering.elastic_tables import put_under_tension
-from ropewalk.statics.couplings import Couplings, Entries
+from ropewalk.statics.coupled import Couplings, Entries
 from ropewalk.statics.tied import points
 from ropewalk.theory.borrowed import load_scipy
 

@@ -26,7 +26,7 @@ from ropewalk.scene.faults import Fault
 from ropewalk.scene.obstacles import is_free
 from ropewalk.statics import Statics, checked_shape
 from ropewalk.statics.balance import standing
-from ropewalk.statics.couplings import NoRoom
+from ropewalk.statics.coupled import NoRoom
 from ropewalk.vibration.drawing import ModePlots
 from ropewalk.vibration.flexibility import NoModes
 from ropewalk.vibration.linear import linearise
@@ -199,7 +199,7 @@ def shape_about(model: Model, about: About) -> tuple[Floats, Floats, Model]:
 def _held_by_contacts(model: Model, statics: Statics, x: Floats) -> Model:
     """Return the model with contacts as they are at rest: what slips has no friction for small motions.
 
-    Of contacts of ropes and of slides `statics.couplings` sees to that.
+    Of contacts of ropes and of slides `statics.coupled` sees to that.
     """
     if statics.memory is None or statics.contacts is None:
         return model
