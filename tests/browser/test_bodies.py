@@ -44,7 +44,7 @@ def on_drum(window: Window) -> tuple[float, float]:
     """A pixel of the drum's face that no rope is near."""
     x, y = window.ask(
         "(() => { const box = r.stage.renderer.canvas.getBoundingClientRect();"
-        "const [x, y] = r.stage.camera.project(0, -0.2, -0.03); return [x + box.left, y + box.top]; })()"
+        "const [x, y] = r.stage.camera.project(-0.08, -0.2, -0.05); return [x + box.left, y + box.top]; })()"
     )
     return x, y
 
