@@ -9,10 +9,10 @@ import pytest
 
 import ropewalk as rw
 from ropewalk.scene import SceneError
-from ropewalk.theory import edge_fall, harder_by, solid_fall, solid_from_edge_fall
+from ropewalk.theory import edge_fall, harder_by, rope_at_rest, solid_fall, solid_from_edge_fall
 
 LABEL = ("8.464 kN", "33.15 %", "64.9 g/m")
-MEAN = 9997.0, 25310.0, 0.1606
+MEAN = 9324.0, 25950.0, 0.1667
 HALF_TURN = 0.24 * math.pi  # kernmantle over a steel bar of 12 mm, half a turn
 
 
@@ -54,10 +54,10 @@ def test_a_rope_is_found_that_has_the_label_over_the_edge(stiffening: float) -> 
 def test_no_label_is_of_a_force_behind_an_edge_that_rubs() -> None:
     """What the docs tell: measured behind the edge, the stated force is more than such a rope can have."""
     with pytest.raises(
-        ValueError, match=r"from about 3\.2.* to 4\.6.*on the anchor, behind the edge"
+        ValueError, match=r"from about 3\.1.* to 4\.6.*on the anchor, behind the edge"
     ):
         solid_from_edge_fall(
-            8464.0, 0.3315, 9997.0, 80.0, edge_friction=HALF_TURN, measured="anchor"
+            8464.0, 0.3315, 9324.0, 80.0, edge_friction=HALF_TURN, measured="anchor"
         )
 
 
@@ -124,15 +124,16 @@ def test_a_later_fall_has_the_force_that_is_given() -> None:
 def test_a_rope_that_stiffens_has_its_label_s_static_elongation() -> None:
     made = rw.Material.from_fall(*LABEL, static_elongation="7.85 %", stiffening=6.0)
     assert made.curve is not None
-    assert made.curve.tension_at(0.0785) == pytest.approx(80.0 * 9.81, rel=1e-3)
+    marked, loaded = (made.curve.strain_at(kg * 9.81) for kg in (5.0, 80.0))
+    assert (1.0 + loaded) / (1.0 + marked) - 1.0 == pytest.approx(0.0785, rel=1e-3)
     done = rw.simulate(rw.preset("climbing-fall").replace(**{"rope.made_of": made}))
     assert np.linalg.norm(done.reactions[:, 0], axis=1).max() == pytest.approx(8464.0, rel=2e-3)
     assert -done.positions[:, -1, 2].min() / 2.8 - 1.0 == pytest.approx(0.3315, rel=2e-3)
 
 
 def test_falls_of_55_kg_are_predicted_by_a_rope_that_stiffens() -> None:
-    """Three of the four half ropes come within 6 %, on the safe side; D is told of in the docs."""
-    EA = 80.0 * 9.81 / (0.0785 * (1.0 + 6.0 * 0.0785**2))
+    """Three of the four half ropes come within 7 %, on the safe side; D is told of in the docs."""
+    EA = rope_at_rest(0.0785, 80.0 * 9.81, stiffening=6.0)
     arm, time = solid_from_edge_fall(8464.0, 0.3315, EA, 80.0, edge_friction=0.0, stiffening=6.0)
     errors = {}
     for name, (heavy, light) in {
@@ -141,7 +142,7 @@ def test_falls_of_55_kg_are_predicted_by_a_rope_that_stiffens() -> None:
         k = harder_by(1e3 * heavy, EA, arm, time, 80.0, stiffening=6.0)
         found = edge_fall(k * EA, k * arm, time, 55.0, edge_friction=0.0, stiffening=6.0)
         errors[name] = round(100.0 * (found.mass_force / (1e3 * light) - 1.0))
-    assert errors == {"A": 5, "B": 5, "C": 6, "D": 29}
+    assert errors == {"A": 7, "B": 5, "C": 6, "D": 29}
 
 
 @pytest.mark.parametrize(

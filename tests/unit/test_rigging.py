@@ -73,7 +73,9 @@ def test_a_climbing_rope_is_taken_as_it_is_at_rest() -> None:
     assert "breaking load not known" in str(line)
     rest = rw.equilibrium(line.scene(60))
     assert float(rest.tension.max()) == pytest.approx(max(line.tensions), rel=1e-3)
-    assert "that of a fall" in str(rw.line(30.0, 0.0, "dynamic-half-8", sag=1.0))  # has no other
+    half = rw.line(30.0, 0.0, "dynamic-half-8", pretension="1 kN")
+    assert rw.rope("dynamic-half-8").EA_static == half.material.EA
+    assert "EA 8.1 kN is a guess, from 6.08 kN to 10.5 kN" in str(half)
 
 
 def test_guesses_of_a_line_are_told_with_what_they_make_of_it() -> None:

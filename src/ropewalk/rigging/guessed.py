@@ -17,8 +17,9 @@ def between(line: Line) -> tuple[Line, Line] | None:
 
     None where EA is no guess of the library, or a line with such an EA cannot be.
     """
-    guess = line.rope.numbers["EA"] if line.rope is not None else None
-    if guess is None or guess.low is None or guess.high is None or guess.value != line.material.EA:
+    EAs = [] if line.rope is None else [line.rope.numbers.get(key) for key in ("EA", "EA_static")]
+    guess = next((one for one in EAs if one is not None and one.value == line.material.EA), None)
+    if guess is None or guess.low is None or guess.high is None:
         return None
     try:
         return line.with_EA(guess.low), line.with_EA(guess.high)

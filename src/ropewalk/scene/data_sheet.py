@@ -10,6 +10,7 @@ from ropewalk.scene.units import WrongUnit, in_unit
 from ropewalk.theory.edge_fall import harder_by, solid_from_edge_fall
 from ropewalk.theory.fall import rope_from_fall
 from ropewalk.theory.solid_fall import solid_from_fall
+from ropewalk.theory.static_elongation import rope_at_rest
 
 if TYPE_CHECKING:
     from typing import Self
@@ -17,7 +18,7 @@ if TYPE_CHECKING:
     Quantity = float | str
 
 
-_STATIC_LOAD = 80.0 * 9.81  # under which labels of EN 892 give a static elongation [N]
+_GRAVITY = 9.81  # [m/s^2]
 _GRADES = 200.0, 3500.0  # of steel wires [N/mm^2]; ropes have 1370 to 2160
 _THICKEST = 0.5  # that a wire rope can be [m]
 _CURVE = 0.5  # strain up to which a curve made here goes at least [1]
@@ -58,6 +59,7 @@ class FromDataSheet:
         factor: float = 1.77,
         length: Quantity = 2.8,
         static_elongation: Quantity | None = None,
+        static_load: Quantity = 80.0,
         edge_friction: float = 0.0,
         measured: str = "mass",
         stiffening: float = 0.0,
@@ -66,9 +68,10 @@ class FromDataSheet:
     ) -> Self:
         """Return the climbing rope whose standard fall has its label's force and stretch.
 
-        With the label's static elongation the rope relaxes: EA = 80 kg g / static_elongation, and relaxing_EA
-        and relaxation_time are solved for in a fall of the mass into the rope (`theory.solid_from_fall`), or
-        over an edge (`theory.solid_from_edge_fall`). Without it EA and axial_damping are, spring and damper
+        With the label's static elongation e the rope relaxes: EA = ((80 - 5) / e - 5) kg g, as it is measured
+        between a preload of 5 kg and 80 kg (`theory.rope_at_rest`), and relaxing_EA and relaxation_time are
+        solved for in a fall of the mass into the rope (`theory.solid_from_fall`), or over an edge
+        (`theory.solid_from_edge_fall`). Without it EA and axial_damping are, spring and damper
         side by side (`theory.rope_from_fall`). What they give with another mass or length is an estimate. The
         force is that of the first fall, on the anchor, and with an edge as `measured` says.
 
@@ -76,10 +79,13 @@ class FromDataSheet:
             impact_force: of the label [N].
             dynamic_elongation: of the label [1], such as 0.32 or "32 %".
             mass_per_length: [kg/m].
-            falling_mass: 80 kg for a single rope, 55 kg for one strand of a half rope [kg].
+            falling_mass: 80 kg for a single rope, 55 kg for one strand of a half rope; for one strand of a
+                twin rope 40 kg, and half the force of its label [kg].
             factor: free fall over length of rope [1]; the standard's by default.
             length: of the rope [m]; the standard's by default.
-            static_elongation: of the label, under 80 kg [1], such as 0.08 or "8 %".
+            static_elongation: of the label [1], such as 0.08 or "8 %".
+            static_load: that it is measured under, 80 kg on one strand of a single or a half rope; 40 kg for
+                one strand of a twin rope, which is measured on two; a sixteenth of it is the preload [kg].
             edge_friction: of the rope that turns over the rig's edge, coefficient of friction times angle,
                 mu beta [1]; 0 for a fall without an edge. Needs static_elongation, as the next three do.
             measured: "mass" or "anchor", on which side of the edge impact_force is.
@@ -92,7 +98,8 @@ class FromDataSheet:
         do not go together, with the forces that would.
         """
         rig = _Rig(falling_mass, factor, length, edge_friction, measured, stiffening, later_force)
-        made = _of_fall(impact_force, dynamic_elongation, static_elongation, rig)
+        at_rest = static_elongation, static_load
+        made = _of_fall(impact_force, dynamic_elongation, at_rest, rig)
         return cls(**(made | {"mass_per_length": mass_per_length, "tension_only": True} | others))
 
     @classmethod
@@ -169,7 +176,10 @@ class _Rig(NamedTuple):
 
 
 def _of_fall(
-    impact_force: Quantity, elongation: Quantity, static: Quantity | None, rig: _Rig
+    impact_force: Quantity,
+    elongation: Quantity,
+    at_rest: tuple[Quantity | None, Quantity],
+    rig: _Rig,
 ) -> dict[str, Any]:
     """Return the fields of a material that has a label's fall; see `from_fall`."""
     share = _below_one("dynamic_elongation", elongation)
@@ -179,12 +189,13 @@ def _of_fall(
     mass = _given("falling_mass", rig.mass, "kg")
     fall: dict[str, Any] = {"factor": rig.factor, "length": _given("length", rig.length, "m")}
     s = rig.stiffening
+    static, load = at_rest
     if static is None:
         _need_static(rig.edge_friction, s, rig.later_force)
         EA, damping = rope_from_fall(force, share, mass, **fall)
         return {"EA": EA, "axial_damping": damping}
     rest = _below_one("static_elongation", static)
-    EA = _STATIC_LOAD / (rest * (1.0 + s * rest**2))
+    EA = rope_at_rest(rest, _GRAVITY * _given("static_load", load, "kg"), stiffening=s)
     edge = fall | {"edge_friction": rig.edge_friction, "measured": rig.measured, "stiffening": s}
     if rig.edge_friction == s == 0.0:
         arm, time = solid_from_fall(force, share, EA, mass, **fall)

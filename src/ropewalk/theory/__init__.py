@@ -26,6 +26,7 @@ from ropewalk.theory.elastic_catenary import elastic_catenary
 from ropewalk.theory.fall import Fall, rope_fall, rope_from_fall
 from ropewalk.theory.parabola import Parabola, parabola
 from ropewalk.theory.solid_fall import SolidFall, solid_fall, solid_from_fall
+from ropewalk.theory.static_elongation import rope_at_rest
 
 __all__ = [
     "Cable",
@@ -49,6 +50,7 @@ __all__ = [
     "lumped_chain",
     "parabola",
     "rigid_chain_frequencies",
+    "rope_at_rest",
     "rope_fall",
     "rope_from_fall",
     "solid_fall",
