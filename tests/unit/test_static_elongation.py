@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import ropewalk as rw
+from ropewalk.scene import Straight
 from ropewalk.theory import rope_at_rest
 
 G = 9.81
@@ -17,7 +18,7 @@ def hung(made_of: rw.Material, masses: tuple[float, float]) -> float:
     for mass in masses:
         rope = rw.Rope(
             segments=1, length=1.5, made_of=made_of, loads=[rw.Load(node=-1, mass=mass)],
-            shape={"kind": "straight", "start": (0, 0, 0), "end": (0, 0, -1.5)},
+            shape=Straight(start=(0.0, 0.0, 0.0), end=(0.0, 0.0, -1.5)),
         )  # fmt: skip
         scene = rw.Scene(ropes=[rope], anchors=[rw.Anchor(node=0)])
         ends = rw.equilibrium(scene).positions[0, [0, -1]]
