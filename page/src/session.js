@@ -17,7 +17,7 @@ import { forget, layoutOf, numberOf, readFrame } from "./source/frame.js";
 /** @typedef {import("./source/frame.js").Frame} Frame */
 
 /** @typedef {{hello: Hello, layout: Layout, parameters: Parameter[], presets: Preset[],
- *   status: Status, stability: Stability[], broken: Broken | null, frame: Frame,
+ *   status: Status, stability: Stability[], replay: import("./source/replay.js").Run, broken: Broken | null, frame: Frame,
  *   obstacles: {obstacles: Obstacle[]}, saved: {folder: string}, sound: {seconds: number, forces: number[]},
  *   exported: {name: string, url: string}, note: {text: string},
  *   bye: {text: string},
@@ -46,8 +46,10 @@ export class Session extends Emitter {
     this.waiting = new Map();
   }
 
-  open() {
-    this.source.open({
+  /** @param {Source} source that is played from now on; another one may go on telling of its connection */
+  open(source = this.source) {
+    this.source = source;
+    source.open({
       message: (message) => this.take(message),
       frame: (buffer) => this.takeFrame(buffer),
       state: (state, text) => {

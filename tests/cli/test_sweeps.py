@@ -11,7 +11,7 @@ import pytest
 from click.testing import Result
 
 import ropewalk as rw
-from ropewalk.live.replay import ReplayBroadcast
+from ropewalk.live.replay import ReplayStage
 
 Call = Callable[..., Result]
 VARY = ("--vary", "rope.made_of.spring_constant=500,1000,1e7", "--on", "here")
@@ -177,10 +177,10 @@ def test_who_goes_on_with_a_sweep_can_be_said(
     assert "are of sweeps" in ropewalk("resume", "r", "--workers", 2).output
 
 
-def replaying(scene: rw.Scene, stiffness: float) -> ReplayBroadcast:
+def replaying(scene: rw.Scene, stiffness: float) -> ReplayStage:
     """A stage that shows a run of its own with this spring constant."""
     made = scene.replace(**{"rope.made_of.spring_constant": stiffness})
-    return ReplayBroadcast(rw.simulate(made))
+    return ReplayStage(rw.simulate(made))
 
 
 def test_a_run_of_a_sweep_is_shown(

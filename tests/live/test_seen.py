@@ -11,7 +11,6 @@ import ropewalk as rw
 from live.drive import do
 from ropewalk.live import describe
 from ropewalk.live.broadcast import Broadcast
-from ropewalk.live.commands import parse
 from ropewalk.live.frame import HEADER, SCALARS, Ranges, Shape, combined
 from ropewalk.live.hub import Mailbox
 from ropewalk.live.keeper import Keeper
@@ -19,7 +18,7 @@ from ropewalk.live.packed_run import record
 from ropewalk.live.packing import Packed, unpack
 from ropewalk.live.pictures import combiner
 from ropewalk.live.program import ProgramBroadcast
-from ropewalk.live.replay import ReplayBroadcast
+from ropewalk.live.replay import ReplayStage
 from ropewalk.live.seen import Seen
 from ropewalk.live.session import Session
 from ropewalk.record.result import Result
@@ -245,22 +244,18 @@ def test_a_program_that_takes_several_steps_misses_none() -> None:
 
 def test_replays_show_what_the_frames_passed_over_have() -> None:
     result = rw.simulate(catch(1000.0))
-    stage = ReplayBroadcast(result, playing=False)
-    stage.audience = kept = Kept()
-    layout = stage._layout_message(0)
+    stage = ReplayStage(result, playing=False)
+    layout = stage.layout(0)
 
-    def told(**command: object) -> dict[str, float]:
-        stage.submit(parse(command), 1, lambda message: None)
-        stage.tick()
-        return read(kept.frames[-1], layout)[0]
+    def told(frame: int, since: int) -> dict[str, float]:
+        (shown,) = stage.frames_between(frame, 1, frame - since)
+        return read(shown, layout)[0]
 
-    stage.tick()
-    scalars = told(type="step", count=17)
+    scalars = told(17, since=0)
     peak = float(result.greatest_tension[:18].max())
     assert scalars["tension_max"] == pytest.approx(peak, rel=1e-6)
     assert peak > 5.0 * float(result.tension[17].max())
-    told(type="seek", time=0.0)
-    assert told(type="seek", time=0.017)["tension_max"] < 0.5 * peak  # a jump passes over nothing
+    assert told(17, since=16)["tension_max"] < 0.5 * peak  # a jump passes over nothing
     coarse = [read(one, layout)[0]["tension_max"] for one in stage.frames_between(0, 12, 17)]
     assert max(coarse) == pytest.approx(float(result.greatest_tension.max()), rel=1e-6)
 
@@ -268,9 +263,9 @@ def test_replays_show_what_the_frames_passed_over_have() -> None:
 def test_a_run_without_extremes_is_replayed_by_its_frames() -> None:
     scene = catch(1000.0)
     result = rw.simulate(scene.replace(run=scene.run.replace(extremes=False)))
-    stage = ReplayBroadcast(result, playing=False)
-    layout = stage._layout_message(0)
-    scalars, found = read(stage._frame(17, 1, 0), layout)
+    stage = ReplayStage(result, playing=False)
+    layout = stage.layout(0)
+    scalars, found = read(next(stage.frames_between(17, 1, 17)), layout)
     assert scalars["tension_max"] == pytest.approx(float(result.tension[1:18].max()), rel=1e-6)
     assert found.greatest_force == pytest.approx(
         np.linalg.norm(result.reactions[1:18], axis=2).max(axis=0), rel=1e-6

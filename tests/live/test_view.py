@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
+from urllib.error import HTTPError
+from urllib.request import urlopen
 
 import numpy as np
 import pytest
 
 import ropewalk as rw
 from live.drive import slack_rope
-from live.pages import Page
+from live.pages import HEADER, Page
 from ropewalk.live.view import View
 from ropewalk.record.errors import RunError
 
@@ -21,6 +24,12 @@ def options() -> dict[str, object]:
 
 def page_of(view: View) -> Page:
     return Page(view._server)
+
+
+def fetched(view: View, path: str) -> bytes:
+    with urlopen(f"{view.address}replay/{path}", timeout=30) as answer:
+        data: bytes = answer.read()
+    return data
 
 
 def test_the_loop_stays_with_the_program(options: dict[str, object]) -> None:
@@ -88,17 +97,49 @@ def test_a_result_is_replayed(options: dict[str, object]) -> None:
     result = rw.simulate(scene.replace(run=scene.run.replace(duration=0.5)))
     with result.view(playing=False, **options) as view, page_of(view) as page:
         assert page.message("hello")["mode"] == "replay"
-        assert page.message("status")["duration"] == pytest.approx(0.5, abs=0.01)
-        page.ask(1, "seek", time=0.25)
-        page.until(lambda: page.frames and page.frames[-1][4] > 0.2)
-        assert page.frames[-1][4] == pytest.approx(result.time[result.frame_at(0.25)])
-        where = page.message("layout")["variants"][0]["offsets"]["positions"]
-        shown = np.frombuffer(page.data, "<f4", 3 * 21, where).reshape(21, 3)
-        assert shown == pytest.approx(result.positions[result.frame_at(0.25)], abs=1e-5)
-        assert "must be from 0 to" in page.ask(2, "seek", time=9)["text"]
+        run = page.message("replay")
+        assert run["duration"] == pytest.approx(0.5, abs=0.01)
+        assert not run["playing"]
+        (part,) = run["parts"]
+        assert part["frames"] == result.frames
+        times = np.frombuffer(fetched(view, "times.bin"), "<f8")
+        np.testing.assert_array_equal(times, result.time)
+        frame = result.frame_at(0.25)
+        data = fetched(view, f"frames.bin?first={frame}&count=1")
+        assert HEADER.unpack_from(data)[4] == pytest.approx(result.time[frame])
+        layout = json.loads(fetched(view, "layout.json?part=0"))
+        where = layout["variants"][0]["offsets"]["positions"]
+        shown = np.frombuffer(data, "<f4", 3 * 21, where).reshape(21, 3)
+        assert shown == pytest.approx(result.positions[frame], abs=1e-5)
+        assert "in a replay" in page.ask(2, "play")["text"]  # the page plays, not the server
         assert "in a replay" in page.ask(3, "cut", segment=1)["text"]
-        page.ask(4, "play")
-        page.until(lambda: page.frames[-1][3] & 16)
+        last = fetched(view, f"frames.bin?first=0&count={result.frames}")[-layout["bytes"] :]
+        assert HEADER.unpack_from(last)[3] & 16
+        view.update()  # nothing to show anew
+    with slack_rope(20).view(**options) as live, pytest.raises(HTTPError, match="404"):
+        fetched(live, "times.bin")
+
+
+@pytest.mark.parametrize(
+    ("path", "code", "words"),
+    [
+        ("frames.bin?first=-1", 404, "no such frames"),
+        ("frames.bin?count=4097", 404, "no such frames"),
+        ("frames.bin?every=0", 404, "no such frames"),
+        ("frames.bin?first=half", 400, "must be whole numbers"),
+        ("layout.json?part=1", 404, "no such part"),
+        ("layout.json?part=-1", 404, "no such part"),
+    ],
+)
+def test_a_replay_says_what_it_has_not(
+    options: dict[str, object], path: str, code: int, words: str
+) -> None:
+    scene = slack_rope(20)
+    result = rw.simulate(scene.replace(run=scene.run.replace(duration=0.1)))
+    with result.view(**options) as view, pytest.raises(HTTPError) as caught:
+        fetched(view, path)
+    assert caught.value.code == code
+    assert words in caught.value.read().decode()
 
 
 def test_in_a_notebook_a_view_is_a_frame(options: dict[str, object]) -> None:

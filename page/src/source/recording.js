@@ -1,81 +1,90 @@
-// A run inside the page: plays it as the server would, with frames written as the protocol says.
+// The frames of a run inside the page, written as the protocol says.
 
-import { AT_END, BROKEN, MAGIC, PLAYING, touching } from "./frame.js";
+import { AT_END, BROKEN, MAGIC, touching } from "./frame.js";
+import { Replay } from "./replay.js";
 import { fromBase64, inflate, rowOf, unpack } from "./unpack.js";
 
-/** @typedef {import("./protocol.js").Source} Source */
-/** @typedef {import("./protocol.js").SourceEvents} SourceEvents */
 /** @typedef {import("./protocol.js").Layout} Layout */
+/** @typedef {import("./protocol.js").Hello} Hello */
+/** @typedef {import("./replay.js").Frames} Frames */
 /** @typedef {import("./unpack.js").Stream} Stream */
 /** @typedef {import("./unpack.js").Numbers} Numbers */
-/** @typedef {{layout: Layout, frames: number, good: number, streams: Stream[]}} PackedPart */
-/** @typedef {{ropewalk: string, title: string, duration: number, method: string, dt: number, about: string,
- *   times: Stream, parts: PackedPart[], single: number}} Header */
+/** @typedef {{layout: Layout, frames: number, good: number, method: string, dt: number,
+ *   streams: Stream[]}} PackedPart */
+/** @typedef {{ropewalk: string, title: string, duration: number, about: string, times: Stream,
+ *   parts: PackedPart[], single: number}} Header */
 /** @typedef {{layout: Layout, first: number, frames: number, good: number,
  *   numbers: Record<string, Numbers>}} Part */
 
 const HEADER = 48; // bytes
-const STATUS = 250; // ms
 const PASSED = 600; // frames passed over, whose extremes the next one shows
-const STEP_SHOWN = 0.1; // s that a single step past a break is seen
-const CAN = ["play", "pause", "step", "speed", "seek", "reset"];
+const AT_ONCE = 40; // frames that are read before the page may draw again
 
-/** The recording in this page, if there is one. @returns {RecordingSource | null} */
+/** The recording in this page, if there is one, and what is to be said of it.
+ * @returns {{replay: Replay, about: string} | null} */
 export function findRecording() {
   const header = document.getElementById("recording");
   const data = document.getElementById("recording-data");
   if (!header || !data) return null;
-  return new RecordingSource(JSON.parse(header.textContent ?? ""), data.textContent ?? "");
+  /** @type {Header} */ const run = JSON.parse(header.textContent ?? "");
+  const frames = new PackedFrames(run, data.textContent ?? "");
+  return { replay: new Replay(helloOf(run), { ...run, playing: true }, frames), about: run.about };
 }
 
-/** @implements {Source} */
-export class RecordingSource {
+/** @param {Header} run @returns {Hello} */
+function helloOf({ ropewalk, title }) {
+  return {
+    type: "hello",
+    protocol: 1,
+    ropewalk,
+    client: 0,
+    mode: "replay",
+    can: [],
+    limits: {},
+    title,
+    folder: null,
+    address: "",
+    speeds: [0.01, 4],
+    grabs: 0,
+    exports: [],
+  };
+}
+
+/** @implements {Frames} */
+export class PackedFrames {
   /** @param {Header} header @param {string} text base64 */
   constructor(header, text) {
     this.base = "";
+    this.within = 1e-6;
     this.header = header;
     this.text = text;
-    this.time = 0;
-    this.speed = 1;
-    this.playing = true;
-    this.number = 0;
-    this.shown = -1;
-    this.leapt = false;
-    this.layout = -1;
-    this.last = 0;
-    this.lastStatus = 0;
     /** @type {Part[]} */ this.parts = [];
-    /** @type {Float64Array} */ this.times = new Float64Array(0);
-    /** @type {SourceEvents | null} */ this.events = null;
-    /** Called before the frame of a jump: graphs want what was before it.
-     * @type {(index: number) => void} */
-    this.jumped = () => {};
+    /** @type {Float64Array} */ this.clock = new Float64Array(0);
   }
 
-  /** @param {SourceEvents} events */
-  async open(events) {
-    this.events = events;
-    try {
-      await this.load();
-    } catch (error) {
-      events.state(
-        "damaged",
-        `This page cannot be shown: ${error instanceof Error ? error.message : error}.`,
-      );
-      return;
+  async times() {
+    await this.load();
+    return this.clock;
+  }
+
+  /** @param {number} part */
+  async layout(part) {
+    return this.parts[part].layout;
+  }
+
+  /** @param {number} index @param {number} after */
+  take(index, after) {
+    return this.frame(index, after);
+  }
+
+  /** @param {number} first @param {number} count @param {number} every */
+  async read(first, count, every) {
+    const found = [];
+    for (let i = 0; i < count && first + i * every < this.clock.length; i++) {
+      found.push(this.frame(first + i * every, first + (i - 1) * every));
+      if (i % AT_ONCE === AT_ONCE - 1) await new Promise((done) => setTimeout(done));
     }
-    events.state("open", "");
-    events.message(this.hello());
-    this.tellLayout(0);
-    events.message({ type: "parameters", parameters: [] });
-    events.message({ type: "presets", presets: [] });
-    this.tellStatus();
-    this.last = performance.now();
-    const tick = (/** @type {number} */ now) => {
-      this.tick(now);
-      requestAnimationFrame(tick);
-    };
-    requestAnimationFrame(tick);
+    return found;
   }
 
   async load() {
@@ -89,7 +98,7 @@ export class RecordingSource {
     const { parts, times } = this.header;
     const frames = parts.reduce((sum, part) => sum + part.frames, 0);
     const clock = await next(times, frames);
-    this.times = Float64Array.from(clock.whole, (value) => times.low[0] + times.step[0] * value);
+    this.clock = Float64Array.from(clock.whole, (value) => times.low[0] + times.step[0] * value);
     let first = 0;
     for (const part of parts) {
       /** @type {Record<string, Numbers>} */ const numbers = {};
@@ -100,156 +109,9 @@ export class RecordingSource {
     }
   }
 
-  hello() {
-    const { ropewalk, title } = this.header;
-    return {
-      type: "hello",
-      protocol: 1,
-      ropewalk,
-      client: 0,
-      mode: "replay",
-      can: CAN,
-      limits: {},
-      title,
-      folder: null,
-      address: "",
-      speeds: [0.01, 4],
-      grabs: 0,
-      exports: [],
-    };
-  }
-
-  /** @param {Record<string, any>} command */
-  send(command) {
-    const end = this.header.duration;
-    switch (command.type) {
-      case "play":
-        if (this.time >= end) this.moveTo(0);
-        this.playing = true;
-        this.last = performance.now();
-        break;
-      case "pause":
-        this.playing = false;
-        break;
-      case "step":
-        this.playing = false;
-        this.time = this.times[Math.min(this.index + (command.count ?? 1), this.times.length - 1)];
-        break;
-      case "speed":
-        this.speed = command.value;
-        break;
-      case "seek":
-        this.moveTo(Math.min(Math.max(0, command.time), end));
-        break;
-      case "reset":
-        this.moveTo(0);
-        break;
-    }
-    this.show();
-    this.tellStatus();
-    if (command.id === undefined) return;
-    const { id, type } = command;
-    // As from a server, later: the page waits for it after it has sent.
-    queueMicrotask(() =>
-      this.events?.message({
-        type: "done",
-        id,
-        command: type,
-        step: this.index,
-        frame: this.number,
-      }),
-    );
-  }
-
-  /** Nothing is sent that must be acknowledged. */
-  used() {}
-
-  /** @param {number} time [s] */
-  moveTo(time) {
-    this.time = time;
-    this.leapt = true; // what lies between is not passed over
-    if (Math.abs(this.index - this.shown) > 2) this.jumped(this.index);
-  }
-
-  /** The frame to show now: the last one that is not later. */
-  get index() {
-    let [low, high] = [0, this.times.length];
-    while (high - low > 1) {
-      const middle = (low + high) >> 1;
-      if (this.times[middle] <= this.time + 1e-6) low = middle;
-      else high = middle;
-    }
-    return low;
-  }
-
-  /** @param {number} now ms */
-  tick(now) {
-    const elapsed = Math.min(0.25, Math.max(0, (now - this.last) / 1000));
-    this.last = now;
-    if (this.playing) {
-      this.time = this.later(elapsed * this.speed);
-      this.playing = this.time < this.header.duration;
-      if (!this.playing || now - this.lastStatus > STATUS) this.tellStatus();
-    }
-    this.show();
-  }
-
-  /** The time in the run when so much has passed [s]; steps past a break go by slowly.
-   * @param {number} passed */
-  later(passed) {
-    const { duration, single } = this.header;
-    const { time } = this;
-    const broke = this.times[this.times.length - 1 - single];
-    if (!single || time + passed < broke) return Math.min(time + passed, duration);
-    if (time < broke) return broke;
-    const slowly = Math.min(1, (duration - broke) / (single * STEP_SHOWN));
-    return Math.min(time + passed * slowly, duration);
-  }
-
-  show() {
-    const { index } = this;
-    if (index === this.shown || !this.events) return;
-    const before = this.shown;
-    this.shown = index;
-    const part = this.partOf(index);
-    if (part !== this.layout) this.tellLayout(part);
-    this.number++;
-    const on = before < index && !this.leapt;
-    this.leapt = false;
-    this.events.frame(this.frame(index, on ? before : index - 1));
-  }
-
   /** @param {number} index */
   partOf(index) {
     return this.parts.findIndex(({ first, frames }) => index < first + frames);
-  }
-
-  /** @param {number} part */
-  tellLayout(part) {
-    this.layout = part;
-    this.events?.message(this.parts[part].layout);
-  }
-
-  tellStatus() {
-    this.lastStatus = performance.now();
-    const { method, dt, duration } = this.header;
-    this.events?.message({
-      type: "status",
-      playing: this.playing,
-      speed: this.speed,
-      realtime: this.playing ? this.speed : 0,
-      slow: false,
-      text: "",
-      time: this.time,
-      step: this.index,
-      dt,
-      steps_per_frame: 1,
-      method,
-      broken: false,
-      clients: 1,
-      address: "",
-      duration,
-    });
   }
 
   /** A frame in the bytes of the protocol, with what was seen since the frame `after`.
@@ -261,17 +123,10 @@ export class RecordingSource {
     const { offsets, nodes, anchors } = variant;
     const buffer = new ArrayBuffer(layout.bytes);
     const head = new DataView(buffer, 0, HEADER);
-    const flags =
-      (this.playing ? PLAYING : 0) |
-      (index === this.times.length - 1 ? AT_END : 0) |
-      (row >= good ? BROKEN : 0);
-    [MAGIC, layout.layout, this.number, flags].forEach((value, i) =>
-      head.setUint32(4 * i, value, true),
-    );
-    head.setFloat64(16, this.times[index], true);
+    const flags = (index === this.clock.length - 1 ? AT_END : 0) | (row >= good ? BROKEN : 0);
+    [MAGIC, layout.layout, 0, flags].forEach((value, i) => head.setUint32(4 * i, value, true));
+    head.setFloat64(16, this.clock[index], true);
     head.setFloat64(24, index, true);
-    head.setFloat32(32, this.playing ? this.speed : 0, true);
-    head.setFloat32(36, this.speed, true);
     const floats = (/** @type {number} */ at, /** @type {number} */ count) =>
       new Float32Array(buffer, at, count);
     const scalars = rowOf(numbers.scalars, row, floats(offsets.scalars, layout.scalars.length));

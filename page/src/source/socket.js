@@ -15,6 +15,7 @@ export class SocketSource {
     this.socket = null;
     this.tries = 0;
     this.ending = "";
+    this.goesOn = true; // a run that a page replays does not
     /** @type {SourceEvents | null} */
     this.events = null;
   }
@@ -43,7 +44,10 @@ export class SocketSource {
         return;
       }
       const message = JSON.parse(data);
-      if (message.type === "hello") [this.tries, this.ending] = [0, ""];
+      if (message.type === "hello") {
+        [this.tries, this.ending] = [0, ""];
+        this.goesOn = message.mode !== "replay";
+      }
       if (message.type === "bye") this.ending = message.text;
       events.message(message);
     };
@@ -56,7 +60,10 @@ export class SocketSource {
         events.state("ended", this.ending); // also while it is looked for again
       else if (code === 4400 || code === 4429 || code === 1009) {
         events.state("lost", `The server closed the connection: ${reason || code}.`);
-      } else events.state("lost", "The connection to the server is lost; the run goes on there.");
+      } else {
+        const more = this.goesOn ? "; the run goes on there" : "";
+        events.state("lost", `The connection to the server is lost${more}.`);
+      }
       setTimeout(() => this.connect(), wait);
     };
   }

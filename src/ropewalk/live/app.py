@@ -1,4 +1,4 @@
-"""The web application: the presets' pictures, exports, frames of a replay, the socket."""
+"""The web application: the presets' pictures, exports, a replay's numbers, the socket."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Any
 from starlette.applications import Starlette
 from starlette.concurrency import run_in_threadpool
 from starlette.requests import Request
-from starlette.responses import PlainTextResponse, Response, StreamingResponse
+from starlette.responses import PlainTextResponse, Response
 from starlette.routing import Route, WebSocketRoute
 from starlette.websockets import WebSocket
 
@@ -23,6 +23,7 @@ from ropewalk.live.hands import MOST_GRABS
 from ropewalk.live.hub import UNACKNOWLEDGED, Hub, Mailbox, as_text
 from ropewalk.live.page_socket import PER_SECOND, PROTOCOL, serve_socket
 from ropewalk.live.preset_pictures import svg
+from ropewalk.live.replay_routes import replay_routes
 
 MOST_CLIENTS = 8
 
@@ -118,19 +119,6 @@ def make_app(live: Live) -> Starlette:
         except NothingToExport as error:
             return PlainTextResponse(f"{error}\n", 404)
 
-    async def frames(request: Request) -> Response:
-        make = getattr(live.stage, "frames_between", None)
-        try:
-            first, count, every = (
-                int(request.query_params.get(key, default))
-                for key, default in (("first", "0"), ("count", "100"), ("every", "1"))
-            )
-        except ValueError:
-            return PlainTextResponse("first, count and every must be whole numbers\n", 400)
-        if make is None or first < 0 or not 0 < count <= 4096 or every < 1:
-            return PlainTextResponse("no such frames\n", 404)
-        return StreamingResponse(make(first, count, every), media_type="application/octet-stream")
-
     async def socket(websocket: WebSocket) -> None:
         await serve_socket(websocket, live)
 
@@ -138,7 +126,7 @@ def make_app(live: Live) -> Starlette:
         routes=[
             Route("/presets/{name}.svg", picture),
             Route("/export/{name}", export),
-            Route("/replay/frames.bin", frames),
+            *replay_routes(live.stage),
             WebSocketRoute("/socket", socket),
         ]
     )

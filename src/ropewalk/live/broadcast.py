@@ -79,7 +79,7 @@ class Broadcast:
     @property
     def can(self) -> list[str]:
         """The types of commands that are accepted."""
-        return [name for name in COMMANDS if name not in ("seek", "ack", "knot")]
+        return [name for name in COMMANDS if name not in ("ack", "knot")]
 
     # -- commands -----------------------------------------------------------------------
 

@@ -208,16 +208,11 @@ class Save(Command):
     type: Literal["save"]
 
 
-class Seek(Command):
-    type: Literal["seek"]
-    time: Number
-
-
 COMMANDS: dict[str, type[Command]] = {
     str(model.model_fields["type"].annotation.__args__[0]): model  # type: ignore[union-attr]
     for model in (
         Ack, Play, Pause, Step, Speed, Reset, Set, Move, Drag, Drop, Obstacle, Grab, LetGo, Pin, Unpin, Cut,
-        Untie, Tie, Knot, Load, Kick, SceneCommand, Compare, Back, Undo, Remedy, Listen, Save, Seek,
+        Untie, Tie, Knot, Load, Kick, SceneCommand, Compare, Back, Undo, Remedy, Listen, Save,
     )
 }  # fmt: skip
 # Those that change the simulation, and so are kept in a session's log.

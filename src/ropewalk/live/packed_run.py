@@ -12,7 +12,7 @@ from ropewalk import __version__
 from ropewalk.core.arrays import Floats
 from ropewalk.live.frame import SCALARS, Picture
 from ropewalk.live.packing import LARGEST, Packed, pack
-from ropewalk.live.replay import ReplayBroadcast
+from ropewalk.live.replay import ReplayStage
 from ropewalk.record.errors import RunError
 from ropewalk.record.result import Result
 
@@ -55,7 +55,7 @@ def record(run: Path | Result, rate: float = 60.0) -> Recording:
 
     Raises RunError when there is nothing to show.
     """
-    stage = ReplayBroadcast(run, playing=False)
+    stage = ReplayStage(run, playing=False)
     where = run if isinstance(run, Path) else (run.folder or "result")
     frames = len(stage.times)
     usual = _thinned(stage.times[: frames - stage.single], rate)
@@ -85,7 +85,8 @@ def record(run: Path | Result, rate: float = 60.0) -> Recording:
         kept.append(stage.times[own[:count]])
         parts.append(
             {
-                "layout": stage._layout_message(number),
+                **stage.facts(number),
+                "layout": stage.layout(number),
                 "frames": count,
                 "good": min(good, count),
                 "streams": [one.header() for one in streams],
@@ -100,8 +101,6 @@ def record(run: Path | Result, rate: float = 60.0) -> Recording:
         "ropewalk": __version__,
         "title": stage.scene.name,
         "duration": float(times[-1]),
-        "method": part.result.plan.method,
-        "dt": part.result.plan.dt,
         "times": clock.header(),
         "parts": parts,
         "single": max(0, stage.single - left_out),

@@ -56,6 +56,12 @@ class Recorded:
         own = self.result.time
         return own if self.past is None else np.concatenate([own, self.past.time])
 
+    def again(self) -> Recorded:
+        """Return another reader of the same run, for another thread."""
+        made = Recorded(self.result)
+        made.past = self.past
+        return made
+
     def picture(self, frame: int, after: int | None = None) -> Picture:
         """Return what a frame shows; of a step past a break only shape, tension and speed are its own.
 

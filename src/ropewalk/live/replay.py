@@ -1,31 +1,18 @@
-"""Replaying a recorded run to the page: the same frames and messages as a live session sends."""
+"""A recorded run as a stage: says what there is and hands out frames; each page plays them by itself."""
 
 from __future__ import annotations
 
-import queue
-import time
 from collections.abc import Iterator
-from functools import partial
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from ropewalk.core.arrays import Floats
-from ropewalk.live.audience import Audience, Combine, Nobody
-from ropewalk.live.broadcast import STATUS_SECONDS
-from ropewalk.live.commands import Command, Seek, Speed, Step
+from ropewalk.live.audience import Audience, Nobody
+from ropewalk.live.commands import Command
 from ropewalk.live.describe import anchor_list, force_list, load_list, rope_list, view_box
-from ropewalk.live.frame import (
-    BROKEN,
-    END,
-    HEADER,
-    PLAYING,
-    SCALARS,
-    Clockwork,
-    combined,
-    encode,
-)
+from ropewalk.live.frame import BROKEN, END, HEADER, SCALARS, Clockwork, encode
 from ropewalk.live.gaps import Parted, located, told
 from ropewalk.live.inbox import Reply
 from ropewalk.live.keeper import parts
@@ -34,15 +21,15 @@ from ropewalk.live.parameters import refusal
 from ropewalk.live.recorded import Recorded
 from ropewalk.live.solids import joint_list, obstacle_list
 from ropewalk.record.result import Result
-from ropewalk.scene import Scene, SceneError
-
-STEP_SHOWN = 0.1  # [s] that a step past a break is seen
+from ropewalk.scene import Scene
 
 
-class ReplayBroadcast:
+class ReplayStage:
     """A run, or the parts of a live session one after another, as a stage."""
 
     mode = "replay"
+    can: tuple[str, ...] = ()  # a page needs nobody to play, pause or seek
+    address = ""
 
     def __init__(self, run: Path | Result, *, playing: bool = True) -> None:
         """Take a result, or open a run folder. Raises RunError."""
@@ -57,38 +44,25 @@ class ReplayBroadcast:
         self.single = last.frames - last.result.frames  # steps past a break, at the end
         self.sound = int(self.first[-2]) + last.good  # frames before it
         self.broke_at = float(self.times[self.sound - 1])
-        self.playing, self.speed, self.time = playing, 1.0, 0.0
+        self.playing = playing  # whether pages begin to play when they open
         self.audience: Audience = Nobody()
-        self.waiting: queue.SimpleQueue[tuple[Any, int, Reply]] = queue.SimpleQueue()
-        self.frame_number, self._shown, self._layout = 0, -1, -1
-        self._last, self._last_status = time.perf_counter(), 0.0
-        self._jumped = False  # what lies between is not passed over
-        self._told: tuple[bool, float] | None = None
-
-    can = ("play", "pause", "step", "speed", "seek", "reset")
-    address = ""
 
     @property
     def scene(self) -> Scene:
         """The scene that was run."""
         return self.parts[0].result.scene
 
-    @property
-    def index(self) -> int:
-        """The frame to show now."""
-        return int(np.searchsorted(self.times, self.time + 1e-9, side="right")) - 1
-
     def submit(self, item: Any, client: int, reply: Reply) -> None:
-        """Put a command, or something to be done on the stage, in the queue (from any thread)."""
-        self.waiting.put((item, client, reply))
+        """Do something on the stage at once; refuse a command (from any thread)."""
+        if not isinstance(item, Command):
+            item(self)
+            return
+        rule = "cannot be done in a replay, which every page plays by itself"
+        reply(error_message(item.type, item.id, refusal("type", item.type, rule)))
 
     def join(self, tell: Reply) -> None:
-        """Tell a new page everything."""
-        tell(self._layout_message(self._part(self.index)))
-        tell({"type": "parameters", "parameters": []})
-        tell({"type": "presets", "presets": []})
-        tell(self.status())
-        self._shown = -1
+        """Tell a new page what there is to play."""
+        tell({"type": "replay", "playing": self.playing, **self.header()})
 
     def leave(self, client: int) -> None:
         """Nothing is held in a replay."""
@@ -97,129 +71,45 @@ class ReplayBroadcast:
         """Nothing runs beside a replay."""
 
     def tick(self) -> None:
-        """Carry out what waits, go on by the time that has passed, show a frame."""
-        self._handle()
-        now = time.perf_counter()
-        elapsed, self._last = min(now - self._last, 0.25), now
-        if self.playing:
-            self.time = self._later(elapsed * self.speed)
-            self.playing = self.time < self.duration
-        told = (self.playing, self.speed)
-        if told != self._told or (self.playing and now - self._last_status > STATUS_SECONDS):
-            self._told, self._last_status = told, now
-            self.audience.tell(self.status())
-        if self.index != self._shown and self.audience.size > 0:
-            self._show()
+        """Nothing goes on here."""
 
-    def _later(self, passed: float) -> float:
-        """Return the time in the run when so much has passed [s]; steps past a break go by slowly."""
-        if self.single == 0 or self.time + passed < self.broke_at:
-            return min(self.time + passed, self.duration)
-        if self.time < self.broke_at:
-            return self.broke_at
-        slowly = (self.duration - self.broke_at) / max(self.single * STEP_SHOWN, 1e-9)
-        return min(self.time + passed * min(slowly, 1.0), self.duration)
+    def header(self) -> dict[str, Any]:
+        """Return how long the run is, and what its parts are."""
+        return {
+            "duration": self.duration,
+            "single": self.single,
+            "parts": [self.facts(number) for number in range(len(self.parts))],
+        }
 
-    def _handle(self) -> None:
-        while not self.waiting.empty():
-            item, _, reply = self.waiting.get_nowait()
-            if not isinstance(item, Command):
-                item(self)
-                continue
-            try:
-                self._act(item)
-            except SceneError as error:
-                reply(error_message(item.type, item.id, error))
-                continue
-            if item.id is not None:
-                made = {"id": item.id, "command": item.type, "step": self.index}
-                reply({"type": "done", **made, "frame": self.frame_number + 1})
-
-    def _act(self, command: Command) -> None:
-        if isinstance(command, Seek):
-            if not 0.0 <= command.time <= self.duration * (1.0 + 1e-9):
-                rule = f"must be from 0 to {self.duration:g} s"
-                raise refusal("time", command.time, rule)
-            self.time, self._jumped = command.time, True
-        elif isinstance(command, Speed):
-            self.speed = command.value
-        elif isinstance(command, Step):
-            frame = min(self.index + command.count, len(self.times) - 1)
-            self.time, self.playing = float(self.times[frame]), False
-        elif command.type == "play":
-            self.time = 0.0 if self.time >= self.duration else self.time
-            self.playing = True
-        elif command.type == "pause":
-            self.playing = False
-        elif command.type == "reset":
-            self.time = 0.0
-        else:
-            rule = "cannot be done in a replay; there is " + ", ".join(self.can)
-            raise refusal("type", command.type, rule)
+    def facts(self, part: int) -> dict[str, Any]:
+        """Return how many frames a part has, those before a break among them, and how it was stepped."""
+        first, end = int(self.first[part]), int(self.first[part + 1])
+        plan = self.parts[part].result.plan
+        good = min(self.sound, end) - first
+        return {"frames": end - first, "good": good, "method": plan.method, "dt": plan.dt}
 
     def _part(self, index: int) -> int:
         return int(np.searchsorted(self.first, index, side="right")) - 1
 
-    def _show(self) -> None:
-        before, index = self._shown, self.index
-        part = self._part(index)
-        on = not self._jumped and self._part(before) == part and 0 <= before < index
-        self._shown, self._jumped = index, False
-        if part != self._layout:
-            self._layout = part
-            self.audience.tell(self._layout_message(part))
-        self.frame_number += 1
-        frame = self._frame(index, self.frame_number, before if on else None)
-        self.audience.show(self.frame_number, frame, self._combiner(part))
-
-    def _combiner(self, part: int) -> Combine:
-        return partial(combined, [self.parts[part].shape])
-
-    def _frame(self, index: int, number: int, after: int | None = None) -> bytes:
-        """Return a frame that shows, too, what was seen since frame `after`."""
-        part = self._part(index)
-        first = int(self.first[part])
-        picture = self.parts[part].picture(index - first, None if after is None else after - first)
-        flags = PLAYING * self.playing + END * (index == len(self.times) - 1)
-        flags += BROKEN * (index >= self.sound)
-        when = float(self.times[index])
-        realtime = self.speed if self.playing else 0.0
-        head = Clockwork(part + 1, number, flags, when, index, realtime, self.speed, 0.0)
-        return encode(head, [picture])
-
     def frames_between(self, first: int, count: int, every: int) -> Iterator[bytes]:
-        """Yield frames one after another, for a page that wants many at once."""
-        last = min(first + count * every, len(self.times))
-        reader = ReplayBroadcast.__new__(
-            ReplayBroadcast
-        )  # a reader of its own: this is another thread
-        reader.__dict__ = {**self.__dict__, "parts": [Recorded(one.result) for one in self.parts]}
-        for index in range(first, last, every):
-            yield reader._frame(index, index, index - every)
+        """Yield frames, each with what was seen since the one `every` frames before it (from any thread)."""
+        parts: dict[int, Recorded] = {}  # readers of its own
+        for index in range(first, min(first + count * every, len(self.times)), every):
+            number = self._part(index)
+            if number not in parts:
+                parts = {number: self.parts[number].again()}
+            yield self._frame(parts[number], number, index, index - every)
 
-    def status(self) -> dict[str, Any]:
-        """Return the `status` message."""
-        plan = self.parts[self._part(self.index)].result.plan
-        return {
-            "type": "status",
-            "playing": self.playing,
-            "speed": self.speed,
-            "realtime": self.speed if self.playing else 0.0,
-            "slow": False,
-            "text": "",
-            "time": self.time,
-            "step": self.index,
-            "dt": plan.dt,
-            "steps_per_frame": plan.steps_per_frame,
-            "method": plan.method,
-            "broken": False,
-            "clients": self.audience.size,
-            "address": "",
-            "duration": self.duration,
-        }
+    def _frame(self, part: Recorded, number: int, index: int, after: int) -> bytes:
+        """Return a frame that shows, too, what was seen since frame `after`."""
+        first = int(self.first[number])
+        picture = part.picture(index - first, after - first)
+        flags = END * (index == len(self.times) - 1) + BROKEN * (index >= self.sound)
+        when = float(self.times[index])
+        return encode(Clockwork(number + 1, index, flags, when, index, 0.0, 0.0, 0.0), [picture])
 
-    def _layout_message(self, part: int) -> dict[str, Any]:
-        self._layout = part
+    def layout(self, part: int) -> dict[str, Any]:
+        """Return the `layout` message of a part."""
         result = self.parts[part].result
         places, end = self.parts[part].shape.places(HEADER.size)
         scene, spans = result.scene, result.layout.ropes
@@ -296,8 +186,8 @@ def serve_run(
     """Return a server, ready to start, that replays a run. Raises RunError, OSError."""
     from ropewalk.live.serve import ViewServer
 
-    stage = ReplayBroadcast(run, playing=playing)
+    stage = ReplayStage(run, playing=playing)
     server = ViewServer(host=host, port=port, page=page)
     folder = run if isinstance(run, Path) else None
-    server.show(stage, title=stage.scene.name, folder=folder)
+    server.show(stage, title=stage.scene.name, folder=folder, play=False)
     return server
