@@ -24,7 +24,8 @@ if (recording) {
 Object.assign(window, { ropewalk: makeHook(app) });
 session.open();
 
-/** Play a run that the server has; after a lost connection it plays on. @param {import("./source/replay.js").Run} run */
+/** Play a run that the server has; after a lost connection it plays on.
+ * @param {import("./source/replay.js").Run} run */
 function playServed(run) {
   const { hello, source } = session;
   if (source instanceof Replay) return session.take(source.hello);

@@ -4,6 +4,7 @@ import { Emitter } from "./emitter.js";
 import { forget, layoutOf, numberOf, readFrame } from "./source/frame.js";
 
 /** @typedef {import("./source/protocol.js").Source} Source */
+/** @typedef {import("./source/replay.js").Run} Run */
 /** @typedef {import("./source/protocol.js").Hello} Hello */
 /** @typedef {import("./source/protocol.js").Layout} Layout */
 /** @typedef {import("./source/protocol.js").Parameter} Parameter */
@@ -17,7 +18,7 @@ import { forget, layoutOf, numberOf, readFrame } from "./source/frame.js";
 /** @typedef {import("./source/frame.js").Frame} Frame */
 
 /** @typedef {{hello: Hello, layout: Layout, parameters: Parameter[], presets: Preset[],
- *   status: Status, stability: Stability[], replay: import("./source/replay.js").Run, broken: Broken | null, frame: Frame,
+ *   status: Status, stability: Stability[], replay: Run, broken: Broken | null, frame: Frame,
  *   obstacles: {obstacles: Obstacle[]}, saved: {folder: string}, sound: {seconds: number, forces: number[]},
  *   exported: {name: string, url: string}, note: {text: string},
  *   bye: {text: string},

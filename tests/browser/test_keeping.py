@@ -13,8 +13,8 @@ from PIL import Image
 from browser.window import Window
 from live.drive import slack_rope
 from ropewalk.live.keeper import parts
+from ropewalk.live.launch import serve_run
 from ropewalk.live.relive import relive
-from ropewalk.live.replay import serve_run
 from ropewalk.live.serve import ViewServer
 from ropewalk.live.session import Session
 from ropewalk.live.sources import scene_at

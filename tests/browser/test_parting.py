@@ -11,7 +11,7 @@ import pytest
 
 import ropewalk as rw
 from browser.window import Window
-from ropewalk.live.replay import serve_run
+from ropewalk.live.launch import serve_run
 from ropewalk.live.serve import ViewServer
 from ropewalk.live.session import Session
 from ropewalk.live.share import share_result
@@ -118,7 +118,7 @@ def test_a_recording_shows_the_gap_from_then_on(
         window = open_window(address, **WIDE).ready()
         window.tell(type="pause")
         when = result.partings[0].time
-        window.tell(type="seek", time=when - 0.02)
+        window.tell(type="seek", time=max(0.0, when - 0.02))
         window.until(f"r.time < {when} && {TEXT} === ''")
         assert window.ask(DRAWN) == [[0, 21]]
         window.tell(type="seek", time=when + 0.1)

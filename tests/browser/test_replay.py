@@ -15,7 +15,7 @@ from browser.window import Window
 from live.drive import do, r4, slack_rope
 from live.test_seen import catch
 from ropewalk.live.keeper import Keeper
-from ropewalk.live.replay import serve_run
+from ropewalk.live.launch import serve_run
 from ropewalk.live.serve import ViewServer
 from ropewalk.record.result import Result
 

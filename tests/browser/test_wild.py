@@ -10,7 +10,7 @@ import pytest
 
 import ropewalk as rw
 from browser.window import Window
-from ropewalk.live.replay import serve_run
+from ropewalk.live.launch import serve_run
 from ropewalk.live.serve import ViewServer
 
 pytestmark = pytest.mark.browser

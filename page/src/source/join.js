@@ -1,8 +1,10 @@
-// Two frames as one: what was seen for one that is not shown is seen in the next one (`combined` in live/frame.py).
+// Two frames as one: what was seen for one that is not shown is seen in the next one, as `combined` in
+// src/ropewalk/live/frame.py does for frames that a slow page never gets.
 
 import { layoutOf, readFrame, scalar } from "./frame.js";
 
 /** @typedef {import("./protocol.js").Layout} Layout */
+/** @typedef {import("./frame.js").Part} Part */
 
 const least = (/** @type {number} */ a, /** @type {number} */ b) => (b < a || a !== a ? b : a);
 const most = (/** @type {number} */ a, /** @type {number} */ b) => (b > a || a !== a ? b : a);
@@ -24,14 +26,14 @@ export function join(older, newer, layout) {
   readFrame(newer, layout).parts.forEach((after, i) => joinPart(layout, before[i], after));
 }
 
-/** @param {Layout} layout @param {import("./frame.js").Part} before @param {import("./frame.js").Part} after */
+/** @param {Layout} layout @param {Part} before @param {Part} after */
 function joinPart(layout, before, after) {
   const own = { ...after, scalars: after.scalars.slice() };
   for (const [name, choose] of SCALARS) {
     const at = layout.scalars.indexOf(name);
     if (at >= 0) after.scalars[at] = choose(own.scalars[at], before.scalars[at]);
   }
-  /** @param {import("./frame.js").Part} part @param {string | null} low @param {string} high @returns {[number, number]} */
+  /** @param {Part} part @param {string | null} low @param {string} high @returns {[number, number]} */
   const range = (part, low, high) => [
     low === null ? 0 : scalar(layout, part, low),
     scalar(layout, part, high),

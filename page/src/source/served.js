@@ -1,4 +1,4 @@
-// Frames of a run that a server has: fetched in pieces ahead of the player, as many as fit into a bounded memory.
+// Frames of a run that a server has: fetched in pieces ahead of the player, kept in a bounded memory.
 
 import { layoutOf } from "./frame.js";
 import { join } from "./join.js";

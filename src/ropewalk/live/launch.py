@@ -5,10 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ropewalk.record.errors import RunError
 from ropewalk.scene import Scene
+
+if TYPE_CHECKING:
+    from ropewalk.record.result import Result
 
 NEEDS = ("starlette", "uvicorn", "websockets")
 
@@ -79,6 +82,25 @@ def serve_session(
     except BaseException:
         server.stop()
         raise
+    return server
+
+
+def serve_run(
+    run: Path | Result,
+    *,
+    playing: bool = True,
+    host: str = "127.0.0.1",
+    port: int | None = None,
+    page: Path | None = None,
+) -> Any:
+    """Return a server, ready to start, that replays a run. Raises RunError, OSError."""
+    from ropewalk.live.replay import ReplayStage
+    from ropewalk.live.serve import ViewServer
+
+    stage = ReplayStage(run, playing=playing)
+    server = ViewServer(host=host, port=port, page=page)
+    folder = run if isinstance(run, Path) else None
+    server.show(stage, title=stage.scene.name, folder=folder, play=False)
     return server
 
 

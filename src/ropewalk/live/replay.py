@@ -173,21 +173,3 @@ def _timeline(parts: list[Recorded]) -> Floats:
         times.append(own + start)
         start = float(times[-1][-1])
     return np.concatenate(times)
-
-
-def serve_run(
-    run: Path | Result,
-    *,
-    playing: bool = True,
-    host: str = "127.0.0.1",
-    port: int | None = None,
-    page: Path | None = None,
-) -> Any:
-    """Return a server, ready to start, that replays a run. Raises RunError, OSError."""
-    from ropewalk.live.serve import ViewServer
-
-    stage = ReplayStage(run, playing=playing)
-    server = ViewServer(host=host, port=port, page=page)
-    folder = run if isinstance(run, Path) else None
-    server.show(stage, title=stage.scene.name, folder=folder, play=False)
-    return server

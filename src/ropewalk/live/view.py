@@ -140,7 +140,7 @@ def view_result(
 ) -> View:
     """Replay a result; see `Result.view`."""
     check_installed()
-    from ropewalk.live.replay import serve_run
+    from ropewalk.live.launch import serve_run
 
     server = serve_run(result.folder or result, playing=playing, port=port, page=page)
     return View(server, open_browser=open_browser)

@@ -179,7 +179,7 @@ def _continued(folder: Path, no_save: bool, options: dict[str, Any]) -> Any:
 
 
 def _replay(run: Any, playing: bool, options: dict[str, Any]) -> Any:
-    from ropewalk.live.replay import serve_run
+    from ropewalk.live.launch import serve_run
 
     return serve_run(run, playing=playing, **options)
 
