@@ -80,7 +80,7 @@ lint: dev  ## check style, format, types and the import contracts
 	$(BIN)/mypy
 	$(BIN)/lint-imports --no-logo
 
-locks:  ## write requirements/PYTHON anew, for Python 3.11 to 3.13, after a change of pyproject.toml
+locks:  ## write requirements/PYTHON anew, for Python 3.11 to 3.14, after a change of pyproject.toml
 	PYTHON="$(PYTHON)" requirements/lock
 
 format: dev  ## put the code into the common format

@@ -9,16 +9,14 @@ from importlib.metadata import distributions
 from pathlib import Path
 
 import pytest
+import yaml
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
 HERE = Path(__file__).resolve().parents[2]
 ABOUT = tomllib.loads((HERE / "pyproject.toml").read_text(encoding="utf-8"))["project"]
-PYTHONS = [
-    kind.rpartition(" ")[2]
-    for kind in ABOUT["classifiers"]
-    if re.fullmatch(r"Programming Language :: Python :: 3\.\d+", kind)
-]
+MATRIX = yaml.safe_load((HERE / ".github/workflows/test.yml").read_text(encoding="utf-8"))
+PYTHONS = MATRIX["jobs"]["test"]["strategy"]["matrix"]["python"]
 EXTRAS = ABOUT["optional-dependencies"]
 BUILD = ["editables", "hatchling"]
 
