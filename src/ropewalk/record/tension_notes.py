@@ -58,7 +58,9 @@ def winch_note(result: Result, peak: Extreme) -> str:
     recorded is the tension after that turn, acting is about the mean of the step. Too much where it reels in,
     too little where it pays out. The semi-implicit method of Euler acts with what is recorded.
     """
-    if result.plan.method == "semi-implicit-euler" or not peak.value > 0.0 or peak.place < 0:
+    if not result.scene.winches or result.plan.method == "semi-implicit-euler":
+        return ""
+    if not peak.value > 0.0 or peak.place < 0 or "rest_length" not in result.source.names:
         return ""
     name, _ = result.layout.rope_of(peak.place)
     span = result.layout.span(name)
