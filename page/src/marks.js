@@ -44,6 +44,9 @@ export class Marks {
     /** @type {Set<number>} nodes of the first variant */ this.followed = new Set();
     /** What has a ring: what lies under the pointer, or where the hand is. @type {Hit | Vector | null} */
     this.hover = null;
+    /** What this page's pointers hold: drawn where the pointers are, however late ropes follow.
+     * @type {Set<import("./input/hand.js").Hand>} */
+    this.held = new Set();
     /** What the keyboard has chosen. @type {Hit | import("./input/pick.js").BodyHit | null} */ this.chosen =
       null;
     /** A kick that is being drawn. @type {{from: Vector, to: Vector, text: string} | null} */
@@ -255,6 +258,7 @@ export class Marks {
   /** The springs of hands, this page's and others'. @param {Marker[]} markers @param {Arrow[]} arrows */
   addGrabs(markers, arrows) {
     const { session, theme, nodes, starts, shifts } = this.stage;
+    const own = [...this.held];
     const frame = /** @type {Frame} */ (session.frame);
     frame.parts.forEach((part, v) => {
       for (let i = 0; i < part.grabs.length; i += 8) {
@@ -262,17 +266,13 @@ export class Marks {
         if (!(node >= 0)) continue;
         const at = 4 * (starts[v] + node);
         const from = vector(nodes.shown.subarray(at, at + 3));
-        const to = plus(part.grabs.subarray(i + 1, i + 4), shifts[v]);
-        arrows.push({ from, to, colour: theme.grab, pixels: 2, head: false });
-        markers.push({
-          x: to[0],
-          y: to[1],
-          z: to[2],
-          kind: "ring",
-          colour: theme.grab,
-          size: 0,
-          pixels: 16,
-        });
+        const mine = own.find(({ hit }) => hit.variant === v && hit.node === node);
+        const to = mine ? mine.place : plus(part.grabs.subarray(i + 1, i + 4), shifts[v]);
+        const [x, y, z] = to;
+        if (!mine) {
+          arrows.push({ from, to, colour: theme.grab, pixels: 2, head: false });
+          markers.push({ x, y, z, kind: "ring", colour: theme.grab, size: 0, pixels: 16 });
+        }
         const [fx, fy, fz] = part.grabs.subarray(i + 4, i + 7);
         if (v > 0) continue;
         const text = pulls(Math.hypot(fx, fy, fz), part.grabs[i + 7]);
@@ -285,7 +285,12 @@ export class Marks {
   addHand(markers, arrows) {
     const { theme } = this.stage;
     const chosen = this.chosen && placeOf(this.stage, this.chosen);
-    for (const ring of [this.ringPlace(), chosen]) {
+    const hands = [...this.held];
+    for (const { hit, place } of hands) {
+      const from = placeOf(this.stage, hit);
+      if (from) arrows.push({ from, to: place, colour: theme.grab, pixels: 2, head: false });
+    }
+    for (const ring of [this.ringPlace(), chosen, ...hands.map(({ place }) => place)]) {
       if (!ring) continue;
       const [x, y, z] = ring;
       markers.push({ x, y, z, kind: "ring", colour: theme.hover, size: 0, pixels: 24 });

@@ -24,4 +24,6 @@ test("the pace is what is reached where the computer is slow, else what is asked
   assert.equal(paceOf(frame, { playing: true, slow: false, speed: 0.1 }), 0.1);
   assert.equal(paceOf(frame, { playing: false, slow: false, speed: 0.1 }), 1);
   assert.equal(paceOf(null, null), 1);
+  const slowly = { realtime: 2e-4 }; // ten thousand nodes on a machine that does other things, too
+  assert.equal(paceOf(slowly, { playing: true, slow: true, speed: 1 }), 2e-4);
 });

@@ -192,12 +192,14 @@ class Clock:
         return self.now
 
 
-def run(monkeypatch: pytest.MonkeyPatch, cost: float, speed: float) -> tuple[float, pace.Pace]:
-    """Play two seconds with steps of 1 ms that cost so much; return simulated seconds."""
+def run(
+    monkeypatch: pytest.MonkeyPatch, cost: float, speed: float, seconds: float = 2.0
+) -> tuple[float, pace.Pace]:
+    """Play for so long with steps of 1 ms that cost so much; return simulated seconds."""
     clock = Clock()
     monkeypatch.setattr(pace.time, "perf_counter", clock)
     kept, simulated = pace.Pace(), 0.0
-    while clock.now < 102.0:
+    while clock.now < 100.0 + seconds:
         begun = clock.now
         steps = kept.steps(1e-3, speed)
         kept.begin()
@@ -222,6 +224,35 @@ def test_what_is_too_slow_goes_slower_and_says_so(monkeypatch: pytest.MonkeyPatc
     assert simulated == pytest.approx(0.85 * 2.0 / 2.5, rel=0.15)
     assert kept.slow
     assert kept.realtime == pytest.approx(0.85 / 2.5, rel=0.2)
+
+
+def test_steps_of_a_fifth_of_a_second_are_too_slow_and_say_so(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """With so few of them in half a second nothing was said, and hands took it for real time."""
+    _, kept = run(monkeypatch, 0.2, 1.0, 10.0)
+    assert kept.slow
+    assert kept.realtime == pytest.approx(1e-3 / 0.2, rel=0.2)
+
+
+def test_hands_do_not_hide_how_slow_it_is(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A drag came with every picture, and with it the pace began anew: nobody knew that it was slow."""
+    clock = Clock()
+    monkeypatch.setattr(pace.time, "perf_counter", clock)
+    stage = Broadcast(Session(slack_rope()))
+
+    def steps(_: Session, count: int, seconds: float) -> int:
+        clock.now += 0.05
+        return 1
+
+    monkeypatch.setattr("ropewalk.live.broadcast.advance_within", steps)
+    for picture in range(40):
+        drag = {"type": "drag", "anchor": "right", "target": [8.0, 0.0, 0.01 * picture]}
+        stage.submit(parse(drag), 1, lambda _: None)
+        clock.now += 1e-3
+        stage.tick()
+    assert stage.pace.slow
+    assert stage.status()["slow"]
 
 
 def test_a_pause_of_the_computer_is_no_jump(monkeypatch: pytest.MonkeyPatch) -> None:

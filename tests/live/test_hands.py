@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from live.drive import do, r4, refused, slack_rope
-from ropewalk.live.hands import CONTROL, FASTEST, soft_spring
+from ropewalk.live.hands import CONTROL, FASTEST, held_around, soft_spring
 from ropewalk.live.session import Session
 from ropewalk.scene import Air, Anchor, Hanging, Material, Rope, RunSettings, Scene
 
@@ -164,5 +164,55 @@ def test_the_pieces_in_which_time_goes_on_do_not_matter(pieces: int) -> None:
 def test_updates_are_as_often_as_promised() -> None:
     session = r4()
     do(session, "set", name="time_step", value=1e-4)
-    assert session.main.control_steps * 1e-4 <= CONTROL * (1 + 1e-9)
-    assert session.main.control_steps == 10
+    assert session.main.control_steps() * 1e-4 <= CONTROL * (1 + 1e-9)
+    assert session.main.control_steps() == 10
+
+
+def test_updates_are_as_often_on_the_clock_where_the_simulation_is_slow() -> None:
+    session = Session(slack_rope())
+    do(session, "set", name="time_step", value=1e-5)
+    do(session, "drag", anchor="right", target=[8.0, 0.0, 0.5])
+    assert session.main.control_steps() == 104
+    do(session, "drag", anchor="right", target=[8.0, 0.0, 0.5], pace=0.05)
+    assert session.main.control_steps() == 5
+    do(session, "drag", anchor="right", target=[8.0, 0.0, 0.5], pace=2e-4)
+    assert session.main.control_steps() == 1
+    target = np.array([8.0, 0.0, 0.5])
+    far = np.linalg.norm(session.main.simulation.anchors["right"].position - target)
+    session.advance(1)  # 50 ms on the clock
+    moved = far - np.linalg.norm(session.main.simulation.anchors["right"].position - target)
+    assert moved == pytest.approx(FASTEST * 1e-5)  # what an anchor may at most
+
+
+def test_a_rope_of_a_thousand_pieces_is_no_harder_to_lift() -> None:
+    """A hand holds a fiftieth of the rope: one node of 1000 would be let go of for its small mass."""
+    lifted = {}
+    for segments in (40, 1000):
+        scene = slack_rope(segments)
+        step = RunSettings(duration=5.0, time_step=2e-3, method="implicit-euler")
+        session = Session(scene.replace(run=step))
+        middle = segments // 2
+        before = session.main.simulation.positions[middle].copy()
+        target = before + np.array([0.0, 0.0, 1.0])
+        do(session, "grab", node=middle, target=list(target), pace=0.05)
+        session.advance(150)
+        simulation = session.main.simulation
+        grab = session.main.hands.grabs[0]
+        held = held_around(simulation, middle)
+        assert held.size == {40: 1, 1000: 21}[segments]
+        assert np.allclose(simulation.arrays.forces.applied.sum(axis=1), grab.force)
+        lifted[segments] = simulation.positions[middle, 2] - before[2]
+        mass = held.size * simulation.arrays.mass[middle]
+        assert soft_spring(simulation, middle, 2e-3, 0.05)[0] <= 0.25 * mass / 2e-3**2
+        do(session, "let_go", node=middle, velocity=[0.0, 0.0, 2.0])
+        assert not simulation.arrays.forces.applied.any()
+        assert np.allclose(simulation.velocities[held], [0.0, 0.0, 2.0])
+    assert 0.8 * lifted[40] < lifted[1000] < 1.25 * lifted[40]
+    assert lifted[1000] > 0.5
+
+
+def test_a_hand_beside_an_anchor_pulls_what_is_free() -> None:
+    session = Session(slack_rope(1000))
+    held = held_around(session.main.simulation, 3)
+    assert held.tolist() == list(range(1, 14))  # not node 0, which an anchor has
+    assert held_around(session.main.simulation, 998).tolist() == list(range(988, 1000))

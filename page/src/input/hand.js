@@ -1,7 +1,7 @@
 // The hand: what a drag of an anchor or a rope sends, at once, but not more often than is of use.
 
 import { figures } from "../view/range.js";
-import { length, minus, plus, times } from "../view/vector.js";
+import { length, minus, times } from "../view/vector.js";
 import { paceOf, throwOf } from "./throw.js";
 
 /** @typedef {import("../stage.js").Stage} Stage */
@@ -44,6 +44,8 @@ export class Hand {
       stage.marks.dirty = true;
       return;
     }
+    stage.marks.held.add(this);
+    stage.marks.dirty = true;
     this.trace.push({ time, place: this.place });
     if (this.trace.length > TRACE) this.trace.shift();
     const wait = this.sent + APART - performance.now();
@@ -74,12 +76,12 @@ export class Hand {
   /** The pointer is up. @param {boolean} keep hold on to a grabbed node @param {number} time of the event [ms] */
   release(keep, time) {
     const { session, marks } = this.stage;
+    marks.held.delete(this);
+    marks.dirty = true;
     if (this.way === "tie") {
       marks.line = null;
-      marks.dirty = true;
     } else if (this.way === "kick") {
       marks.kick = null;
-      marks.dirty = true;
       const velocity = this.velocity();
       if (length(velocity) > 0.05) session.tell({ type: "kick", node: this.hit.node, velocity });
     } else if (this.hit.kind === "anchor") {
@@ -98,9 +100,4 @@ export class Hand {
   }
 
   over = false;
-
-  /** Where the hand holds on, for the ring. */
-  get ring() {
-    return plus(this.place, [0, 0, 0]);
-  }
 }

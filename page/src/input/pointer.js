@@ -143,8 +143,8 @@ export class Pointer {
     const hand = this.hands.get(event.pointerId);
     if (hand) {
       hand.moveTo(x, y, event.timeStamp);
-      const over = hand.way === "tie" ? pick(this.stage, x, y, this.reach(event)) : hand.ring;
-      this.stage.marks.hover = hand.way === "kick" ? null : over;
+      const over = hand.way === "tie" ? pick(this.stage, x, y, this.reach(event)) : null;
+      this.stage.marks.hover = hand instanceof BodyHand ? hand.ring : over;
       this.stage.marks.dirty = true;
     } else if (this.hands.size) return;
     else if (start.button !== 0 || start.shift || this.near) this.stage.camera.pan(dx, dy);

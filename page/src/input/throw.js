@@ -5,7 +5,7 @@ import { minus, times } from "../view/vector.js";
 /** @typedef {import("../view/vector.js").Vector} Vector */
 /** Places of a hand, oldest first, with their times [ms]. @typedef {{time: number, place: Vector}[]} Trace */
 
-const SLOWEST = 0.01;
+const SLOWEST = 1e-4; // as the server's hands
 
 /** The velocity of a hand over the last milliseconds [m/s], in the user's time; none where it has rested.
  * @param {Trace} trace @param {number} now ms @param {number} recent ms @returns {Vector} */

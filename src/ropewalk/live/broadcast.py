@@ -40,6 +40,8 @@ STATUS_SECONDS = 0.25
 LIVE = "live"
 # What ends the steps that are still to be taken.
 _JUMPS = frozenset(["play", "pause", "reset", "back", "undo", "remedy"])
+# What leaves the cost of a step as it is: hands send it many times a second, and must not hide how slow it is.
+_OF_HANDS = frozenset(["drag", "drop", "move", "obstacle", "grab", "let_go", "kick", "listen"])
 
 
 class Broadcast:
@@ -175,7 +177,8 @@ class Broadcast:
             if compiles:
                 for track in self.session.tracks:
                     track.simulation.advance_frames(0)
-        self.pace.restart()
+        if kind not in _OF_HANDS:
+            self.pace.restart()
         return True
 
     def _show_scene(self, ready: Opened) -> bool:

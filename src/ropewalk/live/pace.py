@@ -9,6 +9,7 @@ TICK = 1.0 / 60.0  # [s]
 BUDGET = 0.85 * TICK  # [s] of a tick that simulating may take
 LONGEST = 0.1  # [s] of wall time that one tick makes up for; a pause of the computer is no jump
 WINDOW = 0.5  # [s] over which the real-time factor is taken
+FEW = 6  # ticks that are enough to judge by, however long they took
 _SMOOTH = 0.1
 
 
@@ -43,12 +44,12 @@ class Pace:
             self._debt = due * dt  # the rest is left out
         self._debt -= due * dt
         self._dropped.append((now, late))
-        while self._dropped and self._dropped[0][0] < now - WINDOW:
+        while len(self._dropped) > FEW and self._dropped[0][0] < now - WINDOW:
             self._dropped.popleft()
         wanted = speed * elapsed
         self.slow = (
             sum(flag for _, flag in self._dropped) > 0.5 * len(self._dropped)
-            and len(self._dropped) > 5
+            and len(self._dropped) >= FEW
             and wanted > 0.0
         )
         self._load_decays(elapsed)

@@ -18,7 +18,7 @@ from ropewalk.live.carry import carry_over
 from ropewalk.live.ear import Ear
 from ropewalk.live.edits import Edit
 from ropewalk.live.gaps import Parted, gaps, located
-from ropewalk.live.hands import CONTROL, Hands
+from ropewalk.live.hands import CONTROL, Hands, held_around
 from ropewalk.live.parameters import named, refusal
 from ropewalk.live.seen import Interval
 from ropewalk.lowering import Plan, build, with_all_laws
@@ -105,16 +105,15 @@ class Track:
         """Length of a step [s]."""
         return self.simulation.plan.dt
 
-    @property
-    def control_steps(self) -> int:
-        """Steps between two updates of the hands."""
-        return max(1, math.floor(CONTROL / self.dt + 1e-9))
+    def control_steps(self, speed: float = 1.0) -> int:
+        """Return the steps between two updates of the hands, at a speed that is asked for."""
+        return max(1, math.floor(CONTROL * self.hands.pace(speed) / self.dt + 1e-9))
 
     # -- moving on ----------------------------------------------------------------------
 
     def advance(self, steps: int, speed: float = 1.0) -> int:
         """Advance by so many steps; return OK, or BROKEN and the broken state."""
-        every = self.control_steps
+        every = self.control_steps(speed)
         while steps > 0:
             now = steps
             if self.hands.active:
@@ -252,15 +251,15 @@ class Track:
         self._give(index, self.simulation.arrays.v[:, index] + velocity)
 
     def throw(self, index: int, velocity: Floats) -> None:
-        """Give a node the velocity [m/s] of the hand that lets go of it, unless an anchor holds it."""
+        """Give what a hand holds the velocity [m/s] with which it lets go, unless an anchor holds it."""
         if self.holder(index) is None:
             self._give(index, velocity)
 
     def _give(self, index: int, velocity: Floats) -> None:
         before = self.energy
-        state = self.simulation.arrays
-        nodes = tied_with(self.simulation.system.joints, state.tied, index)
-        state.v[:, nodes] = velocity[:, None]
+        state, joints = self.simulation.arrays, self.simulation.system.joints
+        for node in held_around(self.simulation, index).tolist():
+            state.v[:, tied_with(joints, state.tied, node)] = velocity[:, None]
         self.simulation.arrays.past[0] = 0.0  # a multistep method begins anew
         self.simulation.push({})  # brings forces and accelerations up to date
         self.edited += self.energy - before
