@@ -1,14 +1,12 @@
 // Keys as in NeHe's lesson: arrows, Home and End move the first anchor at 3 m/s; more for other anchors.
 
 import { length, plus, times } from "../view/vector.js";
-import { paceOf } from "./throw.js";
 
 /** @typedef {import("../session.js").Session} Session */
 /** @typedef {import("../view/camera.js").Camera} Camera */
 /** @typedef {import("../view/vector.js").Vector} Vector */
 
-const SPEED = 3; // m/s, as in the lesson, in the user's time
-const FASTEST = 30; // m/s of simulated time, as other hands
+const SPEED = 3; // m/s, as in the lesson
 
 // Left, right, up, down, to the back, to the front: by the key's place on the keyboard.
 export const HANDS = [
@@ -100,9 +98,7 @@ export class Keys {
     way = plus(way, camera.up, up - down);
     way = plus(way, camera.second, back - front);
     const size = length(way);
-    const pace = paceOf(this.session.frame, this.session.status);
-    const fast = Math.min(SPEED / pace, FASTEST);
-    const velocity = size > 0 ? times(way, fast / size) : [0, 0, 0];
+    const velocity = size > 0 ? times(way, SPEED / size) : [0, 0, 0];
     if (size > 0) this.moving.set(hand, anchor);
     else this.moving.delete(hand);
     this.session.send({ type: "move", anchor, velocity });
