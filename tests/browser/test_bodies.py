@@ -49,6 +49,50 @@ def on_drum(window: Window) -> tuple[float, float]:
     return x, y
 
 
+CURTAIN = """
+[run]
+duration = 1.0
+time_step = 0.01
+method = "implicit-euler"
+[[rope]]
+segments = 20
+length = 1.05
+diameter = 0.01
+made_of = { kind = "material", EA = 1e4, mass_per_length = 0.1, axial_damping = 5.0 }
+shape = { kind = "slack", start = [-0.5, 0, 0], end = [0.5, 0, 0] }
+[[anchor]]
+node = 0
+[[anchor]]
+node = -1
+[[obstacle]]
+name = "screen"
+kind = "box"
+center = [0, AWAY, -0.1]
+half_sizes = [0.2, 0.03, 0.2]
+edge_radius = 0.01
+"""
+
+
+@pytest.mark.parametrize(("away", "taken"), [(-0.3, "body"), (0.3, "rope")])
+def test_what_is_in_front_is_taken(
+    open_window: Open, serve: Serve, away: float, taken: str
+) -> None:
+    """The eye looks along y: a screen before the rope is led in its place, one behind it lets it be taken."""
+    scene = loads(CURTAIN.replace("AWAY", str(away)))
+    window = open_window(serve(Session(scene)).address, **WIDE).ready()
+    window.click("#view-y")
+    window.settled()
+    x, y = window.screen(10)
+    window.page.mouse.move(x, y)
+    window.until("r.stage.marks.hover !== null")
+    ringed = window.ask("Array.isArray(r.stage.marks.hover) ? 'body' : 'rope'")
+    window.drag((x, y), (30, -20))
+    held = window.ask("[...r.app.pointer.hands.values()][0].way === 'body' ? 'body' : 'rope'")
+    window.page.mouse.up()
+    assert [ringed, held] == [taken, taken]
+    assert window.ask("r.app.pointer.hit?.node ?? -1") == (10 if taken == "rope" else -1)
+
+
 def test_a_drum_is_led_turned_and_put_back(open_window: Open, serve: Serve) -> None:
     window = open_window(serve(Session(over_a_drum())).address, **WIDE).ready()
     window.settled()

@@ -1,6 +1,7 @@
-// What lies under the pointer: an anchor, else the nearest place on a rope.
+// What lies under the pointer and can be seen: an anchor, else the nearest place on a rope.
 
-import { vector } from "../view/vector.js";
+import { hides, meets } from "../view/solids.js";
+import { length, minus, plus, times, vector } from "../view/vector.js";
 
 /** @typedef {import("../stage.js").Stage} Stage */
 /** @typedef {import("../view/vector.js").Vector} Vector */
@@ -12,6 +13,8 @@ import { vector } from "../view/vector.js";
  *   place: Vector, joint?: undefined}} BodyHit */
 /** The name of a joint that ties the node. @typedef {{joint?: string}} Tied */
 /** @typedef {(AnchorHit | NodeHit) & Tied} Hit node and segment are indices in the variant */
+
+const EYE = 9; // half of an anchor's eye [CSS pixels]
 
 /** @param {Stage} stage @param {number} px @param {number} py @param {number} reach pixels
  * @returns {Hit | null} */
@@ -34,6 +37,19 @@ function tied(stage, hit, px, py, reach) {
   return {};
 }
 
+/** Whether a body is before a place that is drawn so thick, at least. @param {Stage} stage
+ * @param {Vector} place @param {number} depth [m] @param {number} pixels half its width @param {number} [radius] [m] */
+function covered({ camera, solids }, place, depth, pixels, radius = 0) {
+  const slack = Math.max(radius, (pixels * depth) / camera.focal);
+  const way = minus(place, camera.eye);
+  const far = length(way);
+  return solids.all.some((one) =>
+    one.surface
+      ? (meets(one, camera.eye, times(way, 1 / far)) ?? Infinity) < far - slack
+      : hides(one, camera.eye, place, slack),
+  );
+}
+
 /** @param {Stage} stage @param {number} px @param {number} py @param {number} reach
  * @returns {AnchorHit | null} */
 function pickAnchor(stage, px, py, reach) {
@@ -50,7 +66,7 @@ function pickAnchor(stage, px, py, reach) {
       if (frame.parts[v].anchors[10 * a + 9] < 0.5) return;
       const [x, y, depth] = stage.camera.project(...place);
       const away = Math.hypot(x - px, y - py);
-      if (depth <= 0 || away >= nearest) return;
+      if (depth <= 0 || away >= nearest || covered(stage, place, depth, EYE)) return;
       nearest = away;
       const segment = Math.min(anchor.index, variant.nodes - 2);
       best = {
@@ -72,27 +88,35 @@ function pickNode(stage, px, py, reach) {
   const { layout } = stage.session;
   if (!layout) return null;
   const { shown } = stage.nodes;
+  const half = stage.leastWidth / 2;
   /** @type {NodeHit | null} */
   let best = null;
-  let nearest = reach;
+  let [nearest, front] = [reach, Infinity];
   layout.variants.forEach((variant, v) => {
     for (const rope of variant.ropes) {
       const gone = stage.gaps.now[v] ?? [];
-      let [x0, y0, behind] = [0, 0, true];
+      let [x0, y0, z0] = [0, 0, 0]; // depth, of the node before
       for (let i = rope.first; i < rope.first + rope.nodes; i++) {
         const at = 4 * (stage.starts[v] + i);
-        const [x1, y1, depth] = stage.camera.project(shown[at], shown[at + 1], shown[at + 2]);
-        if (i > rope.first && !behind && depth > 0 && !gone.includes(i - 1)) {
-          const [away, part] = distance(px, py, x0, y0, x1, y1);
-          if (away < nearest) {
-            nearest = away;
-            const node = part > 0.5 ? i : i - 1;
-            const q = 4 * (stage.starts[v] + node);
-            const place = vector(shown.subarray(q, q + 3));
-            best = { kind: "node", variant: v, rope: rope.name, node, segment: i - 1, place };
+        const [x1, y1, z1] = stage.camera.project(shown[at], shown[at + 1], shown[at + 2]);
+        if (i > rope.first && z0 > 0 && z1 > 0 && !gone.includes(i - 1)) {
+          const [off, part] = distance(px, py, x0, y0, x1, y1);
+          const away = Math.max(off, half); // on what is drawn: then the one in front
+          const depth = z0 + part * (z1 - z0);
+          if (away < reach && (away < nearest || (away === nearest && depth < front))) {
+            const [a, b] = [
+              vector(shown.subarray(at - 4, at - 1)),
+              vector(shown.subarray(at, at + 3)),
+            ];
+            const here = plus(times(a, 1 - part), times(b, part));
+            if (!covered(stage, here, depth, half, rope.diameter / 2)) {
+              [nearest, front] = [away, depth];
+              const [node, place] = part > 0.5 ? [i, b] : [i - 1, a];
+              best = { kind: "node", variant: v, rope: rope.name, node, segment: i - 1, place };
+            }
           }
         }
-        [x0, y0, behind] = [x1, y1, depth <= 0];
+        [x0, y0, z0] = [x1, y1, z1];
       }
     }
   });

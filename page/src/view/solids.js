@@ -1,7 +1,7 @@
 // The bodies that ropes touch, as they are drawn: how far a place is from their surface, how far they have turned,
 // and what a picture of them must hold.
 
-import { surfaceOf } from "./surface.js";
+import { struck, surfaceOf } from "./surface.js";
 import { cross, dot, minus, plus, times, unit } from "./vector.js";
 
 /** @typedef {import("./vector.js").Vector} Vector */
@@ -223,6 +223,10 @@ export function cornersOf(solid) {
  * @param {Solid} solid @param {Vector} eye @param {Vector} way of length 1 */
 export function meets(solid, eye, way) {
   const from = minus(solid.center, eye);
+  if (solid.surface) {
+    const far = struck(solid.surface, times(from, -1), way);
+    return Number.isFinite(far) ? far : null;
+  }
   const towards = dot(from, way);
   if (Math.hypot(...minus(from, times(way, towards))) > solid.reach) return null;
   let at = Math.max(0, towards - solid.reach);

@@ -39,6 +39,29 @@ export function surfaceOf(vertices, faces) {
   return { middle, half, reach: Math.hypot(...half), places, normals };
 }
 
+/** How far along a way from a place, which is counted from the middle, the first triangle is [m]; Infinity: the way
+ * meets none (Möller and Trumbore 1997). @param {Surface} surface @param {Vector} from @param {Vector} way of length 1 */
+export function struck({ places, reach }, from, way) {
+  const nearest = times(way, -dot(from, way));
+  if (Math.hypot(...plus(from, nearest)) > reach) return Infinity;
+  let best = Infinity;
+  for (let k = 0; k < places.length / 3; k += 3) {
+    const a = vector(places, k);
+    const [ab, ac] = [minus(vector(places, k + 1), a), minus(vector(places, k + 2), a)];
+    const p = cross(way, ac);
+    const size = dot(ab, p);
+    if (size === 0) continue;
+    const t = minus(from, a);
+    const u = dot(t, p) / size;
+    if (!(u >= 0 && u <= 1)) continue;
+    const q = cross(t, ab);
+    const v = dot(way, q) / size;
+    const far = dot(ac, q) / size;
+    if (v >= 0 && u + v <= 1 && far >= 0 && far < best) best = far;
+  }
+  return best;
+}
+
 /** @param {ArrayLike<number>} values @param {number} k @returns {Vector} */
 export const vector = (values, k) => [values[3 * k], values[3 * k + 1], values[3 * k + 2]];
 
