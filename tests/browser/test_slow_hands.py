@@ -48,7 +48,7 @@ def test_what_is_held_is_drawn_at_the_pointer_before_the_rope_follows(
     window.page.evaluate(WATCH)
     start = window.screen(0 if what == "anchor" else 20)
     window.drag(start, (30.0, -70.0))
-    window.until("window.seen && Math.abs(window.seen.pointer[1] - %f) < 1" % (start[1] - 70.0))
+    window.until(f"window.seen && Math.abs(window.seen.pointer[1] - {start[1] - 70.0}) < 1")
     window.settled()
     seen = window.ask("window.seen")
     pointer = np.array(seen["pointer"])
@@ -71,7 +71,7 @@ def test_ten_thousand_nodes_are_led_in_wall_time(open_window: Open, serve: Serve
     paces = []
     for k in range(30):
         window.page.mouse.move(x - 20.0 - k, y - 10.0)
-        window.until("r.frame > %d" % window.ask("r.frame"))
+        window.until(f"r.frame > {window.ask('r.frame')}")
         paces += [one.pace for one in server.stage.session.main.hands.targets.values()]
     assert len(paces) > 20
     assert max(paces[10:]) < 0.5

@@ -40,7 +40,7 @@ STATUS_SECONDS = 0.25
 LIVE = "live"
 # What ends the steps that are still to be taken.
 _JUMPS = frozenset(["play", "pause", "reset", "back", "undo", "remedy"])
-# What leaves the cost of a step as it is: hands send it many times a second, and must not hide how slow it is.
+# What leaves the cost of a step as it is: hands send it many times a second, and must not hide it.
 _OF_HANDS = frozenset(["drag", "drop", "move", "obstacle", "grab", "let_go", "kick", "listen"])
 
 

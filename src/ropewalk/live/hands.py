@@ -11,8 +11,9 @@ if that is less. With C >= K H / 2 a sampled spring gives no energy out (Colgate
 of a virtual wall).
 
 Hands act in the user's time. Where the computer manages only a part p of the speed that is asked for, K is
-1 / p^2 and C 1 / p times as large, as far as the bounds above allow, and H is p times as long: the pointer is
-reached in the same time on the clock. Anchors follow 1 / p times as fast, also where a low speed is asked for.
+1 / p^2 and C 1 / p times as large, as far as the bounds above allow, and H is p times as long: the pointer
+is reached in the same time on the clock. Anchors follow 1 / p times as fast, also where a low speed is asked
+for.
 """
 
 from __future__ import annotations
