@@ -2,25 +2,22 @@
 
 from __future__ import annotations
 
-import json
-import sys
-from hashlib import sha256
 from typing import Any
 
 import numpy as np
+import sample_scenes as base
+from sample_scenes import N
 
 from ropewalk.analysis.check import check
 from ropewalk.laws.registry import NAMES
 from ropewalk.lowering import build
 from ropewalk.methods.recording import LAWS
-from ropewalk.methods.stage import HISTORY, ITERATIONS
-from ropewalk.scene import Anchor, Material, Rope, RunSettings, Scene, Springs, Straight
+from ropewalk.scene import Anchor, Material, Rope, Scene
 from ropewalk.scene.base import Model, Number, Vector, quantity, vector
-from ropewalk.simulation import Simulation
 from ropewalk.statics import checked_shape
 from ropewalk.vibration import modes
 
-N, MASS, K = 5, 0.05, 40.0
+K = 40.0
 POINT = (0.3, 0.1, 0.2)
 
 
@@ -40,39 +37,20 @@ class Sample(Scene):
     well: Well | None = None
 
 
-def scene(method: str, dt: float, time: float = 0.1, **more: Any) -> Sample:
+def rope(name: str = "rope", y: float = 0.0) -> Rope:
     """A short rope of springs, one node kicked."""
-    made_of = Springs(
-        spring_constant=30.0, node_mass=MASS, segment_length=0.25, spring_friction=0.02
-    )
-    rope = Rope(
-        name="rope",
-        segments=N - 1,
-        made_of=made_of,
-        shape=Straight(end=(1.0, 0, 0)),
-        kicks=[{"node": 2, "velocity": (0, 1.0, 0.5)}],
-    )
-    run = RunSettings(
-        duration=time, frame_rate=1.0 / time, time_step=dt, steps="exact", method=method
-    )
-    return Sample(**({"ropes": [rope], "well": Well(), "run": run} | more))
+    return base.rope(Rope, name, y, kicks=[{"node": 2, "velocity": (0, 1.0, 0.5)}])
+
+
+def scene(method: str, dt: float, time: float = 0.1, **more: Any) -> Sample:
+    """A scene of that rope."""
+    run = base.settings(method, dt, time)
+    return Sample(**({"ropes": [rope()], "well": Well(), "run": run} | more))
 
 
 def moved(method: str, dt: float, **more: Any) -> dict[str, Any]:
-    """Run one; return places, bits, and what the books miss [J]."""
-    simulation = Simulation(scene(method, dt, **more))
-    first = simulation.recording().recording
-    out = simulation.advance_frames(1).recording
-    kinetic = float(out.energy[0, 0] - first.energy[0, 0])
-    state = simulation.arrays
-    drawn = float(out.work[0, LAWS.index("well")]) if "well" in LAWS else 0.0
-    return {
-        "x": state.x.tolist(),
-        "bits": sha256(state.x.tobytes()).hexdigest()[:16],
-        "unbooked": kinetic - float(out.work[0].sum()),
-        "drawn": drawn,
-        "error": float(np.abs(out.error_range).max()),
-    }
+    """Run one; return its numbers."""
+    return base.moved(scene(method, dt, **more), "well")
 
 
 def potential(x: np.ndarray) -> float:
@@ -82,22 +60,10 @@ def potential(x: np.ndarray) -> float:
 
 
 def newton() -> list[float]:
-    """Orders of convergence of Newton's method, as `test_implicit` takes them, of a taut rope."""
-    stiff = Material(EA=1e3, mass_per_length=0.2)
-    taut = Straight(end=(1.1, 0, 0))
-    rope = Rope(name="rope", segments=8, length=1.0, made_of=stiff, shape=taut)
-    ends = [Anchor(name="near", node=0), Anchor(name="far", node=-1)]
+    """Orders of convergence of Newton's method of a taut rope."""
+    taut = base.taut(Rope, Material(EA=1e3, mass_per_length=0.2), 1.1)
     well = Well(stiffness=20.0, stiffening=8.0)
-    more: dict[str, Any] = {"ropes": [rope], "anchors": ends, "well": well}
-    simulation = Simulation(scene("implicit-euler", 0.05, 0.5, **more))
-    report, orders = simulation._engine._scratch.stage.report, []  # type: ignore[union-attr]
-    for _ in range(10):
-        simulation.step(0.05)
-        merits = report[HISTORY : HISTORY + int(report[ITERATIONS]) + 1]
-        falls = np.log(merits[1:] / merits[:-1])
-        kept = (falls[:-1] < -6.0) & (merits[2:] > 1e-21 * merits[0])
-        orders += list((falls[1:] / falls[:-1])[kept])
-    return [float(order) for order in orders]
+    return base.orders(scene("implicit-euler", 0.05, 0.5, well=well, **taut))
 
 
 def held() -> dict[str, Any]:
@@ -114,31 +80,15 @@ def held() -> dict[str, Any]:
 
 def bound() -> dict[str, Any]:
     """The largest step of a heavy well, and how far nodes get in steps just below and above it."""
-    stiff = {"well": Well(stiffness=5e4, stiffening=0.0), "time": 0.2}
-    said = check(scene("verlet", 1e-4, **stiff)).stability
+    stiff = Well(stiffness=5e4, stiffening=0.0)
+    said = check(scene("verlet", 1e-4, well=stiff, time=0.2)).stability
     most = float(said.largest_step["verlet"])
-    far = []
-    for share in (0.98, 1.02):
-        simulation = Simulation(
-            scene("verlet", share * most, share * most * 200, well=stiff["well"])
-        )
-        simulation.advance_steps(200)
-        far.append(float(np.abs(simulation.arrays.x).max()))
+    far = base.beside(most, 200, lambda dt, time: scene("verlet", dt, time, well=stiff), "x")
     return {"most": most, "far": far}
-
-
-def small() -> dict[str, Any]:
-    """What compiled kernels are held against."""
-    return {
-        method: moved(method, 1e-3, time=0.02)["bits"]
-        for method in ("semi-implicit-euler", "esdirk3")
-    }
 
 
 def everything() -> dict[str, Any]:
     """All of it."""
-    two = scene("verlet", 1e-3).ropes
-    other = two[0].replace(name="other", shape=Straight(start=(0, 1, 0), end=(1.0, 1, 0)))
     held_end = [Anchor(name="near", node=0)]
     model = build(scene("verlet", 1e-3))
     return {
@@ -154,7 +104,7 @@ def everything() -> dict[str, Any]:
         "generalized-alpha": moved("generalized-alpha", 1e-3),
         "without": moved("rk4", 1e-3, well=None),
         "anchored": moved("rk4", 1e-3, anchors=held_end),
-        "two": moved("esdirk3", 1e-3, ropes=[*two, other]),
+        "two": moved("esdirk3", 1e-3, ropes=[rope(), rope("other", 1.0)]),
         "newton": newton(),
         "held": held(),
         "bound": bound(),
@@ -162,4 +112,4 @@ def everything() -> dict[str, Any]:
 
 
 if __name__ == "__main__":
-    print(json.dumps({"newton": newton, "small": small, "all": everything}[sys.argv[1]]()))
+    base.tell(newton, lambda method: moved(method, 1e-3, time=0.02), everything)

@@ -17,37 +17,17 @@ import pytest
 
 from ropewalk.methods.registry import METHODS
 from verification import added
+from verification.added import Sample
 
-HERE = Path(__file__).parent
 ENTRY = "(CURVE, SOLID)"
 K, L, MASS, RUBS = 30.0, 0.25, 0.05, 0.02  # N/m, m, kg, N s/m
 BEND, ARM, TIME = 4.0, 0.4, 0.03  # 1, 1, s
-
-
-def copy_with(folder: Path, law: str) -> Path:
-    """Copy the package's sources with a law `soft` beside its own; return where they lie."""
-    return added.copy_with(folder, law, "soft", (ENTRY, ENTRY.replace(")", ", SOFT)")))
-
-
-def run(folder: Path, what: str, *, compiled: bool = False) -> Any:
-    """Return what `sample_elastic_runs` prints with the package of a folder."""
-    return added.run(folder, "sample_elastic_runs.py", what, compiled=compiled)
-
-
-@pytest.fixture(scope="module")
-def law() -> str:
-    return (HERE / "sample_elastic_law.py").read_text(encoding="utf-8")
-
-
-@pytest.fixture(scope="module")
-def package(law: str, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return copy_with(tmp_path_factory.mktemp("added"), law)
-
-
-@pytest.fixture(scope="module")
-def found(package: Path) -> dict[str, Any]:
-    result: dict[str, Any] = run(package, "all")
-    return result
+SAMPLE = Sample(
+    "soft",
+    "sample_elastic_law.py",
+    "sample_elastic_runs.py",
+    (ENTRY, ENTRY.replace(")", ", SOFT)")),
+)
 
 
 def softened(strain: Any) -> Any:
@@ -170,13 +150,11 @@ def test_what_is_refused(what: str, sentence: str, found: dict[str, Any]) -> Non
 
 
 def test_newton_converges_quadratically_with_its_tangent(
-    found: dict[str, Any], law: str, tmp_path: Path
+    found: dict[str, Any], tmp_path: Path
 ) -> None:
     """The order of convergence, see `test_implicit`. The twin: a tangent of 0.8 of its slope."""
     right = found["newton"]
-    wrong_law = law.replace("TRUE_SHARE = 1.0", "TRUE_SHARE = 0.8")
-    assert wrong_law != law
-    wrong = run(copy_with(tmp_path, wrong_law), "newton")
+    wrong = SAMPLE.run(SAMPLE.wrong(tmp_path), "newton")
     assert len(right) > 5
     assert len(wrong) > 5
     assert np.median(right) > 1.6
@@ -185,4 +163,4 @@ def test_newton_converges_quadratically_with_its_tangent(
 
 @pytest.mark.slow
 def test_compiled_it_has_the_same_bits(package: Path) -> None:
-    assert run(package, "small", compiled=True) == run(package, "small")
+    assert SAMPLE.run(package, "small", compiled=True) == SAMPLE.run(package, "small")

@@ -16,36 +16,15 @@ import numpy as np
 import pytest
 
 from verification import added
+from verification.added import Sample
 
-HERE = Path(__file__).parent
 ENTRY = "(AIR, GROUND, OBSTACLE, CONTACT, PARTING, SLIDE, *SEGMENT_LAWS)"
-
-
-def copy_with(folder: Path, law: str) -> Path:
-    """Copy the package's sources with a law `well` beside its own; return where they lie."""
-    entry = ENTRY, ENTRY.replace("*SEGMENT_LAWS", "*SEGMENT_LAWS, WELL")
-    return added.copy_with(folder, law, "well", entry)
-
-
-def run(folder: Path, what: str, *, compiled: bool = False) -> Any:
-    """Return what `sample_runs` prints with the package of a folder."""
-    return added.run(folder, "sample_runs.py", what, compiled=compiled)
-
-
-@pytest.fixture(scope="module")
-def law() -> str:
-    return (HERE / "sample_law.py").read_text(encoding="utf-8")
-
-
-@pytest.fixture(scope="module")
-def package(law: str, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return copy_with(tmp_path_factory.mktemp("added"), law)
-
-
-@pytest.fixture(scope="module")
-def found(package: Path) -> dict[str, Any]:
-    result: dict[str, Any] = run(package, "all")
-    return result
+SAMPLE = Sample(
+    "well",
+    "sample_law.py",
+    "sample_runs.py",
+    (ENTRY, ENTRY.replace("*SEGMENT_LAWS", "*SEGMENT_LAWS, WELL")),
+)
 
 
 def places(found: dict[str, Any], name: str) -> np.ndarray:
@@ -115,13 +94,11 @@ def test_the_bound_of_the_step_knows_it(found: dict[str, Any]) -> None:
 
 
 def test_newton_converges_quadratically_with_its_tangent(
-    package: Path, law: str, tmp_path: Path
+    found: dict[str, Any], tmp_path: Path
 ) -> None:
     """The order of convergence, see `test_implicit`. The twin: a tangent of 0.8 of its stiffness."""
-    right = run(package, "newton")
-    wrong_law = law.replace("TRUE_SHARE = 1.0", "TRUE_SHARE = 0.8")
-    assert wrong_law != law
-    wrong = run(copy_with(tmp_path, wrong_law), "newton")
+    right = found["newton"]
+    wrong = SAMPLE.run(SAMPLE.wrong(tmp_path), "newton")
     assert len(right) > 5
     assert len(wrong) > 2 * len(right)
     assert np.median(right) > 1.6
@@ -130,4 +107,4 @@ def test_newton_converges_quadratically_with_its_tangent(
 
 @pytest.mark.slow
 def test_compiled_it_has_the_same_bits(package: Path) -> None:
-    assert run(package, "small", compiled=True) == run(package, "small")
+    assert SAMPLE.run(package, "small", compiled=True) == SAMPLE.run(package, "small")
