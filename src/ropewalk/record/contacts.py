@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from ropewalk.core.arrays import Floats, Ints
 from ropewalk.laws.pairs.law import memory as pair_memory
 from ropewalk.laws.pairs.table import CONTACTS
-from ropewalk.lowering import Model, build
+from ropewalk.lowering import Model, Span, build
 from ropewalk.lowering.touching import Contacts, at_rates, contacts_at, turns
 from ropewalk.record.contact_modes import SLIPS, STICKS, UNKNOWN, WORDS
 from ropewalk.record.quantities import PULLEYS
@@ -90,13 +90,21 @@ def wrap_history(result: Result, rope: str | None, obstacle: str) -> WrapHistory
         touching = touching[(touching >= span.start) & (touching <= span.end)]
         if not touching.size:
             continue
-        first, last = int(touching.min()), int(touching.max())
-        nodes[frame] = first - span.start, last - span.start
-        beyond = slice(max(first - 1, span.start), min(last + 1, span.end) + 1)
-        angle[frame] = turns(places[frame, beyond]).sum()
-        before[frame] = tension[frame, first - 1] if first > span.start else 0.0
-        after[frame] = tension[frame, last] if last < span.end else 0.0
+        lies = _lies(span, touching, places[frame], tension[frame])
+        nodes[frame], (angle[frame], before[frame], after[frame]) = lies[:2], lies[2:]
     return WrapHistory(np.asarray(result.time), nodes, angle, before, after)
+
+
+def _lies(
+    span: Span, touching: Ints, places: Floats, tension: Floats
+) -> tuple[int, int, float, float, float]:
+    """Return first and last node of a rope that touch, the angle there, the tensions before and after."""
+    first, last = int(touching.min()), int(touching.max())
+    beyond = slice(max(first - 1, span.start), min(last + 1, span.end) + 1)
+    angle = float(turns(places[beyond]).sum())
+    before = float(tension[first - 1]) if first > span.start else 0.0
+    after = float(tension[last]) if last < span.end else 0.0
+    return first - span.start, last - span.start, angle, before, after
 
 
 def each_frame(result: Result, frames: Iterable[int]) -> Iterator[tuple[int, Contacts]]:
@@ -149,6 +157,11 @@ COLUMNS = (
     *("time [s]", "rope", "node", "obstacle", "normal force [N]", "friction force [N]"),
     *("friction used [1]", "slip speed [m/s]", "friction power [W]", "mode"),
 )
+WRAP_COLUMNS = (
+    *("time [s]", "rope", "obstacle", "first node", "last node", "angle [rad]"),
+    *("tension before [N]", "tension after [N]", "ratio [1]", "ratio at slip [1]"),
+    *("normal force [N]", "friction power [W]"),
+)
 
 
 def rows(result: Result, frames: Iterable[int], nodes: Ints) -> list[NDArray[np.generic]]:
@@ -172,3 +185,38 @@ def rows(result: Result, frames: Iterable[int], nodes: Ints) -> list[NDArray[np.
             column.append(part[keep])
     empty = np.zeros(0)
     return [np.concatenate(column) if column else empty for column in found]
+
+
+def wrap_rows(result: Result, frames: Iterable[int], wanted: Ints) -> list[NDArray[np.generic]]:
+    """Return the columns: a row for every rope with `wanted` nodes and obstacle that touch at a frame.
+
+    Nodes are counted from the first that touches to the last, those between that do not touch included. The
+    ratio is that of the larger tension to the smaller one, NaN where that pulls nothing; at slip it is
+    exp(mu angle) for a rope without weight.
+    """
+    found: list[tuple[object, ...]] = []
+    tension, places = result.tension, result.positions
+    for frame, contacts in each_frame(result, frames):
+        power = (contacts.rub * contacts.slip).sum(axis=1)
+        for span in result.layout.ropes:
+            own = (contacts.node >= span.start) & (contacts.node <= span.end)
+            own &= np.isin(contacts.node, wanted)
+            for o in np.unique(contacts.obstacle[own]):
+                here = own & (contacts.obstacle == o)
+                body = result.scene.obstacles[o]
+                lies = _lies(span, contacts.node[here], places[frame], tension[frame])
+                _, _, angle, *both = lies
+                low, high = sorted(both)
+                found.append(
+                    (
+                        *(result.time[frame], span.name, body.name, *lies),
+                        *(high / low if low > 0.0 else np.nan, np.exp(body.friction * angle)),
+                        *(contacts.push[here].sum(), power[here].sum()),
+                    )
+                )
+    columns = list(zip(*found, strict=True)) or [()] * len(WRAP_COLUMNS)
+    words = ("rope", "obstacle")
+    return [
+        np.array(column, dtype=object if header in words else None)
+        for header, column in zip(WRAP_COLUMNS, columns, strict=True)
+    ]

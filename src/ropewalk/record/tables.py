@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from ropewalk.core.peaks import BOUNDS, EXTREMES
 from ropewalk.laws.wheels import RECORDED, UNITS
-from ropewalk.record.contacts import COLUMNS, rows
+from ropewalk.record.contacts import COLUMNS, WRAP_COLUMNS, rows, wrap_rows
 from ropewalk.record.errors import InputError, RunError
 from ropewalk.record.quantities import (
     AXES,
@@ -26,8 +26,6 @@ from ropewalk.record.quantities import (
 from ropewalk.record.rope_contact_table import HEADERS as ROPE_COLUMNS
 from ropewalk.record.rope_contact_table import rope_rows
 from ropewalk.record.selection import EXPORTED, Indices, Selection, select, take
-from ropewalk.record.wrap_table import HEADERS as WRAP_COLUMNS
-from ropewalk.record.wrap_table import wrap_rows
 from ropewalk.words.nearest import nearest
 
 if TYPE_CHECKING:
