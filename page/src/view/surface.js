@@ -39,8 +39,9 @@ export function surfaceOf(vertices, faces) {
   return { middle, half, reach: Math.hypot(...half), places, normals };
 }
 
-/** How far along a way from a place, which is counted from the middle, the first triangle is [m]; Infinity: the way
- * meets none (Möller and Trumbore 1997). @param {Surface} surface @param {Vector} from @param {Vector} way of length 1 */
+/** How far along a way from a place, which is counted from the middle, the first triangle is [m];
+ * Infinity: the way meets none (Möller and Trumbore 1997).
+ * @param {Surface} surface @param {Vector} from @param {Vector} way of length 1 */
 export function struck({ places, reach }, from, way) {
   const nearest = times(way, -dot(from, way));
   if (Math.hypot(...plus(from, nearest)) > reach) return Infinity;
