@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from matplotlib.collections import PolyCollection
 
+from ropewalk.plots import film, shape
 from ropewalk.plots.canvas import backdrop
 from ropewalk.plots.movies import _Moment, _Painter
-from ropewalk.plots.strands import ribbon
+from ropewalk.plots.strands import LINE, ribbon
 from ropewalk.record.simulate import simulate_in_memory
 from ropewalk.scene import loads
 
@@ -80,3 +82,34 @@ def test_ribbons_have_their_width_and_no_gaps_in_bends():
     assert np.array_equal(found[0][1], found[1][0])
     assert np.array_equal(found[0][2], found[1][3])
     assert np.isfinite(found).all()  # of no length, too
+
+
+def ribbons(figure) -> list[np.ndarray]:
+    """The corners of all pieces of ropes in a figure's first axes [m], (4, 2) each."""
+    figure.canvas.draw()
+    found = [one for one in figure.axes[0].collections if isinstance(one, PolyCollection)]
+    return [path.vertices[:4] for one in found for path in one.get_paths()]
+
+
+@pytest.mark.parametrize("draw", [lambda run: film(run, 1), lambda run: shape(run, [0.0])])
+def test_film_strips_and_a_shape_draw_ropes_as_thick_as_they_are(draw) -> None:
+    pieces = ribbons(draw(crossing(0.08)))
+    heights = [np.ptp(one[:, 1]) for one in pieces if abs(one[:, 0].mean() + 0.45) < 0.01]
+    assert sorted(heights) == pytest.approx([0.08, 1.3 * 0.08])  # and its white edge
+    last = pieces[-1]  # drawn over all others: of the upright rope, which is nearer
+    assert np.ptp(last[:, 0]) == pytest.approx(0.08)
+    assert ribbons(draw(crossing(0.001))) == []  # a line
+
+
+def test_shapes_of_several_times_are_lines_that_do_not_hide_one_another() -> None:
+    assert ribbons(shape(crossing(0.08), [0.0, 0.01])) == []
+
+
+def test_a_thin_rope_beside_a_thick_one_is_no_thinner_than_a_line() -> None:
+    both = crossing(0.08)
+    thin = both.scene.ropes[0].replace(diameter=1e-4)
+    run = simulate_in_memory(both.scene.replace(ropes=[thin, both.scene.ropes[1]]))
+    figure = film(run, 1)
+    level = [one for one in ribbons(figure) if abs(one[:, 0].mean() + 0.45) < 0.01]
+    room = figure.axes[0].transData.transform(level[1]) * 72.0 / figure.dpi
+    assert np.ptp(room[:, 1]) == pytest.approx(LINE, rel=0.3)

@@ -128,7 +128,7 @@ class Check:
             text.append(f"at rest {_count(self.statics.grounded, 'node')} on the ground")
         text.append(
             f"the run: {self.duration:.6g} s in about {_duration(self.seconds)}"
-            f"{'' if self.seconds_measured else ' (not measured)'}; {self.pace}"
+            f"{'' if self.seconds_measured else ' or several times that (not measured)'}; {self.pace}"
         )
         text.append(f"the step: {self.stability.verdict}")
         text += [self.why] if self.why else []

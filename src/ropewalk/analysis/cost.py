@@ -9,9 +9,10 @@ from ropewalk.lowering import Model
 from ropewalk.methods.registry import METHODS
 from ropewalk.simulation import Broken, Simulation
 
-# Cost of one force evaluation and update, typical of a current processor core; only for estimates.
-_PER_NODE = 5e-9  # [s]
-_PER_STEP = 5e-7  # [s]
+# Cost of one force evaluation and update, with books and extremes, of presets on a processor core of 2026; only
+# for estimates. Contact takes up to sixty times as much.
+_PER_NODE = 1e-8  # [s]
+_PER_STEP = 1.5e-6  # [s]
 _SAMPLE = 0.02  # [s] of computing that a measurement takes
 _AFFORDABLE = (
     20_000  # nodes up to which two steps are run: of more an implicit one can take many seconds

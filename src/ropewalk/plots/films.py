@@ -60,7 +60,7 @@ def film(
         prepare(axes, seen.box)
         draw_still(axes, seen)
         if 0 < number <= len(chosen) and chosen[number - 1] < seen.good:
-            draw_ropes(axes, result, seen, chosen[number - 1], FAINT, "_before")
+            draw_ropes(axes, result, seen, chosen[number - 1], FAINT, "_before", thick=True)
         if number < len(chosen):
             _draw_frame(axes, result, seen, chosen[number])
         else:
@@ -82,7 +82,7 @@ def _draw_frame(axes: Axes, result: Result, seen: Backdrop, frame: int) -> None:
     """Draw one recorded frame with its time."""
     colour = COLOURS[0] if frame < seen.good else BROKEN
     draw_moving(axes, result, seen.view, float(result.time[frame]))
-    draw_ropes(axes, result, seen, frame, colour, "rope")
+    draw_ropes(axes, result, seen, frame, colour, "rope", thick=True)
     draw_loads(axes, result, seen.view, frame, markersize=4.5)
     draw_anchors(axes, result, seen.view, frame, markersize=3.5)
     if frame < seen.good:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Callable, Iterator
 from dataclasses import replace
@@ -33,8 +34,8 @@ from ropewalk.plots.canvas import (
 from ropewalk.plots.ffmpeg import MovieError, Mp4Writer
 from ropewalk.plots.gif import GifWriter, make_palette
 from ropewalk.plots.given_forces import GIVEN, GivenForces, given_notes
-from ropewalk.plots.sight import Floats, held_nodes, load_nodes, parted_segments, tame
-from ropewalk.plots.strands import LINE, Strands
+from ropewalk.plots.sight import Floats, held_nodes, load_nodes, tame
+from ropewalk.plots.strands import LINE, Strands, live_segments
 from ropewalk.plots.style import (
     method_and_step,
     scaled_axis,
@@ -232,7 +233,6 @@ class _Painter:
         self._thick = seen.box.magnified == 1.0 and Strands.wide(axes, result)
         figure.set_layout_engine("none")
         self._still = self._canvas.copy_from_bbox(figure.bbox)  # type: ignore[no-untyped-call]
-        self._live = _live_segments(result)
         self._load_nodes = load_nodes(result)
 
     def paint(self, moment: _Moment) -> Image.Image:
@@ -243,8 +243,7 @@ class _Painter:
         if moment.broken:
             x = tame(points[:, 0], box.left, box.right)
             points = np.stack([x, tame(points[:, 1], box.low, box.high)], axis=1)
-        live = self._live.copy()
-        live[parted_segments(self._result, moment.time)] = False
+        live = live_segments(self._result, moment.time)
         pieces = np.stack([points[:-1], points[1:]], axis=1)[live]
         thick = self._thick and not moment.broken
         self._rope.set_segments([] if thick else list(pieces))
@@ -284,18 +283,10 @@ def _filled(box: Box, size: tuple[int, int]) -> Box:
     return Box(x - wide / 2, x + wide / 2, y - tall / 2, y + tall / 2)
 
 
-def _live_segments(result: Result) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
-    """Which segments join two nodes of one rope, (s,)."""
-    live = np.ones(result.layout.segments, dtype=bool)
-    for span in result.layout.ropes[:-1]:
-        live[span.last] = False
-    return live
-
-
 def _tension_scale(result: Result, good: int) -> tuple[Normalize, str]:
     """Scale and colour map from frames spread over the good part."""
     frames = np.unique(np.linspace(0, good - 1, min(good, _SAMPLED)).round().astype(int))
-    live = _live_segments(result)
+    live = live_segments(result, -math.inf)
     sample = [result.read("tension", int(f), int(f) + 1)[:, live] for f in frames]
     scale, name, _ = colour_scale(sample)
     return scale, name

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
-from matplotlib.colors import Normalize
+from matplotlib.colors import Normalize, to_rgba
 from matplotlib.figure import Figure
 
 from ropewalk.plots.canvas import (
@@ -38,6 +38,7 @@ from ropewalk.plots.sight import (
     tame,
     telling_frames,
 )
+from ropewalk.plots.strands import Strands, live_segments
 from ropewalk.plots.style import (
     describe,
     new_figure,
@@ -109,7 +110,8 @@ def _draw_over(axes: Axes, result: Result, seen: Backdrop, frames: list[int]) ->
         time = float(result.time[frame])
         colour = colours(scale(time))
         draw_moving(axes, result, seen.view, time)
-        draw_ropes(axes, result, seen, frame, colour, f"{time:.4g} s")
+        alone = len(frames) == 1  # several times would hide one another
+        draw_ropes(axes, result, seen, frame, colour, f"{time:.4g} s", thick=alone)
         draw_loads(axes, result, seen.view, frame, color=colour)
         draw_anchors(axes, result, seen.view, frame, color=colour, markeredgecolor="black")
     good = [frame for frame in frames if frame < seen.good]
@@ -127,12 +129,20 @@ def _draw_over(axes: Axes, result: Result, seen: Backdrop, frames: list[int]) ->
 
 
 def draw_ropes(
-    axes: Axes, result: Result, seen: Backdrop, frame: int, colour: object, name: str
+    axes: Axes,
+    result: Result,
+    seen: Backdrop,
+    frame: int,
+    colour: object,
+    name: str,
+    *,
+    thick: bool = False,
 ) -> None:
-    """Draw all ropes at a frame; the first one's line carries the name."""
+    """Draw all ropes at a frame, with `thick` as thick as they are; the first one's line has the name."""
     points = shown_positions(result, frame)
     time = float(result.time[frame])
-    draw_points(axes, result, seen, points, colour, name, time, broken=frame >= seen.good)
+    broken = frame >= seen.good
+    draw_points(axes, result, seen, points, colour, name, time, broken=broken, thick=thick)
 
 
 def draw_points(
@@ -145,8 +155,19 @@ def draw_points(
     time: float = math.inf,
     *,
     broken: bool,
+    thick: bool = False,
 ) -> None:
-    """Draw all ropes, nodes at `places` [m], (n, 3), at `time` [s]; broken ones not too far outside."""
+    """Draw all ropes, nodes at `places` [m], (n, 3), at `time` [s]; broken ones not too far outside.
+
+    With `thick` as thick as they are where that is wider than a line, nearer strands over farther ones.
+    """
+    if thick and not broken and seen.box.magnified == 1.0 and Strands.wide(axes, result):
+        axes.plot([], [], color=colour, label=name)
+        live = live_segments(result, time) & np.isfinite(places[:-1] + places[1:]).all(axis=1)
+        strands = Strands(axes, result, seen.view)
+        strands.show(places, np.tile(to_rgba(colour), (len(live), 1)), live)  # type: ignore[arg-type]
+        strands.artist.set_zorder(2.0)
+        return
     points = seen.view.project(places)
     box = seen.box
     if broken:

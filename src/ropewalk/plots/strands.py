@@ -1,4 +1,4 @@
-"""Ropes in films as thick as they are, nearer strands over farther ones."""
+"""Ropes as thick as they are, nearer strands over farther ones."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 from numpy.typing import NDArray
 
-from ropewalk.plots.sight import Floats, Sight, along
+from ropewalk.plots.sight import Floats, Sight, along, parted_segments
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -23,7 +23,7 @@ class Strands:
     """The ropes of a run as ribbons of their diameter."""
 
     def __init__(self, axes: Axes, result: Result, view: Sight) -> None:
-        self._view = view
+        self._axes, self._view = axes, view
         self._toward = np.cross(view.across, view.up)
         self._half = np.zeros(result.layout.segments)  # [m]
         for span, rope in zip(result.layout.ropes, result.scene.ropes, strict=True):
@@ -34,15 +34,15 @@ class Strands:
     @staticmethod
     def wide(axes: Axes, result: Result) -> bool:
         """Whether the thickest rope is wider than a line, on axes that have been laid out."""
-        left, right = axes.get_xlim()
-        inches = axes.get_window_extent().width / axes.figure.dpi
-        diameter = max(rope.diameter for rope in result.scene.ropes)
-        return diameter * 72.0 * inches / (right - left) > LINE
+        return max(rope.diameter for rope in result.scene.ropes) > LINE / points_per_metre(axes)
 
     def show(self, places: Floats, colours: Floats, live: NDArray[np.bool_]) -> None:
         """Draw segments between nodes at places [m], (n, 3), with colours (s, 4); only those that live."""
         points = self._view.project(places)
-        inner, outer = (ribbon(points, live, share * self._half) for share in (1.0, _EDGE))
+        half = np.maximum(
+            self._half, 0.5 * LINE / points_per_metre(self._axes)
+        )  # never out of sight
+        inner, outer = (ribbon(points, live, share * half) for share in (1.0, _EDGE))
         depth = along(places, self._toward)
         order = np.argsort(depth[:-1] + depth[1:], kind="stable")
         order = order[live[order]]
@@ -53,6 +53,23 @@ class Strands:
         self.artist.set_facecolor(shades)
         self.artist.set_edgecolor(shades)
         self.artist.set_linewidth([0.0, 0.9] * len(order))  # no gaps between neighbours
+
+
+def points_per_metre(axes: Axes) -> float:
+    """Return how large the axes draw [points / m], with equal scales."""
+    (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
+    room = axes.get_window_extent()
+    pixels = min(room.width / (right - left), room.height / (high - low))
+    return 72.0 * pixels / float(axes.figure.dpi)
+
+
+def live_segments(result: Result, time: float) -> NDArray[np.bool_]:
+    """Return which segments join two nodes of one rope and have not parted by a time [s], (s,)."""
+    live = np.ones(result.layout.segments, dtype=bool)
+    for span in result.layout.ropes[:-1]:
+        live[span.last] = False
+    live[parted_segments(result, time)] = False
+    return live
 
 
 def ribbon(points: Floats, live: NDArray[np.bool_], half: Floats) -> Floats:
