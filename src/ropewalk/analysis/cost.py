@@ -9,8 +9,8 @@ from ropewalk.lowering import Model
 from ropewalk.methods.registry import METHODS
 from ropewalk.simulation import Broken, Simulation
 
-# Cost of one force evaluation and update, with books and extremes, of presets on a processor core of 2026; only
-# for estimates. Contact takes up to sixty times as much.
+# Cost of one force evaluation and update, with books and extremes, of presets on a current processor core;
+# only for estimates. Contact takes up to sixty times as much.
 _PER_NODE = 1e-8  # [s]
 _PER_STEP = 1.5e-6  # [s]
 _SAMPLE = 0.02  # [s] of computing that a measurement takes
