@@ -15,7 +15,7 @@ from ropewalk.record.facts import AT_REST, BROKE
 from ropewalk.record.margins import margin_rows
 from ropewalk.record.moving_rows import moving_rows
 from ropewalk.record.parted import parting_rows
-from ropewalk.record.tension_notes import curve_note, peak_note, push_note, winch_note
+from ropewalk.record.tension_notes import curve_note, push_note, tension_note
 from ropewalk.record.turnover import share_turned
 from ropewalk.words.prefixes import prefixed
 
@@ -152,7 +152,7 @@ def _told(result: Result, found: dict[str, Extreme]) -> dict[str, Any]:
     told: dict[str, Any] = {}
     most, least = found["greatest tension"], found["least tension"]
     notes = {
-        "greatest tension": peak_note(result, most) or winch_note(result, most),
+        "greatest tension": tension_note(result, most),
         "least tension": push_note(result, least, most.value),
         "greatest stretch": curve_note(result, found["greatest stretch"]),
     }

@@ -23,6 +23,11 @@ _TURN = 0.002  # [1] of the largest tension: what a turn of a winch changes less
 _ROUNDING = 1e-6  # [1] of the largest tension: a smaller push is none
 
 
+def tension_note(result: Result, peak: Extreme) -> str:
+    """Say what the largest tension of a run is not, or "": a jerk too short for its steps, a winch's turn."""
+    return peak_note(result, peak) or winch_note(result, peak)
+
+
 def peak_note(result: Result, peak: Extreme) -> str:
     """Say how good the largest tension can be where a jerk makes it in steps too long for it; else "".
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from ropewalk.record.extremes import UTILISATION, extremes, place_of
 from ropewalk.record.moving_rows import moving_rows
+from ropewalk.record.tension_notes import tension_note
 from ropewalk.sheets.content import Item, Section, Table, Text
 from ropewalk.words.prefixes import prefixed
 
@@ -97,6 +98,8 @@ def run_section(result: Result) -> Section:
     until = float(result.time[result.good_frames - 1])
     items.append(Text(f"Greatest and least values {how}, from 0 to {until:.6g} s."))
     items.append(Table(("", "value", "where and when"), rows, numbers=False))
+    if note := tension_note(result, found["greatest tension"]):
+        items.append(Text(f"The largest tension: {note}.", warning=True))
     items += _anchor_peaks(result) + _utilisation(result)
     return Section("The run", tuple(items))
 
