@@ -69,6 +69,12 @@ center = [0, 0.1, 0]
 half_sizes = [0.5, 0.3, 0.2]
 edge_radius = 0.05
 [[obstacle]]
+kind = "box"
+center = [0.1, 0, -0.1]
+half_sizes = [0.5, 0.2, 0.3]
+edge_radius = 0.1
+rotation = [0.4, -0.7, 1.1]
+[[obstacle]]
 kind = "torus"
 center = [0, 0, 0.2]
 axis = [1, 2, 0.5]

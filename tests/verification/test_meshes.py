@@ -55,22 +55,49 @@ def dropped(body: Obstacle, **more: Any) -> Scene:
     return Scene(ropes=[rope], obstacles=[body], run=RunSettings(**(settings | more)))
 
 
-def test_a_box_of_triangles_is_a_box() -> None:
+@pytest.mark.parametrize("rotation", [(0.0, 0.0, 0.0), (0.5, -0.9, 0.3)])
+def test_a_box_of_triangles_is_a_box(rotation: tuple[float, ...]) -> None:
     """Distance, normal and curvature outside of it are those of a box, about faces, edges and corners."""
-    box = Box(center=(0, 0, 0), half_sizes=HALF, edge_radius=EDGE)
+    box = Box(center=(0, 0, 0), half_sizes=HALF, edge_radius=EDGE, rotation=rotation)
     center, axis, size = (np.array(part, float) for part in place_of(box))
-    row = place_of(block())[2]
+    row = place_of(block(rotation=rotation))[2]
     rng = np.random.default_rng(3)
     seen = set()
-    for point in rng.uniform(-0.5, 0.5, (400, 3)):
-        if np.all(np.abs(point) < np.array(HALF) - EDGE):
+    for own in rng.uniform(-0.5, 0.5, (400, 3)):
+        (point,) = turned_by(rotation, own[None])
+        if np.all(np.abs(own) < np.array(HALF) - EDGE):
             continue
         wanted = probe(BOX, center, axis, size, *point)
         found = probe(MESH, center, axis, row, *point)
         np.testing.assert_allclose(found[:4], wanted[:4], atol=1e-12)
         np.testing.assert_allclose(_turning(found), _turning(wanted), atol=1e-9)
-        seen.add(int((np.abs(point) > np.array(HALF) - EDGE).sum()))
+        seen.add(int((np.abs(own) > np.array(HALF) - EDGE).sum()))
     assert seen == {1, 2, 3}
+
+
+def test_a_turned_box_is_the_box_of_a_turned_world() -> None:
+    """Rope, gravity and box turned together: the rope comes to the turned places, sticking and slipping."""
+    turn = (0.5, -0.9, 0.3)
+    box = Box(center=(0, 0, 0), half_sizes=HALF, edge_radius=EDGE, friction=0.2)
+    scene = dropped(box)
+    straight = rw.simulate(scene).positions
+    (start,), (end,), (down,) = (
+        turned_by(turn, np.array([one]))
+        for one in ((-0.5, 0.01, 0.16), (0.5, 0.02, 0.16), scene.gravity)
+    )
+    shape = Straight(start=tuple(map(float, start)), end=tuple(map(float, end)))
+    rope = scene.ropes[0].replace(shape=shape)
+    there = scene.replace(
+        ropes=[rope], obstacles=[box.replace(rotation=turn)], gravity=tuple(map(float, down))
+    )
+    assert straight[-1, :, 2].min() < -0.05  # its ends hang beside the box, its middle lies on it
+    found = rw.simulate(there).positions
+    for one, other in zip(found, straight, strict=True):
+        np.testing.assert_allclose(one, turned_by(turn, other), atol=1e-7)
+    # The twin: turned the other way round it is elsewhere.
+    other = there.replace(obstacles=[box.replace(rotation=tuple(-one for one in turn))])
+    with np.errstate(all="ignore"):
+        assert not np.allclose(rw.simulate(other).positions[-1], found[-1], atol=1e-3)
 
 
 def _turning(found: Any) -> Any:

@@ -43,7 +43,7 @@ OF_METHODS = (
     ),
     (("limiter",), (*RINGING, "sdirk2"), "a segment at its bound is rigid"),
     (("obstacle",), RINGING, "cannot work with obstacles"),
-    (("contact",), (*RINGING, "adaptive"), "cannot work with ropes that touch each other"),
+    (("contact",), RINGING, "cannot work with ropes that touch each other"),
     (("winch", "limiter"), ("adaptive",), "a stretch limiter and a winch together"),
 )
 PAIRS = list(combinations(FEATURES, 2))

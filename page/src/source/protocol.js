@@ -15,7 +15,8 @@
 /** @typedef {{rope: string, place: number, length: number, tension: number, time: number}} Parted */
 /** @typedef {{name: string, kind: string, center: number[], axis: number[], size: (number | null)[],
  *   friction: number, spin: [number, number, number | null] | null, turns?: number[][] | null,
- *   motion?: Motion | null, wheel?: number, vertices?: number[], faces?: number[], turnable?: boolean}} Obstacle */
+ *   motion?: Motion | null, wheel?: number, vertices?: number[], faces?: number[], first?: number[],
+ *   turnable?: boolean}} Obstacle */
 /** @typedef {{kind: string, params: (number | null)[], table: number[][]}} Motion */
 /** @typedef {{name: string, nodes: number[]}} Joint */
 

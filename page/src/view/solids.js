@@ -9,7 +9,7 @@ import { cross, dot, minus, plus, times, unit } from "./vector.js";
 /** @typedef {import("../source/protocol.js").Motion} Motion */
 /** @typedef {"plane" | "sphere" | "cylinder" | "capsule" | "box" | "torus" | "half-pipe" | "mesh"} Kind */
 
-/** One body of one copy. `size` as in the layout message; `zero`: across the axis, where turns are counted from;
+/** One body of one copy. `size` as in the layout message; `zero`: across the axis, where turns are counted from, of a box its first edge;
  * `reach`: no part of it is farther from its centre [m].
  * @typedef {{name: string, kind: Kind, number: number, center: Vector, axis: Vector, size: number[], zero: Vector,
  *   reach: number, spin: [number, number, number] | null, turns: number[][] | null, wheel: number | null,
@@ -48,7 +48,7 @@ const same = (a, b) => a.every((value, k) => value === b[k]);
 
 /** @param {Obstacle} obstacle @param {number[]} shift @returns {Solid | null} */
 function solidOf(obstacle, shift) {
-  const { name, center, axis, size, spin, turns, motion, wheel, vertices, faces } = obstacle;
+  const { name, center, axis, first, size, spin, turns, motion, wheel, vertices, faces } = obstacle;
   const kind = obstacle.kind === "sdf" ? "mesh" : obstacle.kind;
   const number = KINDS.indexOf(/** @type {Kind} */ (kind));
   const surface = vertices && faces ? surfaceOf(vertices, faces) : null;
@@ -70,7 +70,7 @@ function solidOf(obstacle, shift) {
     center: plus(plus(center, shift), surface?.middle ?? [0, 0, 0]),
     axis: along,
     size: sizes,
-    zero: unit(minus(across, times(along, dot(across, along)))),
+    zero: first ? vector(first) : unit(minus(across, times(along, dot(across, along)))),
     reach: reachOf(/** @type {Kind} */ (kind), sizes),
     spin: turning ? [spin[0], spin[1], spin[2] ?? Infinity] : null,
     turns: turns ?? null,
@@ -82,6 +82,9 @@ function solidOf(obstacle, shift) {
 
 /** Whether it is a box, or is taken for the one around it. @param {Kind} kind */
 const boxed = (kind) => kind === "box" || kind === "mesh";
+
+/** The directions of its edges, of a round body about its axis. @param {Solid} solid @returns {Vector[]} */
+export const axesOf = ({ axis, zero }) => [zero, cross(axis, zero), axis];
 
 /** @param {Kind} kind @param {number[]} size */
 function reachOf(kind, [a, b, c, d]) {
@@ -176,7 +179,7 @@ export function distanceTo(solid, place) {
   if (kind === "half-pipe") return inTrough(solid, p);
   if (kind === "sphere") return Math.hypot(...p) - size[0];
   if (boxed(kind)) {
-    const q = p.map((value, k) => Math.abs(value) - size[k]);
+    const q = axesOf(solid).map((edge, k) => Math.abs(dot(p, edge)) - size[k]);
     const out = Math.hypot(...q.map((value) => Math.max(value, 0)));
     return out + Math.min(Math.max(...q), 0) - size[3];
   }
@@ -188,33 +191,28 @@ export function distanceTo(solid, place) {
 }
 
 /** How far it extends along a direction from its centre [m]. @param {Solid} solid @param {Vector} direction */
-export function extent({ kind, axis, size }, direction) {
+export function extent(solid, direction) {
+  const { kind, axis, size } = solid;
   const along = Math.abs(dot(axis, direction));
   const across = Math.sqrt(Math.max(0, 1 - along * along));
   if (kind === "sphere") return size[0];
   if (boxed(kind))
-    return direction.reduce((sum, value, k) => sum + Math.abs(value) * size[k], size[3]);
+    return axesOf(solid).reduce(
+      (sum, edge, k) => sum + Math.abs(dot(direction, edge)) * size[k],
+      size[3],
+    );
   if (kind === "torus") return size[0] * across + size[1];
   return size[1] * along + size[0] * (kind === "cylinder" ? across : 1);
 }
 
 /** Corners of the box around it, in its own directions. @param {Solid} solid @returns {Vector[]} */
 export function cornersOf(solid) {
-  const { center, axis, zero } = solid;
-  const upright = boxed(solid.kind);
-  /** @type {Vector[]} */
-  const axes = upright
-    ? [
-        [1, 0, 0],
-        [0, 1, 0],
-        [0, 0, 1],
-      ]
-    : [axis, zero, cross(axis, zero)];
+  const axes = axesOf(solid);
   const sizes = axes.map((one) => extent(solid, one));
   return Array.from({ length: 8 }, (_, corner) =>
     axes.reduce(
       (place, one, k) => plus(place, one, (corner >> k) & 1 ? sizes[k] : -sizes[k]),
-      center,
+      solid.center,
     ),
   );
 }

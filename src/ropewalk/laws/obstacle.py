@@ -69,8 +69,9 @@ class Obstacles(NamedTuple):
     center: Floats  # (k, 3) at time zero a point of the plane, or the middle [m]
     axis: Floats  # (k, 3) unit vector; the normal of a plane
     # (k, 4 or more) radius, half length; of a ring that of the circle and of the bar; of a box without its
-    # edges half sizes, then the edges' radius [m]; of a half-pipe its radius [m], then the direction to which
-    # it is open, across the axis [1]; a mesh as `triangles` has it
+    # edges half sizes, then the edges' radius [m], then the direction of its first edge [1], its third being
+    # along the axis; of a half-pipe its radius [m], then the direction to which it is open, across the axis
+    # [1]; a mesh as `triangles` has it
     size: Floats
     thin: Floats  # (k,) least half thickness of the solid [m], inf without another side
     friction: Floats  # (k,) [1]

@@ -57,7 +57,8 @@ def place_of(body: Any) -> tuple[Any, Any, Any]:
             return body.center, _unit(body.axis), (body.radius, body.bar_radius, 0.0, 0.0)
         case "box":
             inner = [half - body.edge_radius for half in body.half_sizes]
-            return body.center, (0.0, 0.0, 1.0), (*inner, body.edge_radius)
+            edges = turned_by(body.rotation, np.eye(3))
+            return body.center, edges[2], (*inner, body.edge_radius, *map(float, edges[0]))
         case "mesh" | "sdf":
             row = mesh_row(corners_of(body), np.array(body.faces, np.int64), body.rounding)
             return body.position, (0.0, 0.0, 1.0), row

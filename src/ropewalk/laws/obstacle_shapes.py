@@ -30,7 +30,7 @@ def probe(kind, center, axis, size, x, y, z):
     if kind == SPHERE:
         return _ball(px, py, pz, size[0])
     if kind == BOX:
-        return _box(px, py, pz, size[0], size[1], size[2], size[3])
+        return _box(px, py, pz, ex, ey, ez, size)
     if kind == MESH:
         return mesh_probe(size, px, py, pz)
     # from here on about an axis: rho away from it, in the direction u
@@ -115,7 +115,34 @@ def _trough(rho, ux, uy, uz, ex, ey, ez, size):
 
 
 @kernel
-def _box(px, py, pz, hx, hy, hz, edge):
+def _box(px, py, pz, ex, ey, ez, size):
+    """Return what `probe` does for a box, whose third edge is along its axis; see `obstacle.Obstacles`."""
+    fx, fy, fz = size[4], size[5], size[6]
+    gx, gy, gz = ey * fz - ez * fy, ez * fx - ex * fz, ex * fy - ey * fx
+    d, nx, ny, nz, ax, ay, az, over, other = _upright_box(
+        px * fx + py * fy + pz * fz,
+        px * gx + py * gy + pz * gz,
+        px * ex + py * ey + pz * ez,
+        size[0],
+        size[1],
+        size[2],
+        size[3],
+    )
+    return (
+        d,
+        nx * fx + ny * gx + nz * ex,
+        nx * fy + ny * gy + nz * ey,
+        nx * fz + ny * gz + nz * ez,
+        ax * fx + ay * gx + az * ex,
+        ax * fy + ay * gy + az * ey,
+        ax * fz + ay * gz + az * ez,
+        over,
+        other,
+    )
+
+
+@kernel
+def _upright_box(px, py, pz, hx, hy, hz, edge):
     """Return what `probe` does for a box along the axes; its half sizes are less the edges' radius."""
     sx, sy, sz = (
         1.0 if px >= 0.0 else -1.0,

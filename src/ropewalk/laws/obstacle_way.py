@@ -18,7 +18,7 @@ from __future__ import annotations
 
 import math
 
-from ropewalk.core.jit import kernel, part
+from ropewalk.core.jit import kernel, part, small
 from ropewalk.laws.contact_frame import PUSH, surface_at
 from ropewalk.laws.obstacle_shapes import MESH, probe
 
@@ -28,12 +28,22 @@ DEEPEST = 0.75  # [1] depth over the thinnest
 LEAST = 0.01  # [1] of the thinnest: the least part of a way that is gone at once
 FACING = -0.7  # [1] cosine between the normals at both ends of what lies across a body
 LONG = 1.4  # [1] length over half the thickness of what may lie across; across shorter ones a node goes
+PAST = 2.0  # no cosine
 APART = 0.3  # [1] of the half thickness: how far a segment moves from one look to the next
 
 
+@small
+def gap_at(obstacles, o, p):
+    """Return how far a place in the body's frame is from the surface of obstacle o [m]."""
+    center, axis, size = obstacles.center[o], obstacles.axis[o], obstacles.size[o]
+    return probe(obstacles.kind[o], center, axis, size, p[0], p[1], p[2])[0]
+
+
 @kernel
-def inward(kind, center, axis, size, thickness, thin, p, q):
-    """Return whether a point from p to q comes to a surface, and the normal where it first does."""
+def inward(obstacles, o, thickness, p, q):
+    """Return whether a point from p to q comes to the surface of obstacle o, and the normal where it does."""
+    kind, center, axis = obstacles.kind[o], obstacles.center[o], obstacles.axis[o]
+    size, thin = obstacles.size[o], obstacles.thin[o] + thickness
     dx, dy, dz = q[0] - p[0], q[1] - p[1], q[2] - p[2]
     way, share = math.sqrt(dx * dx + dy * dy + dz * dz), 0.0
     nx, ny, nz = 0.0, 0.0, 0.0
@@ -50,50 +60,42 @@ def inward(kind, center, axis, size, thickness, thin, p, q):
 
 
 @kernel
+def in_and_out(obstacles, o, thickness, p, q):
+    """Return the cosine between the normals at which a way from p to q comes in and goes out, or ends.
+
+    PAST where it comes to no surface. All in the frame of obstacle o.
+    """
+    enters, ax, ay, az = inward(obstacles, o, thickness, p, q)
+    if not enters:
+        return PAST
+    _, bx, by, bz = inward(obstacles, o, thickness, q, p)
+    return ax * bx + ay * by + az * bz
+
+
+@kernel
 def goes_through(obstacles, o, i, p, q):
     """Tell whether node i goes through obstacle o from p to q, in the body's frame."""
-    kind, center, axis, size = (
-        obstacles.kind[o],
-        obstacles.center[o],
-        obstacles.axis[o],
-        obstacles.size[o],
-    )
     thickness = obstacles.thickness[i]
-    thin = obstacles.thin[o] + thickness
-    enters, ax, ay, az = inward(kind, center, axis, size, thickness, thin, p, q)
-    if not enters:
+    turned = in_and_out(obstacles, o, thickness, p, q)
+    if turned == PAST or turned < 0.0:
+        return turned < 0.0
+    after = gap_at(obstacles, o, q) - thickness
+    if obstacles.kind[o] == MESH or after > -DEEPEST * (obstacles.thin[o] + thickness):
         return False
-    _, bx, by, bz = inward(kind, center, axis, size, thickness, thin, q, p)
-    if ax * bx + ay * by + az * bz < 0.0:
-        return True
-    after = probe(kind, center, axis, size, q[0], q[1], q[2])[0] - thickness
-    if kind == MESH or after > -DEEPEST * thin:
-        return False
-    return after < probe(kind, center, axis, size, p[0], p[1], p[2])[0] - thickness
+    return after < gap_at(obstacles, o, p) - thickness
 
 
 @kernel
 def lies_across(obstacles, o, i, p, q):
     """Tell whether segment i, from p to q in the body's frame, lies across obstacle o."""
-    kind, center, axis, size = (
-        obstacles.kind[o],
-        obstacles.center[o],
-        obstacles.axis[o],
-        obstacles.size[o],
-    )
     thickness = obstacles.thickness[i]
     length = math.sqrt((q[0] - p[0]) ** 2 + (q[1] - p[1]) ** 2 + (q[2] - p[2]) ** 2)
-    thin = obstacles.thin[o] + thickness
-    if not length > LONG * thin:
+    if not length > LONG * (obstacles.thin[o] + thickness):
         return False
-    x, y, z = 0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]), 0.5 * (p[2] + q[2])
-    if probe(kind, center, axis, size, x, y, z)[0] - thickness > 0.5 * length:
+    middle = (0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]), 0.5 * (p[2] + q[2]))
+    if gap_at(obstacles, o, middle) - thickness > 0.5 * length:
         return False
-    enters, ax, ay, az = inward(kind, center, axis, size, thickness, thin, p, q)
-    if not enters:
-        return False
-    _, bx, by, bz = inward(kind, center, axis, size, thickness, thin, q, p)
-    return ax * bx + ay * by + az * bz < FACING
+    return in_and_out(obstacles, o, thickness, p, q) < FACING
 
 
 @kernel
@@ -125,11 +127,8 @@ def _may_reach(obstacles, o, i, a, b, p, q):
     length, thickness = math.sqrt(square), obstacles.thickness[i]
     if not length > LONG * (obstacles.thin[o] + thickness):
         return False
-    x, y, z = 0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]), 0.5 * (p[2] + q[2])
-    gap = probe(
-        obstacles.kind[o], obstacles.center[o], obstacles.axis[o], obstacles.size[o], x, y, z
-    )[0]
-    return gap - thickness <= 0.5 * length + math.sqrt(far)
+    middle = (0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]), 0.5 * (p[2] + q[2]))
+    return gap_at(obstacles, o, middle) - thickness <= 0.5 * length + math.sqrt(far)
 
 
 @kernel

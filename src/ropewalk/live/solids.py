@@ -11,7 +11,7 @@ from ropewalk.core.arrays import Floats
 from ropewalk.engine.engine import Bodies
 from ropewalk.laws.obstacle import Obstacles, moves
 from ropewalk.laws.obstacle_rows import corners_of
-from ropewalk.laws.obstacle_shapes import MESH
+from ropewalk.laws.obstacle_shapes import BOX, MESH
 from ropewalk.lowering import Layout
 from ropewalk.motions.kind import ORIGIN
 from ropewalk.motions.rows import kind_of, own_table
@@ -45,6 +45,7 @@ def obstacle_list(
             "spin": _numbers(table.spin[row]) if table.spin[row][0] else None,
             "turnable": hasattr(body, "spin") and not is_free(body),
             **_moving(table, row),
+            **_turned(table, row),
             **_surface(body),
         }
         for row, body in enumerate(scene.obstacles)
@@ -77,6 +78,11 @@ def _size(table: Obstacles, row: int) -> Any:
     """Return the size of an obstacle, of a mesh how much it is rounded."""
     size = table.size[row]
     return size[:1] if table.kind[row] == MESH else size[:4]
+
+
+def _turned(table: Obstacles, row: int) -> dict[str, Any]:
+    """Return the direction of a box's first edge, across its axis, of others nothing."""
+    return {"first": _numbers(table.size[row][4:7])} if table.kind[row] == BOX else {}
 
 
 def _surface(body: Obstacle) -> dict[str, Any]:

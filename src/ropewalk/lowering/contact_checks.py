@@ -11,13 +11,12 @@ from ropewalk.methods.registry import METHODS
 from ropewalk.scene import Scene, SceneError
 from ropewalk.scene.faults import NO_VALUE, Fault
 
-_REFUSED = (*RINGING, "adaptive")
 _DEEPEST = 0.9  # [1] least distance at the start over the sum of the radii
 
 
 def can_touch(method: str) -> bool:
     """Tell whether a method can work with ropes that touch each other."""
-    return method not in _REFUSED
+    return method not in RINGING
 
 
 def refuse_contact(
@@ -32,12 +31,10 @@ def refuse_contact(
     faults, method = [], scene.run.method
     if not can_touch(method):
         able = ", ".join(name for name in METHODS if can_touch(name))
-        why = (
-            "its steps end for errors, not where ropes touch"
-            if method == "adaptive"
-            else "it keeps stiff modes ringing, so that nothing comes to rest"
+        rule = (
+            "cannot work with ropes that touch each other: it keeps stiff modes ringing, so that nothing "
+            f"comes to rest; methods that can: {able}"
         )
-        rule = f"cannot work with ropes that touch each other: {why}; methods that can: {able}"
         faults.append(Fault("run.method", method, rule))
     faults += _inside(system, state, layout) if drawn else []
     if faults:

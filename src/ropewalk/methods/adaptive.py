@@ -18,7 +18,7 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats, State, System, pooled
 from ropewalk.core.jit import kernel, part
-from ropewalk.core.status import OK, PAUSED, UNSOLVED
+from ropewalk.core.status import HIT, OK, PAUSED, UNSOLVED
 from ropewalk.laws.anchors import release_anchors
 from ropewalk.laws.links import hold_links, note_reactions
 from ropewalk.laws.rare import acts_after, parts
@@ -141,9 +141,24 @@ def try_step(system, state, before, scratch, t, after, dt, ledger, tableau):
     solver, control, tolerance = scratch.solver, scratch.walk.control, scratch.limits[0]
     A, b, c, numbers = tableau.A, tableau.b, tableau.c, tableau.numbers
     kind = tableau.kind
-    status = take_step(
-        system, state, solver, t, after, dt, ledger, MOST_HALVINGS, kind, A, b, c, numbers, False
-    )
+    status = HIT
+    while status == HIT:  # with the contacts that the last solution has met
+        status = take_step(
+            system,
+            state,
+            solver,
+            t,
+            after,
+            dt,
+            ledger,
+            MOST_HALVINGS,
+            kind,
+            A,
+            b,
+            c,
+            numbers,
+            False,
+        )
     if status != OK:
         control[ERROR] = np.inf
         return UNSOLVED_SHARE * dt, 0

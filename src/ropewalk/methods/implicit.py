@@ -333,7 +333,7 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
     status = HIT if fixed and state.jolt[0] > 0.0 and not is_soft(kind, A) else OK
     while True:
         warm = status == HIT and is_soft(kind, A)
-        if status == HIT:  # its impulse is not to be carried on as a force
+        if status == HIT and fixed:  # its impulse is not to be carried on as a force
             kind, A, b, c = DIRK, scratch.rescue.A, scratch.rescue.b, scratch.rescue.c
             state.past[0] = 0.0
         h = dt / 2.0**level

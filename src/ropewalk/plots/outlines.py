@@ -83,7 +83,8 @@ def _outline(
         face = sizes[0] * _tilted(along, disc)
         return Outline(hull((ends[:, None] + face).reshape(-1, 2)))
     signs = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
-    corners = view.project(center + signs * sizes[:3])
+    edges = np.stack([sizes[4:7], np.cross(axis, sizes[4:7]), axis])
+    corners = view.project(center + signs * sizes[:3] @ edges)
     return Outline(hull((corners[:, None] + sizes[3] * disc).reshape(-1, 2)))
 
 

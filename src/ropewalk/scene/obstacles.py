@@ -209,12 +209,15 @@ class HalfPipe(_Between):
 
 
 class Box(Body):
-    """A box along the axes of the scene, with rounded edges."""
+    """A box with rounded edges, along the axes of the scene or turned about its centre."""
 
     kind: Literal["box"] = "box"
     center: Vector = vector("Its centre", "m")
     half_sizes: Vector = vector("From its centre to its faces", "m")
     edge_radius: Number = positive("Radius of its edges", "m")
+    rotation: Vector = vector(
+        "How it is turned: along the axis, as long as the angle", "rad", default=(0, 0, 0)
+    )
 
     @model_validator(mode="after")
     def _check(self) -> Box:

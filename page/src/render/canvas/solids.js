@@ -2,7 +2,7 @@
 
 import { css } from "../../view/colours.js";
 import { drawSurface } from "./surface.js";
-import { RIM } from "../../view/solids.js";
+import { RIM, axesOf } from "../../view/solids.js";
 import { cross, dot, plus, times, unit, minus } from "../../view/vector.js";
 
 /** @typedef {import("../../view/camera.js").Camera} Camera */
@@ -59,6 +59,7 @@ function endsOf({ center, axis, size }, radius) {
 /** Places whose outline is the body's. @param {Camera} camera @param {Solid} solid @param {number} radius */
 function outline(camera, solid, radius) {
   const { kind, center, axis, size } = solid;
+  const edges = axesOf(solid);
   const ball = (/** @type {Vector} */ at, /** @type {number} */ r) =>
     circle(at, unit(minus(camera.eye, at)), r);
   if (kind === "sphere") return ball(center, size[0]);
@@ -67,7 +68,10 @@ function outline(camera, solid, radius) {
   if (kind === "capsule") return ends.flatMap((end) => ball(end, size[0]));
   return Array.from({ length: 8 }, (_, corner) =>
     ball(
-      /** @type {Vector} */ (center.map((c, k) => c + ((corner >> k) & 1 ? size[k] : -size[k]))),
+      edges.reduce(
+        (place, edge, k) => plus(place, edge, (corner >> k) & 1 ? size[k] : -size[k]),
+        center,
+      ),
       size[3],
     ),
   ).flat();

@@ -6,14 +6,14 @@ import { COMMON } from "./shaders.js";
 
 const real = (/** @type {number} */ value) => value.toFixed(4);
 
-/** The distance of a place, from the body's centre, to its surface. */
+/** The distance of a place, from the body's centre, to its surface; `zero` is the direction of a box's first edge. */
 export const SURFACE = /* glsl */ `
-float surface(vec3 p, int kind, vec3 axis, vec4 size, float bevel) {
+float surface(vec3 p, int kind, vec3 axis, vec3 zero, vec4 size, float bevel) {
   float along = dot(p, axis);
   if (kind == 0) return along;
   if (kind == 1) return length(p) - size.x;
   if (kind == 4) {
-    vec3 q = abs(p) - size.xyz;
+    vec3 q = abs(vec3(dot(p, zero), dot(p, cross(axis, zero)), along)) - size.xyz;
     return length(max(q, 0.0)) + min(max(q.x, max(q.y, q.z)), 0.0) - size.w;
   }
   vec3 across = p - along * axis;
@@ -26,7 +26,7 @@ float surface(vec3 p, int kind, vec3 axis, vec4 size, float bevel) {
 }
 `;
 
-/** All bodies near ropes, three texels each. */
+/** All bodies near ropes, four texels each. */
 export const SOLIDS = /* glsl */ `
 uniform highp sampler2D solids;
 uniform int solidCount;
@@ -34,7 +34,8 @@ ${SURFACE}
 float awayFrom(int k, vec3 place) {
   vec4 centre = texelFetch(solids, ivec2(0, k), 0);
   vec4 axis = texelFetch(solids, ivec2(1, k), 0);
-  return surface(place - centre.xyz, int(centre.w), axis.xyz, texelFetch(solids, ivec2(2, k), 0), axis.w);
+  vec3 zero = texelFetch(solids, ivec2(3, k), 0).xyz;
+  return surface(place - centre.xyz, int(centre.w), axis.xyz, zero, texelFetch(solids, ivec2(2, k), 0), axis.w);
 }
 float awayFromAll(vec3 place) {
   float found = 1e30;
@@ -70,6 +71,7 @@ uniform vec3 ahead;
 uniform int kind;
 uniform vec3 centre;   // of the body
 uniform vec3 axis;
+uniform vec3 zero;     // across the axis: of a box its first edge, of others where angles begin
 uniform vec4 sizes;
 uniform float bevel;
 uniform float reach;   // of the body [m]
@@ -112,7 +114,7 @@ vec2 follow(vec3 way, float straight) {
   float wide = pixel * straight; // of a pixel, per metre
   vec2 found = vec2(t, 1e9);
   for (int i = 0; i < 64; i++) {
-    float away = surface(from + way * t, kind, axis, sizes, bevel);
+    float away = surface(from + way * t, kind, axis, zero, sizes, bevel);
     float pixels = away / (wide * max(t, 1e-6));
     if (pixels < found.y) found = vec2(t, pixels);
     if (pixels < 0.1 || t > end) break;
@@ -126,7 +128,6 @@ vec2 follow(vec3 way, float straight) {
  * angle a pixel takes. */
 export const SOLID_INFO = /* glsl */ `${BODY}
 uniform int number;
-uniform vec3 zero;     // across the axis, where angles begin
 out highp uvec4 info;
 void main() {
   float straight;
@@ -153,10 +154,10 @@ uniform highp usampler2D info;
 out vec4 colour;
 vec3 normalAt(vec3 p, float e) {
   vec2 k = vec2(1.0, -1.0);
-  return normalize(k.xyy * surface(p + k.xyy * e, kind, axis, sizes, bevel) +
-                   k.yyx * surface(p + k.yyx * e, kind, axis, sizes, bevel) +
-                   k.yxy * surface(p + k.yxy * e, kind, axis, sizes, bevel) +
-                   k.xxx * surface(p + k.xxx * e, kind, axis, sizes, bevel));
+  return normalize(k.xyy * surface(p + k.xyy * e, kind, axis, zero, sizes, bevel) +
+                   k.yyx * surface(p + k.yyx * e, kind, axis, zero, sizes, bevel) +
+                   k.yxy * surface(p + k.yxy * e, kind, axis, zero, sizes, bevel) +
+                   k.xxx * surface(p + k.xxx * e, kind, axis, zero, sizes, bevel));
 }
 // Whether the body is next to this pixel: only there it may cover a part of it.
 bool atEdge() {
@@ -230,13 +231,13 @@ void main() {
   if (dot(past, past) > room * room && dot(q, q) > 4.0 * reach * reach) discard;
   float t = max(0.02 * reach, towards - reach), end = towards + reach;
   for (int i = 0; i < 20 && t < end; i++) {
-    float away = surface(q + light * t, kind, axis, sizes, bevel);
+    float away = surface(q + light * t, kind, axis, zero, sizes, bevel);
     least = min(least, away / (0.22 * t + 0.01 * reach));
     if (least < -1.0) break;
     t += clamp(away, 0.06 * reach, 0.5 * reach);
   }
   float dark = 1.0 - smoothstep(-1.0, 1.0, least);
-  float near = exp(-max(surface(q, kind, axis, sizes, bevel), 0.0) / (0.16 * min(reach, radius)));
+  float near = exp(-max(surface(q, kind, axis, zero, sizes, bevel), 0.0) / (0.16 * min(reach, radius)));
   dark = max(0.8 * dark, 0.75 * near * near);
   if (dark < 0.004) discard;
   colour = vec4(0.0, 0.0, 0.0, ink * dark);

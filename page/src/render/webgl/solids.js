@@ -31,7 +31,7 @@ export class Solids {
     this.height = { value: 0 };
     this.middle = { value: new THREE.Vector3() };
     this.radius = { value: 1 };
-    this.near = { value: dataTexture(new Float32Array(12), 3, 1) };
+    this.near = { value: dataTexture(new Float32Array(16), 4, 1) };
     this.count = { value: 0 };
     this.turns = { value: dataTexture(new Float32Array(4), 1, 1) };
     this.target = new THREE.WebGLRenderTarget(1, 1, {
@@ -73,13 +73,13 @@ export class Solids {
     }
     this.drawn = all.map((solid, number) => this.make(solid, number));
     const near = all.filter(({ kind }) => kind !== "mesh").slice(0, NEAR_ROPES);
-    const values = new Float32Array(12 * Math.max(1, near.length));
+    const values = new Float32Array(16 * Math.max(1, near.length));
     near.forEach((solid, k) => {
-      values.set([...solid.center, solid.number, ...solid.axis, bevelOf(solid)], 12 * k);
-      values.set(solid.size.map(finite), 12 * k + 8);
+      values.set([...solid.center, solid.number, ...solid.axis, bevelOf(solid)], 16 * k);
+      values.set([...solid.size.map(finite), ...solid.zero], 16 * k + 8);
     });
     this.near.value.dispose();
-    this.near.value = dataTexture(values, 3, Math.max(1, near.length));
+    this.near.value = dataTexture(values, 4, Math.max(1, near.length));
     this.count.value = near.length;
     this.turns.value.dispose();
     const turns = new Float32Array(4 * Math.max(1, all.length));

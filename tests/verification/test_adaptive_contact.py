@@ -1,0 +1,70 @@
+"""Ropes that touch each other by `adaptive`: its steps meet contacts on their way, and are solved again."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import ropewalk as rw
+from ropewalk.core.arrays import Floats
+from ropewalk.scene import Anchor, Contact, Material, Rope, RunSettings, Scene, Straight, Velocity
+from verification.heaps import Heap, watch
+from verification.tangles import tangle
+
+STUFF = Material(EA=2000.0, mass_per_length=0.1, axial_damping=2.0)
+THICK = 0.01  # [m]
+
+
+def lowered(settings: RunSettings) -> Scene:
+    """A taut line that is lowered across another and pushes it down by 5 cm, without weight."""
+    lines = {
+        "under": Straight(start=(-0.5, 0.0, 0.0), direction=(1, 0, 0)),
+        "over": Straight(start=(0.02, -0.5, THICK + 0.002), direction=(0, 1, 0)),
+    }
+    own = {"segments": 9, "length": 1.0, "diameter": THICK, "made_of": STUFF}
+    ropes = [Rope(name=name, shape=shape, **own) for name, shape in lines.items()]
+    down = {"motion": Velocity(velocity=(0, 0, -0.05))}
+    anchors = [
+        Anchor(rope=name, node=node, **(down if name == "over" else {}))
+        for name in lines
+        for node in (0, -1)
+    ]
+    contact = Contact(friction=0.3)
+    return Scene(ropes=ropes, anchors=anchors, contact=contact, gravity=(0, 0, 0), run=settings)
+
+
+def end_of(**settings: object) -> Floats:
+    """Where its nodes are after a second, (n, 3) [m]."""
+    run = RunSettings(duration=1.0, frame_rate=10.0, **settings)
+    result = rw.simulate(lowered(run))
+    assert result.status == "finished"
+    places: Floats = result.positions[-1]
+    return places
+
+
+def test_it_comes_to_what_short_steps_come_to() -> None:
+    """The nearer, the smaller its tolerance; the line below would lie 25 mm higher if nothing touched it."""
+    reference = end_of(method="esdirk3", time_step=1.0 / 4000.0)
+    assert reference[:10, 2].min() < -0.02
+    off = [
+        float(np.abs(end_of(method="adaptive", tolerance=size) - reference).max())
+        for size in (1e-4, 1e-5, 1e-6)
+    ]
+    assert off[0] < 5e-3  # [m]: both lines swing from being struck, for nothing damps them
+    assert off[1] < 0.6 * off[0]
+    assert off[2] < 0.2 * off[1]
+
+
+@pytest.mark.slow
+def test_nothing_passes_in_a_tangle() -> None:
+    """Three loops among each other, to rest, by a count that knows no contacts."""
+    scene = tangle(0, 1, False)
+    settings = scene.run.model_dump(exclude_unset=True) | {"method": "adaptive"}
+    del settings["time_step"]
+    heap = watch(scene.replace(run=RunSettings(**settings)), Heap("tangle", 0, False), 7.0)
+    assert heap.unsolved == 0
+    assert heap.passed == 0
+    assert heap.changed == 0
+    assert heap.contacts > 5
+    assert heap.deepest < 0.1
+    assert heap.lying < 1e-6
