@@ -94,10 +94,9 @@ def test_a_turned_box_is_the_box_of_a_turned_world() -> None:
     found = rw.simulate(there).positions
     for one, other in zip(found, straight, strict=True):
         np.testing.assert_allclose(one, turned_by(turn, other), atol=1e-7)
-    # The twin: turned the other way round it is elsewhere.
-    other = there.replace(obstacles=[box.replace(rotation=tuple(-one for one in turn))])
-    with np.errstate(all="ignore"):
-        assert not np.allclose(rw.simulate(other).positions[-1], found[-1], atol=1e-3)
+    # The twin: turned a little less it is elsewhere.
+    less = there.replace(obstacles=[box.replace(rotation=tuple(0.98 * one for one in turn))])
+    assert not np.allclose(rw.simulate(less).positions[-1], found[-1], atol=1e-3)
 
 
 def _turning(found: Any) -> Any:
