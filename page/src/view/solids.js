@@ -9,8 +9,8 @@ import { cross, dot, minus, plus, times, unit } from "./vector.js";
 /** @typedef {import("../source/protocol.js").Motion} Motion */
 /** @typedef {"plane" | "sphere" | "cylinder" | "capsule" | "box" | "torus" | "half-pipe" | "mesh"} Kind */
 
-/** One body of one copy. `size` as in the layout message; `zero`: across the axis, where turns are counted from, of a box its first edge;
- * `reach`: no part of it is farther from its centre [m].
+/** One body of one copy. `size` as in the layout message; `zero`: across the axis, where turns are counted from, of a
+ * box its first edge; `reach`: no part of it is farther from its centre [m].
  * @typedef {{name: string, kind: Kind, number: number, center: Vector, axis: Vector, size: number[], zero: Vector,
  *   reach: number, spin: [number, number, number] | null, turns: number[][] | null, wheel: number | null,
  *   motion: (Motion & {origin: Vector}) | null,
