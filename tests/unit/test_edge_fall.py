@@ -159,7 +159,7 @@ def test_what_cannot_be_is_refused_in_words(given: dict[str, object], words: str
         rw.Material.from_fall(*LABEL, static_elongation="7.85 %", **given)
 
 
-@pytest.mark.parametrize("name", ["edge_friction", "stiffening", "later_force"])
+@pytest.mark.parametrize("name", ["edge_friction", "stiffening", "later_force", "static_load"])
 def test_what_only_a_rope_that_relaxes_has_needs_its_static_elongation(name: str) -> None:
     with pytest.raises(SceneError, match=f"static_elongation: missing - is needed with {name}"):
         rw.Material.from_fall(*LABEL, **{name: 9e3})

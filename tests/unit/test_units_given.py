@@ -140,3 +140,8 @@ def test_plain_numbers_need_no_pint() -> None:
     code = "import sys, ropewalk as rw; rw.preset('r4'); print('pint' in sys.modules)"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert done.stdout.strip() == "False", done.stderr
+
+
+def test_a_weight_for_a_mass_says_how_a_mass_is_written() -> None:
+    with pytest.raises(rw.SceneError, match="a quantity in kg is needed; a mass is written in kg or lb"):
+        rw.Load(node=0, mass="80 kgf")  # type: ignore[arg-type]

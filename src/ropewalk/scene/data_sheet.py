@@ -191,7 +191,7 @@ def _of_fall(
     s = rig.stiffening
     static, load = at_rest
     if static is None:
-        _need_static(rig.edge_friction, s, rig.later_force)
+        _need_static(rig, "" if load == 80.0 else "static_load")
         EA, damping = rope_from_fall(force, share, mass, **fall)
         return {"EA": EA, "axial_damping": damping}
     rest = _below_one("static_elongation", static)
@@ -215,9 +215,14 @@ def _of_fall(
     return made | {"curve": {"kind": "polynomial"} | curve}
 
 
-def _need_static(edge_friction: float, stiffening: float, later_force: Quantity | None) -> None:
-    """Raise SceneError where what only a rope that relaxes has is asked of another."""
-    asked = {"edge_friction": edge_friction, "stiffening": stiffening, "later_force": later_force}
+def _need_static(rig: _Rig, also: str) -> None:
+    """Raise SceneError where what only a rope that relaxes has is asked of another; `also` is so, too."""
+    asked = {
+        "edge_friction": rig.edge_friction,
+        "stiffening": rig.stiffening,
+        "later_force": rig.later_force,
+        also: also,
+    }
     wanted = [name for name, value in asked.items() if value]
     if wanted:
         rule = f"is needed with {' and '.join(wanted)}: give it, as the label has it"

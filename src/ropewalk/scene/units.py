@@ -91,6 +91,8 @@ def _converted(quantity: Any, unit: str, given: str) -> Any:
         target.dimensionality == (registry.Quantity(1.0, quantity.units) * force).dimensionality
     )
     hint = "; a weight is written in kgf or lbf" if per_mass else ""
+    if unit == "kg" and registry.parse_units("N").dimensionality == quantity.dimensionality:
+        hint = "; a mass is written in kg or lb"
     kind = f"a quantity in {unit}" if unit != "1" else "a plain number or a share such as 5 %"
     return WrongUnit(given, f"is of another kind: {kind} is needed{hint}")
 
