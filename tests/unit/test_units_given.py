@@ -143,5 +143,5 @@ def test_plain_numbers_need_no_pint() -> None:
 
 
 def test_a_weight_for_a_mass_says_how_a_mass_is_written() -> None:
-    with pytest.raises(rw.SceneError, match="a quantity in kg is needed; a mass is written in kg or lb"):
+    with pytest.raises(rw.SceneError, match="in kg is needed; a mass is written in kg or lb"):
         rw.Load(node=0, mass="80 kgf")  # type: ignore[arg-type]
