@@ -94,6 +94,10 @@ export class App {
     this.tour = new Tour(session, this.scene);
     this.scenes = new Scenes(session, root);
     this.compare = new Compare(this.stage, root, this.scene, (many) => this.compareColours(many));
+    const compared = this.stage.card;
+    this.stage.card = () => this.broken.place(this.stage.renderer.canvas) ?? compared();
+    for (const news of /** @type {const} */ (["broken", "frame"]))
+      session.on(news, () => this.uncoverBroken());
     this.help = new Help(root);
     this.keep = new Keep(this.stage, root, this.notices);
     this.bar = new Bar(this.barHost, {
@@ -115,6 +119,12 @@ export class App {
     session.on("status", ({ address }) => this.writeAddress(address));
     this.asked = false;
     addEventListener("hashchange", () => this.openAddress());
+  }
+
+  /** The words about a break must not hide what they are about. */
+  uncoverBroken() {
+    const { stage, session } = this;
+    if (session.broken && stage.following && !stage.flight && !stage.held()) stage.uncover();
   }
 
   /** @returns {Record<string, () => void>} */

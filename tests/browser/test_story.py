@@ -260,3 +260,23 @@ def test_the_tour_to_its_end(window: Window) -> None:
     window.page.locator("#tour").wait_for(state="hidden")
     assert window.ask("r.session.stability[0].bound") is None
     assert window.ask("r.state") == "playing"
+
+
+def test_the_words_about_a_break_hide_no_rope(
+    open_window: Callable[..., Window], serve: Callable[..., ViewServer]
+) -> None:
+    """On a phone with graphs open the card is half of the scene: the ropes move above it."""
+    phone = {"viewport": {"width": 390, "height": 844}, "has_touch": True, "is_mobile": True}
+    server = serve(Session(preset("r4"), "r4"), playing=True)
+    window = open_window(server.address, **phone).ready()
+    window.press("g")
+    window.until("r.time > 0.3")
+    window.tell(type="set", name="time_step", value=0.004)
+    window.until("r.state === 'broken'")
+    window.settled()
+    card = window.page.locator("#broken").bounding_box()
+    scene = window.page.locator("#scene").bounding_box()
+    places = window.ask("[...Array(41).keys()].map((i) => r.screenOf(i))")
+    assert card["y"] - scene["y"] > 100.0
+    for place in places:
+        assert scene["y"] < place["y"] < card["y"] or place["y"] > card["y"] + card["height"]

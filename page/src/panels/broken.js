@@ -2,6 +2,7 @@
 
 import { BROKEN } from "../source/frame.js";
 import { figures } from "../view/range.js";
+import { placeOn } from "../view/cards.js";
 import { theoryOf, whyItBroke } from "../view/why.js";
 import { h } from "./dom.js";
 
@@ -93,6 +94,11 @@ export class BrokenCard {
     details.children[0].textContent = tight
       ? "Why, in words and numbers"
       : "The theory, in numbers";
+  }
+
+  /** Where it lies on the scene; null: it is not shown. @param {HTMLElement} canvas */
+  place(canvas) {
+    return placeOn(this.card, canvas);
   }
 
   /** A button that shows the steps past the last good frame. @param {Broken} broken */

@@ -80,9 +80,10 @@ def as_messages(simulation: Simulation | None, changed: bool) -> list[dict[str, 
         found += [{"id": one, "label": "", "value": None} for one in ("step", "implicit")]
     else:
         step, method = suggested_step(simulation), implicit_method(simulation)
+        words = f"Use {method}" if "implicit" in method else f"Use {method}, implicit"
         found += [
             {"id": "step", "label": f"Use a step of {1e3 * step:g} ms", "value": step},
-            {"id": "implicit", "label": f"Use {method}", "value": method},
+            {"id": "implicit", "label": words, "value": method},
         ]
     if changed:
         on = {"id": "on", "label": "Go on with these values", "value": None}
