@@ -17,6 +17,7 @@ def main() -> None:
     """Run the scenes and draw them."""
     slides = rw.simulate("edge")
     plots.save(plots.film(slides, 6), HERE / "edge.png", dpi=75)
+    plots.save(plots.film(rw.simulate("stairs"), 6), HERE / "stairs.png", dpi=75)
     holds = rw.simulate("capstan")
     plots.save(plots.sticking(holds), HERE / "sticking.png", dpi=75)
     found = re.search(r"```toml\n(.*?)```", PILE.read_text(encoding="utf-8"), re.DOTALL)

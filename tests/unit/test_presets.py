@@ -22,7 +22,7 @@ EXPECTED = {
     *("climbing-fall", "zip-line", "zip-line-ride", "highline", "rescue-lower", "tow"),
     *("crane-snap", "hoist-stop", "guyed-mast", "suspension-cable", "power-line-in-wind"),
     *("three-leg-sling", "net"),
-    *("capstan", "edge", "bollard", "pulley"),
+    *("capstan", "edge", "stairs", "bollard", "pulley"),
     *("crossing", "overhand", "clove-hitch", "pile"),
 }
 

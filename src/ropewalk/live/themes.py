@@ -16,7 +16,7 @@ _PLAY, _REAL, _RIGGING, _LESSONS, _REPORT = (
     "The student report: why simulations break",
 )
 _THEMES: dict[str, tuple[str, ...]] = {
-    _PLAY: ("skipping-rope", "whip", "wave-on-a-string", "hanging-rope", "falling-chain"),
+    _PLAY: ("skipping-rope", "whip", "wave-on-a-string", "hanging-rope", "falling-chain", "stairs"),
     _REAL: ("h3", "fishing-rod", "wire-arch", "net", "edge", "crossing", "overhand", "pile"),
     _RIGGING: (
         *("climbing-fall", "zip-line", "zip-line-ride", "highline", "rescue-lower", "tow"),

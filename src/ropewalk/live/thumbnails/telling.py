@@ -51,6 +51,7 @@ TELLING = {
     "suspension-cable": Telling((0.0,), Manner(nodes=True)),
     "capstan": Telling((0.0,), Manner(oblique=0.6)),
     "edge": Telling(_every(0.0, 1.0, 5)),
+    "stairs": Telling((1.12, 1.6, 1.82)),
     "bollard": Telling((0.0,), Manner(oblique=0.5)),
     "pulley": Telling((0.0, 0.5, 1.0)),
     "clove-hitch": Telling((0.0,), Manner(oblique=0.8)),
