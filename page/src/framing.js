@@ -4,7 +4,7 @@ import { covers, stripAside, stripsBeside } from "./view/cards.js";
 import { nodesOf } from "./view/copies.js";
 import { firstAngles } from "./view/room.js";
 import { vector } from "./view/vector.js";
-import { roomFor } from "./reactions.js";
+import { roomFor, tipsOf } from "./reactions.js";
 
 /** @typedef {import("./stage.js").Stage} Stage */
 /** @typedef {import("./source/protocol.js").Layout} Layout */
@@ -84,6 +84,14 @@ export class Framing {
     return roomFor(stage, camera, strips).top > strips.top + 1 || follower.leaves(camera, strips);
   }
 
+  /** Whether the arrow of an anchor points out of the picture, to the side. */
+  losesArrow() {
+    const { stage } = this;
+    const { left = 0 } = this.strips();
+    const tips = tipsOf(stage, stage.camera).map((tip) => stage.camera.project(...tip)[0]);
+    return tips.some((x) => x < left || x > stage.camera.width);
+  }
+
   /** What cards take now: of a rope that sinks below the legend, too. */
   now() {
     if (!this.besideLegend) this.covered(this.stage.camera.pose);
@@ -95,6 +103,6 @@ export class Framing {
     const { card, legendCard, camera } = this.stage;
     const legend = this.besideLegend ? legendCard() : null;
     const aside = this.right && !card() ? stripAside(legend, camera) : null;
-    return aside ?? stripsBeside(card() ?? legend, camera.height);
+    return aside ?? stripsBeside(card() ?? legend, camera);
   }
 }

@@ -4,7 +4,7 @@ import { ROPES, fromHex } from "./view/colours.js";
 import { quantity } from "./view/range.js";
 import { dot, plus, vector } from "./view/vector.js";
 import { placeOf } from "./input/pick.js";
-import { LEAST, REACTION, hasTail, holding, longest, strongestOf } from "./reactions.js";
+import { CONTACT, LEAST, REACTION, hasTail, holding, longest, strongestOf } from "./reactions.js";
 import { Trails } from "./render/trails.js";
 
 /** @typedef {import("./stage.js").Stage} Stage */
@@ -17,7 +17,6 @@ import { Trails } from "./render/trails.js";
 /** @typedef {{from: Vector, at: Vector, text: string, kind: "reaction" | "given" | "grab" | "kick"}} Label
  *   beside the tip of an arrow */
 
-const CONTACT = 56; // length of the longest arrow of a contact [CSS pixels]
 const LEAST_CONTACT = 0.03; // of the strongest contact, below which there is no arrow
 const HEADLESS = 0.2; // of the strongest contact, below which arrows have no head
 const MOST_CONTACTS = 200; // arrows

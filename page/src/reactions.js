@@ -11,6 +11,7 @@ import { plus, vector } from "./view/vector.js";
  * @typedef {{variant: number, a: number, anchor: Layout["variants"][0]["anchors"][0], place: Vector, force: Vector,
  *   size: number, peak: number}} Holding */
 
+export const CONTACT = 56; // length of the longest arrow of a contact [CSS pixels]
 export const REACTION = 84; // length of the longest arrow [CSS pixels]
 export const LEAST = 0.1; // of the strongest, below which there is neither arrow nor label: the eye hides it
 const CHIP = 34; // that a label takes beyond its arrow's tip [CSS pixels]
@@ -46,27 +47,57 @@ export const strongestOf = (held) =>
 /** The longest arrow [CSS pixels]. @param {Camera} camera */
 export const longest = ({ width, height }) => Math.min(REACTION, 0.14 * width, 0.17 * height);
 
-/** What a picture must keep free above and below its ropes, so that arrows and their labels are in it, too: the
- * strips, or more. @param {Stage} stage @param {Camera} camera @param {import("./view/camera.js").Strips} strips */
-export function roomFor(stage, camera, strips) {
+/** Where the arrows of anchors end [m], as long as they are for a camera. @param {Stage} stage @param {Camera} camera
+ * @returns {Vector[]} */
+export function tipsOf(stage, camera) {
   const { session, anchors, marks } = stage;
-  if (!session.frame || !marks.reactions) return strips;
+  if (!session.frame || !marks.reactions) return [];
   const held = holding(stage, anchors.to);
   const strongest = Math.max(strongestOf(held), marks.strongest);
   const per = (longest(camera) * camera.pose.distance) / camera.focal / strongest;
-  let [top, bottom] = [0, 0];
-  for (const { place, force, size, peak } of held) {
-    if (!(peak >= LEAST * strongest) || !(size > 1e-9)) continue;
-    const [, y, depth] = camera.project(...plus(place, force, (peak / size) * per));
-    if (!(depth > 0)) continue;
-    top = Math.max(top, strips.top + CHIP - y);
-    bottom = Math.max(bottom, y + CHIP + strips.bottom - camera.height);
-  }
+  return held
+    .filter(({ size, peak }) => peak >= LEAST * strongest && size > 1e-9)
+    .map(({ place, force, size, peak }) => plus(place, force, (peak / size) * per));
+}
+
+/** Where the arrows of contacts end [m], as long as they are for a camera.
+ * @param {Stage} stage @param {Camera} camera @returns {Vector[]} */
+export function contactTips({ session, nodes, marks }, camera) {
+  if (!session.frame || !marks.contacts) return [];
+  const { contact } = session.frame.parts[0];
+  const forces = Array.from({ length: contact.length / 3 }, (_, node) =>
+    vector(contact.subarray(3 * node, 3 * node + 3)),
+  );
+  const sizes = forces.map((force) => Math.hypot(...force));
+  const firmest = sizes.reduce((most, size) => Math.max(most, size), marks.firmest);
+  if (!(firmest > 1e-9 && firmest < Infinity)) return [];
+  const per = (CONTACT * camera.pose.distance) / camera.focal / firmest;
+  return forces.flatMap((force, node) =>
+    sizes[node] < LEAST * firmest
+      ? []
+      : [plus(vector(nodes.to.subarray(4 * node, 4 * node + 3)), force, per)],
+  );
+}
+
+/** What a picture must keep free above and below its ropes, so that arrows and their labels are in it, too: the
+ * strips, or more. @param {Stage} stage @param {Camera} camera @param {import("./view/camera.js").Strips} strips */
+export function roomFor(stage, camera, strips) {
+  const room = { top: 0, bottom: 0 };
+  const keep = (/** @type {Vector[]} */ tips, /** @type {number} */ margin) => {
+    for (const tip of tips) {
+      const [, y, depth] = camera.project(...tip);
+      if (!(depth > 0)) continue;
+      room.top = Math.max(room.top, strips.top + margin - y);
+      room.bottom = Math.max(room.bottom, y + margin + strips.bottom - camera.height);
+    }
+  };
+  keep(tipsOf(stage, camera), CHIP);
+  keep(contactTips(stage, camera), 0);
   const most = MOST * (camera.height - strips.top - strips.bottom);
   return {
     ...strips,
-    top: strips.top + Math.min(most, top),
-    bottom: strips.bottom + Math.min(most, bottom),
+    top: strips.top + Math.min(most, room.top),
+    bottom: strips.bottom + Math.min(most, room.bottom),
   };
 }
 

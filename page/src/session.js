@@ -81,7 +81,7 @@ export class Session extends Emitter {
     const id = ++this.lastId;
     return new Promise((resolve, reject) => {
       if (!this.can(command.type)) {
-        reject({ type: "error", text: `${command.type}: cannot be done here` });
+        reject({ type: "error", text: `This cannot be done here (${command.type})` });
         return;
       }
       this.waiting.set(id, { resolve, reject });

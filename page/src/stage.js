@@ -288,6 +288,7 @@ export class Stage {
     if (this.following && Math.abs(shape / this.windowShape - 1) > 0.3) this.lookPending = true;
     this.windowShape = shape;
     if (this.following) this.uncover();
+    if (this.past && this.following && !this.flight && this.framing.losesArrow()) this.fit();
     const { layout, frame } = this.session;
     if (layout && frame && this.lookPending) this.look(layout);
     this.renderer.clear(); // at once: a canvas of another size is empty, which is black

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { hasTail, roomFor } from "../src/reactions.js";
+import { contactTips, hasTail, roomFor } from "../src/reactions.js";
 import { Camera } from "../src/view/camera.js";
 
 test("a loose end hangs from an anchor, not from one between two others, nor from a tied one", () => {
@@ -43,4 +43,22 @@ test("an arrow that would leave the picture is given room, at its side only", ()
   assert.deepEqual(roomFor(stage([0, 0, 0]), camera, strips), strips);
   const card = roomFor(stage([0, 0, 5]), camera, { top: 90, bottom: 0 });
   assert.equal(card.top, 90 + 0.12 * 110);
+});
+
+test("the arrow of a contact is given room, too", () => {
+  const camera = new Camera();
+  camera.resize(390, 640);
+  camera.set({ target: [0, 0, 0], distance: 10, azimuth: -Math.PI / 2, elevation: 0 });
+  const made = stage([0, 0, 0]);
+  made.nodes = { to: new Float32Array([0, 0, 3, 0]) };
+  Object.assign(made.marks, { contacts: true, firmest: 0 });
+  made.session.frame.parts[0].contact = new Float32Array([0, 0, 7]);
+  const [tip] = contactTips(made, camera);
+  const [, foot] = camera.project(0, 0, 3);
+  const [, y] = camera.project(...tip);
+  assert.ok(Math.abs(foot - y - 56) < 0.1, `${foot - y}`);
+  const strips = { top: Math.round(y + 20), bottom: 0 }; // a row of tools lies over its tip
+  assert.ok(Math.abs(roomFor(made, camera, strips).top - (2 * strips.top - y)) < 1e-6);
+  made.marks.contacts = false; // the twin
+  assert.deepEqual(roomFor(made, camera, strips), strips);
 });

@@ -165,6 +165,10 @@ def test_the_suggested_step_and_the_implicit_method_mend_it(window: Window) -> N
     window.until("r.state === 'playing'", COMPILING)
     window.until("r.session.stability[0].bound === null", COMPILING)
     assert window.page.locator(".meter-ratio").inner_text() == "no bound"
+    assert (
+        window.page.locator(".meter-bar > *").count() == 0
+    )  # no red zone where nothing is unstable
+    assert "has no largest step here" in window.page.locator(".meter").inner_text()
     time = window.ask("r.time")
     window.until(f"r.time > {time} + 0.3", COMPILING)
     assert window.ask("r.state") == "playing"

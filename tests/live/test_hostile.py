@@ -60,7 +60,7 @@ def server(tmp_path: Path) -> Iterator[ViewServer]:
         ('{"type": "set", "name": "segments", "value": HUGE, "id": 1}', "whole number"),
         ('{"type": "compare", "variants": [{"changes": {"mass": HUGE}}], "id": 1}', "finite"),
         ('{"type": "scene", "address": "scene=r4&mass=HUGE", "id": 1}', "finite number"),
-        ('{"type": "scene", "toml": "name = LONG", "id": 1}', "toml: cannot be read"),
+        ('{"type": "scene", "toml": "name = LONG", "id": 1}', "The toml cannot be read"),
         ('{"type": "pin", "node": HUGE, "id": 1}', "valid integer"),
         ('{"type": "set", "name": "HALF", "value": 1, "id": 1}', "surrogate"),
         ('{"type": "drag", "anchor": "HALF", "target": [0, 0, 0], "id": 1}', "surrogate"),

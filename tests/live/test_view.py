@@ -50,7 +50,7 @@ def test_the_loop_stays_with_the_program(options: dict[str, object]) -> None:
         assert np.abs(simulation.arrays.forces.applied[:, 10]).max() > 0.0
         page.send("set", name="mass", value=1.0, id=2)
         page.until(lambda: stepped() and any(m.get("id") == 2 for m in page.messages))
-        assert page.message("error", id=2)["text"].startswith("type: ")
+        assert page.message("error", id=2)["text"].startswith("This command cannot be done here")
         where = page.message("layout")["variants"][0]["offsets"]["positions"]
         shown = np.frombuffer(page.data, "<f4", 3 * 21, where).reshape(21, 3)
         assert shown == pytest.approx(trail[page.frames[-1][4]], abs=1e-5)

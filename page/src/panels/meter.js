@@ -28,9 +28,10 @@ export class Meter {
   /** @param {Stability} one @param {number} v @param {boolean} many */
   row(one, v, many) {
     const { ratio, zone } = one;
+    const unbounded = one.bound === null;
     const label = this.session.layout?.variants[v]?.label;
     const fill = h("div", { className: "fill" });
-    fill.style.width = `${100 * Math.min(1, (ratio ?? 0) / END)}%`;
+    fill.style.width = `${100 * Math.min(1, (ratio ?? END) / END)}%`;
     const tick = h("div", { className: "tick" });
     tick.style.left = `${100 / END}%`;
     const amber = h("div", { className: "amber-zone" });
@@ -46,15 +47,14 @@ export class Meter {
         "aria-label": "Step as a part of the largest stable step",
         "aria-valuemin": "0",
         "aria-valuemax": "1.25",
-        "aria-valuenow": String(ratio ?? 0),
+        "aria-valuenow": String(ratio ?? (unbounded ? 0 : END)),
+        "aria-valuetext": one.verdict,
       },
-      fill,
-      amber,
-      red,
-      tick,
+      ...(unbounded ? [] : [fill, amber, red, tick]), // no bound, no red zone
     );
     /** @type {[string, string][]} */ const facts = [];
-    if (one.bound !== null) facts.push([`largest step ${quantity(one.bound, "s")}`, "step"]);
+    if (one.bound === null) facts.push([one.verdict, "why"]);
+    else if (one.bound > 0) facts.push([`largest step ${quantity(one.bound, "s")}`, "step"]);
     if (one.largest_spring_constant !== null) {
       facts.push([`largest spring constant ${quantity(one.largest_spring_constant, "N/m")}`, "k"]);
     } else if (one.largest_axial_stiffness !== null) {
@@ -68,7 +68,7 @@ export class Meter {
       h(
         "strong",
         { className: "meter-ratio" },
-        ratio === null || one.bound === null ? "no bound" : percent(ratio),
+        unbounded ? "no bound" : ratio === null ? "no stable step" : percent(ratio),
       ),
       ...facts.map(([fact, kind]) => h("span", { className: `meter-fact ${kind}` }, fact)),
     );

@@ -38,7 +38,7 @@ export class Notices {
     }
   }
 
-  /** @param {string} text @param {"note" | "fault"} [kind] */
+  /** @param {string} text @param {"note" | "fault"} [kind] @returns {() => void} takes it away again */
   say(text, kind = "note") {
     for (const other of this.list.children)
       if (other.firstChild?.textContent === text) other.remove();
@@ -51,5 +51,6 @@ export class Notices {
     this.list.append(note);
     while (this.list.children.length > MOST) this.list.firstChild?.remove();
     setTimeout(() => note.remove(), STAYS);
+    return () => note.remove();
   }
 }

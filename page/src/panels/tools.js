@@ -25,13 +25,14 @@ const TOOLS =
 
 export class Tools {
   /** @param {Stage} stage @param {HTMLElement} host @param {(node: number) => void} follow
-   * @param {(text: string) => void} say */
+   * @param {(text: string) => () => void} say returns what takes the words away */
   constructor(stage, host, follow, say) {
     this.stage = stage;
     this.host = host;
     this.follow = follow;
     this.say = say;
     /** @type {Pointer | null} */ this.pointer = null;
+    this.unsay = () => {}; // take "choose the point" away
     this.mass = 1;
     /** @type {Map<Tool, HTMLButtonElement>} */ this.buttons = new Map();
     this.bar = h("div", { className: "toolbar", role: "toolbar", "aria-label": "Tools" });
@@ -116,10 +117,11 @@ export class Tools {
     marks.dirty = true;
     if (!first) {
       marks.tying = hit;
-      this.say(`${this.nodeName(hit)}: choose the point to tie it to; Esc lets it be`);
+      const name = this.nodeName(hit);
+      this.unsay = this.say(`${name}: choose the point to tie it to; Esc lets it be`);
       return;
     }
-    marks.tying = null;
+    this.tieNone();
     session.tell({ type: "tie", node: first.node, other: hit.node });
   }
 
@@ -128,6 +130,7 @@ export class Tools {
     const { marks } = this.stage;
     if (marks.tying) marks.dirty = true;
     marks.tying = null;
+    this.unsay();
   }
 
   /** Cut the joint, or the segment where there is none. @param {Hit} hit */

@@ -7,6 +7,7 @@ import { vector } from "./vector.js";
 const TOOLS = 60; // height of the tool bars where they lie in a row, above a card [CSS pixels]
 const ROOMY = 400; // width that must be left beside a card [CSS pixels]
 const LOW = 400; // height of a scene in which they always do [CSS pixels]
+const NARROW = 430; // width of a scene in which they do, too [CSS pixels]
 
 /** Whether a card lies over a rope. @param {Camera} camera @param {Float32Array} nodes x, y, z, value
  * @param {number} count @param {DOMRect | null} card */
@@ -20,9 +21,10 @@ export function covers(camera, nodes, count, card) {
 }
 
 /** What a card takes of the scene's height, at the top or at the bottom [CSS pixels].
- * @param {DOMRect | null} card @param {number} height */
-export function stripsBeside(card, height) {
-  if (!card) return { top: height > 3 * TOOLS && height < LOW ? TOOLS : 0, bottom: 0 };
+ * @param {DOMRect | null} card @param {{width: number, height: number}} scene [CSS pixels] */
+export function stripsBeside(card, { width, height }) {
+  const row = height > 3 * TOOLS && (height < LOW || width <= NARROW);
+  if (!card) return { top: row ? TOOLS : 0, bottom: 0 };
   const below = height - card.top;
   return card.bottom < below ? { top: card.bottom, bottom: 0 } : { top: TOOLS, bottom: below };
 }
@@ -31,7 +33,7 @@ export function stripsBeside(card, height) {
  * @param {DOMRect | null} card @param {{width: number, height: number}} scene [CSS pixels] */
 export function stripAside(card, { width, height }) {
   return card && width - card.right > ROOMY
-    ? { ...stripsBeside(null, height), left: card.right }
+    ? { ...stripsBeside(null, { width, height }), left: card.right }
     : null;
 }
 

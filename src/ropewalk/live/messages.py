@@ -7,7 +7,32 @@ from typing import Any
 from ropewalk.analysis.json_values import plain
 from ropewalk.live.parameters import PARAMETERS
 from ropewalk.record.errors import RunError
-from ropewalk.scene import SceneError
+from ropewalk.scene import Fault, SceneError
+from ropewalk.scene.faults import NO_VALUE, show
+
+_VERBS = {"are", "can", "cannot", "has", "have", "is", "lies", "may", "must", "needs", "takes"}
+_SUBJECTS = {"node": "This point", "nodes": "The two points", "type": "This command"}
+
+
+def sentence(fault: Fault) -> str:
+    """Return a fault as a sentence for the page; what it is about in the code follows in brackets."""
+    rule = fault.rule.strip()
+    words = rule.split(maxsplit=1)
+    if words and words[0] in _VERBS:
+        rule = f"{_subject(fault.path)} {rule}"
+    rule = rule[:1].upper() + rule[1:]
+    about = [fault.path] if fault.path else []
+    if fault.value is not NO_VALUE and fault.value is not None:
+        about.append(show(fault.value))
+    return f"{rule} ({': '.join(about)})" if about else rule
+
+
+def _subject(path: str) -> str:
+    """Return what a fault is about, in words: the parameter's label, or the last key of the path."""
+    if path in PARAMETERS:
+        return PARAMETERS[path].label
+    key = path.rsplit(".", 1)[-1].split("[", 1)[0].replace("_", " ")
+    return _SUBJECTS.get(path) or (f"The {key}" if key else "This")
 
 
 def error_message(
@@ -27,5 +52,6 @@ def error_message(
                 "high": known.maximum if known else None,
             }
         )
-    text = str(error)[:2000]
+    told = map(sentence, error.faults) if isinstance(error, SceneError) else [str(error)]
+    text = "\n".join(told)[:2000]
     return {"type": "error", "id": number, "command": command, "text": text, "faults": faults}

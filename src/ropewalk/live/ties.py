@@ -19,6 +19,7 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats
 from ropewalk.live import edits
+from ropewalk.live.messages import sentence
 from ropewalk.live.parameters import refusal
 from ropewalk.scene import SceneError
 from ropewalk.simulation import Simulation
@@ -205,7 +206,7 @@ def end(track: Track, pull: Pull) -> str:
         track.restructure(partial(edits.knot, nodes=(a, b), hands=pull.hands))
     except SceneError as error:
         track.restructure(partial(edits.drop_anchors, names=pull.hands))
-        return f"not tied: {error}"
+        return "not tied. " + "\n".join(map(sentence, error.faults))
     return ""
 
 
