@@ -284,3 +284,30 @@ def test_the_words_about_a_break_hide_no_rope(
     assert card["y"] - scene["y"] > 100.0
     for place in places:
         assert scene["y"] < place["y"] < card["y"] or place["y"] > card["y"] + card["height"]
+
+
+def test_an_arrow_that_a_resize_of_a_broken_run_leaves_outside_is_fetched_back(
+    window: Window,
+) -> None:
+    _break(window)
+    window.settled()
+    rightmost = (
+        "Math.max(...r.stage.marks.labels.filter(({ kind }) => kind === 'reaction')"
+        ".map(({ at }) => r.stage.camera.project(...at)[0])) - r.stage.camera.width"
+    )
+    window.page.evaluate(
+        f"""() => {{
+            const r = window.ropewalk;
+            const {{ camera }} = r.stage;
+            r.stage.card = () => null; // the words about a break can bring a rope back, too
+            const metres = camera.pose.distance / camera.focal;
+            const away = metres * ({rightmost} - 20);
+            const target = camera.pose.target.map((x, k) => x + away * camera.right[k]);
+            r.stage.setPose({{ ...camera.pose, target }});
+        }}"""
+    )
+    window.settled()
+    assert window.ask(rightmost) > 0.0
+    window.ask("(r.app.resize(), true)")
+    window.settled()
+    assert window.ask(rightmost) < 0.0
