@@ -158,7 +158,7 @@ def test_a_scene_is_opened_while_the_present_one_plays(
     send(stage, told, "scene", client=3, preset="r4", id=4)
     send(stage, told, "scene", client=3, preset="n40", id=5)
     tick_until(stage, lambda: told.answer(4))
-    assert "another scene has been asked for since" in told.answer(4)["text"]
+    assert "Another scene has been asked for since" in told.answer(4)["text"]
     gate.set()
     tick_until(stage, lambda: told.answer(2) and told.answer(5))
     kinds = [told.answer(number)["type"] for number in (1, 2, 3, 5)]
