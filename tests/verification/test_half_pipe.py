@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -10,7 +11,7 @@ import pytest
 import ropewalk as rw
 from ropewalk.plots.outlines import outlines_of
 from ropewalk.plots.sight import sight
-from ropewalk.scene import HalfPipe, Material, Points, Rope, RunSettings, Scene, SceneError
+from ropewalk.scene import Box, HalfPipe, Material, Points, Rope, RunSettings, Scene, SceneError
 
 g, RADIUS, THICK = 9.81, 0.5, 0.02
 ARM = RADIUS - 0.5 * THICK
@@ -72,3 +73,16 @@ def test_what_is_no_trough_is_refused_in_words() -> None:
         rw.simulate(trough(0.0, 0.0).replace(obstacles=[
             HalfPipe(start=(0, -1, 0), end=(0, 1, 0), radius=0.4)
         ]))  # fmt: skip
+
+
+def test_a_trough_beside_a_box_is_outlined_from_any_side() -> None:
+    """Rows of sizes are as wide as the widest body's: of its own a trough takes three."""
+    scene = trough(5.0, 0.0, duration=0.02)
+    box = Box(center=(0, 0, -3), half_sizes=(0.1, 0.1, 0.1), edge_radius=0.01, rotation=(0, 0.3, 0))
+    beside = scene.replace(obstacles=[*scene.obstacles, box], gravity=(3.0, 0.0, -9.0))
+    result = rw.simulate(beside)
+    seen = sight(result)
+    tilted = replace(seen, across=np.array([0.8, 0.0, 0.6]), up=np.array([-0.6, 0.0, 0.8]))
+    found = outlines_of(result, tilted)
+    assert len(found) == 2
+    assert all(np.isfinite(one.outer).all() for one in found)

@@ -101,8 +101,9 @@ function pickNode(stage, px, py, reach) {
         const [x1, y1, z1] = stage.camera.project(shown[at], shown[at + 1], shown[at + 2]);
         if (i > rope.first && z0 > 0 && z1 > 0 && !gone.includes(i - 1)) {
           const [off, part] = distance(px, py, x0, y0, x1, y1);
-          const away = Math.max(off, half); // on what is drawn: then the one in front
           const depth = z0 + part * (z1 - z0);
+          const drawn = Math.max(half, (rope.diameter / 2) * (stage.camera.focal / depth));
+          const away = Math.max(off - drawn, 0) + half; // on what is drawn: then the one in front
           if (away < reach && (away < nearest || (away === nearest && depth < front))) {
             const [a, b] = [
               vector(shown.subarray(at - 4, at - 1)),

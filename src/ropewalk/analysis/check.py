@@ -126,9 +126,10 @@ class Check:
             text += [f"  at rest: {wrap.words}" for wrap in wraps]
         if self.statics.grounded.any() and self._rests:
             text.append(f"at rest {_count(self.statics.grounded, 'node')} on the ground")
+        guessed = " or several times that, with contact tens of times (not measured)"
         text.append(
             f"the run: {self.duration:.6g} s in about {_duration(self.seconds)}"
-            f"{'' if self.seconds_measured else ' or several times that (not measured)'}; {self.pace}"
+            f"{'' if self.seconds_measured else guessed}; {self.pace}"
         )
         text.append(f"the step: {self.stability.verdict}")
         text += [self.why] if self.why else []

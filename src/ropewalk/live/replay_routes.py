@@ -54,8 +54,18 @@ def replay_routes(stage: Any) -> list[Route]:
 
 
 def _begun(frames: Iterator[bytes]) -> Iterator[bytes]:
-    """Return frames of which the first is made, so that what is wrong with a run is known."""
-    return chain([next(frames, _NONE)], frames)
+    """Return frames of which the first is made, so that what is wrong with a run is known.
+
+    They end before one that cannot be read: of that the next piece, which begins with it, tells.
+    """
+    return chain([next(frames, _NONE)], _whole(frames))
+
+
+def _whole(frames: Iterator[bytes]) -> Iterator[bytes]:
+    try:
+        yield from frames
+    except RunError:
+        return
 
 
 def _asked(what: Callable[..., Awaitable[Response]], **usual: int) -> Any:

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ropewalk.core.arrays import Floats
+from ropewalk.core.arrays import Floats, Ints
 from ropewalk.core.peaks import Peaks
 from ropewalk.core.status import OK
 from ropewalk.laws.registry import NODE_LAWS
@@ -243,23 +243,28 @@ class Track:
         return bool(since >= time_of_news(last - span.first, passing[last] - passing[span.first]))
 
     def kick(self, index: int, velocity: Floats) -> None:
-        """Add a velocity [m/s] to a node. Raises SceneError for a held one."""
+        """Add a velocity [m/s] to a node and what a hand holds with it. Raises SceneError for a held one."""
         edits.at_node(self.simulation.layout, index)
         name = self.holder(index)
         if name is not None:
             raise refusal("node", index, f"is held by anchor {name!r}")
-        self._give(index, self.simulation.arrays.v[:, index] + velocity)
+        nodes = self._held(index)
+        self._give(nodes, self.simulation.arrays.v[:, nodes] + velocity[:, None])
 
     def throw(self, index: int, velocity: Floats) -> None:
         """Give what a hand holds the velocity [m/s] with which it lets go, unless an anchor holds it."""
         if self.holder(index) is None:
-            self._give(index, velocity)
+            self._give(self._held(index), velocity[:, None])
 
-    def _give(self, index: int, velocity: Floats) -> None:
+    def _held(self, index: int) -> Ints:
+        """Return the nodes that a hand at a node holds, with those that are tied to them."""
+        tied, joints = self.simulation.arrays.tied, self.simulation.system.joints
+        nodes = held_around(self.simulation, index).tolist()
+        return np.unique(np.concatenate([tied_with(joints, tied, node) for node in nodes]))
+
+    def _give(self, nodes: Ints, velocities: Floats) -> None:
         before = self.energy
-        state, joints = self.simulation.arrays, self.simulation.system.joints
-        for node in held_around(self.simulation, index).tolist():
-            state.v[:, tied_with(joints, state.tied, node)] = velocity[:, None]
+        self.simulation.arrays.v[:, nodes] = velocities
         self.simulation.arrays.past[0] = 0.0  # a multistep method begins anew
         self.simulation.push({})  # brings forces and accelerations up to date
         self.edited += self.energy - before

@@ -72,7 +72,7 @@ def _outline(
     if kind == "plane":
         return _edge_on(middle, along, _FAR * extent)
     if kind == "half-pipe":
-        return _trough(middle, along, view.project(sizes[1:]), float(sizes[0]), extent)
+        return _trough(middle, along, view.project(sizes[1:4]), float(sizes[0]), extent)
     if kind == "sphere":
         return Outline(middle + sizes[0] * disc)
     if kind == "torus":

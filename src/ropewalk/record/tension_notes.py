@@ -61,9 +61,12 @@ def winch_note(result: Result, peak: Extreme) -> str:
 
     A winch changes the length of its segment once a step, by v dt, and what that carries by EA v dt / L:
     recorded is the tension after that turn, acting is about the mean of the step. Too much where it reels in,
-    too little where it pays out. The semi-implicit method of Euler acts with what is recorded.
+    too little where it pays out, nothing where it has reached an end. The semi-implicit method of Euler acts
+    with what is recorded.
     """
     if not result.scene.winches or result.plan.method == "semi-implicit-euler":
+        return ""
+    if result.plan.tolerance is not None:  # how long the step of the peak was is not known
         return ""
     if not peak.value > 0.0 or peak.place < 0 or "rest_length" not in result.source.names:
         return ""
@@ -78,8 +81,9 @@ def winch_note(result: Result, peak: Extreme) -> str:
             continue
         rope = _rope_at(result, peak)
         EA, length = rope.segment_stiffness * rope.segment_length, lengths[peak.place - span.first]
-        dt = result.facts.step_counts.get("longest", result.plan.dt)
-        turn = EA * abs(winch.speed) * dt / float(length)
+        before = result.read("rest_length", max(frame - 1, 0), frame + 2)
+        turns = np.ptp(before[:, span.first : span.last].sum(axis=1)) > 0.0
+        turn = EA * abs(winch.speed) * result.plan.dt / float(length) if turns else 0.0
         if turn < _TURN * peak.value:
             return ""
         way = "much by" if winch.speed < 0.0 else "little by"
