@@ -14,7 +14,7 @@ def frames(first: int, damaged: int) -> Iterator[bytes]:
     """Frames of two bytes, one of which cannot be read."""
     for number in range(first, 6):
         if number == damaged:
-            raise RunError("frame 3 is damaged")
+            raise RunError("run", "frame 3 is damaged")
         yield bytes([number, number])
 
 
