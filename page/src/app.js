@@ -98,6 +98,9 @@ export class App {
     this.stage.card = () => this.broken.place(this.stage.renderer.canvas) ?? compared();
     for (const news of /** @type {const} */ (["broken", "frame"]))
       session.on(news, () => this.uncoverBroken());
+    let late = 0; // flights that were on when the words came up, or set off from them
+    session.on("broken", () => (late = 0));
+    this.stage.landed = () => late++ < 2 && this.uncoverBroken();
     this.help = new Help(root);
     this.keep = new Keep(this.stage, root, this.notices);
     this.bar = new Bar(this.barHost, {

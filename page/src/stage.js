@@ -54,6 +54,7 @@ export class Stage {
     this.gaps = new Gaps(this);
     this.solids = new Solids(this);
     /** @type {Flight | null} */ this.flight = null;
+    this.uncovering = false; // whether it is to bring ropes out from under a card
     this.follower = new Follow();
     this.framing = new Framing(this);
     this.following = true; // until the user moves the camera
@@ -232,6 +233,8 @@ export class Stage {
 
   /** Whether a pointer is down on the scene; then the camera stays. @type {() => boolean} */
   held = () => false;
+  /** What to do when a flight has ended, but for one that uncovers ropes. */
+  /** @type {() => void} */ landed = () => {};
   /** The legend, where it is shown. @type {() => DOMRect | null} */ legendCard = () => null;
   lastLook = 0;
   windowShape = innerWidth / innerHeight;
@@ -254,7 +257,9 @@ export class Stage {
 
   /** Show all ropes if the card covers one, or the arrow of an anchor. */
   uncover() {
-    if (!this.lookPending && this.framing.obstructed()) this.fit();
+    if (this.lookPending || !this.framing.obstructed()) return;
+    this.fit();
+    this.uncovering = true;
   }
 
   /** @param {Pose} pose @param {number} [duration] ms */
@@ -295,11 +300,18 @@ export class Stage {
     this.draw(true);
   }
 
+  /** End a flight; after one that was not to uncover ropes, they may have to be. */
+  land() {
+    this.flight = null;
+    if (!this.uncovering) this.landed();
+    this.uncovering = false;
+  }
+
   /** Once per animation frame. @param {number} now ms */
   tick(now) {
     const step = this.flight?.at(now);
     if (step) this.setPose(step.pose);
-    if (step?.over) this.flight = null;
+    if (step?.over) this.land();
     this.floor.advance();
     const moved = this.nodes.advance(performance.now());
     this.anchors.advance(performance.now());
