@@ -50,14 +50,14 @@ def test_a_grab_shows_its_force_in_newtons(window: Window, server: ViewServer) -
     window.settled()
     assert window.ask(f"{GRABS}[0]") == 20  # it stays
     force = np.linalg.norm(window.ask(f"[...{GRABS}.slice(4, 7)]"))
-    grab = server.stage.session.main.hands.grabs[0]
+    grab = server.broadcast.session.main.hands.grabs[0]
     assert (grab.node, force > 1e-3) == (20, True)  # it swings: small for moments
     shown = window.page.locator(".labels .grab:visible").inner_text()
     number, unit = shown.split()
     assert float(number) * {"N": 1.0, "kN": 1e3, "mN": 1e-3}[unit] == pytest.approx(force, rel=0.01)
     _double_click(window)
     window.until(f"{GRABS}[0] < 0")
-    assert server.stage.session.main.hands.grabs == []
+    assert server.broadcast.session.main.hands.grabs == []
 
 
 def _double_click(window: Window) -> None:
@@ -139,7 +139,7 @@ def test_a_kick_gives_the_velocity_that_is_drawn(window: Window, server: ViewSer
     window.page.mouse.up()
     window.until("r.session.frame.parts[0].speed[20] === 65535")
     window.settled()
-    velocity = server.stage.session.main.simulation.velocities[20]
+    velocity = server.broadcast.session.main.simulation.velocities[20]
     assert np.linalg.norm(velocity) == pytest.approx(shown, rel=0.01)
     assert velocity[2] > 0.9 * shown  # upwards
 
@@ -158,7 +158,7 @@ def test_the_menu_of_a_node_does_what_it_says(window: Window, server: ViewServer
     window.until(f"{VARIANT}.loads[0]?.mass === 10")
     choose(25, "Kick it up (5 m/s)")
     window.until("r.session.frame.parts[0].speed[25] === 65535")
-    assert np.allclose(server.stage.session.main.simulation.velocities[25], [0.0, 0.0, 5.0])
+    assert np.allclose(server.broadcast.session.main.simulation.velocities[25], [0.0, 0.0, 5.0])
     choose(30, "Follow: trail and graphs")
     window.until("!document.getElementById('graphs').hidden")
     window.settled()

@@ -57,7 +57,7 @@ def test_a_session_is_saved_and_replays_to_the_same_bits(
     server = serve(Session(slack_rope()))
     window = open_window(server.address).ready()
     _lively(window)
-    session, folder = server.stage.session, tmp_path / "run"
+    session, folder = server.broadcast.session, tmp_path / "run"
     window.tell(type="step", count=session.frame_steps - session.count % session.frame_steps)
     window.click("#open-keep")
     window.click("#keep-save")
@@ -85,7 +85,7 @@ def test_pictures_tables_and_scenes_are_downloaded(open_window: Open, serve: Ser
     scene = loads(_keep(window, "scene-toml").read_text())
     assert scene.ropes[0].own_mass == pytest.approx(3.0)
     place = Session(scene).main.simulation.positions
-    assert np.allclose(place, server.stage.session.main.simulation.positions, atol=1e-9)
+    assert np.allclose(place, server.broadcast.session.main.simulation.positions, atol=1e-9)
     for item in ("nodes-csv", "energies-csv", "tension-csv"):
         lines = _keep(window, item).read_text().splitlines()
         assert lines[0].startswith("time")

@@ -55,8 +55,8 @@ def test_a_slow_page_gets_fewer_frames_and_no_queue(server: ViewServer, open_win
         window.page.evaluate(
             "() => { const end = performance.now() + 3000; while (performance.now() < end); }"
         )
-        now = server.stage.session.time
-        made = server.stage.frame_number - before[1]
+        now = server.broadcast.session.time
+        made = server.broadcast.frame_number - before[1]
     window.until(f"r.time >= {now}")
     came, number = window.ask(f"[r.frames - {before[0]}, r.frame]")
     assert came < 0.5 * (
@@ -97,9 +97,9 @@ def test_a_lost_server_is_said_and_found_again(serve: Serve, open_window: Open) 
     window.until("window.banners.ended")
     assert "Trying again" in window.page.evaluate("() => window.banners.ended")
     time = window.ask("r.time")
-    stage = Broadcast(Session(slack_rope(20)), playing=True)
+    broadcast = Broadcast(Session(slack_rope(20)), playing=True)
     back = ViewServer(port=server.port, token=server.token)
-    back.show(stage)
+    back.show(broadcast)
     assert back.port == server.port
     back.start()
     try:

@@ -72,7 +72,7 @@ def test_ten_thousand_nodes_are_led_in_wall_time(open_window: Open, serve: Serve
     for k in range(30):
         window.page.mouse.move(x - 20.0 - k, y - 10.0)
         window.until(f"r.frame > {window.ask('r.frame')}")
-        paces += [one.pace for one in server.stage.session.main.hands.targets.values()]
+        paces += [one.pace for one in server.broadcast.session.main.hands.targets.values()]
     assert len(paces) > 20
     assert max(paces[10:]) < 0.5
     window.page.mouse.up()

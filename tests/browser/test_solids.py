@@ -143,7 +143,7 @@ def test_contact_forces_are_arrows_with_their_scale(open_window: Open, serve: Se
     window = open_window(server.address, **WIDE).ready()
     window.tell(type="step", count=10)
     window.settled()
-    simulation = server.stage.session.main.simulation
+    simulation = server.broadcast.session.main.simulation
     there = simulation.recording().recording.contact[0].T
     sizes = np.linalg.norm(there, axis=1)
     shown = np.array(window.ask("[...r.session.frame.parts[0].contact]")).reshape(-1, 3)

@@ -43,7 +43,7 @@ def _field(name: str) -> str:
 
 
 def _value(server: ViewServer, name: str) -> Any:
-    found = named(name).get(server.stage.session.scene, 0)
+    found = named(name).get(server.broadcast.session.scene, 0)
     return list(found) if isinstance(found, tuple) else found
 
 
@@ -204,7 +204,7 @@ def test_one_rope_of_several_is_changed(open_window: Open, serve: Serve) -> None
     friction.fill("0.7")
     friction.press("Enter")
     window.until(f"{_told('spring_friction')}.values['{names[2]}'] === 0.7")
-    found = [rope.segment_friction for rope in server.stage.session.scene.ropes]
+    found = [rope.segment_friction for rope in server.broadcast.session.scene.ropes]
     assert found == [0.01, 0.05, 0.7, 1.0]
 
 

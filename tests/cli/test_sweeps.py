@@ -11,7 +11,7 @@ import pytest
 from click.testing import Result
 
 import ropewalk as rw
-from ropewalk.live.replay import ReplayStage
+from ropewalk.live.replay import ReplayBroadcast
 
 Call = Callable[..., Result]
 VARY = ("--vary", "rope.made_of.spring_constant=500,1000,1e7", "--on", "here")
@@ -177,10 +177,10 @@ def test_who_goes_on_with_a_sweep_can_be_said(
     assert "are of sweeps" in ropewalk("resume", "r", "--workers", 2).output
 
 
-def replaying(scene: rw.Scene, stiffness: float) -> ReplayStage:
-    """A stage that shows a run of its own with this spring constant."""
+def replaying(scene: rw.Scene, stiffness: float) -> ReplayBroadcast:
+    """A broadcast that shows a run of its own with this spring constant."""
     made = scene.replace(**{"rope.made_of.spring_constant": stiffness})
-    return ReplayStage(rw.simulate(made))
+    return ReplayBroadcast(rw.simulate(made))
 
 
 def test_a_run_of_a_sweep_is_shown(
@@ -196,12 +196,12 @@ def test_a_run_of_a_sweep_is_shown(
     assert ropewalk("view", "s", "--run", 1).exit_code == 0
     (server,) = shown
     server.stop("")
-    served = server.stage.parts[0].result
+    served = server.broadcast.parts[0].result
     mine = own.parts[0].result
     assert served.source.names == mine.source.names
     for name in ("time", *mine.source.names):
         assert served.read(name).tobytes() == mine.read(name).tobytes(), name
-    frames = list(server.stage.frames_between(0, mine.frames, 1))
+    frames = list(server.broadcast.frames_between(0, mine.frames, 1))
     assert frames == list(own.frames_between(0, mine.frames, 1))  # as they go to the page
     assert served.read("tension").tobytes() != other.parts[0].result.read("tension").tobytes()
     assert "say which run" in ropewalk("view", "s").output

@@ -15,12 +15,12 @@ import pytest
 import runs
 from deaths import Disk, Killed, shown_frames
 from ropewalk.record.errors import RunError
+from ropewalk.record.folder import verify
 from ropewalk.record.reader import Stored
 from ropewalk.record.result import Result
 from ropewalk.record.resume import resume_run
 from ropewalk.record.run import record_run
 from ropewalk.record.store import Writer
-from ropewalk.record.verify import verify
 
 CHUNK = 6
 SCENE = runs.hanging(segments=2, duration=0.25)  # 16 frames: three chunks

@@ -18,10 +18,10 @@ import ropewalk as rw
 import runs
 from ropewalk.record import lock
 from ropewalk.record.errors import RunError
+from ropewalk.record.folder import verify
 from ropewalk.record.result import Result
 from ropewalk.record.run import record_run
 from ropewalk.record.seal import write_sealed
-from ropewalk.record.verify import verify
 
 AS_ROOT = hasattr(os, "geteuid") and os.geteuid() == 0
 

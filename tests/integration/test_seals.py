@@ -12,10 +12,10 @@ import ropewalk as rw
 import runs
 from ropewalk.record import store
 from ropewalk.record.errors import RunError
+from ropewalk.record.folder import verify
 from ropewalk.record.result import Result
 from ropewalk.record.run import record_run
 from ropewalk.record.seal import write_sealed
-from ropewalk.record.verify import verify
 
 
 @pytest.fixture

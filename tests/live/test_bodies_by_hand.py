@@ -12,7 +12,7 @@ from live.test_solids import ROPE
 from ropewalk.live import describe
 from ropewalk.live.keeper import Keeper, parts
 from ropewalk.live.relive import relive
-from ropewalk.live.replay import ReplayStage
+from ropewalk.live.replay import ReplayBroadcast
 from ropewalk.live.session import Session
 from ropewalk.record.result import Result
 from ropewalk.scene import Scene, loads
@@ -104,10 +104,10 @@ def test_the_folder_knows_where_it_was(tmp_path: Path) -> None:
     assert places[middle] == pytest.approx([0.05, 0.0, 2.9], abs=1e-9)
     assert places[-1] == pytest.approx([0.0, 0.0, 2.88], abs=1e-9)
     assert len(last.scene.obstacles[0].motion.times) < 20  # where it rests there are no rows
-    shown = ReplayStage(tmp_path / "run").layout(len(folders) - 1)["obstacles"]
+    shown = ReplayBroadcast(tmp_path / "run").layout(len(folders) - 1)["obstacles"]
     assert shown[0]["motion"]["kind"] == "table"
     assert shown[1]["turns"][-1][1] == pytest.approx(0.4)
-    assert "motion" not in ReplayStage(tmp_path / "run").layout(0)["obstacles"][0]
+    assert "motion" not in ReplayBroadcast(tmp_path / "run").layout(0)["obstacles"][0]
     again = relive(tmp_path / "run")
     assert (again.main.simulation.positions == session.main.simulation.positions).all()
 

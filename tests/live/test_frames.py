@@ -17,9 +17,9 @@ from ropewalk.live.session import Session
 from ropewalk.scene import Force
 
 
-def parts(stage: Broadcast, variant: int = 0) -> dict[str, np.ndarray]:
+def parts(broadcast: Broadcast, variant: int = 0) -> dict[str, np.ndarray]:
     """Take a frame apart as the layout message says."""
-    data, layout = stage.frame(), describe.layout(stage.session)
+    data, layout = broadcast.frame(), describe.layout(broadcast.session)
     about = layout["variants"][variant]
     n, spot = about["nodes"], about["offsets"]
     assert len(data) == layout["bytes"]
@@ -36,16 +36,16 @@ def parts(stage: Broadcast, variant: int = 0) -> dict[str, np.ndarray]:
 
 
 @pytest.fixture
-def stage() -> Broadcast:
+def broadcast() -> Broadcast:
     session = r4()
     session.advance(900)
     return Broadcast(session, playing=False)
 
 
-def test_a_frame_holds_what_the_simulation_has(stage: Broadcast) -> None:
-    do(stage.session, "grab", node=7, target=[7.0, 2.0, 0.0])
-    stage.session.advance(5)
-    simulation, found = stage.session.main.simulation, parts(stage)
+def test_a_frame_holds_what_the_simulation_has(broadcast: Broadcast) -> None:
+    do(broadcast.session, "grab", node=7, target=[7.0, 2.0, 0.0])
+    broadcast.session.advance(5)
+    simulation, found = broadcast.session.main.simulation, parts(broadcast)
     scalars = dict(zip(SCALARS, found["scalars"], strict=True))
     assert np.array_equal(found["positions"], simulation.positions.astype("f4"))
     low, high = scalars["tension_low"], scalars["tension_high"]
@@ -64,15 +64,15 @@ def test_a_frame_holds_what_the_simulation_has(stage: Broadcast) -> None:
         assert found["anchors"][row, 9] == 1.0
     assert list(found["grabs"][:, 0]) == [7.0] + [-1.0] * 7
     assert found["grabs"][0, 1:4] == pytest.approx([7.0, 2.0, 0.0])
-    assert found["grabs"][0, 4:7] == pytest.approx(stage.session.main.hands.grabs[0].force)
+    assert found["grabs"][0, 4:7] == pytest.approx(broadcast.session.main.hands.grabs[0].force)
 
 
-def test_the_header_says_when_and_how(stage: Broadcast) -> None:
-    head = HEADER.unpack_from(stage.frame())
+def test_the_header_says_when_and_how(broadcast: Broadcast) -> None:
+    head = HEADER.unpack_from(broadcast.frame())
     assert head[0] == int.from_bytes(b"RWPF", "little")
-    assert head[1] == stage.layout_number
+    assert head[1] == broadcast.layout_number
     assert head[3] == 0
-    assert head[4] == stage.session.time
+    assert head[4] == broadcast.session.time
     assert head[5] == 900.0
 
 
@@ -87,32 +87,32 @@ def test_the_layout_tells_what_the_scene_gives() -> None:
     assert plain["ropes"][0]["submerged_weight"] is None
 
 
-def test_every_variant_has_its_place(stage: Broadcast) -> None:
-    do(stage.session, "compare", variants=[{"changes": {"segments": 60, "time_step": 2e-4}}])
-    stage.session.advance(200)
-    stage.refresh()
-    first, second = parts(stage, 0), parts(stage, 1)
+def test_every_variant_has_its_place(broadcast: Broadcast) -> None:
+    do(broadcast.session, "compare", variants=[{"changes": {"segments": 60, "time_step": 2e-4}}])
+    broadcast.session.advance(200)
+    broadcast.refresh()
+    first, second = parts(broadcast, 0), parts(broadcast, 1)
     assert len(second["positions"]) == 61
-    other = stage.session.tracks[1].simulation
+    other = broadcast.session.tracks[1].simulation
     assert np.array_equal(second["positions"], other.positions.astype("f4"))
     scalars = dict(zip(SCALARS, second["scalars"], strict=True))
     assert 0.0 < scalars["difference"] <= scalars["difference_max"] < 1.0
     assert dict(zip(SCALARS, first["scalars"], strict=True))["difference"] == 0.0
 
 
-def test_a_new_layout_is_counted_only_when_frames_change(stage: Broadcast) -> None:
-    before = stage.layout_number
-    do(stage.session, "set", name="mass", value=3.0)
-    stage.refresh()
-    assert stage.layout_number == before
-    do(stage.session, "pin", node=10)
-    stage.refresh()
-    assert stage.layout_number == before + 1
+def test_a_new_layout_is_counted_only_when_frames_change(broadcast: Broadcast) -> None:
+    before = broadcast.layout_number
+    do(broadcast.session, "set", name="mass", value=3.0)
+    broadcast.refresh()
+    assert broadcast.layout_number == before
+    do(broadcast.session, "pin", node=10)
+    broadcast.refresh()
+    assert broadcast.layout_number == before + 1
 
 
 def test_the_energies_of_a_frame_balance() -> None:
     session = Session(slack_rope(20))
-    stage = Broadcast(session, playing=False)
+    broadcast = Broadcast(session, playing=False)
     for kind, keys in (
         ("set", {"name": "mass", "value": 4.0}),
         ("kick", {"node": 5, "velocity": [0.0, 2.0, 1.0]}),
@@ -122,7 +122,7 @@ def test_the_energies_of_a_frame_balance() -> None:
         session.advance(500)
         do(session, kind, **keys)
     session.advance(500)
-    found = dict(zip(SCALARS, parts(stage)["scalars"], strict=True))
+    found = dict(zip(SCALARS, parts(broadcast)["scalars"], strict=True))
     now = found["kinetic"] + found["gravity"] + found["elastic"]
     first = session.main.first_energy - session.main.first_gravity
     assert now - first == pytest.approx(
@@ -135,28 +135,30 @@ def test_gravity_is_counted_from_the_start() -> None:
     scene = slack_rope(20)
     shape = scene.ropes[0].shape.replace(start=(0.0, 0.0, 5000.0), end=(8.0, 0.0, 5000.0))
     session = Session(scene.replace(ropes=[scene.ropes[0].replace(shape=shape)]))
-    stage = Broadcast(session, playing=False)
+    broadcast = Broadcast(session, playing=False)
     at = SCALARS.index("gravity")
-    assert parts(stage)["scalars"][at] == 0.0  # on a mountain, too
+    assert parts(broadcast)["scalars"][at] == 0.0  # on a mountain, too
     heights = session.main.simulation.positions[:, 2].copy()
     session.advance(3000)
     fallen = session.main.simulation.positions[:, 2] - heights
     expected = 9.81 * float(session.main.simulation.arrays.mass @ fallen)
-    assert parts(stage)["scalars"][at] == pytest.approx(expected, rel=1e-3)
+    assert parts(broadcast)["scalars"][at] == pytest.approx(expected, rel=1e-3)
 
 
-def test_of_many_alike_only_the_last_is_carried_out(stage: Broadcast) -> None:
+def test_of_many_alike_only_the_last_is_carried_out(broadcast: Broadcast) -> None:
     answers: list[dict[str, object]] = []
     for number, value in enumerate((2.0, 2.5, 3.0)):
         command = parse({"type": "set", "name": "mass", "value": value, "id": number})
-        stage.submit(command, 1, answers.append)
-    stage.submit(parse({"type": "set", "name": "length", "value": 41, "id": 9}), 1, answers.append)
+        broadcast.submit(command, 1, answers.append)
+    broadcast.submit(
+        parse({"type": "set", "name": "length", "value": 41, "id": 9}), 1, answers.append
+    )
     seen: list[str] = []
-    stage.session.on_command = lambda count, client, command: seen.append(command.type)
-    stage.handle()
+    broadcast.session.on_command = lambda count, client, command: seen.append(command.type)
+    broadcast.handle()
     assert seen == ["set", "set"]
     assert [answer["id"] for answer in answers] == [0, 1, 2, 9]
-    assert stage.session.scene.ropes[0].own_mass == pytest.approx(3.0)
+    assert broadcast.session.scene.ropes[0].own_mass == pytest.approx(3.0)
 
 
 def test_a_mailbox_keeps_the_newest_and_waits_for_the_page() -> None:
@@ -239,7 +241,7 @@ def test_hands_do_not_hide_how_slow_it_is(monkeypatch: pytest.MonkeyPatch) -> No
     """A drag came with every picture, and with it the pace began anew: nobody knew that it was slow."""
     clock = Clock()
     monkeypatch.setattr(pace.time, "perf_counter", clock)
-    stage = Broadcast(Session(slack_rope()))
+    broadcast = Broadcast(Session(slack_rope()))
 
     def steps(_: Session, count: int, seconds: float) -> int:
         clock.now += 0.05
@@ -248,11 +250,11 @@ def test_hands_do_not_hide_how_slow_it_is(monkeypatch: pytest.MonkeyPatch) -> No
     monkeypatch.setattr("ropewalk.live.broadcast.advance_within", steps)
     for picture in range(40):
         drag = {"type": "drag", "anchor": "right", "target": [8.0, 0.0, 0.01 * picture]}
-        stage.submit(parse(drag), 1, lambda _: None)
+        broadcast.submit(parse(drag), 1, lambda _: None)
         clock.now += 1e-3
-        stage.tick()
-    assert stage.pace.slow
-    assert stage.status()["slow"]
+        broadcast.tick()
+    assert broadcast.pace.slow
+    assert broadcast.status()["slow"]
 
 
 def test_a_pause_of_the_computer_is_no_jump(monkeypatch: pytest.MonkeyPatch) -> None:

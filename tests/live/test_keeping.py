@@ -12,7 +12,7 @@ from live.drive import do, r4, slack_rope
 from ropewalk.live.frame import SCALARS
 from ropewalk.live.keeper import Keeper, parts
 from ropewalk.live.relive import relive
-from ropewalk.live.replay import ReplayStage
+from ropewalk.live.replay import ReplayBroadcast
 from ropewalk.live.session import Session
 from ropewalk.record.errors import RunError
 from ropewalk.record.result import Result
@@ -155,11 +155,11 @@ def test_a_replay_shows_what_was_recorded(tmp_path: Path) -> None:
     do(session, "pin", node=10)
     session.advance(90)
     keeper.close()
-    stage = ReplayStage(tmp_path / "run", playing=False)
-    assert len(stage.times) == 32
-    assert stage.duration == pytest.approx(270 * session.main.dt)
-    data = b"".join(stage.frames_between(0, 40, 1))
+    broadcast = ReplayBroadcast(tmp_path / "run", playing=False)
+    assert len(broadcast.times) == 32
+    assert broadcast.duration == pytest.approx(270 * session.main.dt)
+    data = b"".join(broadcast.frames_between(0, 40, 1))
     first = np.frombuffer(data, "<f4", 3 * 41, 48 + 4 * len(SCALARS)).reshape(41, 3)
     assert np.allclose(first, Result.open(tmp_path / "run").positions[0], atol=1e-6)
-    sizes = [stage.layout(part)["bytes"] for part in (0, 1)]
+    sizes = [broadcast.layout(part)["bytes"] for part in (0, 1)]
     assert len(data) == 21 * sizes[0] + 11 * sizes[1]

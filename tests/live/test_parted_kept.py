@@ -10,7 +10,7 @@ import ropewalk as rw
 from live.drive import slack_rope
 from ropewalk.live.keeper import Keeper, parts
 from ropewalk.live.relive import relive
-from ropewalk.live.replay import ReplayStage
+from ropewalk.live.replay import ReplayBroadcast
 from ropewalk.live.session import Session
 from ropewalk.record.result import Result
 
@@ -43,8 +43,8 @@ def test_a_folder_tells_what_has_parted(tmp_path: Path) -> None:
     assert len(folders) > 1  # two ropes have arrays of another shape
     told = [one for folder in folders for one in Result.open(folder).partings]
     assert told == known
-    stage = ReplayStage(tmp_path / "run")
-    last = stage.layout(len(folders) - 1)["variants"][0]
+    broadcast = ReplayBroadcast(tmp_path / "run")
+    last = broadcast.layout(len(folders) - 1)["variants"][0]
     assert [one["time"] for one in last["parted"]] == pytest.approx([one.time for one in known])
     again = relive(tmp_path / "run")
     assert (again.main.simulation.positions == session.main.simulation.positions).all()

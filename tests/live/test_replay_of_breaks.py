@@ -11,7 +11,7 @@ import ropewalk as rw
 import runs
 from ropewalk.live.frame import BROKEN, END, HEADER
 from ropewalk.live.packed_run import record
-from ropewalk.live.replay import ReplayStage
+from ropewalk.live.replay import ReplayBroadcast
 from ropewalk.record.beyond import until_torn
 from ropewalk.record.result import Result
 
@@ -21,35 +21,37 @@ def broken() -> Iterator[Result]:
     return rw.simulate(runs.breaking(), on_failure="return")
 
 
-def flags(stage: ReplayStage) -> list[int]:
-    return [HEADER.unpack_from(one)[3] for one in stage.frames_between(0, len(stage.times), 1)]
+def flags(broadcast: ReplayBroadcast) -> list[int]:
+    return [
+        HEADER.unpack_from(one)[3] for one in broadcast.frames_between(0, len(broadcast.times), 1)
+    ]
 
 
 def test_the_last_frames_are_steps_past_the_break(broken: Result) -> None:
     past = until_torn(broken)
     assert past is not None
-    stage = ReplayStage(broken, playing=False)
-    told = [bool(flag & BROKEN) for flag in flags(stage)]
+    broadcast = ReplayBroadcast(broken, playing=False)
+    told = [bool(flag & BROKEN) for flag in flags(broadcast)]
     assert told == [False] * broken.frames + [True] * len(past.time)
-    assert flags(stage)[-1] & END
-    np.testing.assert_array_equal(stage.times[broken.frames :], past.time)
-    last = stage.parts[0].picture(stage.parts[0].frames - 1)
+    assert flags(broadcast)[-1] & END
+    np.testing.assert_array_equal(broadcast.times[broken.frames :], past.time)
+    last = broadcast.parts[0].picture(broadcast.parts[0].frames - 1)
     np.testing.assert_array_equal(last.positions, past.positions[-1])
     assert not last.anchors[:, 3:9].any()  # no force is claimed there
     assert last.scalars["kinetic"] == broken.energy["kinetic"][-1]
-    broke = stage.layout(0)["broke"]
+    broke = broadcast.layout(0)["broke"]
     assert broke == {"time": broken.time[-1], "text": broken.diagnosis}
 
 
 def test_a_sound_run_has_no_such_frames() -> None:
-    stage = ReplayStage(rw.simulate(runs.hanging(duration=0.2)), playing=False)
-    assert not any(flag & BROKEN for flag in flags(stage))
-    assert stage.layout(0)["broke"] is None
+    broadcast = ReplayBroadcast(rw.simulate(runs.hanging(duration=0.2)), playing=False)
+    assert not any(flag & BROKEN for flag in flags(broadcast))
+    assert broadcast.layout(0)["broke"] is None
 
 
 def test_frames_recorded_into_a_break_are_marked_too() -> None:
     result = rw.simulate(runs.breaking(), on_failure="return", keep_going=True)
-    told = [bool(flag & BROKEN) for flag in flags(ReplayStage(result, playing=False))]
+    told = [bool(flag & BROKEN) for flag in flags(ReplayBroadcast(result, playing=False))]
     assert told == [frame >= result.good_frames for frame in range(result.frames)]
 
 

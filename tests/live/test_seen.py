@@ -18,7 +18,7 @@ from ropewalk.live.packed_run import record
 from ropewalk.live.packing import Packed, unpack
 from ropewalk.live.pictures import combiner
 from ropewalk.live.program import ProgramBroadcast
-from ropewalk.live.replay import ReplayStage
+from ropewalk.live.replay import ReplayBroadcast
 from ropewalk.live.seen import Seen
 from ropewalk.live.session import Session
 from ropewalk.record.result import Result
@@ -65,10 +65,10 @@ class Kept:
         """Hear nothing."""
 
 
-def on_stage(session: Session) -> tuple[Broadcast, Kept]:
-    stage = Broadcast(session, playing=False)
-    stage.audience = kept = Kept()
-    return stage, kept
+def broadcasting(session: Session) -> tuple[Broadcast, Kept]:
+    broadcast = Broadcast(session, playing=False)
+    broadcast.audience = kept = Kept()
+    return broadcast, kept
 
 
 def read(frame: bytes, layout: dict, variant: int = 0) -> tuple[dict[str, float], Seen]:  # type: ignore[type-arg]
@@ -127,9 +127,9 @@ def close(found: Seen, true: Seen, scalars: dict[str, float]) -> None:
 
 def test_frames_have_what_every_step_has_however_they_are_cut() -> None:
     """Pieces of other lengths, slow motion, a tweak in between: the same as a look at every step."""
-    stage, kept = on_stage(session := Session(catch()))
+    broadcast, kept = broadcasting(session := Session(catch()))
     layout, every = describe.layout(session), Every(catch())
-    stage.show()
+    broadcast.show()
     close(read(kept.frames[0], layout)[1], every.rows[0], read(kept.frames[0], layout)[0])
     instants = []
     for pieces in ((1, 100, 66), (3,), (1, 1, 1), (160, 4, 170, 30), (2, 70)):
@@ -137,7 +137,7 @@ def test_frames_have_what_every_step_has_however_they_are_cut() -> None:
             session.advance(piece)
         if pieces == (3,):
             do(session, "set", name="diameter", value=0.02)  # nothing that changes the motion
-        stage.show()
+        broadcast.show()
         scalars, found = read(kept.frames[-1], layout)
         close(found, every.interval(sum(pieces)), scalars)
         instants.append(float(session.main.simulation.recording().recording.tension[0].max()))
@@ -146,23 +146,23 @@ def test_frames_have_what_every_step_has_however_they_are_cut() -> None:
 
 
 def test_a_change_of_constants_keeps_what_was_seen() -> None:
-    stage, kept = on_stage(session := Session(catch()))
+    broadcast, kept = broadcasting(session := Session(catch()))
     layout, every = describe.layout(session), Every(catch())
-    stage.show()
+    broadcast.show()
     session.advance(FRAME)
     peak = every.interval(FRAME).greatest_tension.max()
     do(session, "set", name="spring_friction", value=30.0)
     session.advance(1)
-    stage.show()
+    broadcast.show()
     assert read(kept.frames[-1], layout)[0]["tension_max"] == pytest.approx(peak, rel=1e-6)
     session.advance(1)
-    stage.show()
+    broadcast.show()
     assert read(kept.frames[-1], layout)[0]["tension_max"] < 0.5 * peak  # and begins again
 
 
 def test_a_reset_forgets_and_a_hand_and_copies_are_seen() -> None:
-    stage, kept = on_stage(session := Session(catch()))
-    stage.show()
+    broadcast, kept = broadcasting(session := Session(catch()))
+    broadcast.show()
     first = read(kept.frames[-1], describe.layout(session))[0]["tension_max"]
     do(session, "compare", variants=[{"label": "soft", "changes": {"mass": 1.2}}])
     layout = describe.layout(session)
@@ -171,7 +171,7 @@ def test_a_reset_forgets_and_a_hand_and_copies_are_seen() -> None:
     do(session, "grab", node=5, target=[0.5, 0.0, 1.0])
     session.advance(FRAME)
     firsts = [track.shown.kept for track in session.tracks]
-    stage.show()
+    broadcast.show()
     for variant, one in enumerate(firsts):
         assert one is not None
         scalars, _ = read(kept.frames[-1], layout, variant)
@@ -179,7 +179,7 @@ def test_a_reset_forgets_and_a_hand_and_copies_are_seen() -> None:
         assert scalars["tension_max"] > 1000.0
     session.advance(20)
     do(session, "reset")
-    stage.show()
+    broadcast.show()
     assert read(kept.frames[-1], layout)[0]["tension_max"] == first  # as at the start
 
 
@@ -198,9 +198,9 @@ def test_steps_that_are_undone_are_not_seen() -> None:
 
 
 def test_what_a_page_did_not_get_is_in_its_next_frame() -> None:
-    stage, kept = on_stage(session := Session(catch()))
+    broadcast, kept = broadcasting(session := Session(catch()))
     layout, every = describe.layout(session), Every(catch())
-    stage.show()
+    broadcast.show()
     box = Mailbox(1)
     for number in range(1, 4):  # so many are on the way
         box.put_frame(number, kept.frames[0])
@@ -209,7 +209,7 @@ def test_what_a_page_did_not_get_is_in_its_next_frame() -> None:
     total = every.rows[0]
     for number, steps in enumerate((100, 67, 40, 3), start=4):
         session.advance(steps)
-        stage.show()
+        broadcast.show()
         box.put_frame(number, kept.frames[-1], combiner(session.tracks))
         total = total.joined(every.interval(steps))
     assert box._frame is not None
@@ -227,28 +227,28 @@ def test_what_a_page_did_not_get_is_in_its_next_frame() -> None:
 
 def test_a_program_that_takes_several_steps_misses_none() -> None:
     simulation, every = Simulation(catch()), Every(catch())
-    stage = ProgramBroadcast(simulation)
-    stage.audience = kept = Kept()
+    broadcast = ProgramBroadcast(simulation)
+    broadcast.audience = kept = Kept()
     simulation.step(100 * DT)
     simulation.step(60 * DT)
-    stage.tick()
+    broadcast.tick()
     simulation.advance_frames(2)
     peak = every.interval(160).greatest_tension.max()
-    scalars, _ = read(kept.frames[-1], describe.layout(stage.session))
+    scalars, _ = read(kept.frames[-1], describe.layout(broadcast.session))
     assert scalars["tension_max"] == pytest.approx(peak, rel=1e-6)
-    stage.tick()
+    broadcast.tick()
     later = every.interval(2 * simulation.plan.steps_per_frame).greatest_tension.max()
-    scalars, _ = read(kept.frames[-1], describe.layout(stage.session))
+    scalars, _ = read(kept.frames[-1], describe.layout(broadcast.session))
     assert scalars["tension_max"] == pytest.approx(later, rel=1e-6)
 
 
 def test_replays_show_what_the_frames_passed_over_have() -> None:
     result = rw.simulate(catch(1000.0))
-    stage = ReplayStage(result, playing=False)
-    layout = stage.layout(0)
+    broadcast = ReplayBroadcast(result, playing=False)
+    layout = broadcast.layout(0)
 
     def told(frame: int, since: int) -> dict[str, float]:
-        (shown,) = stage.frames_between(frame, 1, frame - since)
+        (shown,) = broadcast.frames_between(frame, 1, frame - since)
         return read(shown, layout)[0]
 
     scalars = told(17, since=0)
@@ -256,16 +256,16 @@ def test_replays_show_what_the_frames_passed_over_have() -> None:
     assert scalars["tension_max"] == pytest.approx(peak, rel=1e-6)
     assert peak > 5.0 * float(result.tension[17].max())
     assert told(17, since=16)["tension_max"] < 0.5 * peak  # a jump passes over nothing
-    coarse = [read(one, layout)[0]["tension_max"] for one in stage.frames_between(0, 12, 17)]
+    coarse = [read(one, layout)[0]["tension_max"] for one in broadcast.frames_between(0, 12, 17)]
     assert max(coarse) == pytest.approx(float(result.greatest_tension.max()), rel=1e-6)
 
 
 def test_a_run_without_extremes_is_replayed_by_its_frames() -> None:
     scene = catch(1000.0)
     result = rw.simulate(scene.replace(run=scene.run.replace(extremes=False)))
-    stage = ReplayStage(result, playing=False)
-    layout = stage.layout(0)
-    scalars, found = read(next(stage.frames_between(17, 1, 17)), layout)
+    broadcast = ReplayBroadcast(result, playing=False)
+    layout = broadcast.layout(0)
+    scalars, found = read(next(broadcast.frames_between(17, 1, 17)), layout)
     assert scalars["tension_max"] == pytest.approx(float(result.tension[1:18].max()), rel=1e-6)
     assert found.greatest_force == pytest.approx(
         np.linalg.norm(result.reactions[1:18], axis=2).max(axis=0), rel=1e-6

@@ -274,7 +274,7 @@ def test_a_link_opens_the_same_set_up(tmp_path: Path) -> None:
         assert address.startswith("toml=")
         page.ask(2, "scene", preset="r4")
         assert page.ask(3, "scene", address=address)["type"] == "done"
-        scene = server.stage.session.scene
+        scene = server.broadcast.session.scene
         assert scene.ropes[0].segments == 12
         assert scene.air is not None
         assert tuple(scene.air.wind) == (1.0, 2.0, 0.0)
@@ -287,7 +287,7 @@ def test_exports(server: ViewServer) -> None:
     with Page(server) as page:
         page.until(lambda: len(page.frames) > 20)
         assert page.ask(1, "pause")["type"] == "done"
-        place = server.stage.session.main.simulation.positions[10].copy()
+        place = server.broadcast.session.main.simulation.positions[10].copy()
         status, data, headers = get(server, f"{root}/scene.toml")
         assert status == 200
         assert "attachment" in headers["content-disposition"]

@@ -1,4 +1,4 @@
-"""Nothing holds the stage: steps in slices; scenes, large edits and the reasons of breaks beside it."""
+"""Nothing holds the broadcast: steps in slices; scenes, large edits and the reasons of breaks beside it."""
 
 from __future__ import annotations
 
@@ -61,24 +61,24 @@ def gate() -> Iterator[threading.Event]:
     made.set()
 
 
-def on_stage(told: Told, session: Session, *, playing: bool = False) -> Broadcast:
-    """Return a stage that an audience sees."""
-    stage = Broadcast(session, playing=playing)
-    stage.audience = told
-    return stage
+def broadcasting(told: Told, session: Session, *, playing: bool = False) -> Broadcast:
+    """Return a broadcast that an audience sees."""
+    broadcast = Broadcast(session, playing=playing)
+    broadcast.audience = told
+    return broadcast
 
 
-def send(stage: Broadcast, told: Told, kind: str, client: int = 1, **keys: Any) -> None:
+def send(broadcast: Broadcast, told: Told, kind: str, client: int = 1, **keys: Any) -> None:
     """Send a command."""
-    stage.submit(parse({"type": kind, **keys}), client, told.tell)
+    broadcast.submit(parse({"type": kind, **keys}), client, told.tell)
 
 
-def tick_until(stage: Broadcast, ready: Callable[[], Any]) -> None:
+def tick_until(broadcast: Broadcast, ready: Callable[[], Any]) -> None:
     """Tick until something is there."""
     end = time.monotonic() + SOON
     while not ready():
         assert time.monotonic() < end, "waited in vain"
-        stage.tick()
+        broadcast.tick()
         time.sleep(0.002)
 
 
@@ -108,34 +108,34 @@ def test_steps_are_taken_while_there_is_time(monkeypatch: pytest.MonkeyPatch, co
 
 def test_many_steps_of_a_large_scene_come_in_slices(told: Told) -> None:
     scene = slack_rope(20_000).replace(run=RunSettings(duration=1.0, time_step=1e-8))
-    stage = on_stage(told, Session(scene))
-    send(stage, told, "step", count=10_000, id=1)
-    stage.tick()
-    first = stage.count
+    broadcast = broadcasting(told, Session(scene))
+    send(broadcast, told, "step", count=10_000, id=1)
+    broadcast.tick()
+    first = broadcast.count
     assert 0 < first < 10_000
     assert told.answer(1) is None
-    stage.tick()
-    assert first < stage.count < 10_000
-    send(stage, told, "step", count=9_999, id=2)
-    stage.tick()
+    broadcast.tick()
+    assert first < broadcast.count < 10_000
+    send(broadcast, told, "step", count=9_999, id=2)
+    broadcast.tick()
     assert "that are still being taken" in told.answer(2)["text"]
-    send(stage, told, "pause", id=3)
-    stage.tick()
+    send(broadcast, told, "pause", id=3)
+    broadcast.tick()
     assert told.answer(1)["type"] == told.answer(3)["type"] == "done"
-    count = stage.count
-    stage.tick()
-    assert stage.count == count
+    count = broadcast.count
+    broadcast.tick()
+    assert broadcast.count == count
 
 
 def test_steps_in_slices_are_the_same_steps(told: Told) -> None:
-    stage = on_stage(told, Session(slack_rope(40)))
-    send(stage, told, "step", count=1000, id=1)
-    send(stage, told, "step", count=234, id=2)
-    tick_until(stage, lambda: told.answer(2))
+    broadcast = broadcasting(told, Session(slack_rope(40)))
+    send(broadcast, told, "step", count=1000, id=1)
+    send(broadcast, told, "step", count=234, id=2)
+    tick_until(broadcast, lambda: told.answer(2))
     twin = Session(slack_rope(40))
     twin.advance(1234)
-    assert stage.count == 1234
-    here, there = stage.session.main.simulation, twin.main.simulation
+    assert broadcast.count == 1234
+    here, there = broadcast.session.main.simulation, twin.main.simulation
     assert here.positions.tobytes() == there.positions.tobytes()
 
 
@@ -147,59 +147,59 @@ def test_a_scene_is_opened_while_the_present_one_plays(
         return slack_rope(12)
 
     monkeypatch.setattr(opening, "read_apart", read)
-    stage = on_stage(told, r4(), playing=True)
-    send(stage, told, "scene", toml="x", id=1)
-    send(stage, told, "set", name="mass", value=3.0, id=2)  # for the new scene: it waits
-    send(stage, told, "set", client=2, name="mass", value=4.0, id=3)
-    tick_until(stage, lambda: told.answer(3))
-    count = stage.count
-    tick_until(stage, lambda: stage.count > count)
+    broadcast = broadcasting(told, r4(), playing=True)
+    send(broadcast, told, "scene", toml="x", id=1)
+    send(broadcast, told, "set", name="mass", value=3.0, id=2)  # for the new scene: it waits
+    send(broadcast, told, "set", client=2, name="mass", value=4.0, id=3)
+    tick_until(broadcast, lambda: told.answer(3))
+    count = broadcast.count
+    tick_until(broadcast, lambda: broadcast.count > count)
     assert told.answer(1) is told.answer(2) is None
-    send(stage, told, "scene", client=3, preset="r4", id=4)
-    send(stage, told, "scene", client=3, preset="n40", id=5)
-    tick_until(stage, lambda: told.answer(4))
+    send(broadcast, told, "scene", client=3, preset="r4", id=4)
+    send(broadcast, told, "scene", client=3, preset="n40", id=5)
+    tick_until(broadcast, lambda: told.answer(4))
     assert "Another scene has been asked for since" in told.answer(4)["text"]
     gate.set()
-    tick_until(stage, lambda: told.answer(2) and told.answer(5))
+    tick_until(broadcast, lambda: told.answer(2) and told.answer(5))
     kinds = [told.answer(number)["type"] for number in (1, 2, 3, 5)]
     assert kinds == ["done"] * 4
-    assert stage.session.preset == "n40"
+    assert broadcast.session.preset == "n40"
 
 
 def test_a_scene_that_is_none_changes_nothing(told: Told) -> None:
-    stage = on_stage(told, r4())
-    before = stage.session.main.simulation
-    send(stage, told, "scene", toml="rope = 3", id=1)
-    tick_until(stage, lambda: told.answer(1))
+    broadcast = broadcasting(told, r4())
+    before = broadcast.session.main.simulation
+    send(broadcast, told, "scene", toml="rope = 3", id=1)
+    tick_until(broadcast, lambda: told.answer(1))
     assert told.answer(1)["type"] == "error"
-    assert stage.session.main.simulation is before
-    send(stage, told, "scene", address="scene=r4&mass=2.5", id=2)
-    tick_until(stage, lambda: told.answer(2))
-    assert stage.address == "scene=r4&mass=2.5"
-    assert stage.session.scene.ropes[0].own_mass == pytest.approx(2.5)
+    assert broadcast.session.main.simulation is before
+    send(broadcast, told, "scene", address="scene=r4&mass=2.5", id=2)
+    tick_until(broadcast, lambda: told.answer(2))
+    assert broadcast.address == "scene=r4&mass=2.5"
+    assert broadcast.session.scene.ropes[0].own_mass == pytest.approx(2.5)
 
 
 def test_what_a_large_scene_takes_long_for_is_done_beside_the_stage(
     told: Told, gate: threading.Event, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    stage = on_stage(told, Session(slack_rope(MANY)), playing=True)
+    broadcast = broadcasting(told, Session(slack_rope(MANY)), playing=True)
     assert not takes_long(parse({"type": "set", "name": "mass", "value": 1}), r4())
     assert takes_long(parse({"type": "set", "name": "method", "value": "rk4"}), r4())
-    apply = stage.session.apply
+    apply = broadcast.session.apply
 
     def slowly(*args: Any) -> str:
         gate.wait(SOON)
         return apply(*args)
 
-    monkeypatch.setattr(stage.session, "apply", slowly)
-    send(stage, told, "set", name="mass", value=3.0, id=1)
-    send(stage, told, "kick", node=9, velocity=[0, 0, 1], id=2)
+    monkeypatch.setattr(broadcast.session, "apply", slowly)
+    send(broadcast, told, "set", name="mass", value=3.0, id=1)
+    send(broadcast, told, "kick", node=9, velocity=[0, 0, 1], id=2)
     for _ in range(5):
-        stage.tick()  # comes back
+        broadcast.tick()  # comes back
     assert told.messages == []
     gate.set()
-    tick_until(stage, lambda: told.answer(2))
-    assert stage.session.scene.ropes[0].own_mass == pytest.approx(3.0)
+    tick_until(broadcast, lambda: told.answer(2))
+    assert broadcast.session.scene.ropes[0].own_mass == pytest.approx(3.0)
     shown = told.of("parameters")[-1]["parameters"]
     assert next(one["value"] for one in shown if one["name"] == "mass") == pytest.approx(3.0)
 
@@ -214,33 +214,33 @@ def test_a_break_is_told_at_once_and_explained_when_it_is_understood(
         return answer(self)
 
     monkeypatch.setattr(breaks.Question, "answer", slowly)
-    stage = on_stage(told, r4(), playing=True)
-    send(stage, told, "set", name="spring_constant", value=1e6)
-    tick_until(stage, lambda: told.of("broken"))
+    broadcast = broadcasting(told, r4(), playing=True)
+    send(broadcast, told, "set", name="spring_constant", value=1e6)
+    tick_until(broadcast, lambda: told.of("broken"))
     (first,) = told.of("broken")
     assert "being looked at" in first["text"]
     assert [one["id"] for one in first["remedies"]] == ["back", "step", "implicit"]
     gate.set()
-    tick_until(stage, lambda: len(told.of("broken")) > 1)
+    tick_until(broadcast, lambda: len(told.of("broken")) > 1)
     assert "above the largest stable one" in told.of("broken")[-1]["text"]
 
 
 def test_a_break_stays_while_constants_are_changed(told: Told) -> None:
-    stage = on_stage(told, r4(), playing=True)
-    send(stage, told, "set", name="spring_constant", value=1e6)
-    tick_until(stage, lambda: told.of("broken"))
+    broadcast = broadcasting(told, r4(), playing=True)
+    send(broadcast, told, "set", name="spring_constant", value=1e6)
+    tick_until(broadcast, lambda: told.of("broken"))
     said = told.of("broken")[-1]["text"]
-    send(stage, told, "set", name="spring_constant", value=1.1e6, id=1)
-    tick_until(stage, lambda: told.of("broken")[-1]["remedies"][-1]["id"] == "on")
+    send(broadcast, told, "set", name="spring_constant", value=1.1e6, id=1)
+    tick_until(broadcast, lambda: told.of("broken")[-1]["remedies"][-1]["id"] == "on")
     assert told.of("broken")[-1]["text"] == said
     assert told.of("status")[-1]["broken"]
-    assert not stage.playing
-    send(stage, told, "set", name="spring_constant", value=1e4)
-    tick_until(stage, lambda: told.of("broken")[-1]["remedies"][0]["id"] == "on")
-    count = stage.count
-    send(stage, told, "remedy", remedy="on", id=2)
-    tick_until(stage, lambda: stage.count > count + 20)
-    assert stage.playing
+    assert not broadcast.playing
+    send(broadcast, told, "set", name="spring_constant", value=1e4)
+    tick_until(broadcast, lambda: told.of("broken")[-1]["remedies"][0]["id"] == "on")
+    count = broadcast.count
+    send(broadcast, told, "remedy", remedy="on", id=2)
+    tick_until(broadcast, lambda: broadcast.count > count + 20)
+    assert broadcast.playing
     assert not told.of("status")[-1]["broken"]
 
 
@@ -279,9 +279,9 @@ def test_only_so_many_commands_wait(told: Told) -> None:
 def test_a_page_that_comes_is_told_of_the_presets_without_reading_them(
     monkeypatch: pytest.MonkeyPatch, told: Told
 ) -> None:
-    """They take 50 ms of a tick; they were read when the stage was made."""
-    stage = Broadcast(Session(slack_rope(20)), playing=False)
+    """They take 50 ms of a tick; they were read when the broadcast was made."""
+    broadcast = Broadcast(Session(slack_rope(20)), playing=False)
     monkeypatch.setattr(describe, "preset", None)
-    stage.join(told.tell)
+    broadcast.join(told.tell)
     [message] = told.of("presets")
     assert len(message["presets"]) > 20

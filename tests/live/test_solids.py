@@ -13,7 +13,7 @@ import ropewalk as rw
 from live.drive import do, refused
 from ropewalk.laws.obstacle_shapes import probe
 from ropewalk.live import describe
-from ropewalk.live.replay import ReplayStage
+from ropewalk.live.replay import ReplayBroadcast
 from ropewalk.live.session import Session
 from ropewalk.live.solids import obstacle_list
 from ropewalk.record.obstacle_table import obstacle_places, obstacle_table
@@ -152,7 +152,7 @@ def test_a_layout_has_the_obstacles_and_joints_of_its_scene() -> None:
     assert sent["obstacles"][1]["spin"] == [2.0, 0.5, None]
     assert sent["obstacles"][3]["size"] == [0.1, None, 0.0, 0.0]  # endless
     json.dumps(sent, allow_nan=False)
-    replayed = ReplayStage(rw.simulate(scene())).layout(0)
+    replayed = ReplayBroadcast(rw.simulate(scene())).layout(0)
     assert replayed["obstacles"] == sent["obstacles"]
     # The twin: scenes without any have none.
     assert describe.layout(Session(preset("r4")))["obstacles"] == []

@@ -100,13 +100,13 @@ def test_what_one_measurement_cannot_tell_apart_is_said_and_two_do() -> None:
     """Sag alone fixes a combination of stiffness and length; a pull test besides fixes both."""
     true = rw.sweep.function(hung(), [LENGTH], "sag[-1]", what="rest")([[5.0]])[0, 0]
     sag = rw.calibrate.sag(true, error=1e-4)
-    bounds = {EA: (400.0, 1600.0), LENGTH: (4.8, 5.2)}
-    alone = rw.calibrate(hung(), sag, bounds)
+    ranges = {EA: (400.0, 1600.0), LENGTH: (4.8, 5.2)}
+    alone = rw.calibrate(hung(), sag, ranges)
     assert "EA and length cannot be told apart by this measurement." in alone.words
     assert alone.intervals[EA] == pytest.approx((400.0, 1600.0))
     forces = np.linspace(20.0, 200.0, 8)
     pull = rw.calibrate.pull_test(forces, forces * 2.0 / 800.0, error=1e-4, length=2.0)
-    both = rw.calibrate(hung(), [sag, pull], bounds)
+    both = rw.calibrate(hung(), [sag, pull], ranges)
     assert both.words[-1] == "The measurement tells all of them apart."
     assert not any("cannot be told apart" in text for text in both.words)
     assert both.values[EA] == pytest.approx(800.0, rel=1e-4)

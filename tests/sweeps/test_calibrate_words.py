@@ -19,11 +19,11 @@ LENGTH = "rope.length"
 DETERMINED = "The measurement determines EA."
 
 
-def fitted(error: float, bounds: tuple[float, float], profile: bool = True) -> Any:
+def fitted(error: float, ranges: tuple[float, float], profile: bool = True) -> Any:
     """EA from a pull test of 2 m, made with 2000 N."""
     forces = np.array([50.0, 100.0, 200.0])
     pull = rw.calibrate.pull_test(forces, forces * 2.0 / 2e3, error=error)
-    return rw.calibrate(swing(0.02), pull, {EA: bounds}, starts=2, profile=profile)
+    return rw.calibrate(swing(0.02), pull, {EA: ranges}, starts=2, profile=profile)
 
 
 @pytest.mark.parametrize("profile", [True, False])
@@ -31,16 +31,16 @@ def test_a_value_whose_interval_a_bound_cuts_is_not_determined(profile: bool) ->
     sharp = fitted(1e-4, (1e3, 1e4), profile)
     assert DETERMINED in sharp.words
     assert not any("not determined" in text for text in sharp.words)
-    low = "EA is not determined: its interval ends at its lower bound."
-    at_bound = fitted(0.03, (1.9e3, 8e3), profile)
-    assert low in at_bound.words
-    high = "EA is not determined: its interval ends at its upper bound."
+    low = "EA is not determined: its interval ends at the lower end of its range."
+    at_end = fitted(0.03, (1.9e3, 8e3), profile)
+    assert low in at_end.words
+    high = "EA is not determined: its interval ends at the upper end of its range."
     assert high in fitted(0.03, (1e3, 2.1e3), profile).words
     both = fitted(0.05, (1.9e3, 2.1e3), profile)
     assert any(
         text.startswith("EA is not determined") or "does not show" in text for text in both.words
     )
-    for fit in (at_bound, both):
+    for fit in (at_end, both):
         assert DETERMINED not in fit.words
 
 
@@ -49,15 +49,15 @@ def test_a_verdict_is_that_of_the_interval() -> None:
         return verdict(words, [(low, high)], ["EA"])
 
     assert of(0.2, 0.6) == (DETERMINED,)
-    assert of(0.0, 1.0) == ("EA is not determined: its interval spans its bounds.",)
-    assert of(0.1, 0.9) == ("EA is not determined: its interval spans most of its bounds.",)
+    assert of(0.0, 1.0) == ("EA is not determined: its interval spans its range.",)
+    assert of(0.1, 0.9) == ("EA is not determined: its interval spans most of its range.",)
     assert of(math.nan, math.nan) == ()  # nothing is known of it
     assert of(math.nan, math.nan, "told") == ("told",)
     assert of(0.0, 1.0, "EA does not show in this measurement.") == (
         "EA does not show in this measurement.",
     )
     two = verdict([], [(0.2, 0.3), (0.4, 1.0)], ["a", "b"])
-    assert two == ("b is not determined: its interval ends at its upper bound.",)
+    assert two == ("b is not determined: its interval ends at the upper end of its range.",)
     assert verdict([], [(0.2, 0.3)] * 2, ["a", "b"]) == (
         "The measurement tells all of them apart.",
     )

@@ -112,7 +112,7 @@ def test_pieces_do_not_change_the_files(
         (tmp_path / to).mkdir()
         whole = export(result, to, tmp_path / to / "whole")
         monkeypatch.setattr("ropewalk.record.selection._VALUES", 200)
-        pieces = export(folder, to, tmp_path / to / "pieces")
+        pieces = export(Result.open(folder), to, tmp_path / to / "pieces")
         monkeypatch.undo()
         for one, other in zip(whole, pieces, strict=True):
             if to == "csv":

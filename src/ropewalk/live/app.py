@@ -29,11 +29,11 @@ MOST_CLIENTS = 8
 
 
 class Live:
-    """What the routes have in common: the stage, the pages, the exports."""
+    """What the routes have in common: the broadcast, the pages, the exports."""
 
     def __init__(
         self,
-        stage: Any,
+        broadcast: Any,
         hub: Hub,
         exports: Exports,
         *,
@@ -42,13 +42,13 @@ class Live:
         title: str = "",
         most_clients: int = MOST_CLIENTS,
     ) -> None:
-        self.stage, self.hub, self.exports = stage, hub, exports
+        self.broadcast, self.hub, self.exports = broadcast, hub, exports
         self.wake, self.run_folder, self.title = wake, folder, title
         self.most_clients = most_clients
 
     def submit(self, command: Command, box: Mailbox) -> None:
-        """Hand a page's command to the stage."""
-        self.stage.submit(command, box.number, lambda message: self.hub.tell_one(box, message))
+        """Hand a page's command to the broadcast."""
+        self.broadcast.submit(command, box.number, lambda message: self.hub.tell_one(box, message))
         self.wake()
 
     def join(self, box: Mailbox) -> None:
@@ -57,20 +57,20 @@ class Live:
         def tell(message: dict[str, Any]) -> None:
             self.hub.tell_one(box, message)
 
-        def join(stage: Any) -> None:
-            stage.join(tell)
+        def join(broadcast: Any) -> None:
+            broadcast.join(tell)
             self.hub.admit(box)
 
-        latest = getattr(self.stage, "latest", None)
+        latest = getattr(self.broadcast, "latest", None)
         if latest is None:
             self.do(join)
         else:
-            join(self.stage)
+            join(self.broadcast)
             box.put_frame(*latest)
 
     def do(self, what: Callable[[Any], None]) -> None:
-        """Have something done on the stage."""
-        self.stage.submit(what, 0, lambda message: None)
+        """Have something done in the broadcast."""
+        self.broadcast.submit(what, 0, lambda message: None)
         self.wake()
 
     def hello(self, client: int) -> str:
@@ -81,8 +81,8 @@ class Live:
                 "protocol": PROTOCOL,
                 "ropewalk": __version__,
                 "client": client,
-                "mode": self.stage.mode,
-                "can": self.stage.can,
+                "mode": self.broadcast.mode,
+                "can": self.broadcast.can,
                 "limits": {
                     "message_bytes": LONGEST_SCENE,
                     "messages_per_second": PER_SECOND,
@@ -91,7 +91,7 @@ class Live:
                 },
                 "title": self.title,
                 "folder": str(self.run_folder) if self.run_folder else None,
-                "address": self.stage.address,
+                "address": self.broadcast.address,
                 "speeds": [0.01, 4.0],
                 "grabs": MOST_GRABS,
                 "exports": self.exports.names(),
@@ -105,7 +105,7 @@ def make_app(live: Live) -> Starlette:
     downloads = Downloads()
 
     async def picture(request: Request) -> Response:
-        made = await run_in_threadpool(svg, request.path_params["name"], live.stage)
+        made = await run_in_threadpool(svg, request.path_params["name"], live.broadcast)
         if made is None:
             return PlainTextResponse("no such preset\n", 404)
         return Response(made, media_type="image/svg+xml")
@@ -126,7 +126,7 @@ def make_app(live: Live) -> Starlette:
         routes=[
             Route("/presets/{name}.svg", picture),
             Route("/export/{name}", export),
-            *replay_routes(live.stage),
+            *replay_routes(live.broadcast),
             WebSocketRoute("/socket", socket),
         ]
     )

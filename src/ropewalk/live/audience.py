@@ -1,4 +1,4 @@
-"""Whoever looks on at a stage."""
+"""Whoever looks on at a broadcast."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 """Why a live session broke: the steps before the break are taken again and looked at.
 
-That may take long, so a question is asked on the stage and answered by any thread, with a simulation
-of its own.
+That may take long, so a question is asked in the broadcast's thread and answered by any thread, with a
+simulation of its own.
 """
 
 from __future__ import annotations

@@ -88,11 +88,11 @@ class Broadcast:
     def submit(
         self, what: Command | Callable[[Broadcast], None], client: int, reply: Reply
     ) -> None:
-        """Put a command, or something to be done on the stage, in the queue (from any thread)."""
+        """Put a command, or something to be done in the broadcast, in the queue (from any thread)."""
         self.inbox.put(Item(what, client, reply))
 
     def handle(self, until: float = math.inf) -> None:
-        """Carry out what waits, up to a time on the clock [s]; what takes long is done beside the stage."""
+        """Carry out what waits, up to a time on the clock [s]; what takes long is done beside it."""
         self.inbox.gather()
         some = False
         while self._lent is None:
@@ -182,7 +182,7 @@ class Broadcast:
         return True
 
     def _show_scene(self, ready: Opened) -> bool:
-        """Put a scene that was opened on the stage."""
+        """Broadcast a scene that was opened."""
         self._end_steps()
         made = ready.session.result()
         self._note(self.session.apply(ready.item.what, ready.item.client, made))
@@ -228,7 +228,7 @@ class Broadcast:
         return self._address
 
     def close(self) -> None:
-        """End what runs beside the stage."""
+        """End what runs beside the broadcast."""
         self.meter.end()
 
     def leave(self, client: int) -> None:

@@ -15,7 +15,7 @@ PATIENCE = 0.3  # [s] that pages wait for the reason before they are told withou
 
 
 class Explainer:
-    """Looks into one break at a time, beside the stage; ways out are told anew when constants change."""
+    """Looks into one break at a time, beside the broadcast; ways out are told anew when constants change."""
 
     def __init__(self, wake: Callable[[], None]) -> None:
         self._wake = wake

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from importlib import import_module
 from pathlib import Path
 
+from ropewalk.live.share import share_run
 from ropewalk.record.errors import InputError, RunError
 from ropewalk.record.export import export
 from ropewalk.scene import Scene, dumps
@@ -34,8 +34,7 @@ class Exports:
         """Return the names of what can be made."""
         found = ["scene.toml"] if self._scene is not None else []
         if self._folder is not None:
-            found += [*_TABLES]
-            found += ["page.html"] if _share() is not None else []
+            found += [*_TABLES, "page.html"]
         return found
 
     def file_name(self, name: str) -> str:
@@ -60,9 +59,7 @@ class Exports:
 
     def _from_run(self, name: str, folder: Path, out: Path) -> tuple[Path, str]:
         if name == "page.html":
-            share = _share()
-            assert share is not None
-            share(folder, out)
+            share_run(folder, out)
             return out, _HTML
         from ropewalk.record.result import Result
 
@@ -70,13 +67,3 @@ class Exports:
         every = max(1, result.frames * result.nodes // MOST_ROWS)
         export(result, "csv", out, quantities=(_TABLES[name],), every=every)
         return out, _CSV
-
-
-def _share() -> Callable[[Path, Path], object] | None:
-    """Return what makes a page to share of a run folder, where it is there."""
-    try:
-        found = import_module("ropewalk.live.share")
-    except ImportError:
-        return None
-    made: Callable[[Path, Path], object] = found.share_run
-    return made

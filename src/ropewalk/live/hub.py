@@ -1,7 +1,7 @@
 """The pages that look on: one mailbox each, with the newest frame only, and no queue that grows.
 
 Everything here runs in the server's event loop, but for `show` and `tell`, which come from the
-stage's thread.
+broadcast's thread.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""What waits for a stage: commands from pages, and things to be done there, from any thread."""
+"""What waits for a broadcast: commands from pages, and things to be done there, from any thread."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _COALESCED = frozenset(["set", "drag", "grab", "move", "obstacle"])
 
 
 class Item(NamedTuple):
-    """A command, or something to be done on the stage, with the page that it is from."""
+    """A command, or something to be done in the broadcast, with the page that it is from."""
 
     what: Any
     client: int

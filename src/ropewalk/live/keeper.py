@@ -94,7 +94,7 @@ class Keeper:
         self._thread = threading.Thread(target=self._run, name="ropewalk-keeper", daemon=True)
         self._thread.start()
 
-    # -- called on the stage ---------------------------------------------------------------
+    # -- called in the broadcast's thread --------------------------------------------------
 
     def _on_command(self, count: int, client: int, command: Command) -> None:
         about = command.model_dump(mode="json", exclude={"id"})

@@ -94,24 +94,24 @@ def serve_run(
     page: Path | None = None,
 ) -> Any:
     """Return a server, ready to start, that replays a run. Raises RunError, OSError."""
-    from ropewalk.live.replay import ReplayStage
+    from ropewalk.live.replay import ReplayBroadcast
     from ropewalk.live.serve import ViewServer
 
-    stage = ReplayStage(run, playing=playing)
+    broadcast = ReplayBroadcast(run, playing=playing)
     server = ViewServer(host=host, port=port, page=page)
     folder = run if isinstance(run, Path) else None
-    server.show(stage, title=stage.scene.name, folder=folder, play=False)
+    server.show(broadcast, title=broadcast.scene.name, folder=folder, play=False)
     return server
 
 
 def _show(server: Any, session: Any, folder: Path | None, go_on: bool, playing: bool) -> None:
-    """Put a session on a server's stage."""
+    """Make a session what a server broadcasts."""
     from ropewalk.live.broadcast import Broadcast
     from ropewalk.live.keeper import Keeper
 
     session.main.simulation.advance_frames(0)  # compiles before anybody waits for a frame
-    stage = Broadcast(session, playing=playing)
+    broadcast = Broadcast(session, playing=playing)
     keeper = Keeper(session, folder, go_on=go_on) if folder is not None else None
     if keeper is not None:
-        stage.on_save = lambda: str(keeper.flush())
-    server.show(stage, title=session.scene.name, keeper=keeper)
+        broadcast.on_save = lambda: str(keeper.flush())
+    server.show(broadcast, title=session.scene.name, keeper=keeper)

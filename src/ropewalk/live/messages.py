@@ -1,4 +1,4 @@
-"""Messages about faults, the same for every kind of stage."""
+"""Messages about faults, the same for every kind of broadcast."""
 
 from __future__ import annotations
 

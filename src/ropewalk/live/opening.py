@@ -1,4 +1,4 @@
-"""Scenes on their way to the stage: read, built and compiled beside it, while the present one plays on."""
+"""Scenes on their way into the broadcast: read, built and compiled beside it, while the present one plays."""
 
 from __future__ import annotations
 

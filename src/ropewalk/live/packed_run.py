@@ -12,7 +12,7 @@ from ropewalk import __version__
 from ropewalk.core.arrays import Floats
 from ropewalk.live.frame import SCALARS, Picture
 from ropewalk.live.packing import LARGEST, Packed, pack
-from ropewalk.live.replay import ReplayStage
+from ropewalk.live.replay import ReplayBroadcast
 from ropewalk.record.errors import RunError
 from ropewalk.record.result import Result
 
@@ -55,24 +55,24 @@ def record(run: Path | Result, rate: float = 60.0) -> Recording:
 
     Raises RunError when there is nothing to show.
     """
-    stage = ReplayStage(run, playing=False)
+    broadcast = ReplayBroadcast(run, playing=False)
     where = run if isinstance(run, Path) else (run.folder or "result")
-    frames = len(stage.times)
-    usual = _thinned(stage.times[: frames - stage.single], rate)
-    indices = np.union1d(usual, np.arange(frames - stage.single, frames))
+    frames = len(broadcast.times)
+    usual = _thinned(broadcast.times[: frames - broadcast.single], rate)
+    indices = np.union1d(usual, np.arange(frames - broadcast.single, frames))
     packed: list[Packed] = []
     parts: list[dict[str, Any]] = []
     kept: list[Floats] = []
     left_out = 0
-    for number, part in enumerate(stage.parts):
-        first, end = int(stage.first[number]), int(stage.first[number + 1])
+    for number, part in enumerate(broadcast.parts):
+        first, end = int(broadcast.first[number]), int(broadcast.first[number + 1])
         own = indices[(indices >= first) & (indices < end)]
         before = [-1, *(int(index) - first for index in own)][: len(own)]
         pictures = [
             part.picture(int(index) - first, after)
             for index, after in zip(own, before, strict=True)
         ]
-        good = int(np.searchsorted(own, stage.sound))
+        good = int(np.searchsorted(own, broadcast.sound))
         pictures = _within(pictures, good)
         longest = max(rope.length_unstretched for rope in part.result.scene.ropes)
         step = min(_OF_LENGTH * longest, _METRES) if longest > 0.0 else _METRES
@@ -82,11 +82,11 @@ def record(run: Path | Result, rate: float = 60.0) -> Recording:
             continue
         streams = _streams(pictures[:count], step)
         packed += streams
-        kept.append(stage.times[own[:count]])
+        kept.append(broadcast.times[own[:count]])
         parts.append(
             {
-                **stage.facts(number),
-                "layout": stage.layout(number),
+                **broadcast.facts(number),
+                "layout": broadcast.layout(number),
                 "frames": count,
                 "good": min(good, count),
                 "streams": [one.header() for one in streams],
@@ -99,12 +99,12 @@ def record(run: Path | Result, rate: float = 60.0) -> Recording:
     errors = {name: max(one.error for one in packed if one.name == name) for name in _NEEDED}
     header = {
         "ropewalk": __version__,
-        "title": stage.scene.name,
+        "title": broadcast.scene.name,
         "duration": float(times[-1]),
         "times": clock.header(),
         "parts": parts,
-        "single": max(0, stage.single - left_out),
-        "about": _about(times, left_out, errors, max(0, stage.single - left_out)),
+        "single": max(0, broadcast.single - left_out),
+        "about": _about(times, left_out, errors, max(0, broadcast.single - left_out)),
     }
     data = b"".join(one.data for one in (clock, *packed))
     return Recording(header, data, len(times), left_out, errors["positions"], errors["tension"])

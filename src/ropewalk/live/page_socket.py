@@ -63,7 +63,7 @@ async def serve_socket(socket: WebSocket, live: Live) -> None:
         pass  # the page is gone
     finally:
         live.hub.leave(box)
-        live.do(lambda stage: stage.leave(box.number))
+        live.do(lambda broadcast: broadcast.leave(box.number))
 
 
 async def _send(socket: WebSocket, box: Mailbox) -> None:

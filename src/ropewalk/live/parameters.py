@@ -13,7 +13,7 @@ from typing import Any, get_args
 from ropewalk.live.segments import most_segments, resegment, with_rope
 from ropewalk.methods.names import Method
 from ropewalk.scene import Air, Fault, Ground, Scene, SceneError, Springs
-from ropewalk.scene.base import HUGE, TINY
+from ropewalk.scene.limits import HUGE, TINY
 
 NUMBER, WHOLE, VECTOR, CHOICE, FLAG = "number", "whole", "vector", "choice", "flag"
 ROPE, WORLD, AIR, GROUND, METHOD = "Rope", "World", "Air", "Ground", "Method"

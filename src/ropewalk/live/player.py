@@ -1,4 +1,4 @@
-"""The player: a thread that keeps a stage going, in step with the clock on the wall."""
+"""The player: a thread that keeps a broadcast going, in step with the clock on the wall."""
 
 from __future__ import annotations
 
@@ -24,10 +24,10 @@ class Playable(Protocol):
 
 
 class Player:
-    """Ticks a stage 60 times a second while it plays, and at once when a command comes in."""
+    """Ticks a broadcast 60 times a second while it plays, and at once when a command comes in."""
 
-    def __init__(self, stage: Playable) -> None:
-        self.stage = stage
+    def __init__(self, broadcast: Playable) -> None:
+        self.broadcast = broadcast
         self.error: BaseException | None = None
         self._wake = threading.Event()
         self._ended = threading.Event()
@@ -64,7 +64,7 @@ class Player:
         last = 0.0
         while not self._ended.is_set():
             now = time.perf_counter()
-            wait = last + (TICK if self.stage.playing else IDLE) - now
+            wait = last + (TICK if self.broadcast.playing else IDLE) - now
             if wait > 0.0 and self._wake.wait(wait):
                 early = last + EARLIEST - time.perf_counter()
                 if early > 0.0:
@@ -74,4 +74,4 @@ class Player:
                 return
             due, now = last + TICK, time.perf_counter()
             last = now if now < due else max(due, now - 0.5 * TICK)
-            self.stage.tick()
+            self.broadcast.tick()

@@ -13,10 +13,10 @@ from ropewalk.scene.presets import names
 from ropewalk.simulation import Simulation
 
 
-def svg(name: str, stage: Any) -> str | None:
+def svg(name: str, broadcast: Any) -> str | None:
     """Return the picture of a preset, or of the scene that the program was started with."""
     if name == START:
-        start = getattr(getattr(stage, "session", None), "start", None)
+        start = getattr(getattr(broadcast, "session", None), "start", None)
         return _at_rest(start[0]) if start else None
     return shipped(name) if name in names() else None
 

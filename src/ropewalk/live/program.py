@@ -1,4 +1,4 @@
-"""A stage for a simulation that the user's own program steps."""
+"""A broadcast for a simulation that the user's own program steps."""
 
 from __future__ import annotations
 

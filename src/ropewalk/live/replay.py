@@ -1,4 +1,4 @@
-"""A recorded run as a stage: says what there is and hands out frames; each page plays them by itself."""
+"""A recorded run as a broadcast: says what there is and hands out frames; each page plays them by itself."""
 
 from __future__ import annotations
 
@@ -24,8 +24,8 @@ from ropewalk.record.result import Result
 from ropewalk.scene import Scene
 
 
-class ReplayStage:
-    """A run, or the parts of a live session one after another, as a stage."""
+class ReplayBroadcast:
+    """A run, or the parts of a live session one after another, as a broadcast."""
 
     mode = "replay"
     can: tuple[str, ...] = ()  # a page needs nobody to play, pause or seek
@@ -53,7 +53,7 @@ class ReplayStage:
         return self.parts[0].result.scene
 
     def submit(self, item: Any, client: int, reply: Reply) -> None:
-        """Do something on the stage at once; refuse a command (from any thread)."""
+        """Do something in the broadcast at once; refuse a command (from any thread)."""
         if not isinstance(item, Command):
             item(self)
             return

@@ -12,7 +12,7 @@ from starlette.responses import PlainTextResponse, Response, StreamingResponse
 from starlette.routing import Route
 
 from ropewalk.live.hub import as_text
-from ropewalk.live.replay import ReplayStage
+from ropewalk.live.replay import ReplayBroadcast
 from ropewalk.record.errors import RunError
 
 MOST_FRAMES = 4096
@@ -20,19 +20,19 @@ _BYTES = "application/octet-stream"
 _NONE = b""
 
 
-def replay_routes(stage: Any) -> list[Route]:
-    """Return the routes of a stage that is a replay, none for another one."""
-    if not isinstance(stage, ReplayStage):
+def replay_routes(broadcast: Any) -> list[Route]:
+    """Return the routes of a broadcast that is a replay, none for another one."""
+    if not isinstance(broadcast, ReplayBroadcast):
         return []
 
     async def times() -> Response:
-        return Response(stage.times.astype("<f8").tobytes(), media_type=_BYTES)
+        return Response(broadcast.times.astype("<f8").tobytes(), media_type=_BYTES)
 
     async def layout(part: int) -> Response:
-        if not 0 <= part < len(stage.parts):
+        if not 0 <= part < len(broadcast.parts):
             return PlainTextResponse("no such part\n", 404)
         try:
-            made = await run_in_threadpool(stage.layout, part)
+            made = await run_in_threadpool(broadcast.layout, part)
         except RunError as error:
             return PlainTextResponse(f"{error}\n", 500)
         return Response(as_text(made), media_type="application/json")
@@ -41,7 +41,7 @@ def replay_routes(stage: Any) -> list[Route]:
         if first < 0 or not 0 < count <= MOST_FRAMES or every < 1:
             return PlainTextResponse("no such frames\n", 404)
         try:
-            made = await run_in_threadpool(_begun, stage.frames_between(first, count, every))
+            made = await run_in_threadpool(_begun, broadcast.frames_between(first, count, every))
         except RunError as error:
             return PlainTextResponse(f"{error}\n", 500)
         return StreamingResponse(made, media_type=_BYTES)

@@ -1,4 +1,4 @@
-"""Serving a stage: port, token, event loop and threads, from start to a clean end."""
+"""Serving a broadcast: port, token, event loop and threads, from start to a clean end."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ AT_ONCE = (
 
 
 class ViewServer:
-    """A stage behind a web server, in threads of its own; the page's files are there before the stage is."""
+    """A broadcast behind a web server, in threads of its own; the page's files are there before it is."""
 
     def __init__(
         self,
@@ -71,7 +71,7 @@ class ViewServer:
         token: str | None = None,
     ) -> None:
         """Take a port, by default PORT or one of the next. Raises OSError when there is none."""
-        self.stage: Any = None
+        self.broadcast: Any = None
         self.keeper: Keeper | None = None
         self.player: Player | None = None
         self.hub, self.door = Hub(), Door(page)
@@ -83,24 +83,24 @@ class ViewServer:
 
     def show(
         self,
-        stage: Any,
+        broadcast: Any,
         *,
         title: str = "",
         keeper: Keeper | None = None,
         folder: Path | None = None,
         play: bool = True,
     ) -> None:
-        """Let the pages see a stage, and keep it going unless its program does that."""
+        """Let the pages see a broadcast, and keep it going unless its program does that."""
         from ropewalk.live.app import Live, make_app
         from ropewalk.live.exports import Exports
 
-        self.stage, self.keeper = stage, keeper
-        self.player = Player(stage) if play else None
+        self.broadcast, self.keeper = broadcast, keeper
+        self.player = Player(broadcast) if play else None
         exports = Exports(self._scene_now(), self._run_folder(folder), title)
         wake = self.player.wake if self.player is not None else _nothing
-        stage.wake = wake
+        broadcast.wake = wake
         where = keeper.folder if keeper is not None else folder
-        self.live = Live(stage, self.hub, exports, wake=wake, folder=where, title=title)
+        self.live = Live(broadcast, self.hub, exports, wake=wake, folder=where, title=title)
         self.door.open(make_app(self.live))
         if self._thread is not None:
             self._begin()
@@ -113,8 +113,8 @@ class ViewServer:
         return f"http://{name}:{self.port}/{self.token}/"
 
     def _scene_now(self) -> Callable[[], Scene] | None:
-        if not hasattr(self.stage, "session"):
-            scene = getattr(self.stage, "scene", None)
+        if not hasattr(self.broadcast, "session"):
+            scene = getattr(self.broadcast, "scene", None)
             return None if scene is None else (lambda: scene)
 
         def ask() -> Scene:
@@ -122,9 +122,9 @@ class ViewServer:
 
             found: Future[Frozen] = Future()
 
-            def answer(stage: Any) -> None:
+            def answer(broadcast: Any) -> None:
                 try:
-                    found.set_result(Frozen.of(stage.session))
+                    found.set_result(Frozen.of(broadcast.session))
                 except BaseException as error:
                     found.set_exception(error)
 
@@ -139,7 +139,7 @@ class ViewServer:
         return None if folder is None else (lambda: folder)
 
     def start(self) -> None:
-        """Begin to serve, and to play once there is a stage; the second call does nothing."""
+        """Begin to serve, and to play once there is a broadcast; the second call does nothing."""
         if self._thread is not None:
             return
         import uvicorn
@@ -170,11 +170,11 @@ class ViewServer:
         )
         self._thread.start()
         ready.wait(10.0)
-        if self.stage is not None:
+        if self.broadcast is not None:
             self._begin()
 
     def _begin(self) -> None:
-        self.stage.audience = self.hub
+        self.broadcast.audience = self.hub
         if self.player is not None:
             self.player.start()
 
@@ -213,8 +213,8 @@ class ViewServer:
         where = str(self.keeper.folder) if self.keeper is not None else None
         self.hub.tell({"type": "bye", "text": text, "folder": where})
         self.door.close(text)
-        if self.stage is not None:
-            self.stage.close()
+        if self.broadcast is not None:
+            self.broadcast.close()
         if self._server is not None:
             self._server.should_exit = True
         if self._thread is not None:

@@ -50,7 +50,7 @@ class View:
         by itself, or is closed.
         """
         if self._open and self._server.player is None:
-            self._server.stage.tick()
+            self._server.broadcast.tick()
 
     def wait(self) -> None:
         """Wait until the view ends or Ctrl-C is pressed (which ends it)."""

@@ -11,7 +11,7 @@ from ropewalk.laws.acting import section_of
 from ropewalk.laws.parting import NAME as PARTING
 from ropewalk.laws.registry import NODE_LAWS
 from ropewalk.scene import Rope, Scene, Winch
-from ropewalk.scene.base import MOST_ON_DRUM
+from ropewalk.scene.limits import MOST_ON_DRUM
 from ropewalk.scene.obstacles import is_free
 
 ROPES = "ropes on ropes"

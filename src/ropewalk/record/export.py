@@ -28,7 +28,7 @@ LAYOUTS = ("long", "wide")
 
 
 def export(
-    run: Result | str | Path,
+    result: Result,
     to: str,
     out: str | Path,
     *,
@@ -40,7 +40,7 @@ def export(
     layout: str = "long",
     overwrite: bool = False,
 ) -> tuple[Path, ...]:
-    """Write a run for other programs, in pieces; return the files to open.
+    """Write a result for other programs, in pieces; return the files to open.
 
     csv and parquet make up to nine tables in the folder `out` (nodes, segments, anchors, joints, pulleys,
     contacts, rope_contacts, wraps, run), or the file `out` itself where one table is asked for and `out`
@@ -48,7 +48,7 @@ def export(
     frame.
 
     Args:
-        run: result, or run folder.
+        result: of a run in memory, or of a run folder: `Result.open(folder)`.
         to: csv, parquet, npz or vtk.
         out: file or folder to make.
         quantities: of positions, velocities, tension, elastic_tension, rest_length, energy, work,
@@ -61,13 +61,12 @@ def export(
         layout: "long", a row per frame and node, or "wide", a row per frame.
         overwrite: replace files of an earlier export.
 
-    Raises InputError for a request that cannot be met, RunError for the run or the files.
+    Raises InputError for a request that cannot be met, RunError for the files.
     """
     if to not in FORMATS:
         raise InputError("to", to, f"no such format; {nearest(to, FORMATS)}")
     if layout not in LAYOUTS:
         raise InputError("layout", layout, f"no such layout; {nearest(layout, LAYOUTS)}")
-    result = _opened(run) if isinstance(run, str | Path) else run
     chosen = select(result, quantities, nodes, times, every, rope)
     out = Path(out)
     if to == "npz":
@@ -160,12 +159,6 @@ def _parquet_writer(out: Path) -> Any:
                 writer.close()
 
     return write
-
-
-def _opened(folder: str | Path) -> Result:
-    from ropewalk.record.result import Result
-
-    return Result.open(folder)
 
 
 def write_npz(result: Result, chosen: Selection, path: Path) -> None:

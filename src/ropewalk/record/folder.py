@@ -1,4 +1,4 @@
-"""The run folder: what it holds, how it comes to be, how it is opened.
+"""The run folder: what it holds, how it comes to be, how it is opened and compared with its checksums.
 
 scene.toml        the scene as it was run
 provenance.json   versions, machine, method, steps, start and end
@@ -12,24 +12,34 @@ status.json       running, finished, broke or interrupted; up to where
 from __future__ import annotations
 
 import hashlib
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import asdict
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ropewalk.lowering import Layout, Plan
 from ropewalk.lowering.layout import make_layout
 from ropewalk.methods.registry import METHODS
-from ropewalk.record import beyond
+from ropewalk.record import beyond, checkpoint
 from ropewalk.record.ends import from_dicts
 from ropewalk.record.errors import RunError
 from ropewalk.record.event_log import fault_of, log, read_events, until
 from ropewalk.record.facts import INTERRUPTED, RUNNING, Facts, now
 from ropewalk.record.files import read_json, reading, write
 from ropewalk.record.lock import is_locked
-from ropewalk.record.place import DATA, PROVENANCE, SCENE, STATUS, new_folder
+from ropewalk.record.place import (
+    BEYOND,
+    CHECKPOINT,
+    DATA,
+    EVENTS,
+    PROVENANCE,
+    SCENE,
+    STATUS,
+    new_folder,
+)
 from ropewalk.record.reader import Stored, reads
-from ropewalk.record.seal import read_sealed, write_sealed
+from ropewalk.record.seal import log_fault, read_sealed, write_sealed
 from ropewalk.record.store import CHECKED, FORMAT, READABLE, SEALED, Writer
 from ropewalk.scene import Scene, SceneError, dumps, load
 from ropewalk.scene.from_library import origin
@@ -179,6 +189,54 @@ def open_parts(folder: Path) -> tuple[Scene, Facts, Stored]:
     except PermissionError:
         raise RunError(folder, "cannot be read: there is no permission") from None
     return scene, facts, stored
+
+
+class Verdict(NamedTuple):
+    """What was looked at and what is damaged: one error for each file."""
+
+    chunks: int
+    faults: tuple[RunError, ...]
+    sealed: bool  # all but the chunks and checkpoint.npz has checksums too
+
+
+def verify(folder: Path) -> Verdict:
+    """Read all of a run, and compare it with its checksums: chunks, metadata, checkpoint, log.
+
+    Scene, provenance and status are compared whenever a run is opened. In folders of formats 3 and 4 only
+    chunks, checkpoint and scene can be verified. Raises RunError when the folder is so damaged that one
+    cannot tell what should be there.
+    """
+    _, facts, stored = open_parts(folder)
+    if not stored.checked:
+        raise RunError(folder, "was written before runs had checksums: it cannot be verified")
+    paths = list(stored.files())
+    faults = [fault for path in paths if (fault := stored.fault(path))]
+    for part, read in ((CHECKPOINT, checkpoint.read), (BEYOND, beyond.load)):
+        if (folder / part).exists():
+            faults += _raised(read, folder)
+    if stored.sealed:
+        faults += _of_texts(folder, stored, ended=facts.status not in (RUNNING, INTERRUPTED))
+    return Verdict(len(paths), tuple(faults), stored.sealed)
+
+
+def _of_texts(folder: Path, stored: Stored, *, ended: bool) -> Iterator[RunError]:
+    if fault := stored.root_fault():
+        yield fault
+    else:
+        yield from stored.header_faults(ended=ended)
+    path = folder / EVENTS
+    if path.exists():
+        with reading(path):
+            wrong = log_fault(path.read_bytes())
+        if wrong:
+            yield RunError(path, wrong)
+
+
+def _raised(read: Callable[[Path], object], folder: Path) -> Iterator[RunError]:
+    try:
+        read(folder)
+    except RunError as error:
+        yield error
 
 
 def save_result(result: Result, folder: Path, overwrite: bool) -> None:

@@ -22,6 +22,8 @@ from pydantic import (
 from pydantic_core import PydanticCustomError
 
 from ropewalk.scene.faults import Fault, SceneError
+from ropewalk.scene.limits import HUGE, TINY
+from ropewalk.scene.sentences import faults_of
 from ropewalk.scene.signatures import docstring, signature
 from ropewalk.scene.units import WrongUnit, in_unit
 
@@ -32,16 +34,8 @@ if TYPE_CHECKING:
 else:
     _PydanticMeta = type(BaseModel)
 
-#: Largest magnitude of any quantity; beyond it squares and products leave float64.
-HUGE = 1e15
-#: Smallest value of a quantity that must be positive; below it reciprocals leave float64.
-TINY = 1e-12
 #: What a part of a scene may be called.
 NAME = r"^[^\W\d_][\w-]*$"
-#: Most segments a scene may have.
-MOST_SEGMENTS = 10_000_000
-#: Most segments that wait on a winch's drum.
-MOST_ON_DRUM = 1_000_000
 
 
 def _plain(value: Any) -> Any:
@@ -268,8 +262,6 @@ class Model(BaseModel, metaclass=_Sentences):
 
     @classmethod
     def _scene_error(cls, error: ValidationError, data: Any, context: Any) -> SceneError:
-        from ropewalk.scene.sentences import faults_of
-
         faults = faults_of(cls, error)
         known = {fault.path for fault in faults}
         more = cls._more_faults(data, context)

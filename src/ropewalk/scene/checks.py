@@ -7,10 +7,10 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import chain, islice
 
 from ropewalk.scene.anchor import Anchor
-from ropewalk.scene.base import MOST_ON_DRUM, MOST_SEGMENTS
 from ropewalk.scene.environment import Limiter
 from ropewalk.scene.faults import MISSING, NO_VALUE, Fault
 from ropewalk.scene.joint import Joint, Tie
+from ropewalk.scene.limits import MOST_ON_DRUM, MOST_SEGMENTS, MOST_TOLD
 from ropewalk.scene.rope import Rope, node_range
 from ropewalk.scene.shapes import Slack
 from ropewalk.scene.winch import Winch
@@ -18,7 +18,6 @@ from ropewalk.words.nearest import nearest
 
 #: A catenary's ends must be apart across gravity by this fraction of the rope's length.
 _LEAST_WIDTH = 1e-6
-MOST_TOLD = 200  # faults told one by one; a scene with more of them is something else
 
 
 def scene_faults(

@@ -9,8 +9,9 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from ropewalk.scene.base import HUGE, refuse
+from ropewalk.scene.base import refuse
 from ropewalk.scene.faults import Fault
+from ropewalk.scene.limits import HUGE
 from ropewalk.scene.units import WrongUnit, in_unit
 
 if TYPE_CHECKING:

@@ -9,7 +9,6 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, ValidationInfo, model_validator
 
 from ropewalk.scene.base import (
-    HUGE,
     Many,
     Model,
     Number,
@@ -23,6 +22,7 @@ from ropewalk.scene.base import (
     vector,
 )
 from ropewalk.scene.faults import MISSING, NO_VALUE, Fault
+from ropewalk.scene.limits import HUGE
 
 
 class Fixed(Model):

@@ -8,7 +8,6 @@ from typing import Annotated, Any, Literal
 from pydantic import AliasChoices, Field, model_validator
 
 from ropewalk.scene.base import (
-    HUGE,
     Flag,
     Many,
     Model,
@@ -22,6 +21,7 @@ from ropewalk.scene.base import (
     vector,
 )
 from ropewalk.scene.faults import MISSING, NO_VALUE, Fault
+from ropewalk.scene.limits import HUGE
 from ropewalk.scene.mesh import Mesh, Sdf
 from ropewalk.scene.motions import (
     Table,

@@ -6,7 +6,7 @@ import types
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
-from typing import Annotated, Any, Union, get_args, get_origin
+from typing import Annotated, Any, TypeVar, Union, get_args, get_origin
 
 from pydantic import AliasChoices, BaseModel
 from pydantic.fields import FieldInfo
@@ -14,6 +14,14 @@ from pydantic.fields import FieldInfo
 from ropewalk.scene.faults import join
 
 ModelType = type[BaseModel]
+M = TypeVar("M", bound=ModelType)
+_roots: list[ModelType] = []
+
+
+def root_of_paths(model: M) -> M:
+    """Say of a model that all paths begin at it: a decorator of `Scene`, which knows its parts itself."""
+    _roots[:] = [model]
+    return model
 
 
 @dataclass(frozen=True)
@@ -83,9 +91,7 @@ def by_tag(models: Sequence[ModelType], wanted: object) -> ModelType | None:
 
 def siblings(model: ModelType) -> tuple[ModelType, ...]:
     """All the models that may stand where this one stands: the kinds of its union."""
-    from ropewalk.scene.scene import Scene
-
-    for _, owner in sections(Scene):
+    for _, owner in all_sections():
         for field in owner.model_fields.values():
             models = kind_of(field).models
             if model in models:
@@ -134,3 +140,8 @@ def sections(root: ModelType, prefix: str = "") -> tuple[tuple[str, ModelType], 
         for model in kind_of(field).models:
             found += sections(model, join(prefix, key))
     return tuple(found)
+
+
+def all_sections() -> tuple[tuple[str, ModelType], ...]:
+    """Every model of a scene with its path in TOML; none before there is a scene."""
+    return sections(_roots[0]) if _roots else ()

@@ -10,7 +10,6 @@ from pydantic import Field, ValidationInfo, model_validator
 from ropewalk.library import names
 from ropewalk.scene.at_nodes import Force, Kick, Load
 from ropewalk.scene.base import (
-    MOST_SEGMENTS,
     NAME,
     Flag,
     Many,
@@ -32,6 +31,7 @@ from ropewalk.scene.data_sheet import FromDataSheet
 from ropewalk.scene.faults import MISSING, Fault
 from ropewalk.scene.from_library import filled, with_diameter
 from ropewalk.scene.knot_shape import Knot
+from ropewalk.scene.limits import MOST_SEGMENTS
 from ropewalk.scene.shapes import Points, Shape, Slack, Straight
 from ropewalk.scene.solid_fields import relaxation_time, relaxing_EA, solid_faults
 from ropewalk.scene.tension_curves import Curve, curve_fault, with_curve

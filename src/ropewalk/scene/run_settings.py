@@ -7,8 +7,9 @@ from typing import Annotated, Any, Literal
 from pydantic import BeforeValidator, Field, model_validator
 
 from ropewalk.methods.names import Method
-from ropewalk.scene.base import HUGE, TINY, Model, Number, not_negative, positive, refuse
+from ropewalk.scene.base import Model, Number, not_negative, positive, refuse
 from ropewalk.scene.faults import NO_VALUE, Fault
+from ropewalk.scene.limits import HUGE, TINY
 from ropewalk.scene.ring import Ring
 from ropewalk.scene.units import WrongUnit
 

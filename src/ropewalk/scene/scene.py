@@ -17,6 +17,7 @@ from ropewalk.scene.environment import Air, Ground, Limiter
 from ropewalk.scene.faults import Fault, SceneError
 from ropewalk.scene.joint import Joint
 from ropewalk.scene.obstacles import Obstacle
+from ropewalk.scene.paths import root_of_paths
 from ropewalk.scene.rope import Rope, Springs
 from ropewalk.scene.rope_contact import Contact, contact_faults
 from ropewalk.scene.run_settings import RunSettings
@@ -31,6 +32,7 @@ _VIEW = "ropewalk.live.view"  # a layer above this one, so it is looked up when 
 _P = TypeVar("_P", bound=Model)
 
 
+@root_of_paths
 class Scene(Model):
     """Ropes, what holds them, what surrounds them, and how to run them. All SI."""
 

@@ -9,17 +9,16 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from ropewalk.scene.base import TINY
-from ropewalk.scene.checks import MOST_TOLD
 from ropewalk.scene.faults import MISSING, NO_VALUE, Fault, join
+from ropewalk.scene.limits import MOST_TOLD, TINY
 from ropewalk.scene.paths import (
     ModelType,
     Place,
+    all_sections,
     by_tag,
     keys,
     kind_of,
     place,
-    sections,
     siblings,
     tag,
 )
@@ -91,15 +90,13 @@ def _unit(where: Place) -> str:
 
 def _unknown(where: Place, key: str) -> str:
     """What to say of an unknown key: the nearest known one, or the section it belongs to."""
-    from ropewalk.scene.scene import Scene
-
     owner = where.owner
     if key in keys(owner) or key in owner.model_fields:
         return "is given already, by its name in Python; leave out one of the two"
     others = [repr(tag(one)) for one in siblings(owner) if key in keys(one)]
     if others:
         return f"unknown key of {tag(owner)!r}; only {', '.join(others)} have it"
-    homes = [join(path, key) for path, model in sections(Scene) if key in keys(model)]
+    homes = [join(path, key) for path, model in all_sections() if key in keys(model)]
     home = next((path for path in homes if path.count(".") <= 1), None)
     if home is not None and key != "kind":
         return f'unknown key here; it belongs to "{home}"'

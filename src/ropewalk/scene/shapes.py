@@ -13,9 +13,10 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 import numpy as np
 from pydantic import Field, ValidationInfo, model_validator
 
-from ropewalk.scene.base import HUGE, Many, Number, Text, Vector, positive, refuse, vector
+from ropewalk.scene.base import Many, Number, Text, Vector, positive, refuse, vector
 from ropewalk.scene.faults import MISSING, NO_VALUE, Fault
 from ropewalk.scene.knot_shape import Knot
+from ropewalk.scene.limits import HUGE
 from ropewalk.scene.shape_model import ShapeModel
 
 if TYPE_CHECKING:

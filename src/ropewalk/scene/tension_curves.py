@@ -12,9 +12,10 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 import numpy as np
 from pydantic import Field, TypeAdapter, ValidationError, ValidationInfo, model_validator
 
-from ropewalk.scene.base import HUGE, Many, Model, Number, Text, positive, refuse
+from ropewalk.scene.base import Many, Model, Number, Text, positive, refuse
 from ropewalk.scene.csv_columns import folder_of
 from ropewalk.scene.faults import MISSING, NO_VALUE, Fault
+from ropewalk.scene.limits import HUGE
 from ropewalk.theory.curve import at_strain, at_tension, is_straight, pieces_of, slope_range
 
 if TYPE_CHECKING:

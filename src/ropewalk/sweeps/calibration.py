@@ -184,7 +184,7 @@ class Calibration:
 def calibrate(
     scene: SceneLike,
     measured: Any,
-    bounds: Mapping[str, tuple[float, float]],
+    ranges: Mapping[str, tuple[float, float]],
     *,
     level: float = 0.9,
     starts: int = 8,
@@ -199,7 +199,7 @@ def calibrate(
         scene: scene, preset's name, or scene file: how it was measured.
         measured: one or several of `rw.calibrate.sag`, `shape`, `pull_test`, `droop`, `swing`, `track` and
             `kept`, or a mapping from what a sweep keeps to (values, error).
-        bounds: by path, (low, high); far apart ones are searched by factors.
+        ranges: by path, (low, high); far apart ones are searched by factors.
         level: of the intervals [1].
         starts: places to start from besides the scene's own values, made the next power of two; the best
             three are followed.
@@ -215,7 +215,7 @@ def calibrate(
     loaded = as_scene(scene)
     found = as_measurements(measured)
     _refuse(found, level, starts, seed)
-    scales = make_scales(loaded, bounds)
+    scales = make_scales(loaded, ranges)
     residuals = Residuals(loaded, found, scales, {"on": on, "workers": workers})
     try:
         share, same = _search(residuals, loaded, starts, seed)
@@ -271,7 +271,7 @@ def _search(
     order = [i for i in np.argsort(costs) if np.isfinite(costs[i])][:3]
     if not order:
         raise NotFitted(
-            "every start broke: no run ended well anywhere in the bounds that were tried; "
+            "every start broke: no run ended well anywhere in the ranges that were tried; "
             f"the first: {residuals.reason or 'no number came of it'}"
         )
     # A run that breaks must never look better than one that only lies far off.
@@ -290,7 +290,7 @@ def _search(
 
 
 def _own_start(residuals: Residuals, scene: Scene) -> Floats:
-    """The scene's own values where they are within the bounds, else the middle."""
+    """The scene's own values where they are within the ranges, else the middle."""
     from ropewalk.scene.overrides import Places
 
     places, found = Places(scene, residuals.paths), []
@@ -302,7 +302,7 @@ def _own_start(residuals: Residuals, scene: Scene) -> Floats:
 
 
 def _ends(share: Floats, findings: Findings) -> list[tuple[float, float]]:
-    """Return the intervals of the covariance as shares of the ranges, cut at the bounds."""
+    """Return the intervals of the covariance as shares of the ranges, cut at their ends."""
     half = findings.quantile * findings.deviation
     ends = np.clip([share - half, share + half], 0.0, 1.0)  # NaN stays
     return [(float(low), float(high)) for low, high in ends.T]
@@ -333,7 +333,9 @@ def _answer(
         )
     for path, part in zip(residuals.paths, share, strict=True):
         if part < 1e-3 or part > 1.0 - 1e-3:
-            words.append(f"{path} ends at its bound; widen it if that is no natural limit.")
+            words.append(
+                f"{path} ends at the end of its range; widen it if that is no natural limit."
+            )
     return Calibration(
         scene=places.scene(row),
         values=dict(zip(residuals.paths, row, strict=True)),
@@ -351,7 +353,7 @@ def _answer(
 
 
 class Calibrate:
-    """`rw.calibrate(scene, measured, bounds)` fits; `sag`, `shape`, ... make what was measured."""
+    """`rw.calibrate(scene, measured, ranges)` fits; `sag`, `shape`, ... make what was measured."""
 
     __call__ = staticmethod(calibrate)
     sag: Callable[..., Measurement] = staticmethod(measurements.sag)

@@ -1,4 +1,4 @@
-"""The bounds of a fit: what they may be, and their ranges as shares from 0 to 1."""
+"""The ranges of a fit: what they may be, and their values as shares from 0 to 1."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from ropewalk.scene import Scene, SceneError
 from ropewalk.scene.faults import NO_VALUE, Fault
 from ropewalk.scene.overrides import Places
 
-_LOGARITHMIC = 20.0  # bounds this far apart are searched by factors
+_LOGARITHMIC = 20.0  # ends this far apart are searched by factors
 
 
 @dataclass(frozen=True)
@@ -41,20 +41,20 @@ class Scale:
         return (value - self.low) / (self.high - self.low)
 
 
-def make_scales(scene: Scene, bounds: Mapping[str, Any]) -> dict[str, Scale]:
-    """Return the ranges by path. Raises SceneError for bounds in which no scene can be found."""
-    if not bounds:
-        raise SceneError([Fault("bounds", NO_VALUE, "is empty: name at least one path to fit")])
+def make_scales(scene: Scene, ranges: Mapping[str, Any]) -> dict[str, Scale]:
+    """Return the ranges by path. Raises SceneError for those in which no scene can be found."""
+    if not ranges:
+        raise SceneError([Fault("ranges", NO_VALUE, "is empty: name at least one path to fit")])
     faults: list[Fault] = []
     made = {}
-    for path, pair in bounds.items():
+    for path, pair in ranges.items():
         try:
             low, high = (float(value) for value in pair)
         except (TypeError, ValueError):
-            faults.append(Fault(path, str(pair), "must be bounds (low, high)"))
+            faults.append(Fault(path, str(pair), "must be a range (low, high)"))
             continue
         if not (math.isfinite(low) and math.isfinite(high) and low < high):
-            faults.append(Fault(path, [low, high], "must be bounds (low, high), low below high"))
+            faults.append(Fault(path, [low, high], "must be a range (low, high), low below high"))
             continue
         made[path] = Scale(low, high)
     if not faults:
@@ -66,9 +66,9 @@ def make_scales(scene: Scene, bounds: Mapping[str, Any]) -> dict[str, Scale]:
 
 
 def _refused(scene: Scene, path: str, scale: Scale) -> list[Fault]:
-    """Return what the scene has against every value within these bounds, whatever the others are.
+    """Return what the scene has against every value of this range, whatever the others are.
 
-    A bound alone may be refused: a fit can still end between the bounds.
+    An end alone may be refused: a fit can still end between the two.
     """
     places = Places(scene, [path])
     field, place = places.field(0)

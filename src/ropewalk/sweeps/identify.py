@@ -10,14 +10,14 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats
 
-#: A value whose interval is wider than this share of its bounds is not determined.
+#: A value whose interval is wider than this share of its range is not determined.
 _WIDE = 0.7
-#: A direction in which the values are looser than this share of the bounds is not determined.
+#: A direction in which the values are looser than this share of the ranges is not determined.
 _LOOSE = 0.3
 _PART = 0.25  # a value takes part in a direction with at least this share of it
 _TIED = 0.98  # correlation of values that the measurement hardly tells apart
 _TINY = 1e-12
-_AT = 1e-3  # of the bounds: nearer to one of them is at it
+_AT = 1e-3  # of the range: nearer to an end of it is at it
 _UNSEEN = "{} does not show in this measurement."
 
 
@@ -107,11 +107,11 @@ def verdict(
 
     Args:
         words: those of `identify`.
-        ends: of the interval of every value, as shares of its bounds; NaN where it cannot be told.
+        ends: of the interval of every value, as shares of its range; NaN where it cannot be told.
         names: of the values.
 
-    A value whose interval is cut by a bound, or takes up most of the way between them, is not determined:
-    there the bounds speak, not the measurement.
+    A value whose interval is cut by an end of its range, or takes up most of it, is not determined:
+    there the range speaks, not the measurement.
     """
     told = list(words)
     for name, (low, high) in zip(names, ends, strict=True):
@@ -119,11 +119,13 @@ def verdict(
         if _UNSEEN.format(name) in words:
             continue
         if len(at) == 2:
-            told.append(f"{name} is not determined: its interval spans its bounds.")
+            told.append(f"{name} is not determined: its interval spans its range.")
         elif at:
-            told.append(f"{name} is not determined: its interval ends at its {at[0]} bound.")
+            told.append(
+                f"{name} is not determined: its interval ends at the {at[0]} end of its range."
+            )
         elif high - low > _WIDE:
-            told.append(f"{name} is not determined: its interval spans most of its bounds.")
+            told.append(f"{name} is not determined: its interval spans most of its range.")
     if not told and np.isfinite(ends).all():
         alone = f"The measurement determines {names[0]}."
         told.append("The measurement tells all of them apart." if len(names) > 1 else alone)

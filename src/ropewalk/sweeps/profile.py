@@ -25,7 +25,7 @@ def profile_intervals(
     """Return the interval of every value, as shares of the ranges.
 
     It ends where the sum of squares has risen by the quantile squared, times the variance that the fit
-    leaves when the errors are not known; or at the bound.
+    leaves when the errors are not known; or at the end of the range.
     """
     best = residuals(share)
     least = float(best @ best)

@@ -66,7 +66,7 @@ def info(folder: Path, checked: bool, as_json: bool) -> None:
 
 def _verified(folder: Path) -> str:
     """Return what was compared with its checksums and is sound. Raises Refusal that names what is not."""
-    from ropewalk.record.verify import verify
+    from ropewalk.record.folder import verify
 
     verdict = verify(folder)
     if verdict.faults:
