@@ -11,6 +11,8 @@ from ropewalk.analysis.check import check
 from ropewalk.analysis.cost import seconds_per_step
 from ropewalk.analysis.unit_slips import unit_slips
 from ropewalk.api import preset, simulate
+from ropewalk.library import names
+from ropewalk.library import rope as library_rope
 from ropewalk.lowering import build
 from ropewalk.scene import (
     Anchor,
@@ -151,7 +153,7 @@ def test_run_time_is_measured_when_the_kernel_is_there() -> None:
 
 
 def material(**changes: object) -> Rope:
-    fields = {"EA": 2e4, "mass_per_length": 0.06}
+    fields = {"EA": 2e4, "mass_per_length": 0.06, "breaking_load": None}
     rope = {"segments": 10, "length": 10.0, "shape": Straight(start=(0, 0, 0))}
     for key, value in changes.items():
         (fields if key in fields else rope)[key] = value
@@ -203,6 +205,20 @@ def test_strains_in_per_cent_are_a_slip() -> None:
         ({"mass_per_length": 60.0, "diameter": 0.01}, "density"),
         ({"EA": 0.05, "diameter": 0.01}, "that of no material"),
         ({"diameter": 10.0}, "not a rope's"),
+        (
+            {"breaking_load": 20.0},
+            "bears 34 m of this rope, of 0.06 kg/m; kN for N, or g/m for kg/m?",
+        ),
+        ({"breaking_load": 20e3, "mass_per_length": 60.0}, "kN for N, or g/m for kg/m?"),
+        ({"breaking_load": 4e5}, "where no rope breaks; kN for N in one of them?"),
+        ({"breaking_load": 20e3, "EA": 1e3}, "where no rope breaks"),
+        ({"breaking_load": 20e3}, ""),
+        ({"breaking_load": 900.0, "EA": 75.0, "mass_per_length": 0.047}, ""),  # rubber
+        ({"length": 30e3}, "30000 m of rope; lengths in millimetres?"),
+        (
+            {"length": 0.03, "diameter": 0.012, "EA": 5e6, "mass_per_length": 0.5},
+            "is not a rope's shape",
+        ),
     ],
 )
 def test_slips_of_a_material(changes: dict[str, object], words: str) -> None:
@@ -260,6 +276,18 @@ def test_real_ropes_pass(diameter: float, EA: float, line: float) -> None:
     rope = material(diameter=diameter, EA=EA, mass_per_length=line)
     made = scene().model_copy(update={"ropes": (rope,)})
     assert unit_slips(build(made)) == []
+
+
+def test_no_rope_of_the_library_looks_like_a_slip() -> None:
+    """Whole, with its guesses: from a spider's thread to a mooring chain."""
+    for name in names():
+        one = library_rope(name)
+        made_of = one.material(guesses=True)
+        piece = Rope(
+            segments=4, length=500.0 * one.diameter, diameter=one.diameter, made_of=made_of,
+            shape=Straight(start=(0, 0, 0)),
+        )  # fmt: skip
+        assert unit_slips(build(scene().model_copy(update={"ropes": (piece,)}))) == [], name
 
 
 def test_durations_that_are_no_whole_frames() -> None:

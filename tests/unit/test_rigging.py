@@ -6,6 +6,7 @@ import math
 from typing import Any
 
 import numpy as np
+import pint
 import pytest
 
 import ropewalk as rw
@@ -51,7 +52,11 @@ def test_a_line_of_what_does_not_stretch() -> None:
         ({"sag": "3 kg"}, "of another kind"),
         ({"sag": "2cm%"}, "or a share of the span such as"),
         ({"sag": -1.0}, "greater than 0"),
-        ({"pretension": 10.0}, "must be from 1217"),
+        ({"pretension": 10.0}, "10.0 - must be from 1.217 kN to 6.377 MN"),
+        ({"pretension": "15 kgf"}, '"15 kgf" - must be from 1.217 kN'),
+        ({"sag": "-2 %"}, "must be a share of the span greater than 0"),
+        ({"sag": "1/2 %"}, "must be a length such as"),
+        ({"length": "10 m"}, '"10 m" - must be more than'),
         ({"length": 10.0}, "no rope stretches that far"),
         ({"length": 1e5}, "must be at most"),
         ({"sag": "x"}, "must be a number of m"),
@@ -60,6 +65,57 @@ def test_a_line_of_what_does_not_stretch() -> None:
 def test_what_cannot_be_is_refused(given: dict[str, object], words: str) -> None:
     with pytest.raises(SceneError, match=words):
         rw.line(300.0, 0.0, "wire-7x19-12", **given)  # type: ignore[arg-type]
+
+
+def test_a_sag_may_be_a_share_in_any_form() -> None:
+    units = pint.UnitRegistry()
+    for sag in ("2 %", "2 percent", 2 * units.percent, "6 m", 6.0, 600 * units.centimeter):
+        assert rw.line(300.0, 0.0, "wire-7x19-12", sag=sag).sag == pytest.approx(6.0)  # type: ignore[arg-type]
+
+
+def test_places_of_a_load_may_have_units() -> None:
+    line = rw.line("300 m", 0.0, "wire-7x19-12", sag="2 %")
+    one = line.rolling("80 kg", at=150.0)
+    assert line.rolling("80 kg", at="150 m").table == one.table
+    assert line.rolling(
+        "80 kg", at=["100 m", 15000 * pint.UnitRegistry().cm]
+    ).place == pytest.approx([100, 150])
+    with pytest.raises(SceneError, match='at: "150 kg" - is of another kind'):
+        line.rolling("80 kg", at="150 kg")
+    with pytest.raises(SceneError, match="must be places in m"):
+        line.rolling("80 kg", at="middle")
+    with pytest.raises(ValueError, match="places: 2.5 - must be a whole number"):
+        line.rolling("80 kg", places=2.5)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        (
+            {"span": 300.0, "sag": 0.02},
+            'is 0.00667 % of the span; a share of it is written as "2 %"',
+        ),
+        ({"span": 300.0, "sag": "2 %"}, ""),
+        ({"span": "300 mm", "sag": "2 %"}, "the span is 25 times the rope's diameter of 12 mm"),
+        ({"span": "300 km", "sag": "5 %"}, "longer than any; millimetres for metres?"),
+        ({"span": 300.0, "length": 200.0}, "by 50 %; kN for N, or grams for kilograms?"),
+    ],
+)
+def test_slips_of_units_in_a_line_are_told(given: dict[str, Any], words: str) -> None:
+    line = rw.line(given.pop("span"), 0.0, "wire-7x19-12", **given)
+    told = " ".join(line.notes())
+    assert words in told
+    assert bool(told) is bool(words)
+    assert all(note in str(line) for note in line.notes())
+
+
+def test_a_load_of_grams_is_told_and_rubber_may_stretch() -> None:
+    webbing = rw.Material(EA=1e5, mass_per_length=0.06)
+    line = rw.line(60.0, 0.0, webbing, sag="2 %")
+    assert "grams for kilograms?" in str(line.rolling(80e3, at=30.0))
+    assert "grams" not in str(line.rolling(80.0, at=30.0))
+    rubber = rw.Material(EA=75.0, mass_per_length=0.047)
+    assert rw.line(2.0, 0.0, rubber, pretension=50.0).notes() == []
 
 
 def test_a_climbing_rope_is_taken_as_it_is_at_rest() -> None:
@@ -196,12 +252,66 @@ def test_data_sheets_that_cannot_be() -> None:
             lambda M: M.from_fall(8800, 0.32, 0.06, static_elongation=0.09, later_force="6 kN"),
             '"6 kN" - must be at least impact_force, 8800 N',
         ),
+        (
+            lambda M: M.from_fall(8.8, 0.32, 0.06),
+            '; kN for N? Write it as "8.8 kN"',
+        ),
+        (
+            lambda M: M.from_fall("8.8 kN", "0.32 %", 0.06),
+            "is 0.32 %, and no rope stretches so little in a fall; 32 %?",
+        ),
+        (lambda M: M.from_fall("8.8 kN", 0.32, 61), "mass_per_length: 61 - must be at most 1 kg/m"),
+        (
+            lambda M: M.from_fall("8.8 kN", 0.32, 0.06, length=2800),
+            "must be at most 300 m; it is taken",
+        ),
+        (
+            lambda M: M.from_fall("8.8 kN", 0.32, 0.06, factor=177),
+            "factor: 177 - must be at most 10",
+        ),
+        (lambda M: M.from_fall("8.8 kN", 0.32, 0.06, factor="x"), 'factor: "x" - must be a number'),
+        (
+            lambda M: M.from_fall("8.8 kN", 0.32, 0.06, static_elongation="93 %"),
+            '"93 %" - must be below dynamic_elongation, 32 %',
+        ),
+        (
+            lambda M: M.from_fall("8.8 kN", 0.32, 0.06, static_elongation="1 %"),
+            'static_elongation: "1 %" - makes a rope of EA 73526 N at rest, which must be below',
+        ),
+        (
+            lambda M: M.from_fall("8.8 kN", 0.32, 0.06, static_elongation=0.09, edge_friction=50),
+            "edge_friction: 50 - must be at most 4",
+        ),
     ],
 )
 def test_slips_of_a_hundred_and_a_thousand_in_data_sheets(made: Any, words: str) -> None:
     with pytest.raises(SceneError) as error:
         made(rw.Material)
     assert words in str(error.value)
+
+
+def test_half_and_twin_ropes_taken_for_single_ones_are_told_how_they_fall() -> None:
+    """A label of 55 kg, or of two strands, in the place of another."""
+    M = rw.Material
+    half = {"static_elongation": "9 %"}
+    with pytest.raises(SceneError, match='"6 kN" - must be from .*half rope.*falling_mass=55'):
+        M.from_fall("6 kN", "31 %", "42 g/m", **half)
+    assert M.from_fall("6 kN", "31 %", "42 g/m", falling_mass=55, **half).relaxing_EA
+    twin = {"static_elongation": "6 %", "falling_mass": 40, "static_load": 40}
+    with pytest.raises(SceneError, match='"9 kN" - must be from .*twin rope.*half of it'):
+        M.from_fall("9 kN", "31 %", "38 g/m", **twin)
+    assert M.from_fall("4.5 kN", "31 %", "38 g/m", **twin).relaxing_EA
+    with pytest.raises(SceneError, match="has no other$"):
+        M.from_fall("90 kN", "31 %", "38 g/m", **half)
+
+
+def test_a_wire_of_7x19_is_that_of_the_library() -> None:
+    made, known = rw.Material.of_wire("7x19", "12 mm", grade=2070), rw.rope("wire-7x19-12")
+    assert pytest.approx(known.EA, rel=1e-3) == made.EA
+    assert made.mass_per_length == pytest.approx(known.mass_per_length, rel=1e-3)
+    assert made.breaking_load == pytest.approx(known.breaking_load, rel=2e-3)
+    with pytest.raises(ValueError, match="ropewalk ropes --family steel"):
+        rw.Material.of_wire("1x19", "6 mm")
 
 
 def test_a_share_above_one_may_be_written_with_its_unit() -> None:

@@ -84,6 +84,7 @@ def test_the_command_line_takes_them() -> None:
         ("EA", "5.65 m", "is of another kind: a quantity in N is needed"),
         ("EA", "80 kg", "a weight is written in kgf or lbf"),
         ("EA", "5,65 MN", "with a point for the decimals"),
+        ("EA", "11/2 MN", "with a point for the decimals"),
         ("EA", "5.65 MNN", "unit that is not known, 'MNN'"),
         ("EA", "5.65 cm%", "has % beside another unit"),
         ("EA", "5.65", "must be a number (N)"),

@@ -20,11 +20,19 @@ _FASTEST = 15_000.0
 _HEAVIEST_LINE = 500.0  # kg/m
 _HEAVIEST_LOAD = 5000.0  # of a rope's own mass, at least of 1 kg [1]; a car on a tow rope has 1060
 _HEAVY_NODE = 10.0  # kg, of a rope whose nodes are at most a metre apart
-_THINNEST_LINE = 1e-6  # kg/m
+_THINNEST_LINE = 5e-9  # kg/m; a spider's thread has 9e-9
 _YOUNG = 1e3, 2e12  # N/m^2
 _MOST_STRAIN = 8.0  # [1] rubber breaks at some 7
 _DENSITY = 10.0, 40_000.0  # kg/m^3; a chain goes by the diameter of its bar
 _STIFFEST = 1.5  # [1] radius of gyration over that of a solid round section; a thin tube has 1.41
+_OWN_LENGTH = (
+    300.0,
+    5e5,
+)  # m of itself that a rope bears: rubber and cables have some 1.3 km, HMPE 170 km
+_BREAK_STRAIN = 5e-4, 4.0  # [1] breaking load over EA: power cables have 0.0013, shock cord 2.3
+_RUBBER = 60.0  # speed of sound below which a rope is of rubber and stretches by more [m/s]
+_SHORTEST = 3.0  # length over diameter [1]
+_LONGEST = 1e4  # m, of a rope with weight
 _FAR_OFF = 100.0  # initial length over unstretched length, or the reverse
 
 
@@ -35,7 +43,7 @@ def unit_slips(model: Model) -> list[str]:
     for i, rope in enumerate(scene.ropes):
         path = f"rope[{i}]"
         found += _line(path, rope) + _section(path, rope, scene) + _size(path, rope, model)
-        found += _bending(path, rope) + _in_water(path, rope, scene)
+        found += _strength(path, rope) + _bending(path, rope) + _in_water(path, rope, scene)
         for j, load in enumerate(rope.loads):
             if load.mass > _HEAVIEST_LOAD * max(rope.own_mass, 1.0):
                 found.append(
@@ -121,8 +129,13 @@ def _section(path: str, rope: Rope, scene: Scene) -> list[str]:
     if "diameter" not in rope.model_fields_set:
         return []
     found = []
-    if rope.diameter > 0.5 or rope.diameter > 0.5 * max(rope.length_unstretched, 1e-3):
+    if rope.diameter > 0.5:
         return [f"{path}.diameter: {rope.diameter:g} m is not a rope's; millimetres for metres?"]
+    if _SHORTEST * rope.diameter > max(rope.length_unstretched, 1e-3):
+        return [
+            f"{path}: {rope.length_unstretched:g} m of a rope of {rope.diameter:g} m of diameter is not a "
+            "rope's shape; millimetres for metres, or metres for millimetres?"
+        ]
     area = 0.25 * math.pi * rope.diameter**2
     if isinstance(rope.made_of, Material):
         modulus = rope.made_of.EA / area
@@ -141,6 +154,29 @@ def _section(path: str, rope: Rope, scene: Scene) -> list[str]:
                 f"{1e3 * rope.diameter:g} mm of diameter is a density of {density:.3g} kg/m^3; "
                 "g/m for kg/m?"
             )
+    return found
+
+
+def _strength(path: str, rope: Rope) -> list[str]:
+    """A breaking load, against the rope's own weight and against its EA."""
+    made_of = rope.made_of
+    if not isinstance(made_of, Material) or made_of.breaking_load is None:
+        return []
+    load, line = made_of.breaking_load, made_of.mass_per_length
+    start, found = f"{path}.made_of.breaking_load: {load:g} N", []
+    own = load / (9.81 * line)
+    if not _OWN_LENGTH[0] <= own <= _OWN_LENGTH[1]:
+        wrong = (
+            "kN for N, or g/m for kg/m?" if own < _OWN_LENGTH[0] else "g/m for kg/m, or too many N?"
+        )
+        found.append(f"{start} bears {own:.3g} m of this rope, of {line:g} kg/m; {wrong}")
+    strain = load / made_of.EA
+    soft = math.sqrt(made_of.EA / line) < _RUBBER
+    if not rope.rigid and (strain < _BREAK_STRAIN[0] or (strain > _BREAK_STRAIN[1] and not soft)):
+        found.append(
+            f"{start} over an EA of {made_of.EA:g} N is a stretch of {100.0 * strain:.3g} %, where no rope "
+            "breaks; kN for N in one of them?"
+        )
     return found
 
 
@@ -199,6 +235,8 @@ def _size(path: str, rope: Rope, model: Model) -> list[str]:
             f"{path}.shape: starts at 1/{1 / ratio:.3g} of the unstretched length of {length:g} m; "
             "rope lengths in millimetres?"
         )
+    if length > _LONGEST and np.any(model.system.gravity):
+        found.append(f"{path}: {length:g} m of rope; lengths in millimetres?")
     light = rope.own_mass / length < 0.05
     if length > 500.0 and rope.segment_length >= 5.0 and light:
         found.append(

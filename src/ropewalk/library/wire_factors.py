@@ -4,7 +4,8 @@
     EA = 100 d^2 / G (lbf, d in inches, G the stretch factor in % per lbf/in^2)
 
 Sources: factors W and K of EN 12385-4 (tag F1 of the library), stretch factors of new rope (F2), and for
-fibre cores coefficients of the kind that mooring programs have (D3).
+fibre cores coefficients of the kind that mooring programs have (D3). Of 7x19 W and K are those of one maker's
+galvanised rope of grade 2070 (F3).
 """
 
 from __future__ import annotations
@@ -24,6 +25,7 @@ class WireFactors(NamedTuple):
 WIRE = {
     "6x7 FC": WireFactors(0.345, 0.332, 36.7e9),
     "7x7": WireFactors(0.384, 0.388, 64.4e9),
+    "7x19": WireFactors(0.3807, 0.331, 49.2e9),
     "6x19 FC": WireFactors(0.359, 0.330, 36.7e9),
     "6x19 IWRC": WireFactors(0.400, 0.356, 50.7e9),
     "6x36 FC": WireFactors(0.367, 0.330, 36.7e9),
@@ -42,5 +44,8 @@ def wire_factors(construction: str) -> WireFactors:
 
     found = {bare(name): factors for name, factors in WIRE.items()}.get(bare(str(construction)))
     if found is None:
-        raise ValueError(f"construction: {construction!r} - must be one of {', '.join(WIRE)}")
+        raise ValueError(
+            f"construction: {construction!r} - must be one of {', '.join(WIRE)}; others stand in the library "
+            "by their diameters: ropewalk ropes --family steel"
+        )
     return found

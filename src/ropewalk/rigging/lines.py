@@ -11,6 +11,7 @@ import numpy as np
 
 from ropewalk.library import LibraryRope
 from ropewalk.rigging.guessed import line_notes
+from ropewalk.rigging.slips import line_slips
 from ropewalk.rigging.words import force, margins
 from ropewalk.scene import (
     Anchor,
@@ -116,7 +117,7 @@ class Line:
             held: the trolley grips the rope, as a clamp does, and hangs straight down; else the rope runs
                 through it with the same tension on both sides, and something holds it along the span.
             places: how many [1], evenly spread over the span without its ends.
-            at: places of your own [m], (n,), in place of these.
+            at: a place of your own, or a list of them, in place of these [m].
 
         Raises SceneError for a mass that is none, ValueError for places that are not inside the span,
         ArithmeticError where no rest is found, as within a hair of an end.
@@ -125,10 +126,10 @@ class Line:
 
         found = quantity("mass", mass, "kg")
         if at is None:
-            if places < 1:
-                raise ValueError(f"places: {places} - must be 1 or more")
+            if isinstance(places, bool) or not isinstance(places, int) or places < 1:
+                raise ValueError(f"places: {places!r} - must be a whole number, 1 or more")
             at = self.span * np.arange(1, places + 1) / (places + 1)
-        return roll(self, found, held, np.atleast_1d(np.asarray(at, dtype=np.float64)))
+        return roll(self, found, held, _places(at))
 
     def scene(self, segments: int = 60, *, name: str = "line", **fields: Any) -> Scene:
         """Return a scene of this line that starts at rest.
@@ -165,7 +166,11 @@ class Line:
         for noun, (across, up) in zip(("first", "second"), self.anchor_forces, strict=True):
             text.append(f"the {noun} anchor pulls {force(across)} across and {force(up)} up")
         text += margins(max(first, last), self.material.breaking_load)
-        return text + line_notes(self)
+        return text + self.notes()
+
+    def notes(self) -> list[str]:
+        """What to know of its numbers: guesses, what they make of it, and likely slips of units."""
+        return line_notes(self) + line_slips(self)
 
     def __str__(self) -> str:
         return "\n".join(self.lines())
@@ -224,24 +229,49 @@ def line(
         raise SceneError([Fault(named, NO_VALUE if known else MISSING, rule)])
     ((way, value),) = known.items()
     size = _drop(value, across) if way == "sag" else quantity(way, value, _UNITS[way])
-    cable, words = _hung(across, rise, material, g, way, size)
+    cable, words = _hung(across, rise, material, g, way, size, given=value)
     return Line(cable, material, d, g, words, known_rope, (way, size))
+
+
+def _places(at: Any) -> Any:
+    """Return places, with or without units, as an array [m]. Raises SceneError for what is none."""
+    found = in_unit(at, "m")
+    if isinstance(found, WrongUnit):
+        raise SceneError([Fault("at", found.given, found.rule)])
+    try:
+        return np.atleast_1d(np.asarray(found, dtype=np.float64))
+    except (TypeError, ValueError):
+        raise SceneError([Fault("at", at, 'must be places in m, such as 50 or ["50 m"]')]) from None
 
 
 def _drop(sag: Any, across: float) -> float:
     """Return a sag that may be given as a share of the span [m]."""
-    if not isinstance(sag, str) or "%" not in sag:
+    plain = isinstance(sag, bool | int | float)
+    share = sag if plain else in_unit(sag, "1")
+    if plain or isinstance(share, str | WrongUnit):  # no share: a length
+        if isinstance(sag, str) and "%" in sag:
+            rule = 'must be a length such as "3 m", or a share of the span such as "2 %"'
+            raise SceneError([Fault("sag", sag, rule)])
         return quantity("sag", sag, "m")
-    if isinstance(in_unit(sag, "1"), WrongUnit):
-        rule = 'must be a length such as "3 m", or a share of the span such as "2 %"'
-        raise SceneError([Fault("sag", sag, rule)])
-    return quantity("sag", sag, "1") * across
+    if not isinstance(share, int | float) or not share > 0.0:
+        raise SceneError([Fault("sag", sag, "must be a share of the span greater than 0")])
+    return float(share) * across
 
 
 def _hung(
-    across: float, rise: float, material: Material, gravity: float, way: str, wanted: float
+    across: float,
+    rise: float,
+    material: Material,
+    gravity: float,
+    way: str,
+    wanted: float,
+    given: Any = None,
 ) -> tuple[Cable, str]:
-    """Return the cable that has the sag [m], pretension [N] or length [m], and in words what it has."""
+    """Return the cable that has the sag [m], pretension [N] or length [m], and in words what it has.
+
+    Refusals show what was `given`, with its unit.
+    """
+    given = wanted if given is None else given
     weight = material.mass_per_length * gravity
 
     def hung(size: float) -> Cable:
@@ -253,14 +283,14 @@ def _hung(
     chord = math.hypot(across, rise)
     shortest = chord / (1.0 + _LONGEST) if math.isfinite(material.EA) else chord * (1.0 + 1e-10)
     if way == "length":
-        _refuse_length(wanted, shortest, chord, math.isinf(material.EA))
+        _refuse_length(wanted, shortest, chord, math.isinf(material.EA), given)
         return hung(wanted), f"length {wanted:.6g} m"
     if way == "sag":
         longest = _SLACKEST * chord
-        size = _bisected("sag", wanted, lambda size: hung(size).sag, shortest, longest, "m")
-        return hung(size), f"sag {wanted:.4g} m"
-    size = _bisected("pretension", wanted, pull, shortest, _slackest(pull, shortest, chord), "N")
-    return hung(size), f"pretension {force(wanted)} at the first end"
+        found = _bisected(wanted, lambda size: hung(size).sag, shortest, longest)
+        return hung(_within(way, found, given, "m")), f"sag {wanted:.4g} m"
+    found = _bisected(wanted, pull, shortest, _slackest(pull, shortest, chord))
+    return hung(_within(way, found, given, "N")), f"pretension {force(wanted)} at the first end"
 
 
 def _made_of(rope: Any) -> tuple[Material, float, LibraryRope | None]:
@@ -293,13 +323,13 @@ def quantity(name: str, value: Any, unit: str, *, any_sign: bool = False) -> flo
     return float(number)
 
 
-def _refuse_length(size: float, shortest: float, chord: float, rigid: bool) -> None:
+def _refuse_length(size: float, shortest: float, chord: float, rigid: bool, given: Any) -> None:
     if size < shortest:
         rule = f"must be more than {shortest:.6g} m: the ends are {chord:.6g} m apart"
         rule += ", and this rope does not stretch" if rigid else ", and no rope stretches that far"
-        raise SceneError([Fault("length", size, rule)])
+        raise SceneError([Fault("length", given, rule)])
     if size > _SLACKEST * chord:
-        raise SceneError([Fault("length", size, f"must be at most {_SLACKEST * chord:.6g} m")])
+        raise SceneError([Fault("length", given, f"must be at most {_SLACKEST * chord:.6g} m")])
 
 
 def _slackest(pull: Callable[[float], float], shortest: float, chord: float) -> float:
@@ -315,15 +345,26 @@ def _slackest(pull: Callable[[float], float], shortest: float, chord: float) -> 
     return 0.5 * (low + high)
 
 
+def _within(way: str, found: float | tuple[float, float], given: Any, unit: str) -> float:
+    """Return the length that was found. Raises SceneError with the least and the most that can be."""
+    if isinstance(found, float):
+        return found
+    least, most = (force(one) if unit == "N" else f"{one:.4g} {unit}" for one in found)
+    rule = f"must be from {least} to {most} for this rope and these ends"
+    raise SceneError([Fault(way, given, rule)])
+
+
 def _bisected(
-    name: str, wanted: float, of: Callable[[float], float], low: float, high: float, unit: str
-) -> float:
-    """Return the length at which a quantity that only grows, or only falls, has a value."""
+    wanted: float, of: Callable[[float], float], low: float, high: float
+) -> float | tuple[float, float]:
+    """Return the length at which a quantity that only grows, or only falls, has a value.
+
+    Where none has it: the quantity's least and greatest value.
+    """
     at_low, at_high = of(low), of(high)
     least, most = sorted((at_low, at_high))
     if not least <= wanted <= most:
-        rule = f"must be from {least:.4g} to {most:.4g} {unit} for this rope and these ends"
-        raise SceneError([Fault(name, wanted, rule)])
+        return least, most
     rising = at_high > at_low
     for _ in range(_HALVINGS):
         middle = 0.5 * (low + high)

@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ropewalk.rigging.guessed import rolling_notes
+from ropewalk.rigging.slips import strain_slip
 from ropewalk.rigging.words import force, margins
 from ropewalk.theory import Cable, elastic_catenary
 from ropewalk.theory.cable import Floats
@@ -107,7 +108,11 @@ class Rolling:
             f"{self.height[low]:+.4g} m to the first end",
         ]
         text += margins(largest, self.line.material.breaking_load)
-        return text + rolling_notes(self)
+        return text + self.notes()
+
+    def notes(self) -> list[str]:
+        """What to know of its numbers: what guesses make of them, and likely slips of units."""
+        return rolling_notes(self) + strain_slip(self.line, float(self.largest_tension.max()))
 
     def __str__(self) -> str:
         return "\n".join(self.lines())

@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from ropewalk.library.wire_factors import wire_factors
-from ropewalk.scene.faults import MISSING, Fault, SceneError
-from ropewalk.scene.units import WrongUnit, in_unit
-from ropewalk.theory.edge_fall import harder_by, solid_from_edge_fall
-from ropewalk.theory.fall import rope_from_fall
-from ropewalk.theory.solid_fall import solid_from_fall
-from ropewalk.theory.static_elongation import rope_at_rest
+from ropewalk.scene.faults import Fault, SceneError
+from ropewalk.scene.label_fall import LabelFall
+from ropewalk.scene.sheet_numbers import given, share_of
 
 if TYPE_CHECKING:
     from typing import Self
@@ -18,10 +15,8 @@ if TYPE_CHECKING:
     Quantity = float | str
 
 
-_GRAVITY = 9.81  # [m/s^2]
 _GRADES = 200.0, 3500.0  # of steel wires [N/mm^2]; ropes have 1370 to 2160
 _THICKEST = 0.5  # that a wire rope can be [m]
-_CURVE = 0.5  # strain up to which a curve made here goes at least [1]
 
 
 class FromDataSheet:
@@ -43,7 +38,7 @@ class FromDataSheet:
 
         Raises SceneError for what is no number greater than zero, or a quantity of another kind.
         """
-        F, share = _given("force", force, "N"), _share("elongation", elongation)
+        F, share = given("force", force, "N"), share_of("elongation", elongation)
         return cls(
             **({"EA": F / share, "mass_per_length": mass_per_length, "tension_only": True} | others)
         )
@@ -56,13 +51,13 @@ class FromDataSheet:
         mass_per_length: Quantity,
         *,
         falling_mass: Quantity = 80.0,
-        factor: float = 1.77,
+        factor: Quantity = 1.77,
         length: Quantity = 2.8,
         static_elongation: Quantity | None = None,
         static_load: Quantity = 80.0,
-        edge_friction: float = 0.0,
+        edge_friction: Quantity = 0.0,
         measured: str = "mass",
-        stiffening: float = 0.0,
+        stiffening: Quantity = 0.0,
         later_force: Quantity | None = None,
         **others: Any,
     ) -> Self:
@@ -94,13 +89,14 @@ class FromDataSheet:
                 in that fall, the new one made harder by one factor (`theory.harder_by`), an assumption.
             others: fields of the material.
 
-        Raises SceneError for what is no number greater than zero; ValueError for a force and a stretch that
-        do not go together, with the forces that would.
+        Raises SceneError for what is no number greater than zero, for likely slips of units, and for a force
+        and a stretch that do not go together, with the forces that would.
         """
-        rig = _Rig(falling_mass, factor, length, edge_friction, measured, stiffening, later_force)
-        at_rest = static_elongation, static_load
-        made = _of_fall(impact_force, dynamic_elongation, at_rest, rig)
-        return cls(**(made | {"mass_per_length": mass_per_length, "tension_only": True} | others))
+        label = LabelFall(
+            impact_force, dynamic_elongation, mass_per_length, falling_mass, factor, length,
+            static_elongation, static_load, edge_friction, measured, stiffening, later_force,
+        )  # fmt: skip
+        return cls(**(label.rope() | {"tension_only": True} | others))
 
     @classmethod
     def from_break(
@@ -122,8 +118,8 @@ class FromDataSheet:
 
         Raises SceneError for what is no number greater than zero, or a quantity of another kind.
         """
-        F = _given("breaking_load", breaking_load, "N")
-        share = _share("elongation_at_break", elongation_at_break)
+        F = given("breaking_load", breaking_load, "N")
+        share = share_of("elongation_at_break", elongation_at_break)
         made = {"EA": F / share, "mass_per_length": mass_per_length, "breaking_load": F}
         return cls(**(made | {"tension_only": True} | others))
 
@@ -145,11 +141,11 @@ class FromDataSheet:
         Raises SceneError for what is no number greater than zero; ValueError for another construction.
         """
         factors = wire_factors(construction)
-        d = _given("diameter", diameter, "m")
+        d = given("diameter", diameter, "m")
         if d > _THICKEST:
             rule = f"is {d:g} m, and no wire rope is thicker than {_THICKEST:g} m; write it with its unit"
             raise SceneError([Fault("diameter", diameter, rule)])
-        R = _given("grade", grade, "N/mm^2")
+        R = given("grade", grade, "N/mm^2")
         if not _GRADES[0] <= R <= _GRADES[1]:
             rule = (
                 f"must be from {_GRADES[0]:g} to {_GRADES[1]:g} N/mm^2, the strength of steel wires"
@@ -161,101 +157,3 @@ class FromDataSheet:
             "breaking_load": factors.K * R * 1e6 * d**2,
         }
         return cls(**(made | {"tension_only": True} | others))
-
-
-class _Rig(NamedTuple):
-    """Mass and rig of a fall, and how the rope is; as for `from_fall`."""
-
-    mass: Quantity
-    factor: float
-    length: Quantity
-    edge_friction: float
-    measured: str
-    stiffening: float
-    later_force: Quantity | None
-
-
-def _of_fall(
-    impact_force: Quantity,
-    elongation: Quantity,
-    at_rest: tuple[Quantity | None, Quantity],
-    rig: _Rig,
-) -> dict[str, Any]:
-    """Return the fields of a material that has a label's fall; see `from_fall`."""
-    share = _below_one("dynamic_elongation", elongation)
-    if rig.measured not in ("mass", "anchor"):
-        raise SceneError([Fault("measured", rig.measured, "must be 'mass' or 'anchor'")])
-    force = _given("impact_force", impact_force, "N")
-    mass = _given("falling_mass", rig.mass, "kg")
-    fall: dict[str, Any] = {"factor": rig.factor, "length": _given("length", rig.length, "m")}
-    s = rig.stiffening
-    static, load = at_rest
-    if static is None:
-        _need_static(rig, "" if load == 80.0 else "static_load")
-        EA, damping = rope_from_fall(force, share, mass, **fall)
-        return {"EA": EA, "axial_damping": damping}
-    rest = _below_one("static_elongation", static)
-    EA = rope_at_rest(rest, _GRAVITY * _given("static_load", load, "kg"), stiffening=s)
-    edge = fall | {"edge_friction": rig.edge_friction, "measured": rig.measured, "stiffening": s}
-    if rig.edge_friction == s == 0.0:
-        arm, time = solid_from_fall(force, share, EA, mass, **fall)
-    else:
-        arm, time = solid_from_edge_fall(force, share, EA, mass, **edge)
-    if rig.later_force is not None:
-        later = _given("later_force", rig.later_force, "N")
-        if later < force:
-            rule = f"must be at least impact_force, {force:g} N: later falls are harder"
-            raise SceneError([Fault("later_force", rig.later_force, rule)])
-        harder = harder_by(later, EA, arm, time, mass, **edge)
-        EA, arm = harder * EA, harder * arm
-    made = {"relaxing_EA": arm, "relaxation_time": time}
-    if s == 0.0:
-        return made | {"EA": EA}
-    curve = {"coefficients": [EA, 0.0, EA * s], "largest_strain": max(_CURVE, 1.5 * share)}
-    return made | {"curve": {"kind": "polynomial"} | curve}
-
-
-def _need_static(rig: _Rig, also: str) -> None:
-    """Raise SceneError where what only a rope that relaxes has is asked of another; `also` is so, too."""
-    asked = {
-        "edge_friction": rig.edge_friction,
-        "stiffening": rig.stiffening,
-        "later_force": rig.later_force,
-        also: also,
-    }
-    wanted = [name for name, value in asked.items() if value]
-    if wanted:
-        rule = f"is needed with {' and '.join(wanted)}: give it, as the label has it"
-        raise SceneError([Fault("static_elongation", MISSING, rule)])
-
-
-def _given(name: str, value: Any, unit: str) -> float:
-    """Return a quantity as a number of `unit`. Raises SceneError unless it is greater than zero."""
-    number = in_unit(value, unit)
-    if isinstance(number, WrongUnit):
-        raise SceneError([Fault(name, number.given, number.rule)])
-    if isinstance(number, bool) or not isinstance(number, int | float) or not 0.0 < number < 1e15:
-        raise SceneError([Fault(name, value, f"must be a number greater than 0{_in(unit)}")])
-    return float(number)
-
-
-def _share(name: str, value: Any) -> float:
-    """Return a share; a bare number above 1 is refused: per cent may have been meant, or times."""
-    share = _given(name, value, "1")
-    if share > 1.0 and not isinstance(value, str) and not hasattr(value, "dimensionality"):
-        few, many = f"{value:g} %", f"{100.0 * value:g} %"
-        rule = f'may be {few} or {many}; write it as "{few}" or "{many}"'
-        raise SceneError([Fault(name, value, rule)])
-    return share
-
-
-def _below_one(name: str, value: Any) -> float:
-    """Return a share of a climbing rope's label: none doubles its length, so that more is per cent."""
-    share = _given(name, value, "1")
-    if share > 1.0:
-        raise SceneError([Fault(name, value, f"must be{_in('1')[1:]}")])
-    return share
-
-
-def _in(unit: str) -> str:
-    return f", in {unit}" if unit != "1" else ', a share such as 0.08 or "8 %"'

@@ -18,6 +18,7 @@ _NAME = r"[A-Za-zµμΩ°%²³]+"
 _UNIT = rf"1|{_NAME}{_POWER}(?:\s*[*/·]\s*{_NAME}{_POWER}|\s+{_NAME}{_POWER})*"
 _QUANTITY = re.compile(rf"\s*({_NUMBER})\s*((?:1/)?(?:{_UNIT}))\s*")
 _BARE = re.compile(rf"\s*{_NUMBER}\s*")
+_FRACTION = re.compile(r"\s*[+-]?(?:\d+[\s-])?\s*\d+\s*/\s*\d+")
 
 
 class WrongUnit:
@@ -52,7 +53,8 @@ def _from_text(text: str, unit: str) -> Any:
     found = _QUANTITY.fullmatch(text) if len(text) <= _LONGEST else None
     if found is None:
         rule = f"is no number with a unit; write it as {_example(unit)}"
-        return WrongUnit(text, rule + (", with a point for the decimals" if "," in text else ""))
+        decimals = "," in text or _FRACTION.match(text)
+        return WrongUnit(text, rule + (", with a point for the decimals" if decimals else ""))
     if "%" in found[2] and found[2].strip() != "%":
         return WrongUnit(text, f"has % beside another unit; write it as {_example(unit)}")
     import pint

@@ -129,8 +129,6 @@ def _print(rolled: Rolling) -> None:
 
 
 def _facts(found: Line, rolled: Rolling | None) -> dict[str, Any]:
-    from ropewalk.rigging.guessed import line_notes, rolling_notes
-
     about: dict[str, Any] = {
         "span": found.span,
         "height_difference": found.height_difference,
@@ -143,6 +141,6 @@ def _facts(found: Line, rolled: Rolling | None) -> dict[str, Any]:
         "breaking_load": found.material.breaking_load,
         "utilisation": found.utilisation,
         "safety_factor": found.safety_factor,
-        "notes": line_notes(found) + (rolling_notes(rolled) if rolled is not None else []),
+        "notes": found.notes() + (rolled.notes() if rolled is not None else []),
     }
     return about | ({"rolling": rolled.table} if rolled is not None else {})
