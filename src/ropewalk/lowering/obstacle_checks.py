@@ -7,15 +7,17 @@ import math
 import numpy as np
 
 from ropewalk.core.arrays import Floats, State, System
-from ropewalk.laws.obstacle import Obstacles, depths, moved_by
+from ropewalk.laws.obstacle import Obstacles, depths, moved_by, turning_rate
 from ropewalk.laws.obstacle_way import LONG, lies_across
 from ropewalk.lowering.layout import Layout
 from ropewalk.methods.registry import METHODS
 from ropewalk.motions.rows import largest_speed
 from ropewalk.scene import Scene, SceneError
 from ropewalk.scene.faults import Fault
-from ropewalk.scene.obstacles import Obstacle, thinnest
+from ropewalk.scene.obstacles import Obstacle, is_free, thinnest
 
+#: [rad] by which an obstacle turns in an automatic step at most.
+_FAR = 0.5 * math.pi
 #: Methods that keep stiff modes ringing, so that no contact comes to rest.
 RINGING = ("implicit-midpoint", "generalized-alpha")
 
@@ -64,13 +66,20 @@ def _sharp(scene: Scene, system: System) -> list[Fault]:
 
 
 def step_past_nodes(scene: Scene, system: System) -> float:
-    """Return an automatic step in which no obstacle moves past nodes [s]; inf: none moves."""
+    """Return an automatic step in which no obstacle moves past nodes, or turns far [s]; inf: none moves."""
     found = (
         0.9 * radius_with_rope(system, body) / speed
         for body, speed in _speeds(scene, system)
         if speed > 0.0
     )
-    return min(found, default=math.inf)
+    rates = (turned_rate(system, row, body) for row, body in enumerate(scene.obstacles))
+    turns = (_FAR / rate for rate in rates if rate > 0.0)
+    return min(*found, *turns, math.inf, math.inf)
+
+
+def turned_rate(system: System, row: int, body: Obstacle) -> float:
+    """Return the largest rate at which an obstacle is turned [rad/s]; 0 for one that ropes turn."""
+    return 0.0 if is_free(body) else float(turning_rate(system.node.obstacle, row))
 
 
 def _speeds(scene: Scene, system: System) -> list[tuple[Obstacle, float]]:
@@ -85,7 +94,7 @@ def radius_with_rope(system: System, body: Obstacle) -> float:
 
 
 def refuse_fast(scene: Scene, system: System, step: float) -> None:
-    """Raise SceneError for obstacles that move past nodes within a step [s]."""
+    """Raise SceneError for obstacles that move past nodes, or turn by more than half, within a step [s]."""
     faults = []
     for row, (body, speed) in enumerate(_speeds(scene, system)):
         radius = radius_with_rope(system, body)
@@ -96,6 +105,14 @@ def refuse_fast(scene: Scene, system: System, step: float) -> None:
                 f"over nodes; take a run.time_step of at most {radius / speed:.2g} s"
             )
             faults.append(Fault(f"obstacle[{row}].motion", f"up to {speed:.4g} m/s", rule))
+        rate = turned_rate(system, row, body)
+        if rate * step > math.pi:
+            rule = (
+                f"is {math.degrees(rate * step):.4g} degrees in a step of {1e3 * step:.4g} ms: friction turns "
+                "with the body, and would point backwards; take a run.time_step of at most "
+                f"{math.pi / rate:.2g} s, better a tenth of that"
+            )
+            faults.append(Fault(f"obstacle[{row}].spin", f"up to {rate:.4g} rad/s", rule))
     if faults:
         raise SceneError(faults)
 

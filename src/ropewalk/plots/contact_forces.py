@@ -119,7 +119,8 @@ def contact(result: Result, time: float | None = None) -> Figure:
         figure, f"{result.scene.name}: contact at t = {result.time[frame]:.4g} s", describe(result)
     )
     notes = broken_note(result, good_frames(result))
-    set_note(figure, notes + [_told(coil) for coil in found[:_TOLD]])
+    on_ropes = result.scene.contact is not None
+    set_note(figure, notes + [_told(coil, on_ropes) for coil in found[:_TOLD]])
     return figure
 
 
@@ -167,12 +168,17 @@ def _draw_tension(axes: Axes, result: Result, frame: int, found: list[Coil]) -> 
     axes.set_xlabel("unstretched arc length [m]")
 
 
-def _told(coil: Coil) -> str:
-    """Say how far a wrap is from slipping."""
+def _told(coil: Coil, on_ropes: bool) -> str:
+    """Say how far a wrap is from slipping, `on_ropes` of a scene whose ropes touch each other."""
     low, high = sorted((float(coil.tension[0]), float(coil.tension[-1])))
     about = f"{coil.rope} turns {np.degrees(coil.angle):.4g} degrees round {coil.obstacle}"
     if low <= 0.0:
         return f"{about}; its slack end carries nothing."
     most = float(np.exp(coil.friction * coil.angle))
     told = f"{about}: tension ratio {high / low:.4g}"
-    return f"{told}; without weight it slips at {most:.4g} (friction {coil.friction:g})."
+    told += f"; without weight it slips at {most:.4g} (friction {coil.friction:g})"
+    return (
+        f"{told}; ropes that lie on it hold the rest."
+        if on_ropes and high > most * low
+        else f"{told}."
+    )

@@ -156,6 +156,7 @@ def model_of(result: Result) -> Model:
 COLUMNS = (
     *("time [s]", "rope", "node", "obstacle", "normal force [N]", "friction force [N]"),
     *("friction used [1]", "slip speed [m/s]", "friction power [W]", "mode"),
+    *("x [m]", "y [m]", "z [m]", "fx [N]", "fy [N]", "fz [N]"),  # of the node; on it
 )
 WRAP_COLUMNS = (
     *("time [s]", "rope", "obstacle", "first node", "last node", "angle [rad]"),
@@ -173,13 +174,16 @@ def rows(result: Result, frames: Iterable[int], nodes: Ints) -> list[NDArray[np.
     found: list[list[NDArray[np.generic]]] = [[] for _ in COLUMNS]
     wanted = np.zeros(result.layout.nodes, bool)
     wanted[nodes] = True
+    places = result.positions
     for frame, contacts in each_frame(result, frames):
         keep = wanted[contacts.node]
+        force = contacts.push[:, None] * contacts.normal + contacts.rub
         parts = (
             *(np.full(keep.size, result.time[frame]), ropes[contacts.node], numbers[contacts.node]),
             *(names[contacts.obstacle], contacts.push, np.linalg.norm(contacts.rub, axis=1)),
             *(contacts.use, np.linalg.norm(contacts.slip, axis=1)),
             *((contacts.rub * contacts.slip).sum(axis=1), WORDS[_modes(contacts)]),
+            *(*places[frame, contacts.node].T, *force.T),
         )
         for column, part in zip(found, parts, strict=True):
             column.append(part[keep])

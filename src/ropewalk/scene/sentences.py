@@ -100,6 +100,8 @@ def _unknown(where: Place, key: str) -> str:
     home = next((path for path in homes if path.count(".") <= 1), None)
     if home is not None and key != "kind":
         return f'unknown key here; it belongs to "{home}"'
+    if key in _NOT_BUILT:
+        return _NOT_BUILT[key]
     kind = tag(owner)
     of = f" of {kind!r}" if kind else ""
     return f"unknown key{of}; {nearest(key, list(keys(owner)))}"
@@ -109,6 +111,8 @@ def _finite(context: Mapping[str, Any], where: Place, value: Any) -> str:
     """What to say of a number that is none, or infinite where it may not be."""
     if where.field is not None and where.field.default == math.inf and math.isnan(value):
         return f"must be a number{_unit(where)}, or inf for never"
+    if where.path.rpartition(".")[2] == "friction" and value == math.inf:
+        return "must be a finite number; what never slips has a large one, such as 10"
     return f"must be a finite number{_unit(where)}"
 
 
@@ -156,6 +160,10 @@ def _list(_: Mapping[str, Any], where: Place, value: Any) -> str:
     return f"must be a list{_unit(where)}"
 
 
+#: Keys that a scene might have, and has not: why, and what comes nearest.
+_NOT_BUILT = {
+    "restitution": "there is none: what meets does not rebound but by its own elasticity; leave it out",
+}
 _Rule = Callable[[Mapping[str, Any], Place, Any], str]
 _RULES: dict[str, _Rule] = {
     "float_type": lambda c, w, v: f"must be a number{_unit(w)}",

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from pydantic_core import PydanticCustomError
 
 from ropewalk.scene.base import refuse
 from ropewalk.scene.faults import MISSING, NO_VALUE, Fault
@@ -39,7 +40,12 @@ def read_mesh(folder: Path, file: str) -> Triangles:
         refuse([Fault("file", file, f"cannot be read as {suffix[1:].upper()}: {error}")])
     faces = getattr(found, "faces", None)
     if faces is None or len(faces) == 0:
-        refuse([Fault("file", file, "holds no triangles")])
+        kind = suffix[1:].upper()
+        rule = (
+            f"holds no triangles that can be read as {kind}: export it as {kind} again, with all "
+            "coordinates finite numbers and faces as triangles"
+        )
+        refuse([Fault("file", file, rule)])
     vertices, faces = _joined(np.asarray(found.vertices, np.float64), np.asarray(faces, np.int64))
     return vertices.tolist(), faces.tolist()
 
@@ -68,8 +74,17 @@ def grid_of(folder: Path, given: dict[str, Any]) -> tuple[NDArray[np.float64], f
         path = folder / file
         _refuse_absent(path, file)
         try:
-            with np.load(path, allow_pickle=False) as arrays:
+            found = np.load(path, allow_pickle=False)
+            if isinstance(found, np.ndarray):
+                rule = (
+                    "is one array; an .npz is needed with values (nx, ny, nz), spacing [m] and perhaps "
+                    "origin [m]: numpy.savez(file, values=..., spacing=...)"
+                )
+                refuse([Fault("file", file, rule)])
+            with found as arrays:
                 given = given | {name: arrays[name] for name in arrays if given.get(name) is None}
+        except PydanticCustomError:
+            raise
         except Exception as error:  # zip, header or pickle
             refuse([Fault("file", file, f"cannot be read as .npz: {error}")])
     shown = "" if file is None else f" (of {file})"

@@ -1,0 +1,101 @@
+"""Scenes of contact that cannot be: each is refused in a sentence with path, value, rule and remedy."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import ropewalk as rw
+from ropewalk.lowering import build
+from ropewalk.scene import SceneError, loads
+
+ROPE = """
+[run]
+duration = 0.1
+frame_rate = 60
+method = "esdirk3"
+time_step = 0.004
+[[rope]]
+segments = 20
+length = 1.0
+diameter = 0.01
+made_of = { kind = "material", EA = 1e4, mass_per_length = 0.05, axial_damping = 10.0 }
+shape = { kind = "straight", start = [-0.5, 0, %s], end = [0.5, 0, %s] }
+"""
+BAR = """
+[[obstacle]]
+name = "bar"
+kind = "cylinder"
+from = [0, -0.1, 0]
+to = [0, 0.1, 0]
+radius = 0.05
+"""
+MESH = "[[obstacle]]\nkind = 'mesh'\nfile = '%s'\n"
+SDF = "[[obstacle]]\nkind = 'sdf'\nfile = '%s'\n"
+
+#: What is written, and what the sentence must hold: path, value, rule, remedy.
+CASES = {
+    "inside": (BAR, ("shape", "node 10", "inside obstacle 'bar'", "move the rope or the obstacle"), "0.02"),
+    "zero radius": (BAR.replace("0.05", "0.0"), ("obstacle[0].radius", "0.0", "greater than 0")),
+    "friction below 0": (BAR + "friction = -0.1", ("obstacle[0].friction", "-0.1", "at least 0")),
+    "friction without end": (
+        BAR + "friction = inf",
+        ("obstacle[0].friction", "inf", "finite number", "what never slips has a large one, such as 10"),
+    ),
+    "friction of ropes": ("[contact]\nfriction = inf", ("contact.friction", "inf", "finite", "such as 10")),
+    "friction that is none": (BAR + "friction = nan", ("obstacle[0].friction", "nan", "finite number")),
+    "too fast": (
+        BAR + "motion = { kind = 'velocity', velocity = [0, 0, 500] }",
+        ("obstacle[0].motion", "500 m/s", "would jump over nodes", "run.time_step of at most"),
+    ),
+    "turns too fast": (
+        BAR + "spin = { rate = 1e4 }",
+        ("obstacle[0].spin", "1e+04 rad/s", "degrees in a step", "run.time_step of at most 0.00031 s"),
+    ),
+    "wheel without inertia": (
+        BAR + "spin = { free = true }",
+        ("obstacle[0].spin.inertia", "missing", "needs its moment of inertia", "m R^2 / 2"),
+    ),
+    "place that is none": (BAR.replace("-0.1", "nan"), ("obstacle[0].from[1]", "nan", "finite number (m)")),
+    "two numbers": (BAR.replace("0, -0.1, 0", "0, 0"), ("obstacle[0].from", "[0, 0]", "[x, y, z] (m)")),
+    "restitution": ("[contact]\nrestitution = 0.5", ("contact.restitution", "there is none", "leave it out")),
+    "one array": (SDF % "one.npy", ("obstacle[0].file", "one.npy", "one array", "numpy.savez")),
+    "coordinates": (MESH % "nan.obj", ("obstacle[0].file", "nan.obj", "no triangles", "finite numbers")),
+    "no mesh": (MESH % "no.stl", ("obstacle[0].file", "no.stl", "no triangles", "export it as STL again")),
+}  # fmt: skip
+
+
+@pytest.fixture
+def files(tmp_path: Path) -> Path:
+    np.save(tmp_path / "one.npy", np.zeros((3, 3, 3)))
+    (tmp_path / "nan.obj").write_text("v 0 0 0\nv nan 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\n")
+    (tmp_path / "no.stl").write_text("nothing\n")
+    return tmp_path
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_what_cannot_be_is_refused(name: str, files: Path) -> None:
+    text, told, *height = CASES[name]
+    at = height[0] if height else "0.3"
+    with pytest.raises(SceneError) as refused:
+        build(loads(ROPE % (at, at) + text, folder=files))
+    sentence = str(refused.value.faults[0])
+    assert len(refused.value.faults) == 1, refused.value
+    for words in told:
+        assert words in sentence
+
+
+def test_what_can_be_is_not_refused(files: Path) -> None:
+    """The twin: the same rope and bar, with friction, and turned by less than half in a step."""
+    model = build(loads(ROPE % ("0.3", "0.3") + BAR + "friction = 10.0\nspin = { rate = 700.0 }"))
+    assert model.plan.dt * 700.0 < np.pi
+
+
+def test_an_automatic_step_follows_what_turns() -> None:
+    scene = loads(
+        (ROPE % ("0.3", "0.3")).replace("0.004", '"auto"') + BAR + "spin = { rate = 1e4 }"
+    )
+    assert build(scene).plan.dt * 1e4 <= 0.5 * np.pi * (1.0 + 1e-9)
+    assert build(scene).plan.dt < build(rw.Scene.replace(scene, obstacles=[])).plan.dt
