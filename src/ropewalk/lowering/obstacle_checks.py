@@ -108,8 +108,8 @@ def refuse_fast(scene: Scene, system: System, step: float) -> None:
         rate = turned_rate(system, row, body)
         if rate * step > math.pi:
             rule = (
-                f"is {math.degrees(rate * step):.4g} degrees in a step of {1e3 * step:.4g} ms: friction turns "
-                "with the body, and would point backwards; take a run.time_step of at most "
+                f"is {math.degrees(rate * step):.4g} degrees in a step of {1e3 * step:.4g} ms: friction "
+                "turns with the body, and would point backwards; take a run.time_step of at most "
                 f"{math.pi / rate:.2g} s, better a tenth of that"
             )
             faults.append(Fault(f"obstacle[{row}].spin", f"up to {rate:.4g} rad/s", rule))
