@@ -8,8 +8,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
+from matplotlib.transforms import Bbox
 
 import ropewalk as rw
+from ropewalk.plots.dimensions import dimensions
 from ropewalk.record.extremes import extremes
 from ropewalk.scene import Anchor, Kick, Load, Material, Rope, RunSettings, Scene, Slack, Springs
 from ropewalk.scene.recut import recut
@@ -249,3 +252,25 @@ def test_what_a_largest_tension_is_not_is_warned_of() -> None:
     assert said[0].startswith("The largest tension: the winch's own segment, after its turn")
     exact = scene.replace(**{"run.method": "semi-implicit-euler"})
     assert not [one for one in warnings(rw.sheet(exact, convergence=False)) if "winch" in one]
+
+
+def test_words_of_a_drawing_keep_clear_of_axis_and_ropes() -> None:
+    """The climbing fall's 80 kg stood on the axis, the names of the mast's anchors on its guys."""
+
+    def drawn(name: str) -> tuple[Figure, dict[str, Bbox]]:
+        figure = dimensions(rw.equilibrium(rw.preset(name)))
+        figure.canvas.draw()
+        return figure, {text.get_text(): text.get_window_extent() for text in figure.axes[0].texts}
+
+    figure, words = drawn("climbing-fall")
+    assert words["80 kg"].y0 > figure.axes[0].bbox.y0 + 2.0
+    figure, words = drawn("guyed-mast")
+    axes = figure.axes[0]
+    for name, side in (("east-ground", -1), ("east-top, north-west-top, south-west-top", 1)):
+        height = {-1: 0.0, 1: 30.48}[side]
+        _, place = axes.transData.transform((0.0, height))
+        assert (words[name].y1 < place) if side < 0 else (words[name].y0 > place)
+    assert words["east-ground"].y0 > words["52.792 m"].y1
+    assert "Not all loads are named." in " ".join(
+        t.get_text() for t in drawn("suspension-cable")[0].texts
+    )

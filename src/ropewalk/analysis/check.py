@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from ropewalk.analysis.apart import Torn, jerks, torn_apart
 from ropewalk.analysis.bending_notes import bending_warnings
-from ropewalk.analysis.cost import seconds_per_step
+from ropewalk.analysis.cost import run_time, seconds_per_step, touches
 from ropewalk.analysis.json_values import plain
 from ropewalk.analysis.obstacle_notes import obstacle_warnings
 from ropewalk.analysis.plan_notes import plan_notes
@@ -56,6 +56,8 @@ class Check:
     duration: float  # simulated [s]
     seconds: float  # estimated run time [s], without recording
     seconds_measured: bool  # whether steps were timed, or the cost taken from a table
+    seconds_known: bool  # whether the table knows: not of ropes in contact
+    run_time: str  # the estimate in words
     warnings: tuple[str, ...]
     highest_at_rest: float | None = None  # frequency about the shape of rest [rad/s]
     tolerance: float | None = None  # [m] of steps of varying length
@@ -103,7 +105,7 @@ class Check:
             "steps_per_frame": self.steps_per_frame,
             "steps": self.steps,
             "duration": self.duration,
-            "estimated_seconds": self.seconds,
+            "estimated_seconds": self.seconds if self.seconds_known else None,
             "estimate_measured": self.seconds_measured,
             "warnings": self.warnings,
             "highest_frequency_at_rest": self.highest_at_rest,
@@ -126,11 +128,7 @@ class Check:
             text += [f"  at rest: {wrap.words}" for wrap in wraps]
         if self.statics.grounded.any() and self._rests:
             text.append(f"at rest {_count(self.statics.grounded, 'node')} on the ground")
-        guessed = " or several times that, with contact tens of times (not measured)"
-        text.append(
-            f"the run: {self.duration:.6g} s in about {_duration(self.seconds)}"
-            f"{'' if self.seconds_measured else guessed}; {self.pace}"
-        )
+        text.append(f"the run: {self.duration:.6g} s {self.run_time}; {self.pace}")
         text.append(f"the step: {self.stability.verdict}")
         text += [self.why] if self.why else []
         if all_methods:
@@ -207,6 +205,8 @@ def check(source: Scene | Model, *, measure: bool = True) -> Check:
         duration=plan.duration,
         seconds=cost * plan.steps,
         seconds_measured=measured,
+        seconds_known=measured or not touches(model),
+        run_time=run_time(model, cost * plan.steps, measured),
         warnings=(
             *(*map(str, torn), *overlong, *jerks(model)),
             *_warnings(model, found, statics, ropes),
@@ -288,11 +288,3 @@ def _stability_warnings(found: Stability) -> list[str]:
 def _count(which: NDArray[np.bool_], noun: str) -> str:
     number = int(which.sum())
     return f"{number} {noun} lies" if number == 1 else f"{number} {noun}s lie"
-
-
-def _duration(seconds: float) -> str:
-    if seconds < 1.0:
-        return f"{max(1e3 * seconds, 1.0):.0f} ms"
-    if seconds < 120.0:
-        return f"{seconds:.2g} s"
-    return f"{seconds / 60:.3g} min" if seconds < 7200.0 else f"{seconds / 3600:.3g} h"

@@ -39,6 +39,7 @@ if TYPE_CHECKING:
 _MOST = 8  # names, loads and sags that are written; more would hide each other
 _SMALL = 2e-3  # [1] of the drawing's size: shorter than this a length is not told
 _NEAR = 0.02  # [1] of the drawing's size: anchors nearer to each other have one label
+_FOOT = 0.1  # [1] of the box: anchors below that have their names below them
 _ARROWS = {"arrowstyle": "<|-|>", "color": GREY, "linewidth": 0.9, "shrinkA": 0.0, "shrinkB": 0.0}
 
 
@@ -70,13 +71,16 @@ def dimensions(result: Result, *, plane: str | None = None) -> Figure:
     _measure_ends(axes, ends, seen)
     sags = _write_sags(axes, result, points, seen)
     _name_anchors(axes, result, seen)
-    _name_loads(axes, result, seen.view.project(points), seen)
+    more = _name_loads(axes, result, seen.view.project(points))
+    if any(rope.loads for rope in result.scene.ropes):  # room for the lowest one's words
+        low, high = axes.get_ylim()
+        axes.set_ylim(min(low, seen.box.low - 0.08 * (seen.box.high - seen.box.low)), high)
     label(axes, seen.view)
     if 1 < len(result.layout.ropes) <= _MOST:
         axes.legend(ncols=4, loc="lower left", bbox_to_anchor=(0.0, 1.0))
     at_rest = result.status == "at rest"
     set_title(figure, result.scene.name, "at rest" if at_rest else "at time zero")
-    notes = [*sags, *_depth(result, points, seen), *magnification_note(seen.box)]
+    notes = [*sags, *more, *_depth(result, points, seen), *magnification_note(seen.box)]
     set_note(figure, notes + given_notes(result.scene))
     return figure
 
@@ -95,12 +99,14 @@ def _measure_ends(axes: Axes, ends: Floats, seen: Backdrop) -> None:
     box = seen.box
     size = max(box.width, box.high - box.low)
     (left, low), (right, high) = ends.min(axis=0), ends.max(axis=0)
-    below, beside = box.low - 0.07 * (box.high - box.low), box.right + 0.04 * box.width
+    high_of = box.high - box.low
+    named = bool((ends[:, 1] < box.low + _FOOT * high_of).any())  # their names stand below them
+    below, beside = box.low - (0.14 if named else 0.07) * high_of, box.right + 0.04 * box.width
     if right - left > _SMALL * size:
         for x in (left, right):
             axes.plot([x, x], [ends[ends[:, 0] == x][0, 1], below], color=GREY, linewidth=0.5)
         _measure(axes, (left, below), (right, below), f"{right - left:.5g} m")
-        axes.set_ylim(box.low - 0.14 * (box.high - box.low), box.high)
+        axes.set_ylim(below - 0.07 * high_of, box.high)
     if high - low > _SMALL * size:
         for y in (low, high):
             axes.plot([ends[ends[:, 1] == y][0, 0], beside], [y, y], color=GREY, linewidth=0.5)
@@ -188,21 +194,23 @@ def _name_anchors(axes: Axes, result: Result, seen: Backdrop) -> None:
                 break
         else:
             written.append((place, [name]))
+    foot = seen.box.low + _FOOT * (seen.box.high - seen.box.low)
     for place, here in written:
         axes.annotate(
             escape(", ".join(here)),
             xy=tuple(place),
-            xytext=(0.0, 7.0),
+            xytext=(0.0, -15.0 if place[1] < foot else 7.0),  # ropes go up from the ground
             textcoords="offset points",
             ha="center",
             fontsize=8.5,
+            bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.5, "alpha": 0.85},
             annotation_clip=False,
-            zorder=5,
+            zorder=4.5,
         )
 
 
-def _name_loads(axes: Axes, result: Result, flat: Floats, seen: Backdrop) -> None:
-    """Write the mass of every load below it."""
+def _name_loads(axes: Axes, result: Result, flat: Floats) -> list[str]:
+    """Write the mass of every load below it; return what could not be written."""
     loads = [
         (span.start + rope.node_index(load.node), load.mass)
         for rope, span in zip(result.scene.ropes, result.layout.ropes, strict=True)
@@ -220,6 +228,7 @@ def _name_loads(axes: Axes, result: Result, flat: Floats, seen: Backdrop) -> Non
             annotation_clip=False,
             zorder=5,
         )
+    return ["Not all loads are named."] if len(loads) > _MOST else []
 
 
 def _depth(result: Result, points: Floats, seen: Backdrop) -> list[str]:
