@@ -13,10 +13,12 @@ from ropewalk.core import arrays
 from ropewalk.laws.slides.rail import look
 from ropewalk.laws.slides.table import R1
 from ropewalk.lowering import build
+from ropewalk.rigging.held_places import held_places, in_words
 from ropewalk.scene import Slack, Straight
 from ropewalk.simulation import Simulation
 from ropewalk.statics import checked_shape
 from ropewalk.statics.balance import Balance
+from ropewalk.vibration.flexibility import NoModes
 from ropewalk.vibration.linear import linearise
 
 g = 9.81
@@ -115,6 +117,25 @@ def test_it_rolls_about_the_lowest_place_as_on_an_ellipse() -> None:
     assert stuck.motions[0].name == "out of plane"
 
 
+def test_it_is_told_where_segments_shift_the_frequency() -> None:
+    """At 14 degrees; with the frequency on an ellipse. Not at 2.6."""
+    length = 10.0 / math.cos(math.radians(14.0))
+    a, c = 0.5 * length, 5.0
+    expected = math.sqrt(g * math.sqrt(a * a - c * c) / (a * a)) / (2.0 * math.pi)
+    steep = rw.modes(trolley(4.0, drop=0.0, length=length), count=1)
+    (note,) = steep.notes
+    told = float(note.rpartition(" it is ")[2].removesuffix(" Hz"))
+    assert told == pytest.approx(expected, rel=0.01)
+    assert "sides stand at 14" in note
+    off = steep.frequencies[0] / expected
+    assert 1.1 < off < 1.2
+    assert "by up to some 37 %, finer lines the more" in note
+    with pytest.raises(NoModes, match="segments by one"):  # on a bump
+        rw.modes(trolley(4.0, drop=0.0, length=length, segments=41), count=1)
+    assert rw.modes(trolley(4.0, drop=0.0, length=10.01), count=1).notes == []
+    assert rw.modes(trolley(4.0, 0.3, drop=0.0, length=length), count=1).notes == []
+
+
 @pytest.mark.parametrize("friction", [0.0, 0.2])
 def test_modes_have_the_tangents_of_slides(friction: float) -> None:
     scene = trolley(6.0, friction)
@@ -131,3 +152,42 @@ def test_modes_have_the_tangents_of_slides(friction: float) -> None:
     change = -0.5 * (ends[0] - ends[1])[:, balance.free].T.ravel()
     said = linear.other @ way[:, balance.free].T.ravel()
     assert np.abs(change - said).max() < 1e-5 * np.abs(said).max()
+
+
+@pytest.mark.parametrize("friction", [0.05, 0.1])
+def test_between_which_places_friction_holds_it(friction: float) -> None:
+    """On an ellipse: the line at the trolley, half way between its sides, is as steep as mu.
+
+    With both sides p and q long and at angles a and b to the level, p + q the line's length, the trolley is
+    held where |tan((a - b) / 2)| <= mu. Creeping from beyond either end comes to that end.
+    """
+    length, across = 10.05, 10.0
+    a, c = 0.5 * length, 0.5 * across
+    turn = math.atan(friction)
+    b = math.sqrt(a * a - c * c)
+    parameter = math.atan(a / b * math.tan(turn))  # of the ellipse, whose slope is (b / a) tan
+    half = c * math.sin(parameter)  # a side is a + (c / a) x long, x = a sin
+    scene = trolley(5.0, friction, drop=0.0)
+    _, found = slope(scene)
+    ropes = {"line": found.positions[:21], "rider": found.positions[21:]}
+    places = held_places(build(scene).scene, ropes, found.seats[0])
+    assert places is not None
+    assert places[0] == pytest.approx(0.5 * length - half, abs=0.01)
+    assert places[1] == pytest.approx(0.5 * length + half, abs=0.01)
+    for start, end in ((1.0, places[0]), (9.0, places[1])):
+        _, crept = slope(trolley(start, friction, drop=0.0))
+        assert crept.seats[0].at == pytest.approx(end, abs=0.3)
+    assert "is held anywhere from" in in_words(found.seats[0], places)
+
+
+def test_where_nothing_says_between_which_places() -> None:
+    """Without friction, and where something else holds the line."""
+    scene = trolley(5.0, 0.0)
+    _, found = slope(scene)
+    ropes = {"line": found.positions[:21], "rider": found.positions[21:]}
+    assert held_places(build(scene).scene, ropes, found.seats[0]) is None
+    assert in_words(found.seats[0], None) == ""
+    scene = trolley(5.0, 0.1)
+    seat = slope(scene)[1].seats[0]
+    more = scene.replace(anchors=[*scene.anchors, rw.Anchor(rope="line", node=7)])
+    assert held_places(build(more).scene, ropes, seat) is None

@@ -135,7 +135,7 @@ def roll(line: Line, mass: float, held: bool, places: Floats) -> Rolling:
     guess: tuple[float, float] | None = None
     for i in order:
         x = float(places[i])
-        left, height, sides = _rest(line, load, held, x, guess)
+        left, height, sides = rest_at(line, load, held, x, guess)
         guess = left, line.height_difference * x / line.span - height
         found[i] = (height, *sides)
     return _gathered(line, mass, held, places, found)
@@ -238,7 +238,7 @@ class _Load:
         return left, float(error[1])
 
 
-def _rest(
+def rest_at(
     line: Line, load: float, held: bool, x: float, guess: tuple[float, float] | None
 ) -> tuple[float, float, tuple[Cable, Cable]]:
     """Return the unstretched length on the left, the load's height, and both sides."""

@@ -27,6 +27,7 @@ from ropewalk.scene.obstacles import is_free
 from ropewalk.statics import Statics, checked_shape
 from ropewalk.statics.balance import standing
 from ropewalk.statics.coupled import NoRoom
+from ropewalk.vibration.bumps import bump_notes
 from ropewalk.vibration.drawing import ModePlots
 from ropewalk.vibration.flexibility import NoModes
 from ropewalk.vibration.linear import linearise
@@ -96,6 +97,11 @@ class Modes:
         return rows
 
     @property
+    def notes(self) -> list[str]:
+        """What to know of the numbers: where they are known to be off."""
+        return bump_notes(self)
+
+    @property
     def plot(self) -> ModePlots:
         """Figures: `modes.plot.mode_shapes()`."""
         return ModePlots(self)
@@ -136,7 +142,10 @@ def modes(source: Scene | Model, about: About = "equilibrium", count: int = 10) 
     if linear.loose:
         _refuse_loose(model, about)
     more = 2 * len(model.layout.ropes)  # so that none of equal frequency is cut off
-    values, flat = solve(linear, count + more)
+    try:
+        values, flat = solve(linear, count + more)
+    except NoModes as error:
+        raise NoModes(f"{error}{_on_a_bump(model)}") from None
     normal = plane_normal(model, x)
     flat = untangle(values, flat, linear.mass, np.tile(normal, linear.nodes.size))
     values, flat = values[:count], flat[:count]
@@ -151,6 +160,17 @@ def modes(source: Scene | Model, about: About = "equilibrium", count: int = 10) 
         eigenvalues=values,
         shapes=_scaled(shapes),
         motions=motions(model, x, _scaled(shapes), normal),
+    )
+
+
+def _on_a_bump(model: Model) -> str:
+    """Say what may be the matter where something rolls freely."""
+    free = [slide.name for slide in model.scene.slides if slide.friction == slide.brake == 0.0]
+    if not free:
+        return ""
+    return (
+        f". Slide {free[0]!r} may stand on a bump between two segments, from which it would roll down: "
+        "change the line's segments by one, or take fewer"
     )
 
 

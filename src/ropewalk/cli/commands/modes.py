@@ -76,9 +76,13 @@ def modes(
         output.parent.mkdir(parents=True, exist_ok=True)
         plots.save(found.plot.mode_shapes(), output)
     if as_json:
-        print_json({"name": loaded.name, "about": about, "modes": found.table})
+        print_json(
+            {"name": loaded.name, "about": about, "modes": found.table, "notes": found.notes}
+        )
         return
     _print(found)
+    for note in found.notes:
+        say(f"note: {note}")
     if output is not None:
         say(str(output))
 

@@ -49,6 +49,7 @@ def settle(
             refuse_run(output, overwrite)
         from ropewalk.lowering import build
         from ropewalk.record.rest import rest_and_result
+        from ropewalk.rigging.held_places import in_words
         from ropewalk.statics import rest_spans
         from ropewalk.statics.wraps import MANY
 
@@ -65,13 +66,26 @@ def settle(
         return
     print_results(result, f"{result.scene.name}: {result.status}")
     _print_spans(spans)
+    held = _held(result, rest)
     for place in (*rest.wraps, *rest.touches, *rest.seats, *rest.pulleys):
         say(str(place))
+    for seat, places in zip(rest.seats, held, strict=True):
+        if words := in_words(seat, places):
+            say(words)
     if rest.by_friction:
         say(f"note: {MANY}")
     _print_anchors(result)
     if output is not None:
         say(f"run folder: {output}")
+
+
+def _held(result: Result, rest: Statics) -> list[tuple[float, float] | None]:
+    """Return between which places everything that slides is held, None where no closed form says it."""
+    from ropewalk.rigging.held_places import held_places
+
+    spans = result.layout.ropes
+    ropes = {span.name: result.positions[0, span.first : span.last + 1] for span in spans}
+    return [held_places(result.scene, ropes, seat) for seat in rest.seats]
 
 
 def _print_spans(spans: tuple[RestSpan, ...]) -> None:
@@ -116,7 +130,10 @@ def _facts(result: Result, spans: tuple[RestSpan, ...], rest: Statics) -> dict[s
         "spans": [vars(span) for span in spans],
         "wraps": [wrap.as_dict() for wrap in rest.wraps],
         "touches": [touch.as_dict() for touch in rest.touches],
-        "seats": [seat.as_dict() for seat in rest.seats],
+        "seats": [
+            seat.as_dict() | {"held": places}
+            for seat, places in zip(rest.seats, _held(result, rest), strict=True)
+        ],
         "pulleys": [pulley.as_dict() for pulley in rest.pulleys],
         "anchors": {
             name: list(force) for name, force in zip(names, result.reactions[0], strict=True)
