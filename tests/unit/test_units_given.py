@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import subprocess
 import sys
+from pathlib import Path
 from typing import Any
 
 import pint
@@ -15,6 +16,7 @@ import ropewalk as rw
 import ropewalk.scene as scene_module
 from ropewalk.cli import main
 from ropewalk.scene import Kick, Shake, dumps, loads
+from ropewalk.scene.as_given import as_given
 from ropewalk.scene.units import WrongUnit, in_unit
 
 TEXT = """
@@ -146,3 +148,26 @@ def test_plain_numbers_need_no_pint() -> None:
 def test_a_weight_for_a_mass_says_how_a_mass_is_written() -> None:
     with pytest.raises(rw.SceneError, match="in kg is needed; a mass is written in kg or lb"):
         rw.Load(node=0, mass="80 kgf")  # type: ignore[arg-type]
+
+
+def test_quantities_of_a_file_are_shown_as_they_were_given(tmp_path: Path) -> None:
+    """In check and on the sheet; what a flag has changed, and plain numbers, are not among them."""
+    file = tmp_path / "job.toml"
+    file.write_text(TEXT, encoding="utf-8")
+    found = {one.path: (one.given, one.stored) for one in as_given(file, loads(TEXT))}
+    assert found["rope[0].length"] == ("30 ft", "9.144 m")
+    assert found["rope[0].made_of.EA"] == ("5.65 MN", "5.65e+06 N")
+    assert found["rope[0].shape.start"] == ("(1 ft, 0, 10 cm)", "(0.3048, 0, 0.1) m")
+    assert found["rope[0].force[0].force"] == ("(80 kgf, 0, 1 lbf)", "(784.532, 0, 4.44822) N")
+    assert found["run.time_step"] == ("0.5 ms", "0.0005 s")
+    assert len(found) == 9
+    done = CliRunner().invoke(main, ["check", str(file), "--set", "rope.length=5 m"])
+    assert "as given: rope[0].diameter = 12 mm, 0.012 m" in done.stdout
+    assert "rope[0].length" not in done.stdout
+    told = json.loads(CliRunner().invoke(main, ["check", str(file), "--json"]).stdout)["as_given"]
+    assert {"path": "run.duration", "given": "2 min", "stored": "120 s"} in told
+    sheet = rw.sheet(file, run=False, convergence=False)
+    assert "30 ft" in str(sheet.section("As given"))
+    assert as_given("r4", rw.preset("r4")) == []
+    with pytest.raises(KeyError, match="As given"):
+        rw.sheet("hanging-rope", run=False, convergence=False).section("As given")

@@ -144,7 +144,7 @@ def listed(description: str, toml: str, python: str, *, default: tuple[()]) -> A
 
 
 @cache
-def _units(model: type[BaseModel]) -> dict[str, str]:
+def units_of(model: type[BaseModel]) -> dict[str, str]:
     """Return the units of a model's quantities, by name."""
     found = {}
     for name, field in model.model_fields.items():
@@ -204,7 +204,7 @@ class Model(BaseModel, metaclass=_Sentences):
         """Take quantities with a unit, such as "12 mm", as numbers in the field's own unit."""
         if not isinstance(data, Mapping):
             return data
-        units, changed = _units(cls), dict(data)
+        units, changed = units_of(cls), dict(data)
         for name, value in data.items():
             if name in units and not isinstance(value, bool | int | float):
                 changed[name] = in_unit(value, units[name])

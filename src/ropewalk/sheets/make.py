@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Callable, Mapping
 from datetime import UTC, datetime
+from pathlib import Path
 from typing import Any
 
 from ropewalk import __version__
@@ -13,6 +14,7 @@ from ropewalk.lowering import build
 from ropewalk.plots.dimensions import dimensions
 from ropewalk.record.result import Result
 from ropewalk.scene import Scene, SceneError, dumps
+from ropewalk.scene.as_given import as_given
 from ropewalk.sheets.content import Item, Listing, Section, Table, Text, picture
 from ropewalk.sheets.document import Sheet
 from ropewalk.sheets.loads import rest_section, run_section, summary_section
@@ -28,6 +30,7 @@ def sheet(
     convergence: bool = True,
     uncertain: Mapping[str, Any] | None = None,
     samples: int = 64,
+    file: str | Path | None = None,
     progress: Callable[[str], None] | None = None,
 ) -> Sheet:
     """Make the sheet of a job: what a scene is, what it carries at rest and in its run, and how sure that is.
@@ -38,6 +41,8 @@ def sheet(
         convergence: compute it again with half the segments and half the step.
         uncertain: values that are not known, as for `uncertain`: paths to ranges or distributions.
         samples: base samples of these.
+        file: that the scene was read from, whose quantities are shown as they stand there; by default
+            `scene`, where that is one.
         progress: called with what is done next, in words.
 
     Returns:
@@ -47,6 +52,7 @@ def sheet(
     that is not found.
     """
     made, tell = as_scene(scene), progress or (lambda words: None)
+    source = file if file is not None or not isinstance(scene, str | Path) else scene
     sections: list[Section] = []
     tell("at rest")
     rest: Result | None = None
@@ -66,7 +72,8 @@ def sheet(
         result = simulate(made, on_failure="return")
     assert result is not None
     sections += [summary_section(rest, result if run else None)]
-    sections += [_drawing(rest or result), rope_section(made), assumption_section(made), at_rest]
+    sections += [_drawing(rest or result), rope_section(made), *_given(source, made)]
+    sections += [assumption_section(made), at_rest]
     if run:
         sections += [run_section(result), _courses(result), method_section(result)]
     if convergence and not result.diagnosis:
@@ -82,6 +89,16 @@ def sheet(
 def _drawing(result: Result) -> Section:
     shown = "at rest" if result.status == "at rest" else "at time zero"
     return Section("Drawing", (picture(dimensions(result), f"The scene {shown}, with dimensions"),))
+
+
+def _given(file: str | Path | None, scene: Scene) -> list[Section]:
+    """Return the quantities that a file gives in units of its own, as they stand there."""
+    found = as_given(file, scene) if file is not None else []
+    if not found:
+        return []
+    return [
+        Section("As given", (Table(("where", "given", "computed with"), found, numbers=False),))
+    ]
 
 
 def _courses(result: Result) -> Section:

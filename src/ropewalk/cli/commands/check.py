@@ -38,14 +38,18 @@ def check(
     Exit status 3 when the run is expected to break, else 0.
     """
     from ropewalk.analysis.check import check as check_scene
+    from ropewalk.scene.as_given import as_given
 
     loaded = load_scene(scene, overrides, duration=duration, time_step=time_step, method=method)
     with named(scene), telling_of_compiling():
         found = check_scene(loaded)
     if as_json:
-        print_json({"scene": scene} | found.as_dict())
+        given = {"as_given": [one._asdict() for one in as_given(scene, loaded)]}
+        print_json({"scene": scene} | found.as_dict() | given)
     else:
         _print(found, all_methods)
+        for one in as_given(scene, loaded):
+            say(f"as given: {one}")
     return 0 if found.ok else BROKE
 
 

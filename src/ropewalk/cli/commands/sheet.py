@@ -86,6 +86,7 @@ def sheet(
             convergence=not no_convergence,
             uncertain=vary or None,
             samples=samples,
+            file=scene,
             progress=None if quiet or as_json else tell,
         )
     for path in paths:
