@@ -52,7 +52,6 @@ def sheet(
     that is not found.
     """
     made, tell = as_scene(scene), progress or (lambda words: None)
-    source = file if file is not None or not isinstance(scene, str | Path) else scene
     sections: list[Section] = []
     tell("at rest")
     rest: Result | None = None
@@ -72,7 +71,7 @@ def sheet(
         result = simulate(made, on_failure="return")
     assert result is not None
     sections += [summary_section(rest, result if run else None)]
-    sections += [_drawing(rest or result), rope_section(made), *_given(source, made)]
+    sections += [_drawing(rest or result), rope_section(made), *_given(file or scene, made)]
     sections += [assumption_section(made), at_rest]
     if run:
         sections += [run_section(result), _courses(result), method_section(result)]
@@ -91,9 +90,9 @@ def _drawing(result: Result) -> Section:
     return Section("Drawing", (picture(dimensions(result), f"The scene {shown}, with dimensions"),))
 
 
-def _given(file: str | Path | None, scene: Scene) -> list[Section]:
+def _given(file: SceneLike, scene: Scene) -> list[Section]:
     """Return the quantities that a file gives in units of its own, as they stand there."""
-    found = as_given(file, scene) if file is not None else []
+    found = as_given(file, scene) if isinstance(file, str | Path) else []
     if not found:
         return []
     return [
