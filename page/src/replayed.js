@@ -8,9 +8,10 @@ import { readFrame } from "./source/frame.js";
 
 /** @param {App} app @param {Replay} replay */
 export function connectReplay(app, replay) {
-  const past = new Past(app, async (first, count, every) => {
+  const past = new Past(app, async (first, count, every, signal) => {
     const layout = replay.layouts[replay.part];
-    return (await replay.read(first, count, every)).map((buffer) => readFrame(buffer, layout));
+    const found = await replay.read(first, count, every, signal);
+    return found.map((buffer) => readFrame(buffer, layout));
   });
   replay.jumped = () => {
     app.stage.marks.trails?.clear();

@@ -27,8 +27,8 @@ class Few {
     return new ArrayBuffer(48);
   }
 
-  async read(...which) {
-    return which;
+  async read(first, count, every) {
+    return [first, count, every];
   }
 }
 
@@ -127,6 +127,47 @@ test("time waits for a frame that is not there, and a place sought is shown when
   const shown = sent.slice(before).find(({ type }) => type === "frame");
   assert.equal(shown.head.getUint32(8, true), done.frame);
   assert.deepEqual([replay.shown, frames.taken.at(-1).after], [7, 6]);
+});
+
+test("what was reached is measured: waits for frames count, another speed begins anew", async () => {
+  const { replay, frames, sent, answer } = await opened(every(1 / 60, 601));
+  const told = () => sent.findLast(({ type }) => type === "status").realtime;
+  assert.equal(told(), null); // nothing measured yet
+  let now = 0;
+  const go = (until) => {
+    for (; now <= until; now += 20) replay.tick(now);
+  };
+  go(1000);
+  assert.ok(Math.abs(told() - 1) < 0.05);
+  frames.there = () => false;
+  go(2000);
+  assert.equal(told(), 0); // it waits, and says so
+  frames.there = () => true;
+  go(3000);
+  assert.ok(Math.abs(told() - 1) < 0.05);
+  const shown = sent.findLast(({ type }) => type === "frame");
+  assert.ok(Math.abs(shown.head.getFloat32(32, true) - 1) < 0.05);
+  await answer({ type: "speed", value: 0.5 });
+  assert.equal(told(), null);
+  go(4000);
+  assert.ok(Math.abs(told() - 0.5) < 0.05);
+  await answer({ type: "pause" });
+  assert.equal(told(), 0);
+});
+
+test("the frame that is sought while it plays is asked for until it is there, and no other", async () => {
+  const { replay, frames, answer } = await opened(every(1 / 240, 2401));
+  for (let now = 0; now <= 200; now += 20) replay.tick(now);
+  const asked = [];
+  let late = 3;
+  frames.there = (index) => {
+    asked.push(index);
+    return --late < 0;
+  };
+  await answer({ type: "seek", time: 5 });
+  for (const now of [217, 250, 258]) replay.tick(now); // animation frames are not even
+  assert.deepEqual(asked, [1200, 1200, 1200, 1200]);
+  assert.equal(replay.shown, 1200);
 });
 
 test("a time outside the run, and what no replay can do, is refused", async () => {

@@ -131,8 +131,9 @@ export class Graphs {
   /** @param {boolean} [open] */
   toggle(open = !this.open) {
     this.host.hidden = !open;
-    if (open) this.rebuild();
-    else this.clear();
+    if (open) return this.rebuild();
+    this.clear();
+    this.wanted(); // nothing any more: what is on its way is left off
   }
 
   /** @param {Frame} frame */

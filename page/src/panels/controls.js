@@ -107,7 +107,7 @@ export class Controls {
     }
     if (document.activeElement !== this.speed) this.speed.value = String(nearest(status.speed));
     this.speedText.textContent = speedText(status.speed);
-    this.reached.textContent = status.playing ? `reached ${figures(status.realtime)}×` : "paused";
+    this.reached.textContent = status.playing ? reachedText(status.realtime) : "paused";
     this.reached.classList.toggle("slow", status.slow);
     this.reached.title = status.text || "Simulated time per real time, over the last half second";
     if (status.duration) this.seek.max = String(status.duration);
@@ -163,6 +163,9 @@ export class Controls {
     });
   }
 }
+
+/** @param {number | null} realtime null: not measured yet */
+const reachedText = (realtime) => (realtime === null ? "" : `reached ${figures(realtime)}×`);
 
 /** @param {number} speed */
 function nearest(speed) {

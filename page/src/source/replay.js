@@ -1,6 +1,7 @@
 // The player: plays a run in this page, whether its frames lie in the page or are fetched from a server.
 
 import { PLAYING } from "./frame.js";
+import { Pace } from "./pace.js";
 
 /** @typedef {import("./protocol.js").Source} Source */
 /** @typedef {import("./protocol.js").SourceEvents} SourceEvents */
@@ -19,7 +20,7 @@ import { PLAYING } from "./frame.js";
  * @property {(index: number, after: number, every: number, on: boolean) => ArrayBuffer | null} take
  *   a frame of the caller's own, with what was seen since frame `after`; null: not there yet, ask again.
  *   `on`: the ones `every` frames later will be wanted next
- * @property {(first: number, count: number, every: number) => Promise<ArrayBuffer[]>} read
+ * @property {(first: number, count: number, every: number, signal?: AbortSignal) => Promise<ArrayBuffer[]>} read
  *   frames, each with what was seen since the one `every` before it; none that do not exist
  */
 
@@ -39,6 +40,7 @@ export class Replay {
     this.time = 0;
     this.speed = 1;
     this.playing = run.playing;
+    this.pace = new Pace();
     this.number = 0;
     this.shown = -1;
     this.leapt = false;
@@ -111,6 +113,7 @@ export class Replay {
         if (this.time >= duration) this.moveTo(0);
         this.playing = true;
         this.last = performance.now();
+        this.pace.restart();
         return "";
       case "pause":
         this.playing = false;
@@ -121,6 +124,7 @@ export class Replay {
         return "";
       case "speed":
         this.speed = value;
+        this.pace.restart();
         return "";
       case "seek":
         if (!(time >= 0 && time <= duration * (1 + 1e-9)))
@@ -141,6 +145,7 @@ export class Replay {
   moveTo(time) {
     this.time = time;
     this.leapt = true; // what lies between is not passed over
+    this.pace.restart();
   }
 
   /** The frame to show now: the last one that is not later. */
@@ -178,8 +183,9 @@ export class Replay {
       this.show(this.index);
       return;
     }
-    const time = this.later(elapsed * this.speed);
+    const time = this.leapt ? this.time : this.later(elapsed * this.speed); // the one sought comes first
     if (this.show(this.next(time))) this.time = time; // else it waits for the frame
+    this.pace.note(now, this.time);
     this.playing = this.time < this.run.duration;
     if (!this.playing || now - this.lastStatus > STATUS) this.tellStatus();
   }
@@ -234,7 +240,7 @@ export class Replay {
     const head = new DataView(buffer);
     head.setUint32(8, this.number, true);
     if (this.playing) head.setUint32(12, head.getUint32(12, true) | PLAYING, true);
-    head.setFloat32(32, this.playing ? this.speed : 0, true);
+    head.setFloat32(32, this.playing ? (this.pace.reached ?? 0) : 0, true);
     head.setFloat32(36, this.speed, true);
   }
 
@@ -262,13 +268,13 @@ export class Replay {
   }
 
   /** Frames of the part that is shown, each with its layout. @param {number} first @param {number} count
-   * @param {number} every */
-  async read(first, count, every) {
+   * @param {number} every @param {AbortSignal} [signal] */
+  async read(first, count, every, signal) {
     const { part } = this;
     const begin = Math.max(0, Math.ceil((this.first[part] - first) / every)); // those before are of another layout
     const end = this.first[part] + this.run.parts[part].frames;
     const there = Math.min(count, Math.ceil((end - first) / every)) - begin;
-    return there > 0 ? this.frames.read(first + begin * every, there, every) : [];
+    return there > 0 ? this.frames.read(first + begin * every, there, every, signal) : [];
   }
 
   tellStatus() {
@@ -278,7 +284,7 @@ export class Replay {
       type: "status",
       playing: this.playing,
       speed: this.speed,
-      realtime: this.playing ? this.speed : 0,
+      realtime: this.playing ? this.pace.reached : 0,
       slow: false,
       text: "",
       time: this.time,

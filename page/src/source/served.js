@@ -114,10 +114,10 @@ export class ServedFrames {
     }
   }
 
-  /** @param {number} first @param {number} count @param {number} every */
-  async read(first, count, every) {
+  /** @param {number} first @param {number} count @param {number} every @param {AbortSignal} [signal] */
+  async read(first, count, every, signal) {
     const path = `frames.bin?first=${first}&count=${count}&every=${every}`;
-    const bytes = await (await this.fetch(path)).arrayBuffer();
+    const bytes = await (await this.fetch(path, signal)).arrayBuffer();
     const found = [];
     for (let at = 0; at < bytes.byteLength; at += this.bytes) {
       const number = layoutOf(bytes.slice(at, at + 48));
@@ -130,9 +130,9 @@ export class ServedFrames {
     return found;
   }
 
-  /** @param {string} path */
-  async fetch(path) {
-    const answer = await fetch(`${this.base}replay/${path}`);
+  /** @param {string} path @param {AbortSignal} [signal] */
+  async fetch(path, signal) {
+    const answer = await fetch(`${this.base}replay/${path}`, { signal });
     if (!answer.ok) throw new Error((await answer.text()).trim());
     return answer;
   }
