@@ -287,7 +287,10 @@ export class Marks {
     const hands = [...this.held];
     for (const { hit, place } of hands) {
       const from = placeOf(this.stage, hit);
-      if (from) arrows.push({ from, to: place, colour: theme.grab, pixels: 2, head: false });
+      if (!from) continue;
+      arrows.push({ from, to: place, colour: theme.grab, pixels: 2, head: false });
+      const text = hit.kind === "anchor" ? this.fastest(hit) : "";
+      if (text) this.labels.push({ from, at: place, text, kind: "grab" });
     }
     for (const ring of [this.ringPlace(), chosen, ...hands.map(({ place }) => place)]) {
       if (!ring) continue;
@@ -303,6 +306,17 @@ export class Marks {
       if (to) arrows.push({ from, to, colour: theme.joint, pixels: 2, head: false });
     }
     this.addKick(arrows);
+  }
+
+  /** What is said of a led anchor that goes as fast as any may, and so comes late; "" of others.
+   * @param {import("./input/pick.js").AnchorHit} hit */
+  fastest({ variant, anchor }) {
+    const { layout, frame, hello } = this.stage.session;
+    const most = hello?.limits.anchor_speed;
+    const a = layout?.variants[variant].anchors.findIndex(({ name }) => name === anchor) ?? -1;
+    if (!most || !frame || a < 0) return "";
+    const speed = Math.hypot(...frame.parts[variant].anchors.subarray(10 * a + 3, 10 * a + 6));
+    return speed > 0.995 * most ? `${quantity(most, "m/s")} (no faster)` : "";
   }
 
   /** @param {Arrow[]} arrows */

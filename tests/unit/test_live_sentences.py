@@ -18,7 +18,11 @@ from ropewalk.scene.faults import NO_VALUE
         ("rope[0].bend_radius", 0, "must be more",
          "The bend radius must be more (rope[0].bend_radius: 0)"),
         ("rope[0]", 0, "is not there", "The rope is not there (rope[0]: 0)"),
-        ("undo", None, "there is nothing to undo", "There is nothing to undo (undo)"),
+        ("", None, "there is nothing to undo", "There is nothing to undo"),
+        ("slide[0].brake_from", 132.0, "must be on rope 'wire'",
+         "The slide's \"brake_from\" must be on rope 'wire' (slide[0].brake_from: 132.0)"),
+        ("rope[1].diameter", 0.5, "would have segment 0 inside segment 3",
+         "The diameter would have segment 0 inside segment 3 (rope[1].diameter: 0.5)"),
         ("", NO_VALUE, "cannot be read", "This cannot be read"),
     ],
 )  # fmt: skip

@@ -5,7 +5,7 @@ import { dialog, h } from "./dom.js";
 const HAND = [
   [
     "Drag an anchor (a ring)",
-    "it follows the hand, in the plane of a flat scene, else parallel to the screen",
+    "it follows the hand, in the plane of a flat scene, else parallel to the screen; at most 30 m/s in the rope's time",
   ],
   [
     "Drag the rope",

@@ -294,7 +294,7 @@ def back(session: Session, command: Back, client: int) -> str:
 
 def undo(session: Session, command: Undo, client: int) -> str:
     if not session.undo_last():
-        raise refusal("undo", None, "there is nothing to undo")
+        raise refusal("", None, "there is nothing to undo")
     return ""
 
 

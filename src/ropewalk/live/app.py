@@ -19,7 +19,7 @@ from ropewalk.live.commands import Command
 from ropewalk.live.downloads import Downloads
 from ropewalk.live.exports import Exports, NothingToExport
 from ropewalk.live.guard import LONGEST_SCENE
-from ropewalk.live.hands import MOST_GRABS
+from ropewalk.live.hands import FASTEST, MOST_GRABS
 from ropewalk.live.hub import UNACKNOWLEDGED, Hub, Mailbox, as_text
 from ropewalk.live.page_socket import PER_SECOND, PROTOCOL, serve_socket
 from ropewalk.live.preset_pictures import svg
@@ -88,6 +88,7 @@ class Live:
                     "messages_per_second": PER_SECOND,
                     "unacknowledged": UNACKNOWLEDGED,
                     "clients": self.most_clients,
+                    "anchor_speed": FASTEST,  # [m/s] of one that is led, in the rope's time
                 },
                 "title": self.title,
                 "folder": str(self.run_folder) if self.run_folder else None,

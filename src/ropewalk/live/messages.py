@@ -10,7 +10,8 @@ from ropewalk.record.errors import RunError
 from ropewalk.scene import Fault, SceneError
 from ropewalk.scene.faults import NO_VALUE, show
 
-_VERBS = {"are", "can", "cannot", "has", "have", "is", "lies", "may", "must", "needs", "takes"}
+_VERBS = {"are", "can", "cannot", "has", "have", "holds", "is", "lies", "may", "must", "names", "needs"}
+_VERBS |= {"takes", "would"}
 _SUBJECTS = {"node": "This point", "nodes": "The two points", "type": "This command"}
 
 
@@ -31,8 +32,12 @@ def _subject(path: str) -> str:
     """Return what a fault is about, in words: the parameter's label, or the last key of the path."""
     if path in PARAMETERS:
         return PARAMETERS[path].label
-    key = path.rsplit(".", 1)[-1].split("[", 1)[0].replace("_", " ")
-    return _SUBJECTS.get(path) or (f"The {key}" if key else "This")
+    if path in _SUBJECTS:
+        return _SUBJECTS[path]
+    *above, key = (one.split("[", 1)[0] for one in path.split("."))
+    if above and above[-1] != "rope":
+        return f'The {above[-1]}\'s "{key}"'  # as it stands in the scene: "at", "brake_from"
+    return f"The {key.replace('_', ' ')}" if key else "This"
 
 
 def error_message(
