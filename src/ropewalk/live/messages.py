@@ -10,7 +10,20 @@ from ropewalk.record.errors import RunError
 from ropewalk.scene import Fault, SceneError
 from ropewalk.scene.faults import NO_VALUE, show
 
-_VERBS = {"are", "can", "cannot", "has", "have", "holds", "is", "lies", "may", "must", "names", "needs"}
+_VERBS = {
+    "are",
+    "can",
+    "cannot",
+    "has",
+    "have",
+    "holds",
+    "is",
+    "lies",
+    "may",
+    "must",
+    "names",
+    "needs",
+}
 _VERBS |= {"takes", "would"}
 _SUBJECTS = {"node": "This point", "nodes": "The two points", "type": "This command"}
 

@@ -13,6 +13,7 @@ from typing import Any
 from ropewalk.core.status import BROKEN, OK
 from ropewalk.live import edits
 from ropewalk.live.actions import ACTIONS
+from ropewalk.live.changes import Key, changes_between
 from ropewalk.live.commands import PHYSICAL, Command, Knot
 from ropewalk.live.history import EVERY, History, Moment
 from ropewalk.live.parameters import initial, named
@@ -20,8 +21,6 @@ from ropewalk.live.track import Saved, Track, planned
 from ropewalk.live.undo import WORDS, Undo
 from ropewalk.scene import Scene
 from ropewalk.simulation import Simulation
-
-Key = tuple[str, str | None]  # parameter and rope
 
 
 @dataclass(frozen=True)
@@ -279,6 +278,7 @@ class Session:
             self.changes.pop((name, rope), None)
             if not default:
                 self.changes[name, rope] = _resolved(name, value, self.scene)
+            self.changes = changes_between(self.loaded, self.scene, self.changes)
 
     def initial(self, *, original: bool) -> Scene:
         """Return the scene as loaded, with the changed constants unless `original`.

@@ -12,6 +12,7 @@ import tomllib
 import zlib
 from collections.abc import Callable, Mapping
 from contextlib import suppress
+from functools import cache
 from typing import Any
 from urllib.parse import parse_qsl, urlencode
 
@@ -134,10 +135,32 @@ def address(start: Start, loaded: Start, changes: Mapping[tuple[str, str | None]
     else:
         first = _packed(scene) or ("scene", "")
     pairs = [first]
+    changes = {**_settled(first, scene, changes), **changes}
     for (parameter, rope), value in changes.items():
         text = value if isinstance(value, str) else json.dumps(value)
         pairs.append((f"{rope}.{parameter}" if rope else parameter, text))
     return urlencode(pairs, safe="[],.")
+
+
+def _settled(
+    first: tuple[str, str], loaded: Scene, changes: Mapping[tuple[str, str | None], Any]
+) -> dict[tuple[str, str | None], Any]:
+    """Return what a preset leaves to the program, which would choose anew for the changed constants."""
+    if first[0] != "scene" or not changes:
+        return {}
+    left = chosen(first[1])
+    if ("steps_per_frame", None) in changes:
+        left = left - {"time_step"}
+    return {(name, None): getattr(loaded.run, name) for name in sorted(left)}
+
+
+@cache
+def chosen(name: str) -> frozenset[str]:
+    """Return what of method and time step a preset leaves to the program."""
+    if name not in names():
+        return frozenset()
+    run = preset(name).run
+    return frozenset(one for one in ("method", "time_step") if getattr(run, one) == "auto")
 
 
 def _packed(scene: Scene) -> tuple[str, str] | None:

@@ -1,0 +1,136 @@
+"""What links, the command line and resets make of a session: its constants, whatever way it went."""
+
+from __future__ import annotations
+
+import random
+from typing import Any
+
+import pytest
+
+from live.drive import do, refused, slack_rope
+from ropewalk.live.changes import changes_between, same
+from ropewalk.live.parameters import PARAMETERS, initial
+from ropewalk.live.session import Session
+from ropewalk.live.sources import address, scene_at
+from ropewalk.scene import Anchor, Scene, SceneError
+from ropewalk.scene.presets import preset
+
+START = slack_rope()
+# A way that leads to constants which none of its steps alone has.
+WAYS: dict[str, list[tuple[str, Any]]] = {
+    "the cut came after the constant": [("segments", 80), ("spring_constant", 1e3), ("segments", 40)],
+    "and was taken back": [("segments", 80), ("spring_constant", 1e3), ("segments", None)],
+    "the constant was taken back": [("segments", 80), ("spring_constant", None)],
+    "the length came after the stiffness": [("length", 40.0), ("EA", 900.0), ("length", 20.0)],
+    "the ground chose its height": [("ground", True)],
+    "the step came by frames": [("time_step", 1e-4), ("steps_per_frame", 77)],
+}  # fmt: skip
+
+
+def constants(scene: Scene) -> dict[tuple[str, str], Any]:
+    """Return everything that can be changed, of every rope."""
+    return {
+        (one.name, rope.name): one.get(scene, i)
+        for one in PARAMETERS.values()
+        for i, rope in enumerate(scene.ropes)
+    }
+
+
+def assert_same(shown: Scene, made: Scene) -> None:
+    now, then = constants(shown), constants(made)
+    assert {key: (now[key], then[key]) for key in now if not same(now[key], then[key])} == {}
+
+
+@pytest.mark.parametrize("way", WAYS)
+@pytest.mark.parametrize("name", ["r4", "hanging-rope"])
+def test_an_address_has_the_constants_that_are_shown(name: str, way: str) -> None:
+    """Of a rope of springs in given steps, and of one of a material in steps that the program chose."""
+    session = Session(preset(name), name)
+    for parameter, value in WAYS[way]:
+        do(session, "set", name=parameter, value=value)
+    assert_same(session.scene, session.initial(original=False))
+    found = address(session.start, (session.loaded, session.preset), session.changes)
+    assert_same(session.scene, Session(scene_at(found, (START, None))).scene)
+
+
+def test_a_chosen_step_stays_though_another_would_be_chosen_now() -> None:
+    session = Session(preset("hanging-rope"), "hanging-rope")
+    step = session.scene.run.time_step
+    start = (session.loaded, session.preset)
+    assert address(session.start, start, session.changes) == "scene=hanging-rope"
+    do(session, "set", name="EA", value=1e5)
+    link = address(session.start, start, session.changes)
+    assert Session(scene_at(link, (START, None))).scene.run.time_step == step
+    alone = scene_at(f"scene=hanging-rope&EA={1e5}", (START, None))
+    assert Session(alone).scene.run.time_step != pytest.approx(step, rel=0.01)
+
+
+def two() -> Scene:
+    """Return two ropes of unlike pieces."""
+    [rope] = START.ropes
+    pair = [rope.replace(name="a"), rope.replace(name="b", segments=30)]
+    ends = [
+        Anchor(name=f"{one.name}{node}", rope=one.name, node=node)
+        for one in pair
+        for node in (0, -1)
+    ]
+    made: Scene = START.replace(ropes=pair, anchors=ends)
+    return made
+
+
+@pytest.mark.parametrize("seed", range(20))
+@pytest.mark.parametrize("loaded", [preset("r4"), two()], ids=["springs", "two of a material"])
+def test_no_way_is_too_crooked(loaded: Scene, seed: int) -> None:
+    """Twelve changes at random, of one rope or all, some taken back: no simulation is needed for that."""
+    dice = random.Random(seed)
+    ropes = [None, *(rope.name for rope in loaded.ropes)]
+    values: dict[str, Any] = {
+        "segments": lambda: dice.randrange(10, 90),
+        "length": lambda: dice.uniform(18.0, 25.0),
+        "tension_only": lambda: dice.random() < 0.5,
+        "friction_form": lambda: dice.choice(["vector", "axial"]),
+        "gravity": lambda: [0.0, dice.uniform(-9.0, 9.0), 0.0],
+        "ground": lambda: dice.random() < 0.5,
+        "ground_height": lambda: dice.uniform(-9.0, 0.0),
+        "method": lambda: dice.choice(["verlet", "rk4"]),
+        "time_step": lambda: dice.uniform(1e-4, 1e-3),
+    }
+    numbers = ["spring_constant", "EA", "spring_friction", "mass", "diameter", "air_drag"]
+    values |= dict.fromkeys(numbers, lambda: dice.uniform(1.0, 2.0))
+    scene = loaded
+    changes: dict[tuple[str, str | None], Any] = {}
+    for _ in range(12):
+        name = dice.choice(list(values))
+        parameter = PARAMETERS[name]
+        rope = dice.choice(ropes) if parameter.per_rope else None
+        back = dice.random() < 0.2
+        which = parameter.ropes(loaded, rope)[0]
+        value = parameter.get(loaded, which) if back else values[name]()
+        if value is None:
+            continue
+        scene = parameter.apply(scene, value, rope)
+        changes.pop((name, rope), None)
+        if not back:
+            changes[name, rope] = value
+        changes = changes_between(loaded, scene, changes)
+    assert_same(scene, initial(loaded, changes))
+
+
+def test_where_ropes_are_others_it_is_what_was_asked_for() -> None:
+    session = Session(START)
+    do(session, "set", name="mass", value=3.0)
+    do(session, "cut", segment=20)
+    do(session, "set", name="gravity", value=[0.0, 0.0, -1.6])
+    assert session.changes == {("mass", None): 3.0, ("gravity", None): [0.0, 0.0, -1.6]}
+
+
+def test_where_no_straight_way_leads_it_is_what_was_asked_for() -> None:
+    """Two anchors a node apart: in 20 segments at once they would hold one node, by way of 30 they do not."""
+    near = START.replace(anchors=[*START.anchors, Anchor(name="near", node=1)])
+    session = Session(near)
+    assert "is held by anchor" in refused(session, "set", name="segments", value=20)
+    for segments in (30, 20):
+        do(session, "set", name="segments", value=segments)
+    assert session.changes == {("segments", None): 20}
+    with pytest.raises(SceneError):
+        session.initial(original=False)
