@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { theoryOf, whyItBroke } from "../src/view/why.js";
+import { theoryOf, whyInShort, whyItBroke } from "../src/view/why.js";
 
 const ONE = { stable: false, bound: 0.002, meter: 5.31, meter_limit: 4, meter_name: "a + 2b" };
 const cause = (changes = {}) => /** @type {any} */ ({ ...ONE, ...changes });
@@ -13,6 +13,16 @@ test("a break is told without the theory's letters, differently for a long step 
   assert.match(words[0], /too long/);
   assert.match(words[1], /too far/);
   assert.doesNotMatch(whyItBroke(null), /step|hand/); // nothing is said that is not known
+});
+
+test("in short it says the same of each, within a phone's line", () => {
+  for (const one of [{}, { stable: true }, { bound: null }]) {
+    const [short, long] = [whyInShort(cause(one)), whyItBroke(cause(one))];
+    assert.ok(short.length < 56, short);
+    const told = /too long|too far|pulled or threw/;
+    assert.match(short, told);
+  }
+  assert.doesNotMatch(whyInShort(null), /step|hand/);
 });
 
 test("the theory is there for those who ask, where there is one", () => {

@@ -281,6 +281,9 @@ def test_the_words_about_a_break_hide_no_rope(
     card = window.page.locator("#broken").bounding_box()
     scene = window.page.locator("#scene").bounding_box()
     places = window.ask("[...Array(41).keys()].map((i) => r.screenOf(i))")
+    said = window.page.locator("#broken .short")
+    assert said.is_visible()  # also where there is no room for all of the words
+    assert said.inner_text() == "Each step was too long for so stiff and light a rope."
     assert card["y"] - scene["y"] > 100.0
     for place in places:
         assert scene["y"] < place["y"] < card["y"] or place["y"] > card["y"] + card["height"]

@@ -3,7 +3,7 @@
 import { BROKEN } from "../source/frame.js";
 import { figures } from "../view/range.js";
 import { placeOn } from "../view/cards.js";
-import { theoryOf, whyItBroke } from "../view/why.js";
+import { theoryOf, whyInShort, whyItBroke } from "../view/why.js";
 import { h } from "./dom.js";
 
 /** @typedef {import("../session.js").Session} Session */
@@ -75,6 +75,7 @@ export class BrokenCard {
     );
     this.card.replaceChildren(
       h("h2", {}, "The simulation broke"),
+      h("p", { className: "short" }, whyInShort(broken.cause)),
       h("p", { className: "why" }, whyItBroke(broken.cause)),
       h("details", {}, h("summary", {}), h("p", {}, `${broken.text} ${theoryOf(broken.cause)}`)),
       h("div", { className: "row" }, ...buttons, ...this.look(broken)),
@@ -82,7 +83,8 @@ export class BrokenCard {
     this.fold();
   }
 
-  /** Where the words would cover the rope, put them behind a click, and the buttons beside the title. */
+  /** Where the words would cover the rope, put them behind a click but for the first few, and the buttons
+   * beside the title. */
   fold() {
     const [why, details] = ["p.why", "details"].map((part) => this.card.querySelector(part));
     if (!why || !details || this.card.hidden) return;

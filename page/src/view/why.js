@@ -23,6 +23,14 @@ export function whyItBroke(cause) {
   );
 }
 
+/** The same in a few words, where there is no room for more. @param {Cause | null} cause */
+export function whyInShort(cause) {
+  if (!cause) return "Why is being looked at.";
+  if (cause.bound === null) return "It was moved too far in one step.";
+  if (cause.stable) return "Something pulled or threw a piece of it too far.";
+  return "Each step was too long for so stiff and light a rope.";
+}
+
 /** The theory's sum, for those who know it. @param {Cause | null} cause */
 export function theoryOf(cause) {
   if (!cause || cause.meter === null || cause.meter_limit === null) return "";
