@@ -38,6 +38,11 @@ def test_one_rope_with_units_and_without(ropewalk: Any) -> None:
     assert "4.92e+06" in plain
 
 
+def test_a_climbing_rope_is_shown_with_what_no_source_gives(ropewalk: Any) -> None:
+    assert "no source says by how much" in ropewalk("ropes", "dynamic-single-9.8").stdout
+    assert "no source says" not in ropewalk("ropes", "wire-7x19-10").stdout
+
+
 def test_ropes_side_by_side(ropewalk: Any) -> None:
     done = ropewalk("ropes", "wire-7x19-6", "dynamic-single-9.8")
     assert "~" in done.stdout

@@ -240,3 +240,14 @@ def test_a_run_folder_says_where_the_numbers_are_from(tmp_path) -> None:  # type
     assert about["library"] == "dynamic-single-9.8"
     assert about["numbers"]["EA"]["source"] == "A1"
     assert about["changed"] == ["axial_damping"]
+
+
+def test_what_no_source_gives_of_falls_is_said_with_the_rope() -> None:
+    (falls,) = rope("dynamic-single-9.8").doubts
+    assert "first fall" in falls
+    assert "friction no source gives" in falls
+    for name in ("dynamic-half-8", "dynamic-twin-7.7"):
+        assert rope(name).doubts[0] == falls
+        assert "No label of a half or a twin rope" in rope(name).doubts[1]
+    assert rope("wire-7x19-12").doubts == ()
+    assert rope("semistatic-10.5").doubts == ()

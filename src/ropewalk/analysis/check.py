@@ -82,7 +82,8 @@ class Check:
         if self.tolerance is not None:
             return f"{self.frames} frames, steps to a tolerance of {1e3 * self.tolerance:.4g} mm"
         steps = f"{self.steps} steps of {milliseconds(self.stability.step)}"
-        return f"{self.frames} frames of {self.steps_per_frame} steps, {steps}"
+        each = "1 step" if self.steps_per_frame == 1 else f"{self.steps_per_frame} steps"
+        return f"{self.frames} frames of {each}, {steps}"
 
     def as_dict(self) -> dict[str, object]:
         """Plain values for JSON; None stands for what is not finite."""

@@ -68,6 +68,15 @@ class Number:
         return {key: value for key, value in vars(self).items() if value not in (None, "")}
 
 
+_FALLS = (
+    "The label's force is that of the first fall, over the edge of a rig whose friction no source gives. "
+    "Later falls are harder; no source says by how much."
+)
+_NO_LABEL = (
+    "No label of a half or a twin rope with all three numbers was read: its EA at rest is a guess."
+)
+
+
 @dataclass(frozen=True)
 class LibraryRope:
     """A rope of the library. Its numbers are attributes in SI, and in `numbers` with their sources.
@@ -183,6 +192,14 @@ class LibraryRope:
     def guesses(self) -> tuple[str, ...]:
         """Names of the quantities that are guesses."""
         return tuple(key for key, number in self.numbers.items() if number.guessed)
+
+    @property
+    def doubts(self) -> tuple[str, ...]:
+        """What no source gives of a climbing rope's falls, in sentences; nothing for other ropes."""
+        if "climbing" not in self.family:
+            return ()
+        rest = self.numbers.get("EA_static")
+        return (_FALLS, _NO_LABEL) if rest is not None and rest.guessed else (_FALLS,)
 
     def material(self, *, use: Use = "", guesses: bool = False, bending: bool = False) -> Material:
         """Return what a scene's rope is made of.

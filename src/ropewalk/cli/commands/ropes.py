@@ -101,6 +101,8 @@ def _show(one: LibraryRope, plain: bool) -> None:
             about = "; ".join(filter(None, (_range(number, units[key], plain), number.note)))
             rows.append((_head(key, plain, units), shown, number.quality, number.source, about))
     print_table(("", "value", "is", "source", "range; remark"), rows, right=[1])
+    for text in one.doubts:
+        say(text)
     used = {number.quality for number in [*one.numbers.values(), *one.label.values()]}
     for quality, meaning in QUALITIES.items():
         if quality in used:
