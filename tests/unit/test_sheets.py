@@ -244,16 +244,6 @@ def test_what_cannot_be_recut_says_why() -> None:
     assert finer.ropes[0].shape.points[1] == pytest.approx((0.25, 0.0, 0.05))
 
 
-def test_what_a_largest_tension_is_not_is_warned_of() -> None:
-    """The winch's own segment, as its table says; the same run by another method has no such warning."""
-    scene = rw.preset("crane-snap").replace(**{"run.duration": 1.0})
-    said = [one for one in warnings(rw.sheet(scene, convergence=False)) if "winch" in one]
-    assert len(said) == 1
-    assert said[0].startswith("The largest tension: the winch's own segment, after its turn")
-    exact = scene.replace(**{"run.method": "semi-implicit-euler"})
-    assert not [one for one in warnings(rw.sheet(exact, convergence=False)) if "winch" in one]
-
-
 def test_words_of_a_drawing_keep_clear_of_axis_and_ropes() -> None:
     """The climbing fall's 80 kg stood on the axis, the names of the mast's anchors on its guys."""
 

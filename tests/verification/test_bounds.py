@@ -26,7 +26,6 @@ from ropewalk.scene import (
     SceneError,
     Straight,
     Velocity,
-    Winch,
 )
 from ropewalk.simulation import Simulation
 from ropewalk.simulation.block import Block, join
@@ -305,10 +304,6 @@ def test_what_is_refused() -> None:
     ):
         Simulation(swing("bdf2", ropes=span, anchors=held))
     Simulation(swing("semi-implicit-euler", "auto", ropes=span, anchors=held))  # the twin
-    wound = swing("adaptive", "auto", winches=Winch(end="start", speed=0.1))
-    with pytest.raises(SceneError, match="a stretch limiter and a winch together"):
-        Simulation(wound)
-    Simulation(wound.replace(limiter=None))
     soft = Rope(segments=4, length=4.0, made_of=SOFT.replace(EA=5.0), shape=Hanging())
     rest = swing("bdf2", ropes=soft)
     rest = rest.replace(run=rest.run.replace(start="at-rest"))

@@ -44,7 +44,6 @@ OF_METHODS = (
     (("limiter",), (*RINGING, "sdirk2"), "a segment at its bound is rigid"),
     (("obstacle",), RINGING, "cannot work with obstacles"),
     (("contact",), RINGING, "cannot work with ropes that touch each other"),
-    (("winch", "limiter"), ("adaptive",), "a stretch limiter and a winch together"),
 )
 PAIRS = list(combinations(FEATURES, 2))
 #: Methods without a stable step where nothing damps the stiffest modes, and the pair that has no damping.

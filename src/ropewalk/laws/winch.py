@@ -6,6 +6,9 @@ is EA over its present length, and half of the new length's mass goes to either 
 the merged rest length is chosen so that its tension is the working segment's, and the small difference in
 unstretched length is given back while the winch turns on. So tension has no jump and no length is lost.
 What the winch does to the energies is booked as its work.
+
+A segment's length is that of every stage's own time (`wind_to`); masses, and nodes that go on or off a drum,
+follow at the end of the step. Methods that use the forces of its beginning alone wind at its end.
 """
 
 from __future__ import annotations
@@ -22,23 +25,75 @@ SPLIT = 1.6  # [1] times the nominal segment length
 MERGE = 0.4
 WINCH_SHARE = 0.2  # a winch winds at most this part of a segment in a step [1]
 
+# Columns of `turning`: the step's begin and length [s], the working segment's rest length then, what the
+# winch winds and what it gives back of what merged segments have lost [m], 1 where it can turn at all.
+BEGIN, STEP, LENGTH, WOUND, BACK, TURNS = range(6)
+
 
 @kernel
-def run_winches(system, state, t, dt):
-    """Turn all winches by one step that starts at `t` [s], and book their work."""
+def run_winches(system, state, t, dt, turning):
+    """Turn all winches by one step that starts at `t` [s], after it, and book their work.
+
+    `turning` is working space, as of `plan_turns`.
+    """
     if not winds(system, state):
         return
-    kinetic = kinetic_energy(state.v, state.mass)
-    potential = _potential(system, state)
+    kinetic, potential = kinetic_energy(state.v, state.mass), _potential(system, state)
     for row in range(state.winch_exit.shape[0]):
-        state.winch_rate[row] = 0.0
-        low = min(system.winches.first[row], system.winches.last[row])
-        high = max(system.winches.first[row], system.winches.last[row])
-        whole = not (parts(system) and has_parted(state.memory.parting.time, low, high))
-        # A drum that was let go does not turn, nor one whose rope has parted.
-        if state.held[system.winches.anchor[row]] == 1 and whole:
-            turn(system.winches, state, row, t, dt)
-        follow_drum(system.winches, state, row)
+        plan_turn(system, state, row, t, dt, turning)
+        _end_turn(system.winches, state, row, turning)
+        turning[row, WOUND] = 0.0
+    _book(system, state, kinetic, potential)
+
+
+@kernel
+def plan_turns(system, state, t, dt, turning):
+    """Write what every winch is to wind in the step of `dt` from `t` [s], (w, 6), see BEGIN."""
+    for row in range(turning.shape[0]):
+        turning[row, WOUND] = 0.0
+    for row in range(turning.shape[0]):
+        plan_turn(system, state, row, t, dt, turning)
+
+
+@kernel
+def wind_to(system, state, time, turning):
+    """Give the working segments the rest lengths that they have at `time` [s] of the planned step."""
+    winches = system.winches
+    for row in range(turning.shape[0]):
+        change = turning[row, WOUND] + turning[row, BACK]
+        if change != 0.0:
+            share = (time - turning[row, BEGIN]) / turning[row, STEP]
+            working = _working(winches, state, row)
+            set_segment(winches, state, row, working, turning[row, LENGTH] + share * change)
+
+
+@kernel
+def book_half(system, state, x, inner, begin, end, turning):
+    """Book half of what the change of lengths from `begin` to `end` [s] stores with the nodes at `x` (3, n).
+
+    At either end of their way, which makes the mean; `inner` is what segments remember there. Leaves the
+    lengths of `end`.
+    """
+    wind_to(system, state, begin, turning)
+    less = stored_energy(system, state, x, inner)
+    wind_to(system, state, end, turning)
+    state.work.winch[1] += 0.5 * (stored_energy(system, state, x, inner) - less)
+
+
+@kernel
+def end_turns(system, state, turning):
+    """End a step in which `wind_to` has wound: masses, and the nodes at the drums; book their work."""
+    if not winds(system, state):
+        return
+    kinetic, potential = kinetic_energy(state.v, state.mass), _potential(system, state)
+    for row in range(state.winch_exit.shape[0]):
+        _end_turn(system.winches, state, row, turning)
+    _book(system, state, kinetic, potential)
+
+
+@kernel
+def _book(system, state, kinetic, potential):
+    """Book what has changed since the energies were these [J], and the largest work so far."""
     state.work.winch[0] += kinetic_energy(state.v, state.mass) - kinetic
     state.work.winch[1] += _potential(system, state) - potential
     last = state.most.shape[0] - 1
@@ -52,18 +107,33 @@ def _potential(system, state):
 
 
 @kernel
-def turn(winches, state, row, t, dt):
-    """Change the working segment of winch `row`; split or merge it where it is due."""
-    side = winches.step[row]
+def _working(winches, state, row):
+    """Return the segment next to the drum."""
     drum = state.winch_exit[row]
-    working = drum if side > 0 else drum - 1
-    nominal = winches.segment[row]
-    length = state.rest_length[working]
-    outer = drum + side
+    return drum if winches.step[row] > 0 else drum - 1
+
+
+@kernel
+def plan_turn(system, state, row, t, dt, turning):
+    """Write what winch `row` is to wind in the step of `dt` from `t` [s], and the rate of that."""
+    winches = system.winches
+    drum, working = state.winch_exit[row], _working(winches, state, row)
+    nominal, length = winches.segment[row], state.rest_length[working]
+    low = min(winches.first[row], winches.last[row])
+    high = max(winches.first[row], winches.last[row])
+    whole = not (parts(system) and has_parted(state.memory.parting.time, low, high))
+    outer = drum + winches.step[row]
     wound = 0.0
     turned = min(t + dt, winches.stop[row]) - max(t, winches.start[row])
-    if turned > 0.0:
+    # A drum that was let go does not turn, nor one whose rope has parted.
+    turns = state.held[winches.anchor[row]] == 1 and whole
+    if turned > 0.0 and turns:
         total = unstretched(winches, state, row)
+        for other in range(
+            turning.shape[0]
+        ):  # what another drum of the rope winds in the same step
+            if low <= state.winch_exit[other] <= high and other != row:
+                total += turning[other, WOUND]
         wound = winches.speed[row] * turned
         if wound < 0.0:
             wound = max(wound, min(0.0, winches.shortest[row] - total))
@@ -74,21 +144,41 @@ def turn(winches, state, row, t, dt):
             wound = max(wound, min(0.0, 0.5 * nominal - length))
         if drum == winches.first[row]:  # no node is left to pay out
             wound = min(wound, max(0.0, SPLIT * nominal - length))
-    back = state.winch_debt[row] * min(1.0, abs(wound) / nominal)  # its mass never left the rope
+    back = 0.0
+    if turns:
+        back = state.winch_debt[row] * min(
+            1.0, abs(wound) / nominal
+        )  # its mass never left the rope
+    turning[row, BEGIN], turning[row, STEP], turning[row, LENGTH] = t, dt, length
+    turning[row, WOUND], turning[row, BACK] = wound, back
+    turning[row, TURNS] = 1.0 if turns else 0.0
+    state.winch_rate[row] = (wound + back) / dt
+
+
+@kernel
+def _end_turn(winches, state, row, turning):
+    """Give the working segment its length and masses; split or merge it where it is due."""
+    drum, working = state.winch_exit[row], _working(winches, state, row)
+    nominal = winches.segment[row]
+    outer = drum + winches.step[row]
+    wound, back, length = turning[row, WOUND], turning[row, BACK], turning[row, LENGTH]
     state.winch_debt[row] -= back
     state.winch_paid[row] += wound
-    state.winch_rate[row] = (wound + back) / dt
     if wound + back != 0.0:
         length += wound + back
         state.mass[drum] += 0.5 * winches.line[row] * wound
         add_mass(state, outer, 0.5 * winches.line[row] * wound)
         set_segment(winches, state, row, working, length)
-    if length > SPLIT * nominal and drum != winches.first[row]:
-        split(winches, state, row, drum, working, length)
-    elif (
-        length < MERGE * nominal and outer != winches.last[row] and state.inverse_mass[outer] > 0.0
-    ):
-        merge(winches, state, row, drum, working, length)
+    if turning[row, TURNS] == 1.0:
+        if length > SPLIT * nominal and drum != winches.first[row]:
+            split(winches, state, row, drum, working, length)
+        elif (
+            length < MERGE * nominal
+            and outer != winches.last[row]
+            and state.inverse_mass[outer] > 0.0
+        ):
+            merge(winches, state, row, drum, working, length)
+    follow_drum(winches, state, row)
 
 
 @kernel
@@ -124,17 +214,23 @@ def set_segment(winches, state, row, segment, length):
 
 @kernel
 def split(winches, state, row, drum, working, length):
-    """Let the node on the drum go, where both halves keep the strain; the next one becomes the exit."""
+    """Let the node on the drum go, where both halves keep strain and rate of strain.
+
+    The next one becomes the exit. What grows is the half at the drum alone, so that the node goes nearly as
+    fast as the one ahead.
+    """
     state.past[0] = 0.0  # a multistep method knows nothing of the node's past
     side = winches.step[row]
     nominal, line = winches.segment[row], winches.line[row]
     outer, inner = drum + side, drum - side
     rest = length - nominal
+    grown = nominal / length * state.winch_rate[row] / length  # of the way to the node ahead [1/s]
     for k in range(3):
+        way = state.x[k, outer] - state.x[k, drum]
         state.x[k, inner] = state.x[k, drum]
         state.v[k, inner] = state.v[k, drum]
-        state.x[k, drum] += rest / length * (state.x[k, outer] - state.x[k, drum])
-        state.v[k, drum] += rest / length * (state.v[k, outer] - state.v[k, drum])
+        state.x[k, drum] += rest / length * way
+        state.v[k, drum] += rest / length * (state.v[k, outer] - state.v[k, drum]) + grown * way
         state.acceleration[k, drum] = rest / length * state.acceleration[k, outer]
     state.mass[inner] = state.mass[drum] - 0.5 * line * nominal
     state.mass[drum] = 0.5 * line * length

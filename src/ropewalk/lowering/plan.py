@@ -113,12 +113,6 @@ def _refuse_limiter(scene: Scene) -> None:
             f"{able}; so can all explicit ones"
         )
         raise SceneError([Fault("run.method", name, rule)])
-    if not METHODS[name].fixed and scene.winches:
-        rule = (
-            "cannot work with a stretch limiter and a winch together: what a winch winds after a step lies "
-            "beyond the bounds, and a shorter step jumps back the faster; take bdf2 or esdirk3"
-        )
-        raise SceneError([Fault("run.method", name, rule)])
 
 
 def _adaptive_plan(scene: Scene, system: System) -> Plan:

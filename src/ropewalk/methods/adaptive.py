@@ -21,8 +21,8 @@ from ropewalk.core.jit import kernel, part
 from ropewalk.core.status import HIT, OK, PAUSED, UNSOLVED
 from ropewalk.laws.anchors import release_anchors
 from ropewalk.laws.links import hold_links, note_reactions
-from ropewalk.laws.rare import acts_after, parts
-from ropewalk.laws.winch import run_winches
+from ropewalk.laws.rare import acts_after, parts, winds
+from ropewalk.laws.winch import end_turns, plan_turns, wind_to
 from ropewalk.methods.controller import (
     BEGIN,
     BEGUN,
@@ -141,6 +141,8 @@ def try_step(system, state, before, scratch, t, after, dt, ledger, tableau):
     solver, control, tolerance = scratch.solver, scratch.walk.control, scratch.limits[0]
     A, b, c, numbers = tableau.A, tableau.b, tableau.c, tableau.numbers
     kind = tableau.kind
+    if winds(system, state):
+        plan_turns(system, state, t, dt, solver.turning)
     status = HIT
     while status == HIT:  # with the contacts that the last solution has met
         status = take_step(
@@ -160,6 +162,8 @@ def try_step(system, state, before, scratch, t, after, dt, ledger, tableau):
             False,
         )
     if status != OK:
+        if winds(system, state):
+            wind_to(system, state, t, solver.turning)
         control[ERROR] = np.inf
         return UNSOLVED_SHARE * dt, 0
     largest_error(solver.u, b, tableau.embedded, dt, state.inverse_mass, control)
@@ -217,7 +221,7 @@ def stride(system, scratch, extras, ledger, tableau):
             control[WISH], retried, cut = again, True, False
         dt = again
     if acts_after(extras):
-        run_winches(system, state, t, dt)
+        end_turns(system, state, solver.turning)
     if acts_after(extras) or changes > 0:
         prepare_links(system, state, end, solver.stage.saddle)
     control[BEGIN], control[END] = t, end
@@ -252,11 +256,13 @@ def go_to(system, state, scratch, extras, time, ledger, tableau):
         return OK
     mark_sides(system, state, scratch.stage.saddle.band)
     dt = time - begin
+    if winds(system, state):
+        plan_turns(system, state, begin, dt, scratch.solver.turning)
     status = step(system, state, scratch.solver, begin, time, dt, ledger, tableau)
     if status != OK:
         walk.control[ERROR] = np.inf
     if acts_after(extras):
-        run_winches(system, state, begin, dt)
+        end_turns(system, state, scratch.solver.turning)
         prepare_links(system, state, time, scratch.stage.saddle)
     return status
 

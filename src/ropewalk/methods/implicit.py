@@ -32,9 +32,10 @@ from ropewalk.laws.inner import (
 )
 from ropewalk.laws.ledger import account
 from ropewalk.laws.nodes import hits
-from ropewalk.laws.rare import has_bending, has_inner
+from ropewalk.laws.rare import has_bending, has_inner, winds
 from ropewalk.laws.table import accelerate
 from ropewalk.laws.wheels import aim_no_wheels, end_aim
+from ropewalk.laws.winch import book_half, wind_to
 from ropewalk.methods import tableaus
 from ropewalk.methods.gain import makes_up_energy, most_of
 from ropewalk.methods.generalized_alpha import end_alpha, prepare_alpha
@@ -47,6 +48,7 @@ from ropewalk.methods.scratch import (
     clear_forces,
     clear_row,
     make_sums,
+    make_turning,
     put,
     put_forces,
 )
@@ -73,7 +75,7 @@ class ImplicitScratch(NamedTuple):
     speed: Floats  # (3,)
     reaction: Floats  # (a, 3) sum over the parts of a step [N]
     joint_force: Floats  # (p, 3) the same
-    limiter: Floats  # (7, n)
+    turning: Floats  # (w, 6) what winches wind in a step, see `laws.winch`
     sums: Floats
     pull: Floats  # (2, s) tensions, see `watch`
     rescue: Tableau  # of the method that takes the parts of a step without solution
@@ -96,7 +98,7 @@ def make_implicit_scratch(state: State, tableau: Tableau) -> ImplicitScratch:
         speed=np.zeros(3),
         reaction=np.zeros_like(state.reaction),
         joint_force=np.zeros_like(state.joint_force),
-        limiter=np.zeros((7, state.x.shape[1])),
+        turning=make_turning(state),
         sums=make_sums(),
         pull=np.zeros((2, state.rest_length.shape[0])),
         rescue=tableaus.IMPLICIT_EULER,
@@ -170,7 +172,7 @@ def end_dirk(state, scratch, A, b, dt):
 
 
 @part
-def end_stages(system, state, scratch, dt, level, kind, A, b):
+def end_stages(system, state, scratch, t, after, dt, level, kind, A, b):
     """Write the end of a DIRK or BDF2 step, its forces and accelerations; return OK where it may stand.
 
     But for the smallest parts (see `take_step`) one that makes up energy may not, nor one in which something
@@ -187,6 +189,8 @@ def end_stages(system, state, scratch, dt, level, kind, A, b):
         write_ends(state, scratch.ends, b, scratch.rates, dt)
         if has_wheels(system) and not ends_here:
             aim_no_wheels(state.memory.obstacle.wheel)
+    if winds(system, state):  # what the ends store is compared at the mean length
+        wind_to(system, state, 0.5 * (t + after), scratch.turning)
     if watch and ends_here:
         if makes_up_energy(system, state, stage, scratch.ends, mean, dt, most_of(system, level)):
             return UNSOLVED
@@ -252,6 +256,8 @@ def take_step(system, state, scratch, t, after, dt, ledger, level, kind, A, b, c
                 axpy(stage.v_known, c2, stage.a, stage.v)
                 axpy(stage.x_known, c1, stage.v, stage.x)
             place_stage(system, state, time, ahead, stage.x, stage.v, scratch.point, scratch.speed)
+            if winds(system, state):
+                wind_to(system, state, time, scratch.turning)
             if attempt == 1:
                 clear_row(stage.tension)
             status = solve_stage(system, state, stage, c1, c2)
@@ -270,10 +276,13 @@ def take_step(system, state, scratch, t, after, dt, ledger, level, kind, A, b, c
     if kind == GENERALIZED_ALPHA:
         end_alpha(system, state, scratch, numbers, dt)
     else:
-        status = end_stages(system, state, scratch, dt, level, kind, A, b)
+        status = end_stages(system, state, scratch, t, after, dt, level, kind, A, b)
         if status != OK:
             stage.report[TIME] = after
             return status
+    if winds(system, state):
+        book_half(system, state, state.x, state.inner, t, after, scratch.turning)
+        book_half(system, state, stage.x, scratch.ends, t, after, scratch.turning)
     middle = scratch.middle
     half_way(state.x, state.v, stage.x, stage.v, state.inverse_mass, middle, state.drift)
     move_anchors(system, state, mean, after, dt, middle, scratch.point, scratch.speed)
@@ -380,6 +389,8 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
             level, place, run, climbed, kind = level + 1, 2 * place, 0, False, DIRK
             A, b, c = scratch.rescue.A, scratch.rescue.b, scratch.rescue.c
             state.past[0] = 0.0
+    if status != OK and winds(system, state):  # the state is as it was, its lengths, too
+        wind_to(system, state, begin, scratch.turning)
     if kind == DIRK and tableau.kind == BDF2:
         put_forces(system, scratch.mean, state.forces)
     return status

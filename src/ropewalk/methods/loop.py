@@ -13,7 +13,7 @@ from ropewalk.laws.limiter import limit_stretch
 from ropewalk.laws.links import hold_links
 from ropewalk.laws.rare import acts_after, has_inner, limits, parts
 from ropewalk.laws.table import accelerate, evaluate
-from ropewalk.laws.winch import run_winches
+from ropewalk.laws.winch import end_turns, plan_turns
 from ropewalk.methods.errors import look_at_step
 from ropewalk.methods.kinks import near, next_piece, take_up_hands
 from ropewalk.methods.partings import part_ropes
@@ -76,14 +76,14 @@ _SOLVER, _OTHER = (_prepare_solver, _renew_solver), (_prepare_other, _renew_othe
 
 @part
 def _wind(system, state, scratch, t, dt, ledger):
-    """Let winches act on the end of a step; a method that solves has the limiter in its equations."""
-    run_winches(system, state, t, dt)
+    """End the turns of winches; a method that solves has the limiter in its equations."""
+    end_turns(system, state, scratch.turning)
 
 
 @part
-def wind_and_limit(system, state, scratch, t, dt, ledger):
-    """Let winches and limiter act on the end of a step."""
-    run_winches(system, state, t, dt)
+def _wind_and_limit(system, state, scratch, t, dt, ledger):
+    """End the turns of winches, and let the limiter act on the end of a step."""
+    end_turns(system, state, scratch.turning)
     limit_stretch(system, state, scratch.limiter, dt, ledger)
 
 
@@ -101,6 +101,18 @@ def close_frame(system, state, ledger, time, stop_at_break, sums, frame, out):
     return judge(system, state, time)
 
 
+def _always(step: Any) -> Any:
+    """Return a step without equations, which ends well, as one that says so."""
+
+    @part
+    def take(system, state, scratch, t, after, dt, ledger, tableau):
+        """Take a step; return OK."""
+        step(system, state, scratch, t, after, dt, ledger, tableau)
+        return OK
+
+    return take
+
+
 def _module(step: Any) -> str:
     """Return the module of a part, which is a plain function where numba is switched off."""
     return str(getattr(step, "py_func", step).__module__)
@@ -112,7 +124,8 @@ def make_advance(step: Any, *, carries: bool = False, solves: bool = False) -> A
     With `carries` a step begins with the forces that the one before ended with; `solves`: it has a status.
     """
     begin_anew, renew = _SOLVER if solves else _OTHER
-    act_after = _wind if solves else wind_and_limit
+    act_after = _wind if solves else _wind_and_limit
+    take = step if solves else _always(step)
 
     def advance(system, state, scratch, extras, clock, frames, ledger, out, stop_at_break, tableau):
         """Advance `frames` frames; return the status and the number of good frames.
@@ -138,12 +151,11 @@ def make_advance(step: Any, *, carries: bool = False, solves: bool = False) -> A
                     h, end, to, jumps = next_piece(system, state, t, begin, after, dt, point, speed)
                     if (anew or jumps > 0) and carries:
                         begin_anew(system, state, begin, scratch)
-                    if solves:
-                        status = step(system, state, scratch, begin, end, h, ledger, tableau)
-                        if status != OK:
-                            return status, frame
-                    else:
-                        step(system, state, scratch, begin, end, h, ledger, tableau)
+                    if acts_after(extras):
+                        plan_turns(system, state, begin, h, scratch.turning)
+                    status = take(system, state, scratch, begin, end, h, ledger, tableau)
+                    if status != OK:
+                        return status, frame
                     if acts_after(extras):
                         act_after(system, state, scratch, begin, h, ledger)
                         if carries:

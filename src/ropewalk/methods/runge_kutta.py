@@ -13,8 +13,9 @@ from ropewalk.core.jit import part
 from ropewalk.laws.anchors import move_anchors, place_stage
 from ropewalk.laws.inner import end_stages, next_stage
 from ropewalk.laws.ledger import account
-from ropewalk.laws.rare import has_inner
+from ropewalk.laws.rare import has_inner, winds
 from ropewalk.laws.table import accelerate, evaluate
+from ropewalk.laws.winch import book_half, wind_to
 from ropewalk.methods.loop import make_advance
 from ropewalk.methods.scratch import add, add_forces, axpy, clear, clear_forces, put
 
@@ -44,6 +45,8 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
             # The last one may end at a kink, just before which `after` is.
             time = after if c == dt and system.kinks.shape[0] > 0 else t + c
             place_stage(system, state, time, c, xs, vs, scratch.point, scratch.speed)
+            if winds(system, state):
+                wind_to(system, state, time, scratch.turning)
         if has_inner(system, state):
             next_stage(system, state, xs, c, b, s == 0)
         evaluate(system, state, xs, vs, state.forces)
@@ -51,10 +54,14 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
         add_forces(system, state.forces, tableau[1, s], mean)
         add(vs, b, dx)
         add(a, b, dv)
+    if winds(system, state):
+        book_half(system, state, state.x, state.inner, t, after, scratch.turning)
     add(dx, 1.0, state.x)
     axpy(state.v, 0.5, dv, middle)
     add(dv, 1.0, state.v)
     move_anchors(system, state, mean, after, dt, middle, scratch.point, scratch.speed)
+    if winds(system, state):
+        book_half(system, state, state.x, state.inner, t, after, scratch.turning)
     if ledger:
         account(system, state, mean, middle, dt)
     if has_inner(system, state):

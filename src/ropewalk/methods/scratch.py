@@ -28,6 +28,7 @@ class Scratch(NamedTuple):
     speed: Floats  # (3,)
     mean: Forces
     limiter: Floats  # (7, n) rows of the limiter's equations
+    turning: Floats  # (w, 6) what winches wind in a step, see `laws.winch`
     sums: Floats  # see `make_sums`
     pull: Floats  # (2, s) what a look at the segments needs, see `watch` and `add_up_springs`
     over: Floats  # (s,) 1 / (k L), see `spring_forces`
@@ -42,7 +43,13 @@ def make_scratch(state: State) -> Scratch:
     s = state.rest_length.shape[0]
     looks = np.zeros((2, s)), np.zeros(s), np.zeros(2)
     ends = np.zeros(3), np.zeros(3)
-    return Scratch(middle, x, v, dx, dv, *ends, mean, limiter, make_sums(), *looks)
+    turning = make_turning(state)
+    return Scratch(middle, x, v, dx, dv, *ends, mean, limiter, turning, make_sums(), *looks)
+
+
+def make_turning(state: State) -> Floats:
+    """Return what a step needs for its winches, (w, 6), see `laws.winch`."""
+    return np.zeros((state.winch_exit.shape[0], 6))
 
 
 def make_sums() -> Floats:

@@ -6,10 +6,12 @@ from typing import Any
 
 from ropewalk.core.status import OK
 from ropewalk.laws.anchors import release_anchors
+from ropewalk.laws.limiter import limit_stretch
 from ropewalk.laws.rare import acts_after, parts
 from ropewalk.laws.table import reaches_neighbours_only
+from ropewalk.laws.winch import run_winches
 from ropewalk.methods.errors import keep_step_error
-from ropewalk.methods.loop import close_frame, named, wind_and_limit
+from ropewalk.methods.loop import close_frame, named
 from ropewalk.methods.partings import part_ropes
 from ropewalk.methods.peaks import DEPTH, looks_at_all, search_all, wanted
 from ropewalk.methods.verdict import note_changes
@@ -55,7 +57,8 @@ def make_tiled_advance(step: Any, before: Any) -> Any:
                         release_anchors(system, state, t, 1e-6 * dt, lo, hi)
                         step(system, state, scratch, t, after, dt, ledger, tableau, lo, hi)
                         if acts_after(extras):
-                            wind_and_limit(system, state, scratch, t, dt, ledger)
+                            run_winches(system, state, t, dt, scratch.turning)
+                            limit_stretch(system, state, scratch.limiter, dt, ledger)
                         if watches:
                             watch(system, state, pull, sums, after)
                         elif errs:

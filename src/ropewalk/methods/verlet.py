@@ -12,8 +12,9 @@ from ropewalk.core.jit import part
 from ropewalk.laws.anchors import move_anchors, place_stage
 from ropewalk.laws.inner import note_strains, relax
 from ropewalk.laws.ledger import account
-from ropewalk.laws.rare import has_inner
+from ropewalk.laws.rare import has_inner, winds
 from ropewalk.laws.table import accelerate, evaluate
+from ropewalk.laws.winch import book_half
 from ropewalk.methods.loop import make_advance
 from ropewalk.methods.scratch import add, add_forces, axpy, clear_forces, put
 
@@ -29,6 +30,8 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
     add_forces(system, state.forces, 0.5, mean)
     put(a, old)
     axpy(v, dt, a, predicted)
+    if winds(system, state):
+        book_half(system, state, x, state.inner, t, after, scratch.turning)
     add(v, dt, x)
     add(a, 0.5 * dt * dt, x)
     place_stage(system, state, after, dt, x, predicted, scratch.point, scratch.speed)
@@ -41,6 +44,8 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
     axpy(v, 0.25 * dt, old, middle)
     add(old, 0.5 * dt, v)
     move_anchors(system, state, mean, after, dt, middle, scratch.point, scratch.speed)
+    if winds(system, state):
+        book_half(system, state, x, state.inner, t, after, scratch.turning)
     if ledger:
         account(system, state, mean, middle, dt)
 

@@ -1,4 +1,4 @@
-"""Sentences about a run's largest and least tension: peaks that steps hardly resolve, pushes, winches."""
+"""Sentences about a run's largest and least tension: peaks that steps hardly resolve, pushes."""
 
 from __future__ import annotations
 
@@ -12,23 +12,16 @@ from ropewalk.record.extremes import Extreme
 from ropewalk.record.facts import FINISHED
 from ropewalk.scene import Rope
 from ropewalk.scene.curve_words import end_words
-from ropewalk.words.prefixes import prefixed
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
 
 JERK = 0.5  # [1] a tension that was less than this part of its peak one frame before it
 RESOLVED = 10.0  # [1] steps in which a wave goes through one segment: fewer blur a jerk
-_TURN = 0.002  # [1] of the largest tension: what a turn of a winch changes less is not told
 _ROUNDING = 1e-6  # [1] of the largest tension: a smaller push is none
 
 
 def tension_note(result: Result, peak: Extreme) -> str:
-    """Say what the largest tension of a run is not, or "": a jerk too short for its steps, a winch's turn."""
-    return peak_note(result, peak) or winch_note(result, peak)
-
-
-def peak_note(result: Result, peak: Extreme) -> str:
     """Say how good the largest tension can be where a jerk makes it in steps too long for it; else "".
 
     A jerk holds waves as short as a segment. A step that is not much shorter than the time sqrt(m / k) that
@@ -54,45 +47,6 @@ def peak_note(result: Result, peak: Extreme) -> str:
         f"a jerk, from {share} of it one frame before: {times}, so that the peak may be wrong by a fifth and "
         f"more; compare it with a run of time_step = {0.5 * plan.dt:.3g} s"
     )
-
-
-def winch_note(result: Result, peak: Extreme) -> str:
-    """Say how much of the largest tension is a winch's turn of one step, if it is in its segment; else "".
-
-    A winch changes the length of its segment once a step, by v dt, and what that carries by EA v dt / L:
-    recorded is the tension after that turn, acting is about the mean of the step. Too much where it reels in,
-    too little where it pays out, nothing where it has reached an end. The semi-implicit method of Euler acts
-    with what is recorded.
-    """
-    if not result.scene.winches or result.plan.method == "semi-implicit-euler":
-        return ""
-    if result.plan.tolerance is not None:  # how long the step of the peak was is not known
-        return ""
-    if not peak.value > 0.0 or peak.place < 0 or "rest_length" not in result.source.names:
-        return ""
-    name, _ = result.layout.rope_of(peak.place)
-    span = result.layout.span(name)
-    frame = min(int(np.searchsorted(result.time, peak.until)), result.frames - 1)
-    lengths = result.read("rest_length", frame, frame + 1)[0, span.first : span.last]
-    out = span.first + np.flatnonzero(lengths > 0.0)  # segments that are not on a drum
-    for winch in result.scene.winches:
-        own = out[0 if winch.end == "start" else -1] == peak.place
-        if winch.rope != name or not (own and winch.start <= peak.until <= winch.stop):
-            continue
-        rope = _rope_at(result, peak)
-        EA, length = rope.segment_stiffness * rope.segment_length, lengths[peak.place - span.first]
-        before = result.read("rest_length", max(frame - 1, 0), frame + 2)
-        turns = np.ptp(before[:, span.first : span.last].sum(axis=1)) > 0.0
-        turn = EA * abs(winch.speed) * result.plan.dt / float(length) if turns else 0.0
-        if turn < _TURN * peak.value:
-            return ""
-        way = "much by" if winch.speed < 0.0 else "little by"
-        return (
-            f"the winch's own segment, after its turn of one step, which alone makes "
-            f"{prefixed(turn, 'N')}: too {way} about half of that, and half as much with half the step; "
-            "the drum's anchor force is right"
-        )
-    return ""
 
 
 def push_note(result: Result, least: Extreme, largest: float) -> str:

@@ -1,0 +1,67 @@
+"""What a winch's own segment carries, in steps in which it winds much of a segment's strain."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import ropewalk as rw
+from ropewalk.methods.registry import METHODS
+from ropewalk.scene import Anchor, Material, Rope, RunSettings, Scene, Winch
+
+EA, LINE, LOAD, g = 2e5, 0.3, 50.0, 9.80665  # N, kg/m, kg, m/s^2
+IMPLICIT = [name for name, method in METHODS.items() if method.implicit and method.fixed]
+RINGING = ("implicit-midpoint", "generalized-alpha")  # take long to damp the start
+EXPLICIT = [name for name, method in METHODS.items() if not method.implicit]
+
+
+def hoisted(method: str, speed: float, **run: object) -> rw.Result:
+    """A load of 50 kg on 5 m of rope that goes up or down at `speed` [m/s], well damped."""
+    rope = Rope(
+        segments=10,
+        length=5.0,
+        made_of=Material(EA=EA, mass_per_length=LINE, axial_damping=2000.0),
+        shape={"kind": "hanging"},
+        loads=[{"node": -1, "mass": LOAD}],
+    )
+    settings = {"duration": 4.0, "frame_rate": 60.0, "start": "at-rest", "extremes": False, **run}
+    return rw.simulate(
+        Scene(
+            ropes=[rope],
+            anchors=[Anchor(node=0)],
+            winches=[Winch(end="start", speed=speed, start=0.0)],
+            gravity=(0.0, 0.0, -g),
+            run=RunSettings(method=method, **settings),
+        )
+    )
+
+
+def readings(result: rw.Result) -> tuple[np.ndarray, np.ndarray]:
+    """Tension of the segment at the drum, and the weight below its middle, per frame of the last half [N]."""
+    late = result.time > 0.5 * result.time[-1]
+    lengths, tension = result.rest_length[late], result.tension[late]
+    own = (lengths > 0.0).argmax(axis=1)
+    rows = np.arange(len(own))
+    below = LOAD + LINE * (lengths.sum(axis=1) - 0.5 * lengths[rows, own])
+    return tension[rows, own], g * below
+
+
+@pytest.mark.parametrize("speed", [-0.5, 0.5])
+@pytest.mark.parametrize("method", [*IMPLICIT, "adaptive"])
+def test_a_load_on_its_way_weighs_what_it_weighs(method: str, speed: float) -> None:
+    """In steps of 1/60 s, in each of which the winch winds some 2 to 8 kN of the segment's stiffness."""
+    steps = {"tolerance": 1e-4} if method == "adaptive" else {"time_step": 1.0 / 60.0}
+    tension, weight = readings(hoisted(method, speed, **steps))
+    assert 4.0 * weight.max() < EA * 0.5 / 60.0 / 0.8  # what one step winds
+    assert abs(tension.mean() - weight.mean()) < 0.01 * weight.mean()
+    if method not in RINGING:
+        assert np.abs(tension - weight).max() < 0.25 * weight.max()
+
+
+def test_explicit_methods_read_the_same() -> None:
+    """As that of Euler, which acts with what it records: read after a turn it would be half of that more."""
+    dt = 1e-5
+    steps = {"time_step": dt, "duration": 1.0, "frame_rate": 1000.0}
+    means = {name: readings(hoisted(name, -0.5, **steps))[0].mean() for name in EXPLICIT}
+    for name, mean in means.items():
+        assert abs(mean - means["semi-implicit-euler"]) < 0.005 * EA * 0.5 * dt / 0.5, name
