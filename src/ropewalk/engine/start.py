@@ -18,6 +18,7 @@ from ropewalk.lowering.remembered import with_memory
 from ropewalk.methods.recording import bends
 from ropewalk.scene import SceneError
 from ropewalk.scene.faults import Fault
+from ropewalk.scene.obstacles import is_free
 from ropewalk.scene.ring import Ring
 from ropewalk.statics import checked_shape
 
@@ -84,6 +85,9 @@ def _velocity(model: Model, ring: Ring) -> Floats:
     """Return the shape of a mode (3, n), its largest displacement 1."""
     from ropewalk.vibration import modes
 
+    if any(map(is_free, model.scene.obstacles)):
+        rule = "a pulley would have to turn as the mode does, and starts at its own rate: leave out ring"
+        raise SceneError([Fault("run.ring.mode", ring.mode, rule)])
     found = modes(model, count=ring.mode)
     if found.count < ring.mode:
         rule = f"must be at most {found.count}: this scene has no more modes"

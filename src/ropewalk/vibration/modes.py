@@ -33,6 +33,7 @@ from ropewalk.vibration.flexibility import NoModes
 from ropewalk.vibration.linear import linearise
 from ropewalk.vibration.motion import Motion, motions, plane_normal
 from ropewalk.vibration.solve import Complex, highest, solve, untangle
+from ropewalk.vibration.turning import with_wheels
 
 About = Literal["equilibrium", "start"]
 
@@ -99,7 +100,12 @@ class Modes:
     @property
     def notes(self) -> list[str]:
         """What to know of the numbers: where they are known to be off."""
-        return bump_notes(self)
+        held = [
+            f"pulley {body.name!r} stands: dry friction of its bearing holds it in small motions"
+            for body in self.scene.obstacles
+            if is_free(body) and body.spin.bearing > 0.0  # type: ignore[union-attr]
+        ]
+        return held + bump_notes(self)
 
     @property
     def plot(self) -> ModePlots:
@@ -131,12 +137,18 @@ def modes(source: Scene | Model, about: About = "equilibrium", count: int = 10) 
     if count < 1:
         raise ValueError(f"count: {count!r} - must be at least 1")
     model = source if isinstance(source, Model) else build(source)
-    if wheels := [row for row, body in enumerate(model.scene.obstacles) if is_free(body)]:
-        rule = "modes of ropes on an obstacle that turns freely are not found; leave out spin"
+    wheels = [row for row, body in enumerate(model.scene.obstacles) if is_free(body)]
+    if wheels and about == "start":
+        rule = (
+            "with it modes are about the equilibrium, in which contacts are known; leave out spin"
+        )
         raise SceneError([Fault(f"obstacle[{wheels[0]}].spin.free", True, rule)])
+    built = model
     x, tension, model = shape_about(model, about)
     try:
         linear = linearise(replace(model, system=relaxed(model.system)), x, tension)
+        if wheels:
+            linear = with_wheels(linear, built, model.state.memory.obstacle, x, tension)
     except NoRoom as error:
         raise NoModes(str(error)) from None
     if linear.loose:
@@ -147,7 +159,10 @@ def modes(source: Scene | Model, about: About = "equilibrium", count: int = 10) 
     except NoModes as error:
         raise NoModes(f"{error}{_on_a_bump(model)}") from None
     normal = plane_normal(model, x)
-    flat = untangle(values, flat, linear.mass, np.tile(normal, linear.nodes.size))
+    places = 3 * linear.nodes.size  # the rest are wheels
+    flat = untangle(
+        values, flat[:, :places], linear.mass[:places], np.tile(normal, linear.nodes.size)
+    )
     values, flat = values[:count], flat[:count]
     shapes = np.zeros((len(values), x.shape[1], 3), dtype=complex)
     free = linear.follows >= 0

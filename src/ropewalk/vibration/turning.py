@@ -1,0 +1,112 @@
+"""Pulleys in small motions: their turning as one unknown more for each, beside the places of the nodes.
+
+A wheel that turns by an angle u / R takes its surface along by u d at a node, d = (axis x arm) / R. Of a
+node that sticks there the friction spring, k P with P = I - n n^T, is stretched by what the node moves
+beyond that, and the force f that it has at rest turns with the wheel:
+
+    -df = k P (dx - u d) - (axis x f) u / R,    the wheel's force on u = the same, transposed,
+
+so that K gets the row b = -k P d - (axis x f) / R and the diagonal sum d.k P d, C the same of c, and M the
+moment of inertia over R^2. A bearing with dry friction holds its wheel in motions that are small enough.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from ropewalk.core.arrays import Floats, Ints
+from ropewalk.laws.contact_frame import GRIP
+from ropewalk.laws.obstacle import Memory, Obstacles, moved_by
+from ropewalk.laws.obstacle_shapes import probe
+from ropewalk.lowering import Model
+from ropewalk.scene import SceneError
+from ropewalk.scene.faults import Fault
+from ropewalk.vibration.linear import Linear
+
+_PUSH = GRIP + 1  # the row of R_n in `Memory.grip`
+_TURNED = 1e-3  # of the largest tension times the radius: a torque beyond the bearing's [1]
+
+
+def with_wheels(linear: Linear, model: Model, memory: Memory, x: Floats, tension: Floats) -> Linear:
+    """Return a model linearised about places (3, n) [m] with the turning of its wheels at the unknowns' end.
+
+    Args:
+        linear: with wheels that stand.
+        model: as it was built, before its wheels were held.
+        memory: of the contacts at rest.
+        x, tension: places and tensions (s,) [N] there.
+
+    Raises SceneError for a wheel that is not at rest there.
+    """
+    table = model.system.node.obstacle
+    for row, w in enumerate(table.wheel):
+        nodes = np.flatnonzero((memory.grip[row, _PUSH] > 0.0) & (memory.grip[row, GRIP] > 0.0))
+        nodes = nodes[linear.follows[nodes] >= 0]
+        if w < 0 or not nodes.size:
+            continue
+        arms = x.T[nodes] - table.center[row] - moved_by(table, row, 0.0)
+        round_ = np.cross(table.axis[row], arms)
+        radius = float(np.linalg.norm(round_, axis=1).max())
+        force = memory.grip[row, :GRIP, nodes]
+        torque = -float((round_ * force).sum())
+        over = abs(torque) - float(table.bearing[w])
+        if over > _TURNED * radius * float(tension.max()):
+            rule = (
+                f"is turned by the ropes with {abs(torque):.3g} N m and held by its bearing with "
+                f"{table.bearing[w]:.3g}: modes are about a rest; balance what hangs on it, or leave out spin"
+            )
+            raise SceneError([Fault(f"obstacle[{row}].spin.free", True, rule)])
+        if table.bearing[w] == 0.0:
+            linear = _with_wheel(linear, table, row, nodes, arms, round_ / radius, force, radius)
+    return linear
+
+
+def _with_wheel(
+    linear: Linear,
+    table: Obstacles,
+    row: int,
+    nodes: Ints,
+    arms: Floats,
+    along: Floats,
+    force: Floats,
+    radius: float,
+) -> Linear:
+    """Return the same with one wheel more; `along` are the d of its nodes, (c, 3), `arms` their places."""
+    parts = table.center[row], table.axis[row], table.size[row]
+    places = arms + table.center[row]
+    normal = np.array([probe(table.kind[row], *parts, *map(float, p))[1:4] for p in places])
+    across = along - (along * normal).sum(axis=1)[:, None] * normal  # P d
+    w = table.wheel[row]
+    k, c = table.stiffness[row, nodes][:, None], table.damping[row, nodes][:, None]
+    stiff = -k * across - np.cross(table.axis[row], force) / radius
+    square = (across**2).sum(axis=1)[:, None]
+    columns = (3 * linear.follows[nodes][:, None] + np.arange(3)).ravel()
+    viscous = float(table.viscous[w]) / radius**2
+    return replace(
+        linear,
+        mass=np.append(linear.mass, float(table.inertia[w]) / radius**2),
+        other=_bordered(linear.other, columns, stiff, float((k * square).sum())),
+        friction=_bordered(
+            linear.friction, columns, -c * across, float((c * square).sum()) + viscous
+        ),
+        lengths=_wider(linear.lengths),
+    )
+
+
+def _bordered(matrix: Any, columns: Ints, values: Floats, corner: float) -> Any:
+    """Return a symmetric matrix with one row and column more."""
+    from scipy.sparse import block_array, coo_array
+
+    size = matrix.shape[0]
+    row = coo_array((values.ravel(), (np.zeros(columns.size, int), columns)), shape=(1, size))
+    return block_array([[matrix, row.T], [row, coo_array([[corner]])]]).tocsc()
+
+
+def _wider(matrix: Any) -> Any:
+    """Return a matrix with a column of zeros more."""
+    from scipy.sparse import coo_array, hstack
+
+    return hstack([matrix, coo_array((matrix.shape[0], 1))]).tocsr()
