@@ -15,7 +15,9 @@ import xarray as xr
 
 import ropewalk as rw
 from ropewalk.record.errors import InputError, RunError
-from ropewalk.scene import apply_overrides
+from ropewalk.scene import SceneError, apply_overrides
+from ropewalk.sweeps.parameters import make_parameters
+from ropewalk.sweeps.spread_text import parse_vary
 from sweeps.scenes import EA, alone, rigid, same, swing
 
 
@@ -262,3 +264,23 @@ def test_a_function_rounds_whole_numbers_and_a_sweep_refuses_fractions() -> None
     assert f.last.status[4:] == ["refused", "refused"]
     with pytest.raises(rw.SceneError, match="whole number"):
         rw.sweep(swing(0.02), {"rope.segments": [4.5]}, on="here")
+
+
+def test_ranges_and_lists_may_have_units() -> None:
+    """On the command line and in Python; stored in the field's unit, a wrong kind refused as it was given."""
+    assert parse_vary("rope.length=11.9 m..12.1 m") == ("rope.length", ("11.9 m", "12.1 m"))
+    assert parse_vary("rope.length=-1e1..2e1 cm") == ("rope.length", ("-1e1 cm", "2e1 cm"))
+    assert parse_vary("rope.length=9.5..10.5") == ("rope.length", (9.5, 10.5))
+    for what in ("1..x", "x..2 m", "1 m..2"):
+        with pytest.raises(InputError, match=r"LOW\.\.HIGH UNIT"):
+            parse_vary(f"rope.length={what}")
+    scene = rw.preset("hanging-rope")
+    (drawn,) = make_parameters(scene, {"rope.length": ("1190 cm", "12.1 m")})
+    assert drawn.spread == pytest.approx((11.9, 12.1))
+    (listed,) = make_parameters(scene, {"rope.length": ["12 m", "40 ft", 13.0]})
+    assert listed.values == pytest.approx((12.0, 12.192, 13.0))
+    assert listed.kind == "float"
+    (steps,) = make_parameters(scene, {"run.time_step": ["auto", "0.05 ms"]})
+    assert steps.values == ("auto", "0.05 ms")
+    with pytest.raises(SceneError, match='rope.length: "12 kg" - is of another kind'):
+        make_parameters(scene, {"rope.length": ("11 m", "12 kg")})

@@ -129,7 +129,8 @@ def _uncertain(scene: Scene, spreads: Mapping[str, Any], samples: int, what: str
 def _spread(value: Any) -> str:
     """Return a range or a distribution in words."""
     if isinstance(value, tuple):
-        return f"{value[0]:.6g} to {value[1]:.6g}"
+        low, high = (one if isinstance(one, str) else f"{one:.6g}" for one in value)
+        return f"{low} to {high}"
     name = getattr(getattr(value, "dist", None), "name", "")
     return f"{name}{value.args}" if name else str(value)
 

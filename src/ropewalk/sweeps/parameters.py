@@ -15,6 +15,7 @@ from ropewalk.record.quantities import BY_NAME
 from ropewalk.scene import Scene, SceneError
 from ropewalk.scene.faults import NO_VALUE, Fault
 from ropewalk.scene.overrides import Places, as_value
+from ropewalk.scene.units import WrongUnit, in_unit
 from ropewalk.sweeps.keep import DERIVED
 
 _PATH = re.compile(r"\w+(\[\w+\])?(\.\w+(\[\w+\])?)+|\w+\[\w+\]")
@@ -109,7 +110,7 @@ def make_parameters(scene: Scene, vary: Any) -> tuple[Parameter, ...]:
         unit = str(extra.get("unit", "")) if isinstance(extra, Mapping) else ""
         description = (field.description or whole).partition(":")[0].partition(";")[0]
         try:
-            values, spread = _values_or_spread(path, what)
+            values, spread = _values_or_spread(path, _without_units(path, what, unit))
             if values is not None and field.annotation is not str:
                 values = _numbers_in_texts(values)
             kind = _kind(path, values, spread, field.annotation is int)
@@ -195,6 +196,19 @@ def _refuse_overlaps(places: Places) -> None:
                 faults.append(Fault(path, NO_VALUE, rule))
     if faults:
         raise SceneError(faults)
+
+
+def _without_units(path: str, what: Any, unit: str) -> Any:
+    """Return a range or a list with texts such as "12 mm" as numbers of `unit`; anything else as it is."""
+    if not unit or not isinstance(what, list | tuple) or not any(isinstance(v, str) for v in what):
+        return what
+    found = [in_unit(value, unit) if isinstance(value, str) else value for value in what]
+    wrong = next((one for one in found if isinstance(one, WrongUnit)), None)
+    if wrong is not None:
+        raise SceneError([Fault(path, wrong.given, wrong.rule)])
+    if any(isinstance(one, str) for one in found):  # a word among them, such as "auto"
+        return what
+    return tuple(found) if isinstance(what, tuple) else found
 
 
 def _values_or_spread(path: str, what: Any) -> tuple[tuple[Any, ...] | None, Any]:

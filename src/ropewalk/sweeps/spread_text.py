@@ -28,14 +28,15 @@ _GRIDS: dict[str, Any] = {
     "logspace": np.logspace,
     "geomspace": np.geomspace,
 }
+_QUANTITY = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(\D.*)?\s*")
 _CALL = re.compile(r"(\w+)\((.*)\)")
 
 
 def parse_vary(text: str) -> tuple[str, Any]:
     """Return path and values (or spread) of `PATH=WHAT`. Raises InputError.
 
-    WHAT is a list `1e4,1e5,1e6`, a range `9.5..10.5`, a grid `linspace(1, 2, 5)`, `logspace(3, 6, 4)`, or
-    a distribution of scipy.stats such as `norm(1e5, 5e3)`.
+    WHAT is a list `1e4,1e5,1e6`, a range `9.5..10.5` or `9.5..10.5 m`, a grid `linspace(1, 2, 5)`,
+    `logspace(3, 6, 4)`, or a distribution of scipy.stats such as `norm(1e5, 5e3)`.
     """
     path, equals, what = text.partition("=")
     if not equals or not path.strip() or not what.strip():
@@ -49,12 +50,20 @@ def parse_values(what: str, text: str) -> Any:
     if found := _CALL.fullmatch(what):
         return _called(found[1], found[2], text)
     if ".." in what:
-        low, _, high = what.partition("..")
-        try:
-            return float(low), float(high)
-        except ValueError:
-            raise InputError("--vary", text, "a range is written LOW..HIGH") from None
+        return _range(what, text)
     return [_number(part) for part in _parts(what)]
+
+
+def _range(what: str, text: str) -> tuple[float, float] | tuple[str, str]:
+    """Return both ends, as numbers, or as texts with units: `11.9 m..12.1 m`, or `11.9..12.1 m`."""
+    low, _, high = what.partition("..")
+    try:
+        return float(low), float(high)
+    except ValueError:
+        first, last = _QUANTITY.fullmatch(low), _QUANTITY.fullmatch(high)
+    if first is None or last is None or not last[2]:
+        raise InputError("--vary", text, "a range is written LOW..HIGH, or LOW..HIGH UNIT")
+    return f"{first[1]} {first[2] or last[2]}", f"{last[1]} {last[2]}"
 
 
 def _parts(what: str) -> list[str]:

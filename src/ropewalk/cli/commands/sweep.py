@@ -41,7 +41,7 @@ def on_options(command: Any) -> Any:
     multiple=True,
     required=True,
     metavar="PATH=WHAT",
-    help="What to vary, as in --set: a list 1e4,1e5,1e6, a range 9.5..10.5, linspace(1, 2, 5), or a "
+    help="What to vary, as in --set: a list 1e4,1e5,1e6, a range 9.5..10.5 m, linspace(1, 2, 5), or a "
     "distribution such as norm(1e5, 5e3); can be given again.",
 )
 @click.option("--samples", type=int, metavar="N", help="Draw N runs; without it lists make a grid.")
