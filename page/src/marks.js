@@ -22,6 +22,7 @@ const HEADLESS = 0.2; // of the strongest contact, below which arrows have no he
 const MOST_CONTACTS = 200; // arrows
 const MOST_LABELS = 8;
 const MOST_POSTS = 24;
+const MANY = 12; // anchors
 const STILL = new Set(["fixed", "velocity", "table"]); // motions of anchors that may stand on a post
 const BEHIND = 9; // that a post stands behind a rope that hangs before it [CSS pixels]
 const FOOT = 5; // height of a post's foot [CSS pixels]
@@ -128,6 +129,7 @@ export class Marks {
     const { stage } = this;
     const { theme, camera } = stage;
     const held = holding(stage, stage.anchors.shown);
+    const eye = held.length > MANY ? 12 : 19; // around a net they would be all that is seen
     for (const { place, anchor } of held) {
       const [x, y, z] = place;
       const colour = anchor.pinned
@@ -135,7 +137,15 @@ export class Marks {
         : anchor.motion === "hand"
           ? theme.hand
           : theme.anchor;
-      markers.push({ x, y, z, kind: "eye", colour, size: 0, pixels: anchor.pinned ? 14 : 19 });
+      markers.push({
+        x,
+        y,
+        z,
+        kind: "eye",
+        colour,
+        size: 0,
+        pixels: anchor.pinned ? Math.min(eye, 14) : eye,
+      });
       if (STILL.has(anchor.motion) && !this.hanging.has(anchor.index)) this.addPost(place);
     }
     if (!this.reactions) return;

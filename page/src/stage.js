@@ -28,6 +28,8 @@ import { Solids } from "./solids.js";
 
 const LEAP = 1; // s between two frames of which the one does not go on from the other
 
+const MANY = 12; // ropes, of a net
+
 export class Stage {
   /** @param {Session} session @param {Renderer} renderer */
   constructor(session, renderer) {
@@ -218,9 +220,12 @@ export class Stage {
     if (wanted) this.fly(wanted, CALM);
   }
 
-  /** The least width of a rope [CSS pixels]. */
+  /** The least width of a rope [CSS pixels]: of a net's less, so that its meshes are seen. */
   get leastWidth() {
-    return this.session.layout && nodesOf(this.session.layout) > 4000 ? 4 : 8;
+    const { layout } = this.session;
+    if (!layout) return 8;
+    if (nodesOf(layout) > 4000) return 4;
+    return layout.variants[0].ropes.length > MANY ? 5 : 8;
   }
 
   /** How many times thicker than it is the thickest rope is drawn in the middle of the scene. */

@@ -21,6 +21,7 @@ from live.drive import slack_rope
 from ropewalk.live.serve import ViewServer
 from ropewalk.live.session import Session
 from ropewalk.scene import Ground, Straight
+from ropewalk.scene.presets import preset
 
 pytestmark = pytest.mark.browser
 Open = Callable[..., Window]
@@ -343,3 +344,18 @@ def _keep(window: Window, name: str) -> None:
     window.page.screenshot(path=path)
     Image.open(path).convert("RGB").save(path, optimize=True)
     assert path.stat().st_size < 300_000
+
+
+def test_a_net_is_drawn_finer_than_a_rope(open_window: Open, serve: Serve, tmp_path: Path) -> None:
+    """Else it is a plate of thick ropes and of rings as wide as its meshes."""
+    eyes = "r.stage.marks.collect().markers.filter(({ kind }) => kind === 'eye').map((one) => one.pixels)"
+    widths = []
+    for name in ("net", "r4"):
+        server = serve(Session(preset(name), name), folder=tmp_path / name)
+        window = open_window(server.address).ready()
+        window.settled()
+        widths.append((window.ask("r.stage.leastWidth"), max(window.ask(eyes))))
+        mesh = np.hypot(*np.subtract(window.screen(1), window.screen(2)))
+        if name == "net":
+            assert widths[0][0] < 0.5 * mesh
+    assert widths == [(5, 12), (8, 19)]
