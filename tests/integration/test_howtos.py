@@ -6,6 +6,7 @@ Kernels run as Python.
 
 from __future__ import annotations
 
+import json
 import os
 import re
 import shutil
@@ -13,9 +14,11 @@ import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import ropewalk
+from golden import states
 
 ROOT, PACKAGE = Path(__file__).resolve().parents[2], Path(ropewalk.__file__).parent
 BLOCK = re.compile(r"^```(py|diff)\n# (.+?)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
@@ -26,6 +29,16 @@ SECTIONS = {
     )
     if BLOCK.search(body)
 }
+#: The sample, with which kernels are gone through line by line; files that are only imported are none.
+TRACED = """
+import sys
+seen = set()
+sys.settrace(lambda frame, *_: seen.add((frame.f_code.co_filename, frame.f_code.co_name)))
+SAMPLE
+sys.settrace(None)
+kernels = {name for file, name in seen if file.endswith("stretch.py")} - {"<module>"}
+assert kernels, "no kernel was gone through"
+"""
 
 
 def apply(change: str, text: str) -> str:
@@ -103,3 +116,39 @@ def test_without_its_entry_a_shape_is_not_known(tmp_path: Path) -> None:
     done = run(alone, tmp_path)
     assert done.returncode != 0
     assert "helix" in done.stderr
+
+
+def test_a_debugger_gets_into_kernels(tmp_path: Path) -> None:
+    """As "Debug a kernel" says, with its own scene; the twin: where kernels are compiled it does not."""
+    text = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8").split("## Debug a kernel")[1]
+    sample = text.split("```python\n")[1].split("```")[0]
+    (tmp_path / "debug.py").write_text(TRACED.replace("SAMPLE", sample))
+    done = [
+        subprocess.run(
+            [sys.executable, "debug.py"],
+            env=os.environ | {"NUMBA_DISABLE_JIT": off},
+            cwd=tmp_path,
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        for off in ("1", "0")
+    ]
+    assert done[0].returncode == 0, done[0].stderr
+    assert "no kernel was gone through" in done[1].stderr
+
+
+def test_golden_states_are_written_anew(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """As "Golden states" says: of one method, with the laws and places of those that are committed."""
+    method = "semi-implicit-euler"
+    kept = json.loads(states.path(method).read_text())
+    monkeypatch.setattr(states, "FOLDER", tmp_path)
+    monkeypatch.setattr(states, "METHODS", [method])
+    states.main()
+    (made,) = tmp_path.iterdir()
+    found = json.loads(made.read_text())
+    assert list(found) == list(kept)
+    for law in states.laws():
+        assert list(found[law]) == list(kept[law])
+        if "x" in kept[law]:  # else it is refused with this method
+            assert np.allclose(found[law]["x"], kept[law]["x"], rtol=1e-9, atol=1e-9)
