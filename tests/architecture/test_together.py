@@ -63,7 +63,9 @@ def documented_methods() -> set[tuple[frozenset[str], str]]:
             found.add((frozenset(features(row[0])), method))
     for row in tables()[1]:
         named = EXPLICIT if row[0].startswith("explicit") else re.findall(r"`([\w-]+)`", row[0])
-        found |= {(frozenset((name,)), method) for name in features(row[1]) for method in named}
+        alone = [frozenset((name,)) for name in features(row[1])]
+        sets = [frozenset(features(row[1]))] if " beside " in row[1] else alone
+        found |= {(those, method) for those in sets for method in named}
     return found
 
 

@@ -23,8 +23,6 @@ APART = {
     ("winch", "relaxation"): "with which a winch cannot wind it",
     ("winch", "bending"): "has bending stiffness",
     ("winch", "clamp"): "has bending stiffness",
-    ("winch", "joint"): "cannot wind a rope that is tied",
-    ("limiter", "joint"): "cannot limit ropes that joints tie",
     ("winch", "contact"): "which takes nodes onto its drum",
     ("winch", "slide"): "on whose drum rope has no length to slide along",
     ("contact", "slide"): "inside each other as they are where one slides",
@@ -32,16 +30,14 @@ APART = {
 }
 #: What changes nothing beside another feature, which has it already.
 IDLE = {"clamp": "bending"}
+EXPLICIT = tuple(name for name, method in METHODS.items() if not method.implicit)
 RINGING = ("implicit-midpoint", "generalized-alpha")
 #: What some methods do not take: features, methods, words of the refusal.
 OF_METHODS = (
     (("rigid links",), (*RINGING, "sdirk2"), "cannot hold the lengths of rigid links"),
-    (
-        ("rigid links",),
-        tuple(n for n in METHODS if not METHODS[n].implicit),
-        "cannot hold the lengths",
-    ),
+    (("rigid links",), EXPLICIT, "cannot hold the lengths"),
     (("limiter",), (*RINGING, "sdirk2"), "a segment at its bound is rigid"),
+    (("limiter", "joint"), EXPLICIT, "no bounds of the stretch of ropes that joints tie"),
     (("obstacle",), RINGING, "cannot work with obstacles"),
     (("contact",), RINGING, "cannot work with ropes that touch each other"),
 )

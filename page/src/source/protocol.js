@@ -35,7 +35,8 @@
  *   choices?: {value: any, label: string}[], values?: Record<string, any>, enabled: boolean, why: string,
  *   more: boolean, help: string}} Parameter */
 /** @typedef {{name: string, title: string, theme: string, sentence: string, picture: string}} Preset */
-/** `realtime` null: not measured yet. @typedef {{type: "status", playing: boolean, speed: number, realtime: number | null, slow: boolean, text: string,
+/** `realtime` null: not measured yet.
+ * @typedef {{type: "status", playing: boolean, speed: number, realtime: number | null, slow: boolean, text: string,
  *   time: number, step: number, dt: number, steps_per_frame: number, method: string, broken: boolean,
  *   clients: number, address: string, undo: string, duration: number | null}} Status */
 /** @typedef {{stable: boolean, breaks: boolean, zone: "green" | "amber" | "red", ratio: number | null,

@@ -14,7 +14,7 @@ import numpy as np
 
 from ropewalk.lowering import Model
 from ropewalk.lowering.bounce import bounce_growth
-from ropewalk.lowering.plan import bounds_stretch
+from ropewalk.lowering.choice import bounds_stretch
 from ropewalk.lowering.steps import Cases
 from ropewalk.methods.bound import (
     Chain,
@@ -50,7 +50,7 @@ class LargestSteps(Mapping[str, float]):
     def __getitem__(self, method: str) -> float:
         if method not in METHODS:
             raise KeyError(method)
-        if self._model.scene.limiter is not None and not bounds_stretch(method):
+        if not bounds_stretch(self._model.scene, method):
             return 0.0
         return min(self.by_case(method).values())
 

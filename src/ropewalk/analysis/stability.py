@@ -20,8 +20,8 @@ from ropewalk.analysis.linear_theory import (
 from ropewalk.engine.unsolved import CALMER, RINGING
 from ropewalk.lowering import Model, build
 from ropewalk.lowering.chains import calms_with_speed, chains
+from ropewalk.lowering.choice import bounds_stretch
 from ropewalk.lowering.link_lengths import has_links
-from ropewalk.lowering.plan import bounds_stretch
 from ropewalk.lowering.steps import step_cases, uncovered
 from ropewalk.methods.bound import (
     growth_per_step,
@@ -282,7 +282,7 @@ def _notes(model: Model, theory: Theory, largest: LargestSteps) -> tuple[str, ..
             "y = frequency [rad/s] x step [s]"
         )
     if model.scene.limiter is not None:
-        unfit = [name for name in METHODS if not bounds_stretch(name)]
+        unfit = [name for name in METHODS if not bounds_stretch(model.scene, name)]
         notes.append(f"{', '.join(unfit)} cannot work with a stretch limiter")
     if largest[method] >= dt and calms_with_speed(model.system, model.state):
         still = chains(model.system, model.state, 0.0)

@@ -17,6 +17,7 @@ from ropewalk.engine.crawl import Crawl
 from ropewalk.engine.slices import Slices
 from ropewalk.engine.start import set_first_reactions
 from ropewalk.laws.ledger import gravity_energy
+from ropewalk.laws.winch import joined
 from ropewalk.lowering import Model
 from ropewalk.lowering.link_lengths import has_links
 from ropewalk.methods import adaptive
@@ -163,7 +164,7 @@ class Engine:
         if known or not self._method.implicit:
             return
         self._tied = self.state.tied.copy()
-        alive, bends = self.state.stiffness > 0.0, bool(self.system.flags[BENDING])
+        alive, bends = joined(self.system, self.state), bool(self.system.flags[BENDING])
         memory = self.state.memory
         groups = memory.slide.group.shape if len(memory.slide.group) else memory.contact.pair.shape
         network = tied_network(self.system.joints, self._tied, alive, bends, *groups)

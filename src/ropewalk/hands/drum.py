@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from ropewalk.core.arrays import State, Winches
+from ropewalk.core.arrays import State, System, Winches
 from ropewalk.laws.winch import SPLIT, WINCH_SHARE
+from ropewalk.lowering.joint_tables import tied_with
 from ropewalk.words.annotations import unquoted
 
 if TYPE_CHECKING:
@@ -86,7 +87,7 @@ class WinchHandle:
         "empty drum", "max_length", "min_length", "last segment" (half a segment is left outside),
         "held node" (an anchor holds the next node), "released" (the drum was let go) or "rope parted".
         """
-        return why_stopped(self._winches, self._state, self._row, self.speed)
+        return why_stopped(self._simulation.system, self._state, self._row, self.speed)
 
     @property
     def _winches(self) -> Winches:
@@ -102,19 +103,20 @@ class WinchHandle:
         return f"<Winch {name!r}: {self.length:.6g} m out, {self.on_drum:.4g} m in, {doing}>"
 
 
-def why_stopped(winches: Winches, state: State, row: int, speed: float) -> str:
+def why_stopped(system: System, state: State, row: int, speed: float) -> str:
     """Return what keeps a winch from turning at `speed` [m/s]; empty when nothing does."""
     if speed == 0.0:
         return ""
-    if not state.held[winches.anchor[row]]:
+    if not state.held[system.winches.anchor[row]]:
         return RELEASED
-    if math.isfinite(parted_at(winches, state, row)):
+    if math.isfinite(parted_at(system.winches, state, row)):
         return PARTED
-    return limit_reached(winches, state, row, speed)
+    return limit_reached(system, state, row, speed)
 
 
-def limit_reached(winches: Winches, state: State, row: int, speed: float) -> str:
+def limit_reached(system: System, state: State, row: int, speed: float) -> str:
     """Return which limit keeps a held winch from turning at `speed` [m/s]; empty when none does."""
+    winches = system.winches
     little = _ROUNDING * float(winches.segment[row])
     drum, out = int(state.winch_exit[row]), length_out(winches, state, row)
     working = float(state.rest_length[_working(winches, state, row)])
@@ -125,7 +127,8 @@ def limit_reached(winches: Winches, state: State, row: int, speed: float) -> str
         return LONGEST if out >= winches.longest[row] - little else ""
     if out <= winches.shortest[row] + little:
         return LAST if winches.shortest[row] == 0.5 * winches.segment[row] else SHORTEST
-    held = state.inverse_mass[drum + winches.step[row]] == 0.0
+    outer = drum + int(winches.step[row])
+    held = state.inverse_mass[outer] == 0.0 or len(tied_with(system.joints, state.tied, outer)) > 1
     return HELD_NODE if held and working <= 0.5 * winches.segment[row] + little else ""
 
 

@@ -25,6 +25,18 @@ def tied_to(system, state, row):
 
 
 @part
+def is_tied(system, state, node):
+    """Tell whether a joint ties a node to others now."""
+    found = False
+    if are_tied(system):
+        joints = system.joints
+        for j in range(state.tied.shape[0]):
+            for p in range(joints.first[j], joints.first[j + 1]):
+                found = found or (state.tied[j] == 1 and joints.member[p] == node)
+    return found
+
+
+@part
 def tie(system, state, a):
     """Give the nodes of every joint one acceleration, (3, n); held ones have none already."""
     if are_tied(system):

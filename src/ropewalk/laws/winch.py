@@ -15,8 +15,13 @@ from __future__ import annotations
 
 import math
 
-from ropewalk.core.jit import kernel
+import numpy as np
+from numpy.typing import NDArray
+
+from ropewalk.core.arrays import State, System
+from ropewalk.core.jit import kernel, part
 from ropewalk.laws.elastic import stored_energy
+from ropewalk.laws.joints import is_tied
 from ropewalk.laws.ledger import gravity_energy, kinetic_energy
 from ropewalk.laws.parting import has_parted
 from ropewalk.laws.rare import parts, winds
@@ -30,6 +35,14 @@ WINCH_SHARE = 0.2  # a winch winds at most this part of a segment in a step [1]
 BEGIN, STEP, LENGTH, WOUND, BACK, TURNS = range(6)
 
 
+def joined(system: System, state: State) -> NDArray[np.bool_]:
+    """Return which segments join two nodes of a rope, or will when they leave a drum, (s,)."""
+    found = state.stiffness > 0.0
+    for one, other in zip(system.winches.first, system.winches.last, strict=True):
+        found[min(one, other) : max(one, other)] = True
+    return found
+
+
 @kernel
 def run_winches(system, state, t, dt, turning):
     """Turn all winches by one step that starts at `t` [s], after it, and book their work.
@@ -41,7 +54,7 @@ def run_winches(system, state, t, dt, turning):
     kinetic, potential = kinetic_energy(state.v, state.mass), _potential(system, state)
     for row in range(state.winch_exit.shape[0]):
         plan_turn(system, state, row, t, dt, turning)
-        _end_turn(system.winches, state, row, turning)
+        _end_turn(system, state, row, turning)
         turning[row, WOUND] = 0.0
     _book(system, state, kinetic, potential)
 
@@ -87,7 +100,7 @@ def end_turns(system, state, turning):
         return
     kinetic, potential = kinetic_energy(state.v, state.mass), _potential(system, state)
     for row in range(state.winch_exit.shape[0]):
-        _end_turn(system.winches, state, row, turning)
+        _end_turn(system, state, row, turning)
     _book(system, state, kinetic, potential)
 
 
@@ -111,6 +124,12 @@ def _working(winches, state, row):
     """Return the segment next to the drum."""
     drum = state.winch_exit[row]
     return drum if winches.step[row] > 0 else drum - 1
+
+
+@part
+def stays_off(system, state, node):
+    """Tell whether a node cannot come on to a drum: one that is held, or tied."""
+    return state.inverse_mass[node] == 0.0 or is_tied(system, state, node)
 
 
 @kernel
@@ -140,7 +159,7 @@ def plan_turn(system, state, row, t, dt, turning):
         else:
             left = winches.drum[row] - state.winch_paid[row]
             wound = min(wound, max(0.0, min(winches.longest[row] - total, left)))
-        if state.inverse_mass[outer] == 0.0:  # a held node cannot come on to the drum
+        if stays_off(system, state, outer):
             wound = max(wound, min(0.0, 0.5 * nominal - length))
         if drum == winches.first[row]:  # no node is left to pay out
             wound = min(wound, max(0.0, SPLIT * nominal - length))
@@ -156,8 +175,9 @@ def plan_turn(system, state, row, t, dt, turning):
 
 
 @kernel
-def _end_turn(winches, state, row, turning):
+def _end_turn(system, state, row, turning):
     """Give the working segment its length and masses; split or merge it where it is due."""
+    winches = system.winches
     drum, working = state.winch_exit[row], _working(winches, state, row)
     nominal = winches.segment[row]
     outer = drum + winches.step[row]
@@ -175,7 +195,7 @@ def _end_turn(winches, state, row, turning):
         elif (
             length < MERGE * nominal
             and outer != winches.last[row]
-            and state.inverse_mass[outer] > 0.0
+            and not stays_off(system, state, outer)
         ):
             merge(winches, state, row, drum, working, length)
     follow_drum(winches, state, row)

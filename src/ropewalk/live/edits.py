@@ -18,6 +18,7 @@ from ropewalk.core.arrays import Floats
 from ropewalk.live.parameters import refusal
 from ropewalk.lowering.contact_checks import refuse_tying, refuse_untying
 from ropewalk.lowering.layout import Layout, make_layout
+from ropewalk.lowering.plan import refuse_limiter
 from ropewalk.lowering.slide_checks import refuse_slides
 from ropewalk.scene import (
     Anchor,
@@ -250,7 +251,9 @@ def knot(scene: Scene, layout: Layout, nodes: tuple[int, int], hands: Sequence[s
     ties = [Tie(rope=rope, node=node) for rope, node in members]
     anchors = [anchor for anchor in scene.anchors if anchor.name not in hands]
     joints = [*kept, Joint(name=name, points=ties)]
-    return Edit(scene.replace(anchors=anchors, joints=joints), same_nodes(layout))
+    made = scene.replace(anchors=anchors, joints=joints)
+    refuse_limiter(made)
+    return Edit(made, same_nodes(layout))
 
 
 def _retied(joint: Joint, rope: Rope, ends: Sequence[tuple[int, int, str]]) -> Joint | None:

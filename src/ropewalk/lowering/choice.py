@@ -57,6 +57,8 @@ def candidates(scene: Scene, system: System, state: State, most: float) -> list[
         method = METHODS[name]
         if not method.holds_links and np.isinf(state.stiffness).any():
             continue
+        if not bounds_stretch(scene, name):
+            continue
         if uncovered(system, state, name, run.duration):
             continue
         bound = run.auto_fraction * min(cases.largest(name).values())
@@ -65,6 +67,16 @@ def candidates(scene: Scene, system: System, state: State, most: float) -> list[
             twice = 2.0 if name == "verlet" and (scene.limiter or scene.winches) else 1.0
             found.append(Candidate(name, step, bound, twice * method.cost / step))
     return found
+
+
+def bounds_stretch(scene: Scene, method: str) -> bool:
+    """Tell whether a method can work with the scene's stretch limiter, if it has one.
+
+    A segment at its bound is a rigid link. Explicit methods put it right after their steps, rope by rope.
+    """
+    if scene.limiter is None or METHODS[method].holds_links:
+        return True
+    return not (METHODS[method].implicit or scene.joints)
 
 
 def accurate_step(name: str, scene: Scene, system: System, state: State) -> float:

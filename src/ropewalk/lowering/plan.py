@@ -9,7 +9,7 @@ import numpy as np
 
 from ropewalk.core.arrays import State, System
 from ropewalk.laws.winch import WINCH_SHARE
-from ropewalk.lowering.choice import Candidate, choose, reason
+from ropewalk.lowering.choice import Candidate, bounds_stretch, choose, reason
 from ropewalk.lowering.obstacle_checks import step_past_nodes
 from ropewalk.lowering.steps import BEYOND, predicted_step, uncovered
 from ropewalk.methods.controller import LONGEST_STEP
@@ -65,7 +65,7 @@ def make_plan(scene: Scene, system: System, state: State) -> Plan:
     the plan has more than 2^53 steps.
     """
     run = scene.run
-    _refuse_limiter(scene)
+    refuse_limiter(scene)
     if run.method == "adaptive":
         return _adaptive_plan(scene, system)
     method: str = run.method
@@ -96,23 +96,20 @@ def make_plan(scene: Scene, system: System, state: State) -> Plan:
     return Plan(method, dt, count, frames, why=why)
 
 
-def bounds_stretch(method: str) -> bool:
-    """Tell whether a method can work with a stretch limiter: at its bound a segment is a rigid link."""
-    return METHODS[method].holds_links or not METHODS[method].implicit
-
-
-def _refuse_limiter(scene: Scene) -> None:
-    """Refuse a limiter to methods that cannot work with it."""
+def refuse_limiter(scene: Scene) -> None:
+    """Raise SceneError for a limiter with a method that cannot work with it."""
     name = scene.run.method
-    if scene.limiter is None or name == "auto":
+    if name == "auto" or bounds_stretch(scene, name):
         return
-    if not bounds_stretch(name):
-        able = ", ".join(one for one in METHODS if METHODS[one].implicit and bounds_stretch(one))
-        rule = (
-            "cannot work with a stretch limiter: a segment at its bound is rigid; implicit methods that can: "
-            f"{able}; so can all explicit ones"
-        )
-        raise SceneError([Fault("run.method", name, rule)])
+    able = ", ".join(one for one in METHODS if METHODS[one].holds_links)
+    if not METHODS[name].implicit:
+        rule = "knows no bounds of the stretch of ropes that joints tie; methods that do: "
+        raise SceneError([Fault("run.method", name, rule + able)])
+    rule = (
+        "cannot work with a stretch limiter: a segment at its bound is rigid; implicit methods that can: "
+        f"{able}; so can all explicit ones"
+    )
+    raise SceneError([Fault("run.method", name, rule)])
 
 
 def _adaptive_plan(scene: Scene, system: System) -> Plan:

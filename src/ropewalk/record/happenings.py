@@ -108,7 +108,7 @@ class Watch:
         if parted < min(stop, release if let_go else math.inf):
             stood = any(known == row for known, _ in self._told)
             return ("", now) if stood else (PARTED, max(parted, float(winches.start[row])))
-        why = limit_reached(winches, state, row, speed) if math.isinf(parted) else ""
+        why = limit_reached(simulation.system, state, row, speed) if math.isinf(parted) else ""
         if why:
             began = max(self._time, float(winches.start[row]))
             time = began + (float(state.winch_paid[row]) - float(self._paid[row])) / speed

@@ -36,7 +36,6 @@ def scene_faults(
         _winches(ropes, anchors, winches),
         _weights(gravity, ropes, winches),
         _joints(ropes, anchors, winches, joints),
-        _joined_limits(joints, limiter),
     )
     told = list(islice(found, MOST_TOLD))
     if next(found, None) is not None:
@@ -244,12 +243,6 @@ def _winch_lengths(winch: Winch, rope: Rope) -> Iterator[Fault]:
         yield Fault("on_drum", winch.on_drum, rule)
 
 
-def _joined_limits(joints: Sequence[Joint | None], limiter: Limiter | None) -> Iterator[Fault]:
-    if joints and limiter is not None:
-        rule = "cannot limit ropes that joints tie: leave it out, or the joints"
-        yield Fault("limiter", NO_VALUE, rule)
-
-
 def _joints(
     ropes: Sequence[Rope | None],
     anchors: Sequence[Anchor | None],
@@ -260,7 +253,7 @@ def _joints(
         return
     yield from _named_once("joint", (part.name if part is not None else None for part in joints))
     tied: dict[tuple[int, int], tuple[int, int]] = {}
-    known, wound = _Names(ropes), [winch.rope for winch in winches if winch is not None]
+    known, drums = _Names(ropes), _drums(ropes, winches)
     for i, joint in enumerate(joints):
         if joint is None:
             continue
@@ -276,11 +269,21 @@ def _joints(
             if not -rope.nodes <= tie.node < rope.nodes:
                 yield Fault(f"{path}.node", tie.node, node_range(rope))
                 continue
-            if wound and (rope.name in wound or "" in wound):
-                rule = "is on a winch, which cannot wind a rope that is tied: leave out the winch"
-                yield Fault(f"{path}.rope", rope.name, f"{rule}, or the joint")
+            if (rope.name, tie.node % rope.nodes) in drums:
+                rule = "is where a winch's drum is: tie another node, or leave out the winch"
+                yield Fault(f"{path}.node", tie.node, rule)
             yield from _tied_once(tied, (index, tie.node % rope.nodes), (i, k), tie.node)
     yield from _held_once(ropes, anchors, tied)
+
+
+def _drums(ropes: Sequence[Rope | None], winches: Sequence[Winch | None]) -> set[tuple[str, int]]:
+    """Return the nodes at which winches wind, by their rope's name; a winch of no name has the only rope."""
+    found = set()
+    for winch in winches:
+        for rope in ropes:
+            if winch is not None and rope is not None and winch.rope in ("", rope.name):
+                found.add((rope.name, 0 if winch.end == "start" else rope.nodes - 1))
+    return found
 
 
 def _tied_once(

@@ -21,6 +21,7 @@ from ropewalk.laws.pairs.table import CONTACTS, FAULT, PUSH, SPRING
 from ropewalk.laws.registry import NAMES
 from ropewalk.laws.slides.slide_force import bound_of
 from ropewalk.laws.slides.table import SPRING as HELD
+from ropewalk.laws.winch import joined
 from ropewalk.lowering.touching import SLIPS
 
 Entries = tuple[
@@ -48,7 +49,7 @@ class Couplings:
 
     def _make_network(self) -> Network:
         state, memory = self.state, self.state.memory
-        alive, bends = state.stiffness > 0.0, bool(self.system.flags[BENDING])
+        alive, bends = joined(self.system, state), bool(self.system.flags[BENDING])
         groups = memory.slide.group.shape if len(memory.slide.group) else memory.contact.pair.shape
         return tied_network(self.system.joints, state.tied, alive, bends, *groups)
 
