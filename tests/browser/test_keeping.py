@@ -111,7 +111,7 @@ def test_a_link_opens_the_same_set_up(open_window: Open, serve: Serve, tmp_path:
     second.until(
         "r.session.parameters.find((p) => p.name === 'mass').value.toFixed(9) === '3.500000000'"
     )
-    assert other.stage.session.scene.ropes[0].own_mass == pytest.approx(3.5)
+    assert other.broadcast.session.scene.ropes[0].own_mass == pytest.approx(3.5)
     window.click("#open-keep")
     window.click("#keep-command")
     window.page.get_by_text("The command is copied").wait_for()
