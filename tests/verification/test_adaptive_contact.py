@@ -55,6 +55,30 @@ def test_it_comes_to_what_short_steps_come_to() -> None:
     assert off[2] < 0.2 * off[1]
 
 
+def test_being_struck_makes_up_no_energy() -> None:
+    """A free line is thrown at a held one at 2 m/s: energy only falls, and what the method errs falls with it."""
+    errs = []
+    for size in (1e-4, 1e-5):
+        scene = lowered(
+            RunSettings(method="adaptive", tolerance=size, duration=0.4, frame_rate=500.0)
+        )
+        first, second = scene.ropes
+        kicks = [{"node": i, "velocity": (0, 0, -2.0)} for i in range(10)]
+        thrown = scene.replace(
+            ropes=[first, second.replace(kicks=kicks)], anchors=scene.anchors[:2]
+        )
+        result = rw.simulate(thrown)
+        total = result.energy["total"]
+        assert result.status == "finished"
+        assert total[0] == pytest.approx(0.2)  # [J]
+        assert np.diff(total).max() < 1e-3 * total[0]
+        assert float(result.work["contact"][-1]) < -0.1 * total[0]  # they have struck
+        assert result.table["largest balance residual [J]"] < 1e-12
+        errs.append(result.table["largest energy error [J]"])
+    assert errs[0] < 0.01 * total[0]
+    assert errs[1] < 0.5 * errs[0]
+
+
 @pytest.mark.slow
 def test_nothing_passes_in_a_tangle() -> None:
     """Three loops among each other, to rest, by a count that knows no contacts."""
