@@ -283,7 +283,8 @@ def _notes(model: Model, theory: Theory, largest: LargestSteps) -> tuple[str, ..
         )
     if model.scene.limiter is not None:
         unfit = [name for name in METHODS if not bounds_stretch(model.scene, name)]
-        notes.append(f"{', '.join(unfit)} cannot work with a stretch limiter")
+        beside = " on ropes that joints tie" if model.scene.joints else ""
+        notes.append(f"{', '.join(unfit)} cannot work with a stretch limiter{beside}")
     if largest[method] >= dt and calms_with_speed(model.system, model.state):
         still = chains(model.system, model.state, 0.0)
         if min(largest_step(method, chain) for chain in still.values()) < dt:

@@ -28,6 +28,7 @@ from ropewalk.laws.rare import parts, winds
 
 SPLIT = 1.6  # [1] times the nominal segment length
 MERGE = 0.4
+CHANGED = 0.05  # [1] of a winch's rate: a smaller change is what it gives back of merged segments
 WINCH_SHARE = 0.2  # a winch winds at most this part of a segment in a step [1]
 
 # Columns of `turning`: the step's begin and length [s], the working segment's rest length then, what the
@@ -61,11 +62,19 @@ def run_winches(system, state, t, dt, turning):
 
 @kernel
 def plan_turns(system, state, t, dt, turning):
-    """Write what every winch is to wind in the step of `dt` from `t` [s], (w, 6), see BEGIN."""
+    """Write what every winch is to wind in the step of `dt` from `t` [s], (w, 6), see BEGIN.
+
+    Returns whether one starts, stops or changes its speed, so that forces at `t` are others than before.
+    """
     for row in range(turning.shape[0]):
         turning[row, WOUND] = 0.0
+    changed = False
     for row in range(turning.shape[0]):
+        before = state.winch_rate[row]
         plan_turn(system, state, row, t, dt, turning)
+        rate = state.winch_rate[row]
+        changed = changed or abs(rate - before) > CHANGED * max(abs(rate), abs(before))
+    return changed
 
 
 @kernel
@@ -73,11 +82,22 @@ def wind_to(system, state, time, turning):
     """Give the working segments the rest lengths that they have at `time` [s] of the planned step."""
     winches = system.winches
     for row in range(turning.shape[0]):
-        change = turning[row, WOUND] + turning[row, BACK]
+        working, change = _working(winches, state, row), 0.0
+        for other in range(turning.shape[0]):  # both ends of a rope may work on one segment
+            if _working(winches, state, other) == working:
+                change += turning[other, WOUND] + turning[other, BACK]
         if change != 0.0:
             share = (time - turning[row, BEGIN]) / turning[row, STEP]
-            working = _working(winches, state, row)
             set_segment(winches, state, row, working, turning[row, LENGTH] + share * change)
+
+
+@kernel
+def winding(turning):
+    """Tell whether any winch winds in the planned step."""
+    busy = False
+    for row in range(turning.shape[0]):
+        busy = busy or turning[row, WOUND] + turning[row, BACK] != 0.0
+    return busy
 
 
 @kernel
@@ -87,6 +107,8 @@ def book_half(system, state, x, inner, begin, end, turning):
     At either end of their way, which makes the mean; `inner` is what segments remember there. Leaves the
     lengths of `end`.
     """
+    if not winding(turning):
+        return
     wind_to(system, state, begin, turning)
     less = stored_energy(system, state, x, inner)
     wind_to(system, state, end, turning)
@@ -99,9 +121,21 @@ def end_turns(system, state, turning):
     if not winds(system, state):
         return
     kinetic, potential = kinetic_energy(state.v, state.mass), _potential(system, state)
+    wind_to(system, state, turning[0, BEGIN], turning)  # then one winch after the other
     for row in range(state.winch_exit.shape[0]):
         _end_turn(system, state, row, turning)
     _book(system, state, kinetic, potential)
+
+
+@kernel
+def cut_short(system, state, t, turning):
+    """End the turns of a step that came no farther than to `t` [s]."""
+    for row in range(turning.shape[0]):
+        share = (t - turning[row, BEGIN]) / turning[row, STEP]
+        turning[row, WOUND] *= share
+        turning[row, BACK] *= share
+        turning[row, STEP] *= share
+    end_turns(system, state, turning)
 
 
 @kernel
@@ -181,7 +215,7 @@ def _end_turn(system, state, row, turning):
     drum, working = state.winch_exit[row], _working(winches, state, row)
     nominal = winches.segment[row]
     outer = drum + winches.step[row]
-    wound, back, length = turning[row, WOUND], turning[row, BACK], turning[row, LENGTH]
+    wound, back, length = turning[row, WOUND], turning[row, BACK], state.rest_length[working]
     state.winch_debt[row] -= back
     state.winch_paid[row] += wound
     if wound + back != 0.0:

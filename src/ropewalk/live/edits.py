@@ -100,7 +100,8 @@ def at_node(layout: Layout, index: int, path: str = "node") -> tuple[str, int]:
     rope, node = layout.rope_of(index)
     span = layout.span(rope)
     if not span.start <= index <= span.end:
-        raise refusal(path, index, "is on a winch's drum")
+        rule = "is on a winch's drum, or came off it since the start: choose a point farther out"
+        raise refusal(path, index, rule)
     return rope, node
 
 

@@ -63,6 +63,7 @@ def begin(track: Track, nodes: tuple[int, int], owner: int) -> str:
     if all(held) and held[0] != held[1]:
         rule = f"are held by anchors {held[0]!r} and {held[1]!r}; let one of the two go first"
         raise refusal("nodes", f"{nodes[0]}, {nodes[1]}", rule)
+    _refuse_wound(track.simulation, nodes)
     edits.knot(track.scene, track.simulation.layout, nodes)  # refuses what can never be tied
     state = track.simulation.arrays
     gap = float(np.linalg.norm(state.x[:, nodes[0]] - state.x[:, nodes[1]]))
@@ -96,6 +97,15 @@ def begin(track: Track, nodes: tuple[int, int], owner: int) -> str:
     if gap <= pull.near:
         return ""
     return f"{gap:.3g} m apart: hands bring them together, then they are tied"
+
+
+def _refuse_wound(simulation: Simulation, nodes: tuple[int, int]) -> None:
+    """Raise SceneError where one of the nodes is on a drum by now; those that are held stay off it."""
+    winches = simulation.system.winches
+    for first, exit_node in zip(winches.first, simulation.arrays.winch_exit, strict=True):
+        for node in nodes:
+            if min(first, exit_node) <= node <= max(first, exit_node):
+                raise refusal("nodes", node, "is on a winch's drum by now: choose a point off it")
 
 
 def brought(simulation: Simulation, pull: Pull, interval: float) -> Pull:

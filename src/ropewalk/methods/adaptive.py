@@ -142,7 +142,8 @@ def try_step(system, state, before, scratch, t, after, dt, ledger, tableau):
     A, b, c, numbers = tableau.A, tableau.b, tableau.c, tableau.numbers
     kind = tableau.kind
     if winds(system, state):
-        plan_turns(system, state, t, dt, solver.turning)
+        if plan_turns(system, state, t, dt, solver.turning):
+            prepare_links(system, state, t, solver.stage.saddle)
     status = HIT
     while status == HIT:  # with the contacts that the last solution has met
         status = take_step(
@@ -257,7 +258,8 @@ def go_to(system, state, scratch, extras, time, ledger, tableau):
     mark_sides(system, state, scratch.stage.saddle.band)
     dt = time - begin
     if winds(system, state):
-        plan_turns(system, state, begin, dt, scratch.solver.turning)
+        if plan_turns(system, state, begin, dt, scratch.solver.turning):
+            prepare_links(system, state, begin, scratch.stage.saddle)
     status = step(system, state, scratch.solver, begin, time, dt, ledger, tableau)
     if status != OK:
         walk.control[ERROR] = np.inf

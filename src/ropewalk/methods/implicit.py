@@ -35,7 +35,7 @@ from ropewalk.laws.nodes import hits
 from ropewalk.laws.rare import has_bending, has_inner, winds
 from ropewalk.laws.table import accelerate
 from ropewalk.laws.wheels import aim_no_wheels, end_aim
-from ropewalk.laws.winch import book_half, wind_to
+from ropewalk.laws.winch import book_half, cut_short, wind_to
 from ropewalk.methods import tableaus
 from ropewalk.methods.gain import makes_up_energy, most_of
 from ropewalk.methods.generalized_alpha import end_alpha, prepare_alpha
@@ -389,8 +389,10 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
             level, place, run, climbed, kind = level + 1, 2 * place, 0, False, DIRK
             A, b, c = scratch.rescue.A, scratch.rescue.b, scratch.rescue.c
             state.past[0] = 0.0
-    if status != OK and winds(system, state):  # the state is as it was, its lengths, too
+    if status != OK and winds(system, state):  # the state is as it was before the part that failed
         wind_to(system, state, begin, scratch.turning)
+        if place > 0:
+            cut_short(system, state, begin, scratch.turning)
     if kind == DIRK and tableau.kind == BDF2:
         put_forces(system, scratch.mean, state.forces)
     return status

@@ -149,10 +149,10 @@ def make_advance(step: Any, *, carries: bool = False, solves: bool = False) -> A
                 while begin < after:  # once, but for kinks
                     anew = release_anchors(system, state, begin, near(begin, dt))
                     h, end, to, jumps = next_piece(system, state, t, begin, after, dt, point, speed)
+                    if acts_after(extras) and plan_turns(system, state, begin, h, scratch.turning):
+                        anew = True
                     if (anew or jumps > 0) and carries:
                         begin_anew(system, state, begin, scratch)
-                    if acts_after(extras):
-                        plan_turns(system, state, begin, h, scratch.turning)
                     status = take(system, state, scratch, begin, end, h, ledger, tableau)
                     if status != OK:
                         return status, frame

@@ -89,10 +89,19 @@ def energy_note(result: Result, error: Floats, share: float) -> str:
         return _made_up(plan, worst, scale) if abs(worst) > MOST * scale > 0.0 else ""
     if not share > TURNED or abs(worst) <= _NOTHING * scale:
         return ""
+    steps, remedy = (
+        f"steps of {1e3 * plan.dt:.3g} ms",
+        f"time_step = {0.25 * plan.dt:.3g} s or less, or method = adaptive",
+    )
+    if plan.tolerance is not None:
+        steps, remedy = (
+            f"tolerance of {plan.tolerance:.3g} m",
+            f"tolerance = {0.1 * plan.tolerance:.3g}",
+        )
     return (
         f"{abs(worst):.3g} J, {share:.3g} % of the energy turned over, are in no law's work: some of the "
-        f"motion is too fast for {plan.method}'s steps of {1e3 * plan.dt:.3g} ms. Do not trust works, nor "
-        f"places after it; take time_step = {0.25 * plan.dt:.3g} s or less, or method = adaptive"
+        f"motion is too fast for {plan.method}'s {steps}. Do not trust works, nor "
+        f"places after it; take {remedy}"
     )
 
 
