@@ -79,4 +79,4 @@ def test_a_start_costs_no_order(method: str, most: float) -> None:
     lead = hoisted("esdirk3", 5120)
     coarse, fine = (abs(hoisted(method, steps) - lead) for steps in (40, 160))
     assert coarse < most
-    assert fine < coarse / 10.0
+    assert fine < coarse / 6.0  # of order one it would be a quarter

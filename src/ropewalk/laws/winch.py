@@ -130,6 +130,9 @@ def end_turns(system, state, turning):
 @kernel
 def cut_short(system, state, t, turning):
     """End the turns of a step that came no farther than to `t` [s]."""
+    wind_to(system, state, t, turning)
+    if t <= turning[0, BEGIN]:
+        return
     for row in range(turning.shape[0]):
         share = (t - turning[row, BEGIN]) / turning[row, STEP]
         turning[row, WOUND] *= share

@@ -390,9 +390,7 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
             A, b, c = scratch.rescue.A, scratch.rescue.b, scratch.rescue.c
             state.past[0] = 0.0
     if status != OK and winds(system, state):  # the state is as it was before the part that failed
-        wind_to(system, state, begin, scratch.turning)
-        if place > 0:
-            cut_short(system, state, begin, scratch.turning)
+        cut_short(system, state, begin, scratch.turning)
     if kind == DIRK and tableau.kind == BDF2:
         put_forces(system, scratch.mean, state.forces)
     return status
