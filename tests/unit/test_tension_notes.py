@@ -56,20 +56,10 @@ def test_a_negative_tension_says_what_pushes() -> None:
     assert PUSH not in rw.simulate(rw.preset("r3")).table
 
 
-def test_a_winch_s_own_segment_says_how_much_of_its_tension_is_the_turn_of_a_step() -> None:
-    """It is so: the difference to the force on the drum goes with the step, and is half of what is said."""
-    scene = rw.preset("crane-snap").replace(**{"run.duration": 1.0})
-    over = []
-    for dt in (1.2e-4, 6e-5, 3e-5):
-        run = rw.simulate(scene.replace(**{"run.time_step": dt}))
-        drum = float(run.table["largest anchor force [N]"])
-        over.append((peak(run) - drum) / dt)
-        turn = run.scene.ropes[0].made_of.EA * 0.5 * run.plan.dt / 0.5495
-        if turn > 0.002 * peak(run):
-            assert f"which alone makes {turn:.0f}"[:20] in run.table[JERK]
-            assert "too much by about half of that" in run.table[JERK]
-            assert 0.45 * turn < peak(run) - drum < 0.6 * turn
-    assert over[0] == pytest.approx(over[2], rel=0.1)
-    exact = rw.simulate(scene.replace(**{"run.method": "semi-implicit-euler"}))
-    assert JERK not in exact.table  # it acts with what it records
-    assert peak(exact) == pytest.approx(float(exact.table["largest anchor force [N]"]), rel=1e-3)
+def test_the_segment_at_a_drum_reads_what_the_drum_holds() -> None:
+    """Steps of 0.12 ms turn the winch by some 1.3 kN of that segment, 4 % of its peak."""
+    run = rw.simulate(
+        rw.preset("crane-snap").replace(**{"run.duration": 1.0, "run.time_step": 1.2e-4})
+    )
+    assert JERK not in run.table
+    assert peak(run) == pytest.approx(float(run.table["largest anchor force [N]"]), rel=1e-3)
