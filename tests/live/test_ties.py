@@ -205,13 +205,13 @@ def test_refusals_name_the_points_and_the_reason() -> None:
         node=wound.main.simulation.layout.span("a").start,
         other=wound.main.simulation.layout.span("b").end,
     )
-    assert "is where a winch's drum is" in said
+    assert "is on a winch's drum: choose a point off it" in said
     reeling = Session(two("implicit-euler", winches=[Winch(rope="a", end="start", speed=-0.5)]))
     span = reeling.main.simulation.layout.span("a")
     while reeling.main.simulation.arrays.winch_exit[0] < span.start + 2:
         reeling.advance(10)
     for node in (span.start + 1, span.start + 2):  # on the drum, and where rope leaves it
-        assert "is on a winch's drum by now" in refused(
+        assert "is on a winch's drum: choose" in refused(
             reeling, "tie", node=node, other=span.end + 11
         )
     assert reeling.main.hands.pulls == []

@@ -105,7 +105,7 @@ def _refuse_wound(simulation: Simulation, nodes: tuple[int, int]) -> None:
     for first, exit_node in zip(winches.first, simulation.arrays.winch_exit, strict=True):
         for node in nodes:
             if min(first, exit_node) <= node <= max(first, exit_node):
-                raise refusal("nodes", node, "is on a winch's drum by now: choose a point off it")
+                raise refusal("nodes", node, "is on a winch's drum: choose a point off it")
 
 
 def brought(simulation: Simulation, pull: Pull, interval: float) -> Pull:
