@@ -311,7 +311,30 @@ def test_a_wire_of_7x19_is_that_of_the_library() -> None:
     assert made.mass_per_length == pytest.approx(known.mass_per_length, rel=1e-3)
     assert made.breaking_load == pytest.approx(known.breaking_load, rel=2e-3)
     with pytest.raises(ValueError, match="ropewalk ropes --family steel"):
-        rw.Material.of_wire("1x19", "6 mm")
+        rw.Material.of_wire("1x37", "6 mm")
+
+
+def test_a_strand_of_1x19_has_the_stretch_factor_and_no_breaking_load_unasked() -> None:
+    made, known = rw.Material.of_wire("1x19", "6 mm"), rw.rope("wire-1x19-6")
+    assert made.mass_per_length == pytest.approx(known.mass_per_length, rel=1e-3)
+    assert pytest.approx(98.8e9 * 0.006**2) == made.EA
+    assert pytest.approx(known.EA * 98.8 / 88.5, rel=1e-3) == made.EA  # the library's is stainless
+    assert made.breaking_load is None
+    asked = rw.Material.of_wire("1x19", "6 mm", grade=1570, guesses=True)
+    metal = made.mass_per_length / 7850.0
+    assert 0.8 <= asked.breaking_load / (1570e6 * metal) <= 0.92
+    low = 0.477 / 0.507  # the one that was read is at the lower end of the range
+    assert known.breaking_load == pytest.approx(low * asked.breaking_load, rel=0.02)
+
+
+def test_locked_coil_rope_is_a_guess_and_only_there_when_asked_for() -> None:
+    with pytest.raises(SceneError, match=r"without a source; guesses=True takes them"):
+        rw.Material.of_wire("locked coil", "40 mm")
+    made = rw.Material.of_wire("Locked-Coil", "40 mm", grade=1570, guesses=True)
+    known = rw.rope("locked-coil-40")
+    for key in ("EA", "mass_per_length", "breaking_load"):
+        assert getattr(made, key) == pytest.approx(getattr(known, key), rel=2e-3)
+        assert known.numbers[key].quality == "guess"
 
 
 def test_a_share_above_one_may_be_written_with_its_unit() -> None:

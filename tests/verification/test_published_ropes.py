@@ -56,6 +56,15 @@ def test_the_static_elongation_is_no_measure_of_a_fall() -> None:
     assert force < 0.75 * rope("dynamic-single").label["impact_force"].value
 
 
+def test_no_elastic_rope_has_force_and_stretch_of_the_mean_label() -> None:
+    """F = W + sqrt(W^2 + 2 W f EA) at the label's force: it stretches by 40 % where the label says 33."""
+    label, weight = rope("dynamic-single").label, 784.8
+    force = label["impact_force"].value
+    EA = ((force - weight) ** 2 - weight**2) / (2.0 * weight * 1.77)
+    assert force / EA == pytest.approx(0.403, abs=2e-3)
+    assert label["dynamic_elongation"].value == pytest.approx(0.3315, abs=1e-3)
+
+
 def hardness(force: float, mass: float, time: float) -> float:
     """EA [N] of the rope whose fall has this force, with a damping of EA times a time [s]."""
     low, high = 1e3, 1e6

@@ -125,20 +125,30 @@ class FromDataSheet:
 
     @classmethod
     def of_wire(
-        cls, construction: str, diameter: Quantity, *, grade: float = 1770.0, **others: Any
+        cls,
+        construction: str,
+        diameter: Quantity,
+        *,
+        grade: float = 1770.0,
+        guesses: bool = False,
+        **others: Any,
     ) -> Self:
         """Return a steel wire rope: mass W d^2, breaking load K d^2 R, EA from the stretch factor.
 
         W and K of EN 12385-4 and stretch factors as in `library.wire_factors`; EA is that of new rope
-        after it has bedded in, within some 15 %.
+        after it has bedded in, within some 15 %. K of the strand 1x19 has no source, and neither has any
+        number of locked coil rope: what is a guess is given only when asked for.
 
         Args:
-            construction: "6x36 IWRC", "6x19 FC", "7x7" ...
+            construction: "6x36 IWRC", "6x19 FC", "7x7", "1x19" ...
             diameter: nominal [m], such as 0.012 or "12 mm".
             grade: strength of the wires, R [N/mm^2].
+            guesses: give the breaking load of 1x19, too, K 0.507 (0.477 to 0.549); and locked coil rope at
+                all, mass 0.565 (0.54 to 0.587), EA 106.8 GPa d^2 (95 to 117), K 0.605 (0.54 to 0.67).
             others: fields of the material.
 
-        Raises SceneError for what is no number greater than zero; ValueError for another construction.
+        Raises SceneError for what is no number greater than zero, and for guesses that were not asked for;
+        ValueError for another construction.
         """
         factors = wire_factors(construction)
         d = given("diameter", diameter, "m")
@@ -151,9 +161,10 @@ class FromDataSheet:
                 f"must be from {_GRADES[0]:g} to {_GRADES[1]:g} N/mm^2, the strength of steel wires"
             )
             raise SceneError([Fault("grade", grade, rule)])
-        made = {
-            "EA": factors.EA * d**2,
-            "mass_per_length": factors.W * 1e4 * d**2,
-            "breaking_load": factors.K * R * 1e6 * d**2,
-        }
+        if factors.guess and not guesses:
+            rule = f"{factors.guess}; guesses=True takes them"
+            raise SceneError([Fault("construction", construction, rule)])
+        made = {"EA": factors.EA * d**2, "mass_per_length": factors.W * 1e4 * d**2}
+        if guesses or factors.K_range is None:
+            made["breaking_load"] = factors.K * R * 1e6 * d**2
         return cls(**(made | {"tension_only": True} | others))
