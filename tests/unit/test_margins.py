@@ -75,3 +75,14 @@ def test_check_and_figures_say_it_and_warn() -> None:
     for figure in (result.plot.tension(), result.plot.forces()):
         texts = " ".join(text.get_text() for text in figure.texts)
         assert "it would have parted" in texts
+
+
+def test_the_forces_of_one_moment_do_not_hide_those_of_the_run() -> None:
+    """A tow rope that is slack at the end had a safety factor of some 5; it read 58 800."""
+    result = rw.simulate(rw.preset("tow"))
+    least = result.table["least safety factor [1]"]
+    assert 4.0 < least < 7.0
+    texts = " ".join(text.get_text() for text in result.plot.forces().texts)
+    assert f"safety factor {least:.3g} since the start" in texts
+    assert "% of the breaking load at this moment" in texts
+    assert texts.count("safety factor") == 1

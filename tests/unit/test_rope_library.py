@@ -251,3 +251,17 @@ def test_what_no_source_gives_of_falls_is_said_with_the_rope() -> None:
         assert "No label of a half or a twin rope" in rope(name).doubts[1]
     assert rope("wire-7x19-12").doubts == ()
     assert rope("semistatic-10.5").doubts == ()
+
+
+def test_a_climbing_rope_that_hangs_by_its_label_is_no_slip() -> None:
+    """80 kg stretch it by a tenth, as they should. The twins: 160 kg, and the same EA typed by hand."""
+
+    def said(scene: rw.Scene) -> list[str]:
+        warnings = rw.check(scene, measure=False).warnings
+        return [text for text in warnings if "at rest it is stretched by" in text]
+
+    fall = rw.preset("climbing-fall")
+    assert said(fall) == []
+    assert "a load too large for this rope" in said(fall.replace(**{"rope.load.mass": 160.0}))[0]
+    own = rw.Material(EA=fall.ropes[0].made_of.EA, mass_per_length=0.061)
+    assert "kN typed as N" in said(fall.replace(**{"rope.made_of": own}))[0]

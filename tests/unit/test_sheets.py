@@ -146,6 +146,14 @@ def test_what_is_guessed_is_warned_of() -> None:
     assert "Guessed" not in told
 
 
+def test_a_number_of_two_sources_has_both_in_words() -> None:
+    """It read "A1 A12"."""
+    made = rw.sheet("climbing-fall", run=False, convergence=False)
+    text = str(made.section("Ropes"))
+    assert "A1 A12" not in text
+    assert "Mammut, ropes catalogue" in text
+
+
 def test_what_is_not_known_has_bands() -> None:
     made = rw.sheet(
         hung(), run=False, convergence=False, uncertain={"rope.length": (5.9, 6.1)}, samples=4

@@ -15,7 +15,7 @@ from click.testing import CliRunner
 import ropewalk as rw
 import ropewalk.scene as scene_module
 from ropewalk.cli import main
-from ropewalk.scene import Kick, Shake, dumps, loads
+from ropewalk.scene import Kick, Shake, apply_overrides, dumps, loads
 from ropewalk.scene.as_given import as_given
 from ropewalk.scene.units import WrongUnit, in_unit
 
@@ -151,7 +151,7 @@ def test_a_weight_for_a_mass_says_how_a_mass_is_written() -> None:
 
 
 def test_quantities_of_a_file_are_shown_as_they_were_given(tmp_path: Path) -> None:
-    """In check and on the sheet; what a flag has changed, and plain numbers, are not among them."""
+    """In check and on the sheet; what a flag has made another, and plain numbers, are not among them."""
     file = tmp_path / "job.toml"
     file.write_text(TEXT, encoding="utf-8")
     found = {one.path: (one.given, one.stored) for one in as_given(file, loads(TEXT))}
@@ -161,7 +161,7 @@ def test_quantities_of_a_file_are_shown_as_they_were_given(tmp_path: Path) -> No
     assert found["rope[0].force[0].force"] == ("(80 kgf, 0, 1 lbf)", "(784.532, 0, 4.44822) N")
     assert found["run.time_step"] == ("0.5 ms", "0.0005 s")
     assert len(found) == 9
-    done = CliRunner().invoke(main, ["check", str(file), "--set", "rope.length=5 m"])
+    done = CliRunner().invoke(main, ["check", str(file), "--set", "rope.length=5"])
     assert "as given: rope[0].diameter = 12 mm, 0.012 m" in done.stdout
     assert "rope[0].length" not in done.stdout
     told = json.loads(CliRunner().invoke(main, ["check", str(file), "--json"]).stdout)["as_given"]
@@ -171,3 +171,24 @@ def test_quantities_of_a_file_are_shown_as_they_were_given(tmp_path: Path) -> No
     assert as_given("r4", rw.preset("r4")) == []
     with pytest.raises(KeyError, match="As given"):
         rw.sheet("hanging-rope", run=False, convergence=False).section("As given")
+
+
+def test_quantities_of_flags_are_shown_as_they_were_given(tmp_path: Path) -> None:
+    """Of a preset, too. A flag takes the place of the file's; of two the last one stands."""
+    file = tmp_path / "job.toml"
+    file.write_text(TEXT, encoding="utf-8")
+    sets = ["--set", 'rope.length="40 ft"', "--set", "rope.made_of.EA=3 MN", "--duration", "3 min"]
+    done = CliRunner().invoke(main, ["check", str(file), *sets])
+    assert "as given: rope[0].length = 40 ft, 12.192 m" in done.stdout
+    assert "as given: rope[0].made_of.EA = 3 MN, 3e+06 N" in done.stdout
+    assert "as given: run.duration = 3 min, 180 s" in done.stdout
+    assert "30 ft" not in done.stdout
+    flags = ["rope.length=40 ft", "rope.length=50 ft", "gravity[2]=-32 ft/s^2", "rope.segments=30"]
+    scene = apply_overrides(rw.preset("hanging-rope"), flags)
+    found = {one.path: one.given for one in as_given("hanging-rope", scene, flags)}
+    assert found == {"rope[0].length": "50 ft", "gravity[2]": "-32 ft/s^2"}
+    asked = ["sheet", "hanging-rope", "--at-rest", "--no-convergence", "--json", "-o"]
+    told = CliRunner().invoke(
+        main, [*asked, str(tmp_path / "a.html"), "--set", "rope.length=40 ft"]
+    )
+    assert "40 ft" in told.stdout

@@ -44,6 +44,11 @@ def run_options(function: _F) -> _F:
     return function
 
 
+def as_flags(overrides: Sequence[str], **run: str | None) -> list[str]:
+    """Return what changes a scene, the values of [run] from options of their own among it."""
+    return [*overrides, *(f"run.{key}={value}" for key, value in run.items() if value is not None)]
+
+
 def load_scene(source: str, overrides: Sequence[str] = (), **run: str | None) -> Scene:
     """Load a scene file or a preset and change values of it.
 
@@ -59,8 +64,7 @@ def load_scene(source: str, overrides: Sequence[str] = (), **run: str | None) ->
         scene = load(source)
     else:
         raise Refusal(_unknown(source, presets.names()))
-    changes = [*overrides]
-    changes += [f"run.{key}={value}" for key, value in run.items() if value is not None]
+    changes = as_flags(overrides, **run)
     if not changes:
         return scene
     try:

@@ -15,10 +15,25 @@ if TYPE_CHECKING:
 
 
 def margin_notes(result: Result, first: int, stop: int) -> list[str]:
-    """Return a sentence on the rope that comes nearest to breaking in these frames; none if not known.
+    """Return sentences on the rope that comes nearest to breaking in these frames; none if not known.
 
-    One frame is an instant; with several, what steps between them reach counts, too.
+    One frame is an instant, after which stands what every step up to it reached, and the safety factor
+    of that; with several, what steps between them reach counts, too.
     """
+    if first > 0 and stop == first + 1:
+        now, until = _nearest(result, first, stop), _nearest(result, 0, stop)
+        if now is None or until is None:
+            return []
+        return [
+            f"{now[0]}{100.0 * now[1]:.3g} % of the breaking load at this moment.",
+            f"{until[0]}at most {margin_words(*until[1:])} since the start.",
+        ]
+    found = _nearest(result, first, stop)
+    return [] if found is None else [f"{found[0]}at most {margin_words(*found[1:])}."]
+
+
+def _nearest(result: Result, first: int, stop: int) -> tuple[str, float, str] | None:
+    """Return the rope that comes nearest, as words begin, its utilisation, and what came of more than 1."""
     found = []
     for rope in result.scene.ropes:
         load = breaking_load(rope)
@@ -28,10 +43,10 @@ def margin_notes(result: Result, first: int, stop: int) -> list[str]:
             largest = float(np.nanmax(np.where(np.isfinite(pull), pull, 0.0), initial=0.0))
             found.append((largest / load, rope.name, _beyond(result, rope, stop)))
     if not found:
-        return []
+        return None
     utilisation, name, beyond = max(found)
     whose = f"Rope {escape(name)}: " if len(result.scene.ropes) > 1 else ""
-    return [f"{whose}at most {margin_words(utilisation, beyond)}."]
+    return whose, utilisation, beyond
 
 
 def _beyond(result: Result, rope: Rope, stop: int) -> str:

@@ -1,14 +1,15 @@
-"""Quantities of a scene file as they were written, with their units, beside the numbers that they became."""
+"""Quantities of scene files and flags as they were written, with their units, and the numbers they became."""
 
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from ropewalk.scene.base import Model, units_of
-from ropewalk.scene.faults import join
+from ropewalk.scene.base import Model, unit_of, units_of
+from ropewalk.scene.faults import SceneError, join
+from ropewalk.scene.overrides import Places, as_value
 from ropewalk.scene.paths import toml_name
 from ropewalk.scene.scene import Scene
 from ropewalk.scene.units import in_unit
@@ -27,18 +28,43 @@ class AsGiven(NamedTuple):
         return f"{self.path} = {self.given}, {self.stored}"
 
 
-def as_given(file: str | Path, scene: Scene) -> list[AsGiven]:
-    """Return the quantities that a scene file gives with a unit of their own.
+def as_given(file: str | Path, scene: Scene, flags: Iterable[str] = ()) -> list[AsGiven]:
+    """Return the quantities that a scene file, or flags, give with a unit of their own.
 
     Args:
         file: the scene's; nothing is found in what is none.
         scene: read from it. What has been changed since is left out.
+        flags: that changed it, as `apply_overrides` takes them; of those that set whole tables nothing
+            is told.
     """
     try:
         table = tomllib.loads(Path(file).read_text(encoding="utf-8"))
     except (OSError, ValueError):
-        return []
-    return list(_quantities(scene, table, ""))
+        table = {}
+    found = {one.path: one for flag in flags for one in _of_flag(scene, flag)}
+    return [one for one in _quantities(scene, table, "") if one.path not in found] + [
+        *found.values()
+    ]
+
+
+def _of_flag(scene: Scene, flag: str) -> Iterator[AsGiven]:
+    """Return the quantity of `path=value`, if it still stands there and has a unit."""
+    path, _, text = flag.partition("=")
+    try:
+        places = Places(scene, [path])
+    except SceneError:  # of what a later flag has taken away
+        return
+    field, where = places.field(0)
+    given, stored, unit = as_value(text.strip()), places.value(0), unit_of(field)
+    if unit and _with_unit(given) and _same(in_unit(given, unit), stored):
+        yield AsGiven(where, _shown(given), f"{_shown(stored)} {unit}")
+
+
+def _same(given: Any, stored: Any) -> bool:
+    """Tell whether two values are the same, be they lists or tuples."""
+    if isinstance(given, list | tuple) and isinstance(stored, list | tuple):
+        return len(given) == len(stored) and all(map(_same, given, stored))
+    return bool(given == stored)
 
 
 def _quantities(model: Model, table: Mapping[str, Any], path: str) -> Iterator[AsGiven]:

@@ -19,6 +19,7 @@ from pydantic import (
     ValidationError,
     model_validator,
 )
+from pydantic.fields import FieldInfo
 from pydantic_core import PydanticCustomError
 
 from ropewalk.scene.faults import Fault, SceneError
@@ -146,13 +147,15 @@ def listed(description: str, toml: str, python: str, *, default: tuple[()]) -> A
 @cache
 def units_of(model: type[BaseModel]) -> dict[str, str]:
     """Return the units of a model's quantities, by name."""
-    found = {}
-    for name, field in model.model_fields.items():
-        extra = field.json_schema_extra
-        unit = extra.get("unit") if isinstance(extra, Mapping) else None
-        if field.annotation is not int and isinstance(unit, str):
-            found[name] = unit
-    return found
+    pairs = ((name, unit_of(field)) for name, field in model.model_fields.items())
+    return {name: unit for name, unit in pairs if unit is not None}
+
+
+def unit_of(field: FieldInfo) -> str | None:
+    """Return the unit of a field; None of a count, and of what is no quantity."""
+    extra = field.json_schema_extra
+    unit = extra.get("unit") if isinstance(extra, Mapping) else None
+    return unit if field.annotation is not int and isinstance(unit, str) else None
 
 
 def refuse(faults: Iterable[Fault]) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
@@ -31,6 +31,7 @@ def sheet(
     uncertain: Mapping[str, Any] | None = None,
     samples: int = 64,
     file: str | Path | None = None,
+    flags: Sequence[str] = (),
     progress: Callable[[str], None] | None = None,
 ) -> Sheet:
     """Make the sheet of a job: what a scene is, what it carries at rest and in its run, and how sure that is.
@@ -43,6 +44,7 @@ def sheet(
         samples: base samples of these.
         file: that the scene was read from, whose quantities are shown as they stand there; by default
             `scene`, where that is one.
+        flags: "path=value" that changed it since, whose quantities are shown, too.
         progress: called with what is done next, in words.
 
     Returns:
@@ -71,7 +73,7 @@ def sheet(
         result = simulate(made, on_failure="return")
     assert result is not None
     sections += [summary_section(rest, result if run else None)]
-    sections += [_drawing(rest or result), rope_section(made), *_given(file or scene, made)]
+    sections += [_drawing(rest or result), rope_section(made), *_given(file or scene, made, flags)]
     sections += [assumption_section(made), at_rest]
     if run:
         sections += [run_section(result), _courses(result), method_section(result)]
@@ -90,9 +92,9 @@ def _drawing(result: Result) -> Section:
     return Section("Drawing", (picture(dimensions(result), f"The scene {shown}, with dimensions"),))
 
 
-def _given(file: SceneLike, scene: Scene) -> list[Section]:
-    """Return the quantities that a file gives in units of its own, as they stand there."""
-    found = as_given(file, scene) if isinstance(file, str | Path) else []
+def _given(file: SceneLike, scene: Scene, flags: Sequence[str]) -> list[Section]:
+    """Return the quantities that a file and flags give in units of their own, as they stand there."""
+    found = as_given(file if isinstance(file, str | Path) else "", scene, flags)
     if not found:
         return []
     return [

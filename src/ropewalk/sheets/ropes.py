@@ -125,15 +125,14 @@ def _sources(rope: Rope) -> list[Item]:
     about = origin(rope.made_of)
     if about is None or not about.get("known", True):
         return []
-    rows, guessed, known = [], [], sources()
+    rows, guessed = [], []
     for field, number in about["numbers"].items():
         span = ""
         if "low" in number and "high" in number:
             low, high = (prefixed(number[end], str(UNITS[field])) for end in ("low", "high"))
             span = f"{low} to {high}"
-        code = str(number["source"])
-        told = known.get(code, code)
-        rows.append((_NAMES.get(field, field), number["quality"], span, told))
+        source = _told(str(number["source"]))
+        rows.append((_NAMES.get(field, field), number["quality"], span, source))
         if number["quality"] == "guess":
             guessed.append(_NAMES.get(field, field))
     items: list[Item] = []
@@ -143,6 +142,12 @@ def _sources(rope: Rope) -> list[Item]:
     if guessed:
         items.append(Text(f"Guessed, not measured: {', '.join(guessed)}.", warning=True))
     return items
+
+
+def _told(source: str) -> str:
+    """Return the sources of a number in words: "A1 A12" are two; what is no tag stays as it is."""
+    known = sources()
+    return " ".join(known.get(tag, tag) for tag in source.replace(",", " ").split())
 
 
 def assumption_section(scene: Scene) -> Section:

@@ -9,7 +9,7 @@ import click
 from ropewalk.cli.console import print_json, say, warn
 from ropewalk.cli.failures import BROKE
 from ropewalk.cli.progress import telling_of_compiling
-from ropewalk.cli.scene_argument import json_option, load_scene, named, run_options
+from ropewalk.cli.scene_argument import as_flags, json_option, load_scene, named, run_options
 
 if TYPE_CHECKING:
     from ropewalk.analysis.check import Check
@@ -43,12 +43,14 @@ def check(
     loaded = load_scene(scene, overrides, duration=duration, time_step=time_step, method=method)
     with named(scene), telling_of_compiling():
         found = check_scene(loaded)
+    flags = as_flags(overrides, duration=duration, time_step=time_step)
+    given = as_given(scene, loaded, flags)
     if as_json:
-        given = {"as_given": [one._asdict() for one in as_given(scene, loaded)]}
-        print_json({"scene": scene} | found.as_dict() | given)
+        quantities = {"as_given": [one._asdict() for one in given]}
+        print_json({"scene": scene} | found.as_dict() | quantities)
     else:
         _print(found, all_methods)
-        for one in as_given(scene, loaded):
+        for one in given:
             say(f"as given: {one}")
     return 0 if found.ok else BROKE
 

@@ -10,7 +10,14 @@ from ropewalk.cli.console import print_json, say, tell
 from ropewalk.cli.failures import BROKE, Refusal
 from ropewalk.cli.output_files import free_name, refuse_existing
 from ropewalk.cli.progress import tell_compiling
-from ropewalk.cli.scene_argument import json_option, load_scene, named, run_options, short_name
+from ropewalk.cli.scene_argument import (
+    as_flags,
+    json_option,
+    load_scene,
+    named,
+    run_options,
+    short_name,
+)
 
 
 @click.command()
@@ -87,6 +94,7 @@ def sheet(
             uncertain=vary or None,
             samples=samples,
             file=scene,
+            flags=as_flags(overrides, duration=duration, time_step=time_step),
             progress=None if quiet or as_json else tell,
         )
     for path in paths:
