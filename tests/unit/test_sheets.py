@@ -16,7 +16,7 @@ from ropewalk.plots.dimensions import dimensions
 from ropewalk.record.extremes import extremes
 from ropewalk.scene import Anchor, Kick, Load, Material, Rope, RunSettings, Scene, Slack, Springs
 from ropewalk.scene.recut import recut
-from ropewalk.scene.shapes import Points
+from ropewalk.scene.shapes import Points, Straight
 from ropewalk.sheets.content import Listing, Picture, Section, Table, Text
 from ropewalk.sheets.ropes import assumption_section, rope_section
 from ropewalk.words.prefixes import prefixed
@@ -106,6 +106,39 @@ def test_a_broken_run_is_said_first_and_compared_with_nothing() -> None:
     assert "THE RUN BROKE" in words(broke.section("The run"))
     with pytest.raises(KeyError, match="no section 'Convergence'"):
         broke.section("Convergence")
+
+
+def test_a_rope_that_parts_is_said_first() -> None:
+    """The twin carries as much and cannot part. It read IT WOULD HAVE PARTED of both, without a parting."""
+    weak = LINE.replace(breaking_load=200.0)
+    for parts in (True, False):
+        rope = hung().ropes[0].replace(made_of=weak.replace(parts=parts))
+        job = rw.sheet(hung(ropes=[rope]), convergence=False)
+        said, run = words(job.section("Summary")), words(job.section("The run"))
+        assert job.result is not None
+        assert ("A ROPE PARTED: " in said) is ("A ROPE PARTED: " in run) is parts
+        assert ("IT PARTED" in run) is parts
+        assert ("IT WOULD HAVE PARTED" in run) is not parts
+        if parts:
+            assert str(job.result.partings[0]) in said
+
+
+def test_an_energy_error_that_is_not_to_be_trusted_is_a_warning() -> None:
+    """A soft cord that falls and goes slack; the twin in fine steps. One that hangs still has no share."""
+    cord = Rope(
+        segments=20,
+        length=2.0,
+        made_of=Material(EA=300.0, mass_per_length=0.1, tension_only=True),
+        shape=Straight(start=(0, 0, 0), end=(2, 0, 0)),
+    )
+    for fraction, warned in ((0.8, True), (0.05, False)):
+        run = RunSettings(duration=4.0, method="rk4", auto_fraction=fraction)
+        job = rw.sheet(hung(ropes=[cord], anchors=[Anchor(node=0)], run=run), convergence=False)
+        told = [text for text in warnings(job) if text.startswith("The energy: rk4 lost")]
+        assert bool(told) is warned
+    still = hung(run=RunSettings(duration=0.5, method="esdirk3", time_step=0.01, start="at-rest"))
+    rows = dict(table(rw.sheet(still, convergence=False).section("Method")).rows)
+    assert "of the energy turned over" not in rows["largest energy error"]
 
 
 def test_at_rest_alone() -> None:

@@ -35,6 +35,7 @@ Bools = NDArray[np.bool_]
 _TOUCHING = tuple(law.name for law in NODE_LAWS if law.touch is not None)
 _VALUES = 1_000_000  # numbers of one quantity looked at together
 _LEAST = 1e-9  # [1] of the energy turned over as seen at rest: less is rounding
+_STILL = 1e-12  # [1] of the energies themselves: where less than that is turned over, nothing moves
 
 
 class Carried(NamedTuple):
@@ -59,6 +60,8 @@ def share_turned(result: Result) -> float:
     works = {name: part[:good] for name, part in result.work.items()}
     touched = np.minimum(surfaces(works), surfaces(_without_motors(result, works)))
     turned, shares = largest_change(forms.values()), [0.0]
+    if turned <= _STILL * _largest(forms.values()):
+        turned = 0.0
     if carried := _carried(result, good):
         own = forms | {
             "kinetic": forms["kinetic"] - carried.kinetic,
@@ -90,6 +93,12 @@ def largest_change(forms: Iterable[Floats]) -> float:
     """
     finite = [part[np.isfinite(part)] for part in forms]
     return max((float(np.ptp(part)) for part in finite if part.size), default=0.0)
+
+
+def _largest(forms: Iterable[Floats]) -> float:
+    """Return the largest size of any of these energies [J], or 0."""
+    finite = [part[np.isfinite(part)] for part in forms]
+    return max((float(np.abs(part).max()) for part in finite if part.size), default=0.0)
 
 
 def surfaces(work: Mapping[str, Floats]) -> Floats:

@@ -28,6 +28,7 @@ _TITLES = {
     "greatest anchor force": ("largest force on an anchor", "N"),
     "greatest clamp moment": ("largest moment on a clamp", "N m"),
 }
+_NAMED = 3  # partings that are told one by one
 _ROUNDING = 1e-9  # [1] of a force: components below are nothing
 _SIGN = "Forces of the ropes on the anchors; components along x, y and z."
 
@@ -56,6 +57,8 @@ def summary_section(rest: Result | None, run: Result | None) -> Section:
     items: list[Item] = [Table(head, rows)]
     if run is not None and run.diagnosis:
         items.append(Text("The run broke: see below. Its numbers end there.", warning=True))
+    if run is not None and run.partings:
+        items.append(_parted(run))
     return Section("Summary", tuple(items))
 
 
@@ -94,6 +97,8 @@ def run_section(result: Result) -> Section:
     items: list[Item] = []
     if result.diagnosis:
         items.append(Text(f"THE RUN BROKE: {result.diagnosis}", warning=True))
+    if result.partings:
+        items.append(_parted(result))
     how = "of every step" if result.has_extremes else "of the recorded frames only"
     until = float(result.time[result.good_frames - 1])
     items.append(Text(f"Greatest and least values {how}, from 0 to {until:.6g} s."))
@@ -102,6 +107,14 @@ def run_section(result: Result) -> Section:
         items.append(Text(f"The largest tension: {note}.", warning=True))
     items += _anchor_peaks(result) + _utilisation(result)
     return Section("The run", tuple(items))
+
+
+def _parted(result: Result) -> Text:
+    """Say which ropes parted, where, when and at what."""
+    told, more = result.partings[:_NAMED], len(result.partings) - _NAMED
+    which = "; ".join(str(one) for one in told) + (f"; and {more} more" if more > 0 else "")
+    then = "Forces from then on are those of what is left, not of a rope that holds."
+    return Text(f"A ROPE PARTED: {which}. {then}", warning=True)
 
 
 def _value(value: float, unit: str) -> str:
@@ -173,5 +186,7 @@ def _utilisation(result: Result) -> list[Item]:
         place = place.partition(",")[0]
     factor = f"safety factor {1.0 / one.value:.3g}" if one.value > 0.0 else "unloaded"
     text = f"Largest utilisation of the breaking load: {share:.3g} % ({factor}), {place}."
-    parted = one.value > 1.0
-    return [Text(text + (" IT WOULD HAVE PARTED." if parted else ""), warning=parted)]
+    if one.value <= 1.0:
+        return [Text(text)]
+    named = any(f"rope {p.rope!r}" in place for p in result.partings)
+    return [Text(f"{text} {'IT PARTED' if named else 'IT WOULD HAVE PARTED'}.", warning=True)]

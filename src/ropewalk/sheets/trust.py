@@ -55,7 +55,10 @@ def method_section(result: Result) -> Section:
         share = table["largest energy error, share of the energy turned over [%]"]
         told = "" if math.isnan(share) else f" ({share:.2g} % of the energy turned over)"
         rows.append(("largest energy error", f"{prefixed(largest, 'J', 3)}{told}"))
-    return Section("Method", (Table(("", ""), rows, numbers=False),))
+    items: list[Item] = [Table(("", ""), rows, numbers=False)]
+    if note := table.get("about the energy"):
+        items.append(Text(f"The energy: {note}.", warning=True))
+    return Section("Method", tuple(items))
 
 
 def run_numbers(result: Result) -> dict[str, float]:
