@@ -15,8 +15,10 @@ import pytest
 import scipy.stats
 
 import ropewalk as rw
+from ropewalk.sweeps.parameters import make_parameters
 from ropewalk.sweeps.summary import summary
 from ropewalk.sweeps.sweep_folder import SweepFolder
+from ropewalk.sweeps.uncertainty import _indices
 from sweeps.scenes import DOWN, swing
 
 MASS = "rope.made_of.mass_per_length"
@@ -85,6 +87,18 @@ def test_intervals_of_the_indices_are_told() -> None:
     assert wide.max() > 1.1
     axes = few.plot().axes[1]
     assert axes.get_xlim()[1] > wide.max()
+
+
+@pytest.mark.parametrize(("noise", "shared"), [(1e-10, False), (1e-7, True)])
+def test_what_solvers_leave_is_not_shared_out(noise: float, shared: bool) -> None:
+    """A result that nothing changes had an index of 1.15; one that changes a little has its own."""
+    pytest.importorskip("SALib")
+    found = hanging({MASS: NORMAL}, 8)
+    size = 1.0 + noise * np.random.default_rng(1).normal(size=len(found.runs.run))
+    runs = found.runs.assign(tension_max=found.runs.tension_max.copy(data=800.0 * size))
+    made, _ = _indices(runs, make_parameters(swing(0.02), {MASS: NORMAL}), 8, 5)
+    assert made is not None
+    assert ("tension_max" in made) is shared
 
 
 def test_seed_and_spreads_are_kept_and_give_the_same_runs(tmp_path: Path) -> None:

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 QUANTILES = (0.05, 0.5, 0.95)
+_SAME = 1e-9  # [1] of a result: what differs by less, differs by what solvers leave
 _PLOTS = "ropewalk.plots.uncertainty_bands"  # a layer above this one, so it is looked up when it is needed
 
 
@@ -186,7 +187,7 @@ def _indices(
         if not whole.all():
             note = f"Sobol indices without {int((~whole).sum())} groups of runs in which one broke."
         values = groups[whole].ravel()
-        if np.ptp(values) <= 1e-12 * np.abs(values).max(initial=0.0):
+        if np.ptp(values) <= _SAME * np.abs(values).max(initial=0.0):
             continue  # nothing to share out
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
