@@ -70,6 +70,10 @@ class FromDataSheet:
         side by side (`theory.rope_from_fall`). What they give with another mass or length is an estimate. The
         force is that of the first fall, on the anchor, and with an edge as `measured` says.
 
+        What no source gives: the friction of the rig's edge (a guess is 0.5, 0.3 to 0.9, by which a fall
+        without an edge has 1 to 3 % less force), the force of later falls (1.1 to 1.5 times the first, a guess), and a label of a
+        half or a twin rope with all three numbers, so that of those nothing was compared with a label.
+
         Args:
             impact_force: of the label [N].
             dynamic_elongation: of the label [1], such as 0.32 or "32 %".
