@@ -71,8 +71,9 @@ class FromDataSheet:
         force is that of the first fall, on the anchor, and with an edge as `measured` says.
 
         What no source gives: the friction of the rig's edge (a guess is 0.5, 0.3 to 0.9, by which a fall
-        without an edge has 1 to 3 % less force), the force of later falls (1.1 to 1.5 times the first, a guess), and a label of a
-        half or a twin rope with all three numbers, so that of those nothing was compared with a label.
+        without an edge has 1 to 3 % less force), the force of later falls (1.1 to 1.5 times the first, a
+        guess), and a label of a half or a twin rope with all three numbers, so that of those nothing was
+        compared with a label.
 
         Args:
             impact_force: of the label [N].
