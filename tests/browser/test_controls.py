@@ -258,7 +258,7 @@ def test_the_colours_may_tell_how_near_a_rope_is_to_breaking(
     parts = "r.session.frame.parts[0].scalars[r.session.layout.scalars.indexOf('tension_max')]"
     assert most == pytest.approx(window.ask(parts) / 100.0, rel=1e-3)
     text = window.page.locator("#margin").inner_text()
-    assert text.startswith("Most: ")
+    assert text.startswith("Most now: ")
     assert "safety factor" in text
     numbers = window.page.locator("#legend-numbers").inner_text()
     assert numbers.split()[-2:] == ["100", "%"]

@@ -24,8 +24,8 @@ function unitFor(colouring, most) {
 
 /** How near to breaking, in words. @param {number} most tension over breaking load */
 export function marginText(most) {
-  if (!(most > 0)) return "Most: 0 %";
-  const share = `Most: ${figures(Number((100 * most).toPrecision(3)))} %`;
+  if (!(most > 0)) return "Most now: 0 %";
+  const share = `Most now: ${figures(Number((100 * most).toPrecision(3)))} %`;
   if (most > 1) return `${share}: it would have parted`;
   return `${share}, safety factor ${figures(Number((1 / most).toPrecision(3)))}`;
 }
