@@ -144,6 +144,8 @@ def test_a_single_rope_can_be_renamed() -> None:
     ("override", "line"),
     [
         ("rope.segmnts=3", 'rope[0].segmnts: unknown key; did you mean "segments"?'),
+        ("rope.EA=3 MN", "rope[0].EA: unknown key here; write rope[0].made_of.EA"),
+        ("rope.mass=3", "rope[0].mass: unknown key; known: name"),
         ("rop.segments=3", 'rop: unknown key; did you mean "rope"?'),
         ("run.metod=rk4", 'run.metod: unknown key; did you mean "method"?'),
         ("rope[2].segments=3", "rope[2]: there is only [0]"),

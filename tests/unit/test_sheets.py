@@ -17,6 +17,7 @@ from ropewalk.record.extremes import extremes
 from ropewalk.scene import Anchor, Kick, Load, Material, Rope, RunSettings, Scene, Slack, Springs
 from ropewalk.scene.recut import recut
 from ropewalk.scene.shapes import Points, Straight
+from ropewalk.sheets import trust
 from ropewalk.sheets.content import Listing, Picture, Section, Table, Text
 from ropewalk.sheets.ropes import assumption_section, rope_section
 from ropewalk.words.prefixes import prefixed
@@ -139,6 +140,24 @@ def test_an_energy_error_that_is_not_to_be_trusted_is_a_warning() -> None:
     still = hung(run=RunSettings(duration=0.5, method="esdirk3", time_step=0.01, start="at-rest"))
     rows = dict(table(rw.sheet(still, convergence=False).section("Method")).rows)
     assert "of the energy turned over" not in rows["largest energy error"]
+
+
+def test_a_variant_that_fails_is_a_warning_in_words_of_the_sheet(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """It was plain text, with a sentence for who programs: "The error's `result` holds what there is"."""
+    run = RunSettings(duration=2.0, method="verlet", time_step=0.02)
+    broke = rw.simulate(hung(run=run), on_failure="return")
+
+    def breaks(*_: object) -> dict[str, float]:
+        raise rw.BrokenRun(broke)
+
+    monkeypatch.setattr(trust, "simulate", breaks)
+    section = trust.convergence_section(hung(), rw.simulate(hung()), lambda _: None)
+    told = [item.words for item in section.items if isinstance(item, Text) and item.warning]
+    assert told[0].startswith("half the segments: FAILED: ")
+    assert told[1].startswith("half the step: FAILED: ")
+    assert "`result`" not in "".join(told)
 
 
 def test_at_rest_alone() -> None:

@@ -9,9 +9,10 @@ from typing import Any, NamedTuple
 
 from ropewalk.scene.base import Model, unit_of, units_of
 from ropewalk.scene.faults import SceneError, join
-from ropewalk.scene.overrides import Places, as_value
+from ropewalk.scene.overrides import Places
 from ropewalk.scene.paths import toml_name
 from ropewalk.scene.scene import Scene
+from ropewalk.scene.toml_text import as_value
 from ropewalk.scene.units import in_unit
 
 _MOST = 4  # parts of a list that are shown

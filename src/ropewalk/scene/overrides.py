@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import tomllib
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from typing import Any, NamedTuple, TypeVar
@@ -12,10 +11,19 @@ from pydantic.fields import FieldInfo
 
 from ropewalk.scene.base import Model
 from ropewalk.scene.faults import NO_VALUE, Fault, SceneError, join
-from ropewalk.scene.paths import ModelType, by_tag, keys, kind_of, siblings, tag, toml_name
+from ropewalk.scene.paths import (
+    ModelType,
+    by_tag,
+    keys,
+    kind_of,
+    section_with,
+    siblings,
+    tag,
+    toml_name,
+)
 from ropewalk.scene.run_settings import RunSettings
 from ropewalk.scene.scene import Scene
-from ropewalk.scene.toml_text import as_table, plain, scene_table
+from ropewalk.scene.toml_text import as_table, as_value, plain, scene_table
 from ropewalk.words.nearest import nearest
 
 M = TypeVar("M", bound=Model)
@@ -217,15 +225,6 @@ def _steps(path: str) -> list[str | int]:
     return steps
 
 
-def as_value(text: str) -> Any:
-    """The value that a text stands for: TOML where it is, else the text itself."""
-    try:
-        table = tomllib.loads(f"value = {text}")
-    except (ValueError, RecursionError):  # ValueError: also of numbers with too many digits
-        return text
-    return table["value"] if len(table) == 1 else text
-
-
 # What an earlier path of the same call has put there.
 _WHOLE = "was set to a value without keys before; leave that out, or set it whole"
 
@@ -297,6 +296,8 @@ def _known(
     if isinstance(key, int) or key not in known:
         rule = f"unknown key; {nearest(str(key), list(known))}"
         others = [tag(one) for one in siblings(model) if key in keys(one)]
+        if inner := section_with(model, str(key)):
+            rule = f"unknown key here; write {join(path, inner)}.{key}"
         if others:
             rule = f"{tag(model)!r} has no such key, {others[0]!r} has: set {path}.kind too"
         raise _fault(join(path, str(key)), rule)

@@ -45,6 +45,15 @@ def keys(model: ModelType) -> dict[str, FieldInfo]:
     return {toml_name(name, field): field for name, field in model.model_fields.items()}
 
 
+def section_with(model: ModelType, key: str) -> str:
+    """Return the table below a model's that has a key which the model has not; "" of none, or of "kind"."""
+    for name, field in keys(model).items():
+        kind = kind_of(field)
+        if key != "kind" and not kind.listed and any(key in keys(one) for one in kind.models):
+            return name
+    return ""
+
+
 def kind_of(field: FieldInfo) -> Kind:
     """What a field holds."""
     return _kind(field.annotation)

@@ -202,3 +202,12 @@ def _syntax(text: str, error: Exception) -> Fault:
     return Fault(
         place, NO_VALUE, f"TOML: {message.removesuffix(' (at end of document)')} (at the end)"
     )
+
+
+def as_value(text: str) -> Any:
+    """The value that a text stands for: TOML where it is, else the text itself."""
+    try:
+        table = tomllib.loads(f"value = {text}")
+    except (ValueError, RecursionError):  # ValueError: also of numbers with too many digits
+        return text
+    return table["value"] if len(table) == 1 else text

@@ -37,6 +37,7 @@ class Variant:
     title: str
     numbers: dict[str, float] = field(default_factory=dict)
     why_not: str = ""
+    failed: bool = False
 
 
 def method_section(result: Result) -> Section:
@@ -87,7 +88,9 @@ def convergence_section(scene: Scene, result: Result, progress: Callable[[str], 
     variants = [_other_cut(scene, result, progress)]
     if not at_rest:
         variants.append(_other_step(scene, result, progress))
-    items: list[Item] = [Text(f"{v.title}: {v.why_not}.") for v in variants if v.why_not]
+    items: list[Item] = [
+        Text(f"{v.title}: {v.why_not}.", warning=v.failed) for v in variants if v.why_not
+    ]
     ran = [variant for variant in variants if not variant.why_not]
     if ran:
         rows = [row for name in base if (row := _row(name, base, ran))]
@@ -131,8 +134,11 @@ def _tried(title: str, numbers: Callable[[Scene], dict[str, float]], scene: Scen
 
     try:
         return Variant(title, numbers(scene))
-    except (SceneError, NoRest, BrokenRun) as error:
-        return Variant(title, why_not=f"failed: {str(error).splitlines()[0].rstrip('.')}")
+    except BrokenRun as error:
+        why = str(error.diagnosis)
+    except (SceneError, NoRest) as error:
+        why = str(error)
+    return Variant(title, why_not=f"FAILED: {why.splitlines()[0].rstrip('.')}", failed=True)
 
 
 def _row(name: str, base: dict[str, float], ran: list[Variant]) -> tuple[str, ...] | None:

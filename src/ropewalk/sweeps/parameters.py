@@ -14,7 +14,8 @@ import numpy as np
 from ropewalk.record.quantities import BY_NAME
 from ropewalk.scene import Scene, SceneError
 from ropewalk.scene.faults import NO_VALUE, Fault
-from ropewalk.scene.overrides import Places, as_value
+from ropewalk.scene.overrides import Places
+from ropewalk.scene.toml_text import as_value
 from ropewalk.scene.units import WrongUnit, in_unit
 from ropewalk.sweeps.keep import DERIVED
 

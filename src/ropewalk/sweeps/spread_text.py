@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from ropewalk.record.errors import InputError
-from ropewalk.scene.overrides import as_value
+from ropewalk.scene.toml_text import as_value
 from ropewalk.words.nearest import nearest
 
 #: Distributions by their names in scipy.stats, with what they take.

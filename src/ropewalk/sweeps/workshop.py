@@ -26,7 +26,7 @@ class Workshop:
 
     def scene(self, values: Sequence[Any]) -> Scene:
         """Return the scene with these values. Raises SceneError with every fault."""
-        from ropewalk.scene.overrides import as_value
+        from ropewalk.scene.toml_text import as_value
 
         pairs = zip(values, self._kinds, strict=True)
         return self._places.scene([as_value(v) if kind == TEXT else v for v, kind in pairs])

@@ -58,7 +58,7 @@ def line(
     """
     from ropewalk.rigging import line as set_up
     from ropewalk.rigging.lines import quantity
-    from ropewalk.scene.overrides import as_value
+    from ropewalk.scene.toml_text import as_value
 
     if output is not None:
         _check_output(output, load)
