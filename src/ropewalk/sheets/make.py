@@ -54,7 +54,6 @@ def sheet(
     that is not found.
     """
     made, tell = as_scene(scene), progress or (lambda words: None)
-    sections: list[Section] = []
     tell("at rest")
     rest: Result | None = None
     try:
@@ -65,14 +64,13 @@ def sheet(
     except (SceneError, NoRest) as error:
         if not run:
             raise
-        reason = str(error).splitlines()[-1].strip()
-        at_rest = Section("At rest", (Text(f"There is no shape of rest: {reason}"),))
+        at_rest = _no_rest(str(error))
     result = rest
     if run:
         tell("the run")
         result = simulate(made, on_failure="return")
     assert result is not None
-    sections += [summary_section(rest, result if run else None)]
+    sections = [summary_section(rest, result if run else None)]
     sections += [_drawing(rest or result), rope_section(made), *_given(file or scene, made, flags)]
     sections += [assumption_section(made), at_rest]
     if run:
@@ -85,6 +83,11 @@ def sheet(
     sections.append(_identity(made, result))
     lead = f"Computed by Ropewalk {__version__} on {datetime.now(UTC):%Y-%m-%d %H:%M} UTC."
     return Sheet(made.name, " ".join((made.description, lead)).strip(), tuple(sections), result)
+
+
+def _no_rest(error: str) -> Section:
+    reason = error.splitlines()[-1].strip()
+    return Section("At rest", (Text(f"There is no shape of rest: {reason}"),))
 
 
 def _drawing(result: Result) -> Section:
