@@ -6,11 +6,18 @@ may be any beyond: T >= k b at s = b, T <= k a at s = a. Of the two conditions
 that of the length holds where e' (T - k b) + s - b > 0, e' the inertial compliance: on the far side of the
 line through the curve's corner that weighs both alike (a semismooth Newton method: Qi & Sun 1993); the same
 with other signs at a. What the tension is beyond k s is the limiter's force.
+
+What comes to a bound with speed is stopped there by an impulse, which is no force that lasts: a step in
+which such an impact takes much is taken by implicit Euler, and the next, as where contacts close.
 """
 
 from __future__ import annotations
 
-from ropewalk.core.jit import kernel
+from ropewalk.core.jit import kernel, part, small
+from ropewalk.laws.ledger import kinetic_energy
+from ropewalk.laws.rare import limits
+
+IMPACT = 0.01  # [1] of the kinetic energy: what is carried on of a lesser impulse moves little
 
 
 @kernel
@@ -39,3 +46,52 @@ def split_tension(tension, floor, work, saddle, elastic, limiter):
             force = extra * saddle.direction[k, j]
             limiter[k, j + 1] = force
             elastic[k, j + 1] -= force
+
+
+@part
+def is_stopped(system, state, forces, x):
+    """Tell whether bounds that are met in a step take a good part of its kinetic energy, an impact.
+
+    `forces` are means of the step, for one may be thrown back within it, `x` (3, n) the places at its end;
+    `state` is its begin.
+    """
+    if not limits(system):
+        return False
+    before, after = state.forces.limiter, forces.limiter
+    taken = stopped_energy(before, after, state.v, x, state.mass, state.inverse_mass)
+    return taken > 0.0 and taken > IMPACT * kinetic_energy(state.v, state.mass)
+
+
+@kernel
+def stopped_energy(before, after, v, x, mass, inverse_mass):
+    """Return the kinetic energy along the segments that come to a bound in a step [J].
+
+    Each joins what hangs on both its ends by segments that are at bounds, too. `before` and `after` are the
+    limiter's forces at the step's begin and in it, (3, n + 1): zero away from the bounds; `v` the velocities
+    that it begins with and `x` the places at its end, (3, n).
+    """
+    total, s = 0.0, mass.shape[0] - 1
+    for j in range(s):
+        if is_pressed(before, j) or not is_pressed(after, j):
+            continue
+        along, square = 0.0, 0.0
+        for k in range(3):
+            along += (x[k, j + 1] - x[k, j]) * (v[k, j + 1] - v[k, j])
+            square += (x[k, j + 1] - x[k, j]) ** 2
+        low, high = j, j + 1
+        below, above = inverse_mass[low], inverse_mass[high]
+        while low > 0 and below > 0.0 and is_pressed(after, low - 1):
+            low -= 1
+            below = 1.0 / (1.0 / below + mass[low]) if inverse_mass[low] > 0.0 else 0.0
+        while high < s and above > 0.0 and is_pressed(after, high):
+            high += 1
+            above = 1.0 / (1.0 / above + mass[high]) if inverse_mass[high] > 0.0 else 0.0
+        if square > 0.0 and below + above > 0.0:
+            total += 0.5 * along * along / (square * (below + above))
+    return total
+
+
+@small
+def is_pressed(limiter, j):
+    """Tell whether segment `j` is at a bound, by the limiter's force there."""
+    return limiter[0, j + 1] != 0.0 or limiter[1, j + 1] != 0.0 or limiter[2, j + 1] != 0.0

@@ -47,13 +47,13 @@ from ropewalk.methods.implicit import (
     MOST_HALVINGS,
     ImplicitScratch,
     make_implicit_scratch,
-    put_row,
     step,
     take_step,
 )
 from ropewalk.methods.kinks import JUST_BELOW, next_break, take_up_laws, take_up_rates
 from ropewalk.methods.loop import close_frame, prepare_links
 from ropewalk.methods.partings import part_ropes
+from ropewalk.methods.scratch import put_row
 from ropewalk.methods.stage import Stage
 from ropewalk.methods.tableaus import ESDIRK3
 from ropewalk.methods.verdict import note_changes

@@ -19,6 +19,7 @@ from ropewalk.core.arrays import Floats, Forces, State, blank
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.status import HIT, OK, UNSOLVED
 from ropewalk.laws.anchors import move_anchors, place_stage
+from ropewalk.laws.bounds import is_stopped
 from ropewalk.laws.couplings import AGAIN, FINE, couples, meet_on_way
 from ropewalk.laws.elastic import CHANGE
 from ropewalk.laws.inner import (
@@ -51,6 +52,7 @@ from ropewalk.methods.scratch import (
     make_turning,
     put,
     put_forces,
+    put_row,
 )
 from ropewalk.methods.stage import SPLITS, TIME, Stage, make_stage, solve_stage
 from ropewalk.methods.tableaus import BDF2, DIRK, GENERALIZED_ALPHA, SDIRK2, Tableau
@@ -85,12 +87,12 @@ def make_implicit_scratch(state: State, tableau: Tableau) -> ImplicitScratch:
     """Return working arrays that fit `state` and the method."""
     rigid = bool(np.isinf(state.stiffness).any()) or state.forces.limiter.size > 0
     stages = tableau.stages if not rigid else tableaus.ESDIRK3.stages
-    shape = (max(stages, SDIRK2.stages), *state.x.shape)
+    most = max(stages, SDIRK2.stages)
     return ImplicitScratch(
         stage=make_stage(state),
-        u=np.zeros(shape),
-        k=np.zeros(shape),
-        rates=np.zeros((shape[0], state.inner.shape[1])),
+        u=np.zeros((most, *state.x.shape)),
+        k=np.zeros((most, *state.x.shape)),
+        rates=np.zeros((most, state.inner.shape[1])),
         ends=np.zeros_like(state.inner),
         middle=np.zeros_like(state.x),
         mean=blank(state.forces),
@@ -103,13 +105,6 @@ def make_implicit_scratch(state: State, tableau: Tableau) -> ImplicitScratch:
         pull=np.zeros((2, state.rest_length.shape[0])),
         rescue=tableaus.IMPLICIT_EULER,
     )
-
-
-@kernel
-def put_row(source, result):
-    """Copy one array (m,) into another."""
-    for j in range(result.shape[0]):
-        result[j] = source[j]
 
 
 @kernel
@@ -172,11 +167,11 @@ def end_dirk(state, scratch, A, b, dt):
 
 
 @part
-def end_stages(system, state, scratch, t, after, dt, level, kind, A, b):
+def end_stages(system, state, scratch, t, after, dt, level, kind, A, b, stopped):
     """Write the end of a DIRK or BDF2 step, its forces and accelerations; return OK where it may stand.
 
-    But for the smallest parts (see `take_step`) one that makes up energy may not, nor one in which something
-    is hit, but by implicit Euler, and but for steps as short as their error asks for.
+    But for the smallest parts one that makes up energy may not, nor one in which something is hit, or
+    `stopped` by a bound, but by implicit Euler, and but for steps as short as their error asks for.
     """
     stage, mean, ends_here, watch = scratch.stage, scratch.mean, True, level < MOST_HALVINGS
     if kind == BDF2:
@@ -195,7 +190,7 @@ def end_stages(system, state, scratch, t, after, dt, level, kind, A, b):
         if makes_up_energy(system, state, stage, scratch.ends, mean, dt, most_of(system, level)):
             return UNSOLVED
     free = stage.saddle.band.frozen[0] == 0 and not is_soft(kind, A)
-    if watch and free and hits(system, state, stage.x, stage.v) > 0.0:
+    if watch and free and (stopped or hits(system, state, stage.x, stage.v) > 0.0):
         return HIT
     met = meet_on_way(system, state, stage.x)
     if met != FINE:
@@ -273,10 +268,11 @@ def take_step(system, state, scratch, t, after, dt, ledger, level, kind, A, b, c
             put(stage.v, scratch.u[s])
             put(stage.a, scratch.k[s])
             add_forces(system, stage.forces, b[s], mean)
+    stopped = is_stopped(system, state, mean if kind == DIRK else stage.forces, stage.x)
     if kind == GENERALIZED_ALPHA:
         end_alpha(system, state, scratch, numbers, dt)
     else:
-        status = end_stages(system, state, scratch, t, after, dt, level, kind, A, b)
+        status = end_stages(system, state, scratch, t, after, dt, level, kind, A, b, stopped)
         if status != OK:
             stage.report[TIME] = after
             return status
@@ -286,6 +282,8 @@ def take_step(system, state, scratch, t, after, dt, ledger, level, kind, A, b, c
     middle = scratch.middle
     half_way(state.x, state.v, stage.x, stage.v, state.inverse_mass, middle, state.drift)
     move_anchors(system, state, mean, after, dt, middle, scratch.point, scratch.speed)
+    if stopped:
+        state.jolt[0] = 1.0
     if ledger:
         account(system, state, mean, middle, dt)
     take_ends(system, state, scratch.ends, dt, ledger)

@@ -83,6 +83,13 @@ def clear_row(row):
 
 
 @kernel
+def put_row(source, result):
+    """Copy one array (m,) into another."""
+    for j in range(result.shape[0]):
+        result[j] = source[j]
+
+
+@kernel
 def put(source, result):
     """Copy an array (3, m) into another."""
     _put(source[0], result[0])
