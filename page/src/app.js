@@ -1,4 +1,4 @@
-// The page: puts stage, hand, panels and graphs together over one session.
+// The page: puts viewport, hand, panels and graphs together over one session.
 
 import { Keys } from "./input/keys.js";
 import { Walk } from "./input/walk.js";
@@ -21,7 +21,8 @@ import { Tools } from "./panels/tools.js";
 import { Tour } from "./panels/tour.js";
 import { Tweak } from "./panels/tweak.js";
 import { Views } from "./panels/views.js";
-import { Stage } from "./stage.js";
+import { Viewport } from "./viewport.js";
+import { placeOn } from "./view/cards.js";
 import { applyTheme } from "./view/theme.js";
 
 /** @typedef {import("./session.js").Session} Session */
@@ -55,25 +56,25 @@ export class App {
     );
     this.graphHost.hidden = true;
 
-    this.stage = new Stage(session, render(canvas));
-    this.labels = new Labels(this.stage, this.scene);
+    this.viewport = new Viewport(session, render(canvas));
+    this.labels = new Labels(this.viewport, this.scene);
     this.notices = new Notices(session, this.scene);
-    this.legend = new Legend(this.stage, this.scene);
+    this.legend = new Legend(this.viewport, this.scene);
     this.parted = new PartedNote(session, (text) => this.notices.say(text));
     this.legend.card.append(this.parted.host);
-    this.views = new Views(this.stage, this.scene);
-    this.graphs = new Graphs(this.stage, this.graphHost);
+    this.views = new Views(this.viewport, this.scene);
+    this.graphs = new Graphs(this.viewport, this.graphHost);
     this.tools = new Tools(
-      this.stage,
+      this.viewport,
       this.scene,
       (node) => this.follow(node),
       (text) => this.notices.say(text),
     );
-    this.pointer = new Pointer(this.stage, this.stage.renderer.canvas, {
+    this.pointer = new Pointer(this.viewport, this.viewport.renderer.canvas, {
       use: (tool, hit) => this.tools.use(tool, hit),
       tie: (one, other) => {
         this.tools.tieNone();
-        this.stage.marks.tying = one;
+        this.viewport.marks.tying = one;
         this.tools.tie(other);
       },
       menu: (hit, x, y) => this.tools.menu(hit, x, y),
@@ -81,28 +82,34 @@ export class App {
     this.tools.pointer = this.pointer;
     const voice = h("div", { className: "unseen", role: "status", id: "voice" });
     this.scene.append(voice);
-    this.walk = new Walk(this.stage, this.stage.renderer.canvas, voice, (hit, x, y) =>
+    this.walk = new Walk(this.viewport, this.viewport.renderer.canvas, voice, (hit, x, y) =>
       this.tools.menu(hit, x, y),
     );
-    this.stage.legendCard = () => this.legend.place();
-    this.stage.held = () => this.pointer.down.size > 0;
+    this.viewport.legendCard = () => this.legend.place();
+    this.viewport.bars = () =>
+      [this.tools.bar, this.views.bar].flatMap((bar) => placeOn(bar, canvas) ?? []);
+    this.viewport.held = () => this.pointer.down.size > 0;
     this.meter = new Meter(session, this.meterHost);
     this.controls = new Controls(session, this.footer, () => this.graphs.toggle());
     this.controls.undoing = () => this.pointer.leaveOff();
     this.tweak = new Tweak(session, this.panel);
-    this.broken = new BrokenCard(session, this.scene, (...what) => this.stage.showInstead(...what));
+    this.broken = new BrokenCard(session, this.scene, (...what) =>
+      this.viewport.showInstead(...what),
+    );
     this.tour = new Tour(session, this.scene);
     this.scenes = new Scenes(session, root);
-    this.compare = new Compare(this.stage, root, this.scene, (many) => this.compareColours(many));
-    const compared = this.stage.card;
-    this.stage.card = () => this.broken.place(this.stage.renderer.canvas) ?? compared();
+    this.compare = new Compare(this.viewport, root, this.scene, (many) =>
+      this.compareColours(many),
+    );
+    const compared = this.viewport.card;
+    this.viewport.card = () => this.broken.place(this.viewport.renderer.canvas) ?? compared();
     for (const news of /** @type {const} */ (["broken", "frame"]))
       session.on(news, () => this.uncoverBroken());
     let late = 0; // flights that were on when the words came up, or set off from them
     session.on("broken", () => (late = 0));
-    this.stage.landed = () => late++ < 2 && this.uncoverBroken();
+    this.viewport.landed = () => late++ < 2 && this.uncoverBroken();
     this.help = new Help(root);
-    this.keep = new Keep(this.stage, root, this.notices);
+    this.keep = new Keep(this.viewport, root, this.notices);
     this.bar = new Bar(this.barHost, {
       scenes: () => this.scenes.open(),
       tour: () => this.tour.start(),
@@ -112,7 +119,7 @@ export class App {
       theme: () => this.toggleTheme(),
       panel: () => this.togglePanel(),
     });
-    this.keys = new Keys(session, this.stage.camera, this.shortcuts());
+    this.keys = new Keys(session, this.viewport.camera, this.shortcuts());
     this.watchHand();
     this.panel.hidden = matchMedia(NARROW).matches;
     new ResizeObserver(() => this.resize()).observe(this.scene);
@@ -126,8 +133,9 @@ export class App {
 
   /** The words about a break must not hide what they are about. */
   uncoverBroken() {
-    const { stage, session } = this;
-    if (session.broken && stage.following && !stage.flight && !stage.held()) stage.uncover();
+    const { viewport, session } = this;
+    if (session.broken && viewport.following && !viewport.flight && !viewport.held())
+      viewport.uncover();
   }
 
   /** @returns {Record<string, () => void>} */
@@ -137,7 +145,7 @@ export class App {
       ".": () => this.controls.doStep(),
       r: () => this.controls.doReset(),
       undo: () => this.controls.doUndo(), // Ctrl and Z
-      f: () => this.stage.fit(),
+      f: () => this.viewport.fit(),
       g: () => this.graphs.toggle(),
       p: () => this.togglePanel(),
       t: () => this.toggleTheme(),
@@ -160,7 +168,7 @@ export class App {
   hello() {
     const { session } = this;
     const hello = /** @type {import("./source/protocol.js").Hello} */ (session.hello);
-    const drawn = this.stage.renderer.name === "webgl" ? "WebGL" : "Canvas 2D";
+    const drawn = this.viewport.renderer.name === "webgl" ? "WebGL" : "Canvas 2D";
     this.help.version.textContent = `Ropewalk ${hello.ropewalk}, drawn with ${drawn}.`;
     this.root.dataset.mode = hello.mode;
     this.bar.compare.hidden = !session.can("compare");
@@ -191,9 +199,9 @@ export class App {
 
   /** @param {number} node of the first variant */
   follow(node) {
-    this.stage.marks.toggleTrail(node);
+    this.viewport.marks.toggleTrail(node);
     this.graphs.rebuild();
-    if (!this.graphs.open && this.stage.marks.followed.size === 1 && !matchMedia(NARROW).matches)
+    if (!this.graphs.open && this.viewport.marks.followed.size === 1 && !matchMedia(NARROW).matches)
       this.graphs.toggle(true);
   }
 
@@ -210,13 +218,13 @@ export class App {
 
   toggleTheme() {
     applyTheme(document.documentElement.dataset.theme === "dark" ? "light" : "dark", true);
-    this.stage.setTheme();
+    this.viewport.setTheme();
     this.graphs.rebuild();
   }
 
   resize() {
     this.root.classList.toggle("with-panel", !this.panel.hidden);
     const { clientWidth, clientHeight } = this.scene;
-    if (clientWidth && clientHeight) this.stage.resize(clientWidth, clientHeight);
+    if (clientWidth && clientHeight) this.viewport.resize(clientWidth, clientHeight);
   }
 }

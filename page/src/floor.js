@@ -4,7 +4,7 @@ import { nodesOf } from "./view/copies.js";
 import { lowest } from "./view/follow.js";
 import { dot, vector } from "./view/vector.js";
 
-/** @typedef {import("./stage.js").Stage} Stage */
+/** @typedef {import("./viewport.js").Viewport} Viewport */
 /** @typedef {import("./source/protocol.js").Layout} Layout */
 
 const BELOW = 0.12; // of the ropes' extent, below the lowest place they can reach
@@ -13,9 +13,9 @@ const STEP = 0.1; // radii of the scene, by which it goes below what came throug
 const DEEPEST = 4; // radii of the scene: what is lower fell off
 
 export class Floor {
-  /** @param {Stage} stage */
-  constructor(stage) {
-    this.stage = stage;
+  /** @param {Viewport} viewport */
+  constructor(viewport) {
+    this.viewport = viewport;
     this.height = 0; // along up [m]
     this.goal = 0; // where it goes
   }
@@ -27,18 +27,18 @@ export class Floor {
 
   /** The height of what ropes land on [m], null where there is nothing. */
   get given() {
-    const { session, solids } = this.stage;
+    const { session, solids } = this.viewport;
     return session.layout?.ground?.height ?? solids.floor;
   }
 
   /** Put it below all that ropes can reach. @param {Layout} layout @param {import("./view/camera.js").Box} box
    * of the ropes */
   put(layout, box) {
-    const { camera, nodes, starts } = this.stage;
+    const { camera, nodes, starts } = this.viewport;
     const { up } = camera;
     const placeOf = (/** @type {number} */ node) =>
       vector(nodes.to.subarray(4 * node, 4 * node + 3));
-    const { solids } = this.stage; // what holds ropes up by touching them lets none hang to its length
+    const { solids } = this.viewport; // what holds ropes up by touching them lets none hang to its length
     const hanging = solids.all.length ? [] : layout.variants;
     const levels = hanging.flatMap(({ ropes, anchors }, v) =>
       ropes.map((rope) => lowest(anchors, rope, (node) => placeOf(starts[v] + node), up)),
@@ -54,8 +54,8 @@ export class Floor {
   /** Let it give way to ropes that came through. @param {Layout} layout */
   giveWay(layout) {
     if (this.given !== null) return;
-    const { up } = this.stage.camera;
-    const { to } = this.stage.nodes;
+    const { up } = this.viewport.camera;
+    const { to } = this.viewport.nodes;
     const { center, radius } = layout.view;
     let least = Infinity;
     for (let i = 0; i < 4 * nodesOf(layout); i += 4) {
@@ -64,16 +64,16 @@ export class Floor {
     const deepest = dot(center, up) - DEEPEST * radius;
     if (least < this.height && least >= deepest)
       this.goal = Math.min(this.goal, least - STEP * radius);
-    const body = this.stage.solids.lowest(); // one that a hand leads down
+    const body = this.viewport.solids.lowest(); // one that a hand leads down
     if (body < this.height && body >= deepest) this.goal = Math.min(this.goal, body);
   }
 
   /** Once per animation frame. */
   advance() {
     const away = this.goal - this.height;
-    const { layout } = this.stage.session;
+    const { layout } = this.viewport.session;
     if (away === 0 || !layout) return;
     this.height += Math.abs(away) < 0.003 * layout.view.radius ? away : 0.08 * away;
-    this.stage.dirty = true;
+    this.viewport.dirty = true;
   }
 }

@@ -6,23 +6,23 @@ import { firstAngles } from "./view/room.js";
 import { vector } from "./view/vector.js";
 import { roomFor, tipsOf } from "./reactions.js";
 
-/** @typedef {import("./stage.js").Stage} Stage */
+/** @typedef {import("./viewport.js").Viewport} Viewport */
 /** @typedef {import("./source/protocol.js").Layout} Layout */
 /** @typedef {import("./view/camera.js").Pose} Pose */
 /** @typedef {import("./view/camera.js").Strips} Strips */
 /** @typedef {{azimuth?: number, elevation?: number}} Angles */
 
 export class Framing {
-  /** @param {Stage} stage */
-  constructor(stage) {
-    this.stage = stage;
+  /** @param {Viewport} viewport */
+  constructor(viewport) {
+    this.viewport = viewport;
     this.besideLegend = false; // whether that would cover a rope
     this.right = false; // whether ropes are then to the right of it, not above
   }
 
   /** The pose for the first look. @param {Layout} layout @returns {Pose} */
   first(layout) {
-    const { camera, axis, solids, lying } = this.stage;
+    const { camera, axis, solids, lying } = this.viewport;
     return this.clear(layout, firstAngles(camera, axis, solids.all.length > 0, lying));
   }
 
@@ -39,7 +39,7 @@ export class Framing {
   whole(layout, from) {
     this.right = false;
     const above = this.framed(layout, from);
-    if (!this.besideLegend || this.stage.card()) return above;
+    if (!this.besideLegend || this.viewport.card()) return above;
     this.right = true;
     const beside = this.framed(layout, from);
     this.right = beside.distance < above.distance;
@@ -48,23 +48,23 @@ export class Framing {
 
   /** @param {Layout} layout @param {Angles} from */
   framed(layout, from) {
-    const { stage } = this;
+    const { viewport } = this;
     const strips = this.strips();
-    const pose = stage.camera.framed(this.places(layout), from, strips);
-    const room = roomFor(stage, stage.camera.at(pose), strips);
-    return stage.camera.framed(this.places(layout), from, room);
+    const pose = viewport.camera.framed(this.places(layout), from, strips);
+    const room = roomFor(viewport, viewport.camera.at(pose), strips);
+    return viewport.camera.framed(this.places(layout), from, room);
   }
 
   /** What the picture must hold: the nodes, and bodies. @param {Layout} layout */
   *places(layout) {
-    const { to } = this.stage.nodes;
+    const { to } = this.viewport.nodes;
     for (let i = 0; i < nodesOf(layout); i++) yield vector(to.subarray(4 * i, 4 * i + 3));
-    yield* this.stage.solids.places();
+    yield* this.viewport.solids.places();
   }
 
   /** Whether a card would cover a rope; the legend is kept clear of where it would. @param {Pose} pose */
   covered(pose) {
-    const { session, camera, nodes, card, legendCard } = this.stage;
+    const { session, camera, nodes, card, legendCard } = this.viewport;
     const { layout } = session;
     if (!layout) return false;
     const look = /** @type {const} */ ([camera.at(pose), nodes.to, nodesOf(layout)]);
@@ -76,31 +76,36 @@ export class Framing {
 
   /** Whether a card covers a rope now, or the arrow of an anchor, or ropes have left the picture. */
   obstructed() {
-    const { stage } = this;
+    const { viewport } = this;
     const strips = this.strips();
-    if (this.covered(stage.camera.pose)) return true;
-    if (!stage.card()) return false;
-    const { camera, follower } = stage; // with a card up nothing else brings back what has left the picture
-    return roomFor(stage, camera, strips).top > strips.top + 1 || follower.leaves(camera, strips);
+    if (this.covered(viewport.camera.pose)) return true;
+    if (!viewport.card()) return false;
+    const { camera, follower } = viewport; // with a card up nothing else brings back what has left the picture
+    return (
+      roomFor(viewport, camera, strips).top > strips.top + 1 || follower.leaves(camera, strips)
+    );
   }
 
-  /** Whether the arrow of an anchor points out of the picture, to the side. */
+  /** Whether the arrow of an anchor points out of the picture, to the side, or below the tools there. */
   losesArrow() {
-    const { stage } = this;
-    const { left = 0 } = this.strips();
-    const tips = tipsOf(stage, stage.camera).map((tip) => stage.camera.project(...tip)[0]);
-    return tips.some((x) => x < left || x > stage.camera.width);
+    const { viewport } = this;
+    const strips = this.strips();
+    const { left = 0 } = strips;
+    const tips = tipsOf(viewport, viewport.camera).map((tip) => viewport.camera.project(...tip)[0]);
+    if (tips.some((x) => x < left || x > viewport.camera.width)) return true;
+    const room = roomFor(viewport, viewport.camera, strips);
+    return (room.left ?? 0) > left || (room.right ?? 0) > 0;
   }
 
   /** What cards take now: of a rope that sinks below the legend, too. */
   now() {
-    if (!this.besideLegend) this.covered(this.stage.camera.pose);
+    if (!this.besideLegend) this.covered(this.viewport.camera.pose);
     return this.strips();
   }
 
   /** What a card takes of the scene [CSS pixels]. @returns {Strips} */
   strips() {
-    const { card, legendCard, camera } = this.stage;
+    const { card, legendCard, camera } = this.viewport;
     const legend = this.besideLegend ? legendCard() : null;
     const aside = this.right && !card() ? stripAside(legend, camera) : null;
     return aside ?? stripsBeside(card() ?? legend, camera);

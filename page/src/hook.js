@@ -4,18 +4,18 @@
 
 /** @param {App} app */
 export function makeHook(app) {
-  const { session, stage } = app;
+  const { session, viewport } = app;
   return {
     app,
     session,
-    stage,
+    viewport,
     /** Frames that have arrived. */
     get frames() {
       return session.frames;
     },
     /** Pictures that were drawn. */
     get drawn() {
-      return stage.drawn;
+      return viewport.drawn;
     },
     /** Number of the newest frame, as in the server's answers. */
     get frame() {
@@ -25,7 +25,7 @@ export function makeHook(app) {
       return session.frame?.time ?? NaN;
     },
     get renderer() {
-      return stage.renderer.name;
+      return viewport.renderer.name;
     },
     /** What the page shows, in a few words. */
     get state() {
@@ -36,8 +36,8 @@ export function makeHook(app) {
     },
     /** Where a node of the first variant is in the window [CSS pixels]. */
     screenOf(/** @type {number} */ node, variant = 0) {
-      const box = stage.renderer.canvas.getBoundingClientRect();
-      const { x, y } = stage.screenOf(node, variant);
+      const box = viewport.renderer.canvas.getBoundingClientRect();
+      const { x, y } = viewport.screenOf(node, variant);
       return { x: x + box.left, y: y + box.top };
     },
     /** Where a node is [m], in the newest frame. */

@@ -4,10 +4,20 @@ import { ROPES, fromHex } from "./view/colours.js";
 import { quantity } from "./view/range.js";
 import { dot, plus, vector } from "./view/vector.js";
 import { placeOf } from "./input/pick.js";
-import { CONTACT, LEAST, REACTION, hasTail, holding, longest, strongestOf } from "./reactions.js";
+import {
+  CONTACT,
+  CROWD,
+  REACTION,
+  drawnOf,
+  hasTail,
+  holding,
+  longest,
+  nameOf,
+  strongestOf,
+} from "./reactions.js";
 import { Trails } from "./render/trails.js";
 
-/** @typedef {import("./stage.js").Stage} Stage */
+/** @typedef {import("./viewport.js").Viewport} Viewport */
 /** @typedef {import("./source/protocol.js").Layout} Layout */
 /** @typedef {import("./source/frame.js").Frame} Frame */
 /** @typedef {import("./render/view.js").Marker} Marker */
@@ -20,7 +30,7 @@ import { Trails } from "./render/trails.js";
 const LEAST_CONTACT = 0.03; // of the strongest contact, below which there is no arrow
 const HEADLESS = 0.2; // of the strongest contact, below which arrows have no head
 const MOST_CONTACTS = 200; // arrows
-const MOST_LABELS = 8;
+const MOST_LABELS = CROWD;
 const MOST_POSTS = 24;
 const MANY = 12; // anchors
 const STILL = new Set(["fixed", "velocity", "table"]); // motions of anchors that may stand on a post
@@ -32,9 +42,9 @@ const pulls = (force, most) =>
   `${quantity(force, "N")}${most > 0 && force > 0.995 * most ? " (no more)" : ""}`;
 
 export class Marks {
-  /** @param {Stage} stage */
-  constructor(stage) {
-    this.stage = stage;
+  /** @param {Viewport} viewport */
+  constructor(viewport) {
+    this.viewport = viewport;
     this.dirty = true;
     this.reactions = true;
     this.contacts = true; // whether the forces of obstacles are shown
@@ -55,6 +65,8 @@ export class Marks {
     /** A line that is drawn from one to the other. @type {{hit: Hit, to: Vector} | null} */
     this.line = null;
     this.strongest = 0; // the force that has the longest arrow [N]
+    /** Anchors that have an arrow. @type {Set<string>} */ this.arrowed = new Set();
+    this.unshown = 0; // anchors of a crowd that have none
     /** The greatest force of each anchor of each variant since labels were last written [N].
      * @type {number[][]} */ this.most = [];
     /** @type {Label[]} */ this.labels = [];
@@ -111,7 +123,7 @@ export class Marks {
     this.labels = [];
     this.posts = [];
     this.touches = [];
-    const { session } = this.stage;
+    const { session } = this.viewport;
     if (session.layout && session.frame) {
       this.addAnchors(markers, arrows);
       this.addLoads(markers);
@@ -126,9 +138,9 @@ export class Marks {
 
   /** @param {Marker[]} markers @param {Arrow[]} arrows */
   addAnchors(markers, arrows) {
-    const { stage } = this;
-    const { theme, camera } = stage;
-    const held = holding(stage, stage.anchors.shown);
+    const { viewport } = this;
+    const { theme } = viewport;
+    const held = holding(viewport, viewport.anchors.shown);
     const eye = held.length > MANY ? 12 : 19; // around a net they would be all that is seen
     for (const { place, anchor } of held) {
       const [x, y, z] = place;
@@ -150,21 +162,41 @@ export class Marks {
     }
     if (!this.reactions) return;
     this.strongest = Math.max(strongestOf(held), this.strongest * 0.995);
+    const shown = held.filter(({ variant }) => variant === 0 || viewport.apart);
+    this.addReactions(shown, arrows);
+  }
+
+  /** What anchors hold. @param {import("./reactions.js").Holding[]} held @param {Arrow[]} arrows */
+  addReactions(held, arrows) {
+    const { camera, theme } = this.viewport;
     const per = (longest(camera) * camera.pose.distance) / camera.focal / this.strongest;
-    const shown = held.filter(({ variant }) => variant === 0 || stage.apart);
-    for (const { variant, a, place, force, size, peak } of shown) {
-      if (!(peak >= LEAST * this.strongest) || size < 1e-9) continue;
+    const drawn = drawnOf(held, this.strongest, this.arrowed, (one) => this.pointedAt(one));
+    this.arrowed = new Set(drawn.map(nameOf));
+    this.unshown = held.length > CROWD ? held.length - drawn.length : 0;
+    for (const { variant, a, place, force, size, peak } of drawn) {
       const to = plus(place, force, (peak / size) * per); // as long as its label says
       arrows.push({ from: place, to, colour: theme.arrow, pixels: 2.6, head: true });
-      if (shown.length > MOST_LABELS) continue;
+      if (drawn.length > CROWD) continue;
       const most = Math.max(peak, this.most[variant]?.[a] ?? 0);
       this.labels.push({ from: place, at: to, text: quantity(most, "N"), kind: "reaction" });
     }
   }
 
+  /** Whether the pointer or the keyboard is at an anchor. @param {import("./reactions.js").Holding} one */
+  pointedAt({ variant, anchor }) {
+    return [this.hover, this.chosen].some(
+      (hit) =>
+        hit !== null &&
+        !Array.isArray(hit) &&
+        hit.kind === "anchor" &&
+        hit.variant === variant &&
+        hit.anchor === anchor.name,
+    );
+  }
+
   /** A post from the floor to an anchor. @param {Vector} place */
   addPost(place) {
-    const { camera, theme, floor } = this.stage;
+    const { camera, theme, floor } = this.viewport;
     const above = dot(place, camera.up) - floor.level;
     const foot = (FOOT * camera.pose.distance) / camera.focal;
     if (!this.standing || above < 2 * foot || this.posts.length >= 2 * MOST_POSTS) return;
@@ -180,7 +212,7 @@ export class Marks {
 
   /** @param {Marker[]} markers */
   addLoads(markers) {
-    const { session, theme, nodes, starts } = this.stage;
+    const { session, theme, nodes, starts } = this.viewport;
     const layout = /** @type {Layout} */ (session.layout);
     layout.variants.forEach((variant, v) => {
       const total = variant.ropes.reduce((sum, rope) => sum + rope.mass, 0);
@@ -201,7 +233,7 @@ export class Marks {
   /** Knots where joints tie nodes; the one that the pointer is at has its name beside it.
    * @param {Marker[]} markers */
   addJoints(markers) {
-    const { session, theme, nodes, starts, camera } = this.stage;
+    const { session, theme, nodes, starts, camera } = this.viewport;
     const { variants } = /** @type {Layout} */ (session.layout);
     const hover = this.hover && !Array.isArray(this.hover) ? this.hover : null;
     variants.forEach(({ joints, ropes }, v) => {
@@ -224,7 +256,7 @@ export class Marks {
 
   /** The constant forces of the scene. @param {Arrow[]} arrows */
   addForces(arrows) {
-    const { session, theme, nodes, camera } = this.stage;
+    const { session, theme, nodes, camera } = this.viewport;
     const { forces } = /** @type {Layout} */ (session.layout).variants[0];
     if (!this.reactions || !forces.length) return;
     const longest = Math.max(...forces.map(({ force }) => Math.hypot(...force)));
@@ -242,7 +274,7 @@ export class Marks {
 
   /** What obstacles do to nodes: the longest arrow is the strongest's. */
   addContacts() {
-    const { session, theme, nodes, camera } = this.stage;
+    const { session, theme, nodes, camera } = this.viewport;
     const { contact } = /** @type {Frame} */ (session.frame).parts[0];
     let strongest = 0;
     for (let i = 0; i < contact.length; i += 3)
@@ -266,7 +298,7 @@ export class Marks {
 
   /** The springs of hands, this page's and others'. @param {Marker[]} markers @param {Arrow[]} arrows */
   addGrabs(markers, arrows) {
-    const { session, theme, nodes, starts, shifts } = this.stage;
+    const { session, theme, nodes, starts, shifts } = this.viewport;
     const own = [...this.held];
     const frame = /** @type {Frame} */ (session.frame);
     frame.parts.forEach((part, v) => {
@@ -292,11 +324,11 @@ export class Marks {
 
   /** The ring under the pointer and a kick's arrow. @param {Marker[]} markers @param {Arrow[]} arrows */
   addHand(markers, arrows) {
-    const { theme } = this.stage;
-    const chosen = this.chosen && placeOf(this.stage, this.chosen);
+    const { theme } = this.viewport;
+    const chosen = this.chosen && placeOf(this.viewport, this.chosen);
     const hands = [...this.held];
     for (const { hit, place } of hands) {
-      const from = placeOf(this.stage, hit);
+      const from = placeOf(this.viewport, hit);
       if (!from) continue;
       arrows.push({ from, to: place, colour: theme.grab, pixels: 2, head: false });
       const text = hit.kind === "anchor" ? this.fastest(hit) : "";
@@ -308,7 +340,7 @@ export class Marks {
       markers.push({ x, y, z, kind: "ring", colour: theme.hover, size: 0, pixels: 24 });
     }
     const first = this.line?.hit ?? this.tying;
-    const from = first && placeOf(this.stage, first);
+    const from = first && placeOf(this.viewport, first);
     const to = this.line?.to ?? this.ringPlace() ?? chosen;
     if (from) {
       const [x, y, z] = from;
@@ -321,7 +353,7 @@ export class Marks {
   /** What is said of a led anchor that goes as fast as any may, and so comes late; "" of others.
    * @param {import("./input/pick.js").AnchorHit} hit */
   fastest({ variant, anchor }) {
-    const { layout, frame, hello } = this.stage.session;
+    const { layout, frame, hello } = this.viewport.session;
     const most = hello?.limits.anchor_speed;
     const a = layout?.variants[variant].anchors.findIndex(({ name }) => name === anchor) ?? -1;
     if (!most || !frame || a < 0) return "";
@@ -331,7 +363,7 @@ export class Marks {
 
   /** @param {Arrow[]} arrows */
   addKick(arrows) {
-    const { theme } = this.stage;
+    const { theme } = this.viewport;
     if (!this.kick) return;
     const { from, to, text } = this.kick;
     arrows.push({ from, to, colour: theme.grab, pixels: 3, head: true });
@@ -340,9 +372,9 @@ export class Marks {
 
   /** Where the ring is now: it goes with the rope. @returns {Vector | null} */
   ringPlace() {
-    const { hover, stage } = this;
+    const { hover, viewport } = this;
     if (hover === null || Array.isArray(hover)) return hover;
-    return placeOf(stage, hover);
+    return placeOf(viewport, hover);
   }
 
   /** What the longest arrow means. */

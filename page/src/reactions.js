@@ -2,7 +2,7 @@
 
 import { plus, vector } from "./view/vector.js";
 
-/** @typedef {import("./stage.js").Stage} Stage */
+/** @typedef {import("./viewport.js").Viewport} Viewport */
 /** @typedef {import("./source/protocol.js").Layout} Layout */
 /** @typedef {import("./source/frame.js").Frame} Frame */
 /** @typedef {import("./view/camera.js").Camera} Camera */
@@ -14,10 +14,14 @@ import { plus, vector } from "./view/vector.js";
 export const CONTACT = 56; // length of the longest arrow of a contact [CSS pixels]
 export const REACTION = 84; // length of the longest arrow [CSS pixels]
 export const LEAST = 0.1; // of the strongest, below which there is neither arrow nor label: the eye hides it
+export const CROWD = 8; // anchors, up to which all have their arrows and labels
+const LOUD = 0.5; // of the strongest: of a crowd, those above it are shown
+const HUSHED = 0.42; // below which one of them is no longer: it does not flicker
 const CHIP = 34; // that a label takes beyond its arrow's tip [CSS pixels]
+const CLEAR = 6; // that tips stay away from tools [CSS pixels]
 const MOST = 0.12; // of the height that is free, which arrows may take at one side
 
-/** The anchors that hold, where they are. @param {Stage} stage @param {Float32Array} places @returns {Holding[]} */
+/** The anchors that hold, where they are. @param {Viewport} viewport @param {Float32Array} places @returns {Holding[]} */
 export function holding({ session }, places) {
   const layout = /** @type {Layout} */ (session.layout);
   const frame = /** @type {Frame} */ (session.frame);
@@ -44,24 +48,39 @@ export function holding({ session }, places) {
 export const strongestOf = (held) =>
   Math.max(0, ...held.map(({ peak }) => peak).filter(Number.isFinite));
 
+/** Of those that hold, the ones whose force is drawn: of a crowd the strong ones, and what is pointed at.
+ * @param {Holding[]} held @param {number} strongest [N] @param {Set<string>} [before] names of those drawn before
+ * @param {(one: Holding) => boolean} [pointed] */
+export function drawnOf(held, strongest, before = new Set(), pointed = () => false) {
+  const crowd = held.filter(({ variant }) => variant === held[0].variant).length > CROWD;
+  return held.filter((one) => {
+    if (one.size < 1e-9) return false;
+    const part = crowd ? (before.has(nameOf(one)) ? HUSHED : LOUD) : LEAST;
+    return one.peak >= part * strongest || pointed(one);
+  });
+}
+
+/** @param {Holding} one */
+export const nameOf = ({ variant, a }) => `${variant} ${a}`;
+
 /** The longest arrow [CSS pixels]. @param {Camera} camera */
 export const longest = ({ width, height }) => Math.min(REACTION, 0.14 * width, 0.17 * height);
 
-/** Where the arrows of anchors end [m], as long as they are for a camera. @param {Stage} stage @param {Camera} camera
+/** Where the arrows of anchors end [m], as long as they are for a camera. @param {Viewport} viewport @param {Camera} camera
  * @returns {Vector[]} */
-export function tipsOf(stage, camera) {
-  const { session, anchors, marks } = stage;
+export function tipsOf(viewport, camera) {
+  const { session, anchors, marks } = viewport;
   if (!session.frame || !marks.reactions) return [];
-  const held = holding(stage, anchors.to);
+  const held = holding(viewport, anchors.to);
   const strongest = Math.max(strongestOf(held), marks.strongest);
   const per = (longest(camera) * camera.pose.distance) / camera.focal / strongest;
-  return held
-    .filter(({ size, peak }) => peak >= LEAST * strongest && size > 1e-9)
-    .map(({ place, force, size, peak }) => plus(place, force, (peak / size) * per));
+  return drawnOf(held, strongest, marks.arrowed).map(({ place, force, size, peak }) =>
+    plus(place, force, (peak / size) * per),
+  );
 }
 
 /** Where the arrows of contacts end [m], as long as they are for a camera.
- * @param {Stage} stage @param {Camera} camera @returns {Vector[]} */
+ * @param {Viewport} viewport @param {Camera} camera @returns {Vector[]} */
 export function contactTips({ session, nodes, marks }, camera) {
   if (!session.frame || !marks.contacts) return [];
   const { contact } = session.frame.parts[0];
@@ -79,10 +98,11 @@ export function contactTips({ session, nodes, marks }, camera) {
   );
 }
 
-/** What a picture must keep free above and below its ropes, so that arrows and their labels are in it, too: the
- * strips, or more. @param {Stage} stage @param {Camera} camera @param {import("./view/camera.js").Strips} strips */
-export function roomFor(stage, camera, strips) {
+/** What a picture must keep free around its ropes, so that arrows and their labels are in it, too, and under no bar
+ * of tools at its sides: the strips, or more. @param {Viewport} viewport @param {Camera} camera @param {import("./view/camera.js").Strips} strips */
+export function roomFor(viewport, camera, strips) {
   const room = { top: 0, bottom: 0 };
+  const tips = tipsOf(viewport, camera);
   const keep = (/** @type {Vector[]} */ tips, /** @type {number} */ margin) => {
     for (const tip of tips) {
       const [, y, depth] = camera.project(...tip);
@@ -91,13 +111,33 @@ export function roomFor(stage, camera, strips) {
       room.bottom = Math.max(room.bottom, y + margin + strips.bottom - camera.height);
     }
   };
-  keep(tipsOf(stage, camera), CHIP);
-  keep(contactTips(stage, camera), 0);
+  keep(tips, CHIP);
+  keep(contactTips(viewport, camera), 0);
   const most = MOST * (camera.height - strips.top - strips.bottom);
   return {
     ...strips,
+    ...besideTools(viewport, camera, tips, strips),
     top: strips.top + Math.min(most, room.top),
     bottom: strips.bottom + Math.min(most, room.bottom),
+  };
+}
+
+/** What arrows need at the sides, to stay clear of the tools there; nothing where they do.
+ * @param {Viewport} viewport @param {Camera} camera @param {Vector[]} tips
+ * @param {import("./view/camera.js").Strips} strips */
+function besideTools(viewport, camera, tips, { left = 0 }) {
+  const sides = { left, right: 0 };
+  for (const bar of viewport.bars?.() ?? []) {
+    if (bar.height < bar.width) continue; // a row: strips keep the ropes below it
+    for (const [x, y] of tips.map((tip) => camera.project(...tip))) {
+      if (y < bar.top - CLEAR || y > bar.bottom + CLEAR) continue;
+      if (bar.left < camera.width / 2) sides.left = Math.max(sides.left, bar.right + CLEAR - x);
+      else sides.right = Math.max(sides.right, x + CLEAR - bar.left);
+    }
+  }
+  return {
+    ...(sides.left ? { left: sides.left } : {}),
+    ...(sides.right ? { right: sides.right } : {}),
   };
 }
 

@@ -14,7 +14,7 @@ export function connectReplay(app, replay) {
     return found.map((buffer) => readFrame(buffer, layout));
   });
   replay.jumped = () => {
-    app.stage.marks.trails?.clear();
+    app.viewport.marks.trails?.clear();
     past.want();
   };
 }

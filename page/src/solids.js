@@ -1,10 +1,10 @@
-// The bodies of the scene on the stage: what is drawn of them, where the floor is, and what the picture must hold.
+// The bodies of the scene of the picture: what is drawn of them, where the floor is, and what the picture must hold.
 
 import { MOST_SOLIDS, cornersOf, extent, placed, solidsOf, turnOf } from "./view/solids.js";
 import { scalar } from "./source/frame.js";
 import { dot, length, minus, plus, times } from "./view/vector.js";
 
-/** @typedef {import("./stage.js").Stage} Stage */
+/** @typedef {import("./viewport.js").Viewport} Viewport */
 /** @typedef {import("./view/solids.js").Solid} Solid */
 /** @typedef {import("./view/vector.js").Vector} Vector */
 /** @typedef {import("./source/protocol.js").Layout} Layout */
@@ -14,9 +14,9 @@ const WHEELS = ["turn0", "turn1", "turn2", "turn3"]; // scalars of a frame
 const LEVEL = 0.9999; // cosine of the tilt up to which a plane is a floor
 
 export class Solids {
-  /** @param {Stage} stage */
-  constructor(stage) {
-    this.stage = stage;
+  /** @param {Viewport} viewport */
+  constructor(viewport) {
+    this.viewport = viewport;
     /** @type {Solid[]} */ this.all = [];
     /** Those at time zero. @type {Solid[]} */ this.starts = [];
     this.time = NaN; // [s] for which those that move are placed
@@ -24,9 +24,9 @@ export class Solids {
     this.floor = null;
     this.key = "";
     this.version = 0; // changes with them
-    stage.session.on("obstacles", () => {
-      if (stage.session.layout) this.take(stage.session.layout, stage.shifts);
-      stage.dirty = true;
+    viewport.session.on("obstacles", () => {
+      if (viewport.session.layout) this.take(viewport.session.layout, viewport.shifts);
+      viewport.dirty = true;
     });
   }
 
@@ -36,7 +36,7 @@ export class Solids {
     if (key === this.key) return;
     this.key = key;
     const found = solidsOf((layout.obstacles ?? []).slice(0, MOST_SOLIDS), shifts);
-    const { up } = this.stage.camera;
+    const { up } = this.viewport.camera;
     const level = found.filter(
       ({ kind, axis, motion }) => kind === "plane" && !motion && dot(axis, up) > LEVEL,
     );
@@ -53,7 +53,7 @@ export class Solids {
 
   /** Put those that move where they are now. */
   advance() {
-    const time = this.stage.session.frame?.time ?? 0;
+    const time = this.viewport.session.frame?.time ?? 0;
     if (time === this.time) return;
     this.time = time;
     if (!this.starts.some(({ motion }) => motion)) return;
@@ -71,7 +71,7 @@ export class Solids {
     const found = this.named(name);
     if (!found) return null;
     const middle = found.surface?.middle ?? [0, 0, 0]; // of triangles, from the place that moves
-    return minus(minus(found.center, middle), this.stage.shifts[0] ?? [0, 0, 0]);
+    return minus(minus(found.center, middle), this.viewport.shifts[0] ?? [0, 0, 0]);
   }
 
   /** How far a body has turned [rad]. @param {string} name */
@@ -81,7 +81,7 @@ export class Solids {
 
   /** How far each has turned [rad]. */
   turns() {
-    const { frame, layout } = this.stage.session;
+    const { frame, layout } = this.viewport.session;
     const time = frame?.time ?? 0;
     const part = frame?.parts[0];
     const told = layout && part ? WHEELS.map((name) => scalar(layout, part, name)) : [];
@@ -90,7 +90,7 @@ export class Solids {
 
   /** What of them a picture of the scene must hold. @returns {Vector[]} */
   places() {
-    const { layout } = this.stage.session;
+    const { layout } = this.viewport.session;
     if (!layout) return [];
     const { center, radius } = layout.view;
     return this.all
@@ -105,7 +105,7 @@ export class Solids {
 
   /** The height of the lowest of them [m]. */
   lowest() {
-    const { up } = this.stage.camera;
+    const { up } = this.viewport.camera;
     const low = this.all
       .filter(({ reach }) => Number.isFinite(reach))
       .map((one) => dot(one.center, up) - extent(one, up));

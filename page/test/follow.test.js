@@ -5,6 +5,7 @@ import { Camera } from "../src/view/camera.js";
 import { Follow, lowest } from "../src/view/follow.js";
 
 const STRIPS = { top: 0, bottom: 0 };
+const ALL = [{ first: 0, nodes: 41, held: false }];
 const ROOM = { center: [0, 0, 0], radius: 10 };
 
 function camera(width = 900, height = 600) {
@@ -71,7 +72,7 @@ test("the camera rests while the rope swings inside the picture", () => {
   made.set(made.framed(rope(6), { azimuth: -1.85, elevation: 0.14 }));
   for (let i = 0; i < 200; i++) {
     const places = rope(6 + 0.8 * Math.sin(i / 7));
-    follow.take(made, nodesOf(places), 41, 1 / 60, ROOM);
+    follow.take(made, nodesOf(places), ALL, 1 / 60, ROOM);
     assert.equal(follow.wanted(made, STRIPS), null);
   }
 });
@@ -80,8 +81,8 @@ test("it follows a rope that leaves the picture, and one that has become small, 
   const made = camera();
   const follow = new Follow();
   made.set(made.framed(rope(6), { azimuth: -1.85, elevation: 0.14 }));
-  follow.take(made, nodesOf(rope(6)), 41, 1 / 60, ROOM);
-  follow.take(made, nodesOf(rope(20)), 41, 1 / 60, ROOM);
+  follow.take(made, nodesOf(rope(6)), ALL, 1 / 60, ROOM);
+  follow.take(made, nodesOf(rope(20)), ALL, 1 / 60, ROOM);
   const pose = follow.wanted(made, STRIPS);
   assert.ok(pose && pose.distance > made.pose.distance);
   made.set(pose);
@@ -89,7 +90,7 @@ test("it follows a rope that leaves the picture, and one that has become small, 
   assert.ok(share(made, rope(20)) <= 1.001);
   let waited = 0;
   for (; waited < 20 && !follow.wanted(made, STRIPS); waited += 1 / 10)
-    follow.take(made, nodesOf(rope(3, 4)), 41, 1 / 10, ROOM);
+    follow.take(made, nodesOf(rope(3, 4)), ALL, 1 / 10, ROOM);
   assert.ok(waited > 1 && waited < 10, `${waited} s`);
 });
 
@@ -99,7 +100,7 @@ test("what flies off is not followed", () => {
   made.set(made.framed(rope(6), { azimuth: -1.85, elevation: 0.14 }));
   const places = rope(6);
   places[7] = [0, 0, -500];
-  follow.take(made, nodesOf(places), 41, 1 / 60, ROOM);
+  follow.take(made, nodesOf(places), ALL, 1 / 60, ROOM);
   assert.equal(follow.wanted(made, STRIPS), null);
 });
 
@@ -117,4 +118,34 @@ test("ropes can come as low as their length between what holds them lets them", 
   assert.ok(Math.abs(lowest(held(0, 10, 20), line, at, up) - 1) < 1e-9); // 10 m over 6 m
   assert.equal(lowest(held(0), line, at, up), -15); // a loose end hangs down
   assert.equal(lowest(held(), line, at, up), Infinity);
+});
+
+test("it goes before what moves outwards, and not before what swings to and fro", () => {
+  const made = camera();
+  made.set(made.framed(rope(6), { azimuth: -Math.PI / 2, elevation: 0 }));
+  const away = new Follow();
+  const back = new Follow();
+  for (let i = 0; i < 60; i++) {
+    const shifted = (/** @type {number} */ by) =>
+      nodesOf(rope(6).map(([x, y, z]) => [x + by, y, z]));
+    away.take(made, shifted(i / 15), ALL, 1 / 60, ROOM); // 4 m/s
+    back.take(made, shifted(2 * Math.sin(i / 3)), ALL, 1 / 60, ROOM);
+  }
+  const edge = 10 + 59 / 15;
+  assert.ok(Math.abs(away.high[0] - edge - 2) < 0.1, `${away.high[0]}`); // half a second of 4 m/s
+  assert.ok(back.high[0] < 12.01, `${back.high[0]}`);
+});
+
+test("what is held is followed far away, what nothing holds is not, and is forgotten", () => {
+  const made = camera();
+  made.set(made.framed(rope(6), { azimuth: -1.85, elevation: 0.14 }));
+  const far = nodesOf(rope(6).map(([x, y, z]) => [x, y, z - 100]));
+  const held = new Follow();
+  held.take(made, far, [{ first: 0, nodes: 41, held: true }], 1 / 60, ROOM);
+  assert.ok(held.wanted(made, STRIPS));
+  const loose = new Follow();
+  loose.take(made, nodesOf(rope(6)), ALL, 1 / 60, ROOM);
+  for (let i = 0; i < 25; i++) loose.take(made, far, ALL, 0.1, ROOM);
+  assert.equal(loose.wanted(made, STRIPS), null);
+  assert.ok(!Number.isFinite(loose.low[0]));
 });

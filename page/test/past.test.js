@@ -23,9 +23,9 @@ function made({ index, bytes, read }) {
   const graphs = { open: true, window: 10, history, take: () => {}, bounds: () => {} };
   const said = [];
   const session = { layout, frame: frameOf(index), take: (message) => said.push(message) };
-  const stage = { marks: { followed: new Set() } };
+  const viewport = { marks: { followed: new Set() } };
   const asked = [];
-  const past = new Past({ graphs, session, stage }, async (first, count, every, signal) => {
+  const past = new Past({ graphs, session, viewport }, async (first, count, every, signal) => {
     asked.push({ first, count, every, signal });
     return read(first, count, every, signal);
   });

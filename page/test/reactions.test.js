@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { contactTips, hasTail, roomFor } from "../src/reactions.js";
+import { contactTips, drawnOf, hasTail, roomFor } from "../src/reactions.js";
 import { Camera } from "../src/view/camera.js";
 
 test("a loose end hangs from an anchor, not from one between two others, nor from a tied one", () => {
@@ -15,8 +15,8 @@ test("a loose end hangs from an anchor, not from one between two others, nor fro
   assert.equal(hasTail(held(40), 40), false); // of no rope
 });
 
-/** A stage with one anchor at the origin. */
-function stage(force, seen = [0]) {
+/** A viewport with one anchor at the origin. */
+function viewport(force, seen = [0]) {
   const anchors = new Float32Array(10);
   anchors.set(force, 6);
   anchors[9] = 1;
@@ -33,15 +33,15 @@ test("an arrow that would leave the picture is given room, at its side only", ()
   camera.resize(900, 200); // where it is 34 pixels long
   camera.set({ target: [0, 0, 0], distance: 10, azimuth: -Math.PI / 2, elevation: 0 });
   const strips = { top: 40, bottom: 50 };
-  const above = roomFor(stage([0, 0, 5]), camera, strips);
+  const above = roomFor(viewport([0, 0, 5]), camera, strips);
   assert.ok(Math.abs(above.top - 48) < 0.1, `${above.top}`); // 40, and 34 for the label: 8 too many
   assert.equal(above.bottom, 50);
-  const below = roomFor(stage([0, 0, -5]), camera, strips);
+  const below = roomFor(viewport([0, 0, -5]), camera, strips);
   assert.ok(Math.abs(below.bottom - 63.2) < 0.1, `${below.bottom}`); // no more than a part of what is free
   assert.equal(below.top, 40);
-  assert.deepEqual(roomFor(stage([5, 0, 0]), camera, strips), strips); // the twin: to the side
-  assert.deepEqual(roomFor(stage([0, 0, 0]), camera, strips), strips);
-  const card = roomFor(stage([0, 0, 5]), camera, { top: 90, bottom: 0 });
+  assert.deepEqual(roomFor(viewport([5, 0, 0]), camera, strips), strips); // the twin: to the side
+  assert.deepEqual(roomFor(viewport([0, 0, 0]), camera, strips), strips);
+  const card = roomFor(viewport([0, 0, 5]), camera, { top: 90, bottom: 0 });
   assert.equal(card.top, 90 + 0.12 * 110);
 });
 
@@ -49,7 +49,7 @@ test("the arrow of a contact is given room, too", () => {
   const camera = new Camera();
   camera.resize(390, 640);
   camera.set({ target: [0, 0, 0], distance: 10, azimuth: -Math.PI / 2, elevation: 0 });
-  const made = stage([0, 0, 0]);
+  const made = viewport([0, 0, 0]);
   made.nodes = { to: new Float32Array([0, 0, 3, 0]) };
   Object.assign(made.marks, { contacts: true, firmest: 0 });
   made.session.frame.parts[0].contact = new Float32Array([0, 0, 7]);
@@ -61,4 +61,39 @@ test("the arrow of a contact is given room, too", () => {
   assert.ok(Math.abs(roomFor(made, camera, strips).top - (2 * strips.top - y)) < 1e-6);
   made.marks.contacts = false; // the twin
   assert.deepEqual(roomFor(made, camera, strips), strips);
+});
+
+/** Anchors that hold forces. @param {number[]} sizes [N] */
+const holding = (sizes) => sizes.map((size, a) => ({ variant: 0, a, size, peak: size }));
+const drawn = (/** @type {number[]} */ sizes, /** @type {any[]} */ ...more) =>
+  drawnOf(/** @type {any} */ (holding(sizes)), Math.max(...sizes), ...more).map(({ a }) => a);
+
+test("of a crowd of anchors the strong ones have arrows, and the one that is pointed at", () => {
+  const few = [100, 60, 45, 30, 11, 9];
+  assert.deepEqual(drawn(few), [0, 1, 2, 3, 4]);
+  const many = [...few, 8, 7, 6];
+  assert.deepEqual(drawn(many), [0, 1]);
+  assert.deepEqual(drawn(many, new Set(["0 2", "0 3"])), [0, 1, 2]); // stays: it does not flicker
+  assert.deepEqual(
+    drawn(many, new Set(), ({ a }) => a === 8),
+    [0, 1, 8],
+  );
+  assert.deepEqual(drawn(Array(28).fill(0)), []);
+});
+
+test("an arrow keeps clear of the tools beside the picture, where these are as high as it", () => {
+  const camera = new Camera();
+  camera.resize(900, 600);
+  camera.set({ target: [0, 0, 0], distance: 10, azimuth: -Math.PI / 2, elevation: 0 });
+  const made = viewport([-5, 0, 0]); // its tip is at 450 - 84 = 366
+  const strips = { top: 0, bottom: 0 };
+  const bar = (left, top, width, height) => [
+    { left, top, width, height, right: left + width, bottom: top + height },
+  ];
+  made.bars = () => bar(340, 100, 56, 300);
+  assert.ok(Math.abs(roomFor(made, camera, strips).left - (396 + 6 - 366)) < 0.5);
+  made.bars = () => bar(340, 320, 56, 200); // the twins: below it, and a row at the top
+  assert.equal(roomFor(made, camera, strips).left, undefined);
+  made.bars = () => bar(300, 280, 100, 40);
+  assert.equal(roomFor(made, camera, strips).left, undefined);
 });

@@ -18,7 +18,7 @@ pytestmark = pytest.mark.browser
 Open = Callable[..., Window]
 Serve = Callable[..., ViewServer]
 WIDE: dict[str, Any] = {"viewport": {"width": 1000, "height": 700}}
-MIDDLE = "r.stage.solids.base('drum')"
+MIDDLE = "r.viewport.solids.base('drum')"
 TROUGH = """
 [run]
 duration = 1.0
@@ -43,8 +43,9 @@ radius = 0.4
 def on_drum(window: Window) -> tuple[float, float]:
     """A pixel of the drum's face that no rope is near."""
     x, y = window.ask(
-        "(() => { const box = r.stage.renderer.canvas.getBoundingClientRect();"
-        "const [x, y] = r.stage.camera.project(-0.08, -0.2, -0.05); return [x + box.left, y + box.top]; })()"
+        "(() => { const { renderer, camera } = r.viewport; "
+        "const box = renderer.canvas.getBoundingClientRect();"
+        "const [x, y] = camera.project(-0.08, -0.2, -0.05); return [x + box.left, y + box.top]; })()"
     )
     return x, y
 
@@ -84,8 +85,8 @@ def test_what_is_in_front_is_taken(
     window.settled()
     x, y = window.screen(10)
     window.page.mouse.move(x, y)
-    window.until("r.stage.marks.hover !== null")
-    ringed = window.ask("Array.isArray(r.stage.marks.hover) ? 'body' : 'rope'")
+    window.until("r.viewport.marks.hover !== null")
+    ringed = window.ask("Array.isArray(r.viewport.marks.hover) ? 'body' : 'rope'")
     window.drag((x, y), (30, -20))
     held = window.ask("[...r.app.pointer.hands.values()][0].way === 'body' ? 'body' : 'rope'")
     window.page.mouse.up()
@@ -96,7 +97,7 @@ def test_what_is_in_front_is_taken(
 def test_a_drum_is_led_turned_and_put_back(open_window: Open, serve: Serve) -> None:
     window = open_window(serve(Session(over_a_drum())).address, **WIDE).ready()
     window.settled()
-    pose = "JSON.stringify(r.stage.camera.pose)"
+    pose = "JSON.stringify(r.viewport.camera.pose)"
     before = window.ask(pose)
     window.drag(on_drum(window), (0, -40))
     window.page.mouse.up()
@@ -114,7 +115,7 @@ def test_a_drum_is_led_turned_and_put_back(open_window: Open, serve: Serve) -> N
             break
     assert "Page Up and Page Down turn it" in canvas.get_attribute("aria-valuetext")
     window.press("PageUp")
-    window.until("r.stage.solids.angleOf('drum') > 0.1")
+    window.until("r.viewport.solids.angleOf('drum') > 0.1")
     window.press("ArrowUp")
     window.until(f"{MIDDLE}[2] > 0.005")
     assert window.ask("r.session.frame.parts[0].anchors[2]") == pytest.approx(
@@ -143,7 +144,7 @@ def test_a_half_pipe_is_seen_and_hides_no_rope(
         window.settled()
         assert window.at_rope(range(1, 8)) > 0.9
         pose = "s.setPose({ ...s.camera.pose, azimuth: -0.9, elevation: 0.7 })"
-        window.page.evaluate(f"() => {{ const s = window.ropewalk.stage; {pose}; }}")
+        window.page.evaluate(f"() => {{ const s = window.ropewalk.viewport; {pose}; }}")
         window.settled()
         shown.append(np.median(spot(window, (-0.28, 0.0, -0.28)), axis=0))
         assert window.at_rope(range(1, 8)) > 0.9

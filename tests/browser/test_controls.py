@@ -17,7 +17,7 @@ Serve = Callable[..., object]
 SPEEDS = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 4]
 # By the key: what it does, with what tells it. `before` is what `watch` said first.
 SHORTCUTS = {
-    "f": ("r.stage.camera.pose.distance", "was !== now"),
+    "f": ("r.viewport.camera.pose.distance", "was !== now"),
     "g": ("document.getElementById('graphs').hidden", "was !== now"),
     "p": ("document.getElementById('panel').hidden", "was !== now"),
     "t": ("document.documentElement.dataset.theme", "was !== now"),
@@ -165,7 +165,7 @@ def test_arrows_and_nodes_can_be_shown_and_hidden(window: Window) -> None:
 
 
 def test_every_view_looks_its_way(window: Window) -> None:
-    toward = "[...r.stage.camera.toward]"
+    toward = "[...r.viewport.camera.toward]"
     window.settled()
     first = window.ask(toward)
     for k, name in enumerate("xyz"):
@@ -182,16 +182,18 @@ def test_every_view_looks_its_way(window: Window) -> None:
     window.page.mouse.move(640, 300)
     window.page.mouse.wheel(0, 500)
     window.settled()
-    far = window.ask("r.stage.camera.pose.distance")
+    far = window.ask("r.viewport.camera.pose.distance")
     window.click("#view-fit")
     window.settled()
-    assert window.ask("r.stage.camera.pose.distance") < 0.9 * far
+    assert window.ask("r.viewport.camera.pose.distance") < 0.9 * far
     assert window.at_rope(range(2, 39)) > 0.9
 
 
 def test_the_hand_turns_shifts_and_zooms_the_view(window: Window) -> None:
     window.settled()
-    pose = "(({azimuth, target, distance}) => [azimuth, ...target, distance])(r.stage.camera.pose)"
+    pose = (
+        "(({azimuth, target, distance}) => [azimuth, ...target, distance])(r.viewport.camera.pose)"
+    )
     empty = (500.0, 150.0)
     before = np.array(window.ask(pose))
     window.drag(empty, (80.0, 20.0))
@@ -207,13 +209,13 @@ def test_the_hand_turns_shifts_and_zooms_the_view(window: Window) -> None:
     assert shifted[0] == turned[0]
     assert np.linalg.norm(shifted[1:4] - turned[1:4]) > 0.1
     window.page.mouse.wheel(0, -300)
-    assert window.ask("r.stage.camera.pose.distance") < 0.9 * shifted[4]
+    assert window.ask("r.viewport.camera.pose.distance") < 0.9 * shifted[4]
 
 
 def test_panel_and_theme_by_their_buttons(window: Window) -> None:
-    width = window.ask("r.stage.camera.width")
+    width = window.ask("r.viewport.camera.width")
     window.click("#toggle-panel")
-    window.until(f"r.stage.camera.width > {width}")
+    window.until(f"r.viewport.camera.width > {width}")
     window.settled()
     assert window.picture()[400, 400].sum() > 600
     window.click("#toggle-theme")
@@ -229,9 +231,9 @@ def test_opening_graphs_and_panel_keeps_the_camera(open_window: Open, serve: Ser
     window.page.mouse.up()
     for following in (False, True):
         window.page.evaluate(
-            f"() => {{ window.ropewalk.stage.following = {str(following).lower()}; }}"
+            f"() => {{ window.ropewalk.viewport.following = {str(following).lower()}; }}"
         )
-        pose = "(({azimuth, elevation}) => [azimuth, elevation])(r.stage.camera.pose)"
+        pose = "(({azimuth, elevation}) => [azimuth, elevation])(r.viewport.camera.pose)"
         before = window.ask(pose)
         for key in "gg":
             window.press(key)
@@ -248,13 +250,13 @@ def test_the_colours_may_tell_how_near_a_rope_is_to_breaking(
     window = open_window(serve(Session(scene)).address).ready()
     window.settled()
     window.page.locator("#colouring").select_option("utilisation")
-    window.until("r.stage.range.high === 1")
+    window.until("r.viewport.range.high === 1")
     window.press(" ")
     window.until("r.time > 0.5")
     window.press(" ")
     window.until("r.state === 'paused'")
     window.settled()
-    most = window.ask("r.stage.most")
+    most = window.ask("r.viewport.most")
     parts = "r.session.frame.parts[0].scalars[r.session.layout.scalars.indexOf('tension_max')]"
     assert most == pytest.approx(window.ask(parts) / 100.0, rel=1e-3)
     text = window.page.locator("#margin").inner_text()
@@ -264,7 +266,7 @@ def test_the_colours_may_tell_how_near_a_rope_is_to_breaking(
     assert numbers.split()[-2:] == ["100", "%"]
     # where no breaking load is known it cannot be chosen
     window.tell(type="scene", preset="r4")
-    window.until("r.stage.colouring === 'tension' && r.session.layout.scene.preset === 'r4'")
+    window.until("r.viewport.colouring === 'tension' && r.session.layout.scene.preset === 'r4'")
     assert window.ask("document.querySelector('#colouring [value=utilisation]').disabled")
 
 

@@ -83,7 +83,7 @@ def test_a_followed_node_has_a_trail_graphs_and_a_phase_plane(window: Window) ->
     window.until(f"r.time > {time} + 0.5")
     assert _inked(window, "phase") > 50
     assert "node 10" in window.page.locator("[data-kind=tension]").inner_text()
-    assert window.ask("r.stage.marks.trails !== null")
+    assert window.ask("r.viewport.marks.trails !== null")
     window.press(" ")
     window.until("r.state === 'paused'")
     window.settled()
@@ -95,7 +95,7 @@ def test_a_followed_node_has_a_trail_graphs_and_a_phase_plane(window: Window) ->
     assert window.ask(f"{plot}.scales.y.max") > strongest
     assert window.ask(f"{plot}.data.some((column) => column.some(isNaN))")
     window.page.mouse.click(*window.screen(10))
-    window.until("r.stage.marks.followed.size === 0")
+    window.until("r.viewport.marks.followed.size === 0")
 
 
 RANGE = "(({min, max}) => [min, max])(r.app.graphs.panels.get('energies').plot.uplot.scales.x)"

@@ -163,7 +163,7 @@ def test_the_menu_of_a_node_does_what_it_says(window: Window, server: ViewServer
     window.until("!document.getElementById('graphs').hidden")
     window.settled()
     choose(30, "Stop following")
-    window.until("r.stage.marks.followed.size === 0")
+    window.until("r.viewport.marks.followed.size === 0")
     choose(5, "Cut here")
     window.until(f"{VARIANT}.ropes.length === 2")
     window.page.mouse.click(450, 170, button="right")
@@ -195,12 +195,12 @@ def test_fingers_drag_an_anchor_open_the_menu_and_zoom(
     touch.up()
     window.page.get_by_role("menuitem", name="Pin it here").tap()
     window.until(f"{VARIANT}.anchors.length === 3")
-    far = window.ask("r.stage.camera.pose.distance")
+    far = window.ask("r.viewport.camera.pose.distance")
     x, y = EMPTY
     touch.down([(x - 40, y), (x + 40, y)])
     touch.move([(x - 120, y), (x + 120, y)])
     touch.up()
-    assert window.ask("r.stage.camera.pose.distance") < 0.6 * far
+    assert window.ask("r.viewport.camera.pose.distance") < 0.6 * far
 
 
 def test_two_fingers_hold_two_ropes_at_once(open_window: Open, serve: Serve) -> None:
@@ -209,7 +209,7 @@ def test_two_fingers_hold_two_ropes_at_once(open_window: Open, serve: Serve) -> 
     server = serve(session)
     window = open_window(server.address, has_touch=True, is_mobile=True).ready()
     window.settled()
-    pose = window.ask("JSON.stringify(r.stage.camera.pose)")
+    pose = window.ask("JSON.stringify(r.viewport.camera.pose)")
     first, second = (f"({VARIANT}.ropes[{rope}].first + 4)" for rope in (0, 2))
     places = [window.screen(first), window.screen(second)]
     touch = _Fingers(window)
@@ -223,7 +223,7 @@ def test_two_fingers_hold_two_ropes_at_once(open_window: Open, serve: Serve) -> 
     assert held == {window.ask(first), window.ask(second)}
     targets = np.array(window.ask(f"[[...{GRABS}.slice(1, 4)], [...{GRABS}.slice(9, 12)]]"))
     assert np.linalg.norm(targets[1] - targets[0]) > 0.1
-    assert window.ask("JSON.stringify(r.stage.camera.pose)") == pose
+    assert window.ask("JSON.stringify(r.viewport.camera.pose)") == pose
     touch.up()
     window.until(f"{GRABS}[0] < 0 && {GRABS}[8] < 0")
 
@@ -252,7 +252,7 @@ def test_the_ring_goes_with_a_rope_that_falls(open_window: Open, serve: Serve) -
     window = open_window(serve(playing=True).address).ready()
     window.until("r.time > 0.3")
     away = """(() => {
-        const { marks, nodes, starts } = r.stage;
+        const { marks, nodes, starts } = r.viewport;
         if (marks.hover === null) return null;
         const at = 4 * (starts[0] + marks.hover.node);
         const place = marks.ringPlace();
@@ -272,9 +272,7 @@ def test_a_near_miss_shifts_the_view_and_does_not_turn_it(open_window: Open, ser
     window = open_window(serve().address).ready()
     window.settled()
     x, y = window.screen(10)
-    pose = (
-        "(({azimuth, elevation, target}) => [azimuth, elevation, ...target])(r.stage.camera.pose)"
-    )
+    pose = "(({azimuth, elevation, target}) => [azimuth, elevation, ...target])(r.viewport.camera.pose)"
     before = np.array(window.ask(pose))
     window.drag((x, y + 30), (40.0, 30.0))
     window.page.mouse.up()

@@ -80,7 +80,7 @@ def test_pictures_tables_and_scenes_are_downloaded(open_window: Open, serve: Ser
     window = open_window(server.address).ready()
     _lively(window)
     picture = np.asarray(Image.open(_keep(window, "png")).convert("RGB")).astype(int)
-    assert picture.shape[1] >= window.ask("r.stage.camera.width")
+    assert picture.shape[1] >= window.ask("r.viewport.camera.width")
     assert (picture.max(axis=2) - picture.min(axis=2) > 60).sum() > 200  # a rope is on it
     scene = loads(_keep(window, "scene-toml").read_text())
     assert scene.ropes[0].own_mass == pytest.approx(3.0)

@@ -94,7 +94,9 @@ def test_dragged_anchor_takes_the_rope_along(open_window: Open, serve: Serve) ->
     before = [window.node(anchor), window.node(10)]
     start = window.screen(anchor)
     window.drag(start, (60.0, 90.0))
-    target = window.ask(f"r.stage.camera.inPlane({start[0] + 60}, {start[1] + 90}, [0, 0, 0]) && 1")
+    target = window.ask(
+        f"r.viewport.camera.inPlane({start[0] + 60}, {start[1] + 90}, [0, 0, 0]) && 1"
+    )
     assert target == 1
     window.until(
         f"(([x, y]) => Math.hypot(r.screenOf({anchor}).x - x, r.screenOf({anchor}).y - y) < 6)"

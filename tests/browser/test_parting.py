@@ -24,7 +24,7 @@ Serve = Callable[..., ViewServer]
 WIDE: dict[str, Any] = {"viewport": {"width": 1200, "height": 800}}
 WEAK = 13  # segment, of 20
 TEXT = "document.getElementById('parted').textContent"
-DRAWN = "r.stage.renderer.line.nodes.ropes.map(({ first, count }) => [first, count])"
+DRAWN = "r.viewport.renderer.line.nodes.ropes.map(({ first, count }) => [first, count])"
 
 
 def pulled_apart(**more: Any) -> rw.Scene:

@@ -35,7 +35,7 @@ def test_a_catch_between_two_frames_is_seen(open_window: Open, serve: Serve) -> 
     window = open_window(serve(Session(catch())).address).ready()
     window.press("g")
     window.page.locator("[data-graph=forces]").click()
-    window.page.evaluate("() => window.ropewalk.stage.marks.toggleTrail(1)")
+    window.page.evaluate("() => window.ropewalk.viewport.marks.toggleTrail(1)")
     assert window.tell(type="step", count=FRAME)
     window.until(f"r.session.frame.steps === {FRAME}")
     assert window.ask(NOW) < 0.5 * pull  # the twin: what a picture by itself shows
@@ -46,7 +46,7 @@ def test_a_catch_between_two_frames_is_seen(open_window: Open, serve: Serve) -> 
         np.array(window.ask(COLUMN.format(name)), float) for name in ("low tension 1", "tension 1")
     ]
     assert np.nanmax(band[1] - band[0]) > 0.5 * pull
-    assert window.ask("r.stage.range.high") == pytest.approx(pull, rel=1e-4)
+    assert window.ask("r.viewport.range.high") == pytest.approx(pull, rel=1e-4)
     assert window.page.locator("[data-kind=forces]").is_visible()
     label = window.page.locator(".labels .reaction").first
     label.wait_for()

@@ -155,7 +155,7 @@ def test_the_card_of_copies_covers_no_rope(open_window: Open, serve: Serve, shap
     window.settled()
     window.page.evaluate(  # the rope to where the card will come
         """() => {
-            const { camera } = ropewalk.stage;
+            const { camera } = ropewalk.viewport;
             camera.pan(0.12 * camera.width, (camera.height > 400 ? -0.25 : 0.25) * camera.height);
         }"""
     )
@@ -177,7 +177,9 @@ def test_the_card_of_copies_covers_no_rope(open_window: Open, serve: Serve, shap
 
 def _clear_of_the_card(window: Window, ropes: int) -> None:
     """Check that all ropes are in the scene and none is under the card of copies."""
-    window.until("r.stage.starts.length === 3 && !r.stage.lookPending && !r.app.compare.fresh")
+    window.until(
+        "r.viewport.starts.length === 3 && !r.viewport.lookPending && !r.app.compare.fresh"
+    )
     window.settled()
     card = [one for one in _cards(window) if "difference" in one[0]]
     scene = window.page.locator("#scene").bounding_box()
@@ -206,7 +208,7 @@ def test_nothing_lies_over_a_rope_on_the_ground(
     for copies in ([], COPIES):
         window.tell(type="compare", variants=copies)
         rows = "document.querySelectorAll('.meter-row').length"  # each is there when it is measured
-        window.until(f"{rows} === {1 + len(copies)} && r.stage.starts.length === {rows}")
+        window.until(f"{rows} === {1 + len(copies)} && r.viewport.starts.length === {rows}")
         for view in ("home", "fit", "y"):
             window.click(f"#view-{view}")
             window.settled()
@@ -224,10 +226,10 @@ def test_labels_keep_clear_of_what_lies_over_the_scene(open_window: Open, serve:
         for down in range(-350, 351, 50):
             window.page.evaluate(
                 """async ([right, down]) => {
-                    const { stage } = window.ropewalk;
-                    stage.camera.set({ target: [20, 0, 0] });
-                    stage.camera.pan(right, down);
-                    stage.draw(true);
+                    const { viewport } = window.ropewalk;
+                    viewport.camera.set({ target: [20, 0, 0] });
+                    viewport.camera.pan(right, down);
+                    viewport.draw(true);
                 }""",
                 [right, down],
             )
@@ -281,7 +283,7 @@ def _tidy(window: Window) -> None:
     _apart(window)
     _inside(window, ".scene :is(" + CARDS + ")", ".scene")
     _inside(window, ".labels span:not([hidden])", ".scene")
-    window.until("!r.stage.dirty")
+    window.until("!r.viewport.dirty")
     assert window.painted()
     _wait_for_clear_labels(window)
     for bar in ("bar", "meter", "graphs", "controls"):
@@ -348,13 +350,13 @@ def _keep(window: Window, name: str) -> None:
 
 def test_a_net_is_drawn_finer_than_a_rope(open_window: Open, serve: Serve, tmp_path: Path) -> None:
     """Else it is a plate of thick ropes and of rings as wide as its meshes."""
-    eyes = "r.stage.marks.collect().markers.filter(({ kind }) => kind === 'eye').map((one) => one.pixels)"
+    eyes = "r.viewport.marks.collect().markers.filter(({ kind }) => kind === 'eye').map((one) => one.pixels)"
     widths = []
     for name in ("net", "r4"):
         server = serve(Session(preset(name), name), folder=tmp_path / name)
         window = open_window(server.address).ready()
         window.settled()
-        widths.append((window.ask("r.stage.leastWidth"), max(window.ask(eyes))))
+        widths.append((window.ask("r.viewport.leastWidth"), max(window.ask(eyes))))
         mesh = np.hypot(*np.subtract(window.screen(1), window.screen(2)))
         if name == "net":
             assert widths[0][0] < 0.5 * mesh

@@ -19,18 +19,18 @@ Serve = Callable[..., ViewServer]
 ROPES, NODES = 10, 1000
 # Where the rings of hands and the lines to what they hold were in the first picture after the pointer's move.
 WATCH = """() => {
-  const { stage } = window.ropewalk;
+  const { viewport } = window.ropewalk;
   window.seen = null;
   let moved = null;
   addEventListener("pointermove", (event) => (moved = [event.clientX, event.clientY]), true);
-  stage.afterDraw.push(() => {
-    if (!moved || stage.marks.held.size === 0) return;
-    const box = stage.renderer.canvas.getBoundingClientRect();
+  viewport.afterDraw.push(() => {
+    if (!moved || viewport.marks.held.size === 0) return;
+    const box = viewport.renderer.canvas.getBoundingClientRect();
     const at = (place) => {
-      const [x, y] = stage.camera.project(...place);
+      const [x, y] = viewport.camera.project(...place);
       return [x + box.left, y + box.top];
     };
-    const { markers, arrows } = stage.marks.collect();
+    const { markers, arrows } = viewport.marks.collect();
     const rings = markers.filter(({ kind }) => kind === "ring").map(({ x, y, z }) => at([x, y, z]));
     const lines = arrows.filter(({ head }) => !head).map(({ from, to }) => [at(from), at(to)]);
     window.seen = { pointer: moved, rings, lines };
@@ -58,7 +58,7 @@ def test_what_is_held_is_drawn_at_the_pointer_before_the_rope_follows(
     assert len(ties) == 1
     assert np.linalg.norm(ties[0][0] - start) < 3.0  # to where it is: the simulation stands still
     window.page.mouse.up()
-    window.until("r.stage.marks.held.size === 0")
+    window.until("r.viewport.marks.held.size === 0")
 
 
 def test_ten_thousand_nodes_are_led_in_wall_time(open_window: Open, serve: Serve) -> None:

@@ -55,8 +55,8 @@ radius = 0.15
 def spot(window: Window, place: tuple[float, float, float], size: int = 6) -> np.ndarray:
     """Return the pixels around where a place of the scene is shown, (n, 3)."""
     x, y = window.ask(
-        "(() => { const box = r.stage.renderer.canvas.getBoundingClientRect();"
-        f"const [x, y] = r.stage.camera.project({place[0]}, {place[1]}, {place[2]});"
+        "(() => { const box = r.viewport.renderer.canvas.getBoundingClientRect();"
+        f"const [x, y] = r.viewport.camera.project({place[0]}, {place[1]}, {place[2]});"
         "return [x + box.left, y + box.top]; })()"
     )
     row, column = round(y), round(x)
@@ -90,7 +90,7 @@ def test_a_drum_hides_the_rope_behind_it_only(
 
     def look(direction: str) -> float:
         window.page.evaluate(
-            f"() => {{ const s = window.ropewalk.stage; s.setPose({{ ...s.camera.pose, {direction} }}); }}"
+            f"() => {{ const s = window.ropewalk.viewport; s.setPose({{ ...s.camera.pose, {direction} }}); }}"
         )
         window.settled()
         return window.at_rope(top)
@@ -126,7 +126,7 @@ def test_a_shared_page_shows_them(open_window: Open, tmp_path: Path) -> None:
     share_result(result, path)
     window = open_window(path.as_uri(), **WIDE).ready()
     window.settled()
-    assert window.ask("r.stage.solids.all.map((one) => one.name)") == ["drum"]
+    assert window.ask("r.viewport.solids.all.map((one) => one.name)") == ["drum"]
     window.tell(type="seek", time=0.2)
     window.settled()
     pressed = np.array(window.ask("[...r.session.frame.parts[0].contact]")).reshape(-1, 3)
@@ -148,7 +148,7 @@ def test_contact_forces_are_arrows_with_their_scale(open_window: Open, serve: Se
     sizes = np.linalg.norm(there, axis=1)
     shown = np.array(window.ask("[...r.session.frame.parts[0].contact]")).reshape(-1, 3)
     assert shown == pytest.approx(there, rel=1e-6, abs=1e-6)
-    arrows = window.ask("r.stage.marks.touches.map(({ from, to }) => [from, to])")
+    arrows = window.ask("r.viewport.marks.touches.map(({ from, to }) => [from, to])")
     assert len(arrows) == (sizes > 0.03 * sizes.max()).sum() > 3
     lengths = np.linalg.norm(np.diff(np.array(arrows), axis=1)[:, 0], axis=1)
     assert lengths / lengths.max() == pytest.approx(
@@ -158,7 +158,7 @@ def test_contact_forces_are_arrows_with_their_scale(open_window: Open, serve: Se
     told = float(number) * {"N": 1.0, "kN": 1e3, "mN": 1e-3}[unit]
     assert told == pytest.approx(sizes.max(), rel=0.05)
     window.click("#show-contacts")
-    window.until("r.stage.marks.touches.length === 0")
+    window.until("r.viewport.marks.touches.length === 0")
     # The twin: where there is nothing to touch there is no switch.
     window.tell(type="scene", preset="r4")
     window.until("r.session.layout.obstacles.length === 0")
@@ -182,12 +182,12 @@ def test_a_resting_picture_has_all_pixels(open_window: Open, serve: Serve) -> No
         first, again = again, rests()
     turned = window.page.evaluate(
         """() => new Promise((done) => {
-            const { stage } = window.ropewalk;
-            const { pose } = stage.camera;
-            stage.setPose({ ...pose, azimuth: pose.azimuth + 0.1 });
+            const { viewport } = window.ropewalk;
+            const { pose } = viewport.camera;
+            viewport.setPose({ ...pose, azimuth: pose.azimuth + 0.1 });
             requestAnimationFrame(() => requestAnimationFrame(() => {
-              const { rough } = stage.renderer;
-              stage.setPose(pose);
+              const { rough } = viewport.renderer;
+              viewport.setPose(pose);
               done(rough);
             }));
         })"""
@@ -200,7 +200,7 @@ def test_a_resting_picture_has_all_pixels(open_window: Open, serve: Serve) -> No
             const { labels } = window.ropewalk.app;
             labels.since.fill(performance.now());
             labels.taken.fill(5);
-            labels.stage.dirty = true;
+            labels.viewport.dirty = true;
         }"""
     )
     assert np.abs(rests() - first).max() <= 2
@@ -210,7 +210,9 @@ def test_all_of_a_body_is_in_the_first_picture(open_window: Open, serve: Serve) 
     server = serve(Session(over_a_drum()))
     window = open_window(server.address, **WIDE).ready()
     window.settled()
-    corners = window.ask("r.stage.solids.places().map((one) => r.stage.camera.project(...one))")
-    size = window.ask("[r.stage.camera.width, r.stage.camera.height]")
+    corners = window.ask(
+        "r.viewport.solids.places().map((one) => r.viewport.camera.project(...one))"
+    )
+    size = window.ask("[r.viewport.camera.width, r.viewport.camera.height]")
     assert len(corners) == 8
     assert all(0 < x < size[0] and 0 < y < size[1] and z > 0 for x, y, z in corners)

@@ -50,7 +50,7 @@ def test_the_break_can_be_watched(window: Window) -> None:
     button.wait_for()
     [*_, last] = window.ask("r.session.broken.past")
     button.click()
-    places = "[...r.stage.nodes.to.subarray(0, 164)]"
+    places = "[...r.viewport.nodes.to.subarray(0, 164)]"
     window.page.locator("#past", has_text=f"{last['time']:.5f} s").wait_for()
     shown = np.array(window.ask(places)).reshape(41, 4)[:, :3]
     assert np.abs(shown - np.array(last["positions"])).max() < 1e-3
@@ -295,18 +295,18 @@ def test_an_arrow_that_a_resize_of_a_broken_run_leaves_outside_is_fetched_back(
     _break(window)
     window.settled()
     rightmost = (
-        "Math.max(...r.stage.marks.labels.filter(({ kind }) => kind === 'reaction')"
-        ".map(({ at }) => r.stage.camera.project(...at)[0])) - r.stage.camera.width"
+        "Math.max(...r.viewport.marks.labels.filter(({ kind }) => kind === 'reaction')"
+        ".map(({ at }) => r.viewport.camera.project(...at)[0])) - r.viewport.camera.width"
     )
     window.page.evaluate(
         f"""() => {{
             const r = window.ropewalk;
-            const {{ camera }} = r.stage;
-            r.stage.card = () => null; // the words about a break can bring a rope back, too
+            const {{ camera }} = r.viewport;
+            r.viewport.card = () => null; // the words about a break can bring a rope back, too
             const metres = camera.pose.distance / camera.focal;
             const away = metres * ({rightmost} - 20);
             const target = camera.pose.target.map((x, k) => x + away * camera.right[k]);
-            r.stage.setPose({{ ...camera.pose, target }});
+            r.viewport.setPose({{ ...camera.pose, target }});
         }}"""
     )
     window.settled()

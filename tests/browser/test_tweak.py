@@ -258,7 +258,7 @@ def test_a_change_makes_no_jump_while_it_runs(open_window: Open, serve: Serve) -
 def test_up_follows_gravity(open_window: Open, serve: Serve) -> None:
     window = open_window(serve().address).ready()
     window.settled()
-    assert window.ask("r.stage.camera.up") == pytest.approx([0.0, 1.0, 0.0])
+    assert window.ask("r.viewport.camera.up") == pytest.approx([0.0, 1.0, 0.0])
     for gravity, up in (
         ([9.81, 0.0, 0.0], [-1.0, 0.0, 0.0]),
         ([0.0, 0.0, 0.0], [-1.0, 0.0, 0.0]),  # without any it stays
@@ -269,9 +269,9 @@ def test_up_follows_gravity(open_window: Open, serve: Serve) -> None:
         value = "r.session.parameters.find((p) => p.name === 'gravity').value"
         window.until(f"{value}.every((one, k) => one === {gravity}[k])")
         window.settled()
-        assert window.ask("r.stage.camera.up") == pytest.approx(up)
-        foot = window.ask("r.stage.camera.project(20, 0, 0)")
-        head = window.ask(f"r.stage.camera.project(20 + {up[0]}, {up[1]}, {up[2]})")
+        assert window.ask("r.viewport.camera.up") == pytest.approx(up)
+        foot = window.ask("r.viewport.camera.project(20, 0, 0)")
+        head = window.ask(f"r.viewport.camera.project(20 + {up[0]}, {up[1]}, {up[2]})")
         assert head[1] < foot[1] - 3  # up points up on the screen
         if up[0] == 0.0:  # along gravity all nodes are in one line with the view's up
             assert window.at_rope(range(1, 40)) > 0.9

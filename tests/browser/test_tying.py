@@ -40,10 +40,10 @@ def test_two_presses_with_the_tool_tie_and_undo_unties(window: Window) -> None:
     window.click("#tool-tie")
     window.page.mouse.click(*window.screen(A_END))
     window.until(
-        f"r.stage.marks.tying?.node === {A_END} && {SAID}.includes('Node 10 of a: choose')"
+        f"r.viewport.marks.tying?.node === {A_END} && {SAID}.includes('Node 10 of a: choose')"
     )
     window.page.keyboard.press("Escape")
-    assert window.ask("r.stage.marks.tying") is None
+    assert window.ask("r.viewport.marks.tying") is None
     window.page.mouse.click(*window.screen(A_END))
     window.until(f"{SAID}.includes('choose the point')")
     window.page.mouse.click(*window.screen(B_END))
@@ -58,14 +58,14 @@ def test_two_presses_with_the_tool_tie_and_undo_unties(window: Window) -> None:
 def test_a_stroke_from_one_point_to_the_other_ties_them(window: Window) -> None:
     window.click("#tool-tie")
     a, b = window.screen(A_END), window.screen(B_END)
-    pose = window.ask("({...r.stage.camera.pose})")
+    pose = window.ask("({...r.viewport.camera.pose})")
     window.page.mouse.move(*a)
     window.page.mouse.down()
     window.page.mouse.move(0.5 * (a[0] + b[0]), a[1] - 40.0, steps=4)
-    window.until("r.stage.marks.line !== null")
+    window.until("r.viewport.marks.line !== null")
     window.page.mouse.move(*b, steps=4)
     window.page.mouse.up()
-    assert window.ask("({...r.stage.camera.pose})") == pose  # the view was not turned
+    assert window.ask("({...r.viewport.camera.pose})") == pose  # the view was not turned
     _play_until_tied(window)
 
 

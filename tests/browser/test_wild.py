@@ -17,7 +17,7 @@ pytestmark = pytest.mark.browser
 Open = Callable[..., Window]
 Serve = Callable[..., ViewServer]
 BOTH = pytest.mark.parametrize("renderer", ["webgl", "canvas"])
-CAMERA = "[...r.stage.camera.view, ...r.stage.camera.projection]"
+CAMERA = "[...r.viewport.camera.view, ...r.viewport.camera.projection]"
 
 
 @pytest.fixture(scope="module")
@@ -53,9 +53,9 @@ def test_places_that_are_no_numbers_do_not_lose_the_view(
     window.click("#view-fit")
     window.settled()
     assert window.at_rope(range(1, 40)) > 0.9
-    low, high = window.ask("[r.stage.range.low, r.stage.range.high]")
+    low, high = window.ask("[r.viewport.range.low, r.viewport.range.high]")
     assert high - low < 1e3  # what broke later does not rule the colours
-    assert window.ask("r.stage.marks.strongest") < 1e3
+    assert window.ask("r.viewport.marks.strongest") < 1e3
 
 
 @BOTH
@@ -70,7 +70,7 @@ def test_a_page_that_waits_for_a_frame_is_not_black(
         "() => { const s = window.ropewalk.session; s.take({ ...s.layout, layout: 9999 }); }"
     )
     window.page.set_viewport_size({"width": 700, "height": 500})
-    window.until("r.stage.camera.width <= 700")
+    window.until("r.viewport.camera.width <= 700")
     window.page.wait_for_timeout(100)
     assert window.painted()
 
@@ -81,7 +81,7 @@ def test_a_lost_drawing_context_comes_back(open_window: Open, serve: Serve) -> N
     drawn = window.ask("r.drawn")
     window.page.evaluate(
         """() => new Promise((done) => {
-            const { canvas } = window.ropewalk.stage.renderer;
+            const { canvas } = window.ropewalk.viewport.renderer;
             const lose = canvas.getContext("webgl2").getExtension("WEBGL_lose_context");
             canvas.addEventListener("webglcontextlost", () => setTimeout(() => lose.restoreContext()));
             canvas.addEventListener("webglcontextrestored", () => done());

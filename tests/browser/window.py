@@ -92,7 +92,7 @@ class Window:
                 let [last, same, frames] = [-1, 0, 0];
                 const look = () => {
                   const r = window.ropewalk;
-                  const moves = r.stage.flight || r.stage.renderer.rough || r.app.labels?.later;
+                  const moves = r.viewport.flight || r.viewport.renderer.rough || r.app.labels?.later;
                   same = r.drawn === last && !moves ? same + 1 : 0;
                   last = r.drawn;
                   if (same > 8 || ++frames > 1200) done(same > 8);
@@ -119,7 +119,7 @@ class Window:
                 box["x"] + 0.7 * box["width"],
             )
         )
-        inks = "['background', 'horizon', 'ground'].map((name) => [...r.stage.theme[name]])"
+        inks = "['background', 'horizon', 'ground'].map((name) => [...r.viewport.theme[name]])"
         papers = 255.0 * np.array(self.ask(inks))  # where the camera looks down there is floor
         seen = self.picture()[row, first:last]
         away = np.abs(seen[:, None] - papers[None]).max(axis=2)
@@ -140,7 +140,7 @@ class Window:
         `down`: look so many pixels below.
         """
         picture = self.picture()
-        back = self.ask("r.stage.theme.background").copy()
+        back = self.ask("r.viewport.theme.background").copy()
         paper = np.array(back) * 255.0 if max(back) <= 1.0 else np.array(back)
         ratio = self.page.evaluate("() => devicePixelRatio")
         found = 0

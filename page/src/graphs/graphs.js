@@ -8,7 +8,7 @@ import { PhasePlane } from "./phase.js";
 import { Plot } from "./plot.js";
 import { samplesOf } from "./samples.js";
 
-/** @typedef {import("../stage.js").Stage} Stage */
+/** @typedef {import("../viewport.js").Viewport} Viewport */
 /** @typedef {import("../source/frame.js").Frame} Frame */
 /** @typedef {{low?: string, high?: string}} Bounds */
 /** @typedef {"energies" | "tension" | "forces" | "motion" | "phase" | "difference"} Kind */
@@ -40,9 +40,9 @@ const BOUNDS = {
 };
 
 export class Graphs {
-  /** @param {Stage} stage @param {HTMLElement} host */
-  constructor(stage, host) {
-    this.stage = stage;
+  /** @param {Viewport} viewport @param {HTMLElement} host */
+  constructor(viewport, host) {
+    this.viewport = viewport;
     this.host = host;
     this.history = new History();
     this.window = 10;
@@ -117,9 +117,9 @@ export class Graphs {
     const narrow = matchMedia("(max-width: 700px)").matches;
     /** @type {Set<Kind>} */
     this.shown = new Set(narrow ? ["energies"] : ["energies", "tension", "motion"]);
-    stage.session.on("frame", (frame) => this.take(frame));
-    stage.session.on("layout", () => this.rebuild());
-    stage.session.on("status", () => this.bounds());
+    viewport.session.on("frame", (frame) => this.take(frame));
+    viewport.session.on("layout", () => this.rebuild());
+    viewport.session.on("status", () => this.bounds());
     new ResizeObserver(() => this.resize()).observe(this.plots);
     this.plots.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
   }
@@ -138,13 +138,13 @@ export class Graphs {
 
   /** @param {Frame} frame */
   take(frame) {
-    const { layout } = this.stage.session;
+    const { layout } = this.viewport.session;
     if (!layout) return;
-    if (frame.flags & BROKEN && this.stage.session.hello?.mode === "replay") {
+    if (frame.flags & BROKEN && this.viewport.session.hello?.mode === "replay") {
       this.drawSoon(); // no number is taken from beyond a break
       return;
     }
-    this.history.add(frame.time, samplesOf(layout, frame, this.stage.marks.followed));
+    this.history.add(frame.time, samplesOf(layout, frame, this.viewport.marks.followed));
     if (!this.open) return;
     if (!(frame.flags & PLAYING)) {
       this.drawSoon(); // there may be no further frame
@@ -171,8 +171,8 @@ export class Graphs {
   rebuild() {
     if (!this.open) return;
     this.clear();
-    const many = (this.stage.session.layout?.variants.length ?? 1) > 1;
-    const held = (this.stage.session.layout?.variants[0].anchors.length ?? 0) > 0;
+    const many = (this.viewport.session.layout?.variants.length ?? 1) > 1;
+    const held = (this.viewport.session.layout?.variants[0].anchors.length ?? 0) > 0;
     const kinds = /** @type {Kind[]} */ (Object.keys(TITLES)).filter(
       (kind) => (kind !== "difference" || many) && (kind !== "forces" || held),
     );
@@ -233,7 +233,7 @@ export class Graphs {
   series(kind) {
     if (kind === "energies")
       return ENERGIES.map(([name, label, colour]) => ({ name, label, colour }));
-    const variants = this.stage.session.layout?.variants ?? [];
+    const variants = this.viewport.session.layout?.variants ?? [];
     if (kind === "difference") {
       return variants.slice(1).map((variant, v) => ({
         name: `difference ${v + 1}`,
@@ -249,7 +249,7 @@ export class Graphs {
       }));
     }
     const prefix = kind === "tension" ? "tension" : this.quantity;
-    const followed = [...this.stage.marks.followed].map((node, i) => ({
+    const followed = [...this.viewport.marks.followed].map((node, i) => ({
       name: `${prefix} ${node}`,
       label: this.nodeName(node),
       colour: ROPES[(i + 1) % ROPES.length],
@@ -268,7 +268,7 @@ export class Graphs {
 
   /** @param {number} node */
   nodeName(node) {
-    const ropes = this.stage.session.layout?.variants[0].ropes ?? [];
+    const ropes = this.viewport.session.layout?.variants[0].ropes ?? [];
     const rope = ropes.find(({ first, nodes }) => node >= first && node < first + nodes);
     return ropes.length > 1 && rope
       ? `${rope.name} ${node - rope.zero}`
@@ -284,7 +284,7 @@ export class Graphs {
     if (plot instanceof Plot) {
       plot.show(this.history.between(from, to, plot.names), from, to);
     } else if (plot && kind === "phase") {
-      const node = [...this.stage.marks.followed][0];
+      const node = [...this.viewport.marks.followed][0];
       const [times, heights] = this.history.between(from, to, [`height ${node}`]);
       plot.show(times, heights, ROPES[1]);
     }
@@ -307,7 +307,7 @@ export class Graphs {
 
   /** How far one can scroll back, only while paused. */
   bounds() {
-    const playing = this.stage.session.status?.playing ?? true;
+    const playing = this.viewport.session.status?.playing ?? true;
     const most = Math.max(0, this.history.last - this.history.first - this.span) || 0;
     if (playing) this.back = 0;
     this.scroll.disabled = playing || most === 0;

@@ -53,13 +53,13 @@ export class Past {
 
   /** @param {AbortSignal} signal */
   async fetch(signal) {
-    const { graphs, session, stage } = this.app;
+    const { graphs, session, viewport } = this.app;
     const { layout, frame } = session;
     if (!graphs.open || !layout || !frame || frame.steps < 1) return;
     const [index, now] = [frame.steps, frame.time];
     const seconds = Math.min(graphs.window, now);
     const back = Math.min(index, Math.ceil((seconds * index) / Math.max(now, 1e-9)));
-    const known = `${layout.layout} ${[...stage.marks.followed]}`;
+    const known = `${layout.layout} ${[...viewport.marks.followed]}`;
     if (known !== this.known || index > this.until) {
       this.coarse = await this.samples(0, index, COARSE, layout, signal);
       [this.known, this.until] = [known, index];
@@ -83,7 +83,7 @@ export class Past {
     const affordable = Math.max(LEAST, Math.floor(BYTES / layout.bytes));
     const every = Math.max(1, Math.ceil(count / Math.min(most, affordable)));
     const piece = Math.max(1, Math.floor(PIECE / layout.bytes));
-    const nodes = [...this.app.stage.marks.followed];
+    const nodes = [...this.app.viewport.marks.followed];
     const end = first + count;
     /** @type {Sample[]} */ const found = [];
     for (let at = first; at < end; at += piece * every) {

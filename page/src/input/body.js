@@ -4,7 +4,7 @@ import { meets } from "../view/solids.js";
 import { cross, dot, minus, plus, times, unit } from "../view/vector.js";
 import { paceOf } from "./throw.js";
 
-/** @typedef {import("../stage.js").Stage} Stage */
+/** @typedef {import("../viewport.js").Viewport} Viewport */
 /** @typedef {import("../view/vector.js").Vector} Vector */
 /** @typedef {import("./pick.js").BodyHit} BodyHit */
 
@@ -15,9 +15,9 @@ const FACING = 0.5; // cosine of axis and view, above which a body is turned lik
 const HELD = 400; // ms within which a key goes on from its last target
 
 /** The nearest body under a pixel that has an end: a floor or an endless bar is the scene's frame.
- * @param {Stage} stage @param {number} px @param {number} py @returns {BodyHit | null} */
-export function pickBody(stage, px, py) {
-  const { camera, session } = stage;
+ * @param {Viewport} viewport @param {number} px @param {number} py @returns {BodyHit | null} */
+export function pickBody(viewport, px, py) {
+  const { camera, session } = viewport;
   if (!session.can("obstacle")) return null;
   const ray = camera.ray(px, py);
   const size = Math.hypot(...ray);
@@ -25,7 +25,7 @@ export function pickBody(stage, px, py) {
   let nearest = Infinity;
   /** @type {BodyHit | null} */
   let best = null;
-  for (const solid of stage.solids.all) {
+  for (const solid of viewport.solids.all) {
     const far = Number.isFinite(solid.reach) ? meets(solid, camera.eye, way) : null;
     if (far === null || far >= nearest) continue;
     nearest = far;
@@ -35,21 +35,21 @@ export function pickBody(stage, px, py) {
   return best;
 }
 
-/** Whether a hand can turn it. @param {Stage} stage @param {string} name */
-export const turnable = (stage, name) =>
-  (stage.session.layout?.obstacles ?? []).some((one) => one.name === name && one.turnable);
+/** Whether a hand can turn it. @param {Viewport} viewport @param {string} name */
+export const turnable = (viewport, name) =>
+  (viewport.session.layout?.obstacles ?? []).some((one) => one.name === name && one.turnable);
 
 /** A stroke on a body: like a `Hand` for what pointers ask of it. */
 export class BodyHand {
-  /** @param {Stage} stage @param {BodyHit} hit @param {boolean} turning */
-  constructor(stage, hit, turning) {
-    this.stage = stage;
+  /** @param {Viewport} viewport @param {BodyHit} hit @param {boolean} turning */
+  constructor(viewport, hit, turning) {
+    this.viewport = viewport;
     this.hit = hit;
     this.way = /** @type {const} */ ("body");
     this.place = hit.place;
-    this.turning = turning && turnable(stage, hit.obstacle);
-    this.start = stage.solids.base(hit.obstacle);
-    this.angle = stage.solids.angleOf(hit.obstacle);
+    this.turning = turning && turnable(viewport, hit.obstacle);
+    this.start = viewport.solids.base(hit.obstacle);
+    this.angle = viewport.solids.angleOf(hit.obstacle);
     this.begun = false;
     this.sent = -Infinity;
     this.pending = 0;
@@ -59,11 +59,11 @@ export class BodyHand {
 
   /** @param {number} px @param {number} py */
   moveTo(px, py) {
-    const { stage, hit, last } = this;
+    const { viewport, hit, last } = this;
     if (this.turning) {
       if (last) this.angle += this.turnBetween(last, { x: px, y: py });
       this.last = { x: px, y: py };
-    } else this.place = stage.camera.onPlane(px, py, hit.place, stage.axis);
+    } else this.place = viewport.camera.onPlane(px, py, hit.place, viewport.axis);
     const wait = this.sent + APART - performance.now();
     if (wait <= 0) this.sendTarget();
     else this.pending ||= window.setTimeout(() => this.sendTarget(), wait);
@@ -72,7 +72,7 @@ export class BodyHand {
   /** The angle of a stroke: around the middle of what faces the eye, else across the axis.
    * @param {{x: number, y: number}} from @param {{x: number, y: number}} to */
   turnBetween(from, to) {
-    const { camera, solids } = this.stage;
+    const { camera, solids } = this.viewport;
     const solid = solids.named(this.hit.obstacle);
     if (!solid) return 0;
     const [cx, cy, depth] = camera.project(...solid.center);
@@ -93,10 +93,10 @@ export class BodyHand {
     this.pending = 0;
     if (this.over || !this.start) return;
     this.sent = performance.now();
-    const { session } = this.stage;
+    const { session } = this.viewport;
     const moved = minus(this.place, this.hit.place);
     const target = this.turning ? null : plus(this.start, moved);
-    lead(this.stage, this.hit.obstacle, target, this.turning ? this.angle : null, !this.begun);
+    lead(this.viewport, this.hit.obstacle, target, this.turning ? this.angle : null, !this.begun);
     this.begun = this.begun || session.can("obstacle");
   }
 
@@ -113,7 +113,7 @@ export class BodyHand {
   }
 }
 
-/** @param {Stage} stage @param {string} obstacle @param {Vector | null} target @param {number | null} angle
+/** @param {Viewport} viewport @param {string} obstacle @param {Vector | null} target @param {number | null} angle
  * @param {boolean} begin of a stroke: all of it is undone at once */
 export function lead({ session }, obstacle, target, angle, begin) {
   const pace = paceOf(session.frame, session.status);
@@ -122,17 +122,17 @@ export function lead({ session }, obstacle, target, angle, begin) {
 
 /** The keys of a body that Tab has stopped at. */
 export class BodyKeys {
-  /** @param {Stage} stage */
-  constructor(stage) {
-    this.stage = stage;
+  /** @param {Viewport} viewport */
+  constructor(viewport) {
+    this.viewport = viewport;
     /** @type {{name: string, place: Vector, angle: number, time: number} | null} */ this.goal =
       null;
   }
 
   /** Move or turn it; tells whether the key is one of those. @param {string} name @param {string} code */
   press(name, code) {
-    const { stage } = this;
-    const { camera, solids, session } = stage;
+    const { viewport } = this;
+    const { camera, solids, session } = viewport;
     const step = STEP * (session.layout?.view.radius ?? 1);
     /** @type {Record<string, Vector>} */
     const ways = {
@@ -151,11 +151,11 @@ export class BodyKeys {
     const goes = this.goal?.name === name && now - this.goal.time < HELD ? this.goal : null;
     const goal = goes ?? { name, place, angle: solids.angleOf(name), time: now };
     if (way) goal.place = plus(goal.place, way);
-    else if (turnable(stage, name)) goal.angle += turn ?? 0;
+    else if (turnable(viewport, name)) goal.angle += turn ?? 0;
     else return true;
     goal.time = now;
     this.goal = goal;
-    lead(stage, name, way ? goal.place : null, way ? null : goal.angle, !goes);
+    lead(viewport, name, way ? goal.place : null, way ? null : goal.angle, !goes);
     return true;
   }
 }

@@ -4,7 +4,7 @@ import { figures } from "../view/range.js";
 import { length, minus, times } from "../view/vector.js";
 import { paceOf, throwOf } from "./throw.js";
 
-/** @typedef {import("../stage.js").Stage} Stage */
+/** @typedef {import("../viewport.js").Viewport} Viewport */
 /** @typedef {import("./pick.js").Hit} Hit */
 /** @typedef {import("../view/vector.js").Vector} Vector */
 
@@ -15,9 +15,9 @@ const THROW = 0.05; // [m/s] of a throw at least
 const KICK = 0.05; // [m/s] of velocity per pixel of arrow
 
 export class Hand {
-  /** @param {Stage} stage @param {Hit} hit @param {"drag" | "grab" | "kick" | "tie"} way */
-  constructor(stage, hit, way) {
-    this.stage = stage;
+  /** @param {Viewport} viewport @param {Hit} hit @param {"drag" | "grab" | "kick" | "tie"} way */
+  constructor(viewport, hit, way) {
+    this.viewport = viewport;
     this.hit = hit;
     this.way = way;
     /** @type {Vector} where the pointer has it, in the picture */
@@ -31,21 +31,21 @@ export class Hand {
 
   /** @param {number} px @param {number} py @param {number} time of the event [ms] */
   moveTo(px, py, time) {
-    const { stage, hit } = this;
-    this.place = stage.camera.onPlane(px, py, hit.place, stage.axis);
+    const { viewport, hit } = this;
+    this.place = viewport.camera.onPlane(px, py, hit.place, viewport.axis);
     if (this.way === "kick") {
       const text = `${figures(length(this.velocity()))} m/s`;
-      stage.marks.kick = { from: hit.place, to: this.place, text };
-      stage.marks.dirty = true;
+      viewport.marks.kick = { from: hit.place, to: this.place, text };
+      viewport.marks.dirty = true;
       return;
     }
     if (this.way === "tie") {
-      stage.marks.line = { hit, to: this.place };
-      stage.marks.dirty = true;
+      viewport.marks.line = { hit, to: this.place };
+      viewport.marks.dirty = true;
       return;
     }
-    stage.marks.held.add(this);
-    stage.marks.dirty = true;
+    viewport.marks.held.add(this);
+    viewport.marks.dirty = true;
     this.trace.push({ time, place: this.place });
     if (this.trace.length > TRACE) this.trace.shift();
     const wait = this.sent + APART - performance.now();
@@ -58,9 +58,9 @@ export class Hand {
     this.pending = 0;
     if (this.over) return;
     this.sent = performance.now();
-    const target = minus(this.place, this.stage.shifts[this.hit.variant]);
+    const target = minus(this.place, this.viewport.shifts[this.hit.variant]);
     const { hit, limit } = this;
-    const { session } = this.stage;
+    const { session } = this.viewport;
     const pace = paceOf(session.frame, session.status);
     if (hit.kind === "anchor") session.send({ type: "drag", anchor: hit.anchor, target, pace });
     else session.send({ type: "grab", node: hit.node, target, pace, limit });
@@ -68,14 +68,14 @@ export class Hand {
 
   /** The velocity of a kick [m/s], as long as its arrow is on the screen. */
   velocity() {
-    const { camera } = this.stage;
+    const { camera } = this.viewport;
     const perPixel = camera.pose.distance / camera.focal;
     return times(minus(this.place, this.hit.place), KICK / perPixel);
   }
 
   /** The pointer is up. @param {boolean} keep hold on to a grabbed node @param {number} time of the event [ms] */
   release(keep, time) {
-    const { session, marks } = this.stage;
+    const { session, marks } = this.viewport;
     marks.held.delete(this);
     marks.dirty = true;
     if (this.way === "tie") {

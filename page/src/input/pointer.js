@@ -4,7 +4,7 @@ import { Hand } from "./hand.js";
 import { BodyHand, pickBody } from "./body.js";
 import { pick } from "./pick.js";
 
-/** @typedef {import("../stage.js").Stage} Stage */
+/** @typedef {import("../viewport.js").Viewport} Viewport */
 /** @typedef {import("./pick.js").Hit} Hit */
 /** @typedef {import("./pick.js").BodyHit} BodyHit */
 /** @typedef {"hand" | "pin" | "cut" | "load" | "tie" | "kick" | "follow"} Tool */
@@ -17,12 +17,12 @@ const LONG = 550; // ms of a long press, which opens the menu on a touch screen
 const DOUBLE = 350; // ms
 
 export class Pointer {
-  /** @param {Stage} stage @param {HTMLElement} element
+  /** @param {Viewport} viewport @param {HTMLElement} element
    * @param {{use: (tool: Tool, hit: Hit) => void, tie: (one: Hit, other: Hit) => void,
    *   menu: (hit: Hit | BodyHit | null, x: number,
    *   y: number) => void}} actions */
-  constructor(stage, element, actions) {
-    this.stage = stage;
+  constructor(viewport, element, actions) {
+    this.viewport = viewport;
     this.element = element;
     this.actions = actions;
     /** @type {Tool} */ this.tool = "hand";
@@ -53,9 +53,9 @@ export class Pointer {
       this.resting = null;
       this.hover(null);
     });
-    stage.beforeDraw.push(() => this.look());
+    viewport.beforeDraw.push(() => this.look());
     let ropes = "";
-    stage.session.on("layout", ({ variants }) => {
+    viewport.session.on("layout", ({ variants }) => {
       const now = JSON.stringify(
         variants.map((one) => one.ropes.map(({ first, nodes }) => [first, nodes])),
       );
@@ -82,10 +82,10 @@ export class Pointer {
     this.element.setPointerCapture(event.pointerId);
     const { x, y } = this.at(event);
     this.down.set(event.pointerId, { x, y });
-    this.stage.flight = null;
+    this.viewport.flight = null;
     if (this.down.size > 1) {
       clearTimeout(this.longPress);
-      const other = this.hands.size > 0 ? pick(this.stage, x, y, this.reach(event)) : null;
+      const other = this.hands.size > 0 ? pick(this.viewport, x, y, this.reach(event)) : null;
       if (other && this.hold(event.pointerId, other)) return; // a second hand
       this.dropHands(false); // a second finger: pinch
       this.moved = true;
@@ -93,14 +93,14 @@ export class Pointer {
     }
     this.start = { x, y, button: event.button, shift: event.shiftKey };
     this.moved = this.menuOpened = false;
-    this.hit = pick(this.stage, x, y, this.reach(event));
-    this.body = this.hit ? null : pickBody(this.stage, x, y);
+    this.hit = pick(this.viewport, x, y, this.reach(event));
+    this.body = this.hit ? null : pickBody(this.viewport, x, y);
     this.near =
-      !this.hit && !this.body && pick(this.stage, x, y, NEAR * this.reach(event)) !== null;
+      !this.hit && !this.body && pick(this.viewport, x, y, NEAR * this.reach(event)) !== null;
     if (event.button === 0 && this.hit && !(event.ctrlKey || event.metaKey))
       this.hold(event.pointerId, this.hit);
     else if (event.button === 0 && this.body && this.tool === "hand")
-      this.hands.set(event.pointerId, new BodyHand(this.stage, this.body, event.shiftKey));
+      this.hands.set(event.pointerId, new BodyHand(this.viewport, this.body, event.shiftKey));
     if (event.pointerType !== "mouse") {
       this.longPress = window.setTimeout(() => this.openMenu(x, y), LONG);
     }
@@ -112,8 +112,8 @@ export class Pointer {
     const { tool } = this;
     if (tool !== "hand" && tool !== "kick" && tool !== "tie") return false;
     const way = tool !== "hand" ? tool : hit.kind === "anchor" ? "drag" : "grab";
-    if (!this.stage.session.can(way)) return false;
-    const hand = new Hand(this.stage, hit, way);
+    if (!this.viewport.session.can(way)) return false;
+    const hand = new Hand(this.viewport, hit, way);
     hand.limit = this.limit;
     this.hands.set(id, hand);
     return true;
@@ -143,12 +143,12 @@ export class Pointer {
     const hand = this.hands.get(event.pointerId);
     if (hand) {
       hand.moveTo(x, y, event.timeStamp);
-      const over = hand.way === "tie" ? pick(this.stage, x, y, this.reach(event)) : null;
-      this.stage.marks.hover = hand instanceof BodyHand ? hand.ring : over;
-      this.stage.marks.dirty = true;
+      const over = hand.way === "tie" ? pick(this.viewport, x, y, this.reach(event)) : null;
+      this.viewport.marks.hover = hand instanceof BodyHand ? hand.ring : over;
+      this.viewport.marks.dirty = true;
     } else if (this.hands.size) return;
-    else if (start.button !== 0 || start.shift || this.near) this.stage.camera.pan(dx, dy);
-    else this.stage.camera.orbit(dx, dy);
+    else if (start.button !== 0 || start.shift || this.near) this.viewport.camera.pan(dx, dy);
+    else this.viewport.camera.orbit(dx, dy);
   }
 
   /** The same before the next animation frame, where the browser tells: the hand need not wait for it.
@@ -168,7 +168,7 @@ export class Pointer {
     const hand = this.hands.get(event.pointerId);
     if (hand && this.moved) hand.moveTo(x, y, event.timeStamp);
     const ties = hand?.way === "tie" && this.moved && !this.menuOpened;
-    const other = ties ? pick(this.stage, x, y, this.reach(event)) : null;
+    const other = ties ? pick(this.viewport, x, y, this.reach(event)) : null;
     const hadHand = hand !== undefined && this.moved;
     this.dropHand(event.pointerId, event.shiftKey || this.keep, this.moved, event.timeStamp);
     if (hand instanceof Hand && other && other.node !== hand.hit.node)
@@ -191,7 +191,7 @@ export class Pointer {
 
   /** Let go of everything this page holds. */
   letGo() {
-    this.stage.session.send({ type: "let_go" });
+    this.viewport.session.send({ type: "let_go" });
   }
 
   /** @param {number} x @param {number} y */
@@ -226,10 +226,10 @@ export class Pointer {
   look() {
     if (this.down.size) return;
     const { resting } = this;
-    const over = resting && pick(this.stage, resting.x, resting.y, MOUSE);
+    const over = resting && pick(this.viewport, resting.x, resting.y, MOUSE);
     const takes = resting && !over && this.tool === "hand";
     this.hover(
-      over ?? (takes ? (pickBody(this.stage, resting.x, resting.y)?.place ?? null) : null),
+      over ?? (takes ? (pickBody(this.viewport, resting.x, resting.y)?.place ?? null) : null),
     );
   }
 
@@ -239,8 +239,8 @@ export class Pointer {
     const before = this.down.get(id);
     if (!other || !before) return;
     const [was, now] = [before, { x, y }].map((p) => Math.hypot(p.x - other.x, p.y - other.y));
-    this.stage.camera.pan((x - before.x) / 2, (y - before.y) / 2);
-    if (now > 1) this.stage.camera.zoom(was / now, (x + other.x) / 2, (y + other.y) / 2);
+    this.viewport.camera.pan((x - before.x) / 2, (y - before.y) / 2);
+    if (now > 1) this.viewport.camera.zoom(was / now, (x + other.x) / 2, (y + other.y) / 2);
     this.down.set(id, { x, y });
   }
 
@@ -249,8 +249,8 @@ export class Pointer {
     event.preventDefault();
     const { x, y } = this.at(event);
     const lines = event.deltaMode === 1 ? 18 : 1;
-    this.stage.flight = null;
-    this.stage.camera.zoom(
+    this.viewport.flight = null;
+    this.viewport.camera.zoom(
       Math.exp(Math.max(-60, Math.min(60, event.deltaY * lines)) * 0.003),
       x,
       y,
@@ -259,7 +259,7 @@ export class Pointer {
 
   /** @param {Hit | import("../view/vector.js").Vector | null} hit */
   hover(hit) {
-    const { marks } = this.stage;
+    const { marks } = this.viewport;
     if (hit === null && marks.hover === null) return;
     marks.hover = hit;
     marks.dirty = true;

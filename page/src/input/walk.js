@@ -5,7 +5,7 @@ import { quantity } from "../view/range.js";
 import { BodyKeys, turnable } from "./body.js";
 import { placeOf } from "./pick.js";
 
-/** @typedef {import("../stage.js").Stage} Stage */
+/** @typedef {import("../viewport.js").Viewport} Viewport */
 /** @typedef {import("../source/protocol.js").Layout} Layout */
 /** @typedef {import("../source/frame.js").Frame} Frame */
 /** @typedef {import("./pick.js").Hit} Hit */
@@ -85,17 +85,17 @@ export function sentence(layout, frame, state) {
 }
 
 export class Walk {
-  /** @param {Stage} stage @param {HTMLElement} canvas @param {HTMLElement} voice what is read out
+  /** @param {Viewport} viewport @param {HTMLElement} canvas @param {HTMLElement} voice what is read out
    * @param {(hit: Hit | BodyHit, x: number, y: number) => void} menu */
-  constructor(stage, canvas, voice, menu) {
-    this.stage = stage;
+  constructor(viewport, canvas, voice, menu) {
+    this.viewport = viewport;
     this.canvas = canvas;
     this.voice = voice;
     this.menu = menu;
     this.at = -1; // of the stops
     this.back = -1; // to which a closed menu comes back
     this.state = "";
-    this.bodyKeys = new BodyKeys(stage);
+    this.bodyKeys = new BodyKeys(viewport);
     canvas.setAttribute("role", "slider");
     canvas.setAttribute("aria-label", "Places on the ropes");
     canvas.setAttribute("aria-valuemin", "1");
@@ -107,18 +107,18 @@ export class Walk {
     });
     canvas.addEventListener("pointerdown", () => this.go((this.back = -1)));
     for (const name of /** @type {const} */ (["status", "broken", "frame"]))
-      stage.session.on(name, () => this.tell());
+      viewport.session.on(name, () => this.tell());
   }
 
   /** @returns {(Hit | BodyHit)[]} */
   get stops() {
-    const { layout, frame } = this.stage.session;
+    const { layout, frame } = this.viewport.session;
     return layout && frame ? [...stopsOf(layout, frame), ...this.bodies(layout)] : [];
   }
 
   /** Obstacles that hands can move. @param {Layout} layout @returns {BodyHit[]} */
   bodies({ obstacles = [] }) {
-    if (!this.stage.session.can("obstacle")) return [];
+    if (!this.viewport.session.can("obstacle")) return [];
     const common = { variant: 0, node: -1, segment: -1, place: /** @type {any} */ ([0, 0, 0]) };
     return obstacles
       .slice(0, MOST)
@@ -127,11 +127,11 @@ export class Walk {
 
   /** What is at a stop, in words. @param {Hit | BodyHit} hit */
   words(hit) {
-    const { layout, frame } = this.stage.session;
+    const { layout, frame } = this.viewport.session;
     if (!layout || !frame) return "";
     if (hit.kind !== "obstacle") return said(layout, frame, hit);
-    const at = (this.stage.solids.base(hit.obstacle) ?? []).map((one) => quantity(one, "m"));
-    const turns = turnable(this.stage, hit.obstacle) ? ", Page Up and Page Down turn it" : "";
+    const at = (this.viewport.solids.base(hit.obstacle) ?? []).map((one) => quantity(one, "m"));
+    const turns = turnable(this.viewport, hit.obstacle) ? ", Page Up and Page Down turn it" : "";
     return `Obstacle ${hit.obstacle}, at ${at.join(", ")}: arrow keys, Home and End move it${turns}`;
   }
 
@@ -145,9 +145,9 @@ export class Walk {
       this.go(next);
     } else if (event.key === "Enter" && stops[this.at]) {
       event.preventDefault();
-      const place = placeOf(this.stage, stops[this.at]);
+      const place = placeOf(this.viewport, stops[this.at]);
       if (!place) return;
-      const [x, y] = this.stage.camera.project(...place);
+      const [x, y] = this.viewport.camera.project(...place);
       this.back = this.at;
       this.menu(stops[this.at], x, y);
     } else if (stops[this.at]?.kind === "obstacle") {
@@ -160,12 +160,12 @@ export class Walk {
 
   /** @param {number} at */
   go(at) {
-    const { stage, canvas } = this;
+    const { viewport, canvas } = this;
     const { stops } = this;
     const hit = stops[at] ?? null;
     this.at = hit ? at : -1;
-    if (stage.marks.chosen !== hit) stage.marks.dirty = true;
-    stage.marks.chosen = hit;
+    if (viewport.marks.chosen !== hit) viewport.marks.dirty = true;
+    viewport.marks.chosen = hit;
     canvas.setAttribute("aria-valuemax", String(stops.length));
     canvas.setAttribute("aria-valuenow", String(this.at + 1));
     const words = hit ? this.words(hit) : "None: Tab goes to the next";
@@ -174,7 +174,7 @@ export class Walk {
 
   /** Say what state the simulation is in, when that has changed. */
   tell() {
-    const { layout, frame, status, broken } = this.stage.session;
+    const { layout, frame, status, broken } = this.viewport.session;
     if (!layout || !frame) return;
     const state = broken ? "broken" : status?.playing ? "playing" : "paused";
     const key = `${layout.scene.name} ${state}`;

@@ -8,7 +8,7 @@ import { dialog, h } from "./dom.js";
 import { fieldText, readNumber } from "./scale.js";
 import { placeOn } from "../view/cards.js";
 
-/** @typedef {import("../stage.js").Stage} Stage */
+/** @typedef {import("../viewport.js").Viewport} Viewport */
 /** @typedef {import("../source/protocol.js").Parameter} Parameter */
 /** @typedef {{name: string, value: any}} Change */
 
@@ -16,10 +16,10 @@ const IDEAS = ["bdf2", "rk4"]; // methods worth a first comparison
 const MOST = 3; // copies besides the scene itself
 
 export class Compare {
-  /** @param {Stage} stage @param {HTMLElement} host dialogs @param {HTMLElement} scene cards
+  /** @param {Viewport} viewport @param {HTMLElement} host dialogs @param {HTMLElement} scene cards
    * @param {(plain: boolean) => void} colours */
-  constructor(stage, host, scene, colours) {
-    this.stage = stage;
+  constructor(viewport, host, scene, colours) {
+    this.viewport = viewport;
     this.colours = colours;
     /** @type {Change[]} */ this.changes = [];
     this.rows = h("div", { className: "compare-rows" });
@@ -34,7 +34,7 @@ export class Compare {
       {
         id: "compare-way",
         "aria-label": "How copies are shown",
-        onchange: () => this.stage.setApart(this.apart.value === "apart"),
+        onchange: () => this.viewport.setApart(this.apart.value === "apart"),
       },
       h("option", { value: "over" }, "overlaid"),
       h("option", { value: "apart" }, "side by side"),
@@ -86,12 +86,12 @@ export class Compare {
       this.lines,
     );
     scene.append(this.card);
-    stage.card = () => this.place();
+    viewport.card = () => this.place();
     this.lastShown = 0;
     this.wasMany = false;
     this.fresh = false; // the card has come and may lie over a rope
-    stage.session.on("layout", () => this.layout());
-    stage.session.on("frame", () => this.show());
+    viewport.session.on("layout", () => this.layout());
+    viewport.session.on("frame", () => this.show());
   }
 
   open() {
@@ -103,7 +103,7 @@ export class Compare {
 
   /** A first idea: another method that bears the step, or half the step. @returns {Change[]} */
   suggested() {
-    const { parameters, status, stability } = this.stage.session;
+    const { parameters, status, stability } = this.viewport.session;
     const method = parameters.find((p) => p.name === "method");
     const steps = stability[0]?.steps ?? {};
     const others = (method?.choices ?? []).map(({ value }) => value);
@@ -114,11 +114,11 @@ export class Compare {
   }
 
   get choices() {
-    return this.stage.session.parameters.filter((p) => p.kind !== "vector" && p.enabled);
+    return this.viewport.session.parameters.filter((p) => p.kind !== "vector" && p.enabled);
   }
 
   addRow() {
-    const { status } = this.stage.session;
+    const { status } = this.viewport.session;
     this.changes.push({ name: "time_step", value: status ? status.dt / 2 : 0.001 });
     this.fill();
   }
@@ -189,7 +189,7 @@ export class Compare {
 
   /** @param {Change} change */
   label({ name, value }) {
-    const parameter = this.stage.session.parameters.find((p) => p.name === name);
+    const parameter = this.viewport.session.parameters.find((p) => p.name === name);
     if (parameter?.kind === "choice" || typeof value !== "number") return String(value);
     return `${parameter?.label ?? name} ${quantity(value, parameter?.unit)}`;
   }
@@ -200,7 +200,7 @@ export class Compare {
       changes: { [change.name]: change.value },
     }));
     try {
-      await this.stage.session.ask({ type: "compare", variants });
+      await this.viewport.session.ask({ type: "compare", variants });
       this.fault.hidden = true;
       this.window.close();
     } catch (fault) {
@@ -211,12 +211,12 @@ export class Compare {
 
   async end() {
     this.window.close();
-    await this.stage.session.tell({ type: "compare", variants: [] });
+    await this.viewport.session.tell({ type: "compare", variants: [] });
   }
 
   layout() {
     const layout = /** @type {import("../source/protocol.js").Layout} */ (
-      this.stage.session.layout
+      this.viewport.session.layout
     );
     const many = layout.variants.length > 1;
     this.card.hidden = !many;
@@ -234,11 +234,11 @@ export class Compare {
 
   /** Where the card lies in the scene, if it is there. @returns {DOMRect | null} */
   place() {
-    return placeOn(this.card, this.stage.renderer.canvas);
+    return placeOn(this.card, this.viewport.renderer.canvas);
   }
 
   show() {
-    const { layout, frame } = this.stage.session;
+    const { layout, frame } = this.viewport.session;
     const now = performance.now();
     if (!layout || !frame || this.card.hidden) return;
     if (now - this.lastShown < 200 && !this.fresh) return;
@@ -250,7 +250,7 @@ export class Compare {
       const most = quantity(scalar(layout, part, "difference_max"), "m");
       output.textContent = `differs by ${rms} rms, ${most} at most`;
     });
-    if (this.fresh) this.stage.uncover();
+    if (this.fresh) this.viewport.uncover();
     this.fresh = false;
   }
 }

@@ -2,7 +2,7 @@
 
 import { download, popup } from "./dom.js";
 
-/** @typedef {import("../stage.js").Stage} Stage */
+/** @typedef {import("../viewport.js").Viewport} Viewport */
 /** @typedef {import("./notices.js").Notices} Notices */
 
 const FILES = /** @type {Record<string, string>} */ ({
@@ -14,16 +14,16 @@ const FILES = /** @type {Record<string, string>} */ ({
 });
 
 export class Keep {
-  /** @param {Stage} stage @param {HTMLElement} host @param {Notices} notices */
-  constructor(stage, host, notices) {
-    this.stage = stage;
+  /** @param {Viewport} viewport @param {HTMLElement} host @param {Notices} notices */
+  constructor(viewport, host, notices) {
+    this.viewport = viewport;
     this.host = host;
     this.notices = notices;
   }
 
   /** @param {HTMLElement} at the button that opens the menu */
   open(at) {
-    const { session } = this.stage;
+    const { session } = this.viewport;
     const { base } = session.source;
     const { hello } = session;
     const items = [
@@ -66,7 +66,7 @@ export class Keep {
   }
 
   async save() {
-    await this.stage.session.tell({ type: "save" }); // "saved" says where
+    await this.viewport.session.tell({ type: "save" }); // "saved" says where
   }
 
   /** Fetch a file of the server, so that a refusal can be told. @param {string} address
@@ -88,17 +88,17 @@ export class Keep {
 
   /** The scene as it is drawn, with twice the pixels where that is possible. */
   picture() {
-    this.stage.draw(true); // toBlob reads what was drawn in this same task
-    this.stage.renderer.canvas.toBlob((blob) => {
+    this.viewport.draw(true); // toBlob reads what was drawn in this same task
+    this.viewport.renderer.canvas.toBlob((blob) => {
       if (!blob) return;
       const url = URL.createObjectURL(blob);
-      download(url, `${fileName(this.stage.session.layout?.scene.name ?? "rope")}.png`);
+      download(url, `${fileName(this.viewport.session.layout?.scene.name ?? "rope")}.png`);
       setTimeout(() => URL.revokeObjectURL(url), 10_000);
     });
   }
 
   async copyLink() {
-    const status = this.stage.session.status;
+    const status = this.viewport.session.status;
     const address = `${location.href.split("#")[0]}${status?.address ? `#${status.address}` : ""}`;
     await this.copy(
       address,
@@ -108,7 +108,7 @@ export class Keep {
 
   /** What starts this set-up when the view has ended, on another computer, too. */
   async copyCommand() {
-    const command = commandOf(this.stage.session.status?.address);
+    const command = commandOf(this.viewport.session.status?.address);
     await this.copy(command, "The command is copied. In a terminal it opens this set-up again.");
   }
 

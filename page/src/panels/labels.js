@@ -4,7 +4,7 @@ import { nodesOf } from "../view/copies.js";
 import { free, placesFor } from "../view/places.js";
 import { h } from "./dom.js";
 
-/** @typedef {import("../stage.js").Stage} Stage */
+/** @typedef {import("../viewport.js").Viewport} Viewport */
 /** @typedef {import("../marks.js").Label} Label */
 /** @typedef {import("../view/places.js").Box} Box */
 
@@ -20,9 +20,9 @@ const WORDS = 100; // ms between two changes of the numbers while time goes on: 
 const LOOK = 1000; // ms between two looks at the cards, which may move without another size
 
 export class Labels {
-  /** @param {Stage} stage @param {HTMLElement} host */
-  constructor(stage, host) {
-    this.stage = stage;
+  /** @param {Viewport} viewport @param {HTMLElement} host */
+  constructor(viewport, host) {
+    this.viewport = viewport;
     this.host = host;
     this.box = h("div", { className: "labels", "aria-hidden": "true" });
     /** @type {HTMLElement[]} */ this.pool = [];
@@ -35,16 +35,16 @@ export class Labels {
     this.later = 0; // the timer that then looks again: nothing else may be drawn
     this.watch = new ResizeObserver(() => {
       this.looked = -Infinity;
-      stage.marks.dirty = true;
+      viewport.marks.dirty = true;
     });
     this.watch.observe(host);
     host.append(this.box);
-    stage.afterDraw.push(() => this.refresh());
-    stage.session.on("status", () => (stage.marks.dirty = true)); // time stands: the last words count
+    viewport.afterDraw.push(() => this.refresh());
+    viewport.session.on("status", () => (viewport.marks.dirty = true)); // time stands: the last words count
   }
 
   refresh() {
-    const { labels } = this.stage.marks;
+    const { labels } = this.viewport.marks;
     while (this.pool.length < labels.length) {
       const label = h("span", {});
       this.pool.push(label);
@@ -55,7 +55,7 @@ export class Labels {
     const beads = labels.length ? this.beads() : [];
     const now = performance.now();
     this.waits = false;
-    const anew = now - this.worded >= WORDS || !this.stage.session.status?.playing;
+    const anew = now - this.worded >= WORDS || !this.viewport.session.status?.playing;
     if (anew) this.worded = now;
     this.pool.forEach((element, i) => {
       const label = labels[i];
@@ -69,20 +69,20 @@ export class Labels {
       if (element.className !== label.kind) element.className = label.kind;
       element.style.transform = `translate(${Math.round(place.x)}px, ${Math.round(place.y)}px)`;
     });
-    if (anew) this.stage.marks.written();
+    if (anew) this.viewport.marks.written();
     if (this.waits && !this.later) this.later = setTimeout(() => this.lookAgain(), STAY);
   }
 
   lookAgain() {
     this.later = 0;
-    this.stage.marks.dirty = true;
+    this.viewport.marks.dirty = true;
   }
 
   /** Where a label goes: where it was, else beyond its arrow's tip, else near by. A place on the rope will do,
    * none on anything else. @param {Label} label @param {number} i @param {Box[]} blocked
    * @param {number[][]} beads @returns {Box | null} */
   place({ from, at, text }, i, blocked, beads) {
-    const { camera } = this.stage;
+    const { camera } = this.viewport;
     const [x, y, depth] = camera.project(...at);
     if (!(depth > 0)) return null;
     const [fx, fy] = camera.project(...from);
@@ -105,13 +105,13 @@ export class Labels {
   /** What an arrow starts from, or its tip. @param {import("../view/vector.js").Vector} place
    * @param {number} half [CSS pixels] @returns {Box} */
   plate(place, half) {
-    const [x, y] = this.stage.camera.project(...place);
+    const [x, y] = this.viewport.camera.project(...place);
     return { x: x - half, y: y - half, width: 2 * half, height: 2 * half };
   }
 
   /** Where some of the nodes are on the screen. */
   beads() {
-    const { camera, nodes, session } = this.stage;
+    const { camera, nodes, session } = this.viewport;
     const count = session.layout ? nodesOf(session.layout) : 0;
     const every = Math.max(1, Math.ceil(count / BEADS));
     const found = [];

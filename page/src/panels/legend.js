@@ -7,7 +7,7 @@ import { touching } from "../source/frame.js";
 import { h } from "./dom.js";
 import { placeOn } from "../view/cards.js";
 
-/** @typedef {import("../stage.js").Stage} Stage */
+/** @typedef {import("../viewport.js").Viewport} Viewport */
 /** @typedef {import("../source/gather.js").Colouring} Colouring */
 
 const NUMBERS = 100; // ms between two changes of the numbers: faster ones cannot be read
@@ -31,9 +31,9 @@ export function marginText(most) {
 }
 
 export class Legend {
-  /** @param {Stage} stage @param {HTMLElement} host */
-  constructor(stage, host) {
-    this.stage = stage;
+  /** @param {Viewport} viewport @param {HTMLElement} host */
+  constructor(viewport, host) {
+    this.viewport = viewport;
     this.written = -Infinity;
     this.select = h(
       "select",
@@ -57,18 +57,24 @@ export class Legend {
       this.high,
     );
     this.ropes = h("div", { className: "rope-names" });
-    this.arrows = this.check("Forces", "show-forces", true, (on) => (stage.marks.reactions = on));
-    this.dots = this.check("Nodes", "show-nodes", false, (on) => (stage.dots = on));
+    this.arrows = this.check(
+      "Forces",
+      "show-forces",
+      true,
+      (on) => (viewport.marks.reactions = on),
+    );
+    this.dots = this.check("Nodes", "show-nodes", false, (on) => (viewport.dots = on));
     this.contacts = this.check("Contact", "show-contacts", true, (on) => {
-      stage.marks.contacts = on;
+      viewport.marks.contacts = on;
     });
     this.contacts.hidden = true;
     this.contacts.title = "Forces on nodes of what they touch";
     this.firmest = h("div", { className: "numbers", id: "contact-scale", hidden: true });
-    this.posts = this.check("Posts", "show-posts", true, (on) => (stage.marks.standing = on));
+    this.posts = this.check("Posts", "show-posts", true, (on) => (viewport.marks.standing = on));
     this.posts.className = "posts";
     this.margin = h("div", { className: "numbers", id: "margin", hidden: true });
     this.given = h("div", { className: "numbers", id: "given", hidden: true });
+    this.crowd = h("div", { className: "numbers", id: "crowd", hidden: true });
     this.grid = h("span", {});
     this.thick = h("span", {});
     host.append(
@@ -84,12 +90,13 @@ export class Legend {
         h("div", { className: "row" }, this.contacts, this.firmest),
         h("div", { className: "numbers drawn-as" }, this.grid, this.thick),
         this.given,
+        this.crowd,
       )),
     );
-    stage.session.on("layout", () => this.names());
-    stage.session.on("status", () => this.refresh());
-    stage.afterDraw.push(() => {
-      const playing = stage.session.status?.playing;
+    viewport.session.on("layout", () => this.names());
+    viewport.session.on("status", () => this.refresh());
+    viewport.afterDraw.push(() => {
+      const playing = viewport.session.status?.playing;
       if (!playing || performance.now() - this.written >= NUMBERS) this.refresh();
     });
   }
@@ -102,26 +109,26 @@ export class Legend {
       checked: on,
       onchange: () => {
         change(box.checked);
-        this.stage.dirty = true;
+        this.viewport.dirty = true;
       },
     });
     return h("label", {}, box, text);
   }
 
   place() {
-    return placeOn(this.card, this.stage.renderer.canvas);
+    return placeOn(this.card, this.viewport.renderer.canvas);
   }
 
   choose() {
-    this.stage.setColouring(/** @type {Colouring} */ (this.select.value));
+    this.viewport.setColouring(/** @type {Colouring} */ (this.select.value));
     this.names();
   }
 
   /** The names of ropes or copies in their colours. */
   names() {
     this.written = -Infinity;
-    const { layout } = this.stage.session;
-    const plain = this.stage.colouring === "plain";
+    const { layout } = this.viewport.session;
+    const plain = this.viewport.colouring === "plain";
     this.bar.hidden = this.numbers.hidden = plain;
     this.ropes.replaceChildren();
     if (layout) {
@@ -129,12 +136,12 @@ export class Legend {
       this.contacts.hidden = !touching(layout.variants[0].offsets);
       const known = layout.variants.some(({ ropes }) => ropes.some((one) => one.breaking_load));
       this.near.hidden = this.near.disabled = !known;
-      if (!known && this.stage.colouring === "utilisation") {
+      if (!known && this.viewport.colouring === "utilisation") {
         this.select.value = "tension";
         return this.choose();
       }
     }
-    this.margin.hidden = this.stage.colouring !== "utilisation";
+    this.margin.hidden = this.viewport.colouring !== "utilisation";
     if (!layout || !plain) return;
     const many = layout.variants.length > 1;
     const entries = many
@@ -171,7 +178,7 @@ export class Legend {
 
   /** Paint the bar in the map's colours. */
   paint() {
-    const { dark } = this.stage.theme;
+    const { dark } = this.viewport.theme;
     if (dark === this.dark) return;
     this.dark = dark;
     const map = uniformMap(dark);
@@ -184,8 +191,8 @@ export class Legend {
   refresh() {
     this.paint();
     this.written = performance.now();
-    if (!this.margin.hidden) write(this.margin, marginText(this.stage.most));
-    const { range, colouring } = this.stage;
+    if (!this.margin.hidden) write(this.margin, marginText(this.viewport.most));
+    const { range, colouring } = this.viewport;
     const { low, high } = range;
     const [unit, scale] = unitFor(colouring, Math.max(Math.abs(low), Math.abs(high)));
     const text = (/** @type {number} */ value) => figures(Number((value * scale).toPrecision(2)));
@@ -201,13 +208,25 @@ export class Legend {
     this.showGrid();
   }
 
+  /** Which arrows are left out where many anchors hold. */
+  tellCrowd() {
+    const { reactions, arrowed, unshown } = this.viewport.marks;
+    this.crowd.hidden = !reactions || !unshown;
+    if (!this.crowd.hidden)
+      write(
+        this.crowd,
+        `The ${arrowed.size} largest of ${arrowed.size + unshown} forces. Point at others.`,
+      );
+  }
+
   showGrid() {
-    const { contacts, firmest } = this.stage.marks;
+    const { contacts, firmest } = this.viewport.marks;
     this.firmest.hidden = this.contacts.hidden || !contacts || !(firmest > 1e-9);
     if (!this.firmest.hidden)
       write(this.firmest, `longest ${quantity(Number(firmest.toPrecision(2)), "N")}`);
-    write(this.grid, `Grid ${quantity(this.stage.spacing, "m")}`);
-    const times = this.stage.thickness();
+    this.tellCrowd();
+    write(this.grid, `Grid ${quantity(this.viewport.spacing, "m")}`);
+    const times = this.viewport.thickness();
     write(
       this.thick,
       times > 1.05 ? `Drawn ${figures(Number(times.toPrecision(2)))}× thick` : "True thickness",

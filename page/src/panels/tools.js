@@ -6,7 +6,7 @@ import { times } from "../view/vector.js";
 import { button, h, popup } from "./dom.js";
 import { readNumber } from "./scale.js";
 
-/** @typedef {import("../stage.js").Stage} Stage */
+/** @typedef {import("../viewport.js").Viewport} Viewport */
 /** @typedef {import("../input/pointer.js").Pointer} Pointer */
 /** @typedef {import("../input/pointer.js").Tool} Tool */
 /** @typedef {import("../input/pick.js").Hit} Hit */
@@ -24,10 +24,10 @@ const TOOLS =
   ]);
 
 export class Tools {
-  /** @param {Stage} stage @param {HTMLElement} host @param {(node: number) => void} follow
+  /** @param {Viewport} viewport @param {HTMLElement} host @param {(node: number) => void} follow
    * @param {(text: string) => () => void} say returns what takes the words away */
-  constructor(stage, host, follow, say) {
-    this.stage = stage;
+  constructor(viewport, host, follow, say) {
+    this.viewport = viewport;
     this.host = host;
     this.follow = follow;
     this.say = say;
@@ -68,14 +68,14 @@ export class Tools {
     this.pullBox = h("label", { className: "mass pull", hidden: true }, this.pullField, "N");
     this.bar.append(this.massBox, this.pullBox);
     host.append(this.bar);
-    stage.session.on("hello", () => this.refresh());
+    viewport.session.on("hello", () => this.refresh());
     this.refresh();
   }
 
   refresh() {
     for (const [tool, , , command] of TOOLS) {
       const one = this.buttons.get(tool);
-      if (one) one.hidden = command !== "" && !this.stage.session.can(command);
+      if (one) one.hidden = command !== "" && !this.viewport.session.can(command);
     }
     this.choose(this.pointer?.tool ?? "hand");
   }
@@ -86,7 +86,7 @@ export class Tools {
     this.tieNone();
     for (const [name, one] of this.buttons) one.setAttribute("aria-pressed", String(name === tool));
     this.massBox.hidden = tool !== "load";
-    this.pullBox.hidden = tool !== "hand" || !this.stage.session.can("grab");
+    this.pullBox.hidden = tool !== "hand" || !this.viewport.session.can("grab");
     this.host.dataset.tool = tool;
   }
 
@@ -100,7 +100,7 @@ export class Tools {
 
   /** Use a tool on what was pressed. @param {Tool} tool @param {Hit} hit */
   use(tool, hit) {
-    const { session } = this.stage;
+    const { session } = this.viewport;
     if (tool === "pin") {
       if (hit.kind === "anchor") session.tell({ type: "unpin", anchor: hit.anchor });
       else session.tell({ type: "pin", node: hit.node });
@@ -112,7 +112,7 @@ export class Tools {
 
   /** Take a point to tie: the first of two, or the second. @param {Hit} hit */
   tie(hit) {
-    const { session, marks } = this.stage;
+    const { session, marks } = this.viewport;
     const first = marks.tying;
     marks.dirty = true;
     if (!first) {
@@ -127,7 +127,7 @@ export class Tools {
 
   /** Tie nothing after all. */
   tieNone() {
-    const { marks } = this.stage;
+    const { marks } = this.viewport;
     if (marks.tying) marks.dirty = true;
     marks.tying = null;
     this.unsay();
@@ -135,17 +135,17 @@ export class Tools {
 
   /** Cut the joint, or the segment where there is none. @param {Hit} hit */
   cut({ joint, segment }) {
-    const { session } = this.stage;
+    const { session } = this.viewport;
     if (joint !== undefined && session.can("untie")) session.tell({ type: "untie", joint });
     else session.tell({ type: "cut", segment });
   }
 
   /** The menu of a body. @param {BodyHit} hit @param {number} x @param {number} y */
   bodyMenu({ obstacle }, x, y) {
-    const { stage } = this;
+    const { viewport } = this;
     const turn = (/** @type {number} */ part) => () =>
-      lead(stage, obstacle, null, stage.solids.angleOf(obstacle) + part * Math.PI, true);
-    const turns = turnable(stage, obstacle);
+      lead(viewport, obstacle, null, viewport.solids.angleOf(obstacle) + part * Math.PI, true);
+    const turns = turnable(viewport, obstacle);
     const items = [
       { label: "Turn it by 15° (Page Up)", press: turn(1 / 12), disabled: !turns },
       { label: "Turn it back by 15° (Page Down)", press: turn(-1 / 12), disabled: !turns },
@@ -156,14 +156,14 @@ export class Tools {
   /** The menu of a node or anchor, of a body, or of empty space. @param {Hit | BodyHit | null} hit
    * @param {number} x @param {number} y */
   menu(hit, x, y) {
-    const { session, marks } = this.stage;
+    const { session, marks } = this.viewport;
     if (hit?.kind === "obstacle") {
       this.bodyMenu(hit, x, y);
       return;
     }
     if (!hit) {
       popup(this.host, x, y, [
-        { label: "Show everything", press: () => this.stage.fit() },
+        { label: "Show everything", press: () => this.viewport.fit() },
         {
           label: "Let go of everything",
           press: () => session.send({ type: "let_go" }),
@@ -175,7 +175,7 @@ export class Tools {
     const { node } = hit;
     const loads = session.layout?.variants[0].loads.filter((load) => load.index === node) ?? [];
     const hung = loads.reduce((sum, load) => sum + load.mass, 0);
-    const up = this.stage.camera.up;
+    const up = this.viewport.camera.up;
     const items = [
       hit.kind === "anchor"
         ? {
@@ -241,7 +241,7 @@ export class Tools {
   /** @param {Hit} hit */
   nodeName(hit) {
     if (hit.kind === "anchor") return `Anchor ${hit.anchor}`;
-    const ropes = this.stage.session.layout?.variants[hit.variant].ropes ?? [];
+    const ropes = this.viewport.session.layout?.variants[hit.variant].ropes ?? [];
     const rope = ropes.find(({ first, nodes }) => hit.node >= first && hit.node < first + nodes);
     if (!rope) return `Node ${hit.node}`;
     if (hit.joint !== undefined) return `Joint ${hit.joint}`;

@@ -2,12 +2,12 @@
 
 import { button, h } from "./dom.js";
 
-/** @typedef {import("../stage.js").Stage} Stage */
+/** @typedef {import("../viewport.js").Viewport} Viewport */
 
 export class Views {
-  /** @param {Stage} stage @param {HTMLElement} host */
-  constructor(stage, host) {
-    this.stage = stage;
+  /** @param {Viewport} viewport @param {HTMLElement} host */
+  constructor(viewport, host) {
+    this.viewport = viewport;
     const axis = (/** @type {"X" | "Y" | "Z"} */ name, /** @type {0 | 1 | 2} */ k) =>
       h(
         "button",
@@ -22,10 +22,10 @@ export class Views {
         name,
       );
     host.append(
-      h(
+      (this.bar = h(
         "div",
         { className: "toolbar views", role: "toolbar", "aria-label": "View" },
-        button("fit", "Show everything", () => stage.fit(), { key: "F", id: "view-fit" }),
+        button("fit", "Show everything", () => viewport.fit(), { key: "F", id: "view-fit" }),
         axis("X", 0),
         axis("Y", 1),
         axis("Z", 2),
@@ -41,22 +41,22 @@ export class Views {
           },
           "3D",
         ),
-      ),
+      )),
     );
   }
 
   /** @param {0 | 1 | 2} axis */
   along(axis) {
-    const { camera } = this.stage;
+    const { camera } = this.viewport;
     const sign = axis === 1 && Math.abs(camera.up[1]) < 0.9 ? -1 : 1; // x to the right
     const first = camera.along(axis, sign);
     const there = Math.abs(camera.toward[axis] - sign) < 1e-3;
-    this.stage.fit(there ? camera.along(axis, sign === 1 ? -1 : 1) : first);
+    this.viewport.fit(there ? camera.along(axis, sign === 1 ? -1 : 1) : first);
   }
 
   home() {
-    const { layout } = this.stage.session;
+    const { layout } = this.viewport.session;
     if (!layout) return;
-    this.stage.fly(this.stage.framing.first(layout));
+    this.viewport.fly(this.viewport.framing.first(layout));
   }
 }

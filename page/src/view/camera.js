@@ -7,7 +7,7 @@ import { cross, dot, minus, plus, times, unit, vector } from "./vector.js";
 /** @typedef {{target: Vector, distance: number, azimuth: number, elevation: number}} Pose */
 
 /** What cards take of the picture at its sides [CSS pixels].
- * @typedef {{top: number, bottom: number, left?: number}} Strips */
+ * @typedef {{top: number, bottom: number, left?: number, right?: number}} Strips */
 
 const FIELD = (28 * Math.PI) / 180; // vertical field of view [rad]
 const WIDE = 0.72; // of the picture's width, which ropes fill when all is shown
@@ -190,12 +190,17 @@ export class Camera {
    * each side of the view the point that needs the most room says where the eye must be.
    * @param {Iterable<Vector>} points @param {{azimuth?: number, elevation?: number}} [from]
    * @param {Strips} [strips] to be kept free @returns {Pose} */
-  framed(points, from = {}, { top, bottom, left: aside = 0 } = { top: 0, bottom: 0 }) {
+  framed(
+    points,
+    from = {},
+    { top, bottom, left: aside = 0, right: beyond = 0 } = { top: 0, bottom: 0 },
+  ) {
     const probe = this.at({ ...from, target: [0, 0, 0], distance: 1 });
     const half = Math.tan(FIELD / 2);
     const free = Math.max(0.3, 1 - (top + bottom) / this.height);
     const high = half * HIGH * free;
-    const wide = (half * WIDE * Math.max(0.3 * this.width, this.width - aside)) / this.height;
+    const wide =
+      (half * WIDE * Math.max(0.3 * this.width, this.width - aside - beyond)) / this.height;
     let [right, left, above, below] = [-Infinity, -Infinity, -Infinity, -Infinity];
     let [nearest, farthest] = [-Infinity, Infinity];
     for (const point of points) {
@@ -211,7 +216,7 @@ export class Camera {
     const middle = (nearest + farthest) / 2;
     const distance = eye - middle;
     const shift = ((top - bottom) / 2) * (distance / this.focal);
-    const across = (aside / 2) * (distance / this.focal);
+    const across = ((aside - beyond) / 2) * (distance / this.focal);
     const target = plus(
       plus(times(probe.right, (right - left) / 2 - across), probe.top, (above - below) / 2 + shift),
       probe.toward,

@@ -4,8 +4,7 @@ import { minus, plus } from "./vector.js";
 
 /** @typedef {import("./camera.js").Pose} Pose */
 
-const DURATION = 320; // ms, when asked for
-export const CALM = 1600; // ms, when the camera moves by itself
+const DURATION = 320; // ms
 
 export class Flight {
   /** @param {Pose} from @param {Pose} to @param {number} now ms @param {number} [duration] ms */

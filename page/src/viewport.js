@@ -1,8 +1,10 @@
-// The stage: takes frames, moves smoothly between them and draws when something has changed.
+// The viewport: takes frames, moves smoothly between them and draws when something has changed.
 
 import { Blend } from "./view/blend.js";
 import { Camera } from "./view/camera.js";
-import { CALM, Flight } from "./view/flight.js";
+import { piecesHeld } from "./view/bound.js";
+import { Chase } from "./view/chase.js";
+import { Flight } from "./view/flight.js";
 import { Follow } from "./view/follow.js";
 import { Range } from "./view/range.js";
 import { cornersOf, nodesOf, shiftsOf, starts } from "./view/copies.js";
@@ -30,7 +32,7 @@ const LEAP = 1; // s between two frames of which the one does not go on from the
 
 const MANY = 12; // ropes, of a net
 
-export class Stage {
+export class Viewport {
   /** @param {Session} session @param {Renderer} renderer */
   constructor(session, renderer) {
     this.session = session;
@@ -55,12 +57,12 @@ export class Stage {
     this.floor = new Floor(this);
     this.gaps = new Gaps(this);
     this.solids = new Solids(this);
-    /** @type {Flight | null} */ this.flight = null;
+    /** @type {Flight | Chase | null} */ this.flight = null;
     this.uncovering = false; // whether it is to bring ropes out from under a card
     this.follower = new Follow();
     this.framing = new Framing(this);
     this.following = true; // until the user moves the camera
-    this.ownVersion = -1; // of the camera, as the stage has set it
+    this.ownVersion = -1; // of the camera, as the viewport has set it
     this.axis = -1; // that a flat scene has no extent along (0, 1, 2), else -1
     this.lying = false; // all of the scene on one level
     this.past = false; // what is shown is past a break
@@ -210,14 +212,36 @@ export class Stage {
     const { camera, follower } = this;
     const seconds = Math.min(0.2, (now - this.lastLook) / 1000);
     this.lastLook = now;
-    follower.take(camera, this.nodes.to, nodesOf(layout), seconds, layout.view);
+    follower.take(camera, this.nodes.to, this.pieces(layout), seconds, layout.view);
     follower.hold(camera, this.solids.places());
     this.floor.giveWay(layout);
     if (camera.version !== this.ownVersion && !this.flight) this.following = false;
-    if (!this.following || this.flight || this.held()) return;
+    if (!this.following || this.held()) return;
     const strips = this.framing.now();
-    const wanted = follower.wanted(camera, strips, roomFor(this, camera, strips));
-    if (wanted) this.fly(wanted, CALM);
+    const room = roomFor(this, camera, strips);
+    if (this.flight instanceof Chase)
+      this.flight.to = follower.goal(camera, room) ?? this.flight.to;
+    else if (!this.flight) {
+      const loses = this.framing.losesArrow();
+      const wanted = loses ? follower.goal(camera, room) : follower.wanted(camera, strips, room);
+      this.chase(wanted, now);
+    }
+  }
+
+  /** The ropes as they hang together, and whether anything holds them. @param {Layout} layout */
+  pieces(layout) {
+    const parts = this.session.frame?.parts;
+    const holds = (/** @type {number} */ v, /** @type {number} */ a) =>
+      (parts?.[v]?.anchors[10 * a + 9] ?? 1) >= 0.5;
+    return piecesHeld(layout, this.gaps.shape(layout), this.starts, holds);
+  }
+
+  /** @param {Pose | null} pose null: the camera may stay @param {number} now ms */
+  chase(pose, now) {
+    if (!pose) return;
+    this.ownVersion = this.camera.version;
+    if (matchMedia("(prefers-reduced-motion: reduce)").matches) this.setPose(pose);
+    else this.flight = new Chase(this.camera.pose, pose, now);
   }
 
   /** The least width of a rope [CSS pixels]: of a net's less, so that its meshes are seen. */
@@ -241,6 +265,7 @@ export class Stage {
   /** What to do when a flight has ended, but for one that uncovers ropes. */
   /** @type {() => void} */ landed = () => {};
   /** The legend, where it is shown. @type {() => DOMRect | null} */ legendCard = () => null;
+  /** The bars of tools over the scene. @type {() => DOMRect[]} */ bars = () => [];
   lastLook = 0;
   windowShape = innerWidth / innerHeight;
 

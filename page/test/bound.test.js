@@ -1,0 +1,25 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { piecesHeld } from "../src/view/bound.js";
+
+const shape = { ropes: [0, 10, 20].map((first) => ({ first, count: 10 })) };
+const layout = (/** @type {any} */ more) => ({ variants: [{ anchors: [{ index: 0 }], ...more }] });
+const held = (/** @type {any} */ one, holds = () => true) =>
+  piecesHeld(one, shape, [0], holds).map((piece) => piece.held);
+
+test("a piece is held by an anchor, or by a joint with one that is, at any remove", () => {
+  assert.deepEqual(held(layout({})), [true, false, false]);
+  assert.deepEqual(held(layout({ joints: [{ nodes: [9, 10] }] })), [true, true, false]);
+  const chain = { joints: [{ nodes: [19, 20] }, { nodes: [9, 10] }] };
+  assert.deepEqual(held(layout(chain)), [true, true, true]);
+  assert.deepEqual(
+    held(layout(chain), () => false),
+    [false, false, false],
+  ); // it has let go
+});
+
+test("where nothing holds any rope and there is nothing else, the flight is the scene", () => {
+  assert.deepEqual(held(layout({ anchors: [] })), [true, true, true]);
+  assert.deepEqual(held({ ...layout({ anchors: [] }), obstacles: [{}] }), [false, false, false]);
+});
