@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import ropewalk as rw
+from ropewalk.record import contacts
 from ropewalk.record.export import export
 from ropewalk.scene import Scene, loads
 
@@ -168,3 +169,25 @@ def test_friction_is_told_as_unknown_where_a_rope_is_touched_as_well() -> None:
     assert used.max() <= 1.0 + 1e-6
     assert used.notna().sum() > used.isna().sum()
     assert crossed("").to_pandas("contacts")["friction used [1]"].notna().all()
+
+
+def test_of_several_obstacles_at_a_node_slipping_shows_first(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """One that slips and one that is unknown: the node slips; unknown and sticking: unknown."""
+    result = crossed("")
+    slips, sticks, unknown = (np.array(rub) for rub in ([0.3, 0, 0], [0.1, 0, 0], [np.nan, 0, 0]))
+    count = 4
+    made = contacts.Contacts(
+        obstacle=np.array([0, 1, 0, 1]),
+        node=np.array([2, 2, 5, 5]),
+        normal=np.tile([0.0, 0.0, 1.0], (count, 1)),
+        push=np.ones(count),
+        rub=np.stack([slips, unknown, unknown, sticks]),
+        friction=np.full(count, 0.3),
+        slip=np.array([[1.0, 0, 0], *[[0.0, 0, 0]] * 3]),
+    )
+    monkeypatch.setattr(contacts, "each_frame", lambda result, frames: [(0, made)])
+    modes = contacts.contact_modes(result, [0])[0]
+    assert (modes[2], modes[5], modes[3]) == (contacts.SLIPS, contacts.UNKNOWN, 0)
+    assert (contacts.node_modes(result, [0])[0] == modes).all()

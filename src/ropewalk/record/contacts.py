@@ -21,7 +21,9 @@ if TYPE_CHECKING:
     from ropewalk.record.result import Result
 
 _ALL = 1.0 + 1e-6  # of what friction can carry: more of it is another contact's [1]
-RANK = np.array([0, 1, 3, 2])  # of the modes: what slips for sure shows before what is not known
+RANK = np.array(
+    [0, 1, 3, 2], np.int8
+)  # of the modes: what slips for sure shows before what is not known
 _FITS = 1e-6  # [1] to which the forces told add up to that recorded
 
 
@@ -45,14 +47,16 @@ class WrapHistory(NamedTuple):
 def contact_modes(result: Result, frames: Sequence[int] | None = None) -> NDArray[np.int8]:
     """Return what nodes do, (frames, nodes), by place in MODES: 0 where one touches no obstacle.
 
-    1 sticks, 2 slips, 3 touches a rope as well, so that friction cannot be told. Of some `frames` only.
+    1 sticks, 2 slips, 3 touches a rope as well, so that friction cannot be told. Of some `frames` only. Of
+    several obstacles at one node: slips before unknown before sticks.
     """
     wanted = range(result.frames) if frames is None else frames
     rows = {int(frame): row for row, frame in enumerate(wanted)}
     found = np.zeros((len(rows), result.layout.nodes), np.int8)
     for frame, contacts in each_frame(result, wanted):
-        np.maximum.at(found[rows[frame]], contacts.node, _modes(contacts))
-    return found
+        np.maximum.at(found[rows[frame]], contacts.node, RANK[_modes(contacts)])
+    ranked: NDArray[np.int8] = RANK[found]  # which is its own inverse
+    return ranked
 
 
 def node_modes(result: Result, frames: Sequence[int] | None = None) -> NDArray[np.int8]:
