@@ -26,7 +26,7 @@ class BrokenRun(Broken):
     def __init__(self, result: Result) -> None:
         more = "The error's `result` holds what there is"
         more += "; its plot.shape() shows the break." if result.beyond is not None else "."
-        super().__init__(f"{result.diagnosis} {more}")
+        super().__init__(f"{result.diagnosis.removesuffix('.')}. {more}")
         self.result, self.diagnosis = result, result.diagnosis
 
 

@@ -294,8 +294,8 @@ def test_the_first_reaction_carries_the_whole_rope() -> None:
 @pytest.mark.parametrize("method", [name for name in ABLE if METHODS[name].fixed])
 @pytest.mark.parametrize("segments", [1, 5])
 def test_a_load_that_is_caught_is_not_thrown_back(method: str, segments: int) -> None:
-    """0.4 kg that falls at 5 m/s onto a bound stays there in every step: what a bound takes is an impulse, and
-    no force that goes on (`bdf2` threw it up by 7 cm, `esdirk3` by 0.6). The twin: a spring throws it back.
+    """0.4 kg that falls at 5 m/s onto a bound stays there in every step: what a bound takes is an impulse and
+    no force that goes on (`bdf2` threw it up by 7 cm, `esdirk3` by 6). The twin: a spring throws it back.
     """
 
     def heights(EA: float, limiter: Limiter | None, **run: Any) -> np.ndarray:

@@ -11,7 +11,7 @@ import ropewalk as rw
 from ropewalk.analysis.check import check
 from ropewalk.lowering import build
 from ropewalk.record.turnover import largest_change
-from ropewalk.scene import Capsule, Material, Points, Rope, RunSettings, Scene
+from ropewalk.scene import Capsule, Kick, Material, Points, Rope, RunSettings, Scene, Sphere
 from ropewalk.scene.presets import preset
 from ropewalk.simulation import Simulation
 from ropewalk.statics import NoRest, static_shape
@@ -83,3 +83,26 @@ def test_a_blow_of_a_moving_bar_is_honest_energy() -> None:
     simulation = Simulation(result.scene)
     simulation.advance_frames(3)
     assert simulation.arrays.memory.obstacle.given.sum() > 0.5 * 0.03 * 20.0**2
+
+
+@pytest.mark.parametrize("speed", [0.0, 1000.0])
+def test_what_comes_too_fast_is_told_with_what_helps(speed: float) -> None:
+    """A ball at 1 km/s into a rope: it said "slower anchors" where none moves. The twin: a ball that stands,
+    and a rope that comes as fast; there it asked for segments of 287 mm at most, where they have 100.
+    """
+    points = [(0.1 * i - 0.5, 0.0, 0.5) for i in range(11)]
+    thrown = (0.0, 0.0, speed - 1000.0)
+    rope = Rope(
+        segments=10, length=1.0, made_of=Material(EA=1e3, mass_per_length=0.1), diameter=0.01,
+        shape=Points(points=points), kicks=[Kick(node=i, velocity=thrown) for i in range(11)],
+    )  # fmt: skip
+    motion = {"kind": "velocity", "velocity": (0.0, 0.0, speed)} if speed else {"kind": "fixed"}
+    ball = Sphere(center=(0.0, 0.0, 0.0), radius=0.2, motion=motion)
+    run = RunSettings(method="esdirk3", duration=0.1, frame_rate=60.0)
+    scene = Scene(ropes=[rope], obstacles=[ball], run=run)
+    with pytest.raises(rw.BrokenRun) as caught:
+        rw.simulate(scene)
+    helps = "a slower obstacle" if speed else "slower anchors"
+    assert "would go through obstacle" in str(caught.value)
+    assert helps in str(caught.value)
+    assert "more segments" not in str(caught.value)

@@ -33,17 +33,20 @@ def passing(which: Ints, layout: Layout, scene: Scene) -> tuple[str, str]:
     row = abs(int(which[found[0]])) - 1
     body = scene.obstacles[row]
     name = name_of(body, row)
+    slower = "slower anchors" if body.motion.kind == "fixed" else "a slower obstacle"
     if which[found[0]] > 0:
         what = (
             f"node {node} of rope {rope!r} would go through obstacle {name!r}, or too deep into it"
         )
-        return what, "a shorter time_step, slower anchors, or a stiffer contact (its compliance)"
-    radius = radius_of(next(one for one in scene.ropes if one.name == rope))
-    short = LONG * (half_thickness(body) + radius)
+        return what, f"a shorter time_step, {slower}, or a stiffer contact (its compliance)"
+    made = next(one for one in scene.ropes if one.name == rope)
+    short = LONG * (half_thickness(body) + radius_of(made))
     what = (
         f"segment {node} of rope {rope!r} would go through obstacle {name!r} between its two nodes, where "
         "nothing holds it"
     )
+    if made.segment_length <= short:  # that is not it: something comes too fast
+        return what, f"a shorter time_step, or {slower}"
     return what, f"more segments (at most {1e3 * short:.3g} mm long), or other ways of anchors"
 
 
