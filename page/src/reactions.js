@@ -53,10 +53,12 @@ export const strongestOf = (held) =>
  * @param {(one: Holding) => boolean} [pointed] */
 export function drawnOf(held, strongest, before = new Set(), pointed = () => false) {
   const crowd = held.filter(({ variant }) => variant === held[0].variant).length > CROWD;
+  const now = strongestOf(held); // of which a crowd's are: all of them may have been far stronger
   return held.filter((one) => {
     if (one.size < 1e-9) return false;
-    const part = crowd ? (before.has(nameOf(one)) ? HUSHED : LOUD) : LEAST;
-    return one.peak >= part * strongest || pointed(one);
+    if (pointed(one)) return true;
+    const part = before.has(nameOf(one)) ? HUSHED : LOUD;
+    return one.peak >= LEAST * strongest && (!crowd || one.peak >= part * now);
   });
 }
 

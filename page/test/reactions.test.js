@@ -79,6 +79,10 @@ test("of a crowd of anchors the strong ones have arrows, and the one that is poi
     [0, 1, 8],
   );
   assert.deepEqual(drawn(Array(28).fill(0)), []);
+  const later = (/** @type {number} */ part) =>
+    drawnOf(/** @type {any} */ (holding(many.map((size) => part * size))), 100).map(({ a }) => a);
+  assert.deepEqual(later(0.2), [0, 1]); // of what they are now, though they were all far stronger once
+  assert.deepEqual(later(0.05), []); // arrows that the eye hides
 });
 
 test("an arrow keeps clear of the tools beside the picture, where these are as high as it", () => {

@@ -215,7 +215,9 @@ export class Legend {
     if (!this.crowd.hidden)
       write(
         this.crowd,
-        `The ${arrowed.size} largest of ${arrowed.size + unshown} forces. Point at others.`,
+        arrowed.size
+          ? `The ${arrowed.size} largest of ${arrowed.size + unshown} forces. Point at others.`
+          : `${unshown} forces, too small now for arrows. Point at an anchor.`,
       );
   }
 
