@@ -21,7 +21,8 @@ const CHIP = 34; // that a label takes beyond its arrow's tip [CSS pixels]
 const CLEAR = 6; // that tips stay away from tools [CSS pixels]
 const MOST = 0.12; // of the height that is free, which arrows may take at one side
 
-/** The anchors that hold, where they are. @param {Viewport} viewport @param {Float32Array} places @returns {Holding[]} */
+/** The anchors that hold, where they are. @param {Viewport} viewport @param {Float32Array} places
+ * @returns {Holding[]} */
 export function holding({ session }, places) {
   const layout = /** @type {Layout} */ (session.layout);
   const frame = /** @type {Frame} */ (session.frame);
@@ -68,8 +69,8 @@ export const nameOf = ({ variant, a }) => `${variant} ${a}`;
 /** The longest arrow [CSS pixels]. @param {Camera} camera */
 export const longest = ({ width, height }) => Math.min(REACTION, 0.14 * width, 0.17 * height);
 
-/** Where the arrows of anchors end [m], as long as they are for a camera. @param {Viewport} viewport @param {Camera} camera
- * @returns {Vector[]} */
+/** Where the arrows of anchors end [m], as long as they are for a camera.
+ * @param {Viewport} viewport @param {Camera} camera @returns {Vector[]} */
 export function tipsOf(viewport, camera) {
   const { session, anchors, marks } = viewport;
   if (!session.frame || !marks.reactions) return [];
@@ -101,7 +102,8 @@ export function contactTips({ session, nodes, marks }, camera) {
 }
 
 /** What a picture must keep free around its ropes, so that arrows and their labels are in it, too, and under no bar
- * of tools at its sides: the strips, or more. @param {Viewport} viewport @param {Camera} camera @param {import("./view/camera.js").Strips} strips */
+ * of tools at its sides: the strips, or more. @param {Viewport} viewport @param {Camera} camera
+ * @param {import("./view/camera.js").Strips} strips */
 export function roomFor(viewport, camera, strips) {
   const room = { top: 0, bottom: 0 };
   const tips = tipsOf(viewport, camera);
