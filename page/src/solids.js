@@ -1,4 +1,4 @@
-// The bodies of the scene of the picture: what is drawn of them, where the floor is, and what the picture must hold.
+// The bodies of a scene: what is drawn of them, where the floor is, and what the picture must hold.
 
 import { MOST_SOLIDS, cornersOf, extent, placed, solidsOf, turnOf } from "./view/solids.js";
 import { scalar } from "./source/frame.js";
