@@ -9,6 +9,7 @@ import pytest
 
 import ropewalk as rw
 from ropewalk.analysis.check import check
+from ropewalk.engine.too_near import passing
 from ropewalk.lowering import build
 from ropewalk.record.turnover import largest_change
 from ropewalk.scene import Capsule, Kick, Material, Points, Rope, RunSettings, Scene, Sphere
@@ -87,14 +88,15 @@ def test_a_blow_of_a_moving_bar_is_honest_energy() -> None:
 
 @pytest.mark.parametrize("speed", [0.0, 1000.0])
 def test_what_comes_too_fast_is_told_with_what_helps(speed: float) -> None:
-    """A ball at 1 km/s into a rope: it said "slower anchors" where none moves. The twin: a ball that stands,
-    and a rope that comes as fast; there it asked for segments of 287 mm at most, where they have 100.
+    """A ball at 1 km/s into a rope: it said "slower anchors" where none moves, or is. The twin: a ball that
+    stands, and a rope that comes as fast: its segments of 100 mm are 353 long by then.
     """
     points = [(0.1 * i - 0.5, 0.0, 0.5) for i in range(11)]
-    thrown = (0.0, 0.0, speed - 1000.0)
+    thrown = (0.0, 0.0, -1000.0)
     rope = Rope(
         segments=10, length=1.0, made_of=Material(EA=1e3, mass_per_length=0.1), diameter=0.01,
-        shape=Points(points=points), kicks=[Kick(node=i, velocity=thrown) for i in range(11)],
+        shape=Points(points=points),
+        kicks=() if speed else [Kick(node=i, velocity=thrown) for i in range(11)],
     )  # fmt: skip
     motion = {"kind": "velocity", "velocity": (0.0, 0.0, speed)} if speed else {"kind": "fixed"}
     ball = Sphere(center=(0.0, 0.0, 0.0), radius=0.2, motion=motion)
@@ -102,7 +104,29 @@ def test_what_comes_too_fast_is_told_with_what_helps(speed: float) -> None:
     scene = Scene(ropes=[rope], obstacles=[ball], run=run)
     with pytest.raises(rw.BrokenRun) as caught:
         rw.simulate(scene)
-    helps = "a slower obstacle" if speed else "slower anchors"
-    assert "would go through obstacle" in str(caught.value)
-    assert helps in str(caught.value)
-    assert "more segments" not in str(caught.value)
+    said = str(caught.value)
+    assert "would go through obstacle" in said
+    assert ("a slower obstacle" in said) == (speed > 0.0)
+    assert ("a slower start" in said) == (speed == 0.0)
+    assert "anchors" not in said
+    assert "winches" not in said
+    assert ("more segments (at most 287 mm long, this one is 353), or a slower start" in said) == (
+        speed == 0.0
+    )
+
+
+@pytest.mark.parametrize("stretch", [1.0, 3.0])
+def test_a_segment_is_measured_as_it_is(stretch: float) -> None:
+    """14 mm and more is long for this bar: a segment of 10 mm that is stretched to 30 is too long for it.
+
+    The unstretched length was taken, so that it asked for a shorter step; the twin is not stretched.
+    """
+    made_of = Material(EA=1e3, mass_per_length=0.1)
+    shape = Points(points=[(0.01 * stretch * i, 0.0, 0.0) for i in range(3)])
+    rope = Rope(segments=2, length=0.02, diameter=0.002, made_of=made_of, shape=shape)
+    bar = Capsule(start=(0, -1, -1), end=(0, 1, -1), radius=0.009)
+    model = build(Scene(ropes=[rope], obstacles=[bar]))
+    which = np.array([-1, 0, 0])
+    _, helps = passing(which, model.state, model.layout, model.scene)
+    told = "more segments (at most 14 mm long, this one is 30)"  # and nothing moves that could be slower
+    assert helps == (told if stretch > 1.0 else "a shorter time_step")

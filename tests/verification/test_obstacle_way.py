@@ -159,7 +159,7 @@ def test_a_step_that_cannot_be_solved_names_the_obstacle() -> None:
     )
     simulation = Simulation(scene.replace(anchors=[Anchor(node=0, motion=way)]))
     with pytest.raises(
-        Broken, match="segment 0 of rope 'rope' would go through .* or other ways of anchors"
+        Broken, match="segment 0 of rope 'rope' would go through .* or another way for what is led"
     ):
         simulation.step(1.0)
 

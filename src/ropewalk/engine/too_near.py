@@ -10,8 +10,10 @@ from ropewalk.laws.obstacle_rows import half_thickness
 from ropewalk.laws.obstacle_way import LONG
 from ropewalk.laws.pairs.table import CONTACTS, CROWDED, FAULT, FIRST, PASSED, REFUSED, SECOND
 from ropewalk.lowering import Layout
-from ropewalk.scene import Scene
+from ropewalk.scene import Obstacle, Scene
 from ropewalk.scene.obstacles import name_of
+
+SHORTER = "a shorter time_step"
 
 
 def pair_of(state: State, layout: Layout) -> str:
@@ -21,38 +23,60 @@ def pair_of(state: State, layout: Layout) -> str:
     return f"segment {a} of rope {one!r} and segment {b} of rope {other!r}"
 
 
-def passing(which: Ints, layout: Layout, scene: Scene) -> tuple[str, str]:
-    """Say what goes through which obstacle, and what helps; "" twice where nothing does.
+def _slower(scene: Scene, obstacle: Obstacle | None = None) -> list[str]:
+    """Return what moves in a scene, and at one obstacle of it, as a thing to try."""
+    moving = [
+        ("a slower obstacle", obstacle is not None and obstacle.motion.kind != "fixed"),
+        ("slower anchors", any(one.motion.kind != "fixed" for one in scene.anchors)),
+        ("slower winches", any(one.speed != 0.0 for one in scene.winches)),
+        ("a slower start", any(rope.kicks or any(rope.shape.velocity) for rope in scene.ropes)),
+    ]
+    return [words for words, moves in moving if moves]
+
+
+def _one_of(*helps: str) -> str:
+    """Return things to try in a row."""
+    first = ", ".join(helps[:-1])
+    return f"{first}, or {helps[-1]}" if first else helps[-1]
+
+
+def passing(which: Ints, state: State, layout: Layout, scene: Scene) -> tuple[str, str]:
+    """Say what goes through which obstacle, and what helps in this scene; "" twice where nothing does.
 
     `which` is `Memory.through` of the obstacles, or its `fault`.
     """
     found = np.flatnonzero(which)
     if not found.size:
         return "", ""
-    rope, node = layout.rope_of(int(found[0]))
-    row = abs(int(which[found[0]])) - 1
+    index = int(found[0])
+    rope, node = layout.rope_of(index)
+    row = abs(int(which[index])) - 1
     body = scene.obstacles[row]
-    name = name_of(body, row)
-    slower = "slower anchors" if body.motion.kind == "fixed" else "a slower obstacle"
-    if which[found[0]] > 0:
+    name, slower = name_of(body, row), _slower(scene, body)
+    if which[index] > 0:
         what = (
             f"node {node} of rope {rope!r} would go through obstacle {name!r}, or too deep into it"
         )
-        return what, f"a shorter time_step, {slower}, or a stiffer contact (its compliance)"
+        return what, _one_of(SHORTER, *slower, "a stiffer contact (its compliance)")
     made = next(one for one in scene.ropes if one.name == rope)
     short = LONG * (half_thickness(body) + radius_of(made))
     what = (
         f"segment {node} of rope {rope!r} would go through obstacle {name!r} between its two nodes, where "
         "nothing holds it"
     )
-    if made.segment_length <= short:  # that is not it: something comes too fast
-        return what, f"a shorter time_step, or {slower}"
-    return what, f"more segments (at most {1e3 * short:.3g} mm long), or other ways of anchors"
+    long = float(np.linalg.norm(state.x[:, index + 1] - state.x[:, index]))
+    if long <= short:  # that is not it: something comes too fast
+        return what, _one_of(SHORTER, *slower)
+    more = f"more segments (at most {1e3 * short:.3g} mm long, this one is {1e3 * long:.3g})"
+    if made.segment_length <= short:  # it is this long because it is stretched
+        return what, _one_of(more, *slower)
+    led = any(one.motion.kind != "fixed" for one in (body, *scene.anchors))
+    return what, _one_of(more, *(["another way for what is led"] if led else []))
 
 
 def fault_of(state: State, layout: Layout, scene: Scene) -> str:
     """Say what is wrong with the contacts; "" for nothing."""
-    through, helps = passing(state.memory.obstacle.fault, layout, scene)
+    through, helps = passing(state.memory.obstacle.fault, state, layout, scene)
     if through:
         gone = through.replace("would go", "has gone")
         return f"{gone}: take implicit-euler, {helps}"
@@ -82,12 +106,13 @@ def refused_pair(state: State, layout: Layout, scene: Scene) -> str:
     count = state.memory.contact.tally
     if fault := fault_of(state, layout, scene):
         return fault
-    through, helps = passing(state.memory.obstacle.through, layout, scene)
+    through, helps = passing(state.memory.obstacle.through, state, layout, scene)
     if through:
         return f"{through}. Try {helps}"
     if not count.size or count[REFUSED] == 0:
         return ""
+    helps = _one_of(SHORTER, *_slower(scene), "a stiffer contact (contact.compliance)")
     return (
-        f"{pair_of(state, layout)} would come too near to each other, or pass through each other. Try a "
-        "shorter time_step, slower anchors, or a stiffer contact (contact.compliance)"
+        f"{pair_of(state, layout)} would come too near to each other, or pass through each other. "
+        f"Try {helps}"
     )
