@@ -112,11 +112,11 @@ FAULTS: dict[str, tuple[Callable[[Path], object], str]] = {
     ),
     "another version": (
         lambda f: edit(f / "provenance.json", "format", 99),
-        "has the format 99; this version of ropewalk reads 2, 3, 4, 5, 6 and 7",
+        "has the format 99; this version of ropewalk reads 2, 3, 4, 5, 6, 7 and 8",
     ),
     "another store": (
-        lambda f: damage_root(f, lambda root: root["attributes"].update(ropewalk_format=8)),  # type: ignore[attr-defined]
-        "has the format 8",
+        lambda f: damage_root(f, lambda root: root["attributes"].update(ropewalk_format=98)),  # type: ignore[attr-defined]
+        "has the format 98",
     ),
     "no store": (lambda f: shutil.rmtree(f / "data.zarr"), "zarr.json: is missing"),
     "no root": (lambda f: (f / "data.zarr" / "zarr.json").unlink(), "zarr.json: is missing"),

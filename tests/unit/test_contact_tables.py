@@ -11,6 +11,7 @@ import pytest
 import ropewalk as rw
 from ropewalk.record import contacts
 from ropewalk.record.export import export
+from ropewalk.record.quantities import TOGETHER, stored
 from ropewalk.scene import Scene, loads
 
 g = 9.81
@@ -149,26 +150,81 @@ def test_without_contact_of_ropes_there_is_no_table_of_it() -> None:
         result.to_pandas("rope_contacts")
 
 
-def test_friction_is_told_as_unknown_where_a_rope_is_touched_as_well() -> None:
-    """What the other rope gives was once counted as friction: up to 166 times what it can carry."""
-    result = crossed("[contact]")
-    table = result.to_pandas("contacts")
-    used = table["friction used [1]"]
+@pytest.fixture(scope="module")
+def both() -> rw.Result:
+    """A rope between a floor and another rope."""
+    return crossed("[contact]")
+
+
+def test_friction_of_obstacles_is_told_apart_from_that_of_ropes(both: rw.Result) -> None:
+    """Where a node touches both, too: what the other rope gave was once friction, and then unknown."""
+    table = both.to_pandas("contacts")
     below = table[(table["rope"] == "line") & table["node"].isin([4, 5])]
+    assert len(below) > both.frames  # it lies on the floor, and under the other
+    assert table["friction used [1]"].notna().all()
+    assert set(table["mode"]) == {"sticks", "slips"}
+    assert table["friction used [1]"].max() <= 1.0 + 1e-9
+
+
+def test_obstacles_and_ropes_add_up_to_all_contacts(both: rw.Result) -> None:
+    """Without the obstacles' force ropes give nothing in all; the table's rows are that of obstacles."""
+    ropes = both.contact_force - both.obstacle_force
+    assert np.abs(ropes).max() > 0.5
+    assert np.abs(ropes.sum(axis=1)).max() < 1e-12 * np.abs(ropes).max()
+    told = np.zeros_like(both.obstacle_force)
+    for _, row in both.to_pandas("contacts").iterrows():
+        frame, node = both.frame_at(row["time [s]"]), both.layout.node(row["node"], row["rope"])
+        told[frame, node] += row[["fx [N]", "fy [N]", "fz [N]"]].to_numpy(float)
+    assert told == pytest.approx(both.obstacle_force, abs=1e-12)
+
+
+def test_the_force_of_obstacles_is_stored_and_shown_in_tables(
+    both: rw.Result, tmp_path: Path
+) -> None:
+    opened = both.save(tmp_path / "run")
+    assert np.array_equal(opened.obstacle_force, both.obstacle_force)
+    assert opened.dataset["obstacle_force"].dims == ("time", "node", "axis")
+    nodes = both.to_pandas("nodes")
+    assert nodes["obstacle fz [N]"].sum() == pytest.approx(both.obstacle_force[..., 2].sum())
+    alone = crossed("")
+    assert "obstacle_force" not in alone.source.names
+    assert np.array_equal(alone.obstacle_force, alone.contact_force)
+
+
+def test_a_shape_of_rest_has_all_tables(both: rw.Result) -> None:
+    """They once raised errors of types. Floor and anchor bear all weight, the rope below what hangs over it."""
+    rest = rw.equilibrium(
+        both.scene.replace(ropes=[r.replace(forces=()) for r in both.scene.ropes])
+    )
+    floor, held = rest.to_pandas("contacts")["fz [N]"], rest.reactions[0, :, 2].sum()
+    weight = 0.1 * 0.4 * g
+    assert floor.sum() + held == pytest.approx(2.0 * weight, rel=1e-6)
+    assert rest.obstacle_force[0, :, 2].sum() == pytest.approx(floor.sum())
+    of_over = rest.to_pandas("contacts", rope="over")["fz [N]"].sum()
+    below = rest.to_pandas("rope_contacts")["fz [N]"].sum()
+    assert below == pytest.approx(of_over - weight, rel=1e-6)
+    assert "obstacle fz [N]" in rest.to_pandas("nodes")
+
+
+def test_a_run_that_does_not_know_them_apart_says_so(
+    both: rw.Result, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As those recorded until format 7: friction is not known where a rope is touched as well."""
+    layout, scene = both.layout, both.scene
+    before = {quantity.name for quantity in stored(layout, scene, TOGETHER)}
+    now = {quantity.name for quantity in stored(layout, scene, TOGETHER + 1)}
+    assert now - before == {"obstacle_force"}
+    monkeypatch.setattr(both.source, "_names", tuple(before))
+    table = both.to_pandas("contacts")
+    used = table["friction used [1]"]
     assert used.isna().any()
-    assert below["friction used [1]"].isna().any()
+    assert used.notna().any()
     assert set(table["mode"][used.isna()]) == {"unknown"}
-    modes = result.contact_modes
+    modes = both.contact_modes
     for _, row in table[used.isna()].iterrows():
-        frame = result.frame_at(row["time [s]"])
-        assert modes[frame, result.layout.node(row["node"], row["rope"])] == 3
-    late = below[
-        below["time [s]"] > 0.1
-    ]  # it lies still there: what the rope gives can be taken off
-    assert late["friction used [1]"].notna().all()
-    assert used.max() <= 1.0 + 1e-6
-    assert used.notna().sum() > used.isna().sum()
-    assert crossed("").to_pandas("contacts")["friction used [1]"].notna().all()
+        frame = both.frame_at(row["time [s]"])
+        assert modes[frame, both.layout.node(row["node"], row["rope"])] == 3
+    assert np.isnan(both.obstacle_force).all()
 
 
 def test_of_several_obstacles_at_a_node_slipping_shows_first(

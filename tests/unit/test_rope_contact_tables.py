@@ -16,7 +16,6 @@ from ropewalk.record.contact_modes import SLIPS, STICKS
 from ropewalk.record.contacts import node_modes
 from ropewalk.record.export import export
 from ropewalk.record.resume import resume_run
-from ropewalk.record.rope_contact_table import forces_of_ropes
 from ropewalk.record.run import record_run
 from ropewalk.scene import Scene, apply_overrides, loads
 from ropewalk.simulation import Simulation
@@ -58,6 +57,18 @@ made_of = {stuff}
 shape = {{ kind = "straight", start = [0.013, -0.1, 0.01], end = [0.013, 0.1, 0.01] }}
 force = [{{ node = 0, force = [{aside}, 0, 0] }}, {{ node = -1, force = [{aside}, 0, 0] }}]
 """)
+
+
+def forces_of_ropes(result: rw.Result, frame: int) -> np.ndarray:
+    """What ropes do to every node at a frame [N], (nodes, 3), summed from the recorded contacts."""
+    found = np.zeros((result.layout.nodes, 3))
+    kept = result.read("rope_contacts", frame, frame + 1)[0]
+    kept = kept[np.isfinite(kept[:, 0])]
+    for sign, side in ((1.0, 0), (-1.0, 1)):
+        segment, at = kept[:, side].astype(np.int64), kept[:, 2 + side, None]
+        np.add.at(found, segment, sign * (1.0 - at) * kept[:, 5:8])
+        np.add.at(found, segment + 1, sign * at * kept[:, 5:8])
+    return found
 
 
 @pytest.fixture(scope="module")

@@ -14,17 +14,15 @@ from ropewalk.laws.pairs.table import CONTACTS
 from ropewalk.lowering import Model, Span, build
 from ropewalk.lowering.touching import Contacts, at_rates, contacts_at, turns
 from ropewalk.record.contact_modes import SLIPS, STICKS, UNKNOWN, WORDS
-from ropewalk.record.quantities import PULLEYS
-from ropewalk.record.rope_contact_table import forces_of_ropes, modes_on_ropes
+from ropewalk.record.quantities import OBSTACLE_FORCE, PULLEYS
+from ropewalk.record.rope_contact_table import modes_on_ropes
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
 
-_ALL = 1.0 + 1e-6  # of what friction can carry: more of it is another contact's [1]
 RANK = np.array(
     [0, 1, 3, 2], np.int8
 )  # of the modes: what slips for sure shows before what is not known
-_FITS = 1e-6  # [1] to which the forces told add up to that recorded
 
 
 class WrapHistory(NamedTuple):
@@ -47,8 +45,8 @@ class WrapHistory(NamedTuple):
 def contact_modes(result: Result, frames: Sequence[int] | None = None) -> NDArray[np.int8]:
     """Return what nodes do, (frames, nodes), by place in MODES: 0 where one touches no obstacle.
 
-    1 sticks, 2 slips, 3 touches a rope as well, so that friction cannot be told. Of some `frames` only. Of
-    several obstacles at one node: slips before unknown before sticks.
+    1 sticks, 2 slips, 3 unknown (see `Result.contact_modes`). Of some `frames` only. Of several obstacles at
+    one node: slips before unknown before sticks.
     """
     wanted = range(result.frames) if frames is None else frames
     rows = {int(frame): row for row, frame in enumerate(wanted)}
@@ -117,38 +115,32 @@ def each_frame(result: Result, frames: Iterable[int]) -> Iterator[tuple[int, Con
         return
     model = model_of(result)
     table, stiffness = model.system.node.obstacle, model.state.stiffness
-    x, v, force = result.positions, result.velocities, result.contact_force
+    apart = OBSTACLE_FORCE in result.source.names
+    force = result.obstacle_force if apart else result.contact_force
+    x, v = result.positions, result.velocities
     turning = result.read(PULLEYS) if result.layout.pulleys else None
     for frame in map(int, frames):
         if force[frame].any():
             now = [np.ascontiguousarray(part[frame].T) for part in (x, v, force)]
             t = float(result.time[frame])
-            now[2] -= forces_of_ropes(result, frame).T
             if turning is not None:
                 table = at_rates(table, turning[frame, :, 1])
             contacts = contacts_at(table, now[0], now[1], now[2], stiffness, t)
-            yield frame, _told(model, now[0], now[2], contacts)
+            yield frame, contacts if apart else _told(model, now[0], contacts)
 
 
-def _told(model: Model, x: Floats, force: Floats, contacts: Contacts) -> Contacts:
-    """Return the contacts with NaN for friction where it cannot be told from what ropes do.
+def _told(model: Model, x: Floats, contacts: Contacts) -> Contacts:
+    """Return the contacts of nodes at places (3, n) [m] with NaN for friction where a rope is touched, too.
 
-    That is where a node touches a rope, too, at places (3, n) [m], and the force (3, n) [N] that is left
-    without what is recorded of ropes is not that of an obstacle: their contact was found anew in that step.
+    For runs that were recorded before the force of obstacles was kept apart from that of ropes.
     """
-    table = model.system.node.contact
     if model.scene.contact is None:
         return contacts
-    found = pair_memory(table, x, model.state.stiffness)
+    found = pair_memory(model.system.node.contact, x, model.state.stiffness)
     pairs = found.pair[: found.tally[CONTACTS]].ravel()
     touches = np.zeros(x.shape[1], bool)
     touches[pairs] = touches[pairs + 1] = True
-    left = force.T.copy()
-    np.add.at(left, contacts.node, -contacts.push[:, None] * contacts.normal - contacts.rub)
-    fits = np.linalg.norm(left, axis=1) <= _FITS * np.linalg.norm(force, axis=0)
-    unknown = (touches & ~fits)[contacts.node] | (contacts.use > _ALL)
-    rub = np.where(unknown[:, None], np.nan, contacts.rub)
-    return contacts._replace(rub=rub)
+    return contacts._replace(rub=np.where(touches[contacts.node, None], np.nan, contacts.rub))
 
 
 def model_of(result: Result) -> Model:

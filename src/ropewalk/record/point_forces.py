@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from ropewalk.core.arrays import Floats
 from ropewalk.laws.contact_books import ENTRIES
-from ropewalk.record.quantities import CONTACT_WORK
+from ropewalk.record.quantities import CONTACT_WORK, OBSTACLE_FORCE
 
 if TYPE_CHECKING:
     from ropewalk.record.contacts import WrapHistory
@@ -66,6 +66,20 @@ class PointForces:
         if "contact_force" not in result.source.names:
             return np.zeros((result.frames, result.layout.nodes, 3))
         return result.read("contact_force")
+
+    @property
+    def obstacle_force(self) -> Floats:
+        """Force of obstacles alone on each node at each frame [N], (frames, nodes, 3).
+
+        NaN in runs that were recorded before it was kept apart from that of ropes, where both can touch.
+        """
+        result = cast("Result", self)
+        if OBSTACLE_FORCE in result.source.names:
+            return result.read(OBSTACLE_FORCE)
+        if result.scene.contact is None:
+            return self.contact_force
+        shape = (result.frames, result.layout.nodes, 3)
+        return np.full(shape, np.nan if result.scene.obstacles else 0.0)
 
     def pulley(self, name: str) -> PulleyMotion:
         """How an obstacle turned that turns freely: angle, speed, energy, works, torque.
@@ -124,7 +138,8 @@ class PointForces:
     def contact_modes(self) -> NDArray[np.int8]:
         """What every node does on obstacles at each frame, (frames, nodes).
 
-        0 open, 1 sticks, 2 slips, 3 unknown: it touches a rope as well, from which friction cannot be told.
+        0 open, 1 sticks, 2 slips; 3 unknown: it touches a rope as well, in a run that was recorded before
+        the force of obstacles was kept apart.
         """
         from ropewalk.record.contacts import contact_modes
 

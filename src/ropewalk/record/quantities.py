@@ -21,6 +21,8 @@ AXES = ("x", "y", "z")
 ENERGY = "energy; that of gravity is 0 in the scene's own shape"
 JUMPS = ("limiter", "winch")
 ROPE_CONTACTS, PULLEYS, CONTACT_WORK = "rope_contacts", "pulleys", "contact_work"
+OBSTACLE_FORCE = "obstacle_force"
+_OF_BLOCKS = ("pairs", "obstacles")  # fields of `simulation.block.Block`, not of its recording
 
 
 @dataclass(frozen=True)
@@ -31,7 +33,7 @@ class Quantity:
     dims: tuple[str, ...]
     unit: str
     long_name: str
-    field: str  # of `methods.recording.Recording`
+    field: str  # of `methods.recording.Recording`, or one of _OF_BLOCKS
     swapped: bool = False  # kept in memory and on disk as (time, axis, node)
 
 
@@ -78,6 +80,14 @@ QUANTITIES = (
         "N",
         "force of obstacles and of other ropes on the rope",
         "contact",
+        True,
+    ),
+    Quantity(
+        OBSTACLE_FORCE,
+        ("time", "node", "axis"),
+        "N",
+        "force of obstacles alone on the rope",
+        "obstacles",
         True,
     ),
     Quantity(
@@ -146,12 +156,15 @@ ELASTIC_ONLY = 2
 FRAMES_ONLY = 3  # until this one nothing was kept of the steps between frames
 SUMS_ONLY = 5  # until this one nothing of ropes on ropes but the sum of all contacts' forces
 IN_ONE = 6  # until this one the work of all obstacles was one number
+TOGETHER = 7  # until this one the force of obstacles was not apart from that of ropes
 _OLD_TENSION = Quantity("tension", ("time", "segment"), "N", "elastic tension", "tension")
 
 
 def stored(layout: Layout, scene: Scene, version: int) -> tuple[Quantity, ...]:
     """Return the quantities in a run folder of a format."""
     now = recorded(layout, scene)
+    if version <= TOGETHER:
+        now = tuple(q for q in now if q.name != OBSTACLE_FORCE)
     if version <= IN_ONE:
         now = tuple(q for q in now if q.name != CONTACT_WORK)
     if version <= SUMS_ONLY:
@@ -177,6 +190,8 @@ def recorded(layout: Layout, scene: Scene) -> tuple[Quantity, ...]:
         left_out.add("contact_force")
     if scene.contact is None:
         left_out.add(ROPE_CONTACTS)
+    if scene.contact is None or not scene.obstacles:
+        left_out.add(OBSTACLE_FORCE)
     if not layout.pulleys:
         left_out.add(PULLEYS)
     if not layout.surfaces:
@@ -197,7 +212,9 @@ def sizes(layout: Layout) -> dict[str, int]:
 
 def raw(block: Block, quantity: Quantity) -> Floats:
     """Return a quantity of a block as it is recorded: (time, axis, node) where `swapped`."""
-    array: Floats = getattr(block if quantity.field == "pairs" else block.recording, quantity.field)
+    array: Floats = getattr(
+        block if quantity.field in _OF_BLOCKS else block.recording, quantity.field
+    )
     return array
 
 

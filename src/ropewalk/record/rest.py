@@ -8,11 +8,12 @@ from dataclasses import replace
 import numpy as np
 
 from ropewalk.core import arrays
+from ropewalk.core.status import OK
 from ropewalk.laws.clamps import start_clamps
 from ropewalk.lowering import Model, build
 from ropewalk.lowering.elastic_tables import let_relax, stored_at_rest
 from ropewalk.methods.loop import prepare
-from ropewalk.methods.recording import ENERGIES, Recording, make_recording, record_frame
+from ropewalk.methods.recording import ENERGIES, make_recording, record_frame
 from ropewalk.methods.scratch import make_sums
 from ropewalk.methods.watch import begin_interval
 from ropewalk.record.facts import AT_REST, Facts, provenance
@@ -21,6 +22,7 @@ from ropewalk.record.result import Result
 from ropewalk.record.source import Memory
 from ropewalk.scene import Scene
 from ropewalk.simulation.block import Block
+from ropewalk.simulation.rope_contacts import on_obstacles, rope_contacts
 from ropewalk.statics import Statics, checked_shape
 
 
@@ -55,12 +57,12 @@ def as_result(model: Model, statics: Statics, seconds: float) -> Result:
         seconds=seconds,
         provenance=about,
     )
-    block = Block(np.zeros(1), _frame(model, statics))
+    block = _frame(model, statics)
     names = tuple(q.name for q in recorded(model.layout, model.scene))
     return Result(model.scene, model.layout, Memory([block], names), facts)
 
 
-def _frame(model: Model, statics: Statics) -> Recording:
+def _frame(model: Model, statics: Statics) -> Block:
     """Return the frame as a run would record it, with the tensions that were solved for."""
     state = arrays.copy(model.state)
     state.x[...] = statics.positions.T
@@ -83,4 +85,4 @@ def _frame(model: Model, statics: Statics) -> Recording:
     out.elastic_tension[0] = statics.elastic_tension
     out.energy[0, ENERGIES.index("gravity")] -= model.gravity_zero
     out.energy[0, ENERGIES.index("elastic")] = stored
-    return out
+    return Block(np.zeros(1), out, OK, rope_contacts(state), on_obstacles(model.system, state))

@@ -80,20 +80,6 @@ def _points(values: Floats, segments: Ints, at: Floats) -> Floats:
     return found
 
 
-def forces_of_ropes(result: Result, frame: int) -> Floats:
-    """Return what ropes do to every node at a frame [N], (nodes, 3), as far as it is recorded."""
-    found = np.zeros((result.layout.nodes, 3))
-    if NAME not in result.source.names:
-        return found
-    kept = result.read(NAME, frame, frame + 1)[0]
-    kept = kept[np.isfinite(kept[:, 0])]
-    for sign, side in ((1.0, 0), (-1.0, 1)):
-        segment, at = kept[:, side].astype(np.int64), kept[:, 2 + side, None]
-        np.add.at(found, segment, sign * (1.0 - at) * kept[:, 5:8])
-        np.add.at(found, segment + 1, sign * at * kept[:, 5:8])
-    return found
-
-
 def modes_on_ropes(result: Result, frames: Sequence[int]) -> NDArray[np.int8]:
     """Return what the nodes of segments that lie on ropes do, (frames, nodes), by place in MODES."""
     found = np.zeros((len(frames), result.layout.nodes), np.int8)

@@ -31,6 +31,7 @@ DEFAULT = (
         "moments",
         "joint_forces",
         "contact_force",
+        "obstacle_force",
         "rope_contacts",
         "pulleys",
         "contact_work",

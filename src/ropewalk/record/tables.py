@@ -19,6 +19,7 @@ from ropewalk.record.quantities import (
     BY_NAME,
     CONTACT_WORK,
     EXTREME_UNITS,
+    OBSTACLE_FORCE,
     PULLEYS,
     ROPE_CONTACTS,
     law_names,
@@ -101,11 +102,12 @@ _SYMBOLS = {
     "moments": "m",
     "joint_forces": "f",
     "contact_force": "contact f",
+    OBSTACLE_FORCE: "obstacle f",
 }
 
 
 _OF_NODES = (
-    *("positions", "velocities", "contact_force"),
+    *("positions", "velocities", "contact_force", OBSTACLE_FORCE),
     *("greatest_speed", "least_height", "greatest_height"),
 )
 _OF_CONTACTS = ("positions", "velocities", "contact_force")  # what they follow from

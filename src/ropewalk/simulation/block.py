@@ -22,6 +22,9 @@ class Block:
     recording: Recording
     status: int = OK
     pairs: Floats | None = None  # (f, slots, 8) where ropes touch ropes, see `rope_contacts`
+    obstacles: Floats | None = (
+        None  # (f, 3, n) force of obstacles alone, where ropes touch ropes too [N]
+    )
 
     @property
     def frames(self) -> int:
@@ -30,8 +33,8 @@ class Block:
 
     def head(self, frames: int) -> Block:
         """Return the first `frames` frames."""
-        pairs = None if self.pairs is None else self.pairs[:frames]
-        return Block(self.time[:frames], self.recording.part(0, frames), self.status, pairs)
+        kept = [None if part is None else part[:frames] for part in (self.pairs, self.obstacles)]
+        return Block(self.time[:frames], self.recording.part(0, frames), self.status, *kept)
 
 
 def join(blocks: list[Block]) -> Block:
@@ -39,10 +42,11 @@ def join(blocks: list[Block]) -> Block:
     columns = zip(*(block.recording for block in blocks), strict=True)
     recording = Recording(*(np.concatenate(column) for column in columns))
     times = np.concatenate([block.time for block in blocks])
-    return Block(times, recording, blocks[-1].status, join_pairs(blocks))
+    return Block(times, recording, blocks[-1].status, *join_parts(blocks))
 
 
-def join_pairs(blocks: list[Block]) -> Floats | None:
-    """Return where ropes touch ropes in several blocks; None where none can."""
-    pairs = [block.pairs for block in blocks if block.pairs is not None]
-    return np.concatenate(pairs) if pairs else None
+def join_parts(blocks: list[Block]) -> list[Floats | None]:
+    """Return `pairs` and `obstacles` of several blocks as one; None where there are none."""
+    columns = [[block.pairs for block in blocks], [block.obstacles for block in blocks]]
+    there = [[part for part in column if part is not None] for column in columns]
+    return [np.concatenate(parts) if parts else None for parts in there]

@@ -1,4 +1,4 @@
-"""Where ropes touch ropes, as the contacts' own memory has it at the end of a frame's last step."""
+"""What ropes touch, as contacts have it at the end of a frame's last step: ropes, and obstacles apart."""
 
 from __future__ import annotations
 
@@ -6,11 +6,13 @@ from collections.abc import Callable
 
 import numpy as np
 
-from ropewalk.core.arrays import Floats, State
+from ropewalk.core.arrays import Floats, State, System
+from ropewalk.core.ranges import ALL
 from ropewalk.core.status import OK
+from ropewalk.laws.contact import contact_forces
 from ropewalk.laws.pairs.table import CONTACTS, NORMAL, OTHER, OWN, PUSH, SPRING
 from ropewalk.methods.recording import Recording
-from ropewalk.simulation.block import Block, join_pairs
+from ropewalk.simulation.block import Block, join_parts
 
 #: Columns of a contact: its segments, where it lies on each (0 to 1), R_n [N], the force on the first [N].
 COLUMNS = ("first", "second", "at_first", "at_second", "normal_force", "fx", "fy", "fz")
@@ -46,6 +48,20 @@ def rope_contacts(state: State, frames: int = 1) -> Floats | None:
     return found[:frames]
 
 
+def on_obstacles(system: System, state: State, frames: int = 1) -> Floats | None:
+    """Return the force of obstacles alone on every node at the state [N], (1, 3, n).
+
+    None where ropes touch nothing else, so that it is the force of all contacts; (0, 3, n) where there are
+    no `frames`.
+    """
+    if not state.memory.contact.tally.size or not system.node.obstacle.kind.size:
+        return None
+    found: Floats = np.zeros((1, 3, state.x.shape[1]))
+    table, memory = system.node.obstacle, state.memory.obstacle
+    contact_forces(state.x, state.v, table, memory, state.now, found[0], 0, ALL)
+    return found[:frames]
+
+
 def one_by_one(
     advance: Callable[[int, Recording], Block], frames: int, out: Recording, keep_going: bool
 ) -> Block:
@@ -60,4 +76,4 @@ def one_by_one(
     done = sum(part.frames for part in parts)
     kept = out if done == frames else out.part(0, done)
     times = np.concatenate([part.time for part in parts])
-    return Block(times, kept, block.status, join_pairs(parts))
+    return Block(times, kept, block.status, *join_parts(parts))

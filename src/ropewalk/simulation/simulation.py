@@ -30,7 +30,7 @@ from ropewalk.methods.scratch import make_sums
 from ropewalk.methods.watch import watch
 from ropewalk.scene import Scene
 from ropewalk.simulation.block import Block
-from ropewalk.simulation.rope_contacts import one_by_one, rope_contacts
+from ropewalk.simulation.rope_contacts import on_obstacles, one_by_one, rope_contacts
 from ropewalk.simulation.snapshot import Snapshot
 from ropewalk.words.annotations import unquoted
 from ropewalk.words.named import Named
@@ -191,7 +191,7 @@ class Simulation(Driven):
         watch(self.system, self._state, *working_space(self._state), self.time)
         record_frame(self.system, self._state, self.ledger, make_sums(), 0, out)
         out.energy[:, GRAVITY] -= self._gravity_zero
-        return Block(np.array([self.time]), out, pairs=rope_contacts(self._state))
+        return Block(np.array([self.time]), out, OK, *self._touched(1))
 
     # -- moving on ----------------------------------------------------------------------
 
@@ -259,8 +259,8 @@ class Simulation(Driven):
         start, first = self._start, self._step
         status, good = self._advance(self.plan.steps_per_frame, frames, out, not keep_going)
         steps = first + self.plan.steps_per_frame * np.arange(1, frames + 1)
-        pairs = rope_contacts(self._state, frames)
-        block = Block(np.asarray(start + steps * self._dt, dtype=np.float64), out, status, pairs)
+        times = np.asarray(start + steps * self._dt, dtype=np.float64)
+        block = Block(times, out, status, *self._touched(frames))
         if status == OK or (before is None and status == BROKEN):
             self._arrive()
             return self._told(block.head(good) if status == OK and good < frames else block)
@@ -271,6 +271,11 @@ class Simulation(Driven):
             with self.slices.unasked():  # the state must come to the frames that are returned
                 self._advance(self.plan.steps_per_frame, good, out.part(0, 0))
         return self._told(block.head(good))
+
+    def _touched(self, frames: int) -> tuple[Floats | None, Floats | None]:
+        """Return what a block holds of ropes on ropes, and of obstacles beside them."""
+        state = self._state
+        return rope_contacts(state, frames), on_obstacles(self.system, state, frames)
 
     def _told(self, block: Block) -> Block:
         """Tell whoever watches of frames, and return them."""
