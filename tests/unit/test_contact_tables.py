@@ -192,7 +192,7 @@ def test_the_force_of_obstacles_is_stored_and_shown_in_tables(
 
 
 def test_a_shape_of_rest_has_all_tables(both: rw.Result) -> None:
-    """They once raised errors of types. Floor and anchor bear all weight, the rope below what hangs over it."""
+    """They once raised errors of types. Floor and anchor bear all weight, a rope what hangs over it."""
     rest = rw.equilibrium(
         both.scene.replace(ropes=[r.replace(forces=()) for r in both.scene.ropes])
     )
