@@ -11,8 +11,10 @@ import {
   drawnOf,
   hasTail,
   holding,
+  crowded,
   longest,
   nameOf,
+  numberedOf,
   strongestOf,
 } from "./reactions.js";
 import { Trails } from "./render/trails.js";
@@ -24,8 +26,8 @@ import { Trails } from "./render/trails.js";
 /** @typedef {import("./render/view.js").Arrow} Arrow */
 /** @typedef {import("./view/vector.js").Vector} Vector */
 /** @typedef {import("./input/pick.js").Hit} Hit */
-/** @typedef {{from: Vector, at: Vector, text: string, kind: "reaction" | "given" | "grab" | "kick"}} Label
- *   beside the tip of an arrow */
+/** @typedef {{id: string, from: Vector, at: Vector, text: string,
+ *   kind: "reaction" | "given" | "grab" | "kick"}} Label beside the tip of an arrow; `id` tells it from others */
 
 const LEAST_CONTACT = 0.03; // of the strongest contact, below which there is no arrow
 const HEADLESS = 0.2; // of the strongest contact, below which arrows have no head
@@ -66,7 +68,9 @@ export class Marks {
     this.line = null;
     this.strongest = 0; // the force that has the longest arrow [N]
     /** Anchors that have an arrow. @type {Set<string>} */ this.arrowed = new Set();
-    this.unshown = 0; // anchors of a crowd that have none
+    /** Anchors that have a number, too. @type {Set<string>} */ this.numbered = new Set();
+    /** Of a crowd: how many forces there are, and how many have arrows because they are large.
+     * @type {{forces: number, large: number} | null} */ this.crowd = null;
     /** The greatest force of each anchor of each variant since labels were last written [N].
      * @type {number[][]} */ this.most = [];
     /** @type {Label[]} */ this.labels = [];
@@ -170,15 +174,21 @@ export class Marks {
   addReactions(held, arrows) {
     const { camera, theme } = this.viewport;
     const per = (longest(camera) * camera.pose.distance) / camera.focal / this.strongest;
-    const drawn = drawnOf(held, this.strongest, this.arrowed, (one) => this.pointedAt(one));
-    this.arrowed = new Set(drawn.map(nameOf));
-    this.unshown = held.length > CROWD ? held.length - drawn.length : 0;
-    for (const { variant, a, place, force, size, peak } of drawn) {
-      const to = plus(place, force, (peak / size) * per); // as long as its label says
-      arrows.push({ from: place, to, colour: theme.arrow, pixels: 2.6, head: true });
-      if (drawn.length > CROWD) continue;
+    const large = drawnOf(held, this.strongest, this.arrowed);
+    const pointed = (/** @type {import("./reactions.js").Holding} */ one) => this.pointedAt(one);
+    const drawn = drawnOf(held, this.strongest, this.arrowed, pointed);
+    const numbered = numberedOf(drawn, this.numbered, pointed);
+    this.arrowed = new Set(large.map(nameOf));
+    this.numbered = new Set(numbered.map(nameOf));
+    this.crowd = crowded(held) ? { forces: held.length, large: large.length } : null;
+    for (const one of drawn) {
+      const { variant, a, place: from, force, size, peak } = one;
+      const to = plus(from, force, (peak / size) * per); // as long as its label says
+      arrows.push({ from, to, colour: theme.arrow, pixels: 2.6, head: true });
+      if (!numbered.includes(one)) continue;
       const most = Math.max(peak, this.most[variant]?.[a] ?? 0);
-      this.labels.push({ from: place, at: to, text: quantity(most, "N"), kind: "reaction" });
+      const id = `reaction ${nameOf(one)}`;
+      this.labels.push({ id, from, at: to, text: quantity(most, "N"), kind: "reaction" });
     }
   }
 
@@ -249,7 +259,7 @@ export class Marks {
         if (hover?.joint !== name || hover.variant !== v) continue;
         const away = (26 * camera.pose.distance) / camera.focal;
         const tip = plus(place, camera.top, away);
-        this.labels.push({ from: place, at: tip, text: name, kind: "given" });
+        this.labels.push({ id: `joint ${name}`, from: place, at: tip, text: name, kind: "given" });
       }
     });
   }
@@ -259,16 +269,19 @@ export class Marks {
     const { session, theme, nodes, camera } = this.viewport;
     const { forces } = /** @type {Layout} */ (session.layout).variants[0];
     if (!this.reactions || !forces.length) return;
-    const longest = Math.max(...forces.map(({ force }) => Math.hypot(...force)));
+    const sizes = forces.map(({ force }) => Math.hypot(...force));
+    const longest = Math.max(...sizes);
+    const numbered = new Set(
+      [...sizes.keys()].sort((a, b) => sizes[b] - sizes[a]).slice(0, MOST_LABELS),
+    );
     const reach = (0.6 * REACTION * camera.pose.distance) / camera.focal;
-    for (const { index, force } of forces) {
-      const size = Math.hypot(...force);
-      if (!(size > 0)) continue;
+    for (const [i, { index, force }] of forces.entries()) {
+      if (!(sizes[i] > 0)) continue;
       const from = vector(nodes.shown.subarray(4 * index, 4 * index + 3));
       const to = plus(from, force, reach / longest);
       arrows.push({ from, to, colour: theme.load, pixels: 2.6, head: true });
-      if (forces.length <= MOST_LABELS)
-        this.labels.push({ from, at: to, text: quantity(size, "N"), kind: "given" });
+      const [id, text] = [`given ${i}`, quantity(sizes[i], "N")];
+      if (numbered.has(i)) this.labels.push({ id, from, at: to, text, kind: "given" });
     }
   }
 
@@ -317,7 +330,7 @@ export class Marks {
         const [fx, fy, fz] = part.grabs.subarray(i + 4, i + 7);
         if (v > 0) continue;
         const text = pulls(Math.hypot(fx, fy, fz), part.grabs[i + 7]);
-        this.labels.push({ from, at: to, text, kind: "grab" });
+        this.labels.push({ id: `grab ${i}`, from, at: to, text, kind: "grab" });
       }
     });
   }
@@ -332,7 +345,8 @@ export class Marks {
       if (!from) continue;
       arrows.push({ from, to: place, colour: theme.grab, pixels: 2, head: false });
       const text = hit.kind === "anchor" ? this.fastest(hit) : "";
-      if (text) this.labels.push({ from, at: place, text, kind: "grab" });
+      const id = `lead ${hit.variant} ${hit.node}`;
+      if (text) this.labels.push({ id, from, at: place, text, kind: "grab" });
     }
     for (const ring of [this.ringPlace(), chosen, ...hands.map(({ place }) => place)]) {
       if (!ring) continue;
@@ -367,7 +381,7 @@ export class Marks {
     if (!this.kick) return;
     const { from, to, text } = this.kick;
     arrows.push({ from, to, colour: theme.grab, pixels: 3, head: true });
-    this.labels.push({ from, at: to, text, kind: "kick" });
+    this.labels.push({ id: "kick", from, at: to, text, kind: "kick" });
   }
 
   /** Where the ring is now: it goes with the rope. @returns {Vector | null} */

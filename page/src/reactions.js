@@ -14,9 +14,10 @@ import { plus, vector } from "./view/vector.js";
 export const CONTACT = 56; // length of the longest arrow of a contact [CSS pixels]
 export const REACTION = 84; // length of the longest arrow [CSS pixels]
 export const LEAST = 0.1; // of the strongest, below which there is neither arrow nor label: the eye hides it
-export const CROWD = 8; // anchors, up to which all have their arrows and labels
+export const CROWD = 8; // anchors, up to which all have their arrows; numbers, at most
 const LOUD = 0.5; // of the strongest: of a crowd, those above it are shown
 const HUSHED = 0.42; // below which one of them is no longer: it does not flicker
+const KEPT = 1.15; // by which a force must be larger than one that has a number, to take its place
 const CHIP = 34; // that a label takes beyond its arrow's tip [CSS pixels]
 const CLEAR = 6; // that tips stay away from tools [CSS pixels]
 const MOST = 0.12; // of the height that is free, which arrows may take at one side
@@ -53,7 +54,7 @@ export const strongestOf = (held) =>
  * @param {Holding[]} held @param {number} strongest [N] @param {Set<string>} [before] names of those drawn before
  * @param {(one: Holding) => boolean} [pointed] */
 export function drawnOf(held, strongest, before = new Set(), pointed = () => false) {
-  const crowd = held.filter(({ variant }) => variant === held[0].variant).length > CROWD;
+  const crowd = crowded(held);
   const now = strongestOf(held); // of which a crowd's are: all of them may have been far stronger
   return held.filter((one) => {
     if (one.size < 1e-9) return false;
@@ -61,6 +62,18 @@ export function drawnOf(held, strongest, before = new Set(), pointed = () => fal
     const part = before.has(nameOf(one)) ? HUSHED : LOUD;
     return one.peak >= LEAST * strongest && (!crowd || one.peak >= part * now);
   });
+}
+
+/** Whether a copy has so many anchors that only strong ones have arrows. @param {Holding[]} held */
+export const crowded = (held) =>
+  held.filter(({ variant }) => variant === held[0].variant).length > CROWD;
+
+/** Of those that are drawn, the ones that have numbers: the few largest, and what is pointed at. @param {Holding[]} drawn
+ * @param {Set<string>} before names of those that had numbers @param {(one: Holding) => boolean} pointed */
+export function numberedOf(drawn, before, pointed) {
+  const weight = (/** @type {Holding} */ one) => one.peak * (before.has(nameOf(one)) ? KEPT : 1);
+  const largest = [...drawn].sort((a, b) => weight(b) - weight(a)).slice(0, CROWD);
+  return drawn.filter((one) => largest.includes(one) || pointed(one));
 }
 
 /** @param {Holding} one */

@@ -2,7 +2,7 @@
 
 import { Blend } from "./view/blend.js";
 import { Camera } from "./view/camera.js";
-import { piecesHeld } from "./view/bound.js";
+import { Pieces } from "./view/bound.js";
 import { Chase } from "./view/chase.js";
 import { Flight } from "./view/flight.js";
 import { Follow } from "./view/follow.js";
@@ -60,6 +60,7 @@ export class Viewport {
     /** @type {Flight | Chase | null} */ this.flight = null;
     this.uncovering = false; // whether it is to bring ropes out from under a card
     this.follower = new Follow();
+    /** @type {Pieces | null} */ this.bound = null;
     this.framing = new Framing(this);
     this.following = true; // until the user moves the camera
     this.ownVersion = -1; // of the camera, as the viewport has set it
@@ -233,7 +234,9 @@ export class Viewport {
     const parts = this.session.frame?.parts;
     const holds = (/** @type {number} */ v, /** @type {number} */ a) =>
       (parts?.[v]?.anchors[10 * a + 9] ?? 1) >= 0.5;
-    return piecesHeld(layout, this.gaps.shape(layout), this.starts, holds);
+    const shape = this.gaps.shape(layout);
+    if (this.bound?.shape !== shape) this.bound = new Pieces(layout, shape, this.starts);
+    return this.bound.held(holds);
   }
 
   /** @param {Pose | null} pose null: the camera may stay @param {number} now ms */

@@ -1,12 +1,12 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { piecesHeld } from "../src/view/bound.js";
+import { Pieces } from "../src/view/bound.js";
 
-const shape = { ropes: [0, 10, 20].map((first) => ({ first, count: 10 })) };
+const shape = { nodes: 30, ropes: [0, 10, 20].map((first) => ({ first, count: 10 })) };
 const layout = (/** @type {any} */ more) => ({ variants: [{ anchors: [{ index: 0 }], ...more }] });
 const held = (/** @type {any} */ one, holds = () => true) =>
-  piecesHeld(one, shape, [0], holds).map((piece) => piece.held);
+  new Pieces(one, shape, [0]).held(holds).map((piece) => piece.held);
 
 test("a piece is held by an anchor, or by a joint with one that is, at any remove", () => {
   assert.deepEqual(held(layout({})), [true, false, false]);
@@ -22,4 +22,12 @@ test("a piece is held by an anchor, or by a joint with one that is, at any remov
 test("where nothing holds any rope and there is nothing else, the flight is the scene", () => {
   assert.deepEqual(held(layout({ anchors: [] })), [true, true, true]);
   assert.deepEqual(held({ ...layout({ anchors: [] }), obstacles: [{}] }), [false, false, false]);
+});
+
+test("the table is made once, and asked with what holds now", () => {
+  const pieces = new Pieces(layout({ joints: [{ nodes: [9, 10] }] }), shape, [0]);
+  const now = (/** @type {boolean} */ holds) => pieces.held(() => holds).map(({ held }) => held);
+  assert.deepEqual(now(true), [true, true, false]);
+  assert.deepEqual(now(false), [false, false, false]);
+  assert.deepEqual(now(true), [true, true, false]);
 });

@@ -1,7 +1,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { contactTips, drawnOf, hasTail, roomFor } from "../src/reactions.js";
+import { contactTips, drawnOf, hasTail, numberedOf, roomFor } from "../src/reactions.js";
+import { crowdText } from "../src/panels/legend.js";
 import { Camera } from "../src/view/camera.js";
 
 test("a loose end hangs from an anchor, not from one between two others, nor from a tied one", () => {
@@ -83,6 +84,21 @@ test("of a crowd of anchors the strong ones have arrows, and the one that is poi
     drawnOf(/** @type {any} */ (holding(many.map((size) => part * size))), 100).map(({ a }) => a);
   assert.deepEqual(later(0.2), [0, 1]); // of what they are now, though they were all far stronger once
   assert.deepEqual(later(0.05), []); // arrows that the eye hides
+});
+
+test("of many arrows the eight largest have numbers, and the one that is pointed at", () => {
+  const sizes = [60, 61, 62, 63, 100, 90, 80, 70, 65, 64, 99, 50];
+  const drawn = /** @type {any} */ (holding(sizes));
+  const numbered = (/** @type {string[]} */ before, pointed = -1) =>
+    numberedOf(drawn, new Set(before), ({ a }) => a === pointed).map(({ a }) => a);
+  assert.deepEqual(numbered([]), [3, 4, 5, 6, 7, 8, 9, 10]);
+  assert.deepEqual(numbered(["0 2"]), [2, 4, 5, 6, 7, 8, 9, 10]); // nearly as large: it does not flicker
+  assert.deepEqual(numbered(["0 11"]), [3, 4, 5, 6, 7, 8, 9, 10]); // the twin
+  assert.deepEqual(numbered([], 11), [3, 4, 5, 6, 7, 8, 9, 10, 11]);
+  assert.equal(
+    crowdText({ forces: 12, large: 11 }),
+    "The 11 larger of 12 forces. Point at others.",
+  );
 });
 
 test("an arrow keeps clear of the tools beside the picture, where these are as high as it", () => {

@@ -10,10 +10,12 @@ import pytest
 
 import ropewalk as rw
 from browser.window import Window
+from live.drive import slack_rope
 from live.test_seen import FRAME, catch
 from ropewalk.live.serve import ViewServer
 from ropewalk.live.session import Session
 from ropewalk.live.share import share_result
+from ropewalk.scene import Anchor
 from ropewalk.simulation import Simulation
 
 pytestmark = pytest.mark.browser
@@ -65,3 +67,26 @@ def test_a_shared_page_sees_it_too(tmp_path: Path, open_window: Open) -> None:
     highest = f"Math.max(...{COLUMN.format('tension_max')}.filter(Number.isFinite))"
     window.until(f"{highest} > {0.999 * peak}")
     assert window.ask(highest) == pytest.approx(peak, rel=1e-3)
+
+
+def test_of_many_anchors_the_largest_have_numbers(open_window: Open, serve: Serve) -> None:
+    scene = slack_rope()
+    held = [Anchor(name=f"a{node}", node=node) for node in range(0, 41, 4)]  # 11 of like forces
+    window = open_window(serve(Session(scene.replace(anchors=held))).address).ready()
+    assert window.tell(type="step", count=2000)
+    window.settled()
+    words = window.page.locator("#crowd")
+    large = window.ask("r.viewport.marks.arrowed.size")
+    assert 8 < large < 11  # one at an end holds less than half of the largest
+    said = f"The {large} larger of 11 forces. Point at others."
+    assert words.inner_text() == said
+    numbers = window.page.locator(".labels .reaction:not([hidden])")
+    assert 4 <= numbers.count() <= 8  # some find no room
+    without = next(
+        a for a in range(11) if not window.ask(f"r.viewport.marks.numbered.has('0 {a}')")
+    )
+    window.page.mouse.move(*window.screen(4 * without))
+    window.until("r.viewport.marks.numbered.size === 9")
+    assert window.ask(f"r.viewport.marks.numbered.has('0 {without}')")
+    window.settled()
+    assert words.inner_text() == said  # what is pointed at is not counted

@@ -198,8 +198,8 @@ def test_a_resting_picture_has_all_pixels(open_window: Open, serve: Serve) -> No
     window.page.evaluate(
         """() => {
             const { labels } = window.ropewalk.app;
-            labels.since.fill(performance.now());
-            labels.taken.fill(5);
+            for (const one of labels.known.values())
+              Object.assign(one, { since: performance.now(), taken: 5 });
             labels.viewport.dirty = true;
         }"""
     )

@@ -25,9 +25,9 @@ export class Labels {
     this.viewport = viewport;
     this.host = host;
     this.box = h("div", { className: "labels", "aria-hidden": "true" });
-    /** @type {HTMLElement[]} */ this.pool = [];
-    /** @type {number[]} which place each label took */ this.taken = [];
-    /** @type {number[]} and since when [ms] */ this.since = [];
+    /** Each label's element, which place it took, and since when [ms].
+     * @type {Map<string, {element: HTMLElement, taken: number, since: number}>} */ this.known =
+      new Map();
     /** @type {Box[]} */ this.cards = [];
     /** @type {Set<Element>} */ this.watched = new Set();
     this.looked = this.worded = -Infinity;
@@ -45,11 +45,6 @@ export class Labels {
 
   refresh() {
     const { labels } = this.viewport.marks;
-    while (this.pool.length < labels.length) {
-      const label = h("span", {});
-      this.pool.push(label);
-      this.box.append(label);
-    }
     const plates = labels.flatMap(({ from, at }) => [this.plate(from, PLATE), this.plate(at, TIP)]);
     const blocked = labels.length ? [...this.cardsNow(), ...plates] : [];
     const beads = labels.length ? this.beads() : [];
@@ -57,20 +52,39 @@ export class Labels {
     this.waits = false;
     const anew = now - this.worded >= WORDS || !this.viewport.session.status?.playing;
     if (anew) this.worded = now;
-    this.pool.forEach((element, i) => {
-      const label = labels[i];
-      const stale = anew || element.hidden || element.className !== label?.kind;
-      const text = stale ? label?.text : element.textContent; // what stands there needs the room
-      const place = label ? this.place({ ...label, text: text ?? "" }, i, blocked, beads) : null;
+    this.forget(labels);
+    for (const label of labels) {
+      const { element } = this.known.get(label.id) ?? this.add(label);
+      const stale = anew || element.hidden;
+      const text = (stale ? label.text : element.textContent) ?? ""; // what stands there needs the room
+      const place = this.place({ ...label, text }, blocked, beads);
       if (element.hidden === (place !== null)) element.hidden = !element.hidden;
-      if (!place) return;
+      if (!place) continue;
       blocked.push(place);
-      if (element.textContent !== text) element.textContent = text ?? "";
-      if (element.className !== label.kind) element.className = label.kind;
+      if (element.textContent !== text) element.textContent = text;
       element.style.transform = `translate(${Math.round(place.x)}px, ${Math.round(place.y)}px)`;
-    });
+    }
     if (anew) this.viewport.marks.written();
     if (this.waits && !this.later) this.later = setTimeout(() => this.lookAgain(), STAY);
+  }
+
+  /** Take away what is no label any more. @param {Label[]} labels */
+  forget(labels) {
+    const now = new Set(labels.map(({ id }) => id));
+    for (const [id, { element }] of this.known) {
+      if (now.has(id)) continue;
+      element.remove();
+      this.known.delete(id);
+    }
+  }
+
+  /** @param {Label} label */
+  add({ id, kind }) {
+    const element = h("span", { className: kind, hidden: true });
+    const made = { element, taken: 0, since: -Infinity };
+    this.known.set(id, made);
+    this.box.append(element);
+    return made;
   }
 
   lookAgain() {
@@ -79,9 +93,9 @@ export class Labels {
   }
 
   /** Where a label goes: where it was, else beyond its arrow's tip, else near by. A place on the rope will do,
-   * none on anything else. @param {Label} label @param {number} i @param {Box[]} blocked
+   * none on anything else. @param {Label} label one that is known @param {Box[]} blocked
    * @param {number[][]} beads @returns {Box | null} */
-  place({ from, at, text }, i, blocked, beads) {
+  place({ id, from, at, text }, blocked, beads) {
     const { camera } = this.viewport;
     const [x, y, depth] = camera.project(...at);
     if (!(depth > 0)) return null;
@@ -89,16 +103,16 @@ export class Labels {
     const size = [LETTER * text.length + FRAME, HEIGHT];
     const room = [camera.width, camera.height];
     const places = placesFor([x, y], [x - fx, y - fy], size, room);
-    const before = this.taken[i] ?? 0;
+    const known = /** @type {{taken: number, since: number}} */ (this.known.get(id));
+    const before = known.taken;
     const now = performance.now();
-    const order =
-      now - (this.since[i] ?? -Infinity) < STAY ? [before, ...places.keys()] : [...places.keys()];
+    const order = now - known.since < STAY ? [before, ...places.keys()] : [...places.keys()];
     const clear = order.find((k) => free(places[k], blocked, beads));
     const found = clear ?? order.find((k) => free(places[k], blocked, []));
     if (found === undefined) return null;
-    if (found !== before) this.since[i] = now;
+    if (found !== before) known.since = now;
     else if (found > 0 && order.length > places.length) this.waits = true;
-    this.taken[i] = found;
+    known.taken = found;
     return places[found];
   }
 

@@ -30,6 +30,12 @@ export function marginText(most) {
   return `${share}, safety factor ${figures(Number((1 / most).toPrecision(3)))}`;
 }
 
+/** Which arrows are left out where many anchors hold. @param {{forces: number, large: number}} crowd */
+export const crowdText = ({ forces, large }) =>
+  large
+    ? `The ${large} larger of ${forces} forces. Point at others.`
+    : `${forces} forces, too small now for arrows. Point at an anchor.`;
+
 export class Legend {
   /** @param {Viewport} viewport @param {HTMLElement} host */
   constructor(viewport, host) {
@@ -208,17 +214,10 @@ export class Legend {
     this.showGrid();
   }
 
-  /** Which arrows are left out where many anchors hold. */
   tellCrowd() {
-    const { reactions, arrowed, unshown } = this.viewport.marks;
-    this.crowd.hidden = !reactions || !unshown;
-    if (!this.crowd.hidden)
-      write(
-        this.crowd,
-        arrowed.size
-          ? `The ${arrowed.size} largest of ${arrowed.size + unshown} forces. Point at others.`
-          : `${unshown} forces, too small now for arrows. Point at an anchor.`,
-      );
+    const { reactions, crowd } = this.viewport.marks;
+    this.crowd.hidden = !reactions || !crowd || crowd.large === crowd.forces;
+    if (!this.crowd.hidden && crowd) write(this.crowd, crowdText(crowd));
   }
 
   showGrid() {

@@ -3,30 +3,47 @@
 /** @typedef {import("../source/protocol.js").Layout} Layout */
 /** Nodes in a row, in the arrays that are drawn. @typedef {{first: number, nodes: number, held: boolean}} Piece */
 
-/** @param {Layout} layout @param {{ropes: {first: number, count: number}[]}} shape as it is drawn, in pieces
- * @param {number[]} starts first node of each variant
- * @param {(variant: number, anchor: number) => boolean} holds whether an anchor has not let go
- * @returns {Piece[]} */
-export function piecesHeld(layout, { ropes }, starts, holds) {
-  const pieces = ropes.map(({ first, count }) => ({ first, nodes: count, held: false }));
-  const at = (/** @type {number} */ node) =>
-    pieces.find(({ first, nodes }) => node >= first && node < first + nodes);
-  layout.variants.forEach(({ anchors, joints }, v) => {
-    anchors.forEach(({ index }, a) => {
-      const piece = at(starts[v] + index);
-      if (piece && holds(v, a)) piece.held = true;
+export class Pieces {
+  /** @param {Layout} layout @param {import("../render/view.js").Shape} shape as it is drawn, in pieces
+   * @param {number[]} starts first node of each variant */
+  constructor(layout, shape, starts) {
+    this.shape = shape;
+    const of = new Int32Array(shape.nodes); // the piece of each node
+    shape.ropes.forEach(({ first, count }, i) => of.fill(i, first, first + count));
+    /** Of each piece: the one that stands for all that are tied together. */
+    this.groups = shape.ropes.map((_, i) => i);
+    /** The piece of each anchor of each variant. */
+    this.anchored = layout.variants.map(({ anchors }, v) =>
+      anchors.map(({ index }) => of[starts[v] + index]),
+    );
+    layout.variants.forEach(({ joints }, v) => {
+      for (const { nodes } of joints ?? []) this.tie(nodes.map((node) => of[starts[v] + node]));
     });
-    const ties = (joints ?? []).map(({ nodes }) => nodes.map((node) => at(starts[v] + node)));
-    for (let changed = true; changed;) {
-      changed = false;
-      for (const tied of ties) {
-        if (!tied.some((piece) => piece?.held) || tied.every((piece) => piece?.held)) continue;
-        for (const piece of tied) if (piece) piece.held = changed = true;
-      }
-    }
-  });
-  // where nothing holds any, and there is nothing else to look at, the flight is the scene
-  const nothing =
-    !layout.obstacles?.length && !layout.variants.some(({ anchors }) => anchors.length);
-  return nothing ? pieces.map((piece) => ({ ...piece, held: true })) : pieces;
+    // where nothing holds any, and there is nothing else to look at, the flight is the scene
+    this.flight =
+      !layout.obstacles?.length && !layout.variants.some(({ anchors }) => anchors.length);
+  }
+
+  /** @param {number[]} pieces */
+  tie([first, ...others]) {
+    for (const other of others) this.groups[this.group(other)] = this.group(first);
+  }
+
+  /** @param {number} piece @returns {number} */
+  group(piece) {
+    while (this.groups[piece] !== piece) piece = this.groups[piece];
+    return piece;
+  }
+
+  /** @param {(variant: number, anchor: number) => boolean} holds whether an anchor has not let go
+   * @returns {Piece[]} */
+  held(holds) {
+    /** @type {Set<number>} */ const groups = new Set();
+    this.anchored.forEach((pieces, v) =>
+      pieces.forEach((piece, a) => holds(v, a) && groups.add(this.group(piece))),
+    );
+    return this.shape.ropes.map(({ first, count }, i) => {
+      return { first, nodes: count, held: this.flight || groups.has(this.group(i)) };
+    });
+  }
 }
