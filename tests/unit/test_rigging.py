@@ -150,10 +150,11 @@ def test_guesses_of_a_line_are_told_with_what_they_make_of_it() -> None:
     )
     for sure in (
         rw.line(30.0, 0.0, "wire-7x19-12", sag=1.0),
-        rw.line(30.0, 0.0, line.material, sag=1),
+        rw.line(30.0, 0.0, line.material.replace(EA=25e3), sag=1),  # its own number is no guess
     ):
         assert "guess" not in str(sure)
         assert "with EA" not in str(sure.rolling(80.0))
+    assert "EA 32.7 kN is a guess" in str(rw.line(30.0, 0.0, line.material, sag=1))
 
 
 def test_an_unknown_rope_and_none() -> None:

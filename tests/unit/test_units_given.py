@@ -187,6 +187,19 @@ def test_quantities_of_flags_are_shown_as_they_were_given(tmp_path: Path) -> Non
     scene = apply_overrides(rw.preset("hanging-rope"), flags)
     found = {one.path: one.given for one in as_given("hanging-rope", scene, flags)}
     assert found == {"rope[0].length": "50 ft", "gravity[2]": "-32 ft/s^2"}
+    flags = [
+        'rope.made_of={EA="5.65 MN", mass_per_length="63 g/m", kind="material"}',
+        'rope.loads=[{node=3, mass="10 lb"}, {node=4, mass=2}]',
+        'rope.shape={kind="straight", end=["40 ft", 0, 0]}',
+    ]
+    scene = apply_overrides(rw.preset("hanging-rope"), flags)
+    found = {one.path: one.given for one in as_given("hanging-rope", scene, flags)}
+    assert found == {  # tables given whole had nothing shown
+        "rope[0].made_of.EA": "5.65 MN",
+        "rope[0].made_of.mass_per_length": "63 g/m",
+        "rope[0].load[0].mass": "10 lb",
+        "rope[0].shape.end": "(40 ft, 0, 0)",
+    }
     asked = ["sheet", "hanging-rope", "--at-rest", "--no-convergence", "--json", "-o"]
     told = CliRunner().invoke(
         main, [*asked, str(tmp_path / "a.html"), "--set", "rope.length=40 ft"]

@@ -15,6 +15,7 @@ from ropewalk.lowering.elastic_tables import slopes_at_rest
 from ropewalk.record.margins import breaking_load, margin_words
 from ropewalk.scene import Rope
 from ropewalk.scene.from_library import origin_words
+from ropewalk.scene.guess import doubt_of
 from ropewalk.scene.rope import mass_words
 from ropewalk.statics import Statics
 from ropewalk.words.prefixes import prefixed
@@ -45,6 +46,7 @@ class RopeCheck:
     utilisation: float | None = None  # at rest, tension over breaking load [1]; None if not known
     rests: bool = True  # whether it is at rest in that shape, or near to it
     parts: bool = False  # whether it parts at its breaking load
+    doubt: str = ""  # what a guessed breaking load makes of the utilisation
 
     def lines(self) -> list[str]:
         """What it is, and what it carries at rest; one fact a line."""
@@ -57,7 +59,8 @@ class RopeCheck:
         text.append(f"  at rest: largest tension {prefixed(self.largest_tension, 'N', 5)}{strain}")
         if self.utilisation is not None:
             beyond = "it parts" if self.parts else "it would have parted"
-            text.append(f"  at rest: {margin_words(self.utilisation, beyond)}")
+            doubt = f"; {self.doubt}" if self.doubt else ""
+            text.append(f"  at rest: {margin_words(self.utilisation, beyond)}{doubt}")
         if self.slack or self.short:
             text.append(f"  segments slack at rest {self.slack}, started too short {self.short}")
         return text
@@ -89,6 +92,7 @@ def rope_check(model: Model, statics: Statics, name: str) -> RopeCheck:
     rest, tension = state.rest_length[segments], statics.tension[segments]
     rests = statics.solved or not may_say_nothing(model)
     load = breaking_load(rope) if rests else None
+    use = None if load is None else float(tension.max(initial=0.0)) / load
     size = np.linalg.norm(np.diff(state.x[:, span.start : span.end + 1], axis=1), axis=0)
     taut = tension > 0.0
     # A sideways wave runs sqrt(T l / m), l the stretched length of a segment and m a node's mass.
@@ -110,9 +114,10 @@ def rope_check(model: Model, statics: Statics, name: str) -> RopeCheck:
         short=int((size < rest * (1.0 - _SHORT)).sum()),
         made_of=origin_words(rope.made_of),
         curve=words_of_curve(rope),
-        utilisation=None if load is None else float(tension.max(initial=0.0)) / load,
+        utilisation=use,
         rests=rests,
         parts=rope.strength < math.inf,
+        doubt="" if use is None else doubt_of(rope.made_of, use),
     )
 
 

@@ -278,5 +278,6 @@ class LibraryRope:
 
     def __repr__(self) -> str:
         d, m = 1e3 * self.diameter, self.mass_per_length
-        load = f", breaks at {self.breaking_load:.4g} N" if self.breaking_load else ""
+        about = "~" if "breaking_load" in self.guesses else ""
+        load = f", breaks at {about}{self.breaking_load:.4g} N" if self.breaking_load else ""
         return f"{self.name}: {self.title}, {d:.4g} mm, {m:.4g} kg/m, EA {self.EA:.4g} N{load}."

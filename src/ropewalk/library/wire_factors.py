@@ -23,13 +23,15 @@ from typing import NamedTuple
 class WireFactors(NamedTuple):
     """Factors of a construction: `W` [kg/100 m/mm^2], `K` [1], `EA` over the diameter squared [Pa].
 
-    `K_range` is the range of a K that is a guess, None where it has a source; `guess` says what else is one.
+    A range is that of a factor that is a guess, None where it has a source; `guess` says that more than K is.
     """
 
     W: float
     K: float
     EA: float
     K_range: tuple[float, float] | None = None
+    W_range: tuple[float, float] | None = None
+    EA_range: tuple[float, float] | None = None
     guess: str = ""
 
 
@@ -46,7 +48,9 @@ WIRE = {
     "6x19 IWRC": WireFactors(0.400, 0.356, 50.7e9),
     "6x36 FC": WireFactors(0.367, 0.330, 36.7e9),
     "6x36 IWRC": WireFactors(0.409, 0.356, 47.9e9),
-    "locked coil": WireFactors(0.565, 0.605, 106.8e9, (0.54, 0.67), LOCKED_COIL),
+    "locked coil": WireFactors(
+        0.565, 0.605, 106.8e9, (0.54, 0.67), (0.54, 0.587), (95e9, 117e9), LOCKED_COIL
+    ),
 }
 
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ropewalk.plots.style import escape
-from ropewalk.record.margins import breaking_load, margin_words
+from ropewalk.record.margins import breaking_load, doubt_words, margin_words
 from ropewalk.scene import Rope
 
 if TYPE_CHECKING:
@@ -26,14 +26,25 @@ def margin_notes(result: Result, first: int, stop: int) -> list[str]:
             return []
         return [
             f"{now[0]}{100.0 * now[1]:.3g} % of the breaking load at this moment.",
-            f"{until[0]}at most {margin_words(*until[1:])} since the start.",
+            f"{until[0]}at most {margin_words(*until[1:3])} since the start{_more(until[3])}.",
         ]
     found = _nearest(result, first, stop)
-    return [] if found is None else [f"{found[0]}at most {margin_words(*found[1:])}."]
+    return (
+        []
+        if found is None
+        else [f"{found[0]}at most {margin_words(*found[1:3])}{_more(found[3])}."]
+    )
 
 
-def _nearest(result: Result, first: int, stop: int) -> tuple[str, float, str] | None:
-    """Return the rope that comes nearest, as words begin, its utilisation, and what came of more than 1."""
+def _more(doubt: str) -> str:
+    return f"; {doubt}" if doubt else ""
+
+
+def _nearest(result: Result, first: int, stop: int) -> tuple[str, float, str, str] | None:
+    """Return the rope that comes nearest, as words begin, and its utilisation.
+
+    With what came of more than 1, and what guesses make of it.
+    """
     found = []
     for rope in result.scene.ropes:
         load = breaking_load(rope)
@@ -46,7 +57,7 @@ def _nearest(result: Result, first: int, stop: int) -> tuple[str, float, str] | 
         return None
     utilisation, name, beyond = max(found)
     whose = f"Rope {escape(name)}: " if len(result.scene.ropes) > 1 else ""
-    return whose, utilisation, beyond
+    return whose, utilisation, beyond, escape(doubt_words(result.scene, name, utilisation))
 
 
 def _beyond(result: Result, rope: Rope, stop: int) -> str:

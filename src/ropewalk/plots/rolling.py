@@ -8,6 +8,8 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from ropewalk.plots.style import COLOURS, GREY, line_style, new_figure, set_note, set_title, styled
+from ropewalk.rigging.words import margins
+from ropewalk.scene.guess import guesses_of
 
 if TYPE_CHECKING:
     from ropewalk.rigging import Rolling
@@ -30,7 +32,8 @@ def rolling(found: Rolling) -> Figure:
         share = pull.secondary_yaxis(
             "right", functions=(lambda kN: 1e5 * kN / load, lambda percent: 1e-5 * percent * load)
         )
-        share.set_ylabel("of the breaking load [%]")
+        mark = guesses_of(line.material).get("breaking_load")
+        share.set_ylabel("of the breaking load [%]" if mark is None else "of a guessed load [%]")
     pull.set_ylabel("tension [kN]")
     pull.set_ylim(bottom=0.0)
     pull.legend()
@@ -46,7 +49,9 @@ def rolling(found: Rolling) -> Figure:
     made_of = line.material.library or f"EA {line.material.EA:.4g} N"
     how = "held by the rope" if found.held else "rolling free, held in its place"
     set_title(figure, f"{found.mass:.4g} kg along a line of {line.span:.4g} m", f"{made_of}; {how}")
-    set_note(
-        figure, ["At rest at each place: a load that runs, bounces or is braked pulls harder."]
-    )
+    notes = ["At rest at each place: a load that runs, bounces or is braked pulls harder."]
+    if load is not None:
+        (text,) = margins(float(found.largest_tension.max()), line.material)
+        notes.append(f"{text[0].upper()}{text[1:]}.")
+    set_note(figure, notes)
     return figure

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ropewalk.core.arrays import Floats
+from ropewalk.scene.guess import doubt_of, guesses_of
 
 if TYPE_CHECKING:
     from ropewalk.lowering import Layout
@@ -40,12 +41,30 @@ def breaking_load(rope: Any) -> float | None:
     return found
 
 
-def margin_rows(utilisation: float, place: str) -> dict[str, Any]:
-    """Return the rows of a table: the largest utilisation [1] with its place, and the safety factor [1]."""
+def doubt_words(scene: Scene, nearest: str, utilisation: float) -> str:
+    """Return what guessed breaking loads make of the greatest utilisation [1], that of the rope `nearest`.
+
+    "" where none is a guess. Another rope whose load is one may come nearer than it.
+    """
+    told = [doubt_of(scene.rope_named(nearest).made_of, utilisation)]
+    for rope in scene.ropes:
+        mark = guesses_of(rope.made_of).get("breaking_load")
+        if mark is not None and rope.name != nearest:
+            told.append(f"the breaking load of rope {rope.name!r} is a guess, too, {mark.span}")
+    return "; ".join(text for text in told if text)
+
+
+def margin_rows(utilisation: float, place: str, doubt: str) -> dict[str, Any]:
+    """Return the rows of a table: the largest utilisation [1] with its place, and the safety factor [1].
+
+    `doubt` is what guesses make of it, in words.
+    """
+    about = {"about the largest utilisation of the breaking load": doubt} if doubt else {}
     return {
         "largest utilisation of the breaking load [%]": 100.0 * utilisation,
         "largest utilisation of the breaking load at": place,
         "least safety factor [1]": 1.0 / utilisation if utilisation > 0.0 else math.inf,
+        **about,
     }
 
 

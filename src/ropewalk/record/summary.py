@@ -12,7 +12,7 @@ from ropewalk.record.balances import energy_note
 from ropewalk.record.ends import shortly
 from ropewalk.record.extremes import SEEN, UTILISATION, Extreme, extremes, place_of
 from ropewalk.record.facts import AT_REST, BROKE
-from ropewalk.record.margins import margin_rows
+from ropewalk.record.margins import doubt_words, margin_rows
 from ropewalk.record.moving_rows import moving_rows
 from ropewalk.record.parted import parting_rows
 from ropewalk.record.tension_notes import curve_note, push_note, tension_note
@@ -127,9 +127,9 @@ def _margins(result: Result, found: dict[str, Extreme]) -> dict[str, Any]:
     if extreme is None:
         return {}
     place = place_of(result, UTILISATION, extreme)
-    return margin_rows(
-        extreme.value, place.partition(",")[0] if result.status == AT_REST else place
-    )
+    place = place.partition(",")[0] if result.status == AT_REST else place
+    nearest, _ = result.layout.rope_of(extreme.place)
+    return margin_rows(extreme.value, place, doubt_words(result.scene, nearest, extreme.value))
 
 
 def _steps(result: Result) -> dict[str, Any]:

@@ -1,4 +1,4 @@
-"""What a library rope's guesses make of a line: the same one at the ends of their ranges."""
+"""What guesses make of a line: the same one at the ends of their ranges."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from ropewalk.rigging.words import force
 from ropewalk.scene import SceneError
+from ropewalk.scene.guess import guesses_of
 
 if TYPE_CHECKING:
     from ropewalk.rigging.lines import Line
@@ -15,11 +16,10 @@ if TYPE_CHECKING:
 def between(line: Line) -> tuple[Line, Line] | None:
     """Return the line with the least and with the greatest EA of a guess, set up alike.
 
-    None where EA is no guess of the library, or a line with such an EA cannot be.
+    None where EA is no guess, or a line with such an EA cannot be.
     """
-    EAs = [] if line.rope is None else [line.rope.numbers.get(key) for key in ("EA", "EA_static")]
-    guess = next((one for one in EAs if one is not None and one.value == line.material.EA), None)
-    if guess is None or guess.low is None or guess.high is None:
+    guess = guesses_of(line.material).get("EA")
+    if guess is None:
         return None
     try:
         return line.with_EA(guess.low), line.with_EA(guess.high)
@@ -28,10 +28,9 @@ def between(line: Line) -> tuple[Line, Line] | None:
 
 
 def line_notes(line: Line) -> list[str]:
-    """Return what is to be known of the numbers that a line's rope has from the library, one a line."""
-    if line.rope is None:
-        return []
+    """Return what is to be known of the numbers of a line's rope, one a line."""
     notes = []
+    known = {} if line.rope is None else line.rope.numbers
     ends = between(line)
     if ends is not None:
         soft, stiff = ends
@@ -41,15 +40,15 @@ def line_notes(line: Line) -> list[str]:
             f"{force(stiff.material.EA)}: length to cut {soft.length:.6g} to {stiff.length:.6g} m, "
             f"largest tension {force(min(pulls))} to {force(max(pulls))}"
         )
-    elif "EA_static" not in line.rope.numbers and line.rope.label:
+    elif line.rope is not None and "EA_static" not in known and line.rope.label:
         notes.append(f"EA {force(line.material.EA)} is that of a fall: at rest the rope is softer")
-    mass = line.rope.numbers["mass_per_length"]
-    if mass.guessed and mass.low is not None and mass.high is not None:
+    mass = guesses_of(line.material).get("mass_per_length")
+    if mass is not None:
         low, high = 1e3 * mass.low, 1e3 * mass.high
         notes.append(
             f"mass {1e3 * mass.value:.4g} g/m is a guess, from {low:.4g} to {high:.4g} g/m"
         )
-    load = line.rope.numbers.get("breaking_load")
+    load = known.get("breaking_load")
     if line.material.breaking_load is None and load is not None and load.low is not None:
         notes.append(
             f"breaking load not known, so no utilisation; guessed {force(load.value)}, "

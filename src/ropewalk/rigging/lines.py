@@ -165,7 +165,7 @@ class Line:
         ]
         for noun, (across, up) in zip(("first", "second"), self.anchor_forces, strict=True):
             text.append(f"the {noun} anchor pulls {force(across)} across and {force(up)} up")
-        text += margins(max(first, last), self.material.breaking_load)
+        text += margins(max(first, last), self.material)
         return text + self.notes()
 
     def notes(self) -> list[str]:

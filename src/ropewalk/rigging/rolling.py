@@ -107,7 +107,7 @@ class Rolling:
             f"largest sag of the load {self.sag.max():.4g} m; lowest at {self.place[low]:.4g} m, "
             f"{self.height[low]:+.4g} m to the first end",
         ]
-        text += margins(largest, self.line.material.breaking_load)
+        text += margins(largest, self.line.material)
         return text + self.notes()
 
     def notes(self) -> list[str]:

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from ropewalk.scene import Material
+from ropewalk.scene.guess import doubt_of
+
 
 def force(newtons: float) -> str:
     """Return a force as people write it: 12.3 kN."""
@@ -11,8 +14,9 @@ def force(newtons: float) -> str:
     return f"{newtons:.4g} N"
 
 
-def margins(tension: float, breaking_load: float | None) -> list[str]:
+def margins(tension: float, material: Material) -> list[str]:
     """Return utilisation and safety factor in words: nothing where no breaking load is known."""
+    breaking_load = material.breaking_load
     if breaking_load is None:
         return []
     share = tension / breaking_load
@@ -21,4 +25,5 @@ def margins(tension: float, breaking_load: float | None) -> list[str]:
         text += f", safety factor {breaking_load / tension:.3g}"
     if share > 1.0:
         text += ": it would have parted"
-    return [text]
+    doubt = doubt_of(material, share)
+    return [f"{text}; {doubt}" if doubt else text]

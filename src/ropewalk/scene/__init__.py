@@ -4,6 +4,7 @@ from ropewalk.scene.anchor import Anchor, Clamp
 from ropewalk.scene.at_nodes import Force, Kick, Load
 from ropewalk.scene.environment import Air, Ground, Limiter
 from ropewalk.scene.faults import Fault, SceneError, SceneFileError
+from ropewalk.scene.guess import Guess
 from ropewalk.scene.joint import Joint, Tie
 from ropewalk.scene.knot_shape import Knot
 from ropewalk.scene.mesh import Mesh, Sdf
@@ -51,6 +52,7 @@ __all__ = [
     "Fixed",
     "Force",
     "Ground",
+    "Guess",
     "HalfPipe",
     "Hand",
     "Hanging",

@@ -35,28 +35,39 @@ def as_given(file: str | Path, scene: Scene, flags: Iterable[str] = ()) -> list[
     Args:
         file: the scene's; nothing is found in what is none.
         scene: read from it. What has been changed since is left out.
-        flags: that changed it, as `apply_overrides` takes them; of those that set whole tables nothing
-            is told.
+        flags: that changed it, as `apply_overrides` takes them.
     """
     try:
         table = tomllib.loads(Path(file).read_text(encoding="utf-8"))
     except (OSError, ValueError):
         table = {}
-    found = {one.path: one for flag in flags for one in _of_flag(scene, flag)}
+    pairs = [flag.partition("=")[::2] for flag in flags]
+    found = {
+        one.path: one
+        for path, text in pairs
+        for one in _of_flag(scene, path.strip(), as_value(text.strip()))
+    }
     return [one for one in _quantities(scene, table, "") if one.path not in found] + [
         *found.values()
     ]
 
 
-def _of_flag(scene: Scene, flag: str) -> Iterator[AsGiven]:
-    """Return the quantity of `path=value`, if it still stands there and has a unit."""
-    path, _, text = flag.partition("=")
+def _of_flag(scene: Scene, path: str, given: Any) -> Iterator[AsGiven]:
+    """Return the quantities that a flag gives a path, which still stand there and have a unit."""
+    if isinstance(given, Mapping):
+        for key, part in given.items():
+            yield from _of_flag(scene, f"{path}.{key}", part)
+        return
+    if isinstance(given, list) and given and isinstance(given[0], Mapping):
+        for i, part in enumerate(given):
+            yield from _of_flag(scene, f"{path}[{i}]", part)
+        return
     try:
         places = Places(scene, [path])
     except SceneError:  # of what a later flag has taken away
         return
     field, where = places.field(0)
-    given, stored, unit = as_value(text.strip()), places.value(0), unit_of(field)
+    stored, unit = places.value(0), unit_of(field)
     if unit and _with_unit(given) and _same(in_unit(given, unit), stored):
         yield AsGiven(where, _shown(given), f"{_shown(stored)} {unit}")
 

@@ -142,7 +142,7 @@ class FromDataSheet:
 
         W and K of EN 12385-4 and stretch factors as in `library.wire_factors`; EA is that of new rope
         after it has bedded in, within some 15 %. K of the strand 1x19 has no source, and neither has any
-        number of locked coil rope: what is a guess is given only when asked for.
+        number of locked coil rope: what is a guess is given only when asked for, and marked in `guessed`.
 
         Args:
             construction: "6x36 IWRC", "6x19 FC", "7x7", "1x19" ...
@@ -169,7 +169,17 @@ class FromDataSheet:
         if factors.guess and not guesses:
             rule = f"{factors.guess}; guesses=True takes them"
             raise SceneError([Fault("construction", construction, rule)])
-        made = {"EA": factors.EA * d**2, "mass_per_length": factors.W * 1e4 * d**2}
-        if guesses or factors.K_range is None:
-            made["breaking_load"] = factors.K * R * 1e6 * d**2
-        return cls(**(made | {"tension_only": True} | others))
+        ways = {
+            "EA": (factors.EA, factors.EA_range, d**2),
+            "mass_per_length": (factors.W, factors.W_range, 1e4 * d**2),
+            "breaking_load": (factors.K, factors.K_range, R * 1e6 * d**2),
+        }
+        if factors.K_range is not None and not guesses:
+            del ways["breaking_load"]
+        made = {name: factor * size for name, (factor, _, size) in ways.items()}
+        marks = [
+            {"of": name, "value": made[name], "low": span[0] * size, "high": span[1] * size}
+            for name, (_, span, size) in ways.items()
+            if span is not None and name not in others
+        ]
+        return cls(**(made | {"tension_only": True, "guessed": marks} | others))

@@ -7,10 +7,9 @@ from typing import Any
 
 from ropewalk.library import LibraryRope, UnknownRope, rope
 from ropewalk.library.catalogue import nearest
-from ropewalk.library.entry import UNITS
 from ropewalk.scene.base import refuse
 from ropewalk.scene.faults import Fault
-from ropewalk.words.prefixes import prefixed
+from ropewalk.scene.guess import guess_words
 
 #: What a material always has; where one of them is missing, the library gives it.
 _NEEDED = ("EA", "mass_per_length")
@@ -39,10 +38,34 @@ def filled(data: Any) -> Any:
     """
     if not isinstance(data, Mapping) or not data.get("library"):
         return data
-    if all(key in data for key in _NEEDED) or not isinstance(data["library"], str):
+    if not isinstance(data["library"], str):
         return data
+    if all(key in data for key in _NEEDED):
+        return _marked(dict(data))
     found, use = _known(data["library"], "library")
-    return found.material_numbers(use) | dict(data)
+    return _marked(found.material_numbers(use) | dict(data))
+
+
+def _marked(data: dict[str, Any]) -> dict[str, Any]:
+    """Mark the numbers that are guesses of the library that a material names, where none are marked."""
+    if "guess" in data or "guessed" in data:
+        return data
+    try:
+        found, use = entry(data["library"])
+    except (UnknownRope, ValueError):
+        return data
+    numbers = {field: found.numbers.get(key) for field, key in _keys(use).items()}
+    marks = [
+        {"of": field, "value": one.value, "low": one.low, "high": one.high}
+        for field, one in numbers.items()
+        if one is not None and one.guessed and data.get(field) == one.value
+    ]
+    return data | ({"guess": marks} if marks else {})
+
+
+def _keys(use: str) -> dict[str, str]:
+    """Return which number of the library a field of a material is."""
+    return {"EA": "EA_static" if use else "EA"} | {key: key for key in _FROM_SOURCES}
 
 
 def with_diameter(data: Any) -> Any:
@@ -89,9 +112,8 @@ def origin(made_of: Any) -> dict[str, Any] | None:
     except (UnknownRope, ValueError):
         return {"library": name, "known": False}
     given = found.material_numbers(use)
-    keys = {"EA": "EA_static" if use else "EA"} | {key: key for key in _FROM_SOURCES}
     about: dict[str, Any] = {"library": name, "title": found.title, "numbers": {}, "changed": []}
-    for field, key in keys.items():
+    for field, key in _keys(use).items():
         value = getattr(made_of, field)
         if value == given.get(field, type(made_of).model_fields[field].default):
             if field in given:
@@ -104,17 +126,14 @@ def origin(made_of: Any) -> dict[str, Any] | None:
 
 
 def origin_words(made_of: Any) -> str:
-    """Return the same as a sentence without its full stop, or ""."""
-    about = origin(made_of)
+    """Return the same as a sentence without its full stop, with all that is guessed, or ""."""
+    about, guessed = origin(made_of), guess_words(made_of)
+    changed: list[str] = []
     if about is None:
-        return ""
-    if not about.get("known", True):
-        return f"said to be {about['library']}, which this library has not"
-    guessed = [
-        f"{key} ({prefixed(one['low'], UNITS[key])} to {prefixed(one['high'], UNITS[key])})"
-        for key, one in about["numbers"].items()
-        if one["quality"] == "guess"
-    ]
-    text = f"{about['library']} of the library"
-    text += f"; guessed there: {', '.join(guessed)}" if guessed else ""
-    return text + (f"; changed here: {', '.join(about['changed'])}" if about["changed"] else "")
+        text = "given by its numbers" if guessed else ""
+    elif not about.get("known", True):
+        text = f"said to be {about['library']}, which this library has not"
+    else:
+        text, changed = f"{about['library']} of the library", about["changed"]
+    text += f"; guessed: {guessed}" if guessed else ""
+    return text + (f"; changed here: {', '.join(changed)}" if changed else "")

@@ -355,9 +355,10 @@ def _choose(
             raise _fault(f"{path}[{step}]", "give a key of it too")
         return [spots[step]], rest[1:]
     named = [spot for spot in spots if spot[0].get("name") == step]
-    if named and len(rest) > 1 and step not in keys(model):
+    known = {*keys(model), *model.model_fields}  # in TOML, and in Python
+    if named and len(rest) > 1 and step not in known:
         return named, rest[1:]
-    if step not in keys(model) and len(rest) > 1:
+    if step not in known and len(rest) > 1:
         names = [str(item["name"]) for item in items if "name" in item]
         raise _fault(f"{path}.{step}", f"no such name or key; {nearest(step, names)}")
     return spots, rest

@@ -30,6 +30,7 @@ from ropewalk.scene.base import (
 from ropewalk.scene.data_sheet import FromDataSheet
 from ropewalk.scene.faults import MISSING, Fault
 from ropewalk.scene.from_library import filled, with_diameter
+from ropewalk.scene.guess import Guess
 from ropewalk.scene.knot_shape import Knot
 from ropewalk.scene.limits import MOST_SEGMENTS
 from ropewalk.scene.shapes import Points, Shape, Slack, Straight
@@ -127,6 +128,7 @@ class Material(FromDataSheet, Model):
         description="Rope of the library that gives what is left out, EA or mass_per_length with it; "
         "else says where the numbers came from",
     )
+    guessed: Many[Guess] = listed("Which numbers are guesses", "guess", "guessed", default=())
 
     @model_validator(mode="before")
     @classmethod

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ropewalk.record.extremes import UTILISATION, extremes, place_of
+from ropewalk.record.extremes import UTILISATION, Extreme, extremes, place_of
+from ropewalk.record.margins import doubt_words
 from ropewalk.record.moving_rows import moving_rows
 from ropewalk.record.tension_notes import tension_note
 from ropewalk.sheets.content import Item, Section, Table, Text
@@ -35,7 +36,7 @@ _SIGN = "Forces of the ropes on the anchors; components along x, y and z."
 
 def summary_section(rest: Result | None, run: Result | None) -> Section:
     """Return the numbers that a job is decided by, of the shape of rest and of the run."""
-    rows = []
+    rows, doubts = [], []
     for title, result in (("at rest", rest), ("in the run", run)):
         if result is not None:
             found = extremes(result)
@@ -53,8 +54,10 @@ def summary_section(rest: Result | None, run: Result | None) -> Section:
                     f"{1.0 / use.value:.3g}" if use is not None and known and use.value > 0 else "",
                 )
             )
+            if use is not None and known and (doubt := _doubt(result, use)):
+                doubts.append(Text(f"{title.capitalize()}: {doubt}.", warning=True))
     head = ("", "largest tension", "largest force on an anchor", "utilisation", "safety factor")
-    items: list[Item] = [Table(head, rows)]
+    items: list[Item] = [Table(head, rows), *doubts]
     if run is not None and run.diagnosis:
         items.append(Text("The run broke: see below. Its numbers end there.", warning=True))
     if run is not None and run.partings:
@@ -186,7 +189,14 @@ def _utilisation(result: Result) -> list[Item]:
         place = place.partition(",")[0]
     factor = f"safety factor {1.0 / one.value:.3g}" if one.value > 0.0 else "unloaded"
     text = f"Largest utilisation of the breaking load: {share:.3g} % ({factor}), {place}."
+    doubt = _doubt(result, one)
+    text += f" {doubt[0].upper()}{doubt[1:]}." if doubt else ""
     if one.value <= 1.0:
-        return [Text(text)]
+        return [Text(text, warning=bool(doubt))]
     named = any(f"rope {p.rope!r}" in place for p in result.partings)
     return [Text(f"{text} {'IT PARTED' if named else 'IT WOULD HAVE PARTED'}.", warning=True)]
+
+
+def _doubt(result: Result, use: Extreme) -> str:
+    """Return what guessed breaking loads make of the greatest utilisation; "" where none is a guess."""
+    return doubt_words(result.scene, result.layout.rope_of(use.place)[0], use.value)

@@ -14,6 +14,7 @@ from ropewalk.record.margins import breaking_load
 from ropewalk.scene import Material, Rope, Scene, Springs
 from ropewalk.scene.curve_words import curve_words
 from ropewalk.scene.from_library import origin, origin_words
+from ropewalk.scene.guess import guesses_of
 from ropewalk.scene.obstacles import Obstacle
 from ropewalk.scene.slide import Slide
 from ropewalk.sheets.content import Item, Section, Table, Text
@@ -78,6 +79,11 @@ def _rope_rows(rope: Rope) -> list[tuple[str, str]]:
         ]
     known = _unknown_load(rope) if load is None else prefixed(load, "N", 5)
     rows.append((_NAMES["breaking_load"], known))
+    guesses = {_NAMES[name]: mark.span for name, mark in guesses_of(made_of).items()}
+    rows = [
+        (name, f"{text}, a guess: {guesses[name]}" if name in guesses else text)
+        for name, text in rows
+    ]
     rows += [(f"load at {_at(rope, part.node)}", f"{part.mass:.5g} kg") for part in rope.loads]
     rows += [
         (f"force at {_at(rope, part.node)}", f"({', '.join(f'{c:.4g}' for c in part.force)}) N")
@@ -122,24 +128,20 @@ def _at(rope: Rope, node: int) -> str:
 
 def _sources(rope: Rope) -> list[Item]:
     """Return where the library has a rope's numbers from, and a warning of those that are guesses."""
-    about = origin(rope.made_of)
-    if about is None or not about.get("known", True):
-        return []
-    rows, guessed = [], []
-    for field, number in about["numbers"].items():
+    about = origin(rope.made_of) or {}
+    rows = []
+    for field, number in about.get("numbers", {}).items():
         span = ""
         if "low" in number and "high" in number:
             low, high = (prefixed(number[end], str(UNITS[field])) for end in ("low", "high"))
             span = f"{low} to {high}"
         source = _told(str(number["source"]))
         rows.append((_NAMES.get(field, field), number["quality"], span, source))
-        if number["quality"] == "guess":
-            guessed.append(_NAMES.get(field, field))
     items: list[Item] = []
     if rows:
         head = ("number of the library", "quality", "range", "source")
         items.append(Table(head, rows, numbers=False))
-    if guessed:
+    if guessed := [_NAMES[name] for name in guesses_of(rope.made_of)]:
         items.append(Text(f"Guessed, not measured: {', '.join(guessed)}.", warning=True))
     return items
 

@@ -107,6 +107,8 @@ def _write(found: Line, rolled: Rolling | None, output: Path) -> None:
 def _print(rolled: Rolling) -> None:
     import numpy as np
 
+    from ropewalk.scene.guess import guesses_of
+
     for text in rolled.lines():
         say(text)
     first, last = (np.hypot(*forces.T) for forces in (rolled.anchor_start, rolled.anchor_end))
@@ -119,7 +121,8 @@ def _print(rolled: Rolling) -> None:
         "second anchor N": last,
     }
     if rolled.utilisation is not None:
-        columns["utilisation %"] = 100.0 * rolled.utilisation
+        guessed = "breaking_load" in guesses_of(rolled.line.material)
+        columns[f"{'~' * guessed}utilisation %"] = 100.0 * rolled.utilisation
     step = max(1, rolled.place.size // _SHOWN)
     rows = [
         [f"{column[i]:.5g}" for column in columns.values()]
@@ -129,6 +132,8 @@ def _print(rolled: Rolling) -> None:
 
 
 def _facts(found: Line, rolled: Rolling | None) -> dict[str, Any]:
+    from ropewalk.scene.guess import guesses_of
+
     about: dict[str, Any] = {
         "span": found.span,
         "height_difference": found.height_difference,
@@ -141,6 +146,7 @@ def _facts(found: Line, rolled: Rolling | None) -> dict[str, Any]:
         "breaking_load": found.material.breaking_load,
         "utilisation": found.utilisation,
         "safety_factor": found.safety_factor,
+        "guessed": {name: [one.low, one.high] for name, one in guesses_of(found.material).items()},
         "notes": found.notes() + (rolled.notes() if rolled is not None else []),
     }
     return about | ({"rolling": rolled.table} if rolled is not None else {})

@@ -1,0 +1,70 @@
+"""Guessed numbers of a material: marks that go with it wherever it goes, and what they do to a margin."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, Literal
+
+from pydantic import Field, model_validator
+
+from ropewalk.library.entry import UNITS
+from ropewalk.scene.base import Model, Number, refuse
+from ropewalk.scene.faults import Fault
+from ropewalk.scene.limits import HUGE
+from ropewalk.words.prefixes import prefixed
+
+Guessable = Literal[
+    "EA",
+    "mass_per_length",
+    "axial_damping",
+    "relaxing_EA",
+    "relaxation_time",
+    "EI",
+    "breaking_load",
+]
+
+
+class Guess(Model):
+    """Says that a number of the material is a guess. Counts while that number has this `value`."""
+
+    of: Guessable = Field(description="Which number of the material")
+    value: Number = Field(
+        gt=0, le=HUGE, description="As it was guessed, in the number's own SI unit"
+    )
+    low: Number = Field(ge=0, le=HUGE, description="Least that it may be, in the same unit")
+    high: Number = Field(gt=0, le=HUGE, description="Most that it may be, in the same unit")
+
+    @model_validator(mode="after")
+    def _check(self) -> Guess:
+        if self.of == "breaking_load" and self.low == 0.0:  # all is told from the least of it
+            refuse([Fault("low", self.low, "must be greater than 0")])
+        if not self.low <= self.value <= self.high:
+            refuse([Fault("value", self.value, f"must be from {self.low:g} to {self.high:g}")])
+        return self
+
+    @property
+    def span(self) -> str:
+        """The range in words."""
+        unit = UNITS[self.of]
+        return f"{prefixed(self.low, unit)} to {prefixed(self.high, unit)}"
+
+
+def guesses_of(made_of: Any) -> dict[str, Guess]:
+    """Return the guesses among a material's numbers, by the names of these."""
+    marks = getattr(made_of, "guessed", ())
+    return {mark.of: mark for mark in marks if getattr(made_of, mark.of) == mark.value}
+
+
+def guess_words(made_of: Any) -> str:
+    """Return which of a material's numbers are guesses, with their ranges; "" for none."""
+    return ", ".join(f"{name} ({mark.span})" for name, mark in guesses_of(made_of).items())
+
+
+def doubt_of(made_of: Any, utilisation: float) -> str:
+    """Return what a guessed breaking load makes of a utilisation [1], on the safe side; "" of no guess."""
+    mark = guesses_of(made_of).get("breaking_load")
+    if mark is None or math.isnan(utilisation):
+        return ""
+    share = utilisation * mark.value / mark.low
+    text = f"the breaking load is a guess, {mark.span}: with the least of it {100.0 * share:.3g} %"
+    return text + (f", safety factor {1.0 / share:.3g}" if share > 0.0 else "")

@@ -1,0 +1,113 @@
+"""Guessed numbers: their marks go with a material, and whatever is told from them says so."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+import ropewalk as rw
+from ropewalk.scene import SceneError, dumps, loads
+from ropewalk.scene.guess import Guess, guesses_of
+from ropewalk.scene.overrides import apply_overrides
+from ropewalk.sheets.content import Table, Text
+from ropewalk.sheets.loads import rest_section, summary_section
+from ropewalk.sheets.ropes import rope_section
+
+STRAND = rw.Material.of_wire("1x19", "12 mm", guesses=True)
+#: K of 0.507 (0.477 to 0.549) times 1770 N/mm^2 times 144 mm^2.
+LOAD, LEAST, MOST = (K * 1770.0 * 144.0 for K in (0.507, 0.477, 0.549))
+PULL = 9.81 * (5000.0 + STRAND.mass_per_length * 2.0 * 0.9)  # [N] of the first of five segments
+
+
+def hung(made_of: rw.Material) -> rw.Scene:
+    rope = rw.Rope(
+        segments=5, length=2.0, made_of=made_of, shape={"kind": "hanging"},
+        loads=[rw.Load(node=-1, mass=5000.0)],
+    )  # fmt: skip
+    run = rw.RunSettings(duration=0.01, frame_rate=100.0, start="at-rest")
+    return rw.Scene(ropes=[rope], anchors=[rw.Anchor(node=0)], run=run)
+
+
+SURE = STRAND.replace(breaking_load=LOAD * 1.01)
+DOUBT = f"with the least of it {100 * PULL / LEAST:.3g} %, safety factor {LEAST / PULL:.3g}"
+
+
+def test_the_mark_goes_through_a_file_and_off_with_the_number() -> None:
+    scene = loads(dumps(hung(STRAND)))
+    assert scene == hung(STRAND)
+    mark = guesses_of(scene.ropes[0].made_of)["breaking_load"]
+    assert (mark.value, mark.low, mark.high) == pytest.approx((LOAD, LEAST, MOST))
+    assert list(guesses_of(scene.ropes[0].made_of)) == ["breaking_load"]
+    known = apply_overrides(scene, ["rope.made_of.breaking_load=135 kN"])
+    assert not guesses_of(known.ropes[0].made_of)
+    assert not guesses_of(rw.Material.of_wire("1x19", "12 mm", guesses=True, breaking_load=1e5))
+    with pytest.raises(SceneError, match="must be from 2 to 3"):
+        Guess(of="EA", value=1.0, low=2.0, high=3.0)
+    with pytest.raises(SceneError, match="must be greater than 0"):
+        Guess(of="breaking_load", value=1.0, low=0.0, high=3.0)
+
+
+def test_all_of_locked_coil_is_marked_and_nothing_of_what_has_a_source() -> None:
+    coil = rw.Material.of_wire("locked coil", 0.04, guesses=True)
+    marks = guesses_of(coil)
+    assert set(marks) == {"EA", "mass_per_length", "breaking_load"}
+    assert (marks["EA"].low, marks["EA"].high) == pytest.approx((95e9 * 0.0016, 117e9 * 0.0016))
+    assert marks["mass_per_length"].high == pytest.approx(5870 * 0.0016)  # 0.587 kg/100 m per mm^2
+    assert not rw.Material.of_wire("6x36 IWRC", 0.012, guesses=True).guessed
+
+
+def test_ropes_of_the_library_are_marked_whatever_way_they_come() -> None:
+    entry = rw.rope("semistatic-10.5")
+    named = hung(STRAND).ropes[0].replace(made_of=entry.name).made_of
+    old = loads(dumps(hung(entry.material()).replace()).split("guess = ")[0] + "\n")
+    for made_of in (entry.material(), named, old.ropes[0].made_of):
+        assert set(guesses_of(made_of)) == {"EA"}
+    assert set(guesses_of(entry.material(guesses=True))) == set(entry.guesses) & {
+        *("EA", "mass_per_length", "axial_damping", "breaking_load")
+    }
+
+
+def words(items: Any) -> str:
+    rows = [cell for item in items if isinstance(item, Table) for row in item.rows for cell in row]
+    return "\n".join([*rows, *(item.words for item in items if isinstance(item, Text))])
+
+
+@pytest.mark.parametrize("made_of", [STRAND, SURE])
+def test_wherever_a_margin_is_told_it_says_that_it_is_from_a_guess(made_of: rw.Material) -> None:
+    """Check, tables, figures, sheets, lines; with its range, and with what the least of it makes of it."""
+    scene = hung(made_of)
+    rest, run = rw.equilibrium(scene), rw.simulate(scene)
+    line = rw.line(30.0, 0.0, made_of, sag=0.6)
+    rolling = line.rolling(1000.0)
+    told = {
+        "check": str(rw.check(scene, measure=False)),
+        "table of rest": str(rest.table),
+        "table of a run": str(run.table),
+        "tensions": " ".join(one.get_text() for one in run.plot.tension().texts),
+        "forces": " ".join(one.get_text() for one in run.plot.forces().texts),
+        "summary": words(summary_section(rest, run).items),
+        "at rest": words(rest_section(rest, ()).items),
+        "ropes": words(rope_section(scene).items),
+        "line": str(line),
+        "rolling": str(rolling),
+        "figure of it": " ".join(one.get_text() for one in rolling.figure().texts),
+    }
+    for where, text in told.items():
+        text = " ".join(text.split())
+        assert ("is a guess" in text or "a guess:" in text) == (made_of is STRAND), where
+        assert ("121.6 kN to 139.9 kN" in text) == (made_of is STRAND), where
+        if made_of is STRAND and where not in ("ropes", "line", "rolling", "figure of it"):
+            assert DOUBT in text, where
+    if made_of is STRAND:
+        share = rolling.largest_tension.max() / LEAST
+        assert f"with the least of it {100 * share:.3g} %" in told["rolling"]
+
+
+def test_another_rope_that_is_guessed_is_named_too() -> None:
+    weak = hung(SURE).ropes[0].replace(name="weak", made_of=SURE.replace(breaking_load=50e3))
+    other = hung(STRAND).ropes[0].replace(name="other")
+    anchors = [rw.Anchor(rope="weak", node=0), rw.Anchor(rope="other", node=0)]
+    table = rw.equilibrium(rw.Scene(ropes=[weak, other], anchors=anchors)).table
+    told = table["about the largest utilisation of the breaking load"]
+    assert told == "the breaking load of rope 'other' is a guess, too, 121.6 kN to 139.9 kN"
