@@ -7,6 +7,8 @@ from typing import Any
 import pytest
 
 import ropewalk as rw
+from ropewalk.live.describe import rope_list
+from ropewalk.lowering import build
 from ropewalk.scene import SceneError, dumps, loads
 from ropewalk.scene.guess import Guess, guesses_of
 from ropewalk.scene.overrides import apply_overrides
@@ -102,6 +104,13 @@ def test_wherever_a_margin_is_told_it_says_that_it_is_from_a_guess(made_of: rw.M
     if made_of is STRAND:
         share = rolling.largest_tension.max() / LEAST
         assert f"with the least of it {100 * share:.3g} %" in told["rolling"]
+
+
+def test_the_page_gets_the_least_of_a_guessed_load() -> None:
+    for made_of, least in ((STRAND, LEAST), (SURE, None)):
+        scene = hung(made_of)
+        (told,) = rope_list(scene, build(scene).layout.ropes, {})
+        assert told["least_load"] == (least and pytest.approx(least))
 
 
 def test_another_rope_that_is_guessed_is_named_too() -> None:

@@ -9,6 +9,7 @@ import { placeOn } from "../view/cards.js";
 
 /** @typedef {import("../viewport.js").Viewport} Viewport */
 /** @typedef {import("../source/gather.js").Colouring} Colouring */
+/** @typedef {import("../source/protocol.js").Rope} Rope */
 
 const NUMBERS = 100; // ms between two changes of the numbers: faster ones cannot be read
 const NOTHING = 2e-9; // of a range's width: see `Range.follow`
@@ -22,12 +23,26 @@ function unitFor(colouring, most) {
   return most >= 1e4 ? ["kN", 1e-3] : ["N", 1];
 }
 
-/** How near to breaking, in words. @param {number} most tension over breaking load */
-export function marginText(most) {
+/** How near to breaking, in words.
+ * @param {number} most tension over breaking load @param {number} more times as much by a guess */
+export function marginText(most, more = 1) {
   if (!(most > 0)) return "Most now: 0 %";
-  const share = `Most now: ${figures(Number((100 * most).toPrecision(3)))} %`;
-  if (most > 1) return `${share}: it would have parted`;
-  return `${share}, safety factor ${figures(Number((1 / most).toPrecision(3)))}`;
+  const three = (/** @type {number} */ value) => figures(Number(value.toPrecision(3)));
+  const share = `Most now: ${three(100 * most)} %`;
+  const told =
+    most > 1 ? `${share}: it would have parted` : `${share}, safety factor ${three(1 / most)}`;
+  if (!(more > 1)) return told;
+  const least = `${three(100 * more * most)} %, ${three(1 / (more * most))}`;
+  return `${told}. Breaking load guessed: with the least of it ${least}`;
+}
+
+/** How many times nearer to breaking guessed breaking loads may bring the ropes; 1 where none is guessed.
+ * @param {Rope[]} ropes */
+export function moreByGuess(ropes) {
+  const shares = ropes.map(
+    (one) => (one.breaking_load ?? 1) / (one.least_load ?? one.breaking_load ?? 1),
+  );
+  return Math.max(1, ...shares);
 }
 
 /** Which arrows are left out where many anchors hold. @param {{forces: number, large: number}} crowd */
@@ -41,6 +56,7 @@ export class Legend {
   constructor(viewport, host) {
     this.viewport = viewport;
     this.written = -Infinity;
+    /** see `moreByGuess` */ this.more = 1;
     this.select = h(
       "select",
       { id: "colouring", "aria-label": "Colour of the ropes", onchange: () => this.choose() },
@@ -148,6 +164,7 @@ export class Legend {
       }
     }
     this.margin.hidden = this.viewport.colouring !== "utilisation";
+    this.more = layout ? moreByGuess(layout.variants.flatMap(({ ropes }) => ropes)) : 1;
     if (!layout || !plain) return;
     const many = layout.variants.length > 1;
     const entries = many
@@ -197,7 +214,7 @@ export class Legend {
   refresh() {
     this.paint();
     this.written = performance.now();
-    if (!this.margin.hidden) write(this.margin, marginText(this.viewport.most));
+    if (!this.margin.hidden) write(this.margin, marginText(this.viewport.most, this.more));
     const { range, colouring } = this.viewport;
     const { low, high } = range;
     const [unit, scale] = unitFor(colouring, Math.max(Math.abs(low), Math.abs(high)));

@@ -1,7 +1,7 @@
 // The messages of the live view, as docs/reference/live-protocol.md describes them. Types only.
 
 /** @typedef {{name: string, first: number, nodes: number, zero: number, segments: number, length: number,
- *   EA: number, breaking_load?: number | null,
+ *   EA: number, breaking_load?: number | null, least_load?: number | null,
  *   diameter: number, mass: number, submerged_weight: number | null, color: number}} Rope */
 /** @typedef {{name: string, rope: string, node: number, index: number, motion: string,
  *   pinned: boolean}} Anchor */

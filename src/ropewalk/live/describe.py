@@ -22,6 +22,7 @@ from ropewalk.live.track import RIGID_FIXED, WINCH_SAFE, WITH_LINKS, Track
 from ropewalk.lowering import Layout, Span
 from ropewalk.record.margins import breaking_load
 from ropewalk.scene import Scene, Springs
+from ropewalk.scene.guess import guesses_of
 from ropewalk.scene.presets import preset
 
 FIRST_LEVEL = ("spring_friction", "mass", "length", "gravity")
@@ -121,6 +122,7 @@ def rope_list(scene: Scene, spans: Sequence[Span], colors: dict[str, int]) -> li
             "segments": rope.segments,
             "length": rope.length_unstretched,
             "breaking_load": breaking_load(rope),
+            "least_load": None if mark is None else mark.low,
             "EA": plain(rope.segment_stiffness * rope.segment_length or None),
             "diameter": rope.diameter,
             "mass": rope.total_mass,
@@ -128,6 +130,7 @@ def rope_list(scene: Scene, spans: Sequence[Span], colors: dict[str, int]) -> li
             "color": colors.get(rope.name, number),
         }
         for number, (rope, span) in enumerate(zip(scene.ropes, spans, strict=True))
+        for mark in (guesses_of(rope.made_of).get("breaking_load"),)
     ]
 
 
