@@ -1,4 +1,4 @@
-"""What a check says before a run, and the slips of units it sees, each with a twin it lets pass."""
+"""What a check says before a run."""
 
 from __future__ import annotations
 
@@ -7,12 +7,10 @@ import math
 
 import pytest
 
+from report_rope import material, scene, warnings
 from ropewalk.analysis.check import check
 from ropewalk.analysis.cost import seconds_per_step
-from ropewalk.analysis.unit_slips import unit_slips
-from ropewalk.api import preset, simulate
-from ropewalk.library import names
-from ropewalk.library import rope as library_rope
+from ropewalk.api import preset
 from ropewalk.lowering import build
 from ropewalk.scene import (
     Anchor,
@@ -21,47 +19,13 @@ from ropewalk.scene import (
     Limiter,
     Load,
     Material,
-    Polyline,
     Rope,
     RunSettings,
     Scene,
     Slack,
-    Springs,
     Straight,
 )
 from ropewalk.simulation import Simulation
-
-
-def scene(**changes: object) -> Scene:
-    """The report's rope between two anchors; `changes` to springs, rope, run or scene by name."""
-    springs: dict[str, object] = {
-        "spring_constant": 1e4,
-        "node_mass": 0.05,
-        "spring_friction": 0.05,
-        "segment_length": 1.0,
-    }
-    rope: dict[str, object] = {"segments": 20, "shape": Straight(start=(0, 0, 0))}
-    run: dict[str, object] = {"time_step": 0.002}
-    whole: dict[str, object] = {
-        "gravity": (0, -9.81, 0),
-        "anchors": (Anchor(node=0), Anchor(node=-1)),
-    }
-    for key, value in changes.items():
-        for part in (springs, rope, run):
-            fields = {id(springs): Springs, id(rope): Rope, id(run): RunSettings}[id(part)]
-            if key in fields.model_fields:
-                part[key] = value
-                break
-        else:
-            whole[key] = value
-    rope.setdefault("made_of", Springs(**springs))
-    return Scene(
-        run=RunSettings(**({"method": "semi-implicit-euler"} | run)), ropes=(Rope(**rope),), **whole
-    )
-
-
-def warnings(**changes: object) -> str:
-    return "\n".join(check(scene(**changes), measure=False).warnings)
 
 
 def test_numbers_of_the_report() -> None:
@@ -172,144 +136,6 @@ def test_what_is_not_measured_is_a_range_and_of_contact_nothing(
     assert "pace" not in check(preset("r4")).run_time
 
 
-def material(**changes: object) -> Rope:
-    fields = {"EA": 2e4, "mass_per_length": 0.06, "breaking_load": None}
-    rope = {"segments": 10, "length": 10.0, "shape": Straight(start=(0, 0, 0))}
-    for key, value in changes.items():
-        (fields if key in fields else rope)[key] = value
-    return Rope(**({"made_of": Material(**fields)} | rope))
-
-
-def slips(**changes: object) -> str:
-    return "\n".join(unit_slips(build(scene(**changes))))
-
-
-@pytest.mark.parametrize(
-    ("changes", "words"),
-    [
-        ({"gravity": (0, -9810.0, 0)}, "mm/s^2"),
-        ({"gravity": (0, -32.17, 0)}, "ft/s^2"),
-        ({"gravity": (0, 9.81, 0)}, "sign lost"),
-        ({"gravity": (0, 0, 9.81)}, "points to +z"),
-        ({"node_mass": 50.0}, "grams for kilograms"),
-        ({"spring_constant": 1e10}, "faster than in any fibre"),
-        ({"spring_constant": 0.01}, "slower than in rubber"),
-        ({"time_step": 2.0, "duration": 100.0, "frame_rate": 0.5}, "milliseconds for seconds"),
-        ({"segment_length": 50.0}, "lengths in millimetres"),
-        ({"shape": Straight(start=(0, 0, 0), end=(20000.0, 0, 0))}, "places in millimetres"),
-        ({"shape": Straight(start=(0, 0, 0), end=(0.02, 0, 0))}, "rope lengths in millimetres"),
-        ({"shape": Polyline(points=((0, 0, 0), (9e3, 0, 0), (9e3, 9e3, 0)))}, "millimetres"),
-        ({"loads": (Load(node=3, mass=80000.0),)}, "grams for kilograms"),
-        ({"diameter": 12.0}, "not a rope's"),
-    ],
-)
-def test_slips_of_units(changes: dict[str, object], words: str) -> None:
-    assert words in slips(**changes)
-
-
-def test_strains_in_per_cent_are_a_slip() -> None:
-    for strain, warned in ((10.0, True), (5.0, False)):  # rubber bears some 7
-        curve = [(0.5 * strain, 500.0), (strain, 900.0)]
-        one = Rope(segments=4, length=2.0, made_of=Material(curve=curve, mass_per_length=0.06))
-        found = "\n".join(unit_slips(build(scene().model_copy(update={"ropes": (one,)}))))
-        assert ("per cent for shares?" in found) is warned
-
-
-@pytest.mark.parametrize(
-    ("changes", "words"),
-    [
-        ({"EA": 40.0, "mass_per_length": 0.2}, "kN for N"),
-        ({"EA": 40.0, "diameter": 0.01, "mass_per_length": 1e-3}, ""),
-        ({"EA": 2e11}, "Young's modulus"),
-        ({"mass_per_length": 6000.0}, "grams for kilograms"),
-        ({"mass_per_length": 60.0, "diameter": 0.01}, "density"),
-        ({"EA": 0.05, "diameter": 0.01}, "that of no material"),
-        ({"diameter": 10.0}, "not a rope's"),
-        (
-            {"breaking_load": 20.0},
-            "bears 34 m of this rope, of 0.06 kg/m; kN for N, or g/m for kg/m?",
-        ),
-        ({"breaking_load": 20e3, "mass_per_length": 60.0}, "kN for N, or g/m for kg/m?"),
-        ({"breaking_load": 4e5}, "where no rope breaks; kN for N in one of them?"),
-        ({"breaking_load": 20e3, "EA": 1e3}, "where no rope breaks"),
-        ({"breaking_load": 20e3}, ""),
-        ({"breaking_load": 900.0, "EA": 75.0, "mass_per_length": 0.047}, ""),  # rubber
-        ({"length": 30e3}, "30000 m of rope; lengths in millimetres?"),
-        (
-            {"length": 0.03, "diameter": 0.012, "EA": 5e6, "mass_per_length": 0.5},
-            "is not a rope's shape",
-        ),
-    ],
-)
-def test_slips_of_a_material(changes: dict[str, object], words: str) -> None:
-    made = scene().model_copy(update={"ropes": (material(**changes),)})
-    found = "\n".join(unit_slips(build(made)))
-    if words:
-        assert words in found
-    else:
-        assert found == ""
-
-
-@pytest.mark.parametrize("name", ["tow", "zip-line", "highline", "crane-snap", "climbing-fall"])
-def test_rigging_presets_look_like_no_slip(name: str) -> None:
-    assert unit_slips(build(preset(name))) == []
-
-
-def test_a_rider_s_density_is_that_of_his_loads_too() -> None:
-    """His diameter is to the air; grams for kilograms is still seen where nothing slides."""
-    ride = preset("zip-line-ride")
-    assert unit_slips(build(ride)) == []
-    light = ride.replace(**{"rope[1].load[1].mass": 0.03, "rope[1].load[2].mass": 0.03})
-    light = light.replace(**{"rope[1].load[0].mass": 0.03})
-    assert "density" in "\n".join(unit_slips(build(light)))
-
-
-@pytest.mark.parametrize(
-    "changes",
-    [
-        {},
-        {"gravity": (0, 0, -9.81)},
-        {"gravity": (0, -1.62, 0)},
-        {"gravity": (0, 0, 0)},
-        {"spring_constant": 100.0},
-        {"spring_constant": 10.0, "node_mass": 0.001},
-        {"loads": (Load(node=3, mass=80.0),)},
-        {"segment_length": 0.05, "segments": 79},
-        {"diameter": 0.012},
-    ],
-)
-def test_ordinary_scenes_pass(changes: dict[str, object]) -> None:
-    assert slips(**changes) == ""
-
-
-@pytest.mark.parametrize(
-    ("diameter", "EA", "line"),
-    [
-        (0.0105, 25e3, 0.068),  # climbing rope
-        (0.02, 26e6, 1.7),  # steel cable
-        (0.0003, 1.5e2, 8e-5),  # fishing line
-        (0.1, 800e6, 200.0),  # mooring chain
-        (0.008, 30.0, 0.05),  # rubber
-    ],
-)
-def test_real_ropes_pass(diameter: float, EA: float, line: float) -> None:
-    rope = material(diameter=diameter, EA=EA, mass_per_length=line)
-    made = scene().model_copy(update={"ropes": (rope,)})
-    assert unit_slips(build(made)) == []
-
-
-def test_no_rope_of_the_library_looks_like_a_slip() -> None:
-    """Whole, with its guesses: from a spider's thread to a mooring chain."""
-    for name in names():
-        one = library_rope(name)
-        made_of = one.material(guesses=True)
-        piece = Rope(
-            segments=4, length=500.0 * one.diameter, diameter=one.diameter, made_of=made_of,
-            shape=Straight(start=(0, 0, 0)),
-        )  # fmt: skip
-        assert unit_slips(build(scene().model_copy(update={"ropes": (piece,)}))) == [], name
-
-
 def test_durations_that_are_no_whole_frames() -> None:
     """Said with the time at which the run ends; the twin is a whole number of frames."""
     said = warnings(duration=1.01, frame_rate=50.0, time_step=0.002)
@@ -338,44 +164,6 @@ def test_the_highest_frequency_at_rest_is_below_the_bound_for_any_shape() -> Non
     assert slack.highest_at_rest < 0.999 * slack.stability.highest_frequency
     assert "rad/s about the rest shape" in "\n".join(found.lines(all_methods=True))
     assert check(scene(), measure=False).highest_at_rest is None
-
-
-def test_a_strain_that_no_rope_bears_is_warned_of() -> None:
-    """12 m of 0.1 kg/m with EA in kN typed as N: 80 N carry it level, so 20 N stretch it by far."""
-    for EA, strained in ((20.0, True), (2e4, False)):
-        made = scene(
-            made_of=Material(EA=EA, mass_per_length=0.1), length=12.0, gravity=(0, 0, -9.81)
-        )
-        found = check(made, measure=False)
-        said = [text for text in found.warnings if "at rest it is stretched by" in text]
-        assert bool(said) is strained
-        rope = found.ropes[0]
-        assert rope.largest_strain == pytest.approx(rope.largest_tension / EA, rel=1e-6)
-        if strained:
-            assert f"by {100 * rope.largest_strain:.3g} %" in said[0]
-            assert "EA of 20 N: kN typed as N" in said[0]
-    assert "kN/m typed as N/m" in warnings(spring_constant=20.0)
-
-
-def test_a_shape_that_starts_broken_is_told() -> None:
-    """4 segments of 0.1 m laid over 8 m. The twin: over 3 m, 7.5 times their length."""
-    made_of = Springs(spring_constant=100.0, node_mass=0.1, segment_length=0.1)
-    long, short = (
-        Scene(
-            ropes=[Rope(segments=4, made_of=made_of, shape=Straight(end=(reach, 0.0, 0.0)))],
-            anchors=[Anchor(node=0)],
-            gravity=(0.0, 0.0, 0.0),
-            run={"duration": 0.5},
-        )
-        for reach in (8.0, 3.0)
-    )
-    found = check(long)
-    assert not found.ok
-    text = "4 of 4 segments start at up to 20 times their rest length: the run breaks at once"
-    assert any(text in warning for warning in found.warnings)
-    assert simulate(long, on_failure="return").status == "broke"
-    assert check(short).ok
-    assert simulate(short, on_failure="return").status == "finished"
 
 
 def test_a_release_inside_a_step_is_told_where_steps_are_not_cut() -> None:
@@ -413,25 +201,6 @@ def test_of_very_many_nodes_no_steps_are_run_for_the_estimate(
     assert "(not measured)" in str(check(scene(), measure=False))
     with pytest.raises(AssertionError, match="a step was run"):  # the twin
         seconds_per_step(build(Scene(ropes=[rope.replace(segments=20)], anchors=ends)))
-
-
-def test_a_shape_that_starts_pressed_is_told() -> None:
-    """Chords of a hanging rope of EA 1 MN are 0.09 % short: 899 N, where it carries 2.9 N at rest.
-
-    The twins: a start at rest, a rope that cannot push, and one that is soft.
-    """
-
-    def told(EA: float = 1e6, tension_only: bool = False, start: str = "shape") -> list[str]:
-        line = Material(EA=EA, mass_per_length=0.1, axial_damping=10.0, tension_only=tension_only)
-        rope = Rope(segments=20, length=5.0, made_of=line, shape=Slack(end=(4.0, 0.0, 0.0)))
-        hung = Scene(ropes=[rope], anchors=[Anchor(node=0), Anchor(node=-1)], run={"start": start})
-        return [text for text in check(hung, measure=False).warnings if "starts it pressed" in text]
-
-    (text,) = told()
-    assert "by up to 898.7 N, where it carries 2.859 N at rest" in text
-    assert told(start="at-rest") == []
-    assert told(tension_only=True) == []
-    assert told(EA=1e3) == []
 
 
 def test_nothing_is_said_of_rest_where_ropes_touch_each_other() -> None:

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ropewalk.library import LibraryRope
 from ropewalk.lowering import Model
 from ropewalk.scene import Material, Rope, Springs
 from ropewalk.scene.curve_words import curve_words, end_words
+from ropewalk.scene.from_library import entry as rope_of
 from ropewalk.scene.from_library import origin
 from ropewalk.statics import Statics
 from ropewalk.words.prefixes import prefixed
@@ -18,7 +21,8 @@ if TYPE_CHECKING:
 
 _NOTHING = 1e-3  # [N]
 _STRAINED = 0.1  # [1] strain at rest that few ropes bear
-_OF_THE_LIBRARY = 0.15  # [1] its EA is no slip, and climbing ropes hang by a tenth under 80 kg
+#: [1] by families that stretch more: climbing ropes hang by a tenth under 80 kg, rubber doubles its length
+_BEAR = {"dynamic climbing rope": 0.15, "rubber": 1.0}
 
 
 def percent(strain: float) -> str:
@@ -42,8 +46,8 @@ def strain_warnings(model: Model, statics: Statics, ropes: tuple[RopeCheck, ...]
                     f"its curve's last point, {end_words(made_of.curve)}, where it goes on straight"
                 )
             continue
-        sourced = not isinstance(made_of, Springs) and "EA" in _of_library(made_of)
-        if rope.largest_strain <= (_OF_THE_LIBRARY if sourced else _STRAINED):
+        entry = _of_library(made_of)
+        if rope.largest_strain <= (_STRAINED if entry is None else _borne(entry, rope)):
             continue
         if isinstance(made_of, Springs):
             what = f"spring_constant of {made_of.spring_constant:g} N/m"
@@ -52,7 +56,7 @@ def strain_warnings(model: Model, statics: Statics, ropes: tuple[RopeCheck, ...]
             what, slip = (
                 f"EA of {made_of.EA:g} N",
                 "a load too large for this rope, or another rope meant?"
-                if sourced
+                if entry is not None
                 else "kN typed as N, or a rope too soft for its load?",
             )
         found.append(
@@ -62,10 +66,22 @@ def strain_warnings(model: Model, statics: Statics, ropes: tuple[RopeCheck, ...]
     return found
 
 
-def _of_library(made_of: Material) -> dict[str, object]:
-    """Return the numbers of a material that are the library's."""
-    found: dict[str, object] = (origin(made_of) or {}).get("numbers", {})
-    return found
+def _of_library(made_of: Springs | Material) -> LibraryRope | None:
+    """Return the rope of the library that a material has its EA from; None for another EA."""
+    about = origin(made_of) or {}
+    return rope_of(about["library"])[0] if "EA" in about.get("numbers", {}) else None
+
+
+def _borne(entry: LibraryRope, rope: RopeCheck) -> float:
+    """Return the strain [1] that a rope of the library bears at rest.
+
+    Where its breaking load is a guess that the scene does not have, no utilisation tells of too much.
+    """
+    bears, load = _BEAR.get(entry.family, _STRAINED), entry.numbers.get("breaking_load")
+    if rope.utilisation is not None or load is None or load.low is None:
+        return bears
+    EA = rope.largest_tension / rope.largest_strain if rope.largest_strain else math.inf
+    return min(bears, load.low / EA)
 
 
 def words_of_curve(rope: Rope) -> str:

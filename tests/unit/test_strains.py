@@ -1,0 +1,103 @@
+"""Ropes that stretch more than ropes do, and shapes that start them broken or pressed."""
+
+from __future__ import annotations
+
+import pytest
+
+from report_rope import scene, warnings
+from ropewalk.analysis.check import check
+from ropewalk.api import simulate
+from ropewalk.scene import (
+    Anchor,
+    Load,
+    Material,
+    Rope,
+    Scene,
+    Slack,
+    Springs,
+    Straight,
+)
+
+
+def test_a_strain_that_no_rope_bears_is_warned_of() -> None:
+    """12 m of 0.1 kg/m with EA in kN typed as N: 80 N carry it level, so 20 N stretch it by far."""
+    for EA, strained in ((20.0, True), (2e4, False)):
+        made = scene(
+            made_of=Material(EA=EA, mass_per_length=0.1), length=12.0, gravity=(0, 0, -9.81)
+        )
+        found = check(made, measure=False)
+        said = [text for text in found.warnings if "at rest it is stretched by" in text]
+        assert bool(said) is strained
+        rope = found.ropes[0]
+        assert rope.largest_strain == pytest.approx(rope.largest_tension / EA, rel=1e-6)
+        if strained:
+            assert f"by {100 * rope.largest_strain:.3g} %" in said[0]
+            assert "EA of 20 N: kN typed as N" in said[0]
+    assert "kN/m typed as N/m" in warnings(spring_constant=20.0)
+
+
+def test_a_shape_that_starts_broken_is_told() -> None:
+    """4 segments of 0.1 m laid over 8 m. The twin: over 3 m, 7.5 times their length."""
+    made_of = Springs(spring_constant=100.0, node_mass=0.1, segment_length=0.1)
+    long, short = (
+        Scene(
+            ropes=[Rope(segments=4, made_of=made_of, shape=Straight(end=(reach, 0.0, 0.0)))],
+            anchors=[Anchor(node=0)],
+            gravity=(0.0, 0.0, 0.0),
+            run={"duration": 0.5},
+        )
+        for reach in (8.0, 3.0)
+    )
+    found = check(long)
+    assert not found.ok
+    text = "4 of 4 segments start at up to 20 times their rest length: the run breaks at once"
+    assert any(text in warning for warning in found.warnings)
+    assert simulate(long, on_failure="return").status == "broke"
+    assert check(short).ok
+    assert simulate(short, on_failure="return").status == "finished"
+
+
+def test_a_shape_that_starts_pressed_is_told() -> None:
+    """Chords of a hanging rope of EA 1 MN are 0.09 % short: 899 N, where it carries 2.9 N at rest.
+
+    The twins: a start at rest, a rope that cannot push, and one that is soft.
+    """
+
+    def told(EA: float = 1e6, tension_only: bool = False, start: str = "shape") -> list[str]:
+        line = Material(EA=EA, mass_per_length=0.1, axial_damping=10.0, tension_only=tension_only)
+        rope = Rope(segments=20, length=5.0, made_of=line, shape=Slack(end=(4.0, 0.0, 0.0)))
+        hung = Scene(ropes=[rope], anchors=[Anchor(node=0), Anchor(node=-1)], run={"start": start})
+        return [text for text in check(hung, measure=False).warnings if "starts it pressed" in text]
+
+    (text,) = told()
+    assert "by up to 898.7 N, where it carries 2.859 N at rest" in text
+    assert told(start="at-rest") == []
+    assert told(tension_only=True) == []
+    assert told(EA=1e3) == []
+
+
+@pytest.mark.parametrize(
+    ("name", "strain", "told"),
+    [
+        ("dynamic-single-9.8:static", 0.14, False),  # as under a climber and his bag
+        ("dynamic-single-9.8:static", 0.16, True),
+        ("polyester-braid-12", 0.14, True),  # it breaks at 17 %
+        ("polyester-braid-12", 0.09, False),
+        ("bungee-8", 0.6, False),
+        ("locked-coil-30", 0.02, True),  # its breaking load is a guess, and not in the scene
+        ("locked-coil-30", 0.004, False),
+    ],
+)
+def test_ropes_of_the_library_bear_what_their_kind_bears(
+    name: str, strain: float, told: bool
+) -> None:
+    """All were let pass up to 15 %, as only climbing ropes stretch; rubber was not at more."""
+    made_of = Rope(segments=1, length=1.0, made_of=name).made_of
+    assert isinstance(made_of, Material)
+    rope = Rope(
+        segments=4, length=2.0, made_of=made_of, shape=Straight(direction=(0, 0, -1)),
+        loads=[Load(node=-1, mass=strain * made_of.EA / 9.81)],
+    )  # fmt: skip
+    hung = Scene(ropes=[rope], anchors=[Anchor(node=0)], gravity=(0, 0, -9.81))
+    found = check(hung, measure=False).warnings
+    assert any("at rest it is stretched by" in text for text in found) is told

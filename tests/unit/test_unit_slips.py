@@ -1,0 +1,149 @@
+"""Slips of units that a check sees, each with a twin that it lets pass."""
+
+from __future__ import annotations
+
+import pytest
+
+from report_rope import material, scene
+from ropewalk.analysis.unit_slips import unit_slips
+from ropewalk.api import preset
+from ropewalk.library import names
+from ropewalk.library import rope as library_rope
+from ropewalk.lowering import build
+from ropewalk.scene import (
+    Load,
+    Material,
+    Polyline,
+    Rope,
+    Straight,
+)
+
+
+def slips(**changes: object) -> str:
+    return "\n".join(unit_slips(build(scene(**changes))))
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"gravity": (0, -9810.0, 0)}, "mm/s^2"),
+        ({"gravity": (0, -32.17, 0)}, "ft/s^2"),
+        ({"gravity": (0, 9.81, 0)}, "sign lost"),
+        ({"gravity": (0, 0, 9.81)}, "points to +z"),
+        ({"node_mass": 50.0}, "grams for kilograms"),
+        ({"spring_constant": 1e10}, "faster than in any fibre"),
+        ({"spring_constant": 0.01}, "slower than in rubber"),
+        ({"time_step": 2.0, "duration": 100.0, "frame_rate": 0.5}, "milliseconds for seconds"),
+        ({"segment_length": 50.0}, "lengths in millimetres"),
+        ({"shape": Straight(start=(0, 0, 0), end=(20000.0, 0, 0))}, "places in millimetres"),
+        ({"shape": Straight(start=(0, 0, 0), end=(0.02, 0, 0))}, "rope lengths in millimetres"),
+        ({"shape": Polyline(points=((0, 0, 0), (9e3, 0, 0), (9e3, 9e3, 0)))}, "millimetres"),
+        ({"loads": (Load(node=3, mass=80000.0),)}, "grams for kilograms"),
+        ({"diameter": 12.0}, "not a rope's"),
+    ],
+)
+def test_slips_of_units(changes: dict[str, object], words: str) -> None:
+    assert words in slips(**changes)
+
+
+def test_strains_in_per_cent_are_a_slip() -> None:
+    for strain, warned in ((10.0, True), (5.0, False)):  # rubber bears some 7
+        curve = [(0.5 * strain, 500.0), (strain, 900.0)]
+        one = Rope(segments=4, length=2.0, made_of=Material(curve=curve, mass_per_length=0.06))
+        found = "\n".join(unit_slips(build(scene().model_copy(update={"ropes": (one,)}))))
+        assert ("per cent for shares?" in found) is warned
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"EA": 40.0, "mass_per_length": 0.2}, "kN for N"),
+        ({"EA": 40.0, "diameter": 0.01, "mass_per_length": 1e-3}, ""),
+        ({"EA": 2e11}, "Young's modulus"),
+        ({"mass_per_length": 6000.0}, "grams for kilograms"),
+        ({"mass_per_length": 60.0, "diameter": 0.01}, "density"),
+        ({"EA": 0.05, "diameter": 0.01}, "that of no material"),
+        ({"diameter": 10.0}, "not a rope's"),
+        (
+            {"breaking_load": 20.0},
+            "bears 34 m of this rope, of 0.06 kg/m; kN for N, or g/m for kg/m?",
+        ),
+        ({"breaking_load": 20e3, "mass_per_length": 60.0}, "kN for N, or g/m for kg/m?"),
+        ({"breaking_load": 4e5}, "where no rope breaks; kN for N in one of them?"),
+        ({"breaking_load": 20e3, "EA": 1e3}, "where no rope breaks"),
+        ({"breaking_load": 20e3}, ""),
+        ({"breaking_load": 900.0, "EA": 75.0, "mass_per_length": 0.047}, ""),  # rubber
+        ({"length": 30e3}, "30000 m of rope; lengths in millimetres?"),
+        (
+            {"length": 0.03, "diameter": 0.012, "EA": 5e6, "mass_per_length": 0.5},
+            "is not a rope's shape",
+        ),
+    ],
+)
+def test_slips_of_a_material(changes: dict[str, object], words: str) -> None:
+    made = scene().model_copy(update={"ropes": (material(**changes),)})
+    found = "\n".join(unit_slips(build(made)))
+    if words:
+        assert words in found
+    else:
+        assert found == ""
+
+
+@pytest.mark.parametrize("name", ["tow", "zip-line", "highline", "crane-snap", "climbing-fall"])
+def test_rigging_presets_look_like_no_slip(name: str) -> None:
+    assert unit_slips(build(preset(name))) == []
+
+
+def test_a_rider_s_density_is_that_of_his_loads_too() -> None:
+    """His diameter is to the air; grams for kilograms is still seen where nothing slides."""
+    ride = preset("zip-line-ride")
+    assert unit_slips(build(ride)) == []
+    light = ride.replace(**{"rope[1].load[1].mass": 0.03, "rope[1].load[2].mass": 0.03})
+    light = light.replace(**{"rope[1].load[0].mass": 0.03})
+    assert "density" in "\n".join(unit_slips(build(light)))
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {},
+        {"gravity": (0, 0, -9.81)},
+        {"gravity": (0, -1.62, 0)},
+        {"gravity": (0, 0, 0)},
+        {"spring_constant": 100.0},
+        {"spring_constant": 10.0, "node_mass": 0.001},
+        {"loads": (Load(node=3, mass=80.0),)},
+        {"segment_length": 0.05, "segments": 79},
+        {"diameter": 0.012},
+    ],
+)
+def test_ordinary_scenes_pass(changes: dict[str, object]) -> None:
+    assert slips(**changes) == ""
+
+
+@pytest.mark.parametrize(
+    ("diameter", "EA", "line"),
+    [
+        (0.0105, 25e3, 0.068),  # climbing rope
+        (0.02, 26e6, 1.7),  # steel cable
+        (0.0003, 1.5e2, 8e-5),  # fishing line
+        (0.1, 800e6, 200.0),  # mooring chain
+        (0.008, 30.0, 0.05),  # rubber
+    ],
+)
+def test_real_ropes_pass(diameter: float, EA: float, line: float) -> None:
+    rope = material(diameter=diameter, EA=EA, mass_per_length=line)
+    made = scene().model_copy(update={"ropes": (rope,)})
+    assert unit_slips(build(made)) == []
+
+
+def test_no_rope_of_the_library_looks_like_a_slip() -> None:
+    """Whole, with its guesses: from a spider's thread to a mooring chain."""
+    for name in names():
+        one = library_rope(name)
+        made_of = one.material(guesses=True)
+        piece = Rope(
+            segments=4, length=500.0 * one.diameter, diameter=one.diameter, made_of=made_of,
+            shape=Straight(start=(0, 0, 0)),
+        )  # fmt: skip
+        assert unit_slips(build(scene().model_copy(update={"ropes": (piece,)}))) == [], name
