@@ -18,7 +18,7 @@ import ropewalk as rw
 from ropewalk.sweeps.parameters import make_parameters
 from ropewalk.sweeps.summary import summary
 from ropewalk.sweeps.sweep_folder import SweepFolder
-from ropewalk.sweeps.uncertainty import _indices
+from ropewalk.sweeps.uncertainty import _indices, _sizes
 from sweeps.scenes import DOWN, swing
 
 MASS = "rope.made_of.mass_per_length"
@@ -96,9 +96,31 @@ def test_what_solvers_leave_is_not_shared_out(noise: float, shared: bool) -> Non
     found = hanging({MASS: NORMAL}, 8)
     size = 1.0 + noise * np.random.default_rng(1).normal(size=len(found.runs.run))
     runs = found.runs.assign(tension_max=found.runs.tension_max.copy(data=800.0 * size))
-    made, _ = _indices(runs, make_parameters(swing(0.02), {MASS: NORMAL}), 8, 5)
+    made, _ = _indices(runs, make_parameters(swing(0.02), {MASS: NORMAL}), 8, 5, {})
     assert made is not None
     assert ("tension_max" in made) is shared
+
+
+@pytest.mark.parametrize("none", [False, True])
+@pytest.mark.parametrize(("moves", "shared"), [(1e-13, False), (1e-6, True)])
+def test_what_is_zero_to_rounding_is_not_shared_out(moves: float, shared: bool, none: bool) -> None:
+    """Zero differs by as much as it is: a sag of 1e-13 m had indices; so had all forces where none is."""
+    pytest.importorskip("SALib")
+    scene, spreads = swing(0.02), {MASS: NORMAL}
+    found = hanging(spreads, 8)
+    noise = moves * np.random.default_rng(1).normal(size=len(found.runs.run))
+    runs = found.runs.assign(
+        sag_max=found.runs.sag_max.copy(data=noise[:, None]),
+        reactions_max=found.runs.reactions_max.copy(data=noise[:, None]),
+        tension_max=found.runs.tension_max.copy(
+            data=noise if none else found.runs.tension_max.values
+        ),
+    )
+    made, _ = _indices(runs, make_parameters(scene, spreads), 8, 5, _sizes(scene))
+    assert made is not None
+    assert ("sag_max[rope]" in made) is shared
+    assert ("reactions_max[top]" in made) is shared
+    assert ("tension_max" in made) is (shared or not none)
 
 
 def test_seed_and_spreads_are_kept_and_give_the_same_runs(tmp_path: Path) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import warnings
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from importlib import import_module
 from importlib.util import find_spec
@@ -26,7 +26,10 @@ if TYPE_CHECKING:
     import xarray as xr
 
 QUANTILES = (0.05, 0.5, 0.95)
-_SAME = 1e-9  # [1] of a result: what differs by less, differs by what solvers leave
+_SAME = 1e-9  # [1] of the largest result of its kind: what differs by less, by what solvers leave
+_STRAIN = (
+    1e-5  # [1] whose tension is the least size of forces: by _SAME of it lengths are rounded off
+)
 _PLOTS = "ropewalk.plots.uncertainty_bands"  # a layer above this one, so it is looked up when it is needed
 
 
@@ -122,7 +125,7 @@ def uncertain(
     runs = make_runs(loaded, design, kept, what=what, **options)
     # The first of each group of D + 2 rows are the plain sample; the others repeat its values.
     plain = runs.isel(run=slice(0, None, len(parameters) + 2))
-    found, more = _indices(runs, parameters, samples, seed)
+    found, more = _indices(runs, parameters, samples, seed, _sizes(loaded))
     return Uncertainty(runs, bands(plain), found, _note(runs, more))
 
 
@@ -162,12 +165,24 @@ def scalars(data: xr.Dataset) -> list[tuple[str, xr.DataArray]]:
     return found
 
 
+def _sizes(scene: Scene) -> dict[str, float]:
+    """Return the sizes of the scene by unit, against which a result may be zero but for rounding."""
+    pulls = [rope.segment_stiffness * rope.segment_length for rope in scene.ropes if not rope.rigid]
+    lengths = [rope.length_unstretched for rope in scene.ropes]
+    return {"m": max(lengths), "N": _STRAIN * max(pulls, default=0.0)}
+
+
 def _indices(
-    runs: xr.Dataset, parameters: Sequence[Parameter], samples: int, seed: int
+    runs: xr.Dataset,
+    parameters: Sequence[Parameter],
+    samples: int,
+    seed: int,
+    sizes: Mapping[str, float],
 ) -> tuple[xr.Dataset | None, str]:
     """Return the Sobol indices of all scalars, and what is to be said of them.
 
-    A group of runs in which one broke cannot be used: all its runs are left out.
+    A group of runs in which one broke cannot be used: all its runs are left out. A scalar that differs by
+    less than `_SAME` of the largest of its unit, or of the scene's `sizes`, has no index.
     """
     import xarray as xr
     from SALib.analyze import sobol
@@ -178,7 +193,11 @@ def _indices(
     if samples < 8:
         return None, "No Sobol indices: they need at least 8 samples."
     made: dict[str, Any] = {}
-    note = ""
+    note, largest = "", dict(sizes)
+    for _, array in scalars(kept):
+        unit = str(array.attrs.get("units", ""))
+        size = float(np.nanmax(np.abs(array.values), initial=0.0))
+        largest[unit] = max(largest.get(unit, 0.0), size)
     for name, array in scalars(kept):
         groups = array.values.reshape(-1, width)
         whole = np.isfinite(groups).all(axis=1)
@@ -187,7 +206,7 @@ def _indices(
         if not whole.all():
             note = f"Sobol indices without {int((~whole).sum())} groups of runs in which one broke."
         values = groups[whole].ravel()
-        if np.ptp(values) <= _SAME * np.abs(values).max(initial=0.0):
+        if np.ptp(values) <= _SAME * largest[str(array.attrs.get("units", ""))]:
             continue  # nothing to share out
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
@@ -198,9 +217,9 @@ def _indices(
                 seed=seed,
                 print_to_console=False,
             )
-        dims, unit = ("order", "parameter"), {"units": "1"}
-        made[name] = (dims, np.stack([got["S1"], got["ST"]]), unit)
-        made[f"{name}_ci"] = (dims, np.stack([got["S1_conf"], got["ST_conf"]]), unit)
+        dims, none = ("order", "parameter"), {"units": "1"}
+        made[name] = (dims, np.stack([got["S1"], got["ST"]]), none)
+        made[f"{name}_ci"] = (dims, np.stack([got["S1_conf"], got["ST_conf"]]), none)
     return xr.Dataset(made, {"order": ["first", "total"], "parameter": names}), note
 
 
