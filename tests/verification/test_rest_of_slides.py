@@ -11,7 +11,7 @@ import pytest
 import ropewalk as rw
 from ropewalk.core import arrays
 from ropewalk.laws.slides.rail import look
-from ropewalk.laws.slides.table import R1
+from ropewalk.laws.slides.table import AT, GRADIENT, R1
 from ropewalk.lowering import build
 from ropewalk.rigging.held_places import held_places, in_words
 from ropewalk.scene import Slack, Straight
@@ -191,3 +191,46 @@ def test_where_nothing_says_between_which_places() -> None:
     seat = slope(scene)[1].seats[0]
     more = scene.replace(anchors=[*scene.anchors, rw.Anchor(rope="line", node=7)])
     assert held_places(build(more).scene, ropes, seat) is None
+
+
+def test_friction_that_holds_it_where_arcs_meet_is_found() -> None:
+    """There the direction of friction jumps: too weak on one side, more than strong enough on the other.
+
+    The preset's rider comes to such a place, and no rest was found in 10 477 steps.
+    """
+    scene = rw.preset("zip-line-ride").replace(**{"slide.at": 101.5})
+    found = checked_shape(scene)
+    assert found.solved
+    (seat,) = found.seats
+    assert seat.at / scene.ropes[0].segment_length == pytest.approx(163.5, abs=1e-7)
+    assert abs(seat.along) == pytest.approx(0.02 * seat.force)
+    assert 1e-6 < found.residual < 2e-4  # [N], of 982 N: between the forces on either side
+
+
+def test_the_jump_of_friction_is_what_the_force_does_there() -> None:
+    """Off the place where two arcs meet there is none, and so nothing more counts as at rest."""
+    scene = trolley(7.5 * 10.05 / 20, brake=20.0, compliance=1e-3)
+    found = checked_shape(scene)
+    balance = Balance(build(scene))
+    memory, table = balance.state.memory.slide, balance.system.node.slide
+    x = np.ascontiguousarray(found.positions.T)
+    balance.restore((arrays.copy(found.memory.obstacle), found.memory.contact, found.memory.slide))
+    look(x, table, memory, 0)
+    node, along = int(table.node[0]), memory.sight[0, R1 : R1 + 3].copy()
+    for _ in range(60):  # to where they meet
+        look(x, table, memory, 0)
+        x[:, node] += (7.5 - memory.sight[0, AT]) * -along
+    forces = []
+    for aside in (-1e-9, 1e-9):
+        y = x.copy()
+        y[:, node] -= aside * along
+        look(y, table, memory, 0)
+        forces.append(memory.sight[0, GRADIENT : GRADIENT + 3] * 20.0 * table.length[0])
+    jump = np.linalg.norm(forces[1] - forces[0])
+    assert jump > 1e-3
+    assert balance.coupled.rounding(x) == pytest.approx(
+        jump, rel=0.05
+    )  # but for the turn of the line
+    y = x.copy()
+    y[:, node] -= 1e-3 * along
+    assert balance.coupled.rounding(y) < 1e-9
