@@ -13,6 +13,7 @@ from ropewalk.analysis.apart import Torn, jerks, torn_apart
 from ropewalk.analysis.bending_notes import bending_warnings
 from ropewalk.analysis.cost import run_time, seconds_per_step, touches
 from ropewalk.analysis.json_values import plain
+from ropewalk.analysis.knot_notes import knot_warnings
 from ropewalk.analysis.obstacle_notes import obstacle_warnings
 from ropewalk.analysis.plan_notes import plan_notes
 from ropewalk.analysis.rest_notes import limiter_warnings, may_say_nothing, rest_warnings
@@ -262,6 +263,7 @@ def _warnings(
     warnings += pressed_at_start(model, statics, ropes)
     warnings += limiter_warnings(model, statics) + rest_warnings(model, statics)
     warnings += bending_warnings(model) + obstacle_warnings(model, statics)
+    warnings += knot_warnings(model.scene)
     return warnings + plan_notes(model) + unit_slips(model)
 
 
