@@ -291,68 +291,6 @@ def test_the_first_reaction_carries_the_whole_rope() -> None:
     assert first.tension[0, 0] == pytest.approx(0.55 * 9.81)
 
 
-@pytest.mark.parametrize("method", [name for name in ABLE if METHODS[name].fixed])
-@pytest.mark.parametrize("segments", [1, 5])
-def test_a_load_that_is_caught_is_not_thrown_back(method: str, segments: int) -> None:
-    """0.4 kg that falls at 5 m/s onto a bound stays there in every step: what a bound takes is an impulse and
-    no force that goes on (`bdf2` threw it up by 7 cm, `esdirk3` by 6). The twin: a spring throws it back.
-    """
-
-    def heights(EA: float, limiter: Limiter | None, **run: Any) -> np.ndarray:
-        rope = Rope(
-            segments=segments,
-            length=1.0,
-            made_of=Material(EA=EA, mass_per_length=0.2),
-            shape=Straight(end=(0.0, 0.0, -1.0)),
-            loads=[{"node": -1, "mass": 0.4}],
-            kicks=[Kick(node=-1, velocity=(0.0, 0.0, -5.0))],
-        )
-        made = swing(method, ropes=rope, limiter=limiter).run.replace(**run)
-        scene = Scene(run=made, ropes=rope, anchors=Anchor(node=0), limiter=limiter)
-        return film(scene).recording.x[:, 2, -1]
-
-    bound = Limiter(min_stretch=0.5, max_stretch=1.02)
-    for parts in (1, 2, 4, 16):
-        z = heights(0.1, bound, time_step=FRAME / parts)
-        assert z.min() == pytest.approx(-1.02, abs=1e-8)
-        assert z[np.argmax(z < -1.02 + 1e-6) :].max() < -1.02 + 1e-3, parts
-    sprung = heights(2000.0, None, time_step=FRAME / 4)
-    assert sprung[sprung.argmin() :].max() > -1.0
-
-
-@pytest.mark.parametrize("method", [name for name in ABLE if METHODS[name].fixed])
-def test_a_load_that_is_caught_again_is_not_thrown_back(method: str) -> None:
-    """An anchor jerks 0.4 kg up, which flies and falls into its bound anew. BDF2's mean of forces had not
-    forgotten the first bound, and threw it back by up to 8 cm. The twin: it does fly in between.
-    """
-    rope = Rope(
-        segments=1,
-        length=1.0,
-        made_of=Material(EA=0.1, mass_per_length=0.02),
-        shape=Straight(end=(0.0, 0.0, -1.0)),
-        loads=[{"node": -1, "mass": 0.4}],
-    )
-    lift = {
-        "kind": "table",
-        "times": [0, 0.4, 0.5, 9],
-        "positions": [[0, 0, z] for z in (0, 0, 0.25, 0.25)],
-    }
-    for parts in (3, 4, 8):
-        run = RunSettings(
-            duration=1.5, frame_rate=60.0 * parts, time_step=FRAME / parts, method=method
-        )
-        bound = Limiter(min_stretch=0.5, max_stretch=1.02)
-        z = film(
-            Scene(run=run, ropes=rope, anchors=Anchor(node=0, motion=lift), limiter=bound)
-        ).recording.x[:, 2, -1]
-        height = z + 1.02 - 0.25  # over the bound of the anchor that was lifted
-        assert height.max() > 1e-2
-        later = height[height.argmax() :]
-        landed = later[np.argmax(later < 1e-6) :]
-        assert landed.size > 10
-        assert landed.max() < 3e-3, parts
-
-
 def test_what_is_refused() -> None:
     for method in ("sdirk2", "implicit-midpoint", "generalized-alpha"):
         with pytest.raises(SceneError) as caught:

@@ -13,11 +13,11 @@ which such an impact takes much is taken by implicit Euler, and the next, as whe
 
 from __future__ import annotations
 
-from ropewalk.core.jit import kernel, part, small
-from ropewalk.laws.ledger import kinetic_energy
+import math
+
+from ropewalk.core.jit import kernel, part
 from ropewalk.laws.rare import limits
 
-KEPT = 1e-3  # [1] of the force now: BDF2's mean goes on long after a bound was left
 IMPACT = 0.01  # [1] of the kinetic energy: what is carried on of a lesser impulse moves little
 
 
@@ -50,49 +50,81 @@ def split_tension(tension, floor, work, saddle, elastic, limiter):
 
 
 @part
-def is_stopped(system, state, forces, x):
-    """Tell whether bounds that are met in a step take a good part of its kinetic energy, an impact.
+def is_stopped(system, state, forces, dt):
+    """Tell whether bounds take a good part of the kinetic energy in a step of `dt` [s], an impact.
 
-    `forces` are means of the step, for one may be thrown back within it, `x` (3, n) the places at its end;
-    `state` is its begin.
+    `forces` are means of the step, whose begin `state` is.
     """
     if not limits(system):
         return False
-    before, after = state.forces.limiter, forces.limiter
-    taken = stopped_energy(before, after, state.v, x, state.mass, state.inverse_mass)
-    return taken > 0.0 and taken > IMPACT * kinetic_energy(state.v, state.mass)
+    lasting = 0.0 if state.jolt[0] > 0.0 else 1.0  # what an impact's last step left is none
+    taken = stopped_energy(state.forces.limiter, forces.limiter, lasting, state.x, state.v, dt)
+    return taken > 0.0 and taken > IMPACT * energy_past_anchors(state)
 
 
 @kernel
-def stopped_energy(before, after, v, x, mass, inverse_mass):
-    """Return the kinetic energy along the segments that come to a bound in a step [J].
+def stopped_energy(before, after, lasting, x, v, dt):
+    """Return the kinetic energy that bounds take from segments which run into them in a step [J].
 
-    Each joins what hangs on both its ends by segments that are at bounds, too. `before` and `after` are the
-    limiter's forces at the step's begin and in it, (3, n + 1): zero away from the bounds; `v` the velocities
-    that it begins with and `x` the places at its end, (3, n).
+    A plastic impact of impulses p, which brings the rates of length s' to zero, takes sum p s' / 2 (Carnot):
+    in its p is all that hangs on a segment, by joints or by others at bounds. `before` and `after` are the
+    limiter's forces as the step begins, of which a share `lasting` goes on, and in it, (3, n + 1); `x` and
+    `v` (3, n) are those it begins with.
     """
-    total, s = 0.0, mass.shape[0] - 1
-    for j in range(s):
-        if pull_of(before, j) >= KEPT * pull_of(after, j):  # zero, too, and none
-            continue
-        along, square = 0.0, 0.0
+    total = 0.0
+    for j in range(v.shape[1] - 1):
+        pull, rate, square = 0.0, 0.0, 0.0
         for k in range(3):
-            along += (x[k, j + 1] - x[k, j]) * (v[k, j + 1] - v[k, j])
-            square += (x[k, j + 1] - x[k, j]) ** 2
-        low, high = j, j + 1
-        below, above = inverse_mass[low], inverse_mass[high]
-        while low > 0 and below > 0.0 and pull_of(after, low - 1) > 0.0:
-            low -= 1
-            below = 1.0 / (1.0 / below + mass[low]) if inverse_mass[low] > 0.0 else 0.0
-        while high < s and above > 0.0 and pull_of(after, high) > 0.0:
-            high += 1
-            above = 1.0 / (1.0 / above + mass[high]) if inverse_mass[high] > 0.0 else 0.0
-        if square > 0.0 and below + above > 0.0:
-            total += 0.5 * along * along / (square * (below + above))
+            d = x[k, j + 1] - x[k, j]
+            pull += d * (after[k, j + 1] - lasting * before[k, j + 1])
+            rate += d * (v[k, j + 1] - v[k, j])
+            square += d * d
+        if square > 0.0 and pull * rate > 0.0:
+            total += 0.5 * dt * pull * rate / square
     return total
 
 
-@small
-def pull_of(limiter, j):
-    """Return the size of the limiter's force in segment `j`, zero away from the bounds [N]."""
-    return abs(limiter[0, j + 1]) + abs(limiter[1, j + 1]) + abs(limiter[2, j + 1])
+@kernel
+def time_to_bounds(limiter, after, rest_length, x, v):
+    """Return when the first of the segments that are at a bound at a step's end gets there [s], at the rate
+    that it begins with, and the largest rate of them [m/s]; `after`, (3, n + 1), is not zero in these.
+    """
+    first, fastest = math.inf, 0.0
+    for j in range(rest_length.shape[0]):
+        pull, rate, square = 0.0, 0.0, 0.0
+        for k in range(3):
+            d = x[k, j + 1] - x[k, j]
+            pull += d * after[k, j + 1]
+            rate += d * (v[k, j + 1] - v[k, j])
+            square += d * d
+        if square == 0.0 or pull * rate <= 0.0:
+            continue
+        r = math.sqrt(square)
+        bound = (limiter.longest if pull > 0.0 else limiter.shortest) * rest_length[j]
+        first = min(first, max((bound - r) * r / rate, 0.0))
+        fastest = max(fastest, abs(rate) / r)
+    return first, fastest
+
+
+@kernel
+def energy_past_anchors(state):
+    """Return the kinetic energy of the free nodes past the held ones, or past their mean where none is [J].
+
+    What is carried along as a whole hides no impact within it.
+    """
+    v, mass, inverse_mass = state.v, state.mass, state.inverse_mass
+    held = 0
+    for i in range(mass.shape[0]):
+        held += 1 if inverse_mass[i] == 0.0 else 0
+    energy = 0.0
+    for k in range(3):
+        weight, momentum, square = 0.0, 0.0, 0.0
+        for i in range(mass.shape[0]):
+            share = mass[i] if held == 0 else 1.0 if inverse_mass[i] == 0.0 else 0.0
+            weight += share
+            momentum += share * v[k, i]
+        for i in range(mass.shape[0]):
+            if inverse_mass[i] > 0.0:
+                square += mass[i] * (v[k, i] - momentum / weight) ** 2
+        energy += 0.5 * square
+    return energy

@@ -20,6 +20,7 @@ from ropewalk.core.arrays import Floats, State, System, pooled
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.status import HIT, OK, PAUSED, UNSOLVED
 from ropewalk.laws.anchors import release_anchors
+from ropewalk.laws.bounds import is_stopped, time_to_bounds
 from ropewalk.laws.links import hold_links, note_reactions
 from ropewalk.laws.rare import acts_after, parts, winds
 from ropewalk.laws.winch import end_turns, plan_turns, wind_to
@@ -134,13 +135,9 @@ def open_step(system, state, t, solver, breaks):
     return take_up_rates(system, state, t, solver.point, solver.speed) > 0 or anew
 
 
-@kernel
-def try_step(system, state, before, scratch, t, after, dt, ledger, tableau):
-    """Take a step of `dt` from `t` [s]; return the length to try next [s], 0 where it was accepted, and how
-    many nodes and segments have changed sides, negative where that is why it was not."""
-    solver, control, tolerance = scratch.solver, scratch.walk.control, scratch.limits[0]
-    A, b, c, numbers = tableau.A, tableau.b, tableau.c, tableau.numbers
-    kind = tableau.kind
+@part
+def try_once(system, state, solver, t, after, dt, ledger, tableau):
+    """Take a step of `dt` from `t` [s]; return OK or UNSOLVED."""
     if winds(system, state):
         if plan_turns(system, state, t, dt, solver.turning):
             prepare_links(system, state, t, solver.stage.saddle)
@@ -155,25 +152,55 @@ def try_step(system, state, before, scratch, t, after, dt, ledger, tableau):
             dt,
             ledger,
             MOST_HALVINGS,
-            kind,
-            A,
-            b,
-            c,
-            numbers,
+            tableau.kind,
+            tableau.A,
+            tableau.b,
+            tableau.c,
+            tableau.numbers,
             False,
         )
-    if status != OK:
-        if winds(system, state):
-            wind_to(system, state, t, solver.turning)
+    if status != OK and winds(system, state):
+        wind_to(system, state, t, solver.turning)
+    return status
+
+
+@kernel
+def try_step(system, state, before, scratch, t, after, dt, ledger, tableau):
+    """Take a step of `dt` from `t` [s]; return the length to try next [s], 0 where it was accepted, and how
+    many nodes and segments have changed sides, negative where that is why it was not."""
+    solver, control, tolerance = scratch.solver, scratch.walk.control, scratch.limits[0]
+    if try_once(system, state, solver, t, after, dt, ledger, tableau) != OK:
         control[ERROR] = np.inf
         return UNSOLVED_SHARE * dt, 0
-    largest_error(solver.u, b, tableau.embedded, dt, state.inverse_mass, control)
+    if is_stopped(system, before, solver.mean, dt):
+        return land(system, state, before, scratch, t, after, dt, ledger)
+    largest_error(solver.u, tableau.b, tableau.embedded, dt, state.inverse_mass, control)
     if not control[ERROR] <= tolerance:
         return dt * shorter(control[ERROR] / tolerance), 0
     end, changes = crossings(system, before, state, dt, tolerance)
     if end < dt and dt > 2.0 * EVENT_STEP:  # rounding makes a step of it a little longer
         return max(end, EVENT_STEP), -changes
     return 0.0, changes
+
+
+@part
+def land(system, state, before, scratch, t, after, dt, ledger):
+    """As `try_step`, for a step that runs into bounds: first up to them, then a short one of implicit Euler,
+    in which none that is stopped moves by more than half the tolerance.
+    """
+    solver = scratch.solver
+    first, rate = time_to_bounds(
+        system.limiter, solver.mean.limiter, before.rest_length, before.x, before.v
+    )
+    short = max(0.5 * scratch.limits[0] / rate, EVENT_STEP)
+    if first > short:
+        return (first - 0.5 * short if first < dt else 0.5 * dt), -1
+    if dt > 1.5 * short:
+        return short, -1
+    put_row(scratch.walk.begin, scratch.walk.ahead)
+    scratch.walk.control[ERROR] = 0.0
+    status = try_once(system, state, solver, t, after, dt, ledger, solver.rescue)
+    return (0.0, 1) if status == OK else (UNSOLVED_SHARE * dt, 0)
 
 
 @kernel

@@ -269,7 +269,7 @@ def take_step(system, state, scratch, t, after, dt, ledger, level, kind, A, b, c
             put(stage.v, scratch.u[s])
             put(stage.a, scratch.k[s])
             add_forces(system, stage.forces, b[s], mean)
-    stopped = is_stopped(system, state, mean if kind == DIRK else stage.forces, stage.x)
+    stopped = is_stopped(system, state, mean if kind == DIRK else stage.forces, dt)
     if kind == GENERALIZED_ALPHA:
         end_alpha(system, state, scratch, numbers, dt)
     else:
