@@ -147,9 +147,14 @@ class Backdrop:
     outlines: tuple[Outline, ...] = ()  # of obstacles that stay where they are
 
 
-def backdrop(result: Result, plane: str | None, frames: list[int] | None = None) -> Backdrop:
-    """Make the backdrop: its box holds the rope at the good ones of `frames` (default: of all frames)."""
-    view, good = sight(result, plane), good_frames(result)
+def backdrop(
+    result: Result, plane: str | None, frames: list[int] | None = None, *, still: bool = False
+) -> Backdrop:
+    """Make the backdrop: its box holds the rope at the good ones of `frames` (default: of all frames).
+
+    What is drawn `still` is seen in the plane of its shape, not of its motion.
+    """
+    view, good = sight(result, plane, still=still), good_frames(result)
     ground = ground_height(result, view)
     if frames is None:
         frames = spread(good, 400)

@@ -51,7 +51,7 @@ def dimensions(result: Result, *, plane: str | None = None) -> Figure:
 
     Raises ValueError for a plane that is none.
     """
-    seen = backdrop(result, plane, [0])
+    seen = backdrop(result, plane, [0], still=True)
     height = float(np.clip(6.4 * seen.box.height / seen.box.width, 2.0, 3.8))
     figure = new_figure(7.2, height + 1.3)
     axes = figure.subplots()

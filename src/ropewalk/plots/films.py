@@ -23,7 +23,7 @@ from ropewalk.plots.canvas import (
 )
 from ropewalk.plots.given_forces import arrows_note, draw_forces
 from ropewalk.plots.shape_figure import draw_points, draw_ropes
-from ropewalk.plots.sight import spread_frames
+from ropewalk.plots.sight import sight_notes, spread_frames
 from ropewalk.plots.style import COLOURS, FAINT, describe, new_figure, set_note, set_title, styled
 from ropewalk.plots.torn import BROKEN, broken_note, broken_shapes
 
@@ -74,6 +74,7 @@ def film(
     set_title(figure, f"{result.scene.name}: film strip", describe(result))
     clipped = "the broken shapes (orange) leave the picture"
     notes = broken_note(result, seen.good, clipped=clipped) + magnification_note(seen.box)
+    notes += sight_notes(result, seen.view)
     set_note(figure, notes + arrows_note(result.scene))
     return figure
 

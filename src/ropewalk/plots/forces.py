@@ -55,7 +55,7 @@ def forces(result: Result, *, plane: str | None = None) -> Figure:
     """
     good = good_frames(result)
     frame = good - 1
-    seen = backdrop(result, plane, [frame])
+    seen = backdrop(result, plane, [frame], still=True)  # forces pull along the ropes
     box = seen.box
     height = float(np.clip(6.4 * box.height / box.width, 1.6, 4.6))
     figure = new_figure(7.2, height + 3.2)

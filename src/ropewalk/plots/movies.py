@@ -34,7 +34,7 @@ from ropewalk.plots.canvas import (
 from ropewalk.plots.ffmpeg import MovieError, Mp4Writer
 from ropewalk.plots.gif import GifWriter, make_palette
 from ropewalk.plots.given_forces import GIVEN, GivenForces, given_notes
-from ropewalk.plots.sight import Floats, held_nodes, load_nodes, tame
+from ropewalk.plots.sight import Floats, held_nodes, load_nodes, sight_notes, tame
 from ropewalk.plots.strands import LINE, Strands, live_segments
 from ropewalk.plots.style import (
     method_and_step,
@@ -221,7 +221,8 @@ class _Painter:
         pace = "real time" if speed == 1.0 else f"{speed:g} times real time"
         set_title(figure, result.scene.name, f"{method_and_step(result)}, {pace}")
         note = broken_note(result, seen.good, clipped="the broken rope leaves the picture")
-        note += magnification_note(seen.box) + given_notes(result.scene)
+        note += magnification_note(seen.box) + sight_notes(result, seen.view)
+        note += given_notes(result.scene)
         set_note(figure, note)
         self._forces = GivenForces(axes, result, seen)
         self._strands = Strands(axes, result, seen.view)

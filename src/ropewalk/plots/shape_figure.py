@@ -35,6 +35,7 @@ from ropewalk.plots.sight import (
     positions_of,
     rope_lines,
     shown_positions,
+    sight_notes,
     tame,
     telling_frames,
 )
@@ -82,7 +83,7 @@ def shape(
     set_title(figure, f"{result.scene.name}: shape", describe(result))
     shown = "the broken shapes leave the picture" if frames[-1] >= seen.good else "not drawn here"
     notes = broken_note(result, whole.good, clipped=shown) + magnification_note(seen.box)
-    notes += given_notes(result.scene)
+    notes += sight_notes(result, seen.view) + given_notes(result.scene)
     if upright:
         notes.append("The shapes are set side by side; each is upright above its time.")
     set_note(figure, notes)

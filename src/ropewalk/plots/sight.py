@@ -21,6 +21,10 @@ Floats = NDArray[np.float64]
 AXES = ("x", "y", "z")
 _MOTION = 0.6  # [1] how much motion rather than time decides which frames are shown
 _LOOKS = 400  # frames from which motion is judged
+_SIDEWAYS = (
+    1.25  # [1] motion across the plane over that in it, from which the plane is turned to it
+)
+_NOTHING = 1e-6  # [1] of the ropes' extent: they do not move
 _CHUNK = 4_000_000  # coordinates looked at in one go
 
 
@@ -31,6 +35,7 @@ class Extent:
     low: Floats
     high: Floats
     inside: Floats  # extent of the ropes at one time, on average
+    moves: Floats  # how far a node goes, on average
 
 
 @dataclass(frozen=True)
@@ -58,11 +63,12 @@ def along(points: Floats, direction: Floats) -> Floats:
     return product
 
 
-def sight(result: Result, plane: str | None = None) -> Sight:
+def sight(result: Result, plane: str | None = None, *, still: bool = False) -> Sight:
     """Return the plane that shows most: up, and the horizontal axis along which the ropes extend most.
 
-    Without gravity these are the two axes along which they extend most. `plane` names the axes
-    instead, the horizontal one first: "xz".
+    Where they swing across that plane, by more than they move in it, it is up and the axis of the swing, but
+    for what is drawn `still`. Without gravity these are the two axes along which they extend most. `plane`
+    names the axes instead, the horizontal one first: "xz".
 
     Raises ValueError for a plane that is not two different letters of x, y and z.
     """
@@ -84,11 +90,30 @@ def sight(result: Result, plane: str | None = None) -> Sight:
         up = np.sign(up[axis]) * basis[axis]
         rest = [k for k in range(3) if k != axis]
         best = max(rest, key=lambda k: spread[k])
+        aside = sum(rest) - best
+        inside = max(space.moves[best], space.moves[axis])
+        if not still and space.moves[aside] > _SIDEWAYS * inside + _NOTHING * space.inside.max():
+            best = aside
         return Sight(basis[best], up, AXES[best], AXES[axis] if up[axis] > 0 else "up")
     flat = [basis[k] - up[k] * up for k in range(3)]
     flat = [vector / np.linalg.norm(vector) for vector in flat]
     wide = max(range(3), key=lambda k: spread[k] * np.linalg.norm(basis[k] - up[k] * up))
     return Sight(flat[wide], up, "across", "up")
+
+
+def sight_notes(result: Result, view: Sight) -> list[str]:
+    """Say how far the ropes reach along the line of sight, and move, where they do that more than in view."""
+    ahead = np.cross(view.across, view.up)
+    space = extent(result)
+    depth, deep = abs(float(space.inside @ ahead)), float(np.abs(ahead) @ space.moves)
+    wide = float(np.abs(view.across) @ space.inside)
+    seen = max(float(np.abs(way) @ space.moves) for way in (view.across, view.up))
+    plane = f"Drawn is the plane of {view.across_name} and {view.up_name}"
+    if depth > 2.0 * wide and seen > deep:
+        return [f"{plane}, in which the ropes move; across it they reach {depth:.3g} m."]
+    if deep > 0.5 * seen + _NOTHING * space.inside.max():
+        return [f"{plane}; across it the ropes move, too, by {deep:.3g} m on average."]
+    return []
 
 
 def up_label(result: Result) -> tuple[Floats, str]:
@@ -136,16 +161,20 @@ def extent(result: Result) -> Extent:
     """Return what space the good part takes up [m]."""
     good = good_frames(result)
     inside, frames = np.zeros(3), 0
-    low, high = np.full(3, np.inf), np.full(3, -np.inf)
+    low, high = (
+        np.full((result.layout.nodes, 3), np.inf),
+        np.full((result.layout.nodes, 3), -np.inf),
+    )
     for part in chunks(result):
         if part.start >= good:
             break
         points = np.asarray(positions_of(result, slice(part.start, min(part.stop, good))))
-        low = np.minimum(low, points.min(axis=(0, 1)))
-        high = np.maximum(high, points.max(axis=(0, 1)))
+        low = np.minimum(low, points.min(axis=0))
+        high = np.maximum(high, points.max(axis=0))
         inside += np.ptp(points, axis=1).sum(axis=0)
         frames += len(points)
-    return Extent(low, high, inside / frames)
+    moves = (high - low).mean(axis=0)
+    return Extent(low.min(axis=0), high.max(axis=0), inside / frames, moves)
 
 
 @remembered

@@ -106,8 +106,11 @@ def _given(file: SceneLike, scene: Scene, flags: Sequence[str]) -> list[Section]
 
 
 def _courses(result: Result) -> Section:
-    """Return the figures of a run: tension, anchor forces, energy."""
-    items: list[Item] = [picture(result.plot.tension(), "Tension over time and along the ropes")]
+    """Return the figures of a run: shape, tension, anchor forces, energy."""
+    items: list[Item] = [
+        picture(result.plot.shape(), "The ropes at some times of the run"),
+        picture(result.plot.tension(), "Tension over time and along the ropes"),
+    ]
     if result.layout.anchor_names:
         items.append(picture(result.plot.reactions(), "Forces of the anchors over time"))
     if result.facts.ledger:
