@@ -10,7 +10,7 @@ import ropewalk as rw
 from ropewalk.live.describe import rope_list
 from ropewalk.lowering import build
 from ropewalk.scene import SceneError, dumps, loads
-from ropewalk.scene.guess import Guess, guesses_of
+from ropewalk.scene.guess import Guess, doubt_of, guesses_of
 from ropewalk.scene.overrides import apply_overrides
 from ropewalk.sheets.content import Table, Text
 from ropewalk.sheets.loads import rest_section, summary_section
@@ -111,6 +111,20 @@ def test_the_page_gets_the_least_of_a_guessed_load() -> None:
         scene = hung(made_of)
         (told,) = rope_list(scene, build(scene).layout.ropes, {})
         assert told["least_load"] == (least and pytest.approx(least))
+
+
+def test_a_guessed_stiffness_is_told_beside_the_margin_too() -> None:
+    """A tow rope's EA may be ten times another; the safety factor of a jerk stood there as known."""
+    tow = rw.preset("tow")
+    told = doubt_of(tow.ropes[0].made_of, 0.2)
+    assert told.startswith("EA is a guess, 72.6 kN to 726 kN")
+    assert "breaking load" not in told
+    both = STRAND.replace(
+        guessed=[*STRAND.guessed, Guess(of="EA", value=STRAND.EA, low=1e6, high=2e7)]
+    )
+    assert doubt_of(both, 0.5).startswith("the breaking load is a guess, 121.6 kN to 139.9 kN")
+    assert "EA is a guess, 1 MN to 20 MN" in doubt_of(both, 0.5)
+    assert doubt_of(SURE, 0.5) == ""
 
 
 def test_another_rope_that_is_guessed_is_named_too() -> None:

@@ -198,6 +198,18 @@ def test_what_is_guessed_is_warned_of() -> None:
     assert "Guessed" not in told
 
 
+def test_rest_says_in_which_wind_and_where_what_slides_rests() -> None:
+    """A line in the wind sagged by 7.7 m where its scene says 9, as if in still air."""
+    made = rw.sheet("power-line-in-wind", run=False, convergence=False)
+    assert "This is rest in the wind of 25 m/s" in words(made.section("At rest"))
+    calm = rw.preset("power-line-in-wind").replace(air=None)
+    made = rw.sheet(calm, run=False, convergence=False)
+    assert "wind" not in words(made.section("At rest"))
+    ride = rw.preset("zip-line-ride").replace(**{"slide.at": 101.5})
+    told = words(rw.sheet(ride, run=False, convergence=False).section("At rest"))
+    assert "Slide 'trolley' rests at 102.35 m of rope 'wire'" in told
+
+
 def test_a_number_of_two_sources_has_both_in_words() -> None:
     """It read "A1 A12"."""
     made = rw.sheet("climbing-fall", run=False, convergence=False)

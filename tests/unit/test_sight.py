@@ -56,3 +56,21 @@ def test_motion_that_is_not_seen_is_told() -> None:
     moves = "Drawn is the plane of x and z; across it the ropes move, too, by "
     assert moves in written(result.plot.shape(plane="xz"))
     assert "across it" not in written(swung((0.0, 0.0, 2.0)).plot.shape())
+
+
+def test_loads_beside_each_other_have_one_label() -> None:
+    """A trolley, a rider and his legs were written over each other; the twin's are apart."""
+    for apart, labels in ((1, ["3 + 67 kg"]), (60, ["3 kg", "67 kg"])):
+        loads = [rw.Load(node=10, mass=3.0), rw.Load(node=10 + apart, mass=67.0)]
+        made_of = rw.Material(EA=1e5, mass_per_length=0.1)
+        rope = rw.Rope(
+            segments=100,
+            length=10.2,
+            made_of=made_of,
+            shape=Slack(end=(10.0, 0.0, 0.0)),
+            loads=loads,
+        )
+        ends = [rw.Anchor(node=0), rw.Anchor(node=-1)]
+        figure = dimensions(rw.equilibrium(rw.Scene(ropes=[rope], anchors=ends)))
+        written = [one.get_text() for one in figure.axes[0].texts]
+        assert [text for text in written if text.endswith("kg")] == labels

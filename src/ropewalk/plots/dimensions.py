@@ -71,7 +71,7 @@ def dimensions(result: Result, *, plane: str | None = None) -> Figure:
     _measure_ends(axes, ends, seen)
     sags = _write_sags(axes, result, points, seen)
     _name_anchors(axes, result, seen)
-    more = _name_loads(axes, result, seen.view.project(points))
+    more = _name_loads(axes, result, seen.view.project(points), seen)
     if any(rope.loads for rope in result.scene.ropes):  # room for the lowest one's words
         low, high = axes.get_ylim()
         axes.set_ylim(min(low, seen.box.low - 0.08 * (seen.box.high - seen.box.low)), high)
@@ -209,17 +209,26 @@ def _name_anchors(axes: Axes, result: Result, seen: Backdrop) -> None:
         )
 
 
-def _name_loads(axes: Axes, result: Result, flat: Floats) -> list[str]:
+def _name_loads(axes: Axes, result: Result, flat: Floats, seen: Backdrop) -> list[str]:
     """Write the mass of every load below it; return what could not be written."""
     loads = [
         (span.start + rope.node_index(load.node), load.mass)
         for rope, span in zip(result.scene.ropes, result.layout.ropes, strict=True)
         for load in rope.loads
     ]
+    near = _NEAR * max(seen.box.width, seen.box.high - seen.box.low)
+    written: list[tuple[Floats, list[float]]] = []  # those beside each other have one label
     for node, mass in loads[:_MOST]:
+        beside = (there for there in written if np.linalg.norm(there[0] - flat[node]) < near)
+        where, masses = next(beside, (flat[node].copy(), []))
+        if not masses:
+            written.append((where, masses))
+        masses.append(mass)
+        where[1] = min(where[1], flat[node][1])
+    for where, masses in written:
         axes.annotate(
-            f"{mass:.5g} kg",
-            xy=tuple(flat[node]),
+            f"{' + '.join(f'{mass:.5g}' for mass in masses)} kg",
+            xy=tuple(where),
             xytext=(0.0, -14.0),
             textcoords="offset points",
             ha="center",

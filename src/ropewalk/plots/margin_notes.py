@@ -56,7 +56,7 @@ def _nearest(result: Result, first: int, stop: int) -> tuple[str, float, str, st
     if not found:
         return None
     utilisation, name, beyond = max(found)
-    whose = f"Rope {escape(name)}: " if len(result.scene.ropes) > 1 else ""
+    whose = f"Rope {escape(name)}: " if len(result.scene.ropes) > 1 else "The rope: "
     return whose, utilisation, beyond, escape(doubt_words(result.scene, name, utilisation))
 
 

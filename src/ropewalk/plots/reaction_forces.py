@@ -59,7 +59,9 @@ def reactions(result: Result) -> Figure:
         _draw_magnitudes(figure.add_subplot(), result, names, forces, good)
         if len(names) > _LINES:
             notes.append(f"The {_LINES} largest of {len(names)} anchors are shown.")
-    what = f"reaction of anchor {result.layout.anchor_names[0]}" if len(names) == 1 else "reactions"
+    what = (
+        f"reaction of anchor '{result.layout.anchor_names[0]}'" if len(names) == 1 else "reactions"
+    )
     set_title(figure, f"{result.scene.name}: {what}", describe(result))
     set_note(figure, notes)
     return figure

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ropewalk.scene import Material
-from ropewalk.scene.guess import doubt_of
+from ropewalk.scene.guess import load_doubt
 
 
 def force(newtons: float) -> str:
@@ -25,5 +25,5 @@ def margins(tension: float, material: Material) -> list[str]:
         text += f", safety factor {breaking_load / tension:.3g}"
     if share > 1.0:
         text += ": it would have parted"
-    doubt = doubt_of(material, share)
+    doubt = load_doubt(material, share)  # of a guessed EA notes of the line tell
     return [f"{text}; {doubt}" if doubt else text]

@@ -22,6 +22,7 @@ Guessable = Literal[
     "EI",
     "breaking_load",
 ]
+_STIFF = ("EA", "relaxing_EA")
 
 
 class Guess(Model):
@@ -57,10 +58,21 @@ def guesses_of(made_of: Any) -> dict[str, Guess]:
 
 def guess_words(made_of: Any) -> str:
     """Return which of a material's numbers are guesses, with their ranges; "" for none."""
-    return ", ".join(f"{name} ({mark.span})" for name, mark in guesses_of(made_of).items())
+    marks = guesses_of(made_of).items()
+    return ", ".join(f"{name.replace('_', ' ')} ({mark.span})" for name, mark in marks)
 
 
 def doubt_of(made_of: Any, utilisation: float) -> str:
+    """Return what guesses make of a utilisation [1]: of the load on the safe side; of EA, to compute it."""
+    marks = guesses_of(made_of)
+    stiff = [f"{name} is a guess, {marks[name].span}" for name in _STIFF if name in marks]
+    if stiff:
+        stiff.append("so that tensions that stretch makes are, too: compute both ends of it")
+    load = load_doubt(made_of, utilisation)
+    return "; ".join(text for text in (load, ", ".join(stiff)) if text)
+
+
+def load_doubt(made_of: Any, utilisation: float) -> str:
     """Return what a guessed breaking load makes of a utilisation [1], on the safe side; "" of no guess."""
     mark = guesses_of(made_of).get("breaking_load")
     if mark is None or math.isnan(utilisation):

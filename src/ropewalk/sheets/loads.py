@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from ropewalk.core.arrays import Floats
     from ropewalk.record.result import Result
     from ropewalk.statics import RestSpan
+    from ropewalk.statics.touches import Seat
 
 _TITLES = {
     "greatest tension": ("largest tension", "N"),
@@ -36,7 +37,7 @@ _SIGN = "Forces of the ropes on the anchors; components along x, y and z."
 
 def summary_section(rest: Result | None, run: Result | None) -> Section:
     """Return the numbers that a job is decided by, of the shape of rest and of the run."""
-    rows, doubts = [], []
+    rows, doubts = [], dict[str, list[str]]()
     for title, result in (("at rest", rest), ("in the run", run)):
         if result is not None:
             found = extremes(result)
@@ -55,9 +56,11 @@ def summary_section(rest: Result | None, run: Result | None) -> Section:
                 )
             )
             if use is not None and known and (doubt := _doubt(result, use)):
-                doubts.append(Text(f"{title.capitalize()}: {doubt}.", warning=True))
+                doubts.setdefault(doubt, []).append(title)
     head = ("", "largest tension", "largest force on an anchor", "utilisation", "safety factor")
-    items: list[Item] = [Table(head, rows), *doubts]
+    items: list[Item] = [Table(head, rows)]
+    for doubt, titles in doubts.items():
+        items.append(Text(f"{' and '.join(titles).capitalize()}: {doubt}.", warning=True))
     if run is not None and run.diagnosis:
         items.append(Text("The run broke: see below. Its numbers end there.", warning=True))
     if run is not None and run.partings:
@@ -65,8 +68,10 @@ def summary_section(rest: Result | None, run: Result | None) -> Section:
     return Section("Summary", tuple(items))
 
 
-def rest_section(result: Result, spans: tuple[RestSpan, ...]) -> Section:
-    """Return spans, tensions and anchor forces of an equilibrium."""
+def rest_section(
+    result: Result, spans: tuple[RestSpan, ...], seats: tuple[Seat, ...] = ()
+) -> Section:
+    """Return spans, tensions and anchor forces of an equilibrium, and where what slides rests."""
     rows = [
         (
             f"{span.rope}, nodes {span.first} to {span.last}",
@@ -80,7 +85,11 @@ def rest_section(result: Result, spans: tuple[RestSpan, ...]) -> Section:
     head = ("span", "ends apart", "sag", "horizontal tension", "largest tension")
     items: list[Item] = [Table(head, rows)] if rows else []
     items += _anchor_table(result, result.reactions[0]) + _utilisation(result)
-    about = f"The forces balance to {result.residual:.1e} N on every node."
+    items += [Text(f"{str(seat).replace('slide', 'Slide', 1)}.") for seat in seats]
+    wind = () if result.scene.air is None else result.scene.air.wind
+    blows = f"in the wind of {math.hypot(*wind):.4g} m/s, " if any(wind) else ""
+    about = f"This is rest {blows}with all anchors where they are at time zero."
+    about += f" The forces balance to {result.residual:.1e} N on every node."
     return Section("At rest", (*items, Text(about)))
 
 

@@ -9,9 +9,9 @@ from pathlib import Path
 from typing import Any
 
 from ropewalk import __version__
-from ropewalk.api import SceneLike, as_scene, equilibrium, simulate
-from ropewalk.lowering import build
+from ropewalk.api import SceneLike, as_scene, simulate
 from ropewalk.plots.dimensions import dimensions
+from ropewalk.record.rest import rest_and_result
 from ropewalk.record.result import Result
 from ropewalk.scene import Scene, SceneError, dumps
 from ropewalk.scene.as_given import as_given
@@ -20,7 +20,7 @@ from ropewalk.sheets.document import Sheet
 from ropewalk.sheets.loads import rest_section, run_section, summary_section
 from ropewalk.sheets.ropes import assumption_section, rope_section
 from ropewalk.sheets.trust import convergence_section, method_section
-from ropewalk.statics import NoRest, rest_spans
+from ropewalk.statics import NoRest
 
 
 def sheet(
@@ -57,10 +57,8 @@ def sheet(
     tell("at rest")
     rest: Result | None = None
     try:
-        rest = equilibrium(made)
-        model = build(made)
-        spans = rest_spans(model, rest.positions[0], rest.tension[0])
-        at_rest = rest_section(rest, spans)
+        statics, rest = rest_and_result(made)
+        at_rest = rest_section(rest, statics.spans, statics.seats)
     except (SceneError, NoRest) as error:
         if not run:
             raise

@@ -15,6 +15,7 @@ _INK, _SOFT, _LINE, _WARN, _BACK = "#1c2430", "#566070", "#d5dae0", "#8a2b00", "
 _MARGIN = 16.0  # [mm]
 _PADDING = 6.0  # [pt] of reportlab's frames
 _LISTED = 100  # letters of a line of a listing
+_WHOLE = 16  # rows of a table that stay on one page
 
 
 def pdf_pages(title: str, lead: str, sections: Sequence[Section]) -> bytes:
@@ -132,7 +133,7 @@ class _Look:
                 return self._table(item, width)
 
     def _table(self, table: Table, width: float) -> list[Any]:
-        from reportlab.platypus import Paragraph, TableStyle
+        from reportlab.platypus import KeepTogether, Paragraph, TableStyle
         from reportlab.platypus import Table as Grid
 
         rows = [*([table.head] if any(table.head) else []), *table.rows]
@@ -159,7 +160,7 @@ class _Look:
             hAlign="LEFT",
         )
         note = [Paragraph(escape(table.note), self.style("note"))] if table.note else []
-        return [grid, *note]
+        return [KeepTogether([grid, *note])] if len(rows) <= _WHOLE else [grid, *note]
 
 
 def _widths(rows: Sequence[Sequence[str]], width: float) -> list[float]:
