@@ -24,6 +24,7 @@ EXPECTED = {
     *("three-leg-sling", "net"),
     *("capstan", "edge", "stairs", "bollard", "pulley"),
     *("crossing", "overhand", "clove-hitch", "pile"),
+    *("figure-eight", "reef", "granny", "bowline", "two-half-hitches", "prusik", "munter"),
 }
 
 

@@ -8,20 +8,25 @@ from typing import NamedTuple
 from ropewalk.scene.presets import names
 
 OTHERS = "More scenes"
-_PLAY, _REAL, _RIGGING, _LESSONS, _REPORT = (
+_PLAY, _REAL, _RIGGING, _KNOTS, _LESSONS, _REPORT = (
     "Look and play",
     "Ropes at work",
     "Rigging",
+    "Knots and hitches",
     "Ropes of game lessons",
     "The student report: why simulations break",
 )
 _THEMES: dict[str, tuple[str, ...]] = {
     _PLAY: ("skipping-rope", "whip", "wave-on-a-string", "hanging-rope", "falling-chain", "stairs"),
-    _REAL: ("h3", "fishing-rod", "wire-arch", "net", "edge", "crossing", "overhand", "pile"),
+    _REAL: ("h3", "fishing-rod", "wire-arch", "net", "edge", "crossing", "pile"),
     _RIGGING: (
         *("climbing-fall", "zip-line", "zip-line-ride", "highline", "rescue-lower", "tow"),
         *("crane-snap", "hoist-stop", "guyed-mast", "suspension-cable", "power-line-in-wind"),
-        *("three-leg-sling", "capstan", "bollard", "pulley", "clove-hitch"),
+        *("three-leg-sling", "capstan", "bollard", "pulley"),
+    ),
+    _KNOTS: (
+        *("overhand", "figure-eight", "reef", "granny", "bowline"),
+        *("clove-hitch", "two-half-hitches", "prusik", "munter"),
     ),
     OTHERS: (),
     _LESSONS: ("n40", "h1", "h2", "n39-spring", "n39-gravity", "n39-constant-velocity"),

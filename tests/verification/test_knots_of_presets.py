@@ -1,0 +1,87 @@
+"""What the presets of knots say of themselves: what holds, what slips, and that nothing goes through."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from ropewalk.scene import Scene, apply_overrides
+from ropewalk.scene.presets import preset
+from ropewalk.simulation import Simulation
+from verification.heaps import passes
+
+SMOOTH = "contact.friction=0", "obstacle.friction=0"
+STEP = 1.0 / 240.0  # [s]
+
+
+def run(scene: Scene, since: float) -> tuple[float, float, int]:
+    """The most that the first end bore after a time [N], how far the last went [m], and what passed."""
+    simulation, most = Simulation(scene), 0.0
+    span, state = simulation.layout.ropes[0], simulation.arrays
+    links = [
+        (i, i + 1) for s in simulation.layout.ropes for i in range(s.first, s.last)
+    ]  # of all ropes
+    passed, tail = 0, np.zeros(3)
+    while simulation.time < scene.run.duration - 0.5 * STEP:
+        before = state.x.copy()
+        simulation.step(STEP)
+        passed += passes(before, state.x, np.array(links))
+        if simulation.time < since:
+            tail = state.x[:, span.end].copy()
+        else:
+            most = max(most, float(state.tension[span.start : span.start + 3].mean()))
+    return most, float(np.linalg.norm(state.x[:, span.end] - tail)), passed
+
+
+def test_a_reef_holds_where_a_granny_slips() -> None:
+    """Drawn apart by one end of each; what came of whipping is over after 1 s."""
+    most, slid, passed = run(preset("reef"), 1.0)
+    assert most > 500.0
+    assert slid < 0.001
+    assert passed == 0
+    most, _, passed = run(preset("granny"), 1.0)
+    assert most < 50.0
+    assert passed == 0
+
+
+def test_a_bowline_does_not_run() -> None:
+    most, slid, passed = run(preset("bowline"), 0.8)
+    assert most > 250.0
+    assert slid < 0.03
+    assert passed == 0
+
+
+def test_half_hitches_hold_with_friction() -> None:
+    """With 0.6; with 0.3 the rope comes through them."""
+    most, _, passed = run(preset("two-half-hitches"), 1.1)
+    assert most > 400.0
+    assert passed == 0
+    less = "contact.friction=0.3", "obstacle.friction=0.3"
+    most, _, passed = run(apply_overrides(preset("two-half-hitches"), list(less)), 1.1)
+    assert most < 10.0
+    assert passed == 0
+
+
+def test_a_prusik_holds_with_friction() -> None:
+    most, _, passed = run(preset("prusik"), 1.0)
+    assert most > 300.0
+    assert passed == 0
+    most, _, passed = run(apply_overrides(preset("prusik"), list(SMOOTH)), 1.0)
+    assert most < 5.0
+    assert passed == 0
+
+
+def test_a_munter_carries_seven_times_the_hand() -> None:
+    """Of ten newtons, in the mean over the last half."""
+    scene = preset("munter")
+    simulation, found = Simulation(scene), []
+    while simulation.time < scene.run.duration - 0.5 * STEP:
+        simulation.step(STEP)
+        found.append(float(simulation.arrays.tension[:3].mean()))
+    assert np.mean(found[len(found) // 2 :]) == pytest.approx(73.0, rel=0.1)
+
+
+def test_a_figure_eight_draws_tight() -> None:
+    most, _, passed = run(preset("figure-eight"), 1.2)
+    assert 150.0 < most < 400.0
+    assert passed == 0
