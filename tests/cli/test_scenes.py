@@ -186,7 +186,9 @@ def test_every_part_of_the_starter_can_be_switched_on() -> None:
     assert loads(text).name == "my rope"
     parts = optional_parts(text)
     expected = {"rope.made_of", "rope.load", "rope.kick", "anchor", "air", "ground", "limiter"}
-    assert set(parts) == expected | {"winch", "anchor.clamp"}
+    assert set(parts) == expected | {"winch", "anchor.clamp", "obstacle"}
+    assert text.index("[[obstacle]]") < text.index("[ground]")  # the one that sticks comes first
+    assert loads(text.replace(*parts["obstacle"])).obstacles[0].kind == "plane"
     _, springs = parts.pop("rope.made_of")
     part, clamp = parts.pop("anchor.clamp")  # holds only what resists bending, which no winch winds
     assert loads(text.replace("# EI =", "EI =").replace(part, clamp)).anchors[0].clamp is not None
