@@ -101,3 +101,20 @@ def test_ropes_of_the_library_bear_what_their_kind_bears(
     hung = Scene(ropes=[rope], anchors=[Anchor(node=0)], gravity=(0, 0, -9.81))
     found = check(hung, measure=False).warnings
     assert any("at rest it is stretched by" in text for text in found) is told
+
+
+def test_a_climbing_rope_from_its_own_label_may_hang_by_a_tenth() -> None:
+    """A label of 7.2 % at rest, and a climber with a bag: it was asked for kN typed as N."""
+    label = Material.from_fall("8.6 kN", "33 %", "52 g/m", static_elongation="7.2 %")
+    for made_of, told in (
+        (label, False),
+        (label.replace(relaxing_EA=None, relaxation_time=None), True),
+    ):
+        rope = Rope(
+            segments=4, length=10.0, made_of=made_of, shape=Straight(direction=(0, 0, -1)),
+            loads=[Load(node=-1, mass=110.0)],
+        )  # fmt: skip
+        hung = Scene(ropes=[rope], anchors=[Anchor(node=0)], gravity=(0, 0, -9.81))
+        found = check(hung, measure=False)
+        assert 0.1 < found.ropes[0].largest_strain < 0.12
+        assert any("kN typed as N" in text for text in found.warnings) is told

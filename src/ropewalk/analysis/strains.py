@@ -22,7 +22,8 @@ if TYPE_CHECKING:
 _NOTHING = 1e-3  # [N]
 _STRAINED = 0.1  # [1] strain at rest that few ropes bear
 #: [1] by families that stretch more: climbing ropes hang by a tenth under 80 kg, rubber doubles its length
-_BEAR = {"dynamic climbing rope": 0.15, "rubber": 1.0}
+_CLIMBING = 0.15
+_BEAR = {"dynamic climbing rope": _CLIMBING, "rubber": 1.0}
 
 
 def percent(strain: float) -> str:
@@ -47,7 +48,9 @@ def strain_warnings(model: Model, statics: Statics, ropes: tuple[RopeCheck, ...]
                 )
             continue
         entry = _of_library(made_of)
-        if rope.largest_strain <= (_STRAINED if entry is None else _borne(entry, rope)):
+        # What relaxes is a climbing rope from its label.
+        known = _STRAINED if getattr(made_of, "relaxing_EA", None) is None else _CLIMBING
+        if rope.largest_strain <= (known if entry is None else _borne(entry, rope)):
             continue
         if isinstance(made_of, Springs):
             what = f"spring_constant of {made_of.spring_constant:g} N/m"
