@@ -247,3 +247,18 @@ def test_of_several_obstacles_at_a_node_slipping_shows_first(
     modes = contacts.contact_modes(result, [0])[0]
     assert (modes[2], modes[5], modes[3]) == (contacts.SLIPS, contacts.UNKNOWN, 0)
     assert (contacts.node_modes(result, [0])[0] == modes).all()
+
+
+def test_on_a_pulley_a_rope_slips_over_the_wheel_as_it_turns() -> None:
+    """At every frame by its rate then; by that of the first one it slipped at the wheel's own 0.66 m/s."""
+    result = rw.simulate("pulley")
+    table = result.to_pandas("contacts")
+    rim = np.abs(result.pulley("wheel").speed[-1]) * 0.05
+    assert rim > 0.5
+    assert table["slip speed [m/s]"].max() < 0.05 * rim
+    assert (table["mode"] == "sticks").mean() > 0.8
+    power = table.groupby("time [s]")["friction power [W]"].sum()
+    assert abs(power.sum()) * (result.time[1] - result.time[0]) < 2e-3  # the rope gives it 0.26 J
+    last = table[table["time [s]"] == result.time[-1]]
+    alone = result.to_pandas("contacts", times=[float(result.time[-1])])
+    assert np.array_equal(alone["slip speed [m/s]"], last["slip speed [m/s]"])

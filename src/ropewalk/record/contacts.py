@@ -123,9 +123,8 @@ def each_frame(result: Result, frames: Iterable[int]) -> Iterator[tuple[int, Con
         if force[frame].any():
             now = [np.ascontiguousarray(part[frame].T) for part in (x, v, force)]
             t = float(result.time[frame])
-            if turning is not None:
-                table = at_rates(table, turning[frame, :, 1])
-            contacts = contacts_at(table, now[0], now[1], now[2], stiffness, t)
+            then = table if turning is None else at_rates(table, turning[frame, :, 1])
+            contacts = contacts_at(then, now[0], now[1], now[2], stiffness, t)
             yield frame, contacts if apart else _told(model, now[0], contacts)
 
 
