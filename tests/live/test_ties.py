@@ -18,7 +18,6 @@ from ropewalk.scene import (
     Anchor,
     Contact,
     Hand,
-    Limiter,
     Material,
     Rope,
     RunSettings,
@@ -196,8 +195,6 @@ def test_refusals_name_the_points_and_the_reason() -> None:
     assert (session.scene.joints, session.main.hands.pulls) == ((), [])
     touching = Session(two(contact=Contact()))
     assert "where ropes touch each other" in refused(touching, "tie", node=A_END, other=B_END)
-    limited = Session(two("verlet", limiter=Limiter(max_stretch=1.1)))
-    assert "knows no bounds of the stretch" in refused(limited, "tie", node=A_END, other=B_END)
     wound = Session(two("implicit-euler", winches=[Winch(rope="a", end="start", speed=0.0)]))
     said = refused(
         wound,

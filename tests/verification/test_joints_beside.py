@@ -1,4 +1,4 @@
-"""Joints beside winches, and beside a stretch limiter that is solved for."""
+"""Joints beside winches, and beside a stretch limiter."""
 
 from __future__ import annotations
 
@@ -7,9 +7,9 @@ import pytest
 
 from ropewalk.api import simulate
 from ropewalk.methods.registry import METHODS
-from ropewalk.scene import Points, Winch
+from ropewalk.scene import Anchor, Limiter, Material, Points, Rope, Scene, Winch
 from ropewalk.simulation import Simulation
-from verification.joined import cut, star, tie, uncut
+from verification.joined import cut, run, star, tie, uncut
 from verification.test_joints import together
 
 
@@ -81,3 +81,93 @@ def test_bounds_of_the_stretch_hold_in_a_net_of_ropes(method: str) -> None:
         assert result.table["largest balance residual [J]"] < 1e-9 * scale
     assert most["free"] > 1.05
     assert most["bound"] < 1.01 + 1e-6
+
+
+EXPLICIT = [name for name, method in METHODS.items() if not method.implicit]
+
+
+@pytest.mark.parametrize("method", EXPLICIT)
+def test_a_limited_rope_that_is_cut_and_joined_moves_as_the_uncut_one(method: str) -> None:
+    """Bounds on both sides of a knot are put right in one order and stopped together, to rounding. The twin:
+    without the limiter they move otherwise.
+    """
+    ends, pulls = [], []
+    step = 2e-5 if method == "euler" else 1e-3  # it gains energy in longer ones
+    for scene in (uncut(method), cut(method), uncut(method)):
+        bound = None if ends[1:] else Limiter(min_stretch=0.9, max_stretch=1.02)
+        settings = scene.run.replace(duration=0.5, time_step=step)
+        simulation = Simulation(scene.replace(limiter=bound, run=settings), ledger=True)
+        simulation.step(0.5)
+        ends.append(simulation.arrays.x[:, -4:].copy())
+        pulls.append(simulation.arrays.work.limiter.copy())
+    assert np.abs(ends[1] - ends[0]).max() < 1e-9
+    assert pulls[1] == pytest.approx(pulls[0], rel=1e-6)
+    assert pulls[0][0] < -1e-3  # it has acted, and takes
+    assert np.abs(ends[2] - ends[0]).max() > 1e-2
+
+
+@pytest.mark.parametrize("method", ["semi-implicit-euler", "rk4"])
+def test_bounds_in_a_star_that_flies_keep_momentum_and_make_up_no_energy(method: str) -> None:
+    """Four ropes tied in a knot, whose free ends are flung apart: impulses are inner forces, and only take;
+    those of the knot on its nodes add up to nothing.
+    """
+    scene = star(method, legs=4, load=0.3)
+    rng = np.random.default_rng(5)
+    ropes = [
+        rope.replace(kicks=[{"node": 0, "velocity": tuple(4.0 * rng.normal(size=3))}])
+        for rope in scene.ropes
+    ]
+    made = scene.replace(
+        ropes=ropes,
+        anchors=[],
+        gravity=(0.0, 0.0, 0.0),
+        limiter={"min_stretch": 0.5, "max_stretch": 1.02, "passes": 50},
+        run=scene.run.replace(duration=1.0, time_step=2e-4),
+    )
+    simulation = Simulation(made, ledger=True)
+    state, most, moved = simulation.arrays, 1.0, 0.0
+    before = (state.mass * state.v).sum(axis=1)
+    for _ in range(100):
+        kinetic = float(state.work.limiter[0])
+        simulation.step(0.01)
+        assert state.work.limiter[0] <= kinetic + 1e-12
+        lengths = np.linalg.norm(np.diff(state.x, axis=1), axis=0)
+        inside = state.rest_length > 0.0
+        most = max(most, float((lengths[inside] / state.rest_length[inside]).max()))
+        moved = max(moved, float(np.abs(state.joint_force).max()))
+        assert np.abs(state.joint_force.sum(axis=0)).max() < 1e-9 * max(moved, 1.0)
+        assert together(simulation)
+    assert state.work.limiter[0] < -0.1
+    assert (state.mass * state.v).sum(axis=1) == pytest.approx(before, abs=1e-11)
+    assert 1.015 < most < 1.021
+
+
+def test_the_anchor_of_a_limited_star_carries_all_that_hangs() -> None:
+    """A load on ropes that hang at their bounds by a knot and a rope to the anchor: its reaction is the
+    weight, and the knot pulls every rope with what hangs below.
+    """
+    soft = Material(EA=5.0, mass_per_length=0.1, axial_damping=1.0)
+    places = [((0, 0, 0), (0, 0, -0.5)), ((0, 0, -0.5), (0, 0, -1.0))]
+    ropes = [
+        Rope(
+            name=name,
+            segments=5,
+            length=0.5,
+            made_of=soft,
+            shape=Points(points=list(np.linspace(*ends, 6).tolist())),
+            loads=loads,
+        )
+        for name, ends, loads in zip("ab", places, ([], [{"node": -1, "mass": 2.0}]), strict=True)
+    ]
+    scene = Scene(
+        ropes=ropes,
+        anchors=[Anchor(rope="a", node=0)],
+        joints=[tie("knot", ("a", -1), ("b", 0))],
+        limiter={"min_stretch": 0.5, "max_stretch": 1.05, "passes": 50},
+        run=run("semi-implicit-euler", duration=3.0, time_step=1e-4, frame_rate=100.0),
+    )
+    result = simulate(scene)
+    assert result.positions[-1, -1, 2] == pytest.approx(-1.05, abs=2e-3)
+    assert result.reactions[-1, 0] == pytest.approx([0, 0, 2.1 * 9.81], rel=1e-6, abs=1e-9)
+    assert result.joint_force("knot")[-1, 1] == pytest.approx([0, 0, 2.05 * 9.81], rel=2e-2)
+    assert result.joint_force("knot")[-1].sum(axis=0) == pytest.approx([0, 0, 0], abs=1e-9)

@@ -37,7 +37,6 @@ OF_METHODS = (
     (("rigid links",), (*RINGING, "sdirk2"), "cannot hold the lengths of rigid links"),
     (("rigid links",), EXPLICIT, "cannot hold the lengths"),
     (("limiter",), (*RINGING, "sdirk2"), "a segment at its bound is rigid"),
-    (("limiter", "joint"), EXPLICIT, "no bounds of the stretch of ropes that joints tie"),
     (("obstacle",), RINGING, "cannot work with obstacles"),
     (("contact",), RINGING, "cannot work with ropes that touch each other"),
 )

@@ -14,12 +14,22 @@ from __future__ import annotations
 
 import math
 
-from ropewalk.core.jit import kernel
+from ropewalk.core.jit import kernel, part
 from ropewalk.core.status import TAKEN
 from ropewalk.laws.clamps import bent_energy
 from ropewalk.laws.elastic import stored_energy
+from ropewalk.laws.joints import tied_to
 from ropewalk.laws.ledger import gravity_energy, kinetic_energy
-from ropewalk.laws.rare import has_bending, limits
+from ropewalk.laws.rare import are_tied, has_bending, limits
+from ropewalk.laws.tied_limiter import (
+    IMPULSE,
+    MOTION,
+    add_joint_forces,
+    carry,
+    inertness,
+    move_tied,
+    solve_tied,
+)
 
 AT_BOUND = 1e-9  # [1] a stretch this close to its bound counts as at it
 ATTEMPTS = 8  # solves for the impulses at most; each but the last lets go of what would be pulled
@@ -31,7 +41,8 @@ BOTH = 2.0  # marks a segment of one length only
 def limit_stretch(system, state, work, dt, ledger):
     """Bring every segment's stretch within bounds, stop it there, and book what that costs.
 
-    `work` is (7, n): unit vectors, diagonal, upper diagonal, right side of the segments' equations, bound.
+    `work` is (11, n): unit vectors, diagonal, upper diagonal, right side of the segments' equations, bound,
+    and what `tied_limiter` needs.
     """
     if not limits(system):
         return
@@ -41,9 +52,13 @@ def limit_stretch(system, state, work, dt, ledger):
     kinetic, potential = kinetic_energy(state.v, state.mass), _potential(system, state)
     for _ in range(system.limiter.passes):
         sweep(system, state)
-    stop_segments(system.limiter, state, work)
+    stop_segments(system, state, work)
     note_pulls(work, dt, state.limited)
-    kinetic = kinetic_energy(state.v, state.mass) - kinetic - give_to_anchors(state, work, dt)
+    if are_tied(system):
+        add_joint_forces(system.joints, state, work, dt)
+    kinetic = (
+        kinetic_energy(state.v, state.mass) - kinetic - give_to_anchors(system, state, work, dt)
+    )
     potential = _potential(system, state) - potential
     state.balance[TAKEN] -= kinetic + potential
     if ledger:
@@ -83,20 +98,24 @@ def _potential(system, state):
 
 @kernel
 def sweep(system, state):
-    """Correct the length of every segment once, in the order of the table."""
-    limiter = system.limiter
+    """Correct the length of every segment once, in the order of the table; what is tied moves along."""
+    limiter, joints = system.limiter, system.joints
     x = state.x
     held = 0
     for row in range(state.held.shape[0]):
         held += state.held[row]
     for row in range(limiter.order.shape[0]):
         j = limiter.order[row]
-        both = state.inverse_mass[j] + state.inverse_mass[j + 1]
+        first, second = state.inverse_mass[j], state.inverse_mass[j + 1]
+        if are_tied(system):
+            first = inertness(joints, state, limiter.joint[0, row], j)
+            second = inertness(joints, state, limiter.joint[1, row], j + 1)
+        both = first + second
         if both == 0.0:
             continue
         share = limiter.share[row]
-        if held == 0 or share == 0.5 or both in (state.inverse_mass[j], state.inverse_mass[j + 1]):
-            share = state.inverse_mass[j] / both
+        if held == 0 or share == 0.5 or both in (first, second):
+            share = first / both
         dx = x[0, j + 1] - x[0, j]
         dy = x[1, j + 1] - x[1, j]
         dz = x[2, j + 1] - x[2, j]
@@ -115,10 +134,13 @@ def sweep(system, state):
         x[0, j + 1] -= high * dx
         x[1, j + 1] -= high * dy
         x[2, j + 1] -= high * dz
+        if are_tied(system):
+            carry(joints, state.tied, limiter.joint[0, row], j, x)
+            carry(joints, state.tied, limiter.joint[1, row], j + 1, x)
 
 
 @kernel
-def stop_segments(limiter, state, work):
+def stop_segments(system, state, work):
     """Find the impulses of the segments at a bound and apply them to the free nodes.
 
     A bound only pushes back: a segment whose impulse would pull it to the bound is let go, and the rest
@@ -126,9 +148,9 @@ def stop_segments(limiter, state, work):
     """
     segments = state.rest_length.shape[0]
     for j in range(segments):
-        _find_bound(limiter, state, work, j)
+        _find_bound(system.limiter, state, work, j)
     for _ in range(ATTEMPTS):
-        _solve(state, work)
+        _solve_for_impulses(system, state, work)
         pulling = 0
         for j in range(segments):
             if work[6, j] * work[5, j] < 0.0 and work[6, j] != BOTH:
@@ -137,11 +159,26 @@ def stop_segments(limiter, state, work):
         if pulling == 0:
             break
     if pulling > 0:
-        _solve(state, work)
+        _solve_for_impulses(system, state, work)
+    if are_tied(system):
+        move_tied(system.joints, state, work, IMPULSE)
+        for k in range(3):
+            for i in range(segments + 1):
+                state.v[k, i] += work[MOTION + k, i]
+        return
     for j in range(segments):
         for k in range(3):
             state.v[k, j] += state.inverse_mass[j] * work[5, j] * work[k, j]
             state.v[k, j + 1] -= state.inverse_mass[j + 1] * work[5, j] * work[k, j]
+
+
+@part
+def _solve_for_impulses(system, state, work):
+    """Write the impulses of the segments at a bound."""
+    if are_tied(system):
+        solve_tied(system.joints, state, work)
+    else:
+        _solve(state, work)
 
 
 @kernel
@@ -202,23 +239,25 @@ def note_pulls(work, dt, limited):
 
 
 @kernel
-def give_to_anchors(state, work, dt):
+def give_to_anchors(system, state, work, dt):
     """Add what the held nodes would have taken to their anchors' reactions; return its work [J]."""
     total = 0.0
     segments = state.rest_length.shape[0]
     for row in range(state.held.shape[0]):
         if state.held[row] == 0:
             continue
-        i = state.anchor_node[row]
-        done = 0.0
-        for k in range(3):
-            impulse = 0.0
-            if i < segments:
-                impulse -= work[5, i] * work[k, i]
-            if i > 0:
-                impulse += work[5, i - 1] * work[k, i - 1]
-            state.reaction[row, k] += impulse / dt
-            done += impulse * state.v[k, i]
+        node, done = state.anchor_node[row], 0.0
+        first, last = tied_to(system, state, row)
+        for p in range(max(last - first, 1)):
+            i = system.joints.member[first + p] if last > first else node
+            for k in range(3):
+                impulse = 0.0
+                if i < segments:
+                    impulse -= work[5, i] * work[k, i]
+                if i > 0:
+                    impulse += work[5, i - 1] * work[k, i - 1]
+                state.reaction[row, k] += impulse / dt
+                done += impulse * state.v[k, i]
         total += done
         state.work.anchors[row] += done
         state.most[row] = max(state.most[row], abs(state.work.anchors[row]))

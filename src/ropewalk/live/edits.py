@@ -18,7 +18,6 @@ from ropewalk.core.arrays import Floats
 from ropewalk.live.parameters import refusal
 from ropewalk.lowering.contact_checks import refuse_tying, refuse_untying
 from ropewalk.lowering.layout import Layout, make_layout
-from ropewalk.lowering.plan import refuse_limiter
 from ropewalk.lowering.slide_checks import refuse_slides
 from ropewalk.scene import (
     Anchor,
@@ -253,7 +252,6 @@ def knot(scene: Scene, layout: Layout, nodes: tuple[int, int], hands: Sequence[s
     anchors = [anchor for anchor in scene.anchors if anchor.name not in hands]
     joints = [*kept, Joint(name=name, points=ties)]
     made = scene.replace(anchors=anchors, joints=joints)
-    refuse_limiter(made)
     return Edit(made, same_nodes(layout))
 
 

@@ -72,11 +72,10 @@ def candidates(scene: Scene, system: System, state: State, most: float) -> list[
 def bounds_stretch(scene: Scene, method: str) -> bool:
     """Tell whether a method can work with the scene's stretch limiter, if it has one.
 
-    A segment at its bound is a rigid link. Explicit methods put it right after their steps, rope by rope.
+    A segment at its bound is a rigid link. Explicit methods put it right after their steps.
     """
-    if scene.limiter is None or METHODS[method].holds_links:
-        return True
-    return not (METHODS[method].implicit or scene.joints)
+    made = METHODS[method]
+    return scene.limiter is None or made.holds_links or not made.implicit
 
 
 def accurate_step(name: str, scene: Scene, system: System, state: State) -> float:

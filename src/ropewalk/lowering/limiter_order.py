@@ -3,34 +3,42 @@
 from __future__ import annotations
 
 from collections import deque
+from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 
-from ropewalk.core.arrays import Floats, Ints
+from ropewalk.core.arrays import Floats, Ints, Joints
 from ropewalk.lowering.layout import Layout, Span
 
 
-def limiter_order(layout: Layout) -> tuple[Ints, Floats]:
-    """Return segments from the anchors outward, and the first node's share of each correction.
+class Order(NamedTuple):
+    """Segments from the anchors outward, the first node's share of each correction, and the joints that their
+    nodes belong to, (2, s), -1: none."""
 
-    The node nearer to an anchor stays (share 0 or 1); halfway between two anchors, and in a rope
-    that nothing holds, both give way (1/2).
+    segments: Ints
+    share: Floats
+    joint: Ints
+
+
+def limiter_order(layout: Layout, joints: Joints) -> Order:
+    """Return the order; the way from an anchor goes on through joints.
+
+    The node nearer to an anchor stays (share 0 or 1); halfway between two anchors, and in what nothing
+    holds, both give way (1/2).
     """
-    order: list[int] = []
-    share: list[float] = []
-    for span in layout.ropes:
-        held = tuple(_far_side(span, node) for node in layout.anchor_nodes)
-        distance = _distances(span.first, span.last, held)
-        segments = range(span.first, span.last)
-
-        def far(j: int, d: dict[int, int] = distance) -> int:
-            return max(d[j], d[j + 1])
-
-        for j in sorted(segments, key=lambda j: (far(j), j)):
-            near, other = distance[j], distance[j + 1]
-            order.append(j)
-            share.append(0.5 if near == other else (0.0 if near < other else 1.0))
-    return np.array(order, dtype=np.int64), np.array(share, dtype=np.float64)
+    members = [joints.member[a:b].tolist() for a, b in pairwise(joints.first)]
+    joint_of = {node: j for j, nodes in enumerate(members) for node in nodes}
+    held = {_far_side(span, node) for span in layout.ropes for node in layout.anchor_nodes}
+    distance = _distances(layout, held, members, joint_of)
+    segments = [j for span in layout.ropes for j in range(span.first, span.last)]
+    segments.sort(key=lambda j: (max(distance[j], distance[j + 1]), j))
+    steps = [distance[j] - distance[j + 1] for j in segments]
+    share = [0.5 if step == 0 else (0.0 if step < 0 else 1.0) for step in steps]
+    ends = [[joint_of.get(j + k, -1) for j in segments] for k in range(2)]
+    return Order(
+        np.array(segments, np.int64), np.array(share, np.float64), np.array(ends, np.int64)
+    )
 
 
 def _far_side(span: Span, node: int) -> int:
@@ -38,17 +46,21 @@ def _far_side(span: Span, node: int) -> int:
     return {span.start: span.first, span.end: span.last}.get(node, node)
 
 
-def _distances(first: int, last: int, anchors: tuple[int, ...]) -> dict[int, int]:
-    """Count segments from every node of a rope to the nearest anchor; 0 everywhere without one."""
-    held = [node for node in anchors if first <= node <= last]
-    if not held:
-        return dict.fromkeys(range(first, last + 1), 0)
-    distance = dict.fromkeys(held, 0)
-    queue = deque(held)
+def _distances(
+    layout: Layout, held: set[int], members: list[list[int]], joint_of: dict[int, int]
+) -> dict[int, int]:
+    """Count segments from every node to the nearest anchor; 0 where none is to be reached."""
+    span_of = {node: span for span in layout.ropes for node in range(span.first, span.last + 1)}
+    distance: dict[int, int] = {}
+    queue = deque((node, 0) for node in sorted(held))
     while queue:
-        node = queue.popleft()
-        for other in (node - 1, node + 1):
-            if first <= other <= last and other not in distance:
-                distance[other] = distance[node] + 1
-                queue.append(other)
-    return distance
+        node, far = queue.popleft()
+        if node in distance:
+            continue
+        distance[node] = far
+        if node in joint_of:
+            queue.extendleft((other, far) for other in members[joint_of[node]])
+        span = span_of[node]
+        near = (other for other in (node - 1, node + 1) if span.first <= other <= span.last)
+        queue.extend((other, far + 1) for other in near)
+    return {node: distance.get(node, 0) for node in span_of}

@@ -102,12 +102,6 @@ def refuse_limiter(scene: Scene) -> None:
     if name == "auto" or bounds_stretch(scene, name):
         return
     able = ", ".join(one for one in METHODS if METHODS[one].holds_links)
-    if not METHODS[name].implicit:
-        rule = (
-            f"knows no bounds of the stretch of ropes that joints tie; methods that do: {able}; "
-            "or leave out the limiter, or the joints"
-        )
-        raise SceneError([Fault("run.method", name, rule)])
     rule = (
         "cannot work with a stretch limiter: a segment at its bound is rigid; implicit methods that can: "
         f"{able}; so can all explicit ones"

@@ -29,7 +29,7 @@ from ropewalk.lowering.bending_tables import add_bending, no_bending
 from ropewalk.lowering.elastic_tables import elastic_tables, remembers, said_by, softest
 from ropewalk.lowering.joint_tables import join, joint_tables
 from ropewalk.lowering.layout import Layout, Span
-from ropewalk.lowering.limiter_order import limiter_order
+from ropewalk.lowering.limiter_order import Order, limiter_order
 from ropewalk.lowering.masses import line, line_density, masses, passing
 from ropewalk.lowering.motion_rows import anchor_tables
 from ropewalk.lowering.pieces import Pieces
@@ -236,7 +236,8 @@ def _system(scene: Scene, layout: Layout, state: State, keep: Pieces) -> System:
     elastic = keep("elastic", elastic_tables, layout, said_by(ropes))
     stretch = state.mass, applied, softest(elastic, state.stiffness), state.rest_length
     limiter, tables = scene.limiter, _node_tables(scene, layout, keep)
-    order = keep("limiter order", limiter_order, layout) if limiter is not None else None
+    joints = keep("joints", joint_tables, scene.joints, layout)
+    order = keep("limiter order", limiter_order, layout, joints) if limiter is not None else None
     return System(
         gravity=np.array(scene.gravity, dtype=np.float64),
         flags=keep("flags", _flags, applied, state.damping_axial, floor),
@@ -251,7 +252,7 @@ def _system(scene: Scene, layout: Layout, state: State, keep: Pieces) -> System:
         anchors=keep("anchors", anchor_tables, scene.anchors, origins, state.anchor_node),
         winches=_winches(scene, layout) if scene.winches else keep("no winches", _table_of, ()),
         bending=no_bending(),
-        joints=keep("joints", joint_tables, scene.joints, layout),
+        joints=joints,
         elastic=elastic,
         kinks=np.zeros(0),
         rare=rare_of(scene),
@@ -314,9 +315,11 @@ def _break_stretch(
     return BREAK_STRETCH + (3.0 * weight / float(softest.min()) if len(softest) else 0.0)
 
 
-def _limiter(limiter: LimiterInScene | None, order: tuple[Ints, Floats] | None) -> Limiter:
+def _limiter(limiter: LimiterInScene | None, order: Order | None) -> Limiter:
     if limiter is None or order is None:
-        return Limiter(0, 0.0, math.inf, 0, np.zeros(0, np.int64), np.zeros(0))
+        return Limiter(
+            0, 0.0, math.inf, 0, np.zeros(0, np.int64), np.zeros(0), np.zeros((2, 0), np.int64)
+        )
     return Limiter(1, limiter.min_stretch, limiter.max_stretch, limiter.passes, *order)
 
 

@@ -27,7 +27,7 @@ class Scratch(NamedTuple):
     point: Floats  # (3,)
     speed: Floats  # (3,)
     mean: Forces
-    limiter: Floats  # (7, n) rows of the limiter's equations
+    limiter: Floats  # (11, n) rows of the limiter's equations
     turning: Floats  # (w, 6) what winches wind in a step, see `laws.winch`
     sums: Floats  # see `make_sums`
     pull: Floats  # (2, s) what a look at the segments needs, see `watch` and `add_up_springs`
@@ -39,7 +39,7 @@ def make_scratch(state: State) -> Scratch:
     """Return working arrays that fit `state`."""
     middle, x, v, dx, dv = (np.zeros_like(state.x) for _ in range(5))
     mean = blank(state.forces)
-    limiter = np.zeros((7, state.x.shape[1]))
+    limiter = np.zeros((11, state.x.shape[1]))
     s = state.rest_length.shape[0]
     looks = np.zeros((2, s)), np.zeros(s), np.zeros(2)
     ends = np.zeros(3), np.zeros(3)
