@@ -19,6 +19,7 @@ from ropewalk.scene.recut import recut
 from ropewalk.scene.shapes import Points, Straight
 from ropewalk.sheets import trust
 from ropewalk.sheets.content import Listing, Picture, Section, Table, Text
+from ropewalk.sheets.html import html_page
 from ropewalk.sheets.ropes import assumption_section, rope_section
 from ropewalk.words.prefixes import prefixed
 
@@ -208,6 +209,13 @@ def test_rest_says_in_which_wind_and_where_what_slides_rests() -> None:
     ride = rw.preset("zip-line-ride").replace(**{"slide.at": 101.5})
     told = words(rw.sheet(ride, run=False, convergence=False).section("At rest"))
     assert "Slide 'trolley' rests at 102.35 m of rope 'wire'" in told
+
+
+def test_narrow_figures_are_drawn_as_large_as_wide_ones() -> None:
+    """One of 4.6 inches filled the page, with letters half as large again."""
+    items = tuple(Picture(b"", width, 3.0, "it") for width in (7.2, 3.6))
+    page = html_page("a", "b", [Section("c", items)])
+    assert re.findall(r'style="width: (\d+)%', page) == ["100", "50"]
 
 
 def test_a_number_of_two_sources_has_both_in_words() -> None:

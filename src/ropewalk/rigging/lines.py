@@ -205,7 +205,7 @@ def line(
         sag: largest drop below the straight line between the ends [m], or a share of the span, "2 %".
         pretension: tension at the first end, nothing hung on it [N].
         length: without tension [m].
-        diameter: [m]; a rope of the library has its own.
+        diameter: [m]; a rope of the library has its own, a material 10 mm.
         gravity: [m/s^2].
 
     Raises SceneError for quantities that cannot be, and unless exactly one of sag, pretension and length is

@@ -9,6 +9,8 @@ from importlib.resources import files
 
 from ropewalk.sheets.content import Item, Listing, Picture, Section, Table, Text
 
+_WHOLE = 7.2  # [inch] of a figure that is as wide as the page
+
 
 def html_page(title: str, lead: str, sections: Sequence[Section], *, whole: bool = True) -> str:
     """Return the page; not `whole`: what stands between the tags of its body."""
@@ -46,7 +48,11 @@ def _item(item: Item) -> str:
         case Picture():
             source = base64.b64encode(item.png).decode("ascii")
             shows = escape(item.shows)
-            return f'<figure><img alt="{shows}" src="data:image/png;base64,{source}"></figure>\n'
+            share = 100.0 * min(
+                item.width / _WHOLE, 1.0
+            )  # narrow ones are no larger than the others
+            look = f'alt="{shows}" style="width: {share:.0f}%"'
+            return f'<figure><img {look} src="data:image/png;base64,{source}"></figure>\n'
         case Listing():
             return f"<pre>{escape(item.lines)}</pre>\n"
 
