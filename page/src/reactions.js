@@ -68,7 +68,8 @@ export function drawnOf(held, strongest, before = new Set(), pointed = () => fal
 export const crowded = (held) =>
   held.filter(({ variant }) => variant === held[0].variant).length > CROWD;
 
-/** Of those that are drawn, the ones that have numbers: the few largest, and what is pointed at. @param {Holding[]} drawn
+/** Of those that are drawn, the ones that have numbers: the few largest, and what is pointed at.
+ * @param {Holding[]} drawn
  * @param {Set<string>} before names of those that had numbers @param {(one: Holding) => boolean} pointed */
 export function numberedOf(drawn, before, pointed) {
   const weight = (/** @type {Holding} */ one) => one.peak * (before.has(nameOf(one)) ? KEPT : 1);
