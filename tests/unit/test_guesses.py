@@ -134,3 +134,15 @@ def test_another_rope_that_is_guessed_is_named_too() -> None:
     table = rw.equilibrium(rw.Scene(ropes=[weak, other], anchors=anchors)).table
     told = table["about the largest utilisation of the breaking load"]
     assert told == "the breaking load of rope 'other' is a guess, too, 121.6 kN to 139.9 kN"
+
+
+def test_a_rope_that_may_carry_more_than_it_can_is_warned_of() -> None:
+    """97 % of a guessed breaking load may be 103 % of it."""
+    load = 0.97 * LOAD / 9.81
+    for made_of, warned in ((STRAND, True), (STRAND.replace(guessed=()), False)):
+        scene = hung(made_of).replace(**{"rope.loads": [{"node": -1, "mass": load}]})
+        found = rw.check(scene, measure=False)
+        assert found.ropes[0].utilisation == pytest.approx(0.97, rel=1e-3)
+        said = [text for text in found.warnings if "its breaking load" in text]
+        assert bool(said) is warned
+        assert not warned or "with the least of it 103 %" in said[0]

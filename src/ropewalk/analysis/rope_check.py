@@ -15,12 +15,12 @@ from ropewalk.lowering.elastic_tables import slopes_at_rest
 from ropewalk.record.margins import breaking_load, margin_words
 from ropewalk.scene import Rope
 from ropewalk.scene.from_library import origin_words
-from ropewalk.scene.guess import doubt_of
+from ropewalk.scene.guess import doubt_of, worst_of
 from ropewalk.scene.rope import mass_words
 from ropewalk.statics import Statics
 from ropewalk.words.prefixes import prefixed
 
-_OF_REST = ("transverse", "largest_tension", "largest_strain", "slack", "utilisation")
+_OF_REST = ("transverse", "largest_tension", "largest_strain", "slack", "utilisation", "worst")
 _SHORT = 0.01  # a curve's chords are a little shorter than its arcs
 
 
@@ -46,7 +46,8 @@ class RopeCheck:
     utilisation: float | None = None  # at rest, tension over breaking load [1]; None if not known
     rests: bool = True  # whether it is at rest in that shape, or near to it
     parts: bool = False  # whether it parts at its breaking load
-    doubt: str = ""  # what a guessed breaking load makes of the utilisation
+    doubt: str = ""  # what guesses make of the utilisation
+    worst: float | None = None  # utilisation with the least of a guessed breaking load [1]
 
     def lines(self) -> list[str]:
         """What it is, and what it carries at rest; one fact a line."""
@@ -118,6 +119,7 @@ def rope_check(model: Model, statics: Statics, name: str) -> RopeCheck:
         rests=rests,
         parts=rope.strength < math.inf,
         doubt="" if use is None else doubt_of(rope.made_of, use),
+        worst=None if use is None else worst_of(rope.made_of, use),
     )
 
 

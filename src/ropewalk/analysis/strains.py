@@ -148,10 +148,10 @@ def pressed_at_start(model: Model, statics: Statics, ropes: tuple[RopeCheck, ...
 
 
 def breaking_warnings(ropes: tuple[RopeCheck, ...]) -> list[str]:
-    """Return warnings of ropes that carry more than their breaking load at rest, and cannot part."""
+    """Return warnings of ropes that carry more than their breaking load at rest, or may, and cannot part."""
     return [
         f"rope {rope.name!r}: at rest it carries {rope.utilisation:.3g} times its breaking load; "
         f"in the run it does not part{f'; {rope.doubt}' if rope.doubt else ''}"
         for rope in ropes
-        if rope.utilisation is not None and rope.utilisation > 1.0 and not rope.parts
+        if rope.worst is not None and rope.worst > 1.0 and not rope.parts
     ]

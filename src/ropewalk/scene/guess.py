@@ -72,11 +72,17 @@ def doubt_of(made_of: Any, utilisation: float) -> str:
     return "; ".join(text for text in (load, ", ".join(stiff)) if text)
 
 
+def worst_of(made_of: Any, utilisation: float) -> float:
+    """Return the utilisation [1] with the least that a guessed breaking load may be; as it is of no guess."""
+    mark = guesses_of(made_of).get("breaking_load")
+    return utilisation if mark is None else utilisation * mark.value / mark.low
+
+
 def load_doubt(made_of: Any, utilisation: float) -> str:
     """Return what a guessed breaking load makes of a utilisation [1], on the safe side; "" of no guess."""
     mark = guesses_of(made_of).get("breaking_load")
     if mark is None or math.isnan(utilisation):
         return ""
-    share = utilisation * mark.value / mark.low
+    share = worst_of(made_of, utilisation)
     text = f"the breaking load is a guess, {mark.span}: with the least of it {100.0 * share:.3g} %"
     return text + (f", safety factor {1.0 / share:.3g}" if share > 0.0 else "")
