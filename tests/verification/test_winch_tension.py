@@ -65,3 +65,36 @@ def test_explicit_methods_read_the_same() -> None:
     means = {name: readings(hoisted(name, -0.5, **steps))[0].mean() for name in EXPLICIT}
     for name, mean in means.items():
         assert abs(mean - means["semi-implicit-euler"]) < 0.005 * EA * 0.5 * dt / 0.5, name
+
+
+@pytest.mark.parametrize("speed", [-0.3, 0.3])
+@pytest.mark.parametrize("method", [name for name in METHODS if METHODS[name].holds_links])
+def test_a_load_at_the_bound_of_the_stretch_weighs_what_it_weighs(
+    method: str, speed: float
+) -> None:
+    """In every frame, those in which a node comes off the drum, too: with `bdf2` the new segment read what
+    its spring alone carries at the bound, 100 N for 495.
+    """
+    rope = Rope(
+        segments=20,
+        length=4.0,
+        made_of=Material(EA=5000.0, mass_per_length=0.1, axial_damping=50.0),
+        shape={"kind": "straight", "end": (0.0, 0.0, -4.08)},
+        loads=[{"node": -1, "mass": LOAD}],
+    )
+    pace = {"time_step": 1.0 / 60.0} if METHODS[method].fixed else {"tolerance": 1e-4}
+    result = rw.simulate(
+        Scene(
+            ropes=[rope],
+            anchors=[Anchor(node=0)],
+            winches=[Winch(end="start", speed=speed)],
+            limiter={"min_stretch": 0.5, "max_stretch": 1.02},
+            gravity=(0.0, 0.0, -g),
+            run=RunSettings(method=method, duration=3.0, frame_rate=60.0, **pace),
+        )
+    )
+    lengths, tension = result.rest_length[30:], result.tension[30:]
+    own, rows = (lengths > 0.0).argmax(axis=1), np.arange(len(lengths))
+    assert len(set(own)) > 3
+    below = LOAD + 0.1 * (lengths.sum(axis=1) - 0.5 * lengths[rows, own])
+    assert tension[rows, own] == pytest.approx(g * below, rel=3e-3)

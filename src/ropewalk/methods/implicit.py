@@ -41,7 +41,7 @@ from ropewalk.laws.winch import book_half, cut_short, wind_to
 from ropewalk.methods import tableaus
 from ropewalk.methods.gain import makes_up_energy, most_of
 from ropewalk.methods.generalized_alpha import end_alpha, prepare_alpha
-from ropewalk.methods.loop import make_advance, prepare_links
+from ropewalk.methods.loop import make_advance, nodes_out, prepare_links
 from ropewalk.methods.scratch import (
     add,
     add_forces,
@@ -295,11 +295,9 @@ def take_step(system, state, scratch, t, after, dt, ledger, level, kind, A, b, c
 @kernel
 def follows(dt, held, exits, past):
     """Tell whether the step goes on as the last one did: same length, same anchors and winch exits."""
-    holding, out = 0.0, 0.0
+    holding, out = 0.0, nodes_out(exits)
     for row in range(held.shape[0]):
         holding += held[row]
-    for row in range(exits.shape[0]):
-        out += exits[row]
     same = past[0] == dt and past[1] == holding and past[2] == out
     past[0], past[1], past[2] = dt, holding, out
     return same

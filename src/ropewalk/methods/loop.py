@@ -58,10 +58,23 @@ def _prepare_other(system, state, t, scratch):
     prepare(system, state)
 
 
+@kernel
+def nodes_out(exits):
+    """Return the sum of the nodes at the winches' exits, which tells whether any has changed."""
+    total = 0.0
+    for row in range(exits.shape[0]):
+        total += exits[row]
+    return total
+
+
 @part
 def _renew_solver(system, state, t, scratch, tableau):
-    """Prepare for the step after winches have turned; what BDF2 keeps of the step before stays true."""
-    if tableau.kind != BDF2:
+    """Prepare for the step after winches have turned.
+
+    What BDF2 keeps of the step before stays true; but where it is to begin anew, as a node has come off a
+    drum, the pull of bounds on the segment before that is not known yet.
+    """
+    if tableau.kind != BDF2 or (limits(system) and state.past[2] != nodes_out(state.winch_exit)):
         prepare_links(system, state, t, scratch.stage.saddle)
 
 
