@@ -99,3 +99,12 @@ def test_an_automatic_step_follows_what_turns() -> None:
     )
     assert build(scene).plan.dt * 1e4 <= 0.5 * np.pi * (1.0 + 1e-9)
     assert build(scene).plan.dt < build(rw.Scene.replace(scene, obstacles=[])).plan.dt
+
+
+@pytest.mark.parametrize("spin", ["rate = 1100.0", "free = true, inertia = 1.0, rate = -1100.0"])
+def test_what_turns_by_more_than_half_in_a_step_is_refused(spin: str) -> None:
+    """Ropes on a pulley were dragged backwards without a word: 3.2 N and 1.6 N in place of 4 N and 10.3 N."""
+    with pytest.raises(SceneError, match="degrees in a step of .*: friction turns with the body"):
+        build(loads(ROPE % ("0.3", "0.3") + BAR + f"spin = {{ {spin} }}"))
+    slower = spin.replace("1100", "700")
+    build(loads(ROPE % ("0.3", "0.3") + BAR + f"spin = {{ {slower} }}"))

@@ -6,9 +6,9 @@ import math
 
 import numpy as np
 
-from ropewalk.laws.obstacle import turning_rate
 from ropewalk.lowering import Model
 from ropewalk.lowering.chains import driven_speed, fastest
+from ropewalk.lowering.obstacle_checks import turned_rate
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene.obstacles import thinnest
 from ropewalk.statics import Statics
@@ -46,7 +46,7 @@ def obstacle_warnings(model: Model, statics: Statics) -> list[str]:
                 f"({1e3 * radius:.4g} mm): {through}; take steps of at most "
                 f"{1e3 * step * radius / way:.3g} ms"
             )
-        turn = turning_rate(table, row) * step
+        turn = turned_rate(system, row, body) * step
         if turn > _TURNS:
             found.append(
                 f"{name}: it turns by {math.degrees(turn):.3g} degrees in a step, and friction there points "

@@ -78,8 +78,11 @@ def step_past_nodes(scene: Scene, system: System) -> float:
 
 
 def turned_rate(system: System, row: int, body: Obstacle) -> float:
-    """Return the largest rate at which an obstacle is turned [rad/s]; 0 for one that ropes turn."""
-    return 0.0 if is_free(body) else float(turning_rate(system.node.obstacle, row))
+    """Return the largest rate at which an obstacle is turned [rad/s]; of one that is free that at the start."""
+    table: Obstacles = system.node.obstacle
+    if is_free(body):
+        return abs(float(table.rate[table.wheel[row]]))
+    return float(turning_rate(table, row))
 
 
 def _speeds(scene: Scene, system: System) -> list[tuple[Obstacle, float]]:
