@@ -78,7 +78,7 @@ def step_past_nodes(scene: Scene, system: System) -> float:
 
 
 def turned_rate(system: System, row: int, body: Obstacle) -> float:
-    """Return the largest rate at which an obstacle is turned [rad/s]; of one that is free that at the start."""
+    """Return the largest rate at which an obstacle is turned [rad/s]; of a free one that at the start."""
     table: Obstacles = system.node.obstacle
     if is_free(body):
         return abs(float(table.rate[table.wheel[row]]))
