@@ -23,7 +23,7 @@ def pdf_pages(title: str, lead: str, sections: Sequence[Section]) -> bytes:
     try:
         from reportlab.lib.pagesizes import A4
         from reportlab.lib.units import mm
-        from reportlab.platypus import Paragraph, SimpleDocTemplate, Spacer
+        from reportlab.platypus import KeepTogether, Paragraph, SimpleDocTemplate, Spacer
     except ImportError:
         raise ImportError(_MISSING) from None
     look = _Look()
@@ -44,10 +44,15 @@ def pdf_pages(title: str, lead: str, sections: Sequence[Section]) -> bytes:
         Paragraph(escape(lead), look.style("note")),
     ]
     for one in sections:
-        story.append(Paragraph(escape(one.title), look.style("head")))
-        for item in one.items:
-            story += look.flow(item, document.width - 2.0 * _PADDING)
-            story.append(Spacer(1, 2.0 * mm))
+        held: list[Any] = [Paragraph(escape(one.title), look.style("head"))]
+        for number, item in enumerate(one.items):
+            held += [*look.flow(item, document.width - 2.0 * _PADDING), Spacer(1, 2.0 * mm)]
+            after = one.items[number + 1] if number + 1 < len(one.items) else None
+            if isinstance(item, Text) and isinstance(after, Table):
+                continue  # what leads to a table stays with it
+            story += [KeepTogether(held)] if _is_whole(item) else held
+            held = []
+        story += held
     foot = _footer(title)
     document.build(story, onFirstPage=foot, onLaterPages=foot)
     return out.getvalue()
@@ -133,7 +138,7 @@ class _Look:
                 return self._table(item, width)
 
     def _table(self, table: Table, width: float) -> list[Any]:
-        from reportlab.platypus import KeepTogether, Paragraph, TableStyle
+        from reportlab.platypus import Paragraph, TableStyle
         from reportlab.platypus import Table as Grid
 
         rows = [*([table.head] if any(table.head) else []), *table.rows]
@@ -160,7 +165,14 @@ class _Look:
             hAlign="LEFT",
         )
         note = [Paragraph(escape(table.note), self.style("note"))] if table.note else []
-        return [KeepTogether([grid, *note])] if len(rows) <= _WHOLE else [grid, *note]
+        return [grid, *note]
+
+
+def _is_whole(item: Item) -> bool:
+    """Tell whether an item stays on one page, with its heading."""
+    return not isinstance(item, Listing) and not (
+        isinstance(item, Table) and len(item.rows) > _WHOLE
+    )
 
 
 def _widths(rows: Sequence[Sequence[str]], width: float) -> list[float]:
