@@ -11,7 +11,7 @@ from ropewalk.sheets.pdf import pdf_pages
 
 
 def test_a_table_stays_on_one_page_with_what_leads_to_it(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Above it are 30 to 50 lines: at some the page ends between any two of its rows."""
+    """Above it are 20 to 60 lines: at some the page ends between any two of its rows."""
     paragraph = pytest.importorskip("reportlab.platypus").Paragraph
     draw, pages = paragraph.draw, dict[str, int]()
 
@@ -21,7 +21,7 @@ def test_a_table_stays_on_one_page_with_what_leads_to_it(monkeypatch: pytest.Mon
 
     monkeypatch.setattr(paragraph, "draw", drawn)
     ends = set()
-    for lines in range(30, 50):
+    for lines in range(20, 60):
         above = Section("above", tuple(Text(f"line {k}") for k in range(lines)))
         table = Table(("head", "value"), [(f"row {k}", "1") for k in range(8)])
         pages.clear()
