@@ -11,6 +11,7 @@ from ropewalk.core.status import OK
 from ropewalk.scene import (
     Anchor,
     Hanging,
+    Limiter,
     Material,
     Rope,
     RunSettings,
@@ -20,7 +21,7 @@ from ropewalk.scene import (
     Straight,
     Winch,
 )
-from ropewalk.simulation import Simulation
+from ropewalk.simulation import Broken, Simulation
 
 CORD = Material(EA=100.0, mass_per_length=0.1, axial_damping=1.0)
 
@@ -93,3 +94,32 @@ def test_a_soft_rope_under_its_weight_is_not_broken() -> None:
     # the slowest mode decays as exp(-c mu t / 2 m), mu = 4 sin^2(pi / 22): exp(-8) after 40 s
     slowest = math.exp(-0.5 * 5.0 * 4.0 * math.sin(math.pi / 22) ** 2 * 40.0)
     assert stretch == pytest.approx(1.0 + 5 * 9.81 / 5.0, rel=2.0 * slowest + 1e-9)
+
+
+@pytest.mark.parametrize("method", ["implicit-euler", "bdf2", "esdirk3"])
+def test_a_step_without_solution_winds_no_farther_than_it_came(method: str) -> None:
+    """A winch takes in what is held at its far end, until the bound of the stretch ends the run in the middle
+    of a step: what is out then is what was wound up to that time, and weighs as much.
+    """
+    rope = Rope(
+        segments=10,
+        length=2.0,
+        made_of=Material(EA=5000.0, mass_per_length=0.1, axial_damping=5.0),
+        shape=Straight(end=(1.99, 0.0, 0.0)),
+    )
+    simulation = Simulation(
+        Scene(
+            ropes=[rope],
+            anchors=[Anchor(node=0), Anchor(node=-1)],
+            winches=[Winch(end="start", speed=-0.137)],
+            limiter=Limiter(min_stretch=0.5, max_stretch=1.02),
+            run=RunSettings(duration=3.0, frame_rate=60.0, time_step=1.0 / 60.0, method=method),
+        )
+    )
+    with pytest.raises(Broken, match="found no solution"):
+        simulation.step(1.0)
+    frames = 60.0 * simulation.time
+    assert 0.35 < simulation.time < 0.36
+    assert abs(frames - round(frames)) > 0.1  # it is inside a step
+    assert length(simulation) == pytest.approx(2.0 - 0.137 * simulation.time, abs=1e-12)
+    assert simulation.arrays.mass.sum() == pytest.approx(0.1 * length(simulation), abs=1e-12)
