@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from ropewalk.record.result import Result
 
 _MOST_ANCHORS = 4
-_SUM = "anchors together"
+_SUM = "work of anchors together"
 _COLOURS = {"kinetic": "#0072B2", "gravity": "#009E73", "elastic": "#E69F00"}
 _COLOURS |= {"bending": "#CC79A7", "total": "#000000"}
 _INNER = (
@@ -38,6 +38,14 @@ _INNER = (
     "weight",
     "bending",
 )  # their works are the changes of the energies drawn anyway
+#: What `laws.contact_books.ENTRIES` are, of a kind of surface.
+_OF_SURFACES = {
+    "motor": "work of what moves {}",
+    "normal": "work of impacts, {}",
+    "friction": "work of friction, {}",
+    "stored": "given back by contacts, {}",
+    "method": "error of the method, {}",
+}
 
 
 @styled
@@ -61,7 +69,7 @@ def energy(result: Result) -> Figure:
     dashes = ((0, (4, 2)), (0, (1, 1.5)), (0, (6, 2, 1, 2)))
     for number, (name, values) in enumerate(works.items()):
         style = {"color": (*COLOURS[1:6:2], GREY)[number % 4], "linestyle": dashes[number % 3]}
-        upper.plot(result.time, drawable(values, good, every), label=f"work of {name}", **style)
+        upper.plot(result.time, drawable(values, good, every), label=name, **style)
     scaled_axis(upper, "energy", "J", set_limits(upper, every, good))
     if good < len(result.time):
         _break_scale(upper, every, good, 5)
@@ -166,14 +174,16 @@ def surface_curves(result: Result, law: str, good: int) -> dict[str, Floats]:
         if (surface == ROPES) != (law == "contact"):
             continue
         for entry, values in entries.items():
-            label = f"{entry} of {'ropes on ropes' if surface == ROPES else 'obstacles'}"
+            label = _OF_SURFACES[entry].format(
+                "ropes on ropes" if surface == ROPES else "obstacles"
+            )
             found[label] = found.get(label, 0.0) + values
     with np.errstate(invalid="ignore"):
         return {label: values for label, values in found.items() if np.any(values[:good])}
 
 
 def work_curves(result: Result, good: int) -> dict[str, Floats]:
-    """Return the works [J] of what acts: friction, air, ground and so on, and anchors that move."""
+    """Return the works [J] of what acts, by label: friction, air, ground, anchors that move and so on."""
     found: dict[str, Floats] = {}
     anchors: dict[str, Floats] = {}
     for name, values in result.work.items():
@@ -181,9 +191,9 @@ def work_curves(result: Result, good: int) -> dict[str, Floats]:
         if name in _INNER or not np.any(part[:good]):
             continue
         if name.startswith("anchor:"):
-            anchors[f"anchor {escape(name.removeprefix('anchor:'))}"] = part
+            anchors[f"work of anchor {escape(name.removeprefix('anchor:'))}"] = part
         else:
-            found |= surface_curves(result, name, good) or {name: part}
+            found |= surface_curves(result, name, good) or {f"work of {name}": part}
     if len(anchors) > _MOST_ANCHORS:
         with np.errstate(all="ignore"):
             anchors = {_SUM: np.sum(list(anchors.values()), axis=0)}
