@@ -212,6 +212,7 @@ export class App {
   }
 
   togglePanel() {
+    if (this.bar.panel.hidden) return; // there is nothing to change in a recording
     this.panel.hidden = !this.panel.hidden;
     this.resize();
   }

@@ -54,6 +54,11 @@ def test_name_is_text(window: Window) -> None:
     assert window.page.locator("img").count() == 0
 
 
+def test_there_is_no_empty_panel_to_open(window: Window) -> None:
+    window.press("p")
+    assert window.page.locator(".panel").is_hidden()
+
+
 def test_scrubbed_to_what_the_run_says(window: Window, result: Result) -> None:
     window.page.keyboard.press("Space")
     window.until("r.state === 'paused'")

@@ -32,6 +32,8 @@ const ENERGIES = /** @type {[string, string, string][]} */ ([
   ["lost", "lost", ROPES[3]],
 ]);
 
+const ONE = "(max-width: 700px), (max-height: 500px)"; // a window with room for one graph, as in the style sheet
+
 /** The names of bounds since the frame before. @type {Record<string, (node: number) => Bounds>} */
 const BOUNDS = {
   tension: (node) => ({ low: `low tension ${node}`, high: `tension ${node}` }),
@@ -56,6 +58,11 @@ export class Graphs {
     this.turn = 0;
     this.plots = h("div", { className: "plots" });
     this.chips = h("div", { className: "chips" });
+    this.choice = h("select", {
+      id: "graph-choice",
+      "aria-label": "Graph shown",
+      onchange: () => this.choose(this.choice.value),
+    });
     this.scroll = h("input", {
       type: "range",
       id: "graph-scroll",
@@ -107,16 +114,18 @@ export class Graphs {
         "div",
         { className: "graph-bar" },
         this.chips,
+        this.choice,
         this.quantityChoice,
         this.ownScales,
-        h("label", {}, "Last", this.windowChoice),
+        h("label", {}, h("span", { className: "words" }, "Last"), this.windowChoice),
         this.scroll,
       ),
       this.plots,
     );
-    const narrow = matchMedia("(max-width: 700px)").matches;
     /** @type {Set<Kind>} */
-    this.shown = new Set(narrow ? ["energies"] : ["energies", "tension", "motion"]);
+    this.shown = new Set(
+      matchMedia(ONE).matches ? ["energies"] : ["energies", "tension", "motion"],
+    );
     viewport.session.on("frame", (frame) => this.take(frame));
     viewport.session.on("layout", () => this.rebuild());
     viewport.session.on("status", () => this.bounds());
@@ -177,6 +186,7 @@ export class Graphs {
       (kind) => (kind !== "difference" || many) && (kind !== "forces" || held),
     );
     this.chips.replaceChildren(...kinds.map((kind) => this.chip(kind)));
+    this.offer(kinds);
     this.quantityChoice.hidden = !this.shown.has("motion");
     for (const kind of kinds) {
       if (!this.shown.has(kind)) continue;
@@ -206,14 +216,38 @@ export class Graphs {
         "aria-pressed": String(this.shown.has(kind)),
         data: { graph: kind },
         onclick: () => {
-          const narrow = matchMedia("(max-width: 700px)").matches;
-          if (narrow) this.shown.clear();
           if (!this.shown.delete(kind)) this.shown.add(kind);
           this.rebuild();
         },
       },
       TITLES[kind],
     );
+  }
+
+  /** Where there is room for one graph only, a menu names them. @param {Kind[]} kinds */
+  offer(kinds) {
+    if (matchMedia(ONE).matches) this.shown = new Set([...this.shown, kinds[0]].slice(0, 1));
+    const names = kinds.flatMap((kind) => (kind === "motion" ? ["height", "speed"] : [kind]));
+    this.choice.replaceChildren(
+      ...names.map((name) =>
+        h(
+          "option",
+          { value: name },
+          TITLES[/** @type {Kind} */ (name)] ?? `${name[0].toUpperCase()}${name.slice(1)}`,
+        ),
+      ),
+    );
+    const [first] = this.shown;
+    this.choice.value = first === "motion" ? this.quantity : first;
+  }
+
+  /** Show one graph. @param {string} name of its kind, or of the motion's quantity */
+  choose(name) {
+    const motion = name === "height" || name === "speed";
+    this.shown = new Set([motion ? "motion" : /** @type {Kind} */ (name)]);
+    if (!motion) return this.rebuild();
+    this.quantityChoice.value = name;
+    this.setQuantity();
   }
 
   /** @param {Panel} panel */

@@ -51,6 +51,9 @@ const ICONS = {
     "M9.5 9.5a2.6 2.6 0 1 1 3.6 2.4c-.8.4-1.1.9-1.1 1.8M12 16.8v.2",
   theme: "M12 20.5a8.5 8.5 0 1 0 0-17zM12 20.5a8.5 8.5 0 0 1 0-17",
   panel: "M4 7h9M17 7h3M15 5v4M4 12h3M11 12h9M9 10v4M4 17h11M19 17h1M17 15v4",
+  more:
+    "M5.5 11.2a.8.8 0 1 0 0 1.6.8.8 0 0 0 0-1.6zM12 11.2a.8.8 0 1 0 0 1.6.8.8 0 0 0 0-1.6z" +
+    "M18.5 11.2a.8.8 0 1 0 0 1.6.8.8 0 0 0 0-1.6z",
   close: "M6 6l12 12M18 6L6 18",
   down: "M6 9.5l6 6 6-6",
   link:
@@ -93,6 +96,23 @@ export function button(name, title, press, more = {}) {
     icon(name, name === "play"),
     more.words && h("span", { className: "words" }, more.words),
   );
+}
+
+/** A button for a bar that has no room for all of its buttons; the style sheet says where that is.
+ * @param {HTMLElement} bar @param {string} title */
+export function unfolder(bar, title) {
+  const one = button("more", title, () => set(!bar.classList.contains("unfolded")), {
+    kind: "plain fold",
+  });
+  const set = (/** @type {boolean} */ open) => {
+    bar.classList.toggle("unfolded", open);
+    one.setAttribute("aria-expanded", String(open));
+  };
+  set(false);
+  bar.addEventListener("click", ({ target }) => {
+    if (target instanceof Element && target.closest("button:not(.fold)")) set(false); // it is chosen
+  });
+  return one;
 }
 
 /** A window over the page, closed by Escape, its button or a press beside it.

@@ -3,7 +3,7 @@
 import { lead, turnable } from "../input/body.js";
 import { figures } from "../view/range.js";
 import { times } from "../view/vector.js";
-import { button, h, popup } from "./dom.js";
+import { button, h, popup, unfolder } from "./dom.js";
 import { readNumber } from "./scale.js";
 
 /** @typedef {import("../viewport.js").Viewport} Viewport */
@@ -66,7 +66,7 @@ export class Tools {
       onchange: () => this.limitPull(),
     });
     this.pullBox = h("label", { className: "mass pull", hidden: true }, this.pullField, "N");
-    this.bar.append(this.massBox, this.pullBox);
+    this.bar.append(this.massBox, this.pullBox, unfolder(this.bar, "All tools"));
     host.append(this.bar);
     viewport.session.on("hello", () => this.refresh());
     this.refresh();

@@ -1,6 +1,6 @@
 // Buttons for the camera: show everything, and look along the axes.
 
-import { button, h } from "./dom.js";
+import { button, h, unfolder } from "./dom.js";
 
 /** @typedef {import("../viewport.js").Viewport} Viewport */
 
@@ -43,6 +43,7 @@ export class Views {
         ),
       )),
     );
+    this.bar.append(unfolder(this.bar, "All views"));
   }
 
   /** @param {0 | 1 | 2} axis */
