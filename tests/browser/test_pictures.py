@@ -210,6 +210,8 @@ def test_nothing_lies_over_a_rope_on_the_ground(
         rows = "document.querySelectorAll('.meter-row').length"  # each is there when it is measured
         window.until(f"{rows} === {1 + len(copies)} && r.viewport.starts.length === {rows}")
         for view in ("home", "fit", "y"):
+            if not window.page.locator(f"#view-{view}").is_visible():
+                window.click(".views .fold")
             window.click(f"#view-{view}")
             window.settled()
             places = window.ask("[...Array(41).keys()].map((i) => r.screenOf(i))")
