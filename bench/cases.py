@@ -13,6 +13,7 @@ from pathlib import Path
 
 from bench.clock import Timing, take_turns
 from bench.compile import compile  # noqa: A004 - the name of the case
+from bench.heaps import here_and_there, ropes_on_ropes
 from bench.implicit import newton
 from bench.islands import many_islands
 from bench.live import live_server
@@ -20,7 +21,7 @@ from bench.many import many
 from bench.page import page, page_memory
 from bench.peaks import extremes
 from bench.row import Row
-from bench.touch import on_obstacles, ropes_on_ropes, sticking
+from bench.touch import on_obstacles, sticking
 from bench.yardsticks import bare_loop, numpy_loop
 from ropewalk import Anchor, Rope, RunSettings, Scene, Simulation, Springs
 from ropewalk.lowering import build
@@ -203,6 +204,7 @@ CASES = (
     many_islands,
     sticking,
     on_obstacles,
+    here_and_there,
     ropes_on_ropes,
     many,
     start_up,

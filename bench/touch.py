@@ -3,7 +3,7 @@
 The capstan is a rope half round a drum, one side longer than the other, the incline a rope that lies on a
 plane. MuJoCo (extra `ropewalk[bench]`; without it its rows are left out) gets the same ropes as chains of
 capsules with ball joints, once with its default contacts and once with those its documentation advises
-against slipping. Crossing and pile are cosseratbench's (extra `ropewalk[cosserat]`).
+against slipping. Crossing and pile: `bench.heaps`.
 """
 
 from __future__ import annotations
@@ -229,26 +229,3 @@ def _turns(scenes: dict[str, rw.Scene], steps: int, begin: int = 0) -> dict[str,
     before = {name: swing.restore for name, swing in swings.items()}
     timing = take_turns(runs, rounds=8, before=before)
     return {name: timing.best(name) for name in scenes}
-
-
-def ropes_on_ropes() -> list[Row]:
-    """Crossing and pile of cosseratbench: its scores, and processor time per frame of 1/60 s."""
-    if find_spec("cosseratbench") is None:
-        return []
-    from cosseratbench.registry import load_experiment
-
-    from ropewalk.adapters.cosserat import RopewalkSolver
-
-    rows = []
-    for name in ("crossing", "pile"):
-        experiment = load_experiment(name)
-        scenario = experiment.scenario_for()
-        counts = {"n_elements": experiment.n_elements, "n_frames": experiment.n_frames}
-        begun = time.process_time()
-        trajectory = RopewalkSolver().run(scenario, **counts)
-        spent = time.process_time() - begun
-        for score, metric in experiment.metrics.items():
-            rows.append(Row(f"cosseratbench {name}, {score}", metric(scenario, trajectory), "", ""))
-        each = 1e3 * spent / (60.0 * scenario.duration)
-        rows.append(Row(f"cosseratbench {name}, per frame of 1/60 s", each, "ms", ""))
-    return rows
