@@ -27,10 +27,27 @@ def _row(name: str) -> str:
     return f".panel [data-parameter={name}]"
 
 
+UNFOLDED = """() => new Promise((done) => {
+    let frames = 0;  // a fold begins to move in the second
+    const look = () => {
+      const moves = ++frames < 3 || document.querySelector(".panel .lil-gui.transition");
+      if (moves && frames < 1200) requestAnimationFrame(look); else done();
+    };
+    look();
+})"""
+
+
 def _folder(window: Window, *names: str) -> None:
-    """Open folders of the panel, or close them."""
+    """Open folders of the panel, or close them.
+
+    Each when the one before has ceased to move: a press on what slides away is no click.
+    """
     for name in names:
-        window.page.locator(".panel .lil-title", has_text=re.compile(rf"^{name}$")).click()
+        title = window.page.locator(".panel .lil-title", has_text=re.compile(rf"^{name}$"))
+        before = title.get_attribute("aria-expanded")
+        title.click()
+        assert title.get_attribute("aria-expanded") != before
+        window.page.evaluate(UNFOLDED)
 
 
 def _told(name: str) -> str:
