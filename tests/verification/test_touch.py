@@ -54,13 +54,23 @@ BODIES: dict[str, Obstacle] = {
     "cylinder": Cylinder(start=(0, -1, -0.6), end=(0.2, 1, 0.5), radius=0.6, spin=Spin(rate=-3.0)),
     "endless": Cylinder(start=(0, -1, 0), end=(0, 1, 0.5), radius=0.8, endless=True),
     "capsule": Capsule(start=(0, -0.4, -0.2), end=(0.2, 0.4, 0.5), radius=0.6, spin=Spin(rate=1.0)),
-    "box": Box(center=(0, 0, 0), half_sizes=(0.6, 0.7, 0.8), edge_radius=0.5),
+    "box": Box(
+        center=(0, 0, 0),
+        half_sizes=(0.6, 0.7, 0.8),
+        edge_radius=0.5,
+        axis=(1, 1, 0),
+        spin=Spin(rate=2.0),
+    ),
     "mesh": Mesh(
         vertices=[(1, 0, 0), (-1, 1, 0), (-1, -1, 0), (0, 0, 1)],
         faces=[(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)],
         rounding=0.3,
+        axis=(0.3, -0.2, 1),
+        spin=Spin(rate=-3.0),
     ),
-    "half-pipe": HalfPipe(start=(0, 0, 0), end=(1, 1, -2), radius=0.7, open_to=(1, 1, 1)),
+    "half-pipe": HalfPipe(
+        start=(0, 0, 0), end=(1, 1, -2), radius=0.7, open_to=(1, 1, 1), spin=Spin(rate=2.0)
+    ),
     "torus": Torus(
         center=(0, 0, 0), radius=0.8, bar_radius=0.3, axis=(0, 0.3, 1), spin=Spin(rate=1.0)
     ),

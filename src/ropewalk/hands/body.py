@@ -15,6 +15,8 @@ from numpy.typing import ArrayLike
 
 from ropewalk.core.arrays import Floats
 from ropewalk.hands.hand import three
+from ropewalk.laws.obstacle_places import reach_of
+from ropewalk.laws.obstacle_pose import UNROUND
 from ropewalk.lowering.obstacle_checks import radius_with_rope
 from ropewalk.motions.kind import ORIGIN
 from ropewalk.motions.registry import CODES
@@ -84,7 +86,8 @@ class ObstacleHandle:
         """The rate at which it turns about its axis [rad/s].
 
         Set it to turn the obstacle from now on, whatever the scene told it. Raises ValueError for anything
-        but a finite number, for an obstacle that has no axis to turn about, and for one that turns freely.
+        but a finite number, for an obstacle that turns freely, and for a rate at which one that is not round
+        would jump over nodes within a step.
         """
         return self._turned[1]
 
@@ -107,9 +110,16 @@ class ObstacleHandle:
         return radius_with_rope(simulation.system, self._body) / simulation.clock[1]
 
     @property
+    def fastest_turn(self) -> float:
+        """The largest rate at which it jumps over no node within a step [rad/s]; inf of what is round."""
+        table = self._simulation.system.node.obstacle
+        reach = reach_of(table, self._row) if table.kind[self._row] in UNROUND else 0.0
+        return self.fastest / reach if reach > 0.0 else math.inf
+
+    @property
     def turns(self) -> bool:
-        """Whether a hand can turn it: it has an axis to turn about, and does not turn freely."""
-        return hasattr(self._body, "spin") and not is_free(self._body)
+        """Whether a hand can turn it: it does not turn freely."""
+        return not is_free(self._body)
 
     @property
     def taken(self) -> tuple[bool, bool]:
@@ -166,8 +176,12 @@ class ObstacleHandle:
 
     def _turn(self, rate: float, stop: float) -> None:
         if not self.turns:
-            rule = "it turns freely, as ropes turn it" if is_free(self._body) else "it has no axis"
-            raise ValueError(f"rate: {rate:g} rad/s - {rule}; no hand can turn it")
+            rule = "it turns freely, as ropes turn it; no hand can turn it"
+            raise ValueError(f"rate: {rate:g} rad/s - {rule}")
+        if abs(rate) > (most := self.fastest_turn) * (1.0 + _EVEN):
+            step = self._simulation.clock[1]
+            rule = f"in steps of {step:.3g} s it would jump over nodes; at most {most:.4g} rad/s"
+            raise ValueError(f"rate: {rate:.4g} rad/s - {rule}")
         bodies, row, angle = self._simulation.bodies, self._row, self.angle
         bodies.turning[row] = _VELOCITY
         bodies.spin[row] = 0.0, 0.0, 0.0

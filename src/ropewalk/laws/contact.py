@@ -25,7 +25,7 @@ import math
 from ropewalk.core.jit import kernel
 from ropewalk.laws.contact_books import RUBBED, note_way, put_apart
 from ropewalk.laws.contact_frame import GRIP, PUSH, cut, spring_pull, surface_at
-from ropewalk.laws.obstacle_shapes import probe
+from ropewalk.laws.obstacle_pose import pose_of, probe_turned, rates_of, swept
 from ropewalk.laws.wheels import find_rates, keep_wheels, turned
 
 
@@ -42,16 +42,18 @@ def contact_forces(x, v, obstacles, memory, now, force, lo, hi):
         for i in range(lo, last):
             force[row, i] = 0.0
     for o in range(obstacles.kind.shape[0]):
-        kind, center, axis = obstacles.kind[o], obstacles.center[o], obstacles.axis[o]
-        size, grip = obstacles.size[o], memory.grip[o]
+        center, axle, grip = obstacles.center[o], obstacles.axle[o], memory.grip[o]
         mx, my, mz, ux, uy, uz, angle, rate = turned(obstacles, memory, o, now)
         then = surface_at(obstacles, o, now[1])
-        wx, wy, wz = rate * axis[0], rate * axis[1], rate * axis[2]
+        pose = pose_of(obstacles, o, then[6] + angle)
+        (wx, wy, wz), sweep = rates_of(obstacles, o, rate)
         for i in range(lo, last):
             px, py, pz = x[0, i] - mx, x[1, i] - my, x[2, i] - mz
-            g, nx, ny, nz, _, _, _, _, _ = probe(kind, center, axis, size, px, py, pz)
-            vx, vy, vz = v[0, i] - ux, v[1, i] - uy, v[2, i] - uz
-            rise = nx * vx + ny * vy + nz * vz  # turning moves no surface out of its place
+            g, nx, ny, nz, _, _, _, _, _ = probe_turned(obstacles, o, pose, px, py, pz)
+            ox, oy, oz = px - center[0], py - center[1], pz - center[2]
+            lx, ly, lz = swept(ux, uy, uz, sweep, ox, oy, oz)
+            vx, vy, vz = v[0, i] - lx, v[1, i] - ly, v[2, i] - lz
+            rise = nx * vx + ny * vy + nz * vz
             k, c = obstacles.stiffness[o, i], obstacles.damping[o, i]
             push = -k * (g - obstacles.thickness[i]) - c * rise
             if not push > 0.0:
@@ -59,13 +61,12 @@ def contact_forces(x, v, obstacles, memory, now, force, lo, hi):
             sx, sy, sz = 0.0, 0.0, 0.0
             bound = grip[GRIP, i] * push
             if bound > 0.0:
-                ox, oy, oz = px - center[0], py - center[1], pz - center[2]
                 vx, vy, vz = (
                     vx - (wy * oz - wz * oy),
                     vy - (wz * ox - wx * oz),
                     vz - (wx * oy - wy * ox),
                 )
-                sx, sy, sz = spring_pull(k, center, axis, angle, then, grip, place, i, px, py, pz)
+                sx, sy, sz = spring_pull(k, center, axle, angle, then, grip, place, i, px, py, pz)
                 sx, sy, sz = sx - c * vx, sy - c * vy, sz - c * vz
                 across = nx * sx + ny * sy + nz * sz
                 sx, sy, sz = sx - across * nx, sy - across * ny, sz - across * nz
@@ -88,16 +89,18 @@ def remember_contacts(x, v, obstacles, memory, now, stiffness):
     dt = now[0] - now[1]
     find_rates(x, v, obstacles, memory, now)
     for o in range(obstacles.kind.shape[0]):
-        kind, center, axis = obstacles.kind[o], obstacles.center[o], obstacles.axis[o]
-        size, grip = obstacles.size[o], memory.grip[o]
+        center, axle, grip = obstacles.center[o], obstacles.axle[o], memory.grip[o]
         mx, my, mz, ux, uy, uz, angle, rate = turned(obstacles, memory, o, now)
         then = surface_at(obstacles, o, now[1])
         to = (mx, my, mz)
-        wx, wy, wz = rate * axis[0], rate * axis[1], rate * axis[2]
+        pose = pose_of(obstacles, o, then[6] + angle)
+        (wx, wy, wz), sweep = rates_of(obstacles, o, rate)
         for i in range(n):
             px, py, pz = x[0, i] - mx, x[1, i] - my, x[2, i] - mz
-            g, nx, ny, nz, _, _, _, _, _ = probe(kind, center, axis, size, px, py, pz)
-            vx, vy, vz = v[0, i] - ux, v[1, i] - uy, v[2, i] - uz
+            g, nx, ny, nz, _, _, _, _, _ = probe_turned(obstacles, o, pose, px, py, pz)
+            ox, oy, oz = px - center[0], py - center[1], pz - center[2]
+            lx, ly, lz = swept(ux, uy, uz, sweep, ox, oy, oz)
+            vx, vy, vz = v[0, i] - lx, v[1, i] - ly, v[2, i] - lz
             k, c = obstacles.stiffness[o, i], obstacles.damping[o, i]
             push = -k * (g - obstacles.thickness[i]) - c * (nx * vx + ny * vy + nz * vz)
             if push > 0.0 and grip[PUSH, i] == 0.0:
@@ -106,10 +109,9 @@ def remember_contacts(x, v, obstacles, memory, now, stiffness):
             bound = grip[GRIP, i] * grip[PUSH, i]
             note_way(obstacles, memory, o, i, to, then, angle, px, py, pz, g, nx, ny, nz)
             sx, sy, sz, rx, ry, rz = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
-            ox, oy, oz = px - center[0], py - center[1], pz - center[2]
             gx, gy, gz = wy * oz - wz * oy, wz * ox - wx * oz, wx * oy - wy * ox
             if bound > 0.0:
-                sx, sy, sz = spring_pull(k, center, axis, angle, then, grip, place, i, px, py, pz)
+                sx, sy, sz = spring_pull(k, center, axle, angle, then, grip, place, i, px, py, pz)
                 across = nx * sx + ny * sy + nz * sz
                 sx, sy, sz = sx - across * nx, sy - across * ny, sz - across * nz
                 rx, ry, rz = sx - c * (vx - gx), sy - c * (vy - gy), sz - c * (vz - gz)
@@ -121,7 +123,7 @@ def remember_contacts(x, v, obstacles, memory, now, stiffness):
             memory.books[o, RUBBED, i] = 0.5 * (sx * sx + sy * sy + sz * sz) / k
             if push > 0.0:
                 rx, ry, rz = rx + push * nx, ry + push * ny, rz + push * nz
-                power = rx * (ux + gx) + ry * (uy + gy) + rz * (uz + gz)
+                power = rx * (lx + gx) + ry * (ly + gy) + rz * (lz + gz)
                 memory.given[i] += max(dt * power, 0.0)
             turn = turn_towards(x, i, nx, ny, nz, stiffness)
             grip[GRIP, i] = on_polygon(obstacles.friction[o], turn)
@@ -138,15 +140,19 @@ def count_closing(x, v, obstacles, memory, now):
     """Return how many contacts that were open close on the way to `x` and `v`, at the time `now` has."""
     closing = 0.0
     for o in range(obstacles.kind.shape[0]):
-        kind, center, axis = obstacles.kind[o], obstacles.center[o], obstacles.axis[o]
-        size, grip = obstacles.size[o], memory.grip[o]
-        mx, my, mz, ux, uy, uz, _, _ = surface_at(obstacles, o, now[0])
+        center, grip = obstacles.center[o], memory.grip[o]
+        mx, my, mz, ux, uy, uz, angle, rate = surface_at(obstacles, o, now[0])
+        pose = pose_of(obstacles, o, angle)
+        _, sweep = rates_of(obstacles, o, rate)
         for i in range(x.shape[1]):
             if grip[PUSH, i] > 0.0:
                 continue
             px, py, pz = x[0, i] - mx, x[1, i] - my, x[2, i] - mz
-            g, nx, ny, nz, _, _, _, _, _ = probe(kind, center, axis, size, px, py, pz)
-            rise = nx * (v[0, i] - ux) + ny * (v[1, i] - uy) + nz * (v[2, i] - uz)
+            g, nx, ny, nz, _, _, _, _, _ = probe_turned(obstacles, o, pose, px, py, pz)
+            ox, oy, oz = px - center[0], py - center[1], pz - center[2]
+            lx, ly, lz = swept(ux, uy, uz, sweep, ox, oy, oz)
+            vx, vy, vz = v[0, i] - lx, v[1, i] - ly, v[2, i] - lz
+            rise = nx * vx + ny * vy + nz * vz
             push = -obstacles.stiffness[o, i] * (g - obstacles.thickness[i])
             if push - obstacles.damping[o, i] * rise > 0.0:
                 closing += 1.0
@@ -183,12 +189,11 @@ def contact_energy(x, obstacles, t):
     """Return what the obstacles' surfaces have stored where they are pressed in at time `t` [J]."""
     total = 0.0
     for o in range(obstacles.kind.shape[0]):
-        kind, center, axis = obstacles.kind[o], obstacles.center[o], obstacles.axis[o]
-        size = obstacles.size[o]
-        mx, my, mz, _, _, _, _, _ = surface_at(obstacles, o, t)
+        mx, my, mz, _, _, _, angle, _ = surface_at(obstacles, o, t)
+        pose = pose_of(obstacles, o, angle)
         for i in range(x.shape[1]):
             px, py, pz = x[0, i] - mx, x[1, i] - my, x[2, i] - mz
-            depth = obstacles.thickness[i] - probe(kind, center, axis, size, px, py, pz)[0]
+            depth = obstacles.thickness[i] - probe_turned(obstacles, o, pose, px, py, pz)[0]
             if depth > 0.0:
                 total += 0.5 * obstacles.stiffness[o, i] * depth * depth
     return total

@@ -2,7 +2,8 @@
 
 Over an accepted step let N and Q be the mean forces of an obstacle on a node, what presses and what rubs, m
 the way of the surface as it moves, D the node's way over it as it moves and turns, d = D + w, and G by how
-much its gap has grown along the normal n. Then
+much its gap has grown along the normal n. Of a body that is not round, whose turning moves the surface, m is
+w: all that it leads along. Then
     N . n G        what presses,        Q . D        what rubs,        N . m + Q . w        the motor
 have done. The first two only take, but for what the contact stores, k e^2 / 2 of the depth e and
 |R|^2 / (2 k) of the friction spring: by implicit Euler friction in every step, pressing on flat bodies, for
@@ -15,6 +16,7 @@ from __future__ import annotations
 
 from ropewalk.core.jit import kernel
 from ropewalk.laws.contact_frame import carried
+from ropewalk.laws.obstacle_pose import is_unround
 
 # Rows of `Memory.books`: works so far [J], what is stored now [J], and the gap now [m].
 MOTOR, PRESS, RUB, METHOD, PRESSED, RUBBED, GAP, BOOKS = range(8)
@@ -37,14 +39,18 @@ def note_way(obstacles, memory, o, i, now, then, angle, x, y, z, gap, n0, n1, n2
 
     `now` and `then` are what `surface_at` gives for the step's ends, `angle` by what it has turned between.
     """
-    slip, place, center, axis = memory.slip[o], memory.place, obstacles.center[o], obstacles.axis[o]
+    slip, place, center, axle = memory.slip[o], memory.place, obstacles.center[o], obstacles.axle[o]
     books, depth = memory.books[o], max(obstacles.thickness[i] - gap, 0.0)
-    _, _, _, dx, dy, dz = carried(center, axis, angle, then, memory.grip[o], place, i, x, y, z)
+    _, _, _, dx, dy, dz = carried(center, axle, angle, then, memory.grip[o], place, i, x, y, z)
     rise = gap - books[GAP, i]
     slip[RISE, i], slip[RISE + 1, i], slip[RISE + 2, i] = rise * n0, rise * n1, rise * n2
     slip[OVER, i], slip[OVER + 1, i], slip[OVER + 2, i] = dx, dy, dz
     for k in range(3):
         slip[LED + k, i] = now[k] - then[k]
+    if angle != 0.0 and is_unround(obstacles.kind[o]):  # what its turning leads along, too
+        slip[LED, i] = x + now[0] - place[0, i] - dx
+        slip[LED + 1, i] = y + now[1] - place[1, i] - dy
+        slip[LED + 2, i] = z + now[2] - place[2, i] - dz
     books[GAP, i] = gap
     books[PRESSED, i] = 0.5 * obstacles.stiffness[o, i] * depth * depth
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from ropewalk.core.jit import kernel, small
+from ropewalk.laws.obstacle_pose import pose_of, probe_turned, rotated
 from ropewalk.motions.whereabouts import place_now
 
 # Rows of `Memory.grip` after the spring's force: the coefficient of friction, R_n.
@@ -27,19 +28,18 @@ def surface_at(obstacles, row, t):
 
 
 @kernel
-def rotated(axis, c, s, x, y, z):
-    """Return a vector turned about an axis by the angle of cosine `c` and sine `s`."""
-    ex, ey, ez = axis[0], axis[1], axis[2]
-    along = (ex * x + ey * y + ez * z) * (1.0 - c)
-    return (
-        c * x + s * (ey * z - ez * y) + along * ex,
-        c * y + s * (ez * x - ex * z) + along * ey,
-        c * z + s * (ex * y - ey * x) + along * ez,
-    )
+def find_gaps(x, obstacles, t, found):
+    """Write the distances of places (3, n) to every obstacle at time `t` [s], (k, n) [m]."""
+    for o in range(obstacles.kind.shape[0]):
+        mx, my, mz, _, _, _, angle, _ = surface_at(obstacles, o, t)
+        pose = pose_of(obstacles, o, angle)
+        for i in range(x.shape[1]):
+            px, py, pz = x[0, i] - mx, x[1, i] - my, x[2, i] - mz
+            found[o, i] = probe_turned(obstacles, o, pose, px, py, pz)[0]
 
 
 @kernel
-def carried(center, axis, angle, then, grip, place, i, x, y, z):
+def carried(center, axle, angle, then, grip, place, i, x, y, z):
     """Return the spring's force R' [N] and the way D [m], both turned with the surface by `angle`.
 
     x, y, z in the frame of the body; `then` is what `surface_at` gives for when `place` was kept.
@@ -50,15 +50,15 @@ def carried(center, axis, angle, then, grip, place, i, x, y, z):
     oz = place[2, i] - then[2] - center[2]
     if angle != 0.0:
         c, s = math.cos(angle), math.sin(angle)
-        fx, fy, fz = rotated(axis, c, s, fx, fy, fz)
-        ox, oy, oz = rotated(axis, c, s, ox, oy, oz)
+        fx, fy, fz = rotated(axle, c, s, fx, fy, fz)
+        ox, oy, oz = rotated(axle, c, s, ox, oy, oz)
     return fx, fy, fz, x - center[0] - ox, y - center[1] - oy, z - center[2] - oz
 
 
 @kernel
-def spring_pull(k, center, axis, angle, then, grip, place, i, x, y, z):
+def spring_pull(k, center, axle, angle, then, grip, place, i, x, y, z):
     """Return R' - k D [N]."""
-    fx, fy, fz, dx, dy, dz = carried(center, axis, angle, then, grip, place, i, x, y, z)
+    fx, fy, fz, dx, dy, dz = carried(center, axle, angle, then, grip, place, i, x, y, z)
     return fx - k * dx, fy - k * dy, fz - k * dz
 
 

@@ -1,11 +1,12 @@
 """How the forces of contacts change with places and velocities; see `contact`.
 
 With H of the surface, b = mu R_n, q before it is cut and s = q/|q|,
-    -dR_n = k n.dx + c (n.dv + v.H dx)      of a contact that pushes
+    -dR_n = k n.dx + c (n.dv + v.H dx - n.(W x dx))      of a contact that pushes
     -dq   = k P dx + c P dv + (n.w) H dx + n (w.H dx),   w = R' - k D - c v
     -dR   = n (-dR_n) - R_n H dx + (-dq                                  where it sticks
                                     mu s (-dR_n) + (b/|q|) (I - s s^T) (-dq)   where it slips)
-The last but one makes it unsymmetric. The surface's own velocity changes with the place by its spin.
+The last but one makes it unsymmetric. The surface's own velocity changes with the place by its spin, which is
+W where it moves the surface itself.
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ import math
 from ropewalk.core.blocks import load9, subtract
 from ropewalk.core.jit import kernel
 from ropewalk.laws.contact_frame import GRIP, spring_pull, surface_at
-from ropewalk.laws.obstacle_shapes import probe
+from ropewalk.laws.obstacle_pose import pose_of, probe_turned, rates_of, swept
 from ropewalk.laws.wheels import begin_ties, find_rates, turned, write_row
 
 
@@ -26,15 +27,17 @@ def contact_tangent(x, v, obstacles, memory, now, weight_x, weight_v, band):
     find_rates(x, v, obstacles, memory, now)
     begin_ties(x, v, obstacles, memory, now)
     for o in range(obstacles.kind.shape[0]):
-        kind, center, axis = obstacles.kind[o], obstacles.center[o], obstacles.axis[o]
-        size, grip = obstacles.size[o], memory.grip[o]
+        center, axle, grip = obstacles.center[o], obstacles.axle[o], memory.grip[o]
         mx, my, mz, ux, uy, uz, angle, rate = turned(obstacles, memory, o, now)
         then = surface_at(obstacles, o, now[1])
-        wx, wy, wz = rate * axis[0], rate * axis[1], rate * axis[2]
+        pose = pose_of(obstacles, o, then[6] + angle)
+        (wx, wy, wz), sweep = rates_of(obstacles, o, rate)
         for i in range(x.shape[1]):
             px, py, pz = x[0, i] - mx, x[1, i] - my, x[2, i] - mz
-            g, nx, ny, nz, ax, ay, az, ca, cb = probe(kind, center, axis, size, px, py, pz)
-            vx, vy, vz = v[0, i] - ux, v[1, i] - uy, v[2, i] - uz
+            g, nx, ny, nz, ax, ay, az, ca, cb = probe_turned(obstacles, o, pose, px, py, pz)
+            ox, oy, oz = px - center[0], py - center[1], pz - center[2]
+            lx, ly, lz = swept(ux, uy, uz, sweep, ox, oy, oz)
+            vx, vy, vz = v[0, i] - lx, v[1, i] - ly, v[2, i] - lz
             k, c = obstacles.stiffness[o, i], obstacles.damping[o, i]
             push = -k * (g - obstacles.thickness[i]) - c * (nx * vx + ny * vy + nz * vz)
             if not push > 0.0:
@@ -42,11 +45,12 @@ def contact_tangent(x, v, obstacles, memory, now, weight_x, weight_v, band):
             n = (nx, ny, nz)
             a = (ax, ay, az)
             vH = across(ca, cb, n, a, (vx, vy, vz))
+            hx, hy, hz = swept(vH[0], vH[1], vH[2], sweep, nx, ny, nz)  # - n . (W x dx)
             # -dR_n = drop . (weighted step)
             drop = (
-                weight_x * (k * nx + c * vH[0]) + weight_v * c * nx,
-                weight_x * (k * ny + c * vH[1]) + weight_v * c * ny,
-                weight_x * (k * nz + c * vH[2]) + weight_v * c * nz,
+                weight_x * (k * nx + c * hx) + weight_v * c * nx,
+                weight_x * (k * ny + c * hy) + weight_v * c * ny,
+                weight_x * (k * nz + c * hz) + weight_v * c * nz,
             )
             bend = -weight_x * push  # R_n H
             for p in range(3):
@@ -54,16 +58,15 @@ def contact_tangent(x, v, obstacles, memory, now, weight_x, weight_v, band):
                     diagonal[i, 3 * p + r] += n[p] * drop[r] + bend * curve(ca, cb, n, a, p, r)
             bound = grip[GRIP, i] * push
             if bound > 0.0:
-                ox, oy, oz = px - center[0], py - center[1], pz - center[2]
                 vx, vy, vz = (
                     vx - (wy * oz - wz * oy),
                     vy - (wz * ox - wx * oz),
                     vz - (wx * oy - wy * ox),
                 )
-                sx, sy, sz = spring_pull(k, center, axis, angle, then, grip, place, i, px, py, pz)
+                sx, sy, sz = spring_pull(k, center, axle, angle, then, grip, place, i, px, py, pz)
                 pull = (sx - c * vx, sy - c * vy, sz - c * vz)
                 own, turn = weight_x * k + weight_v * c, weight_x * c
-                turning = (turn * wx, turn * wy, turn * wz)
+                turning = (turn * (wx + sweep[0]), turn * (wy + sweep[1]), turn * (wz + sweep[2]))
                 mu = grip[GRIP, i]
                 before = load9(diagonal, i)
                 rub(diagonal, i, n, a, ca, cb, pull, bound, mu, drop, own, turning, weight_x)

@@ -29,8 +29,10 @@ from ropewalk.laws.contact import (
 from ropewalk.laws.contact_books import BOOKS, WAYS, book_contacts
 from ropewalk.laws.contact_tangent import contact_tangent
 from ropewalk.laws.node_law import NodeLaw, Rest
+from ropewalk.laws.obstacle_places import depths
 from ropewalk.laws.obstacle_rows import (
     KINDS,
+    axle_of,
     half_thickness,
     place_of,
     radius_round,
@@ -39,12 +41,11 @@ from ropewalk.laws.obstacle_rows import (
     turning_of,
     wheel_columns,
 )
-from ropewalk.laws.obstacle_shapes import BOX, HALF_PIPE, TORUS, probe
 from ropewalk.laws.obstacle_way import find_pass, find_sweep, gone, meet
 from ropewalk.laws.standstill import standstills
 from ropewalk.laws.wheels import RATE, ROWS, WIDTH
 from ropewalk.motions.registry import FIXED
-from ropewalk.motions.rows import Motions, jumps, largest_speed, motion_rows
+from ropewalk.motions.rows import Motions, jumps, motion_rows
 from ropewalk.motions.whereabouts import place_now
 
 if TYPE_CHECKING:
@@ -68,6 +69,7 @@ class Obstacles(NamedTuple):
     kind: Ints  # (k,)
     center: Floats  # (k, 3) at time zero a point of the plane, or the middle [m]
     axis: Floats  # (k, 3) unit vector; the normal of a plane
+    axle: Floats  # (k, 3) unit vector about which it turns, through its middle: of what is round its axis
     # (k, 4 or more) radius, half length; of a ring that of the circle and of the bar; of a box without its
     # edges half sizes, then the edges' radius [m], then the direction of its first edge [1], its third being
     # along the axis; of a half-pipe its radius [m], then the direction to which it is open, across the axis
@@ -144,6 +146,7 @@ def lower(
         kind=np.array([KINDS[body.kind] for body in bodies], dtype=np.int64),
         center=centers,
         axis=np.array([place[1] for place in places], dtype=np.float64).reshape(count, 3),
+        axle=np.array([axle_of(body) for body in bodies], dtype=np.float64).reshape(count, 3),
         size=size_rows([place[2] for place in places]),
         thin=np.array([half_thickness(body) for body in bodies], dtype=np.float64),
         friction=np.array([body.friction for body in bodies], dtype=np.float64),
@@ -153,7 +156,7 @@ def lower(
         stiffness=stiffness,
         damping=2.0 * DAMPING * np.sqrt(stiffness * mass),
         thickness=thickness,
-        **wheel_columns([getattr(body, "spin", None) for body in bodies]),
+        **wheel_columns([body.spin for body in bodies]),
     )
 
 
@@ -306,59 +309,6 @@ def touched(obstacles: Obstacles, x: Floats) -> Any:
 def channels(obstacles: Obstacles) -> int:
     """Return how many rows the forces have, with what presses and what rubs of every obstacle."""
     return 3 + 6 * len(obstacles.kind)
-
-
-def depths(obstacles: Obstacles, x: Floats, t: float = 0.0) -> Floats:
-    """Return how deep nodes at places (3, n) [m] are in every obstacle at time `t` [s], (k, n) [m].
-
-    Negative outside.
-    """
-    found = np.empty((len(obstacles.kind), x.shape[1]))
-    for o, kind in enumerate(obstacles.kind):
-        parts = obstacles.center[o], obstacles.axis[o], obstacles.size[o]
-        places = x.T - moved_by(obstacles, o, t)
-        found[o] = [probe(kind, *parts, *map(float, place))[0] for place in places]
-    return obstacles.thickness - found
-
-
-def moves(obstacles: Obstacles, row: int) -> bool:
-    """Tell whether an obstacle ever leaves the place where it starts."""
-    return bool(obstacles.motion.kind[row] != FIXED)
-
-
-def moved_by(obstacles: Obstacles, row: int, t: float) -> Floats:
-    """Return by how much an obstacle has moved at time `t` [s], (3,) [m]."""
-    return np.array(place_now(obstacles.motion, row, t)[:3]) - obstacles.center[row]
-
-
-def turning_rate(obstacles: Obstacles, row: int) -> float:
-    """Return the largest rate at which an obstacle turns [rad/s]."""
-    return abs(float(obstacles.spin[row, 0])) + largest_speed(obstacles.turns, row)
-
-
-def surface_speed(obstacles: Obstacles, row: int) -> float:
-    """Return the largest speed of what an obstacle's motion and turning drag along [m/s].
-
-    A plane or a torus drags at most what is as far from its axis as the solid reaches; that of a plane is not
-    known, and its turning not counted.
-    """
-    size, kind = obstacles.size[row], obstacles.kind[row]
-    reach = size[0] + (size[1] if kind == TORUS else 0.0)
-    turning = turning_rate(obstacles, row)
-    return largest_speed(obstacles.motion, row) + (
-        0.0 if kind in (BOX, HALF_PIPE) else turning * float(reach)
-    )
-
-
-def standing(obstacles: Obstacles) -> Obstacles:
-    """Return the same obstacles at rest where they start."""
-    still = [None] * len(obstacles.kind)
-    return obstacles._replace(
-        wheel=np.full_like(obstacles.wheel, -1),
-        spin=np.zeros_like(obstacles.spin),
-        motion=motion_rows(still, obstacles.center),
-        turns=motion_rows(still, np.zeros_like(obstacles.center)),
-    )
 
 
 def cases(obstacles: Obstacles, chain: Chain) -> dict[str, Chain]:

@@ -73,6 +73,11 @@ def place_of(body: Any) -> tuple[Any, Any, Any]:
     return 0.5 * (start + end), _unit(end - start), (body.radius, half, 0.0, 0.0)
 
 
+def axle_of(body: Any) -> Any:
+    """Return the unit vector about which an obstacle turns."""
+    return _unit(body.axis) if body.kind in ("box", "mesh", "sdf") else place_of(body)[1]
+
+
 def radius_round(body: Any) -> float:
     """Return the least radius about which a rope may lie [m]: inf of a plane, 0 of sharp edges."""
     if body.kind == "plane":
@@ -116,7 +121,7 @@ def _unit(direction: Any) -> Floats:
 
 def spin_of(body: Any) -> tuple[float, float, float]:
     """Return what turns at one rate [rad/s], and from when to when [s]."""
-    spin = getattr(body, "spin", None)
+    spin = body.spin
     if spin is None or spin.rate is None or spin.free:
         return 0.0, 0.0, math.inf
     return spin.rate, spin.start, spin.stop
@@ -124,7 +129,7 @@ def spin_of(body: Any) -> tuple[float, float, float]:
 
 def turning_of(body: Any) -> Any:
     """Return the angles of what turns by a table, as a motion along x; None else."""
-    spin = getattr(body, "spin", None)
+    spin = body.spin
     return spin.as_motion() if spin is not None and spin.times else None
 
 

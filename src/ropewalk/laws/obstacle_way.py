@@ -20,6 +20,7 @@ import math
 
 from ropewalk.core.jit import kernel, part, small
 from ropewalk.laws.contact_frame import PUSH, surface_at
+from ropewalk.laws.obstacle_pose import drawn_place, pose_of
 from ropewalk.laws.obstacle_shapes import MESH, probe
 
 FINE, HALVE = 0, 2  # see `laws.couplings`
@@ -30,6 +31,22 @@ FACING = -0.7  # [1] cosine between the normals at both ends of what lies across
 LONG = 1.4  # [1] length over half the thickness of what may lie across; across shorter ones a node goes
 PAST = 2.0  # no cosine
 APART = 0.3  # [1] of the half thickness: how far a segment moves from one look to the next
+
+
+@kernel
+def pose_at(obstacles, o, t):
+    """Return how far obstacle o has moved at time `t` [s], (3) [m], and what `pose_of` gives."""
+    x, y, z, _, _, _, angle, _ = surface_at(obstacles, o, t)
+    return (x, y, z), pose_of(obstacles, o, angle)
+
+
+@kernel
+def place_in(obstacles, o, at, x, i):
+    """Return where node i is in the frame of obstacle o, which lies `at` what `pose_at` gives [m]."""
+    moved, turn = at
+    return drawn_place(
+        obstacles, o, turn, x[0, i] - moved[0], x[1, i] - moved[1], x[2, i] - moved[2]
+    )
 
 
 @small
@@ -141,16 +158,13 @@ def find_sweep(x, y, inverse_mass, stiffness, obstacles, through, now):
     for o in range(obstacles.kind.shape[0]):
         if obstacles.thin[o] == math.inf:
             continue
-        ax, ay, az, _, _, _, _, _ = surface_at(obstacles, o, now[1])
-        bx, by, bz, _, _, _, _, _ = surface_at(obstacles, o, now[0])
+        then, here = pose_at(obstacles, o, now[1]), pose_at(obstacles, o, now[0])
         for i in range(x.shape[1] - 1):
             held = inverse_mass[i] == 0.0 and inverse_mass[i + 1] == 0.0
             if held or stiffness[i] == 0.0 or through[i] != 0:
                 continue
-            a = (x[0, i] - ax, x[1, i] - ay, x[2, i] - az)
-            b = (x[0, i + 1] - ax, x[1, i + 1] - ay, x[2, i + 1] - az)
-            p = (y[0, i] - bx, y[1, i] - by, y[2, i] - bz)
-            q = (y[0, i + 1] - bx, y[1, i + 1] - by, y[2, i + 1] - bz)
+            a, b = place_in(obstacles, o, then, x, i), place_in(obstacles, o, then, x, i + 1)
+            p, q = place_in(obstacles, o, here, y, i), place_in(obstacles, o, here, y, i + 1)
             if _may_reach(obstacles, o, i, a, b, p, q) and sweeps_across(
                 obstacles, o, i, a, b, p, q
             ):
@@ -170,11 +184,9 @@ def find_pass(x, y, inverse_mass, obstacles, grip, through, now):
     for o in range(obstacles.kind.shape[0]):
         if obstacles.thin[o] == math.inf:
             continue
-        ax, ay, az, _, _, _, _, _ = surface_at(obstacles, o, now[1])
-        bx, by, bz, _, _, _, _, _ = surface_at(obstacles, o, now[0])
+        then, here = pose_at(obstacles, o, now[1]), pose_at(obstacles, o, now[0])
         for i in range(x.shape[1]):
-            p = (x[0, i] - ax, x[1, i] - ay, x[2, i] - az)
-            q = (y[0, i] - bx, y[1, i] - by, y[2, i] - bz)
+            p, q = place_in(obstacles, o, then, x, i), place_in(obstacles, o, here, y, i)
             square = (q[0] - p[0]) ** 2 + (q[1] - p[1]) ** 2 + (q[2] - p[2]) ** 2
             thin = obstacles.thin[o] + obstacles.thickness[i]
             if square < thin * thin and grip[o, PUSH, i] == 0.0:

@@ -19,7 +19,8 @@ from __future__ import annotations
 import math
 
 from ropewalk.core.jit import kernel, small
-from ropewalk.laws.contact_frame import GRIP, cut, rotated, surface_at
+from ropewalk.laws.contact_frame import GRIP, cut, surface_at
+from ropewalk.laws.obstacle_pose import rotated
 from ropewalk.laws.obstacle_shapes import probe
 
 # Columns of `Memory.wheel`: angle [rad] and rate [rad/s] at the end of the last accepted step, the work that

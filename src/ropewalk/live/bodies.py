@@ -19,7 +19,8 @@ from ropewalk.live.hands import FASTEST, SLOWEST
 from ropewalk.live.parameters import refusal
 from ropewalk.scene import Scene
 from ropewalk.scene.motions import Table
-from ropewalk.scene.obstacles import Spin, name_of
+from ropewalk.scene.obstacles import name_of
+from ropewalk.scene.spin import Spin
 from ropewalk.simulation import Simulation
 
 FOLLOW = 0.05  # [s] of the user's time in which a body reaches its target
@@ -36,9 +37,9 @@ def lead(handle: ObstacleHandle, target: Floats | None, angle: float | None, pac
     follow = FOLLOW * max(pace, SLOWEST)
     if angle is not None:
         if not handle.turns:
-            rule = "cannot be turned: it has no axis to turn about, or ropes turn it"
-            raise refusal("angle", angle, rule)
-        handle.turn_to(angle, max(follow, abs(angle - handle.angle) / FASTEST_TURN))
+            raise refusal("angle", angle, "cannot be turned: it turns freely, as ropes turn it")
+        fastest = min(FASTEST_TURN, SAFE * handle.fastest_turn)
+        handle.turn_to(angle, max(follow, abs(angle - handle.angle) / fastest))
     if target is not None:
         far = float(np.linalg.norm(target - handle.position))
         handle.move_to(target, max(follow, far / min(FASTEST, SAFE * handle.fastest)))

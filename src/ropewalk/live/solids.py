@@ -9,7 +9,8 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats
 from ropewalk.engine.engine import Bodies
-from ropewalk.laws.obstacle import Obstacles, moves
+from ropewalk.laws.obstacle import Obstacles
+from ropewalk.laws.obstacle_places import moves
 from ropewalk.laws.obstacle_rows import corners_of
 from ropewalk.laws.obstacle_shapes import BOX, MESH
 from ropewalk.lowering import Layout
@@ -43,7 +44,7 @@ def obstacle_list(
             "size": _numbers(_size(table, row)),
             "friction": body.friction,
             "spin": _numbers(table.spin[row]) if table.spin[row][0] else None,
-            "turnable": hasattr(body, "spin") and not is_free(body),
+            "turnable": not is_free(body),
             **_moving(table, row),
             **_turned(table, row),
             **_surface(body),

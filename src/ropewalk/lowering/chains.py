@@ -8,7 +8,7 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats, State, System
 from ropewalk.laws.acting import acting, flow
-from ropewalk.laws.obstacle import surface_speed
+from ropewalk.laws.obstacle_places import surface_speed
 from ropewalk.laws.registry import NODE_LAWS
 from ropewalk.laws.winch import MERGE, SPLIT
 from ropewalk.lowering.apart import recoil_of_releases

@@ -7,11 +7,11 @@ import math
 import numpy as np
 
 from ropewalk.core.arrays import Floats, State, System
-from ropewalk.laws.obstacle import Obstacles, depths, moved_by, turning_rate
+from ropewalk.laws.obstacle import Obstacles
+from ropewalk.laws.obstacle_places import depths, drawn_places, moves, sweeping_speed, turning_rate
 from ropewalk.laws.obstacle_way import LONG, lies_across
 from ropewalk.lowering.layout import Layout
 from ropewalk.methods.registry import METHODS
-from ropewalk.motions.rows import largest_speed
 from ropewalk.scene import Scene, SceneError
 from ropewalk.scene.faults import Fault
 from ropewalk.scene.obstacles import Obstacle, is_free, thinnest
@@ -86,9 +86,9 @@ def turned_rate(system: System, row: int, body: Obstacle) -> float:
 
 
 def _speeds(scene: Scene, system: System) -> list[tuple[Obstacle, float]]:
-    """Return every obstacle with its largest speed [m/s]."""
-    motion = system.node.obstacle.motion
-    return [(body, largest_speed(motion, row)) for row, body in enumerate(scene.obstacles)]
+    """Return every obstacle with the largest speed at which its surface leaves its place [m/s]."""
+    table: Obstacles = system.node.obstacle
+    return [(body, sweeping_speed(table, row)) for row, body in enumerate(scene.obstacles)]
 
 
 def radius_with_rope(system: System, body: Obstacle) -> float:
@@ -107,7 +107,8 @@ def refuse_fast(scene: Scene, system: System, step: float) -> None:
                 f"{body.name!r} ({1e3 * radius:.4g} mm, the rope's half diameter counted in): it would jump "
                 f"over nodes; take a run.time_step of at most {radius / speed:.2g} s"
             )
-            faults.append(Fault(f"obstacle[{row}].motion", f"up to {speed:.4g} m/s", rule))
+            which = "motion" if moves(system.node.obstacle, row) else "spin"
+            faults.append(Fault(f"obstacle[{row}].{which}", f"up to {speed:.4g} m/s", rule))
         rate = turned_rate(system, row, body)
         if rate * step > math.pi:
             rule = (
@@ -150,7 +151,7 @@ def _speared(scene: Scene, system: System, state: State, layout: Layout) -> list
         ends = state.x[:, span.start : span.end + 1].T
         size = np.linalg.norm(np.diff(ends, axis=0), axis=1)
         for row, body in enumerate(scene.obstacles):
-            places = ends - moved_by(table, row, 0.0)
+            places = drawn_places(table, row, ends)
             long = size > LONG * (table.thin[row] + table.thickness[span.start])
             across = (
                 k

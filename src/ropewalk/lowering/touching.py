@@ -11,7 +11,8 @@ from ropewalk.core.arrays import Floats, Ints
 from ropewalk.laws.contact import on_polygon, turn_towards
 from ropewalk.laws.contact_frame import surface_at
 from ropewalk.laws.obstacle import Obstacles
-from ropewalk.laws.obstacle_shapes import probe
+from ropewalk.laws.obstacle_places import surface_near
+from ropewalk.laws.obstacle_pose import rates_of
 
 SLIPS = 0.99  # of what friction can carry: a contact that moves and carries more slips [1]
 STILL = 1e-6  # [m/s] a contact that moves less does not
@@ -67,18 +68,18 @@ def contacts_at(
     rows: list[tuple[int, int, Floats, float, float, Floats]] = []
     now = [np.array(surface_at(table, o, t)) for o in range(len(table.kind))]
     for i in map(int, np.flatnonzero(np.any(force != 0.0, axis=0))):
-        for o, kind in enumerate(table.kind):
-            parts = table.center[o], table.axis[o], table.size[o]
-            place, speed = x[:, i] - now[o][:3], v[:, i] - now[o][3:6]
-            gap, *direction = probe(kind, *parts, *map(float, place))[:4]
-            normal = np.array(direction)
+        for o in range(len(table.kind)):
+            gap, *direction = surface_near(table, o, x[:, i], t)[:4]
+            place, normal = x[:, i] - now[o][:3] - table.center[o], np.array(direction)
+            turning = np.array(rates_of(table, o, now[o][7]))
+            speed = v[:, i] - now[o][3:6] - np.cross(turning[1], place)
             push = -table.stiffness[o, i] * (gap - table.thickness[i])
             push -= table.damping[o, i] * float(normal @ speed)
             if not push > 0.0:
                 continue
             turn = turn_towards(x, i, *direction, stiffness)
             friction = on_polygon(table.friction[o], turn)
-            over = speed - np.cross(now[o][7] * table.axis[o], place - table.center[o])
+            over = speed - np.cross(turning[0], place)
             rows.append((o, i, normal, push, friction, over - normal * (normal @ over)))
     return _shared(rows, force)
 

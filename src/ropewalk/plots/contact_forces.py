@@ -10,7 +10,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ropewalk.laws.obstacle import depths
+from ropewalk.laws.obstacle_places import depths
 from ropewalk.lowering.touching import turns
 from ropewalk.plots.sight import Floats, frame_at, good_frames
 from ropewalk.plots.style import (

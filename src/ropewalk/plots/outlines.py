@@ -10,7 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.patches import PathPatch
 from matplotlib.path import Path
 
-from ropewalk.laws.obstacle import moved_by, moves
+from ropewalk.laws.obstacle_places import moved_by, stays, turn_of
 from ropewalk.laws.obstacle_rows import corners_of
 from ropewalk.plots.sight import Floats, Sight
 from ropewalk.record.obstacle_table import obstacle_table
@@ -42,7 +42,8 @@ class Outline(NamedTuple):
 def outlines_of(result: Result, view: Sight, time: float | None = None) -> tuple[Outline, ...]:
     """Return the outlines of obstacles; planes only where they are seen edge-on.
 
-    Those of obstacles that stay where they are, or with a `time` [s] of those that move, as they are then.
+    Those of obstacles that stay where they are, or with a `time` [s] of those that move or turn away, as they
+    are then.
     """
     table = obstacle_table(result.scene, result.layout)
     if table is None:
@@ -51,14 +52,28 @@ def outlines_of(result: Result, view: Sight, time: float | None = None) -> tuple
     size = float(np.ptp(points, axis=0).max()) or 1.0
     found: list[Outline | None] = []
     for row, body in enumerate(result.scene.obstacles):
-        if moves(table, row) == (time is not None):
+        if stays(table, row) == (time is None):
             center = table.center[row] + moved_by(table, row, time or 0.0)
+            turn = turn_of(table, row, time or 0.0)
             if body.kind in ("mesh", "sdf"):
-                found.append(_surface(body, center, view))
+                found.append(_surface(body, center, turn, view))
                 continue
-            parts = body.kind, center, table.axis[row], table.size[row]
+            parts = (
+                body.kind,
+                center,
+                turn @ table.axis[row],
+                _turned(body.kind, table.size[row], turn),
+            )
             found.append(_outline(*parts, view, size))
     return tuple(one for one in found if one is not None)
+
+
+def _turned(kind: str, sizes: Floats, turn: Floats) -> Floats:
+    """Return the sizes of a body with the direction that is among them turned."""
+    found, first = sizes.copy(), {"box": 4, "half-pipe": 1}.get(kind)
+    if first is not None:
+        found[first : first + 3] = turn @ sizes[first : first + 3]
+    return found
 
 
 def _outline(
@@ -88,10 +103,10 @@ def _outline(
     return Outline(hull((corners[:, None] + sizes[3] * disc).reshape(-1, 2)))
 
 
-def _surface(body: Any, center: Floats, view: Sight) -> Outline:
+def _surface(body: Any, center: Floats, turn: Floats, view: Sight) -> Outline:
     """Return what a mesh covers; a rounding is not drawn."""
     faces = np.array(body.faces)
-    seen = view.project(center + corners_of(body))
+    seen = view.project(center + corners_of(body) @ turn.T)
     corners = seen[faces]
     first, second = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
     front = first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0] > 0.0

@@ -114,16 +114,17 @@ def _counts(result: Result) -> dict[str, float]:
 
 
 def _obstacles(result: Result) -> dict[str, Any]:
-    """Return where obstacles are, where any of them moves."""
-    bodies = result.scene.obstacles
-    if all(body.motion.kind == "fixed" for body in bodies):
-        return {}
-    about = {"units": "m", "long_name": "middle of each obstacle, or a plane's point"}
-    names = ", ".join(body.name for body in bodies)
-    places = result.obstacle_positions()
-    return {
-        "obstacle_position": (("time", "obstacle", "axis"), places, about | {"obstacles": names})
-    }
+    """Return where obstacles are, where any of them moves, and how far they have turned, where any turns."""
+    bodies, found = result.scene.obstacles, dict[str, Any]()
+    names = {"obstacles": ", ".join(body.name for body in bodies)}
+    if any(body.motion.kind != "fixed" for body in bodies):
+        about = names | {"units": "m", "long_name": "middle of each obstacle, or a plane's point"}
+        places = result.obstacle_positions()
+        found["obstacle_position"] = (("time", "obstacle", "axis"), places, about)
+    if any(body.spin is not None for body in bodies):
+        about = names | {"units": "rad", "long_name": "by how much each obstacle has turned"}
+        found["obstacle_angle"] = (("time", "obstacle"), result.obstacle_angles(), about)
+    return found
 
 
 def make_dataset(result: Result) -> RunDataset:

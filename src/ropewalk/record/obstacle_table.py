@@ -5,7 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from ropewalk.core.arrays import Floats
-from ropewalk.laws.obstacle import Obstacles, lower, moved_by
+from ropewalk.laws.contact_frame import surface_at
+from ropewalk.laws.obstacle import Obstacles, lower
+from ropewalk.laws.obstacle_places import moved_by
 from ropewalk.lowering import Layout
 from ropewalk.scene import Scene
 
@@ -16,6 +18,16 @@ def obstacle_table(scene: Scene, where: Layout) -> Obstacles | None:
         return None
     masses = [rope.total_mass for rope in scene.ropes]
     return lower(scene.obstacles, where, scene.ropes, masses, 0.0)
+
+
+def obstacle_angles(scene: Scene, where: Layout, times: Floats) -> Floats:
+    """Return how far obstacles are turned at some times [s], (times, obstacles) [rad]; 0 of free ones."""
+    found = np.zeros((len(times), len(scene.obstacles)))
+    table = obstacle_table(scene, where)
+    for row in range(len(scene.obstacles)):
+        assert table is not None
+        found[:, row] = [surface_at(table, row, float(t))[6] for t in times]
+    return found
 
 
 def obstacle_places(scene: Scene, where: Layout, times: Floats) -> Floats:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from ropewalk.core.arrays import Floats
 from ropewalk.laws.contact_books import ENTRIES
-from ropewalk.record.quantities import CONTACT_WORK, OBSTACLE_FORCE
+from ropewalk.record.quantities import CONTACT_WORK, OBSTACLE_FORCE, PULLEYS
 
 if TYPE_CHECKING:
     from ropewalk.record.contacts import WrapHistory
@@ -133,6 +133,18 @@ class PointForces:
 
         result = cast("Result", self)
         return obstacle_places(result.scene, result.layout, result.time[frames])
+
+    def obstacle_angles(self, frames: slice = slice(None)) -> Floats:
+        """How far obstacles have turned about their axes at some frames [rad], (frames, obstacles)."""
+        from ropewalk.record.obstacle_table import obstacle_angles
+
+        result = cast("Result", self)
+        found = obstacle_angles(result.scene, result.layout, result.time[frames])
+        if result.layout.pulleys:
+            names = [body.name for body in result.scene.obstacles]
+            free = [names.index(name) for name in result.layout.pulleys]
+            found[:, free] = result.read(PULLEYS)[frames, :, 0]
+        return found
 
     @property
     def contact_modes(self) -> NDArray[np.int8]:

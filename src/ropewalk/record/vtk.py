@@ -133,7 +133,9 @@ def _poly_data(
     text = [_HEAD.format("PolyData") + "<PolyData>"]
     if result.scene.obstacles:
         bodies = result.obstacle_positions(slice(frame, frame + 1))[0]
-        text += ["<FieldData>", _array("obstacle_position", bodies, tuples=True), "</FieldData>"]
+        turns = result.obstacle_angles(slice(frame, frame + 1))[0]
+        text += ["<FieldData>", _array("obstacle_position", bodies, tuples=True)]
+        text += [_array("obstacle_angle", turns, tuples=True), "</FieldData>"]
     text.append(f'<Piece {count} NumberOfStrips="0" NumberOfPolys="0">')
     text += ["<PointData>", *_arrays(points), "</PointData>"]
     text += ["<CellData>", *_arrays(of_cells), "</CellData>"]

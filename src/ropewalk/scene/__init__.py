@@ -17,7 +17,6 @@ from ropewalk.scene.obstacles import (
     Obstacle,
     Plane,
     Sphere,
-    Spin,
     Torus,
 )
 from ropewalk.scene.overrides import apply_overrides
@@ -28,6 +27,7 @@ from ropewalk.scene.run_settings import RunSettings
 from ropewalk.scene.scene import Scene
 from ropewalk.scene.shapes import Hanging, Points, Polyline, Shape, Slack, Straight
 from ropewalk.scene.slide import Slide
+from ropewalk.scene.spin import Spin
 from ropewalk.scene.tension_curves import (
     Curve,
     ExponentialCurve,

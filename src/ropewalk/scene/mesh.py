@@ -18,15 +18,15 @@ from ropewalk.scene.base import (
     vector,
 )
 from ropewalk.scene.faults import MISSING, NO_VALUE, Fault
-from ropewalk.scene.solid import Body
+from ropewalk.scene.spin import Tumbling
 
 #: No mesh has more; what has is to be made coarser.
 MOST_FACES = 200_000
 _Corners = Annotated[Many[Whole], Field(min_length=3, max_length=3)]
 
 
-class _Surface(Body):
-    """What has a surface of triangles."""
+class _Surface(Tumbling):
+    """What has a surface of triangles. It turns about ``axis`` through its position."""
 
     vertices: Many[Vector] = Field(
         default=(),

@@ -36,6 +36,6 @@ class Body(Model):
 
     motion: BodyMotion = Field(
         default=Fixed(),
-        description="How it moves, its middle (of a plane its point) as the node of an anchor; it keeps its "
-        "direction",
+        description="How it moves, its middle (of a plane its point) as the node of an anchor; its direction "
+        "is changed by spin only",
     )

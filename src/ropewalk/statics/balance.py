@@ -31,8 +31,8 @@ from ropewalk.laws.acting import at_rest, relaxed
 from ropewalk.laws.clamps import start_clamps
 from ropewalk.laws.contact import remember_contacts
 from ropewalk.laws.node_law import Rest
-from ropewalk.laws.obstacle import depths
-from ropewalk.laws.obstacle import standing as still
+from ropewalk.laws.obstacle_places import depths
+from ropewalk.laws.obstacle_places import standing as still
 from ropewalk.laws.others import other_forces, other_stiffness
 from ropewalk.laws.pulls import pulls_of_laws
 from ropewalk.laws.tangent import law_band

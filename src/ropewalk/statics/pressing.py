@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ropewalk.core.arrays import Floats
-from ropewalk.laws.obstacle_shapes import probe
+from ropewalk.laws.obstacle_places import surface_near
 from ropewalk.lowering import Model
 from ropewalk.scene.obstacles import thinnest
 from ropewalk.statics.balance import Balance
@@ -85,9 +85,7 @@ class Watch:
         return found
 
     def _probe(self, i: int, o: int, x: Floats) -> tuple[float, ...]:
-        table = self.table
-        parts = table.center[o], table.axis[o], table.size[o]
-        found: tuple[float, ...] = probe(table.kind[o], *parts, x[0, i], x[1, i], x[2, i])
+        found: tuple[float, ...] = surface_near(self.table, o, x[:, i])
         return found
 
     def _pressed(self, i: int, o: int, depth: float, *, through: bool) -> Pressed:

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from ropewalk.core.arrays import Floats, Ints
-from ropewalk.laws.obstacle import standing
+from ropewalk.laws.obstacle_places import standing
 from ropewalk.lowering import Model, Span
 from ropewalk.lowering.touching import SLIPS, Contacts, contacts_at, turns
 from ropewalk.words.prefixes import prefixed

@@ -19,8 +19,8 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats, Ints
 from ropewalk.laws.contact_frame import GRIP
-from ropewalk.laws.obstacle import Memory, Obstacles, moved_by
-from ropewalk.laws.obstacle_shapes import probe
+from ropewalk.laws.obstacle import Memory, Obstacles
+from ropewalk.laws.obstacle_places import moved_by, surface_near
 from ropewalk.lowering import Model
 from ropewalk.scene import SceneError
 from ropewalk.scene.faults import Fault
@@ -75,9 +75,8 @@ def _with_wheel(
     radius: float,
 ) -> Linear:
     """Return the same with one wheel more; `along` are the d of its nodes, (c, 3), `arms` their places."""
-    parts = table.center[row], table.axis[row], table.size[row]
-    places = arms + table.center[row]
-    normal = np.array([probe(table.kind[row], *parts, *map(float, p))[1:4] for p in places])
+    places = arms + table.center[row] + moved_by(table, row, 0.0)
+    normal = np.array([surface_near(table, row, p)[1:4] for p in places])
     across = along - (along * normal).sum(axis=1)[:, None] * normal  # P d
     w = table.wheel[row]
     k, c = table.stiffness[row, nodes][:, None], table.damping[row, nodes][:, None]

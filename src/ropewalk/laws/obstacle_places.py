@@ -1,0 +1,117 @@
+"""Where obstacles are at a time, how far places are from them, and how fast their surfaces go."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ropewalk.core.arrays import Floats
+from ropewalk.laws.contact_frame import find_gaps, surface_at
+from ropewalk.laws.obstacle_pose import UNROUND, drawn_place, pose_of, probe_turned, rotated
+from ropewalk.laws.obstacle_shapes import BOX, MESH, TORUS
+from ropewalk.laws.triangles import NORMALS, ROUNDING, TRIANGLES
+from ropewalk.motions.registry import FIXED
+from ropewalk.motions.rows import largest_speed, motion_rows
+from ropewalk.motions.whereabouts import place_now
+
+if TYPE_CHECKING:
+    from ropewalk.laws.obstacle import Obstacles
+
+
+def depths(obstacles: Obstacles, x: Floats, t: float = 0.0) -> Floats:
+    """Return how deep nodes at places (3, n) [m] are in every obstacle at time `t` [s], (k, n) [m].
+
+    Negative outside.
+    """
+    found = np.empty((len(obstacles.kind), x.shape[1]))
+    find_gaps(x, obstacles, t, found)
+    return obstacles.thickness - found
+
+
+def surface_near(obstacles: Obstacles, row: int, place: Floats, t: float = 0.0) -> Any:
+    """Return the distance of a place (3,) [m] to an obstacle at time `t` [s], the normal there, and more.
+
+    See `obstacle_shapes.probe`.
+    """
+    x, y, z, _, _, _, angle, _ = surface_at(obstacles, row, t)
+    pose = pose_of(obstacles, row, angle)
+    return probe_turned(obstacles, row, pose, *map(float, place - np.array((x, y, z))))
+
+
+def drawn_places(obstacles: Obstacles, row: int, places: Floats, t: float = 0.0) -> Floats:
+    """Return where places (n, 3) [m] at time `t` [s] were before an obstacle moved and turned, (n, 3)."""
+    x, y, z, _, _, _, angle, _ = surface_at(obstacles, row, t)
+    pose, moved = pose_of(obstacles, row, angle), np.array((x, y, z))
+    found = [drawn_place(obstacles, row, pose, *map(float, place - moved)) for place in places]
+    return np.array(found).reshape(-1, 3)
+
+
+def moves(obstacles: Obstacles, row: int) -> bool:
+    """Tell whether an obstacle's middle ever leaves the place where it starts."""
+    return bool(obstacles.motion.kind[row] != FIXED)
+
+
+def stays(obstacles: Obstacles, row: int) -> bool:
+    """Tell whether an obstacle's surface is always where it starts; what is round may turn there."""
+    turning = obstacles.kind[row] in UNROUND and turning_rate(obstacles, row) > 0.0
+    return not moves(obstacles, row) and not turning
+
+
+def turn_of(obstacles: Obstacles, row: int, t: float) -> Floats:
+    """Return by which rotation a surface has turned at `t` [s], (3, 3); what is round by none."""
+    pose = pose_of(obstacles, row, surface_at(obstacles, row, t)[6])
+    columns = [rotated(obstacles.axle[row], *pose, *one) for one in np.eye(3)]
+    return np.array(columns).T
+
+
+def moved_by(obstacles: Obstacles, row: int, t: float) -> Floats:
+    """Return by how much an obstacle has moved at time `t` [s], (3,) [m]."""
+    return np.array(place_now(obstacles.motion, row, t)[:3]) - obstacles.center[row]
+
+
+def turning_rate(obstacles: Obstacles, row: int) -> float:
+    """Return the largest rate at which an obstacle turns [rad/s]."""
+    return abs(float(obstacles.spin[row, 0])) + largest_speed(obstacles.turns, row)
+
+
+def surface_speed(obstacles: Obstacles, row: int) -> float:
+    """Return the largest speed of what an obstacle's motion and turning drag along [m/s].
+
+    A plane or a torus drags at most what is as far from its axis as the solid reaches; that of a plane is not
+    known, and its turning not counted.
+    """
+    return largest_speed(obstacles.motion, row) + turning_rate(obstacles, row) * reach_of(
+        obstacles, row
+    )
+
+
+def reach_of(obstacles: Obstacles, row: int) -> float:
+    """Return how far a surface is from the axle at most [m], of a half-pipe where ropes lie; 0 of a plane."""
+    size, kind = obstacles.size[row], obstacles.kind[row]
+    if kind == BOX:
+        return float(np.linalg.norm(size[:3]) + size[3])
+    if kind == MESH:
+        corners = size[int(size[TRIANGLES]) : int(size[NORMALS])].reshape(-1, 3)
+        across = np.cross(corners, obstacles.axle[row])
+        return float(np.linalg.norm(across, axis=1).max() + size[ROUNDING])
+    return float(size[0] + (size[1] if kind == TORUS else 0.0))
+
+
+def sweeping_speed(obstacles: Obstacles, row: int) -> float:
+    """Return the largest speed at which a surface itself moves [m/s]; turning moves no round one."""
+    turning = turning_rate(obstacles, row) if obstacles.kind[row] in UNROUND else 0.0
+    return largest_speed(obstacles.motion, row) + turning * reach_of(obstacles, row)
+
+
+def standing(obstacles: Obstacles) -> Obstacles:
+    """Return the same obstacles at rest where they start."""
+    still = [None] * len(obstacles.kind)
+    start = np.zeros_like(obstacles.center)
+    start[:, 0] = [place_now(obstacles.turns, row, 0.0)[0] for row in range(len(still))]
+    return obstacles._replace(
+        wheel=np.full_like(obstacles.wheel, -1),
+        spin=np.zeros_like(obstacles.spin),
+        motion=motion_rows(still, obstacles.center),
+        turns=motion_rows(still, start),
+    )

@@ -1,0 +1,86 @@
+"""How bodies lie that have turned, and how their surfaces move.
+
+Bodies of revolution turn about their own axis: the surface stays where it is, and slides along itself. Of all
+others, with the angle a about the axle e, and w its rate, places are turned back to where the body was drawn,
+and what `probe` finds there is turned along. A place of the surface, o from the middle, goes at w e x o.
+"""
+
+from __future__ import annotations
+
+import math
+
+from ropewalk.core.jit import kernel, small
+from ropewalk.laws.obstacle_shapes import BOX, HALF_PIPE, MESH, probe
+
+UNROUND = (BOX, HALF_PIPE, MESH)  # whose surface leaves its place as they turn
+
+
+@small
+def is_unround(kind):
+    """Tell whether a body's surface leaves its place where it turns."""
+    return kind == BOX or kind == HALF_PIPE or kind == MESH
+
+
+@kernel
+def rotated(axis, c, s, x, y, z):
+    """Return a vector turned about an axis by the angle of cosine `c` and sine `s`."""
+    ex, ey, ez = axis[0], axis[1], axis[2]
+    along = (ex * x + ey * y + ez * z) * (1.0 - c)
+    return (
+        c * x + s * (ey * z - ez * y) + along * ex,
+        c * y + s * (ez * x - ex * z) + along * ey,
+        c * z + s * (ex * y - ey * x) + along * ez,
+    )
+
+
+@kernel
+def pose_of(obstacles, o, angle):
+    """Return cosine and sine of the angle by which a surface has turned; 1, 0 of a round one."""
+    if angle != 0.0 and is_unround(obstacles.kind[o]):
+        return math.cos(angle), math.sin(angle)
+    return 1.0, 0.0
+
+
+@kernel
+def rates_of(obstacles, o, rate):
+    """Return the angular velocity [rad/s] at which a surface slides along itself, and at which it sweeps.
+
+    (3) each; one of both is nothing.
+    """
+    axle, none = obstacles.axle[o], (0.0, 0.0, 0.0)
+    turning = (rate * axle[0], rate * axle[1], rate * axle[2])
+    if is_unround(obstacles.kind[o]):
+        return none, turning
+    return turning, none
+
+
+@small
+def swept(ux, uy, uz, sweep, ox, oy, oz):
+    """Return the velocity u + W x o of a place of a body that moves at u, its surface sweeping at W [m/s]."""
+    wx, wy, wz = sweep
+    return ux + (wy * oz - wz * oy), uy + (wz * ox - wx * oz), uz + (wx * oy - wy * ox)
+
+
+@kernel
+def drawn_place(obstacles, o, pose, x, y, z):
+    """Return where a place was before the body turned; x, y, z in the frame that moves with it [m]."""
+    c, s = pose
+    if s == 0.0 and c == 1.0:
+        return x, y, z
+    center = obstacles.center[o]
+    ox, oy, oz = rotated(obstacles.axle[o], c, -s, x - center[0], y - center[1], z - center[2])
+    return center[0] + ox, center[1] + oy, center[2] + oz
+
+
+@kernel
+def probe_turned(obstacles, o, pose, x, y, z):
+    """Return what `probe` does of obstacle o as it lies; x, y, z in the frame that moves with it [m]."""
+    c, s = pose
+    x, y, z = drawn_place(obstacles, o, pose, x, y, z)
+    center, axis, size = obstacles.center[o], obstacles.axis[o], obstacles.size[o]
+    g, nx, ny, nz, ax, ay, az, ca, cb = probe(obstacles.kind[o], center, axis, size, x, y, z)
+    if s != 0.0 or c != 1.0:
+        axle = obstacles.axle[o]
+        nx, ny, nz = rotated(axle, c, s, nx, ny, nz)
+        ax, ay, az = rotated(axle, c, s, ax, ay, az)
+    return g, nx, ny, nz, ax, ay, az, ca, cb

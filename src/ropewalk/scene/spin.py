@@ -1,0 +1,145 @@
+"""How obstacles turn: at a rate, by a table of angles, or freely, as a pulley."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field, model_validator
+
+from ropewalk.scene.base import (
+    Flag,
+    Many,
+    Model,
+    Number,
+    Vector,
+    not_negative,
+    positive,
+    quantity,
+    refuse,
+    stop_time,
+    vector,
+)
+from ropewalk.scene.faults import MISSING, NO_VALUE, Fault
+from ropewalk.scene.limits import HUGE
+from ropewalk.scene.motions import Table, axis_faults, interval_faults, time_faults
+from ropewalk.scene.solid import Body
+
+
+class Spin(Model):
+    """Turns an obstacle about its axis, right-handed: at one ``rate``, by a table of ``angles``, or
+    ``free``, as the friction of ropes turns it.
+
+    At a rate it turns from ``start`` to ``stop``; by a table it stands before the first time and after the
+    last one. One that is free has an ``inertia`` and begins at ``rate``, at rest without it.
+    """
+
+    rate: Number | None = quantity("Angle per time", "rad/s", default=None)
+    free: Flag = Field(default=False, description="Whether it turns freely, as a pulley")
+    inertia: Number | None = positive(
+        "Moment of inertia about its axis, of one that is free", "kg m^2", default=None
+    )
+    bearing: Number = not_negative(
+        "Torque of the bearing's dry friction, of one that is free", "N m", default=0.0
+    )
+    viscous: Number = not_negative(
+        "Torque of the bearing per rate, of one that is free", "N m s", default=0.0
+    )
+    start: Number = not_negative("Time at which it begins to turn", "s", default=0.0)
+    stop: Number = stop_time()
+    times: Many[Annotated[Number, Field(ge=-HUGE, le=HUGE, allow_inf_nan=False)]] = Field(
+        default=(), description="Rising times, two or more", json_schema_extra={"unit": "s"}
+    )
+    angles: Many[Annotated[Number, Field(ge=-HUGE, le=HUGE, allow_inf_nan=False)]] = Field(
+        default=(), description="Angle at each time", json_schema_extra={"unit": "rad"}
+    )
+    interpolation: Literal["linear", "cubic"] = Field(
+        default="linear", description="Between the times: straight lines or a cubic spline"
+    )
+
+    @model_validator(mode="after")
+    def _check(self) -> Spin:
+        given = self.model_fields_set
+        if self.free:
+            refuse(_wheel_faults(self))
+            return self
+        if over := given & {"inertia", "bearing", "viscous"}:
+            rule = "is for an obstacle that turns freely: give free = true, too, or leave it out"
+            refuse([Fault(min(over), getattr(self, min(over)), rule)])
+        by_table = given & {"times", "angles", "interpolation"}
+        if self.rate is None and not by_table:
+            refuse([Fault("rate", MISSING, "give rate, or times and angles, or free = true")])
+        if self.rate is not None and by_table:
+            rule = "give either rate or times and angles"
+            refuse([Fault(min(by_table), NO_VALUE, rule)])
+        if by_table and (over := given & {"start", "stop"}):
+            refuse([Fault(min(over), NO_VALUE, "a table of angles has times of its own")])
+        if not by_table:
+            refuse(interval_faults(self.start, self.stop))
+            return self
+        if not self.times or not self.angles:
+            absent = "angles" if self.times else "times"
+            refuse([Fault(absent, MISSING, "give times and angles")])
+        faults = time_faults(self.times)
+        if len(self.times) != len(self.angles):
+            rule = f"must be {len(self.times)}, one for each time"
+            faults.append(Fault("angles", f"{len(self.angles)} angles", rule))
+        refuse(faults)
+        return self
+
+    def as_motion(self) -> Table:
+        """The table of angles as a motion along x."""
+        places = [(angle, 0.0, 0.0) for angle in self.angles]
+        return Table(times=self.times, positions=places, interpolation=self.interpolation)
+
+
+def _wheel_faults(spin: Spin) -> list[Fault]:
+    """Return what is wrong with one that is free."""
+    faults = []
+    if spin.inertia is None:
+        rule = (
+            "an obstacle that turns freely needs its moment of inertia [kg m^2]: that of a round disc of "
+            "mass m and radius R is m R^2 / 2; of one so light that it does not matter, give a tenth of the "
+            "rope's mass on it times R^2"
+        )
+        faults.append(Fault("inertia", MISSING, rule))
+    if over := spin.model_fields_set & {"start", "stop", "times", "angles", "interpolation"}:
+        rule = "is for an obstacle that is turned: one that is free turns as ropes turn it"
+        faults.append(Fault(min(over), NO_VALUE, rule))
+    return faults
+
+
+class Turning(Body):
+    """What may turn about its own axis."""
+
+    spin: Spin | None = Field(
+        default=None, description="How it turns about its axis; at rest without it"
+    )
+
+
+class Swinging(Turning):
+    """What may be turned about its own axis, but does not turn freely: it is not round."""
+
+    @model_validator(mode="after")
+    def _check_spin(self) -> Swinging:
+        if self.spin is not None and self.spin.free:
+            rule = (
+                "is for round bodies, which ropes turn by friction alone; turn this one by a rate or by "
+                "angles, or take a cylinder"
+            )
+            refuse([Fault("spin.free", True, rule)])
+        return self
+
+
+class Tumbling(Swinging):
+    """The same, about an axis that is given."""
+
+    axis: Vector = vector(
+        "Axis of its spin, through its centre or position (any length but zero)",
+        "1",
+        default=(0, 0, 1),
+    )
+
+    @model_validator(mode="after")
+    def _check_axis(self) -> Tumbling:
+        refuse(axis_faults(self.axis))
+        return self
