@@ -1,4 +1,4 @@
-"""Ropes that touch each other by `adaptive`: its steps meet contacts on their way, and are solved again."""
+"""Ropes that touch each other, or slide, by `adaptive`: its steps meet what happens on their way."""
 
 from __future__ import annotations
 
@@ -7,7 +7,17 @@ import pytest
 
 import ropewalk as rw
 from ropewalk.core.arrays import Floats
-from ropewalk.scene import Anchor, Contact, Material, Rope, RunSettings, Scene, Straight, Velocity
+from ropewalk.scene import (
+    Anchor,
+    Contact,
+    Material,
+    Plane,
+    Rope,
+    RunSettings,
+    Scene,
+    Straight,
+    Velocity,
+)
 from verification.heaps import Heap, watch
 from verification.tangles import tangle
 
@@ -93,3 +103,23 @@ def test_nothing_passes_in_a_tangle() -> None:
     assert heap.contacts > 5
     assert heap.deepest < 0.1
     assert heap.lying < 1e-6
+
+
+@pytest.mark.parametrize("friction", [0.0, 0.3])
+def test_what_slides_meets_nothing_on_its_way(friction: float) -> None:
+    """Down a slope at g (sin - mu cos), with and without friction: no step is refused for a stop."""
+    slope = np.radians(40.0)
+    along = (float(np.cos(slope)), 0.0, -float(np.sin(slope)))
+    rope = Rope(
+        segments=2, length=0.2, diameter=THICK, made_of=STUFF,
+        shape=Straight(start=(0.0, 0.0, 0.5 * THICK / float(np.cos(slope))), direction=along),
+    )  # fmt: skip
+    plane = Plane(normal=(float(np.sin(slope)), 0.0, float(np.cos(slope))), friction=friction)
+    run = RunSettings(duration=1.0, frame_rate=10.0, method="adaptive")
+    result = rw.simulate(Scene(ropes=[rope], obstacles=[plane], run=run))
+    speed = float(result.velocities[-1, 1] @ np.array(along))
+    rate = 9.81 * float(np.sin(slope) - friction * np.cos(slope))
+    assert speed == pytest.approx(rate, rel=1e-3)
+    counts = result.facts.step_counts
+    assert counts["rejected"] < 0.2 * counts["accepted"] + 5
+    assert counts["accepted"] < 400

@@ -56,6 +56,8 @@ def standstills(obstacles, before, after, dt, tolerance):
         for i in range(after.inverse_mass.shape[0]):
             if after.inverse_mass[i] == 0.0 or not (first[PUSH, i] > 0.0 and last[PUSH, i] > 0.0):
                 continue
+            if first[GRIP, i] == 0.0:  # without friction nothing happens as it stops
+                continue
             ux, uy, uz = slip_at(obstacles, o, surface, before.x, before.v, i)
             speed = math.sqrt(ux * ux + uy * uy + uz * uz)
             pull = obstacles.stiffness[o, i] * speed * dt  # were it to stick
