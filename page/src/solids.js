@@ -1,6 +1,6 @@
 // The bodies of a scene: what is drawn of them, where the floor is, and what the picture must hold.
 
-import { MOST_SOLIDS, cornersOf, extent, placed, solidsOf, turnOf } from "./view/solids.js";
+import { MOST_SOLIDS, cornersOf, extent, leaves, placed, solidsOf, turnOf } from "./view/solids.js";
 import { scalar } from "./source/frame.js";
 import { dot, length, minus, plus, times } from "./view/vector.js";
 
@@ -56,7 +56,7 @@ export class Solids {
     const time = this.viewport.session.frame?.time ?? 0;
     if (time === this.time) return;
     this.time = time;
-    if (!this.starts.some(({ motion }) => motion)) return;
+    if (!this.starts.some(leaves)) return;
     this.all = this.starts.map((one) => placed(one, time));
     this.version++;
   }
@@ -70,8 +70,7 @@ export class Solids {
   base(name) {
     const found = this.named(name);
     if (!found) return null;
-    const middle = found.surface?.middle ?? [0, 0, 0]; // of triangles, from the place that moves
-    return minus(minus(found.center, middle), this.viewport.shifts[0] ?? [0, 0, 0]);
+    return minus(minus(found.center, found.middle), this.viewport.shifts[0] ?? [0, 0, 0]);
   }
 
   /** How far a body has turned [rad]. @param {string} name */

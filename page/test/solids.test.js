@@ -7,6 +7,7 @@ import {
   cornersOf,
   distanceTo,
   hides,
+  leaves,
   meets,
   placed,
   solidsOf,
@@ -35,6 +36,36 @@ test("surfaces are where the engine has them", () => {
       assert.ok(Math.abs(distanceTo(solid, place) - known.away[k][i]) < 1e-9, solid.kind),
     ),
   );
+});
+
+test("what turns and is not round lies as the engine has it", () => {
+  const solids = solidsOf(known.obstacles, here).map((solid) => placed(solid, known.time));
+  solids.forEach((solid, k) =>
+    known.places.forEach((place, i) =>
+      assert.ok(Math.abs(distanceTo(solid, place) - known.later[k][i]) < 1e-9, solid.kind),
+    ),
+  );
+  assert.equal(solids.filter(leaves).length, 2);
+});
+
+test("triangles turn about their position, and a way meets them where they are then", () => {
+  const vertices = [0, 0, 0, 1, 0, 0, 1, 1, 0, 1, 0, 1];
+  const faces = [0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3];
+  const tent = { ...BAR, kind: "mesh", axis: [0, 0, 1], size: [0], vertices, faces };
+  const [still] = solidsOf([tent], here);
+  const spin = [Math.PI / 2, 0, null];
+  const later = placed(solidsOf([{ ...tent, axle: [0, 0, 1], spin }], here)[0], 1);
+  for (const [x, y] of [
+    [0.6, 0.2],
+    [0.9, 0.4],
+    [0.2, 0.6],
+  ]) {
+    // prettier-ignore
+    const there = meets(still, [x, y, 5], [0, 0, -1]);
+    const far = meets(later, [-y, x, 5], [0, 0, -1]);
+    assert.equal(far === null, there === null);
+    if (far !== null) assert.ok(Math.abs(far - there) < 1e-9);
+  }
 });
 
 test("a half-pipe hides nothing: its near wall is cut away", () => {

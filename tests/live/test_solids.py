@@ -11,7 +11,7 @@ import pytest
 
 import ropewalk as rw
 from live.drive import do, refused
-from ropewalk.laws.obstacle_shapes import probe
+from ropewalk.laws.obstacle_places import surface_near
 from ropewalk.live import describe
 from ropewalk.live.replay import ReplayBroadcast
 from ropewalk.live.session import Session
@@ -74,6 +74,8 @@ center = [0.1, 0, -0.1]
 half_sizes = [0.5, 0.2, 0.3]
 edge_radius = 0.1
 rotation = [0.4, -0.7, 1.1]
+axis = [1, 0, 2]
+spin = { rate = 1.5, start = 0.2 }
 [[obstacle]]
 kind = "torus"
 center = [0, 0, 0.2]
@@ -82,11 +84,13 @@ radius = 0.4
 bar_radius = 0.1
 [[obstacle]]
 kind = "half-pipe"
-from = [0, -1, 2.5]
-to = [0.2, 1, 2.4]
+from = [0, -1, -0.5]
+to = [0.2, 1, -0.6]
 radius = 3.2
 open_to = [0.1, 0, 1]
+spin = { times = [0.0, 2.0], angles = [0.0, -1.0] }
 """
+LATER = 0.7  # [s]
 
 
 def scene() -> Scene:
@@ -100,10 +104,18 @@ def made() -> dict[str, Any]:
     table = obstacle_table(here, where)
     assert table is not None
     places = np.random.default_rng(4).uniform(-1.0, 1.0, (40, 3)).round(3)
-    parts = zip(table.kind, table.center, table.axis, table.size, strict=True)
-    away = [[probe(kind, c, a, s, *map(float, p))[0] for p in places] for kind, c, a, s in parts]
-    obstacles = obstacle_list(here, where)
-    return {"obstacles": obstacles, "places": places.tolist(), "away": away, "ways": ways()}
+    away, later = (
+        [[surface_near(table, row, p, t)[0] for p in places] for row in range(len(table.kind))]
+        for t in (0.0, LATER)
+    )
+    return {
+        "obstacles": obstacle_list(here, where),
+        "places": places.tolist(),
+        "away": away,
+        "time": LATER,
+        "later": later,
+        "ways": ways(),
+    }
 
 
 MOTIONS: list[dict[str, Any]] = [
@@ -136,7 +148,14 @@ def test_the_pages_test_reads_what_the_engine_says() -> None:
     fresh = json.loads(json.dumps(made()))
     assert known["obstacles"] == fresh["obstacles"]
     assert known["places"] == fresh["places"]
-    assert np.array(known["away"]) == pytest.approx(np.array(fresh["away"]), abs=1e-12)
+    for when in ("away", "later"):
+        assert np.array(known[when]) == pytest.approx(np.array(fresh[when]), abs=1e-12)
+    moved = np.abs(np.array(fresh["later"]) - fresh["away"]).max(axis=1) > 0.01
+    turned = [one["name"] for one, by in zip(fresh["obstacles"], moved, strict=True) if by]
+    assert turned == [
+        "obstacle6",
+        "obstacle8",
+    ]  # the box and the half-pipe; the round ones are where they were
     for old, new in zip(known["ways"], fresh["ways"], strict=True):
         assert {key: old[key] for key in ("center", "times")} == {
             key: new[key] for key in ("center", "times")

@@ -76,16 +76,18 @@ export class BodyHand {
     const solid = solids.named(this.hit.obstacle);
     if (!solid) return 0;
     const [cx, cy, depth] = camera.project(...solid.center);
-    const facing = dot(solid.axis, camera.toward);
+    const facing = dot(solid.axle, camera.toward);
     if (Math.abs(facing) > FACING) {
       const [a, b] = [from, to].map(({ x, y }) => Math.atan2(cy - y, x - cx));
       const turned = b - a - 2 * Math.PI * Math.round((b - a) / (2 * Math.PI));
       return Math.sign(facing) * turned;
     }
-    const side = unit(cross(solid.axis, camera.toward)); // the way its near face goes
+    const side = unit(cross(solid.axle, camera.toward)); // the way its near face goes
     const moved = plus(times(camera.right, to.x - from.x), camera.top, from.y - to.y);
     const perPixel = depth / camera.focal;
-    return (dot(moved, side) * perPixel) / Math.max(solid.size[0], 1e-9);
+    return (
+      (dot(moved, side) * perPixel) / Math.max(solid.surface ? solid.reach : solid.size[0], 1e-9)
+    );
   }
 
   sendTarget() {

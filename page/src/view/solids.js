@@ -2,7 +2,7 @@
 // and what a picture of them must hold.
 
 import { struck, surfaceOf } from "./surface.js";
-import { cross, dot, minus, plus, times, unit } from "./vector.js";
+import { cross, dot, minus, plus, rotated, times, unit } from "./vector.js";
 
 /** @typedef {import("./vector.js").Vector} Vector */
 /** @typedef {import("../source/protocol.js").Obstacle} Obstacle */
@@ -10,9 +10,10 @@ import { cross, dot, minus, plus, times, unit } from "./vector.js";
 /** @typedef {"plane" | "sphere" | "cylinder" | "capsule" | "box" | "torus" | "half-pipe" | "mesh"} Kind */
 
 /** One body of one copy. `size` as in the layout message; `zero`: across the axis, where turns are counted from, of a
- * box its first edge; `reach`: no part of it is farther from its centre [m].
+ * box its first edge; `axle`: about which it turns, through `middle` less than its centre [m]; `reach`: no part of it is
+ * farther from its centre [m].
  * @typedef {{name: string, kind: Kind, number: number, center: Vector, axis: Vector, size: number[], zero: Vector,
- *   reach: number, spin: [number, number, number] | null, turns: number[][] | null, wheel: number | null,
+ *   axle: Vector, middle: Vector, reach: number, spin: [number, number, number] | null, turns: number[][] | null, wheel: number | null,
  *   motion: (Motion & {origin: Vector}) | null,
  *   surface: import("./surface.js").Surface | null}} Solid */
 
@@ -48,10 +49,12 @@ const same = (a, b) => a.every((value, k) => value === b[k]);
 
 /** @param {Obstacle} obstacle @param {number[]} shift @returns {Solid | null} */
 function solidOf(obstacle, shift) {
-  const { name, center, axis, first, size, spin, turns, motion, wheel, vertices, faces } = obstacle;
+  const { name, center, axis, axle, first, size, spin, turns, motion, wheel } = obstacle;
   const kind = obstacle.kind === "sdf" ? "mesh" : obstacle.kind;
   const number = KINDS.indexOf(/** @type {Kind} */ (kind));
+  const { vertices, faces } = obstacle;
   const surface = vertices && faces ? surfaceOf(vertices, faces) : null;
+  const middle = surface?.middle ?? [0, 0, 0];
   if (kind === "mesh" && !surface) return null;
   const long = kind === "cylinder" && size[1] === null ? ENDLESS : (size[1] ?? NaN);
   const sizes = surface
@@ -67,10 +70,12 @@ function solidOf(obstacle, shift) {
     name,
     kind: /** @type {Kind} */ (kind),
     number,
-    center: plus(plus(center, shift), surface?.middle ?? [0, 0, 0]),
+    center: plus(plus(center, shift), middle),
     axis: along,
     size: sizes,
     zero: first ? vector(first) : unit(minus(across, times(along, dot(across, along)))),
+    axle: unit(axle ?? axis),
+    middle,
     reach: reachOf(/** @type {Kind} */ (kind), sizes),
     spin: turning ? [spin[0], spin[1], spin[2] ?? Infinity] : null,
     turns: turns ?? null,
@@ -109,13 +114,41 @@ export function turnOf({ spin, turns, wheel }, time, wheels = []) {
   return rate * Math.max(0, Math.min(time, stop) - start);
 }
 
+/** Whether its surface leaves its place as it turns. @param {Solid} solid */
+const isUnround = ({ kind }) => boxed(kind) || kind === "half-pipe";
+
+/** Whether its surface goes along itself as it turns: marks on it show that. @param {Solid} solid */
+export const slides = (solid) =>
+  !isUnround(solid) && Boolean(solid.spin || solid.turns || solid.wheel !== null);
+
+/** Whether it is drawn elsewhere at another time. @param {Solid} solid */
+export const leaves = (solid) =>
+  Boolean(solid.motion || (isUnround(solid) && (solid.spin || solid.turns)));
+
 /** A body where it is at a time. @param {Solid} solid @param {number} time [s] @returns {Solid} */
 export function placed(solid, time) {
-  if (!solid.motion) return solid;
+  const found = isUnround(solid) ? turned(solid, turnOf(solid, time)) : solid;
+  if (!solid.motion) return found;
   const way = minus(whereabouts(solid.motion, time), solid.motion.origin);
   return way.every((one) => Math.abs(one) < LARGEST)
-    ? { ...solid, center: plus(solid.center, way) }
-    : solid;
+    ? { ...found, center: plus(found.center, way) }
+    : found;
+}
+
+/** A body that has turned about its axle. @param {Solid} solid @param {number} angle [rad] @returns {Solid} */
+function turned(solid, angle) {
+  if (!angle || !Number.isFinite(angle)) return solid;
+  const { axle, axis, zero, size, center } = solid;
+  const turn = (/** @type {Vector} */ one) => rotated(one, axle, angle);
+  const middle = turn(solid.middle);
+  return {
+    ...solid,
+    axis: turn(axis),
+    zero: turn(zero),
+    size: solid.kind === "half-pipe" ? [size[0], ...turn(vector(size.slice(1)))] : size,
+    middle,
+    center: plus(minus(center, solid.middle), middle),
+  };
 }
 
 /** Where what moves is, as the engine has it. @param {Motion} motion @param {number} time [s] @returns {Vector} */
@@ -134,9 +167,7 @@ export function whereabouts({ kind, params: p, table }, time) {
   }
   if (kind !== "orbit") return from;
   const angle = 2 * Math.PI * Number(p[9]) * time;
-  const arm = minus(from, way);
-  const turned = plus(times(arm, Math.cos(angle)), times(cross(axis, arm), Math.sin(angle)));
-  return plus(way, plus(turned, times(axis, dot(axis, arm) * (1 - Math.cos(angle)))));
+  return plus(way, rotated(minus(from, way), axis, angle));
 }
 
 /** The place on a table: a row has its time, then four coefficients for each of x, y and z.
@@ -222,7 +253,9 @@ export function cornersOf(solid) {
 export function meets(solid, eye, way) {
   const from = minus(solid.center, eye);
   if (solid.surface) {
-    const far = struck(solid.surface, times(from, -1), way);
+    const axes = axesOf(solid);
+    const own = (/** @type {Vector} */ one) => vector(axes.map((axis) => dot(axis, one)));
+    const far = struck(solid.surface, own(times(from, -1)), own(way));
     return Number.isFinite(far) ? far : null;
   }
   const towards = dot(from, way);

@@ -27,6 +27,13 @@ export const times = (a, s) => [a[0] * s, a[1] * s, a[2] * s];
 /** @type {(a: ArrayLike<number>) => number} */
 export const length = (a) => Math.hypot(a[0], a[1], a[2]);
 
+/** A vector turned about an axis of length 1 by an angle [rad] (Rodrigues' formula).
+ * @type {(a: ArrayLike<number>, axis: Vector, angle: number) => Vector} */
+export function rotated(a, axis, angle) {
+  const [c, s] = [Math.cos(angle), Math.sin(angle)];
+  return plus(plus(times(a, c), cross(axis, a), s), axis, dot(axis, a) * (1 - c));
+}
+
 /** The unit vector along `a`, or `fallback` where `a` is zero.
  * @param {ArrayLike<number>} a @param {Vector} [fallback] @returns {Vector} */
 export function unit(a, fallback = [0, 0, 1]) {

@@ -12,6 +12,7 @@ from ropewalk.engine.engine import Bodies
 from ropewalk.laws.obstacle import Obstacles
 from ropewalk.laws.obstacle_places import moves
 from ropewalk.laws.obstacle_rows import corners_of
+from ropewalk.laws.obstacle_pose import UNROUND
 from ropewalk.laws.obstacle_shapes import BOX, MESH
 from ropewalk.lowering import Layout
 from ropewalk.motions.kind import ORIGIN
@@ -82,8 +83,9 @@ def _size(table: Obstacles, row: int) -> Any:
 
 
 def _turned(table: Obstacles, row: int) -> dict[str, Any]:
-    """Return the direction of a box's first edge, across its axis, of others nothing."""
-    return {"first": _numbers(table.size[row][4:7])} if table.kind[row] == BOX else {}
+    """Return about what a body turns that is not round, and the direction of a box's first edge, across its axis."""
+    axle = {"axle": _numbers(table.axle[row])} if table.kind[row] in UNROUND else {}
+    return axle | ({"first": _numbers(table.size[row][4:7])} if table.kind[row] == BOX else {})
 
 
 def _surface(body: Obstacle) -> dict[str, Any]:

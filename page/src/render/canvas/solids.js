@@ -2,7 +2,7 @@
 
 import { css } from "../../view/colours.js";
 import { drawSurface } from "./surface.js";
-import { RIM, axesOf } from "../../view/solids.js";
+import { RIM, axesOf, slides } from "../../view/solids.js";
 import { cross, dot, plus, times, unit, minus } from "../../view/vector.js";
 
 /** @typedef {import("../../view/camera.js").Camera} Camera */
@@ -31,8 +31,7 @@ export function drawSolids(context, view, theme) {
     else if (solid.kind === "torus") drawRing(context, camera, solid, theme);
     else if (solid.kind === "half-pipe") drawTrough(context, camera, solid, room, theme);
     else drawBody(context, camera, solid, room.radius, theme);
-    if (solid.spin || solid.turns || solid.wheel !== null)
-      drawMarks(context, camera, solid, turn, room.radius, theme);
+    if (slides(solid)) drawMarks(context, camera, solid, turn, room.radius, theme);
   }
 }
 

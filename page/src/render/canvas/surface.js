@@ -1,6 +1,7 @@
 // A body of triangles on Canvas 2D: those that face the eye, the farther first.
 
 import { css } from "../../view/colours.js";
+import { axesOf } from "../../view/solids.js";
 import { vector } from "../../view/surface.js";
 import { dot, minus, plus, times } from "../../view/vector.js";
 
@@ -13,11 +14,14 @@ const MOST = 20_000; // triangles; of more every so many
 export function drawSurface(context, camera, solid, theme) {
   const { surface, center } = solid;
   if (!surface) return;
+  const [first, second, third] = axesOf(solid);
+  const lie = (/** @type {import("../../view/vector.js").Vector} */ [x, y, z]) =>
+    plus(plus(times(first, x), second, y), third, z);
   const count = surface.places.length / 9;
   const seen = [];
   for (let face = 0; face < count; face += Math.ceil(count / MOST)) {
-    const places = [0, 1, 2].map((k) => plus(center, vector(surface.places, 3 * face + k)));
-    const normals = [0, 1, 2].map((k) => vector(surface.normals, 3 * face + k));
+    const places = [0, 1, 2].map((k) => plus(center, lie(vector(surface.places, 3 * face + k))));
+    const normals = [0, 1, 2].map((k) => lie(vector(surface.normals, 3 * face + k)));
     const normal = times(plus(plus(normals[0], normals[1]), normals[2]), 1 / 3);
     if (dot(normal, minus(camera.eye, places[0])) <= 0) continue;
     const flat = places.map((place) => camera.project(...place));

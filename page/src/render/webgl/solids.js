@@ -3,7 +3,7 @@
 
 import * as THREE from "three";
 
-import { KINDS, bevelOf, cornersOf } from "../../view/solids.js";
+import { KINDS, bevelOf, cornersOf, slides } from "../../view/solids.js";
 import { times, plus, dot } from "../../view/vector.js";
 import { flatMaterial, material } from "./material.js";
 import { surfaceMeshes } from "./surface_meshes.js";
@@ -122,7 +122,7 @@ export class Solids {
     const data = /** @type {Float32Array} */ (this.turns.value.image.data);
     this.all.forEach((solid, k) => {
       data[4 * k] = turns[k] % (2 * Math.PI);
-      data[4 * k + 1] = solid.spin || solid.turns || solid.wheel !== null ? 1 : 0;
+      data[4 * k + 1] = slides(solid) ? 1 : 0;
     });
     this.turns.value.needsUpdate = true;
   }

@@ -2,15 +2,22 @@
 
 import { COMMON } from "./shaders.js";
 
-export const SURFACE_VERTEX = /* glsl */ `${COMMON}
+const FRAME = /* glsl */ `
 uniform vec3 centre;   // of the body
+uniform vec3 axis;     // its third direction
+uniform vec3 zero;     // its first
+mat3 frame() { return mat3(zero, cross(axis, zero), axis); }
+`;
+
+export const SURFACE_VERTEX = /* glsl */ `${COMMON}
+${FRAME}
 in vec3 position;
 in vec3 normal;
 out vec3 place;
 out vec3 outward;
 void main() {
-  place = centre + position;
-  outward = normal;
+  place = centre + frame() * position;
+  outward = frame() * normal;
   gl_Position = projection * view * vec4(place, 1.0);
 }
 `;
@@ -38,7 +45,7 @@ void main() {
 }
 `;
 
-/** How deep a body is at each pixel, and which it is; it does not turn. */
+/** How deep a body is at each pixel, and which it is; no marks show how it turns. */
 export const SURFACE_INFO = /* glsl */ `${SEEN}
 uniform int number;
 out highp uvec4 info;
@@ -47,7 +54,7 @@ void main() { info = uvec4(floatBitsToUint(depthOf()), 0u, uint(number + 1), 0u)
 
 /** The shadow on the floor, of the triangles that face the light. */
 export const SURFACE_SHADOW_VERTEX = /* glsl */ `${COMMON}
-uniform vec3 centre;
+${FRAME}
 uniform float height;
 in vec3 position;
 in vec3 normal;
@@ -55,9 +62,9 @@ out float lit;
 void main() {
   vec3 level = key - up * dot(key, up);
   vec3 light = normalize(up + 0.75 * level / dot(key, up));
-  vec3 place = centre + position;
+  vec3 place = centre + frame() * position;
   float above = max(dot(place, up) - height, 0.0);
-  lit = dot(normal, light);
+  lit = dot(frame() * normal, light);
   gl_Position = projection * view * vec4(place - light * (above / dot(light, up)), 1.0);
 }
 `;
