@@ -219,6 +219,27 @@ def test_a_turntable_drags_along_its_turn_and_a_fast_one_is_warned_of() -> None:
     assert "turns by 95.5 degrees in a step" in aside[100.0][0]
 
 
+def test_only_explicit_methods_are_warned_of_long_ways() -> None:
+    """What would go through is solved again in halves by implicit ones: a run of 5 radii a step is fine."""
+    bar = over_a_bar().obstacles[0].replace(radius=0.001)
+    thrown = over_a_bar().replace(
+        obstacles=[bar.replace(start=(0, -0.1, -0.2), end=(0, 0.1, -0.2))],
+        gravity=(0.0, 0.0, -50.0),
+    )
+    told = {
+        method: [
+            text
+            for text in rw.check(apply_overrides(thrown, [f"run.method={method}"])).warnings
+            if "a node may move" in text
+        ]
+        for method in ("implicit-euler", "bdf2", "verlet")
+    }
+    assert not told["implicit-euler"]
+    assert not told["bdf2"]
+    assert "a run in which one goes through ends there" in told["verlet"][0]
+    assert not [text for text in rw.check("munter").warnings if "a node may" in text]
+
+
 def test_a_corner_of_three_planes_is_in_the_bound() -> None:
     one = loads(
         f'[[rope]]\nsegments = 2\nlength = 0.2\n{STUFF}\nshape = {{ kind = "straight", start = [1, 1, 1] }}\n'

@@ -29,9 +29,8 @@ def obstacle_warnings(model: Model, statics: Statics) -> list[str]:
     thick = float(table.thickness.max())
     step = model.plan.dt if model.plan.longest is None else model.plan.longest
     way = _speed(model, statics) * step
-    through = "a run in which one goes through ends there"
-    if METHODS[model.plan.method].implicit:
-        through = "a step that would go through is solved again in halves, which takes long"
+    # Implicit methods solve a step that would go through again in halves: they need no word.
+    whole = not METHODS[model.plan.method].implicit
     for row, body in enumerate(scene.obstacles):
         name, radius = f"obstacle {body.name!r}", thinnest(body) + thick
         if longest > 2.0 * radius:
@@ -40,11 +39,11 @@ def obstacle_warnings(model: Model, statics: Statics) -> list[str]:
                 f"({1e3 * radius:.4g} mm, the rope's half diameter counted in): only nodes touch, and a run "
                 "in which it would slip through between two of them ends there; take more segments"
             )
-        if way > radius:
+        if whole and way > radius:
             found.append(
                 f"{name}: a node may move {1e3 * way:.4g} mm in a step, more than its radius "
-                f"({1e3 * radius:.4g} mm): {through}; take steps of at most "
-                f"{1e3 * step * radius / way:.3g} ms"
+                f"({1e3 * radius:.4g} mm): a run in which one goes through ends there; take steps of at "
+                f"most {1e3 * step * radius / way:.3g} ms"
             )
         turn = turned_rate(system, row, body) * step
         if turn > _TURNS:
