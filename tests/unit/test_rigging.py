@@ -10,7 +10,9 @@ import pint
 import pytest
 
 import ropewalk as rw
+from ropewalk.laws.obstacle import radius_of
 from ropewalk.scene import SceneError
+from ropewalk.sheets.ropes import rope_section
 
 
 @pytest.mark.parametrize("rise", [0.0, -12.0, 40.0])
@@ -86,6 +88,25 @@ def test_places_of_a_load_may_have_units() -> None:
         line.rolling("80 kg", at="middle")
     with pytest.raises(ValueError, match="places: 2.5 - must be a whole number"):
         line.rolling("80 kg", places=2.5)  # type: ignore[arg-type]
+
+
+def test_a_line_makes_up_no_diameter() -> None:
+    """A material has none: the scene of its line has 10 mm to what it touches only where they are given."""
+    wire = rw.rope("wire-7x19-12")
+    for rope, given, half in (
+        (wire, None, 0.006),
+        (wire, "8 mm", 0.004),
+        (wire.material(), "8 mm", 0.004),
+        (wire.material(), None, 0.0),
+    ):
+        line = rw.line(300.0, 0.0, rope, sag="2 %", diameter=given)
+        (made,) = line.scene().ropes
+        assert radius_of(made) == half
+        assert (line.diameter is None) == (half == 0.0)
+        said = {row[0]: row[1] for row in rope_section(line.scene()).items[0].rows}["diameter"]  # type: ignore[union-attr]
+        assert said.startswith(
+            "not given: none to obstacles" if half == 0.0 else f"{2e3 * half:g} mm"
+        )
 
 
 @pytest.mark.parametrize(

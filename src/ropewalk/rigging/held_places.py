@@ -109,7 +109,7 @@ def _line(rope: Rope, places: Floats, down: Floats, gravity: float) -> Line | No
         cable = elastic_catenary(rope.length_unstretched, across, rise, weight, made.EA)
     except ValueError:
         return None
-    return Line(cable, made, 0.0, gravity, "")
+    return Line(cable, made, None, gravity, "")
 
 
 def _most(load: float, friction: float, brake: float) -> float:

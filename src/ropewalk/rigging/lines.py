@@ -49,7 +49,7 @@ class Line:
 
     cable: Cable  # its shape and forces: the closed form
     material: Material
-    diameter: float  # [m]
+    diameter: float | None  # [m]; None of a material without one
     gravity: float  # [m/s^2]
     given: str  # what it was set up by, in words
     rope: LibraryRope | None = None  # that the material is of
@@ -145,7 +145,8 @@ class Line:
         distance = math.hypot(self.span, self.height_difference)
         taut = self.length <= distance * (1.0 + 1e-9)
         shape = Straight(end=end) if taut else Slack(start=(0.0, 0.0, 0.0), end=end)
-        given = {"diameter": self.diameter, "shape": shape, "made_of": self.material} | fields
+        thick = {} if self.diameter is None else {"diameter": self.diameter}
+        given = {"shape": shape, "made_of": self.material, **thick} | fields
         rope = Rope(length=self.length, segments=segments, **given)
         anchors = [Anchor(name="first", node=0), Anchor(name="last", node=-1)]
         run = RunSettings(duration=5.0, frame_rate=100.0, start="at-rest")
@@ -205,7 +206,8 @@ def line(
         sag: largest drop below the straight line between the ends [m], or a share of the span, "2 %".
         pretension: tension at the first end, nothing hung on it [N].
         length: without tension [m].
-        diameter: [m]; a rope of the library has its own, a material 10 mm.
+        diameter: [m]; a rope of the library has its own, a material none: its line's scene is one
+            without thickness, as every rope whose diameter is not given.
         gravity: [m/s^2].
 
     Raises SceneError for quantities that cannot be, and unless exactly one of sag, pretension and length is
@@ -293,10 +295,10 @@ def _hung(
     return hung(_within(way, found, given, "N")), f"pretension {force(wanted)} at the first end"
 
 
-def _made_of(rope: Any) -> tuple[Material, float, LibraryRope | None]:
+def _made_of(rope: Any) -> tuple[Material, float | None, LibraryRope | None]:
     """Return material, diameter [m] and entry of what stands for a rope, as it is at rest."""
     if isinstance(rope, Material):
-        return rope, 0.01, None
+        return rope, None, None
     if not isinstance(rope, str | LibraryRope):
         raise SceneError([Fault("rope", rope, "must be a name of the library, or a material")])
     try:

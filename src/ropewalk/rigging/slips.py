@@ -28,7 +28,7 @@ def line_slips(line: Line) -> list[str]:
         )
     if line.span > _LONGEST:
         found.append(f"a span of {line.span:.6g} m is longer than any; millimetres for metres?")
-    if line.diameter > 0.0 and line.span < _THICKEST * line.diameter:
+    if line.diameter and line.span < _THICKEST * line.diameter:
         found.append(
             f"the span is {line.span / line.diameter:.3g} times the rope's diameter of "
             f"{1e3 * line.diameter:.4g} mm; millimetres for metres, or metres for millimetres?"

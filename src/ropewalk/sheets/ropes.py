@@ -75,7 +75,7 @@ def _rope_rows(rope: Rope) -> list[tuple[str, str]]:
                 _NAMES["EI"],
                 f"{made_of.EI:.4g} N m²" if made_of.EI else "none: it bends freely",
             ),
-            (_NAMES["diameter"], f"{1e3 * rope.diameter:.4g} mm"),
+            (_NAMES["diameter"], _thickness(rope)),
         ]
     known = _unknown_load(rope) if load is None else prefixed(load, "N", 5)
     rows.append((_NAMES["breaking_load"], known))
@@ -92,6 +92,14 @@ def _rope_rows(rope: Rope) -> list[tuple[str, str]]:
     if rope.submerged_weight is not None:
         rows.append(("weight in water", f"{rope.submerged_weight:.5g} N/m"))
     return rows
+
+
+def _thickness(rope: Rope) -> str:
+    """Say how thick a rope is; one whose diameter is not given is a line to what it touches, not to the air."""
+    thick = f"{1e3 * rope.diameter:.4g} mm"
+    if "diameter" in rope.model_fields_set:
+        return thick
+    return f"not given: none to obstacles, {thick} to quadratic air drag"
 
 
 def _relaxing(made_of: Material) -> list[tuple[str, str]]:
