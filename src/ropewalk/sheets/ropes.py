@@ -95,7 +95,7 @@ def _rope_rows(rope: Rope) -> list[tuple[str, str]]:
 
 
 def _thickness(rope: Rope) -> str:
-    """Say how thick a rope is; one whose diameter is not given is a line to what it touches, not to the air."""
+    """Say how thick a rope is; one whose diameter is not given is a line to what it touches."""
     thick = f"{1e3 * rope.diameter:.4g} mm"
     if "diameter" in rope.model_fields_set:
         return thick
