@@ -127,13 +127,18 @@ def test_a_guessed_stiffness_is_told_beside_the_margin_too() -> None:
     assert doubt_of(SURE, 0.5) == ""
 
 
-def test_another_rope_that_is_guessed_is_named_too() -> None:
-    weak = hung(SURE).ropes[0].replace(name="weak", made_of=SURE.replace(breaking_load=50e3))
-    other = hung(STRAND).ropes[0].replace(name="other")
-    anchors = [rw.Anchor(rope="weak", node=0), rw.Anchor(rope="other", node=0)]
-    table = rw.equilibrium(rw.Scene(ropes=[weak, other], anchors=anchors)).table
-    told = table["about the largest utilisation of the breaking load"]
-    assert told == "the breaking load of rope 'other' is a guess, too, 121.6 kN to 139.9 kN"
+def test_another_rope_that_is_guessed_is_named() -> None:
+    """That it is one, too, is said where the load of the first is."""
+    for made_of, also in ((SURE, ""), (STRAND, ", too")):
+        weak = hung(made_of).ropes[0]
+        weak = weak.replace(name="weak", loads=[rw.Load(node=-1, mass=6000.0)])
+        other = hung(STRAND).ropes[0].replace(name="other")
+        anchors = [rw.Anchor(rope="weak", node=0), rw.Anchor(rope="other", node=0)]
+        table = rw.equilibrium(rw.Scene(ropes=[weak, other], anchors=anchors)).table
+        told = table["about the largest utilisation of the breaking load"]
+        named = f"the breaking load of rope 'other' is a guess{also}, 121.6 kN to 139.9 kN"
+        assert told.endswith(named)
+        assert (told == named) is (made_of is SURE)
 
 
 def test_a_rope_that_may_carry_more_than_it_can_is_warned_of() -> None:

@@ -85,25 +85,30 @@ def stopped_energy(before, after, lasting, x, v, dt):
 
 
 @kernel
-def time_to_bounds(limiter, after, rest_length, x, v):
-    """Return when the first of the segments that are at a bound at a step's end gets there [s], at the rate
-    that it begins with, and the largest rate of them [m/s]; `after`, (3, n + 1), is not zero in these.
+def time_to_bounds(limiter, before, after, rest_length, x, v):
+    """Return when the first of the segments that come to a bound in a step gets there [s], at the rate that
+    it begins with, and the largest rate of all that are at one at its end [m/s].
+
+    `before` and `after`, (3, n + 1), are the limiter's forces as the step begins and in it: not zero at a
+    bound. Those that are at theirs already come to none: rounding leaves them a rate. 0 for no other.
     """
     first, fastest = math.inf, 0.0
     for j in range(rest_length.shape[0]):
-        pull, rate, square = 0.0, 0.0, 0.0
+        pull, held, rate, square = 0.0, 0.0, 0.0, 0.0
         for k in range(3):
             d = x[k, j + 1] - x[k, j]
             pull += d * after[k, j + 1]
+            held += d * before[k, j + 1]
             rate += d * (v[k, j + 1] - v[k, j])
             square += d * d
         if square == 0.0 or pull * rate <= 0.0:
             continue
         r = math.sqrt(square)
-        bound = (limiter.longest if pull > 0.0 else limiter.shortest) * rest_length[j]
-        first = min(first, max((bound - r) * r / rate, 0.0))
         fastest = max(fastest, abs(rate) / r)
-    return first, fastest
+        if pull * held <= 0.0:
+            bound = (limiter.longest if pull > 0.0 else limiter.shortest) * rest_length[j]
+            first = min(first, max((bound - r) * r / rate, 0.0))
+    return first if first < math.inf else 0.0, fastest
 
 
 @kernel

@@ -189,9 +189,8 @@ def land(system, state, before, scratch, t, after, dt, ledger):
     in which none that is stopped moves by more than half the tolerance.
     """
     solver = scratch.solver
-    first, rate = time_to_bounds(
-        system.limiter, solver.mean.limiter, before.rest_length, before.x, before.v
-    )
+    old, new = before.forces.limiter, solver.mean.limiter
+    first, rate = time_to_bounds(system.limiter, old, new, before.rest_length, before.x, before.v)
     short = max(0.5 * scratch.limits[0] / rate, EVENT_STEP)
     if first > short:
         return (first - 0.5 * short if first < dt else 0.5 * dt), -1

@@ -46,11 +46,13 @@ def doubt_words(scene: Scene, nearest: str, utilisation: float) -> str:
 
     "" where none is a guess. Another rope whose load is one may come nearer than it.
     """
-    told = [doubt_of(scene.rope_named(nearest).made_of, utilisation)]
+    made_of = scene.rope_named(nearest).made_of
+    told = [doubt_of(made_of, utilisation)]
+    also = ", too" if "breaking_load" in guesses_of(made_of) else ""
     for rope in scene.ropes:
         mark = guesses_of(rope.made_of).get("breaking_load")
         if mark is not None and rope.name != nearest:
-            told.append(f"the breaking load of rope {rope.name!r} is a guess, too, {mark.span}")
+            told.append(f"the breaking load of rope {rope.name!r} is a guess{also}, {mark.span}")
     return "; ".join(text for text in told if text)
 
 
