@@ -131,8 +131,8 @@ points = [{{ node = -1 }}, {{ node = -3 }}]
 @pytest.mark.parametrize(
     ("text", "path", "words"),
     [
-        ('kind = "box"\nspin = { rate = 1.0 }\ncenter = [0, 0, 0]\nhalf_sizes = [1, 1, 1]\nedge_radius = 0.1',
-         "obstacle[0].spin", "unknown key of 'box'; only"),
+        ('kind = "box"\nbar_radius = 1.0\ncenter = [0, 0, 0]\nhalf_sizes = [1, 1, 1]\nedge_radius = 0.1',
+         "obstacle[0].bar_radius", "unknown key of 'box'; only"),
         ('kind = "capsule"\nfrom = [0, 0, 0]\nstart = [0, 0, 0]\nto = [1, 0, 0]\nradius = 0.1',
          "obstacle[0].from", "is given already"),
     ],

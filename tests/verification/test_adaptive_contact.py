@@ -18,6 +18,7 @@ from ropewalk.scene import (
     Straight,
     Velocity,
 )
+from ropewalk.simulation import Simulation
 from verification.heaps import Heap, watch
 from verification.tangles import tangle
 
@@ -63,6 +64,22 @@ def test_it_comes_to_what_short_steps_come_to() -> None:
     assert off[0] < 5e-3  # [m]: both lines swing from being struck, for nothing damps them
     assert off[1] < 0.6 * off[0]
     assert off[2] < 0.2 * off[1]
+
+
+def test_its_walk_is_the_same_however_it_is_recorded_and_called() -> None:
+    """To the last bit: what contacts remember are whole numbers, too, and -1 among them is no float.
+
+    It began anew with every call, and where a frame took more tries than a call has it never came to its end.
+    """
+    found = {}
+    for rate in (10.0, 20.0):
+        run = RunSettings(duration=0.4, frame_rate=rate, method="adaptive")
+        found[rate] = rw.simulate(lowered(run)).positions
+    np.testing.assert_array_equal(found[20.0][::2], found[10.0])
+    simulation = Simulation(lowered(RunSettings(duration=0.4, frame_rate=10.0, method="adaptive")))
+    for frame in range(1, 5):
+        simulation.advance_frames(1)
+        np.testing.assert_array_equal(simulation.positions, found[10.0][frame])
 
 
 def test_being_struck_makes_up_no_energy() -> None:

@@ -10,11 +10,11 @@ import { cross, dot, minus, plus, rotated, times, unit } from "./vector.js";
 /** @typedef {"plane" | "sphere" | "cylinder" | "capsule" | "box" | "torus" | "half-pipe" | "mesh"} Kind */
 
 /** One body of one copy. `size` as in the layout message; `zero`: across the axis, where turns are counted from, of a
- * box its first edge; `axle`: about which it turns, through `middle` less than its centre [m]; `reach`: no part of it is
+ * box its first edge; `axle`: about which it turns, through its centre less `middle` [m]; `reach`: no part of it is
  * farther from its centre [m].
  * @typedef {{name: string, kind: Kind, number: number, center: Vector, axis: Vector, size: number[], zero: Vector,
- *   axle: Vector, middle: Vector, reach: number, spin: [number, number, number] | null, turns: number[][] | null, wheel: number | null,
- *   motion: (Motion & {origin: Vector}) | null,
+ *   axle: Vector, middle: Vector, reach: number, spin: [number, number, number] | null,
+ *   turns: number[][] | null, wheel: number | null, motion: (Motion & {origin: Vector}) | null,
  *   surface: import("./surface.js").Surface | null}} Solid */
 
 /** In the order of the shaders. @type {Kind[]} */

@@ -71,5 +71,8 @@ def standstills(obstacles, before, after, dt, tolerance):
                 continue
             loss = -(a[0, i] * ux + a[1, i] * uy + a[2, i] * uz) / speed
             at = speed / loss if loss > 0.0 else math.inf
-            end = min(end, at if at < LATE * dt else 0.5 * dt)
+            at = at if at < LATE * dt else 0.5 * dt
+            end = min(
+                end, max(at, 0.9 * tolerance / (SHARE * speed))
+            )  # a shorter one is not looked at
     return end, changes

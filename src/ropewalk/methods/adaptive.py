@@ -110,10 +110,10 @@ def adapt(
 
 @kernel
 def differ(one, other):
-    """Tell whether two arrays (m,) differ in any number."""
-    count = 0
-    for j in range(one.shape[0]):
-        count += 0 if one[j] == other[j] else 1
+    """Tell whether two arrays (m,) differ in any bit: whole numbers are among them, and -1 is no float."""
+    first, second, count = one.view(np.int64), other.view(np.int64), 0
+    for j in range(first.shape[0]):
+        count += 0 if first[j] == second[j] else 1
     return count > 0
 
 
