@@ -127,18 +127,69 @@ def test_a_guessed_stiffness_is_told_beside_the_margin_too() -> None:
     assert doubt_of(SURE, 0.5) == ""
 
 
-def test_another_rope_that_is_guessed_is_named() -> None:
-    """That it is one, too, is said where the load of the first is."""
-    for made_of, also in ((SURE, ""), (STRAND, ", too")):
-        weak = hung(made_of).ropes[0]
-        weak = weak.replace(name="weak", loads=[rw.Load(node=-1, mass=6000.0)])
-        other = hung(STRAND).ropes[0].replace(name="other")
-        anchors = [rw.Anchor(rope="weak", node=0), rw.Anchor(rope="other", node=0)]
-        table = rw.equilibrium(rw.Scene(ropes=[weak, other], anchors=anchors)).table
-        told = table["about the largest utilisation of the breaking load"]
-        named = f"the breaking load of rope 'other' is a guess{also}, 121.6 kN to 139.9 kN"
-        assert told.endswith(named)
-        assert (told == named) is (made_of is SURE)
+def two_ropes(known: float) -> rw.Scene:
+    """Two that carry the same: of one the breaking load is known [N], of the other it is STRAND's guess."""
+    weak = hung(SURE).ropes[0].replace(name="weak", made_of=SURE.replace(breaking_load=known))
+    other = hung(STRAND).ropes[0].replace(name="other")
+    anchors = [rw.Anchor(rope="weak", node=0), rw.Anchor(rope="other", node=0)]
+    return rw.Scene(ropes=[weak, other], anchors=anchors, run={"duration": 0.05})
+
+
+@pytest.mark.parametrize(("known", "may"), [(0.5 * LEAST, False), (0.5 * (LEAST + LOAD), True)])
+def test_the_rope_that_comes_nearest_with_the_least_of_guesses_is_named(
+    known: float, may: bool
+) -> None:
+    """Of equal pulls the known load is the nearer one, unless the guessed one may be less."""
+    scene = two_ropes(known)
+    rest, run = rw.equilibrium(scene), rw.simulate(scene)
+    pull = float(rest.tension.max())
+    for table in (rest.table, run.table):
+        assert "rope 'weak'" in table["largest utilisation of the breaking load at"]
+    assert rest.table["largest utilisation of the breaking load [%]"] == pytest.approx(
+        100.0 * pull / known
+    )
+    least = "largest utilisation with the least of a guessed breaking load"
+    assert rest.table.get(f"{least}, of") == ("rope 'other'" if may else None)
+    if may:
+        assert rest.table[f"{least} [%]"] == pytest.approx(100.0 * pull / LEAST)
+    for text in (
+        rest.table.get("about the largest utilisation of the breaking load", ""),
+        words(summary_section(rest, run).items),
+        words(rest_section(rest, ()).items),
+        " ".join(one.get_text() for one in run.plot.tension().texts),
+    ):
+        text = " ".join(text.split()).replace("Rope 'other'", "rope 'other'")
+        assert ("rope 'other' may come nearer: the breaking load is a guess" in text) is may
+        assert ("with the least of it" in text) is may
+    assert "%, rope 'weak'" in words(summary_section(rest, None).items)
+
+
+@pytest.mark.parametrize("strong", ["first", "second"])
+def test_the_largest_utilisation_is_that_of_the_weaker_rope_though_the_other_pulls_more(
+    strong: str,
+) -> None:
+    """300 kg on 10 kN, 200 kg on 4 kN: each with its own breaking load, and by its name, everywhere."""
+    ropes = [
+        hung(SURE)
+        .ropes[0]
+        .replace(
+            name=name,
+            loads=[{"node": -1, "mass": 300.0 if name == strong else 200.0}],
+            made_of=SURE.replace(breaking_load=1e4 if name == strong else 4e3),
+        )
+        for name in ("first", "second")
+    ]
+    anchors = [rw.Anchor(rope=rope.name, node=0) for rope in ropes]
+    scene = rw.Scene(ropes=ropes, anchors=anchors, run={"duration": 0.05})
+    rest, run = rw.equilibrium(scene), rw.simulate(scene)
+    weak = "second" if strong == "first" else "first"
+    share = float(rest.rope(weak).tension.max()) / 4e3
+    assert share > float(rest.tension.max()) / 1e4  # what the other, which pulls more, has
+    assert rest.table["largest utilisation of the breaking load [%]"] == pytest.approx(100 * share)
+    assert f"{100 * share:.3g} %, rope '{weak}'" in words(summary_section(rest, run).items)
+    assert f"Rope {weak}: at most" in " ".join(one.get_text() for one in run.plot.tension().texts)
+    found = {rope.name: rope.utilisation for rope in rw.check(scene, measure=False).ropes}
+    assert found[weak] == pytest.approx(share)
 
 
 def test_a_rope_that_may_carry_more_than_it_can_is_warned_of() -> None:

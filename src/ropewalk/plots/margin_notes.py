@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ropewalk.plots.style import escape
-from ropewalk.record.margins import breaking_load, doubt_words, margin_words
+from ropewalk.record.margins import breaking_load, doubt_words, margin_of, margin_words
 from ropewalk.scene import Rope
 
 if TYPE_CHECKING:
@@ -45,19 +45,20 @@ def _nearest(result: Result, first: int, stop: int) -> tuple[str, float, str, st
 
     With what came of more than 1, and what guesses make of it.
     """
-    found = []
+    shares = {}
     for rope in result.scene.ropes:
         load = breaking_load(rope)
         if load is not None:
             view = result.rope(rope.name)
             pull = (view.tension if stop == first + 1 else view.greatest_tension)[first:stop]
             largest = float(np.nanmax(np.where(np.isfinite(pull), pull, 0.0), initial=0.0))
-            found.append((largest / load, rope.name, _beyond(result, rope, stop)))
-    if not found:
+            shares[rope.name] = largest / load
+    if not shares:
         return None
-    utilisation, name, beyond = max(found)
-    whose = f"Rope {escape(name)}: " if len(result.scene.ropes) > 1 else "The rope: "
-    return whose, utilisation, beyond, escape(doubt_words(result.scene, name, utilisation))
+    found = margin_of(result.scene, shares)
+    whose = f"Rope {escape(found.name)}: " if len(result.scene.ropes) > 1 else "The rope: "
+    beyond = _beyond(result, result.scene.rope_named(found.name), stop)
+    return whose, found.utilisation, beyond, escape(doubt_words(result.scene, found))
 
 
 def _beyond(result: Result, rope: Rope, stop: int) -> str:

@@ -9,7 +9,7 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats
 from ropewalk.core.peaks import EXTREMES
-from ropewalk.record.margins import breaking_loads, utilisations
+from ropewalk.record.margins import Margin, breaking_loads, utilisations
 from ropewalk.record.quantities import has_rope, rest_length_at_start
 
 if TYPE_CHECKING:
@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 SEEN = "of the recorded frames"  # between two of them there may be more
 _VALUES = 2_000_000  # numbers of one quantity looked at together
 UTILISATION = "greatest utilisation"  # of the breaking load [1]
+GUESSED = "utilisation nearest with the least of guesses"  # of the breaking load as given [1]
 LEAST = ("least tension", "lowest point")
 _NOUNS = {"speed": "node", "point": "node", "force": "anchor", "moment": "anchor"}
 
@@ -55,7 +56,7 @@ def extremes(result: Result) -> dict[str, Extreme]:
     """Return the extremes before a break by their names in `core.peaks.EXTREMES`.
 
     Of every step where the run has kept them, else of the recorded frames. Units: N, N, 1, m/s, m, m, N, N m.
-    Besides UTILISATION, where a breaking load is known.
+    Besides UTILISATION and GUESSED, where a breaking load is known.
     """
     found = _of_steps(result) if result.has_extremes else _of_frames(result)
     return found | _utilisation(result, found["greatest tension"])
@@ -80,10 +81,35 @@ def _of_steps(result: Result) -> dict[str, Extreme]:
 
 
 def _utilisation(result: Result, pull: Extreme) -> dict[str, Extreme]:
-    """Return the greatest tension over breaking load; `pull` is the greatest tension, often the same."""
+    """Return the greatest tension over breaking load; `pull` is the greatest tension, often the same.
+
+    And of the rope that comes nearest with the least of guessed breaking loads, over its own as given.
+    """
     loads = breaking_loads(result.scene, result.layout)
-    if loads is None:
+    least = breaking_loads(result.scene, result.layout, least=True)
+    if loads is None or least is None:
         return {}
+    use = _greatest_share(result, loads, pull)
+    if np.array_equal(loads, least):
+        return {UTILISATION: use, GUESSED: use}
+    worst = _greatest_share(result, least, pull)
+    return {
+        UTILISATION: use,
+        GUESSED: worst._replace(value=worst.value * float(least[worst.place] / loads[worst.place])),
+    }
+
+
+def margin(result: Result, found: dict[str, Extreme]) -> Margin | None:
+    """Return how near a run comes to breaking by its extremes; None where that is not known."""
+    use, worst = found.get(UTILISATION), found.get(GUESSED)
+    if use is None or worst is None or math.isnan(use.value):
+        return None
+    name, guessed = (result.layout.rope_of(one.place)[0] for one in (use, worst))
+    return Margin(name, use.value, guessed, worst.value)
+
+
+def _greatest_share(result: Result, loads: Floats, pull: Extreme) -> Extreme:
+    """Return the greatest tension over these loads, (segments,) [N]."""
     name = "greatest_tension" if result.has_extremes else "tension"
     best, at, step = -math.inf, (0, 0), _pieces(result)
     for start in range(0, result.good_frames, step):
@@ -94,12 +120,12 @@ def _utilisation(result: Result, pull: Extreme) -> dict[str, Extreme]:
         if shares[frame, column] > best:
             best, at = float(shares[frame, column]), (start + frame, column)
     if best == -math.inf:
-        return {UTILISATION: Extreme(math.nan, 0, math.nan, math.nan, result.has_extremes)}
+        return Extreme(math.nan, 0, math.nan, math.nan, result.has_extremes)
     if pull.place == at[1] and pull.value / loads[at[1]] == best:
-        return {UTILISATION: pull._replace(value=best)}
+        return pull._replace(value=best)
     last = float(result.time[at[0]])
     first = float(result.time[max(at[0] - 1, 0)]) if result.has_extremes else last
-    return {UTILISATION: Extreme(best, at[1], first, last, result.has_extremes)}
+    return Extreme(best, at[1], first, last, result.has_extremes)
 
 
 def _pieces(result: Result) -> int:

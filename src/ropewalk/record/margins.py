@@ -3,28 +3,30 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from ropewalk.core.arrays import Floats
-from ropewalk.scene.guess import doubt_of, guesses_of
+from ropewalk.scene.guess import doubt_of, guesses_of, load_doubt, worst_of
 
 if TYPE_CHECKING:
     from ropewalk.lowering import Layout
     from ropewalk.scene import Scene
 
+_LEAST = "largest utilisation with the least of a guessed breaking load"
 
-def breaking_loads(scene: Scene, layout: Layout) -> Floats | None:
+
+def breaking_loads(scene: Scene, layout: Layout, *, least: bool = False) -> Floats | None:
     """Return the breaking load of every segment, (segments,) [N], inf where none is known; None of none.
 
-    Segments between two ropes, which carry nothing, have inf.
+    Segments between two ropes, which carry nothing, have inf. With `least` the least of a guessed one.
     """
     loads = np.full(max(layout.nodes - 1, 0), math.inf)
     for rope, span in zip(scene.ropes, layout.ropes, strict=True):
         load = breaking_load(rope)
         if load is not None:
-            loads[span.first : span.last] = load
+            loads[span.first : span.last] = load / (worst_of(rope.made_of, 1.0) if least else 1.0)
     return loads if np.isfinite(loads).any() else None
 
 
@@ -41,31 +43,55 @@ def breaking_load(rope: Any) -> float | None:
     return found
 
 
-def doubt_words(scene: Scene, nearest: str, utilisation: float) -> str:
-    """Return what guessed breaking loads make of the greatest utilisation [1], that of the rope `nearest`.
+class Margin(NamedTuple):
+    """The greatest utilisation, and the greatest with the least that guessed breaking loads may be."""
 
-    "" where none is a guess. Another rope whose load is one may come nearer than it.
+    name: str  # of the rope that comes nearest
+    utilisation: float  # [1]
+    guessed: str  # the rope that comes nearest with the least of the guesses
+    at_most: float  # its utilisation, with its own breaking load as it was guessed [1]
+
+
+def margin_of(scene: Scene, utilisation: dict[str, float]) -> Margin:
+    """Return the margin of ropes whose greatest utilisations [1] these are, by name; one at least."""
+    name = max(utilisation, key=utilisation.__getitem__)
+    worst = {one: worst_of(scene.rope_named(one).made_of, use) for one, use in utilisation.items()}
+    guessed = max(utilisation, key=lambda one: (worst[one], one == name))
+    return Margin(name, utilisation[name], guessed, utilisation[guessed])
+
+
+def doubt_words(scene: Scene, margin: Margin) -> str:
+    """Return what guesses make of the greatest utilisation; "" where none is a guess.
+
+    Another rope, whose breaking load is a guess, may come nearer than the one that is told.
     """
-    made_of = scene.rope_named(nearest).made_of
-    told = [doubt_of(made_of, utilisation)]
-    also = ", too" if "breaking_load" in guesses_of(made_of) else ""
-    for rope in scene.ropes:
-        mark = guesses_of(rope.made_of).get("breaking_load")
-        if mark is not None and rope.name != nearest:
-            told.append(f"the breaking load of rope {rope.name!r} is a guess{also}, {mark.span}")
+    told = [doubt_of(scene.rope_named(margin.name).made_of, margin.utilisation)]
+    if margin.guessed != margin.name:
+        doubt = load_doubt(scene.rope_named(margin.guessed).made_of, margin.at_most)
+        told.append(f"rope {margin.guessed!r} may come nearer: {doubt}")
     return "; ".join(text for text in told if text)
 
 
-def margin_rows(utilisation: float, place: str, doubt: str) -> dict[str, Any]:
+def margin_rows(margin: Margin, place: str, scene: Scene) -> dict[str, Any]:
     """Return the rows of a table: the largest utilisation [1] with its place, and the safety factor [1].
 
-    `doubt` is what guesses make of it, in words.
+    With what guesses make of it, in words and, of a breaking load, as numbers of the rope that comes nearest
+    with the least of it.
     """
-    about = {"about the largest utilisation of the breaking load": doubt} if doubt else {}
+    made_of = scene.rope_named(margin.guessed).made_of
+    worst, doubt = worst_of(made_of, margin.at_most), doubt_words(scene, margin)
+    about: dict[str, Any] = (
+        {"about the largest utilisation of the breaking load": doubt} if doubt else {}
+    )
+    if "breaking_load" in guesses_of(made_of):
+        about[f"{_LEAST} [%]"] = 100.0 * worst
+        about[f"{_LEAST}, of"] = f"rope {margin.guessed!r}"
     return {
-        "largest utilisation of the breaking load [%]": 100.0 * utilisation,
+        "largest utilisation of the breaking load [%]": 100.0 * margin.utilisation,
         "largest utilisation of the breaking load at": place,
-        "least safety factor [1]": 1.0 / utilisation if utilisation > 0.0 else math.inf,
+        "least safety factor [1]": 1.0 / margin.utilisation
+        if margin.utilisation > 0.0
+        else math.inf,
         **about,
     }
 

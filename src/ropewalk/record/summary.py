@@ -10,9 +10,9 @@ import numpy as np
 from ropewalk.core.arrays import Floats
 from ropewalk.record.balances import energy_note
 from ropewalk.record.ends import shortly
-from ropewalk.record.extremes import SEEN, UTILISATION, Extreme, extremes, place_of
+from ropewalk.record.extremes import SEEN, UTILISATION, Extreme, extremes, margin, place_of
 from ropewalk.record.facts import AT_REST, BROKE
-from ropewalk.record.margins import doubt_words, margin_rows
+from ropewalk.record.margins import margin_rows
 from ropewalk.record.moving_rows import moving_rows
 from ropewalk.record.parted import parting_rows
 from ropewalk.record.tension_notes import curve_note, push_note, tension_note
@@ -128,8 +128,8 @@ def _margins(result: Result, found: dict[str, Extreme]) -> dict[str, Any]:
         return {}
     place = place_of(result, UTILISATION, extreme)
     place = place.partition(",")[0] if result.status == AT_REST else place
-    nearest, _ = result.layout.rope_of(extreme.place)
-    return margin_rows(extreme.value, place, doubt_words(result.scene, nearest, extreme.value))
+    near = margin(result, found)
+    return margin_rows(near, place, result.scene) if near is not None else {}
 
 
 def _steps(result: Result) -> dict[str, Any]:

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ropewalk.record.extremes import UTILISATION, Extreme, extremes, place_of
-from ropewalk.record.margins import doubt_words
+from ropewalk.record.extremes import UTILISATION, extremes, margin, place_of
+from ropewalk.record.margins import Margin, doubt_words
 from ropewalk.record.moving_rows import moving_rows
 from ropewalk.record.tension_notes import tension_note
 from ropewalk.sheets.content import Item, Section, Table, Text
@@ -44,18 +44,16 @@ def summary_section(rest: Result | None, run: Result | None) -> Section:
             force = found["greatest anchor force"].value
             if result.status == "at rest" and result.layout.anchor_names:
                 force = float(np.linalg.norm(result.reactions[0], axis=1).max())
-            use = found.get(UTILISATION)
-            known = use is not None and not math.isnan(use.value)
+            near = margin(result, found)
             rows.append(
                 (
                     title,
                     _value(found["greatest tension"].value, "N"),
                     "none" if math.isnan(force) else _value(force, "N"),
-                    f"{100.0 * use.value:.3g} %" if use is not None and known else "not known",
-                    f"{1.0 / use.value:.3g}" if use is not None and known and use.value > 0 else "",
+                    *_margin_cells(result, near),
                 )
             )
-            if use is not None and known and (doubt := _doubt(result, use)):
+            if near is not None and (doubt := doubt_words(result.scene, near)):
                 doubts.setdefault(doubt, []).append(title)
     head = ("", "largest tension", "largest force on an anchor", "utilisation", "safety factor")
     items: list[Item] = [Table(head, rows)]
@@ -189,23 +187,28 @@ def _way(force: Floats, result: Result) -> str:
     return f"{abs(angle):.1f}° {'up' if angle >= 0.0 else 'down'}"
 
 
+def _margin_cells(result: Result, near: Margin | None) -> tuple[str, str]:
+    """Return utilisation and safety factor as text; of several ropes with whose it is."""
+    if near is None:
+        return "not known", ""
+    whose = f", rope {near.name!r}" if len(result.scene.ropes) > 1 else ""
+    factor = f"{1.0 / near.utilisation:.3g}" if near.utilisation > 0.0 else ""
+    return f"{100.0 * near.utilisation:.3g} %{whose}", factor
+
+
 def _utilisation(result: Result) -> list[Item]:
-    one = extremes(result).get(UTILISATION)
-    if one is None or math.isnan(one.value):
+    found = extremes(result)
+    near = margin(result, found)
+    if near is None:
         return [Text("No breaking load is given: how near to breaking is not known.", warning=True)]
-    share, place = 100.0 * one.value, place_of(result, UTILISATION, one)
+    share, place = 100.0 * near.utilisation, place_of(result, UTILISATION, found[UTILISATION])
     if result.status == "at rest":
         place = place.partition(",")[0]
-    factor = f"safety factor {1.0 / one.value:.3g}" if one.value > 0.0 else "unloaded"
+    factor = f"safety factor {1.0 / near.utilisation:.3g}" if near.utilisation > 0.0 else "unloaded"
     text = f"Largest utilisation of the breaking load: {share:.3g} % ({factor}), {place}."
-    doubt = _doubt(result, one)
+    doubt = doubt_words(result.scene, near)
     text += f" {doubt[0].upper()}{doubt[1:]}." if doubt else ""
-    if one.value <= 1.0:
+    if near.utilisation <= 1.0:
         return [Text(text, warning=bool(doubt))]
     named = any(f"rope {p.rope!r}" in place for p in result.partings)
     return [Text(f"{text} {'IT PARTED' if named else 'IT WOULD HAVE PARTED'}.", warning=True)]
-
-
-def _doubt(result: Result, use: Extreme) -> str:
-    """Return what guessed breaking loads make of the greatest utilisation; "" where none is a guess."""
-    return doubt_words(result.scene, result.layout.rope_of(use.place)[0], use.value)
