@@ -85,7 +85,7 @@ def test_its_walk_is_the_same_however_it_is_recorded_and_called() -> None:
 def test_being_struck_makes_up_no_energy() -> None:
     """A free line is thrown at a held one at 2 m/s: what the method errs is little, and falls with it."""
     errs = []
-    for size in (1e-4, 1e-5):
+    for size in (1e-5, 1e-6):
         scene = lowered(
             RunSettings(method="adaptive", tolerance=size, duration=0.4, frame_rate=500.0)
         )
