@@ -12,6 +12,7 @@ from ropewalk.record.balances import energy_note
 from ropewalk.record.ends import shortly
 from ropewalk.record.extremes import SEEN, UTILISATION, Extreme, extremes, margin, place_of
 from ropewalk.record.facts import AT_REST, BROKE
+from ropewalk.record.limiter_note import limiter_note
 from ropewalk.record.margins import margin_rows
 from ropewalk.record.moving_rows import moving_rows
 from ropewalk.record.parted import parting_rows
@@ -63,6 +64,7 @@ def summary(result: Result) -> dict[str, Any]:
             if (note := energy_note(result, errors.ravel(), share))
             else {}
         ),
+        **({"about the stretch limiter": note} if (note := limiter_note(result)) else {}),
         "final energy error [J]": float(error[-1]),
         "largest balance residual [J]": _largest(result.balance_residual[:good]),
         "final kinetic energy [J]": float(energy["kinetic"][-1]),

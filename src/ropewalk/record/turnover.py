@@ -24,6 +24,7 @@ from ropewalk.laws.acting import section_of
 from ropewalk.laws.parting import NAME as PARTING
 from ropewalk.laws.registry import NODE_LAWS
 from ropewalk.lowering.masses import line, masses
+from ropewalk.record.balances import weight_times_length
 from ropewalk.record.quantities import has_rope, rest_length_at_start
 from ropewalk.scene.motions import Fixed
 
@@ -35,7 +36,7 @@ Bools = NDArray[np.bool_]
 _TOUCHING = tuple(law.name for law in NODE_LAWS if law.touch is not None)
 _VALUES = 1_000_000  # numbers of one quantity looked at together
 _LEAST = 1e-9  # [1] of the energy turned over as seen at rest: less is rounding
-_STILL = 1e-12  # [1] of the energies themselves: where less than that is turned over, nothing moves
+_STILL = 1e-12  # [1] of the energies, or of weight times length: where less is turned over, nothing moves
 
 
 class Carried(NamedTuple):
@@ -60,7 +61,7 @@ def share_turned(result: Result) -> float:
     works = {name: part[:good] for name, part in result.work.items()}
     touched = np.minimum(surfaces(works), surfaces(_without_motors(result, works)))
     turned, shares = largest_change(forms.values()), [0.0]
-    if turned <= _STILL * _largest(forms.values()):
+    if turned <= _STILL * max(_largest(forms.values()), weight_times_length(result.scene)):
         turned = 0.0
     if carried := _carried(result, good):
         own = forms | {

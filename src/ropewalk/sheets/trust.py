@@ -59,6 +59,8 @@ def method_section(result: Result) -> Section:
     items: list[Item] = [Table(("", ""), rows, numbers=False)]
     if note := table.get("about the energy"):
         items.append(Text(f"The energy: {note}.", warning=True))
+    if note := table.get("about the stretch limiter"):
+        items.append(Text(f"The stretch limiter: {note}.", warning=True))
     return Section("Method", tuple(items))
 
 

@@ -1,0 +1,42 @@
+"""Whether the stretch limiter of an explicit run did what a limiter can.
+
+After a step it moves nodes to their bounds and takes the speed at which they would pass them. Where too much
+hangs on too fine a rope for its passes it only moves nodes: places stand still, and velocities go on. That
+shows in its work. Where nothing drives a scene bounds can only take energy.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ropewalk.methods.registry import METHODS
+from ropewalk.record.turnover import largest_change
+from ropewalk.scene.motions import Fixed
+
+if TYPE_CHECKING:
+    from ropewalk.record.result import Result
+
+MOST = 0.05  # [1] of the energy turned over that it may give: one that has just caught a load gives 0.02
+
+
+def limiter_note(result: Result) -> str:
+    """Say how much energy a limiter has made up, where it is too much; else ""."""
+    scene, good = result.scene, result.good_frames
+    driven = scene.winches or not all(isinstance(one.motion, Fixed) for one in scene.anchors)
+    if not scene.limiter or driven or METHODS[result.plan.method].implicit:
+        return ""
+    work = result.work["limiter"][:good]
+    if not np.isfinite(work).all():
+        return ""
+    given = float((work - np.minimum.accumulate(work)).max())
+    turned = largest_change(part[:good] for name, part in result.energy.items() if name != "total")
+    if not given > MOST * turned > 0.0:
+        return ""
+    return (
+        f"it has put in {given:.3g} J, {100.0 * given / turned:.3g} % of the energy turned over, where it "
+        "can only take: it holds nodes at their bounds, but does not stop them. Do not trust velocities, "
+        "forces or energies; take method = esdirk3, fewer segments, or "
+        f"time_step = {0.1 * result.plan.dt:.3g} s or less"
+    )

@@ -1,0 +1,75 @@
+"""A stretch limiter that makes up energy is told of: it can only take where nothing drives a scene."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+import ropewalk as rw
+from ropewalk.scene import (
+    Anchor,
+    Kick,
+    Limiter,
+    Material,
+    Points,
+    Rope,
+    RunSettings,
+    Scene,
+)
+
+ABOUT = "about the stretch limiter"
+
+
+def hung(mass: float, speed: float, **more: object) -> rw.Result:
+    """A load on a fine, soft rope, which swings at its bound."""
+    soft = Material(EA=5.0, mass_per_length=0.05, axial_damping=0.1)
+    rope = Rope(
+        segments=60,
+        length=1.0,
+        made_of=soft,
+        shape=Points(points=[(0, 0, -i / 60) for i in range(61)]),
+        loads=[{"node": -1, "mass": mass}],
+        kicks=[Kick(node=-1, velocity=(speed, 0, 0))] if speed else [],
+    )
+    run = {"method": "semi-implicit-euler", "time_step": 1e-4, "duration": 0.5, "frame_rate": 100.0}
+    scene = Scene(
+        ropes=[rope],
+        anchors=[Anchor(node=0)],
+        limiter=Limiter(min_stretch=0.5, max_stretch=1.05),
+        run=RunSettings(**(run | more)),
+    )
+    return rw.simulate(scene)
+
+
+def test_energy_from_a_limiter_is_told() -> None:
+    """A hundred kilograms on 0.05 kg. The twins: a load that it stops; one that does not swing; esdirk3."""
+    said = hung(100.0, 1.0).table[ABOUT]
+    assert "can only take" in said
+    assert "time_step = 1e-05 s" in said
+    assert ABOUT not in hung(10.0, 1.0).table
+    assert ABOUT not in hung(100.0, 0.0).table
+    assert ABOUT not in hung(100.0, 1.0, method="esdirk3", time_step=1 / 240).table
+
+
+@pytest.mark.parametrize("method", ["semi-implicit-euler", "esdirk3"])
+def test_a_load_that_hangs_at_its_bound_has_no_share_of_energy(method: str) -> None:
+    """Nothing is turned over but rounding; the twin swings."""
+    soft = Material(EA=5.0, mass_per_length=0.05, axial_damping=0.1)
+    shares = []
+    for speed in (0.0, 0.5):
+        rope = Rope(
+            segments=20,
+            length=1.0,
+            made_of=soft,
+            shape=Points(points=[(0, 0, -1.05 * i / 20) for i in range(21)]),
+            loads=[{"node": -1, "mass": 1.0}],
+            kicks=[Kick(node=-1, velocity=(speed, 0, 0))] if speed else [],
+        )
+        run = RunSettings(method=method, time_step=1e-3, duration=0.2, frame_rate=100.0)
+        limiter = Limiter(min_stretch=0.5, max_stretch=1.05)
+        scene = Scene(ropes=[rope], anchors=[Anchor(node=0)], limiter=limiter, run=run)
+        table = rw.simulate(scene).table
+        shares.append(table["largest energy error, share of the energy turned over [%]"])
+    assert math.isnan(shares[0])
+    assert shares[1] > 0.0
