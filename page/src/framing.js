@@ -2,15 +2,17 @@
 
 import { covers, stripAside, stripsBeside } from "./view/cards.js";
 import { nodesOf } from "./view/copies.js";
-import { firstAngles } from "./view/room.js";
+import { boxOf, firstAngles } from "./view/room.js";
 import { vector } from "./view/vector.js";
-import { roomFor, tipsOf } from "./reactions.js";
+import { mostOf, roomFor, tipsOf, widened } from "./reactions.js";
 
 /** @typedef {import("./viewport.js").Viewport} Viewport */
 /** @typedef {import("./source/protocol.js").Layout} Layout */
 /** @typedef {import("./view/camera.js").Pose} Pose */
 /** @typedef {import("./view/camera.js").Strips} Strips */
 /** @typedef {{azimuth?: number, elevation?: number}} Angles */
+
+const ROUNDS = 3; // in which the room for arrows is found
 
 export class Framing {
   /** @param {Viewport} viewport */
@@ -49,17 +51,32 @@ export class Framing {
   /** @param {Layout} layout @param {Angles} from */
   framed(layout, from) {
     const { viewport } = this;
-    const strips = this.strips();
-    const pose = viewport.camera.framed(this.places(layout), from, strips);
-    const room = roomFor(viewport, viewport.camera.at(pose), strips);
-    return viewport.camera.framed(this.places(layout), from, room);
+    const places = [...this.places(layout)];
+    const framed = (/** @type {Strips} */ strips) => viewport.camera.framed(places, from, strips);
+    return framed(this.roomIn(framed, this.strips()));
+  }
+
+  /** What arrows need beside the strips in a picture that leaves that room, not in the present one: there it would
+   * be gone as soon as the camera has made it. @param {(room: Strips) => Pose | null} framed
+   * @param {Strips} strips @returns {Strips} */
+  roomIn(framed, strips) {
+    const { viewport } = this;
+    let room = strips;
+    for (let round = 0; round < ROUNDS; round++) {
+      const pose = framed(room);
+      if (!pose) return strips;
+      const wider = widened(room, roomFor(viewport, viewport.camera.at(pose), strips), strips);
+      if (!wider) return room;
+      room = mostOf(wider, strips, viewport.camera);
+    }
+    return room;
   }
 
   /** What the picture must hold: the nodes, and bodies. @param {Layout} layout */
   *places(layout) {
     const { to } = this.viewport.nodes;
     for (let i = 0; i < nodesOf(layout); i++) yield vector(to.subarray(4 * i, 4 * i + 3));
-    yield* this.viewport.solids.places();
+    yield* this.viewport.solids.places(boxOf(to, nodesOf(layout)));
   }
 
   /** Whether a card would cover a rope; the legend is kept clear of where it would. @param {Pose} pose */
@@ -82,7 +99,8 @@ export class Framing {
     if (!viewport.card()) return false;
     const { camera, follower } = viewport; // with a card up nothing else brings back what has left the picture
     return (
-      roomFor(viewport, camera, strips).top > strips.top + 1 || follower.leaves(camera, strips)
+      roomFor(viewport, camera, strips).top > strips.top + 1 ||
+      follower.ropes.leaves(camera, strips)
     );
   }
 

@@ -1,6 +1,6 @@
 // What anchors hold: the forces behind their arrows, and the room that these need in a picture.
 
-import { plus, vector } from "./view/vector.js";
+import { minus, plus, unit, vector } from "./view/vector.js";
 
 /** @typedef {import("./viewport.js").Viewport} Viewport */
 /** @typedef {import("./source/protocol.js").Layout} Layout */
@@ -66,7 +66,7 @@ export function drawnOf(held, strongest, before = new Set(), pointed = () => fal
 
 /** Whether a copy has so many anchors that only strong ones have arrows. @param {Holding[]} held */
 export const crowded = (held) =>
-  held.filter(({ variant }) => variant === held[0].variant).length > CROWD;
+  held.filter(({ variant }) => variant === held[0]?.variant).length > CROWD;
 
 /** Of those that are drawn, the ones that have numbers: the few largest, and what is pointed at.
  * @param {Holding[]} drawn
@@ -90,10 +90,24 @@ export function tipsOf(viewport, camera) {
   if (!session.frame || !marks.reactions) return [];
   const held = holding(viewport, anchors.to);
   const strongest = Math.max(strongestOf(held), marks.strongest);
-  const per = (longest(camera) * camera.pose.distance) / camera.focal / strongest;
-  return drawnOf(held, strongest, marks.arrowed).map(({ place, force, size, peak }) =>
-    plus(place, force, (peak / size) * per),
+  const length = (longest(camera) * camera.pose.distance) / camera.focal;
+  const tips = drawnOf(held, strongest, marks.arrowed).map(({ place, force, size, peak }) =>
+    plus(place, force, ((peak / size) * length) / strongest),
   );
+  return marks.strongest || crowded(held) ? tips : [...tips, ...coming(viewport, held, length)];
+}
+
+/** Where arrows will end at the ends of ropes that nothing has loaded yet: they pull along the rope.
+ * @param {Viewport} viewport @param {Holding[]} held @param {number} length [m] */
+function coming({ nodes, starts, session }, held, length) {
+  const ropes = session.layout?.variants[0].ropes ?? [];
+  return held.flatMap(({ variant, anchor: { index }, place }) => {
+    const rope = ropes.find(({ first, nodes }) => index === first || index === first + nodes - 1);
+    if (!rope) return [];
+    const node = starts[variant] + index + (index === rope.first ? 1 : -1);
+    const along = minus(place, nodes.to.subarray(4 * node, 4 * node + 3));
+    return [plus(place, unit(along), length)];
+  });
 }
 
 /** Where the arrows of contacts end [m], as long as they are for a camera.
@@ -131,13 +145,41 @@ export function roomFor(viewport, camera, strips) {
   };
   keep(tips, CHIP);
   keep(contactTips(viewport, camera), 0);
-  const most = MOST * (camera.height - strips.top - strips.bottom);
+  return mostOf(
+    {
+      ...strips,
+      ...besideTools(viewport, camera, tips, strips),
+      top: strips.top + room.top,
+      bottom: strips.bottom + room.bottom,
+    },
+    strips,
+    camera,
+  );
+}
+
+/** Room for arrows, but no more than ropes can spare. @param {import("./view/camera.js").Strips} room
+ * @param {import("./view/camera.js").Strips} strips @param {Camera} camera */
+export function mostOf(room, strips, { height }) {
+  const most = MOST * (height - strips.top - strips.bottom);
   return {
-    ...strips,
-    ...besideTools(viewport, camera, tips, strips),
-    top: strips.top + Math.min(most, room.top),
-    bottom: strips.bottom + Math.min(most, room.bottom),
+    ...room,
+    top: Math.min(room.top, strips.top + most),
+    bottom: Math.min(room.bottom, strips.bottom + most),
   };
+}
+
+/** Room and what is still missing with it; null: nothing is. @param {import("./view/camera.js").Strips} room
+ * @param {import("./view/camera.js").Strips} found in a picture with that room
+ * @param {import("./view/camera.js").Strips} strips */
+export function widened(room, found, strips) {
+  const sides = /** @type {const} */ (["top", "bottom", "left", "right"]);
+  const missing = sides.map((side) => (found[side] ?? 0) - (strips[side] ?? 0));
+  if (missing.every((part) => part < 1)) return null;
+  const wider = { ...room };
+  sides.forEach((side, k) => {
+    if (missing[k] > 0) wider[side] = (room[side] ?? 0) + missing[k];
+  });
+  return wider;
 }
 
 /** What arrows need at the sides, to stay clear of the tools there; nothing where they do.

@@ -2,7 +2,7 @@
 
 import { MOST_SOLIDS, cornersOf, extent, leaves, placed, solidsOf, turnOf } from "./view/solids.js";
 import { scalar } from "./source/frame.js";
-import { dot, length, minus, plus, times } from "./view/vector.js";
+import { dot, length, minus, plus, times, vector } from "./view/vector.js";
 
 /** @typedef {import("./viewport.js").Viewport} Viewport */
 /** @typedef {import("./view/solids.js").Solid} Solid */
@@ -10,6 +10,7 @@ import { dot, length, minus, plus, times } from "./view/vector.js";
 /** @typedef {import("./source/protocol.js").Layout} Layout */
 
 const ROOM = 1.3; // radii of the scene: what of a large body is farther away need not be in the picture
+const NEAR = 0.6; // of the ropes' extent: what is farther from them need not, either
 const WHEELS = ["turn0", "turn1", "turn2", "turn3"]; // scalars of a frame
 const LEVEL = 0.9999; // cosine of the tilt up to which a plane is a floor
 
@@ -87,14 +88,15 @@ export class Solids {
     return this.all.map((one) => turnOf(one, time, told));
   }
 
-  /** What of them a picture of the scene must hold. @returns {Vector[]} */
-  places() {
+  /** What of them a picture of ropes must hold: what is near them. @param {import("./view/camera.js").Box} ropes
+   * @returns {Vector[]} */
+  places(ropes) {
     const { layout } = this.viewport.session;
     if (!layout) return [];
     const { center, radius } = layout.view;
     return this.all
       .filter(({ reach }) => Number.isFinite(reach))
-      .flatMap((solid) => cornersOf(solid))
+      .flatMap((solid) => partNear(cornersOf(solid), ropes))
       .map((corner) => {
         const away = minus(corner, center);
         const far = length(away);
@@ -110,4 +112,20 @@ export class Solids {
       .map((one) => dot(one.center, up) - extent(one, up));
     return Math.min(Infinity, ...low);
   }
+}
+
+/** The corners of a body, or of what of it is near the ropes. @param {Vector[]} corners
+ * @param {import("./view/camera.js").Box} ropes @returns {Vector[]} */
+export function partNear(corners, { low, high }) {
+  const near = NEAR * Math.max(...high.map((value, k) => value - low[k]));
+  if (!Number.isFinite(near)) return corners; // there are none
+  const beyond = [0, 1, 2].some(
+    (k) =>
+      Math.min(...corners.map((corner) => corner[k])) > high[k] + near ||
+      Math.max(...corners.map((corner) => corner[k])) < low[k] - near,
+  );
+  if (beyond) return [];
+  return corners.map((corner) =>
+    vector(corner.map((value, k) => Math.min(high[k] + near, Math.max(low[k] - near, value)))),
+  );
 }

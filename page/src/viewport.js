@@ -2,10 +2,7 @@
 
 import { Blend } from "./view/blend.js";
 import { Camera } from "./view/camera.js";
-import { Pieces } from "./view/bound.js";
-import { Chase } from "./view/chase.js";
 import { Flight } from "./view/flight.js";
-import { Follow } from "./view/follow.js";
 import { Range } from "./view/range.js";
 import { cornersOf, nodesOf, shiftsOf, starts } from "./view/copies.js";
 import { boxOf, flatAxis, groundOf, lies, tame } from "./view/room.js";
@@ -14,10 +11,10 @@ import { textureSize } from "./render/webgl/texture_size.js";
 import { BROKEN, PLAYING } from "./source/frame.js";
 import { gather, gatherAnchors } from "./source/gather.js";
 import { Floor } from "./floor.js";
+import { Following } from "./following.js";
 import { Framing } from "./framing.js";
 import { Gaps } from "./gaps.js";
 import { Marks } from "./marks.js";
-import { roomFor } from "./reactions.js";
 import { Solids } from "./solids.js";
 
 /** @typedef {import("./session.js").Session} Session */
@@ -57,10 +54,9 @@ export class Viewport {
     this.floor = new Floor(this);
     this.gaps = new Gaps(this);
     this.solids = new Solids(this);
-    /** @type {Flight | Chase | null} */ this.flight = null;
+    /** @type {Flight | import("./view/chase.js").Chase | null} */ this.flight = null;
     this.uncovering = false; // whether it is to bring ropes out from under a card
-    this.follower = new Follow();
-    /** @type {Pieces | null} */ this.bound = null;
+    this.follower = new Following(this);
     this.framing = new Framing(this);
     this.following = true; // until the user moves the camera
     this.ownVersion = -1; // of the camera, as the viewport has set it
@@ -173,7 +169,7 @@ export class Viewport {
     if (!again) this.marks.take(frame);
     gatherAnchors(frame, this.shifts, this.anchors.next(now, jump));
     if (this.lookPending) this.look(layout);
-    else this.keepInView(layout, now);
+    else if (!this.past) this.follower.take(layout, now);
     if (this.marks.trails) this.marks.trails.push(this.nodes.to);
     this.dirty = true;
   }
@@ -201,50 +197,10 @@ export class Viewport {
     this.lying = lies(axis, this.camera.up, layout.gravity);
     this.axis = this.lying ? -1 : axis;
     this.floor.put(layout, box);
-    this.follower.clear();
+    this.follower.ropes.clear();
     this.setPose(this.framing.first(layout));
     this.following = true;
     this.flight = null;
-  }
-
-  /** Let the camera follow the ropes, and the floor give way. @param {Layout} layout @param {number} now ms */
-  keepInView(layout, now) {
-    if (this.past) return;
-    const { camera, follower } = this;
-    const seconds = Math.min(0.2, (now - this.lastLook) / 1000);
-    this.lastLook = now;
-    follower.take(camera, this.nodes.to, this.pieces(layout), seconds, layout.view);
-    follower.hold(camera, this.solids.places());
-    this.floor.giveWay(layout);
-    if (camera.version !== this.ownVersion && !this.flight) this.following = false;
-    if (!this.following || this.held()) return;
-    const strips = this.framing.now();
-    const room = roomFor(this, camera, strips);
-    if (this.flight instanceof Chase)
-      this.flight.to = follower.goal(camera, room) ?? this.flight.to;
-    else if (!this.flight) {
-      const loses = this.framing.losesArrow();
-      const wanted = loses ? follower.goal(camera, room) : follower.wanted(camera, strips, room);
-      this.chase(wanted, now);
-    }
-  }
-
-  /** The ropes as they hang together, and whether anything holds them. @param {Layout} layout */
-  pieces(layout) {
-    const parts = this.session.frame?.parts;
-    const holds = (/** @type {number} */ v, /** @type {number} */ a) =>
-      (parts?.[v]?.anchors[10 * a + 9] ?? 1) >= 0.5;
-    const shape = this.gaps.shape(layout);
-    if (this.bound?.shape !== shape) this.bound = new Pieces(layout, shape, this.starts);
-    return this.bound.held(holds);
-  }
-
-  /** @param {Pose | null} pose null: the camera may stay @param {number} now ms */
-  chase(pose, now) {
-    if (!pose) return;
-    this.ownVersion = this.camera.version;
-    if (matchMedia("(prefers-reduced-motion: reduce)").matches) this.setPose(pose);
-    else this.flight = new Chase(this.camera.pose, pose, now);
   }
 
   /** The least width of a rope [CSS pixels]: of a net's less, so that its meshes are seen. */
@@ -269,7 +225,6 @@ export class Viewport {
   /** @type {() => void} */ landed = () => {};
   /** The legend, where it is shown. @type {() => DOMRect | null} */ legendCard = () => null;
   /** The bars of tools over the scene. @type {() => DOMRect[]} */ bars = () => [];
-  lastLook = 0;
   windowShape = innerWidth / innerHeight;
 
   /** @param {Pose} pose */
@@ -284,7 +239,7 @@ export class Viewport {
     const { layout } = this.session;
     if (!layout || this.nodes.empty) return;
     this.following = true;
-    this.follower.clear();
+    this.follower.ropes.clear();
     this.fly(this.framing.clear(layout, from));
   }
 
@@ -342,12 +297,10 @@ export class Viewport {
 
   /** Once per animation frame. @param {number} now ms */
   tick(now) {
-    const step = this.flight?.at(now);
-    if (step) this.setPose(step.pose);
-    if (step?.over) this.land();
     this.floor.advance();
     const moved = this.nodes.advance(performance.now());
     this.anchors.advance(performance.now());
+    if (!this.nodes.empty) this.follower.advance(now);
     const turned = this.camera.version !== this.cameraVersion;
     const anew = turned || this.dirty || this.marks.dirty || this.renderer.unfinished;
     if (moved || anew) this.draw(moved || this.dirty);

@@ -15,19 +15,23 @@ test("a piece is held by an anchor, or by a joint with one that is, at any remov
   assert.deepEqual(held(layout(chain)), [true, true, true]);
   assert.deepEqual(
     held(layout(chain), () => false),
-    [false, false, false],
-  ); // it has let go
+    [true, true, true],
+  ); // it has let go: all are adrift
 });
 
-test("where nothing holds any rope and there is nothing else, the flight is the scene", () => {
+test("where nothing holds any rope the camera goes with all of them, bodies or not", () => {
   assert.deepEqual(held(layout({ anchors: [] })), [true, true, true]);
-  assert.deepEqual(held({ ...layout({ anchors: [] }), obstacles: [{}] }), [false, false, false]);
+  assert.deepEqual(held({ ...layout({ anchors: [] }), obstacles: [{}] }), [true, true, true]);
+  const adrift = (/** @type {any} */ one) =>
+    new Pieces(one, shape, [0]).held(() => true).map((piece) => piece.adrift);
+  assert.deepEqual(adrift(layout({ anchors: [] })), [true, true, true]);
+  assert.deepEqual(adrift(layout({})), [false, false, false]);
 });
 
 test("the table is made once, and asked with what holds now", () => {
   const pieces = new Pieces(layout({ joints: [{ nodes: [9, 10] }] }), shape, [0]);
   const now = (/** @type {boolean} */ holds) => pieces.held(() => holds).map(({ held }) => held);
   assert.deepEqual(now(true), [true, true, false]);
-  assert.deepEqual(now(false), [false, false, false]);
+  assert.deepEqual(now(false), [true, true, true]);
   assert.deepEqual(now(true), [true, true, false]);
 });

@@ -149,3 +149,75 @@ test("what is held is followed far away, what nothing holds is not, and is forgo
   assert.equal(loose.wanted(made, STRIPS), null);
   assert.ok(!Number.isFinite(loose.low[0]));
 });
+
+/** Let a rope fly for two seconds with the camera behind it. @param {boolean} adrift */
+function flown(adrift) {
+  const made = camera();
+  made.set(made.framed(rope(1, 1), { azimuth: -Math.PI / 2, elevation: 0 }));
+  const follow = new Follow();
+  const pieces = [{ first: 0, nodes: 41, held: true, adrift }];
+  let drawn = nodesOf(rope(1, 1));
+  let places = rope(1, 1);
+  const far = { center: [0, 0, 0], radius: 100 };
+  for (let i = 0; i < 120; i++) {
+    places = rope(1, 1).map(([x, y, z]) => [x + i / 3, y, z - i / 6]); // 22 m/s
+    follow.take(made, nodesOf(places), pieces, 1 / 60, far);
+    drawn = nodesOf(places);
+    const by = follow.goes(made, drawn, pieces, far);
+    const pose = { ...made.pose, target: made.pose.target.map((value, k) => value + by[k]) };
+    made.set(follow.keep(made, /** @type {any} */ (pose), STRIPS));
+  }
+  return { made, follow, places };
+}
+
+test("what nothing holds is gone along with, and stays large in the picture; what is held is not", () => {
+  const { made, follow, places } = flown(true);
+  const goal = follow.goal(made, STRIPS);
+  assert.ok(goal && share(made.at(goal), places) > 0.2);
+  const twin = flown(false);
+  const wide = twin.follow.goal(twin.made, STRIPS);
+  assert.ok(wide && share(twin.made.at(wide), twin.places) < 0.1);
+});
+
+test("ropes that are faster than a damped camera are kept in the picture, by as little as will do", () => {
+  const made = camera();
+  made.set(made.framed(rope(6), { azimuth: -1.85, elevation: 0.14 }));
+  const follow = new Follow();
+  follow.take(made, nodesOf(rope(6)), ALL, 1 / 60, ROOM);
+  assert.equal(follow.keep(made, made.pose, STRIPS), made.pose); // it is in it
+  for (const [by, size] of [
+    [12, 10],
+    [-12, 10],
+    [0, 25],
+  ]) {
+    const places = rope(6, size).map(([x, y, z]) => [x + by, y, z + by / 2]);
+    follow.take(made, nodesOf(places), ALL, 1 / 60, ROOM);
+    const seen = (/** @type {Camera} */ one) =>
+      places.every(([x, y, z]) => {
+        const [px, py] = one.project(x, y, z);
+        return px > 0 && px < 900 && py > 40 && py < 600;
+      });
+    const strips = { top: 40, bottom: 0 };
+    assert.ok(!seen(made)); // the twin
+    const kept = made.at(follow.keep(made, made.pose, strips));
+    assert.ok(seen(kept), `${by} ${size}`);
+    if (size === 10) assert.equal(kept.pose.distance, made.pose.distance);
+  }
+});
+
+test("ropes that have come to rest are shown larger sooner than ropes that move", () => {
+  const places = rope(5, 8.4); // the picture could be 0.84 as far away
+  for (const [swing, moves] of /** @type {[number, boolean][]} */ ([
+    [0, true],
+    [0.3, false],
+  ])) {
+    const made = camera();
+    made.set(made.framed(rope(6), { azimuth: -1.85, elevation: 0.14 }));
+    const follow = new Follow();
+    for (let i = 0; i < 300; i++) {
+      const now = places.map(([x, y, z]) => [x, y, z + swing * Math.sin(i / 9)]);
+      follow.take(made, nodesOf(now), ALL, 1 / 60, ROOM);
+    }
+    assert.equal(follow.wanted(made, STRIPS) !== null, moves);
+  }
+});

@@ -1,8 +1,10 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
+import { Framing } from "../src/framing.js";
+import { partNear } from "../src/solids.js";
 import { contactTips, drawnOf, hasTail, numberedOf, roomFor } from "../src/reactions.js";
-import { crowdText } from "../src/panels/legend.js";
+import { crowdText, endText } from "../src/panels/legend.js";
 import { Camera } from "../src/view/camera.js";
 
 test("a loose end hangs from an anchor, not from one between two others, nor from a tied one", () => {
@@ -116,4 +118,64 @@ test("an arrow keeps clear of the tools beside the picture, where these are as h
   assert.equal(roomFor(made, camera, strips).left, undefined);
   made.bars = () => bar(300, 280, 100, 40);
   assert.equal(roomFor(made, camera, strips).left, undefined);
+});
+
+test("the room for arrows is what the picture needs that leaves it, wherever the camera is now", () => {
+  const camera = new Camera();
+  camera.resize(900, 600);
+  const made = viewport([-5, 0, 0]);
+  const [left, width, top, height] = [0, 90, 100, 400];
+  made.bars = () => [{ left, top, width, height, right: width, bottom: top + height }];
+  made.camera = camera;
+  const framing = new Framing(made);
+  const strips = { top: 0, bottom: 0 };
+  const framed = (room) =>
+    camera.framed(
+      [
+        [0, 0, 0],
+        [10, 0, 0.1],
+      ],
+      {},
+      room,
+    );
+  for (const x of [0, 50]) {
+    camera.set({ target: [x, 0, 0], distance: 30, azimuth: -Math.PI / 2, elevation: 0 });
+    const room = framing.roomIn(framed, strips);
+    const clear = camera.at(framed(room));
+    assert.ok((roomFor(made, clear, strips).left ?? 0) < 1, `seen from ${x}`); // pixel
+    assert.ok(roomFor(made, camera.at(framed(strips)), strips).left > 0); // the twin: without it
+  }
+});
+
+test("before anything is drawn the end of a rope is given the room of an arrow along it", () => {
+  const camera = new Camera();
+  camera.resize(900, 600);
+  camera.set({ target: [0, 0, 0], distance: 10, azimuth: -Math.PI / 2, elevation: 0 });
+  const made = viewport([0, 0, 0]);
+  made.session.layout.variants[0].ropes = [{ first: 0, nodes: 2 }];
+  made.nodes = { to: new Float32Array([0, 0, 0, 0, 1, 0, 0, 0]) }; // the rope lies to the right
+  made.starts = [0];
+  made.bars = () => [{ left: 340, top: 100, width: 56, height: 300, right: 396, bottom: 400 }];
+  const strips = { top: 0, bottom: 0 };
+  assert.ok(Math.abs(roomFor(made, camera, strips).left - (396 + 6 - 366)) < 0.5);
+  made.marks.strongest = 1; // the twin: it holds nothing, as is seen by now
+  assert.equal(roomFor(made, camera, strips).left, undefined);
+});
+
+test("of a body the picture holds what is near the ropes", () => {
+  const ropes = { low: [0, 0, 0], high: [1, 0.2, 0.5] };
+  const stairs = [-5, 2].flatMap((x) => [0, 1].flatMap((y) => [-1, 0].map((z) => [x, y, z])));
+  const held = partNear(stairs, ropes);
+  assert.deepEqual(
+    [Math.min(...held.map(([x]) => x)), Math.max(...held.map(([x]) => x))],
+    [-0.6, 1.6],
+  );
+  assert.deepEqual(partNear(stairs, { low: [0, 0, -9], high: [1, 0.2, -8.5] }), []); // it fell off
+  const wide = { low: [-9, 0, 0], high: [9, 1, 0] };
+  assert.deepEqual(partNear(stairs, wide), stairs);
+});
+
+test("an end of the legend that rounding left says zero", () => {
+  assert.equal(endText(-5.5e-9, 1, 6.4), "0");
+  assert.equal(endText(-5.5e-3, 1, 6.4), "−0.0055");
 });

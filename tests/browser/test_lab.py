@@ -204,6 +204,17 @@ def test_the_address_chooses_a_scene(lessons: Any) -> None:
 
 
 @pytest.mark.browser
+def test_a_rope_that_nothing_pulls_yet_says_zero(lab: Any) -> None:
+    page = lab.page
+    page.select_option("#scene", index=PRESETS.index("r3"))
+    assert page.evaluate("window.ropewalkLab.lab.rope.time") == 0.0
+    assert page.inner_text("#hottest") == "0 N"
+    page.click("#play")
+    until(page, "lab.rope.time > 0.1")
+    assert page.inner_text("#hottest") != "0 N"
+
+
+@pytest.mark.browser
 def test_a_click_measures_and_does_not_pull(lessons: Any) -> None:
     lessons.select_option("#scene", label="4 chain at rest")
     before = lessons.evaluate("window.ropewalkLab.lab.rope.x.map((row) => [...row])")

@@ -68,7 +68,7 @@ def test_every_constant_is_changed_and_goes_back(open_window: Open, serve: Serve
     server = serve(Session(slack_rope(ground=Ground(height=-6.0))))
     window = open_window(server.address, viewport=SIZE).ready()
     window.until("r.session.parameters.length > 0")
-    _folder(window, "More", "Air", "Ground")
+    _folder(window, "More", "Air", "NeHe's ground")
     shown = window.ask(
         "[...document.querySelectorAll('[data-parameter]')].map((e) => e.dataset.parameter)"
     )
@@ -133,7 +133,7 @@ def test_first_comes_what_everybody_asks_for(
     )
     assert window.ask(seen) == [stiffness, "spring_friction", "mass", "length", "gravity"]
     assert "a + 2b" not in window.page.locator("body").inner_text()
-    _folder(window, "More", "Air", "Ground")
+    _folder(window, "More", "Air", "NeHe's ground")
     window.until(f"{seen}.length === {len(PARAMETERS)}")
     window.tell(type="scene", preset="r3")
     window.until("r.session.layout.scene.preset === 'r3'")

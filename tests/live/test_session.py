@@ -6,8 +6,10 @@ import numpy as np
 import pytest
 
 from live.drive import do, r4, refused, slack_rope
+from ropewalk.live.describe import parameters
 from ropewalk.live.parameters import PARAMETERS
 from ropewalk.live.session import Session
+from ropewalk.scene.presets import preset
 
 CHANGES = {
     "spring_constant": 8000.0,
@@ -288,3 +290,17 @@ def test_the_first_variant_of_another_scene() -> None:
     assert "no such preset" in refused(session, "scene", preset="n99")
     assert "one of preset, toml, address" in refused(session, "scene")
     assert session.preset == "n40"
+
+
+@pytest.mark.parametrize(("name", "barred"), [("crossing", True), ("edge", True), ("n40", False)])
+def test_nehes_ground_is_not_offered_beside_true_contact(name: str, barred: bool) -> None:
+    session = Session(preset(name), name)
+    offered = {one["name"] for one in parameters(session)["parameters"]}
+    assert ("ground" not in offered) == ("ground_height" not in offered) == barred
+    if barred:
+        assert "another law" in refused(session, "set", name="ground", value=True)
+        assert session.scene.ground is None
+    else:
+        do(session, "set", name="ground", value=False)
+        do(session, "set", name="ground", value=True)
+        assert session.scene.ground is not None

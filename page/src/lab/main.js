@@ -15,6 +15,7 @@ import { Values } from "./values.js";
 /** @typedef {import("./kernel.js").Method} Method */
 
 const BUDGET = 11; // milliseconds of a picture for steps
+const LITTLE = 1e-9; // what rounding leaves of nothing [N], [J]
 const SAFE = 0.8; // of the largest stable step
 const NOTE = 0.02; // seconds of the watch between points of the graphs
 const ENERGIES = ["gravity", "elastic", "kinetic", "total"];
@@ -27,14 +28,15 @@ const input = (id) => /** @type {HTMLInputElement} */ (find(id));
 const choice = (id) => /** @type {HTMLSelectElement} */ (find(id));
 /** @param {string} id */
 const canvas = (id) => /** @type {HTMLCanvasElement} */ (find(id));
-/** @param {number} value @param {string} unit three figures and a prefix */
+/** @param {number} value three figures and a prefix @param {string} unit */
 const told = (value, unit) => {
+  if (Math.abs(value) <= LITTLE) return `0 ${unit}`;
   const size = Math.abs(value);
   const [factor, prefix] = size >= 1e6 ? [1e6, "M"] : size >= 1e4 ? [1e3, "k"] : [1, ""];
   return `${Number((value / factor).toPrecision(3))} ${prefix}${unit}`;
 };
 /** @param {number} value four figures; what is below a billionth is rounding */
-const small = (value) => String(Number((Math.abs(value) < 1e-9 ? 0 : value).toPrecision(4)));
+const small = (value) => String(Number((Math.abs(value) < LITTLE ? 0 : value).toPrecision(4)));
 /** A value that goes with another: where they are equal, to the last bit.
  * @param {number} value @param {number} own @param {number} now */
 const scaled = (value, own, now) => (value === own ? now : (now / own) * value);
@@ -283,7 +285,7 @@ class Lab {
     tensions(rope, tension);
     const now = this.broken ? NaN : Math.max(...tension.subarray(0, rope.n - 1), 0);
     const top = this.drawing.largest;
-    if (!this.broken) this.drawing.largest = Math.max(now, 0.98 * top, 1e-9);
+    if (!this.broken) this.drawing.largest = Math.max(now, 0.98 * top, LITTLE);
     this.drawing.draw(rope, tension, scene.ropes, this.hover, this.probe.node);
     this.#tell();
     this.probe.draw();

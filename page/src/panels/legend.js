@@ -12,6 +12,7 @@ import { placeOn } from "../view/cards.js";
 /** @typedef {import("../source/protocol.js").Rope} Rope */
 
 const NUMBERS = 100; // ms between two changes of the numbers: faster ones cannot be read
+const ROUNDING = 1e-6; // of a range's width, below which an end of it is zero
 const NOTHING = 2e-9; // of a range's width: see `Range.follow`
 
 /** The unit for the numbers of a colouring, and what they are multiplied with.
@@ -218,7 +219,7 @@ export class Legend {
     const { range, colouring } = this.viewport;
     const { low, high } = range;
     const [unit, scale] = unitFor(colouring, Math.max(Math.abs(low), Math.abs(high)));
-    const text = (/** @type {number} */ value) => figures(Number((value * scale).toPrecision(2)));
+    const text = (/** @type {number} */ value) => endText(value, scale, high - low);
     const some = high - low > NOTHING;
     this.low.hidden = this.middle.hidden = !some; // one number where all are the same
     if (!some) {
@@ -256,3 +257,8 @@ export class Legend {
 function write(element, text) {
   if (element.textContent !== text) element.textContent = text;
 }
+
+/** A number of a range in two figures; what is next to nothing beside its width is what rounding left.
+ * @param {number} value @param {number} scale of the unit it is told in @param {number} width of the range */
+export const endText = (value, scale, width) =>
+  figures(Math.abs(value) < ROUNDING * width ? 0 : Number((value * scale).toPrecision(2)));

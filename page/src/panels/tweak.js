@@ -64,7 +64,7 @@ export class Tweak {
     if (rest.length) {
       const more = this.addFolder(this.gui, "More", true);
       for (const group of [...new Set(rest.map((p) => p.group))]) {
-        const folder = this.addFolder(more, group, group === "Air" || group === "Ground");
+        const folder = this.addFolder(more, group, group === "Air" || group.endsWith("ground"));
         for (const parameter of rest) if (parameter.group === group) this.addRow(folder, parameter);
       }
     }

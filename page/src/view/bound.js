@@ -1,7 +1,8 @@
 // Which pieces of rope something holds: the camera goes with these, and lets others fall out of the picture.
 
 /** @typedef {import("../source/protocol.js").Layout} Layout */
-/** Nodes in a row, in the arrays that are drawn. @typedef {{first: number, nodes: number, held: boolean}} Piece */
+/** Nodes in a row, in the arrays that are drawn. @typedef {{first: number, nodes: number, held: boolean,
+ *   adrift?: boolean}} Piece `adrift`: nothing holds this one or any other */
 
 export class Pieces {
   /** @param {Layout} layout @param {import("../render/view.js").Shape} shape as it is drawn, in pieces
@@ -19,9 +20,6 @@ export class Pieces {
     layout.variants.forEach(({ joints }, v) => {
       for (const { nodes } of joints ?? []) this.tie(nodes.map((node) => of[starts[v] + node]));
     });
-    // where nothing holds any, and there is nothing else to look at, the flight is the scene
-    this.flight =
-      !layout.obstacles?.length && !layout.variants.some(({ anchors }) => anchors.length);
   }
 
   /** @param {number[]} pieces */
@@ -42,8 +40,9 @@ export class Pieces {
     this.anchored.forEach((pieces, v) =>
       pieces.forEach((piece, a) => holds(v, a) && groups.add(this.group(piece))),
     );
+    const adrift = !groups.size; // then there is nothing else to go with
     return this.shape.ropes.map(({ first, count }, i) => {
-      return { first, nodes: count, held: this.flight || groups.has(this.group(i)) };
+      return { first, nodes: count, held: adrift || groups.has(this.group(i)), adrift };
     });
   }
 }

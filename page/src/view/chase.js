@@ -38,6 +38,12 @@ export class Chase {
     return { pose: this.pose, over: this.there };
   }
 
+  /** Move on with what the camera goes along with. @param {Vector} by [m] */
+  carry(by) {
+    this.pose = { ...this.pose, target: plus(this.pose.target, by) };
+    this.to = { ...this.to, target: plus(this.to.target, by) };
+  }
+
   get there() {
     const { pose, to } = this;
     const off = Math.hypot(...minus(pose.target, to.target)) / to.distance;

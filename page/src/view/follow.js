@@ -1,11 +1,12 @@
 // The camera follows the ropes, calmly: it moves only when they leave the picture's middle or have become small in
 // it, and then slowly.
 
-import { dot } from "./vector.js";
+import { dot, minus, plus, times, vector } from "./vector.js";
 
 /** @typedef {import("./camera.js").Camera} Camera */
 /** @typedef {import("./bound.js").Piece} Piece */
-/** @typedef {{low: number[], high: number[]}} Edges [m] */
+/** Where ropes are along the axes of a view, and the mean of it.
+ * @typedef {{low: number[], high: number[], middle: number[]}} Edges [m] */
 /** @typedef {import("./camera.js").Pose} Pose */
 /** @typedef {import("./vector.js").Vector} Vector */
 /** @typedef {import("./camera.js").Strips} Strips */
@@ -15,10 +16,14 @@ const LEAD = 0.5; // s, by which it goes before what moves outwards: the camera 
 const LEADING = 0.3; // of what the ropes take up, at most
 const SMOOTH = 0.1; // s, over which that speed is taken
 const ROOMS = 4; // radii of the scene
-const HELD = 400; // of what is held: a winch may let out far more than was there at first
+const HELD = 5000; // of what is held: a winch may let out far more than was there at first, what falls goes far
 const LOOKED_AT = 300; // nodes, at most
 const OUTER = 0.95; // of the picture's half: what leaves this is followed
 const SMALL = 0.75; // of the distance: nearer than this the ropes would fit as well
+const RESTS = 0.92; // and of what rests: there is no swing that brings it back
+const ROUNDS = 6; // in which ropes are brought into the picture
+const REST = 0.02; // of their size, by which ropes that rest have moved in that time
+const CALM = 1; // of their size in a second: the camera goes along with what is adrift and faster
 
 export class Follow {
   constructor() {
@@ -31,6 +36,9 @@ export class Follow {
     this.past = [];
     /** Of the lower and the upper edges, outwards [m/s]. */
     this.speeds = { low: [0, 0, 0], high: [0, 0, 0] };
+    /** Where the ropes are now. @type {Edges | null} */ this.now = null;
+    this.along = 0; // part of their way that the camera goes with them
+    /** The middle of what was drawn. @type {Vector | null} */ this.drawn = null;
   }
 
   /** Forget all places. */
@@ -39,6 +47,9 @@ export class Follow {
     this.high.fill(-Infinity);
     this.past = [];
     this.speeds = { low: [0, 0, 0], high: [0, 0, 0] };
+    this.now = null;
+    this.along = 0;
+    this.drawn = null;
   }
 
   /** Take over where the ropes are now: the envelope holds where they were in the last seconds, and goes before them.
@@ -49,7 +60,8 @@ export class Follow {
     const angles = `${camera.pose.azimuth} ${camera.pose.elevation}`;
     if (angles !== this.angles) this.clear();
     this.angles = angles;
-    const { low, high } = extent(camera, nodes, pieces, room);
+    const now = extent(camera, nodes, pieces, room);
+    const { low, high } = now;
     this.clock += seconds;
     const before = this.past.at(-1);
     this.past = this.past.filter(({ time }) => this.clock - time < WINDOW);
@@ -57,17 +69,79 @@ export class Follow {
       if (!this.past.length) this.clear(); // all of it has gone
       return;
     }
-    if (before && seconds > 0) this.learn(before, { low, high }, seconds);
-    this.past.push({ time: this.clock, low, high });
-    const most = LEADING * Math.max(...high.map((value, k) => value - low[k]));
+    if (before && seconds > 0) this.learn(before, now, seconds);
+    this.past.push({ time: this.clock, ...now });
+    this.now = { ...now, low: [...low], high: [...high] };
+    const along = this.goAlong(pieces[0]?.adrift ?? false, before, now);
+    const most = LEADING * this.size;
     const ahead = (/** @type {number} */ speed) => Math.min(most, LEAD * Math.max(0, speed));
     for (let k = 0; k < 3; k++) {
       const least = Math.min(...this.past.map((one) => one.low[k]));
       const greatest = Math.max(...this.past.map((one) => one.high[k]));
       // only onto new ground: what swings to and fro comes back by itself
-      this.low[k] = least - (low[k] > least ? 0 : ahead(this.speeds.low[k]));
-      this.high[k] = greatest + (high[k] < greatest ? 0 : ahead(this.speeds.high[k]));
+      this.low[k] = least - (low[k] > least ? 0 : ahead(this.speeds.low[k] + along[k]));
+      this.high[k] = greatest + (high[k] < greatest ? 0 : ahead(this.speeds.high[k] - along[k]));
     }
+    if (this.drawn) this.stayBehind(camera, this.drawn, now);
+  }
+
+  /** What is drawn comes one frame later than what is known: the camera goes along with what is drawn.
+   * @param {Camera} camera @param {Vector} drawn @param {Edges} now */
+  stayBehind({ right, top, toward }, drawn, now) {
+    [right, top, toward].forEach((axis, k) => {
+      const by = this.along * (dot(drawn, axis) - now.middle[k]);
+      this.low[k] += by;
+      this.high[k] += by;
+    });
+  }
+
+  /** The greatest of the ropes' extents now [m]. @returns {number} */
+  get size() {
+    const { low, high } = this.now ?? this;
+    return Math.max(...high.map((value, k) => value - low[k]));
+  }
+
+  /** Go along with what is adrift, but for as much of its speed as it can have in the picture: where it was is where
+   * a camera that goes along would have seen it. @param {boolean} adrift @param {Edges | undefined} before
+   * @param {Edges} now @returns {number[]} speeds along the axes of the view [m/s] */
+  goAlong(adrift, before, now) {
+    const { low, high } = this.speeds;
+    const speeds = high.map((speed, k) => (speed - low[k]) / 2);
+    const speed = Math.hypot(...speeds);
+    this.along = adrift && speed > 0 ? Math.max(0, 1 - (CALM * this.size) / speed) : 0;
+    const steps = now.middle.map((value, k) => this.along * (value - (before ?? now).middle[k]));
+    for (const one of this.past)
+      if (one !== this.past.at(-1))
+        for (const side of [one.low, one.high]) steps.forEach((by, k) => (side[k] += by));
+    return speeds.map((one) => this.along * one);
+  }
+
+  /** How far the camera goes with the ropes since it was asked last. @param {Camera} camera
+   * @param {Float32Array} nodes as they are drawn now @param {Piece[]} pieces
+   * @param {{center: number[], radius: number}} room @returns {Vector} [m] */
+  goes(camera, nodes, pieces, room) {
+    const { right, top, toward } = camera;
+    const before = this.drawn;
+    this.drawn = null;
+    if (!this.along) return [0, 0, 0];
+    const now = extent(camera, nodes, pieces, room);
+    const [r, t, n] = now.middle;
+    if (!Number.isFinite(r + t + n)) return [0, 0, 0]; // all of it has gone
+    this.now = now;
+    this.drawn = plus(plus(times(right, r), top, t), toward, n);
+    return before ? times(minus(this.drawn, before), this.along) : [0, 0, 0];
+  }
+
+  /** Whether the ropes have been at rest all the time that is remembered. */
+  get rests() {
+    const { past, size } = this;
+    const moves = (/** @type {"low" | "high"} */ side) =>
+      [0, 1, 2].some((k) => {
+        const values = past.map((one) => one[side][k]);
+        return Math.max(...values) - Math.min(...values) > REST * size;
+      });
+    const long = past.length > 0 && this.clock - past[0].time > 0.8 * WINDOW;
+    return long && !moves("low") && !moves("high");
   }
 
   /** How fast the edges move outwards. @param {Edges} before @param {Edges} now @param {number} seconds */
@@ -91,13 +165,23 @@ export class Follow {
     });
   }
 
+  /** The box of what the envelope holds, along the axes of the scene. @param {Camera} camera
+   * @returns {import("./camera.js").Box} */
+  box(camera) {
+    const corners = this.corners(camera);
+    const [low, high] = [Math.min, Math.max].map((most) =>
+      vector([0, 1, 2].map((k) => most(...corners.map((corner) => corner[k])))),
+    );
+    return { low, high };
+  }
+
   /** The pose the camera should fly to, or null where it may stay. @param {Camera} camera
    * @param {Strips} strips kept free @param {Strips} [room] that a pose leaves above and below the ropes
    * @returns {Pose | null} */
   wanted(camera, strips, room = strips) {
     const wanted = this.goal(camera, room);
     if (!wanted) return null;
-    const small = wanted.distance < SMALL * camera.pose.distance;
+    const small = wanted.distance < (this.rests ? RESTS : SMALL) * camera.pose.distance;
     return small || this.leaves(camera, strips) ? wanted : null;
   }
 
@@ -108,20 +192,27 @@ export class Follow {
   }
 
   /** @param {Camera} camera @param {Strips} strips */
-  leaves(camera, { top, bottom, left = 0 }) {
-    const { width, height } = camera;
-    return this.corners(camera).some((corner) => {
-      const [x, y, depth] = camera.project(...corner);
-      const across = Math.abs(x - (left + width) / 2) / ((width - left) / 2);
-      const middle = (top + height - bottom) / 2;
-      const up = Math.abs(y - middle) / ((height - top - bottom) / 2);
-      return depth <= 0 || across > OUTER || up > OUTER;
-    });
+  leaves(camera, strips) {
+    return outside(camera, this.corners(camera), strips) > OUTER;
   }
 
-  /** @param {Camera} camera @returns {Vector[]} */
-  corners({ right, top, toward }) {
-    const { low, high } = this;
+  /** The pose, or one with the ropes as they are now in the picture: a damped camera comes late where they are fast.
+   * @param {Camera} camera @param {Pose} pose @param {Strips} strips @returns {Pose} */
+  keep(camera, pose, strips) {
+    if (!this.now) return pose;
+    const corners = this.corners(camera, this.now);
+    let kept = pose;
+    for (let round = 0; round < ROUNDS; round++) {
+      const probe = camera.at(kept);
+      if (outside(probe, corners, strips) <= OUTER + 1e-3) return kept;
+      kept = moved(probe, corners, strips);
+    }
+    return kept;
+  }
+
+  /** @param {Camera} camera @param {{low: number[], high: number[]}} [edges]
+   * @returns {Vector[]} */
+  corners({ right, top, toward }, { low, high } = this) {
     return Array.from({ length: 8 }, (_, corner) => {
       const [r, t, n] = [0, 1, 2].map((k) => ((corner >> k) & 1 ? high[k] : low[k]));
       return /** @type {Vector} */ (
@@ -131,26 +222,80 @@ export class Follow {
   }
 }
 
+/** The picture without strips. @param {Camera} camera @param {Strips} strips [CSS pixels] */
+const free = ({ width, height }, { top, bottom, left = 0, right = 0 }) => ({
+  x: (left + width - right) / 2,
+  y: (top + height - bottom) / 2,
+  across: Math.max(1, (width - left - right) / 2),
+  up: Math.max(1, (height - top - bottom) / 2),
+});
+
+/** How far points are from the middle of what is free of a picture, one where they are at its edge.
+ * @param {Camera} camera @param {Vector[]} points @param {Strips} strips */
+function outside(camera, points, strips) {
+  const { x, y, across, up } = free(camera, strips);
+  return Math.max(
+    ...points.map((point) => {
+      const [px, py, depth] = camera.project(...point);
+      return depth > 0 ? Math.max(Math.abs(px - x) / across, Math.abs(py - y) / up) : Infinity;
+    }),
+  );
+}
+
+/** The pose moved by as little as brings points in from the picture's edge. @param {Camera} camera
+ * @param {Vector[]} points @param {Strips} strips @returns {Pose} */
+function moved(camera, points, strips) {
+  const { pose } = camera;
+  const seen = points.map((point) => camera.project(...point));
+  if (seen.some(([, , depth]) => depth <= 0)) return { ...pose, distance: 2 * pose.distance };
+  const { x, y, across, up } = free(camera, strips);
+  const side = (
+    /** @type {number} */ k,
+    /** @type {number} */ middle,
+    /** @type {number} */ half,
+  ) => {
+    const values = seen.map((place) => place[k] - middle);
+    const [least, most] = [Math.min(...values), Math.max(...values)];
+    const over = Math.max(0, most - half) + Math.min(0, least + half);
+    return { over, tight: (most - least) / (2 * half) };
+  };
+  const [flat, high] = [side(0, x, OUTER * across), side(1, y, OUTER * up)];
+  const tight = Math.max(flat.tight, high.tight);
+  if (tight > 1) return { ...pose, distance: pose.distance * tight };
+  const scale = pose.distance / camera.focal;
+  const target = plus(
+    plus(pose.target, camera.right, flat.over * scale),
+    camera.top,
+    -high.over * scale,
+  );
+  return { ...pose, target };
+}
+
 /** What the ropes take up now along the axes of the view. @param {Camera} camera @param {Float32Array} nodes
- * @param {Piece[]} pieces @param {{center: number[], radius: number}} room */
+ * @param {Piece[]} pieces @param {{center: number[], radius: number}} room @returns {Edges} */
 function extent({ right, top, toward }, nodes, pieces, { center, radius }) {
   const count = pieces.reduce((sum, piece) => sum + piece.nodes, 0);
   const every = Math.max(1, Math.ceil(count / LOOKED_AT));
   const low = [Infinity, Infinity, Infinity];
   const high = [-Infinity, -Infinity, -Infinity];
+  const middle = [0, 0, 0];
   [right, top, toward].forEach(([x, y, z], k) => {
-    const middle = center[0] * x + center[1] * y + center[2] * z;
+    const heart = center[0] * x + center[1] * y + center[2] * z;
+    let seen = 0;
     for (const { first, nodes: many, held } of pieces) {
       const reach = (held ? HELD : ROOMS) * radius;
       for (let i = first; i < first + many; i += every) {
         const value = nodes[4 * i] * x + nodes[4 * i + 1] * y + nodes[4 * i + 2] * z;
-        if (!(Math.abs(value - middle) <= reach)) continue;
+        if (!(Math.abs(value - heart) <= reach)) continue;
         if (value < low[k]) low[k] = value;
         if (value > high[k]) high[k] = value;
+        middle[k] += value;
+        seen++;
       }
     }
+    middle[k] /= seen;
   });
-  return { low, high };
+  return { low, high, middle };
 }
 
 /** How low ropes can come while what holds them stays: two held nodes with a length of rope between them let it down

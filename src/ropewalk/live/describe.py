@@ -174,7 +174,8 @@ def force_list(scene: Scene, where: Layout) -> list[dict[str, Any]]:
 
 def parameters(session: Session) -> dict[str, Any]:
     """Return the `parameters` message."""
-    found = [_parameter(session, one) for one in PARAMETERS.values()]
+    there = [one for one in PARAMETERS.values() if not one.barred(session.loaded)]
+    found = [_parameter(session, one) for one in there]
     return {"type": "parameters", "parameters": found}
 
 

@@ -16,8 +16,9 @@ from ropewalk.scene import Air, Fault, Ground, Scene, SceneError, Springs
 from ropewalk.scene.limits import HUGE, TINY
 
 NUMBER, WHOLE, VECTOR, CHOICE, FLAG = "number", "whole", "vector", "choice", "flag"
-ROPE, WORLD, AIR, GROUND, METHOD = "Rope", "World", "Air", "Ground", "Method"
+ROPE, WORLD, AIR, GROUND, METHOD = "Rope", "World", "Air", "NeHe's ground", "Method"
 
+BARRED = "is another law than contact in this scene; a firm floor is an obstacle of kind plane"
 _LARGEST = 1e300  # a whole number may be larger than any floating-point one
 
 Get = Callable[[Scene, int], Any]
@@ -42,6 +43,11 @@ class Parameter:
     low: float | None = None  # of a linear slider
     high: float | None = None
     choices: Callable[[], list[dict[str, str]]] | None = None
+
+    def barred(self, loaded: Scene) -> str:
+        """Return why it is not there for a scene; empty where it is."""
+        firm = loaded.obstacles or loaded.contact
+        return BARRED if self.group == GROUND and firm and loaded.ground is None else ""
 
     @property
     def per_rope(self) -> bool:
@@ -331,7 +337,8 @@ _TABLE = (
         *_air("wind"), **_anything(-20.0, 20.0),
     ),
     Parameter(
-        "ground", "Ground", GROUND, "", FLAG, "A yielding floor",
+        "ground", "Yielding ground", GROUND, "", FLAG,
+        "The floor of NeHe's lesson 40: it pushes like a spring, and its friction does not know the load",
         lambda scene, _: scene.ground is not None, _set_ground,
     ),
     Parameter(

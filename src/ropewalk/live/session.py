@@ -16,7 +16,7 @@ from ropewalk.live.actions import ACTIONS
 from ropewalk.live.changes import Key, changes_between
 from ropewalk.live.commands import PHYSICAL, Command, Knot
 from ropewalk.live.history import EVERY, History, Moment
-from ropewalk.live.parameters import initial, named
+from ropewalk.live.parameters import initial, named, refusal
 from ropewalk.live.track import Saved, Track, planned
 from ropewalk.live.undo import WORDS, Undo
 from ropewalk.scene import Scene
@@ -261,9 +261,10 @@ class Session:
 
     def set(self, name: str, value: Any, rope: str | None, variant: int | None) -> None:
         """Change a parameter of all variants, or of one. Raises SceneError."""
-        default = value is None
+        parameter, default = named(name), value is None
+        if why := parameter.barred(self.loaded):
+            raise refusal(name, value, why)
         if default:
-            parameter = named(name)
             value = parameter.get(self.loaded, parameter.ropes(self.loaded, rope)[0])
         for number, track in enumerate(self.tracks):
             if variant is None or number == variant:

@@ -19,7 +19,7 @@ from ropewalk.live.ear import Ear
 from ropewalk.live.edits import Edit
 from ropewalk.live.gaps import Parted, gaps, located
 from ropewalk.live.hands import CONTROL, Hands, held_around
-from ropewalk.live.parameters import named, refusal
+from ropewalk.live.parameters import AIR, GROUND, METHOD, WORLD, named, refusal
 from ropewalk.live.seen import Interval
 from ropewalk.lowering import Plan, build, with_all_laws
 from ropewalk.lowering.joint_tables import tied_with
@@ -31,7 +31,7 @@ from ropewalk.simulation.block import Block
 
 LOSSES = ("friction", *(law.name for law in NODE_LAWS))
 # What may be changed while a winch works: it changes tables that all else is made of.
-WINCH_SAFE = {"World", "Air", "Ground", "Method"}
+WINCH_SAFE = {WORLD, AIR, GROUND, METHOD}
 # What would break the lengths of rigid links, or what they do not have.
 RIGID_FIXED = {"spring_constant", "EA", "length", "segments", "tension_only"}
 WITH_LINKS = "while a rope of rigid links is in the scene"
