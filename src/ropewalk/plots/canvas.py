@@ -27,7 +27,7 @@ from ropewalk.plots.style import EARTH
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
 
-_FLAT = 20.0  # a box flatter than this is drawn with unequal scales
+_FLAT = 10.0  # a box flatter than this is drawn with unequal scales
 ANCHOR = {"marker": "s", "color": "black", "markersize": 5.5, "linestyle": "none"}
 LOAD = {"marker": "o", "color": "#404040", "markersize": 7.0, "linestyle": "none"}
 JOINT = {"marker": "o", "color": "#404040", "markersize": 3.0, "linestyle": "none"}
@@ -82,9 +82,9 @@ def box_around(points: Floats, ground: float | None, *, roomy: bool = False) -> 
 
 
 def _round_down(value: float) -> float:
-    """1, 2 or 5 times a power of ten, at most `value`."""
+    """1, 2, 3, 4 or 5 times a power of ten, at most `value`."""
     power = 10.0 ** np.floor(np.log10(value))
-    return float(max(step * power for step in (1.0, 2.0, 5.0) if step * power <= value))
+    return float(max(step * power for step in (1.0, 2.0, 3.0, 4.0, 5.0) if step * power <= value))
 
 
 def prepare(axes: Axes, box: Box) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -21,7 +22,7 @@ from ropewalk.plots.canvas import (
     prepare,
 )
 from ropewalk.plots.given_forces import draw_forces, given_notes
-from ropewalk.plots.sight import Floats, anchors_at, positions_of, rope_lines
+from ropewalk.plots.sight import Floats, anchors_at, load_nodes, positions_of, rope_lines
 from ropewalk.plots.style import (
     COLOURS,
     GREY,
@@ -39,7 +40,9 @@ if TYPE_CHECKING:
 _MOST = 8  # names, loads and sags that are written; more would hide each other
 _SMALL = 2e-3  # [1] of the drawing's size: shorter than this a length is not told
 _NEAR = 0.02  # [1] of the drawing's size: anchors nearer to each other have one label
-_FOOT = 0.1  # [1] of the box: anchors below that have their names below them
+_FOOT = 0.15  # [1] of the box: anchors below that have their names below them
+# Where words of a load may stand, and within which angle of that no rope may leave it [rad].
+_SIDES = (((0, -1), 1.3), ((0, 1), 1.2), ((1, 0), 0.5), ((-1, 0), 0.5))
 _ARROWS = {"arrowstyle": "<|-|>", "color": GREY, "linewidth": 0.9, "shrinkA": 0.0, "shrinkB": 0.0}
 
 
@@ -68,7 +71,8 @@ def dimensions(result: Result, *, plane: str | None = None) -> Figure:
     draw_loads(axes, result, seen.view, 0)
     draw_forces(axes, result, seen, 0)
     ends = seen.view.project(_ends(result, points))
-    _measure_ends(axes, ends, seen)
+    loads = seen.view.project(points[load_nodes(result)])
+    _measure_ends(axes, ends, seen, np.concatenate([ends, loads]))
     sags = _write_sags(axes, result, points, seen)
     _name_anchors(axes, result, seen)
     more = _name_loads(axes, result, seen.view.project(points), seen)
@@ -94,14 +98,17 @@ def _ends(result: Result, points: Floats) -> Floats:
     return found
 
 
-def _measure_ends(axes: Axes, ends: Floats, seen: Backdrop) -> None:
-    """Write how far the outer anchors are apart, across below the drawing and upward beside it."""
+def _measure_ends(axes: Axes, ends: Floats, seen: Backdrop, named: Floats) -> None:
+    """Write how far the outer anchors are apart, across below the drawing and upward beside it.
+
+    Below what is `named` there, (m, 2) [m], too.
+    """
     box = seen.box
     size = max(box.width, box.high - box.low)
     (left, low), (right, high) = ends.min(axis=0), ends.max(axis=0)
     high_of = box.high - box.low
-    named = bool((ends[:, 1] < box.low + _FOOT * high_of).any())  # their names stand below them
-    below, beside = box.low - (0.14 if named else 0.07) * high_of, box.right + 0.04 * box.width
+    foot = bool((named[:, 1] < box.low + _FOOT * high_of).any())  # their names stand below them
+    below, beside = box.low - (0.14 if foot else 0.07) * high_of, box.right + 0.04 * box.width
     if right - left > _SMALL * size:
         for x in (left, right):
             axes.plot([x, x], [ends[ends[:, 0] == x][0, 1], below], color=GREY, linewidth=0.5)
@@ -210,34 +217,65 @@ def _name_anchors(axes: Axes, result: Result, seen: Backdrop) -> None:
 
 
 def _name_loads(axes: Axes, result: Result, flat: Floats, seen: Backdrop) -> list[str]:
-    """Write the mass of every load below it; return what could not be written."""
+    """Write the mass of every load beside it, where no rope goes; return what could not be written."""
     loads = [
         (span.start + rope.node_index(load.node), load.mass)
         for rope, span in zip(result.scene.ropes, result.layout.ropes, strict=True)
         for load in rope.loads
     ]
     near = _NEAR * max(seen.box.width, seen.box.high - seen.box.low)
-    written: list[tuple[Floats, list[float]]] = []  # those beside each other have one label
+    written: list[
+        tuple[Floats, list[float], list[int]]
+    ] = []  # those beside each other have one label
     for node, mass in loads[:_MOST]:
         beside = (there for there in written if np.linalg.norm(there[0] - flat[node]) < near)
-        where, masses = next(beside, (flat[node].copy(), []))
+        where, masses, nodes = next(beside, (flat[node].copy(), [], []))
         if not masses:
-            written.append((where, masses))
+            written.append((where, masses, nodes))
         masses.append(mass)
+        nodes.append(node)
         where[1] = min(where[1], flat[node][1])
-    for where, masses in written:
+    for where, masses, nodes in written:
+        across, up = _clear_side(result, flat, nodes, seen)
         axes.annotate(
             f"{' + '.join(f'{mass:.5g}' for mass in masses)} kg",
             xy=tuple(where),
-            xytext=(0.0, -14.0),
+            xytext=(9.0 * across, -14.0 if up < 0.0 else 8.0 * up),
             textcoords="offset points",
-            ha="center",
+            ha=("center", "left", "right")[across],
+            va="center" if across else "baseline",
             fontsize=8.5,
             color=COLOURS[1],
+            bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.5, "alpha": 0.85},
             annotation_clip=False,
             zorder=5,
         )
     return ["Not all loads are named."] if len(loads) > _MOST else []
+
+
+def _clear_side(result: Result, flat: Floats, nodes: list[int], seen: Backdrop) -> tuple[int, int]:
+    """Return the side of a load on which no rope leaves it, (across, up): below where that is one.
+
+    Of all that are taken, the one that is farthest from every rope.
+    """
+    spans = result.layout.ropes
+    ways = [
+        flat[other] - flat[node]
+        for node in nodes
+        for other in (node - 1, node + 1)
+        if any(span.start <= min(node, other) and max(node, other) <= span.end for span in spans)
+    ]
+    ways = [way * (1.0, seen.box.magnified) for way in ways if way.any()]
+    if not ways:
+        return _SIDES[0][0]
+
+    def room(side: tuple[int, int], wide: float) -> float:
+        return min(
+            math.acos(np.clip(way @ side / np.hypot(*way), -1.0, 1.0)) / wide for way in ways
+        )
+
+    clear = (side for side, wide in _SIDES if room(side, wide) >= 1.0)
+    return next(clear, max(_SIDES, key=lambda one: room(*one))[0])
 
 
 def _depth(result: Result, points: Floats, seen: Backdrop) -> list[str]:
