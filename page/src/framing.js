@@ -1,6 +1,6 @@
 // How the camera frames the ropes: all of them in the picture, clear of cards and of the legend, with their arrows.
 
-import { covers, stripAside, stripsBeside } from "./view/cards.js";
+import { covers, stripAside, stripsBeside, stripsBetween } from "./view/cards.js";
 import { nodesOf } from "./view/copies.js";
 import { boxOf, firstAngles } from "./view/room.js";
 import { vector } from "./view/vector.js";
@@ -96,7 +96,7 @@ export class Framing {
     const { viewport } = this;
     const strips = this.strips();
     if (this.covered(viewport.camera.pose)) return true;
-    if (!viewport.card()) return false;
+    if (!viewport.card() && !strips.right) return false; // nor tools that ropes go between
     const { camera, follower } = viewport; // with a card up nothing else brings back what has left the picture
     return (
       roomFor(viewport, camera, strips).top > strips.top + 1 ||
@@ -126,6 +126,7 @@ export class Framing {
     const { card, legendCard, camera } = this.viewport;
     const legend = this.besideLegend ? legendCard() : null;
     const aside = this.right && !card() ? stripAside(legend, camera) : null;
-    return aside ?? stripsBeside(card() ?? legend, camera);
+    const beside = aside ?? stripsBeside(card() ?? legend, camera);
+    return { ...beside, ...stripsBetween(this.viewport.bars(), camera) };
   }
 }

@@ -193,6 +193,33 @@ def _clear_of_the_card(window: Window, ropes: int) -> None:
             assert scene["y"] < y < scene["y"] + scene["height"]
 
 
+def test_on_a_lying_phone_with_graphs_no_tool_covers_the_rope(
+    open_window: Open, serve: Serve
+) -> None:
+    window = open_window(serve(playing=True).address, **(LYING | LIGHT)).ready()
+    window.until("r.time > 0.2")
+    window.click("#toggle-graphs")
+    window.until("r.time > 1.5")
+    window.press(" ")
+    window.settled()
+    bars = [one for one in _cards(window) if "toolbar" in one[0]]
+    assert len(bars) == 2
+    places = window.ask("[...Array(41).keys()].map((i) => r.screenOf(i))")
+    assert not any(_under_a_card([one["x"], one["y"], 0.0, 0.0], bars) for one in places)
+
+
+def test_on_an_upright_phone_with_graphs_copies_have_one_line_each(
+    open_window: Open, serve: Serve
+) -> None:
+    window = open_window(serve().address, **(PHONE | LIGHT)).ready()
+    window.tell(type="compare", variants=COPIES)
+    window.until("r.session.layout.variants.length === 3")
+    window.click("#toggle-graphs")
+    window.settled()
+    card = window.page.locator("#difference").bounding_box()
+    assert card["height"] < 0.4 * window.page.locator("#scene").bounding_box()["height"]
+
+
 @pytest.mark.parametrize("shape", ["phone", "phone-lying"])
 def test_nothing_lies_over_a_rope_on_the_ground(
     open_window: Open, serve: Serve, shape: str

@@ -7,6 +7,7 @@ import { vector } from "./vector.js";
 const TOOLS = 60; // height of the tool bars where they lie in a row, above a card [CSS pixels]
 const ROOMY = 400; // width that must be left beside a card [CSS pixels]
 const LOW = 400; // height of a scene in which they always do [CSS pixels]
+const BETWEEN = 0.3; // of a scene's width: what ropes need between tools
 const NARROW = 430; // width of a scene in which they do, too [CSS pixels]
 
 /** Whether a card lies over a rope. @param {Camera} camera @param {Float32Array} nodes x, y, z, value
@@ -35,6 +36,22 @@ export function stripAside(card, { width, height }) {
   return card && width - card.right > ROOMY
     ? { ...stripsBeside(null, { width, height }), left: card.right }
     : null;
+}
+
+/** What tools at both sides take of the width of a scene that has no height to spare for them.
+ * @param {{left: number, right: number}[]} bars [CSS pixels] @param {{width: number, height: number}} scene */
+export function stripsBetween(bars, { width, height }) {
+  if (height > 3 * TOOLS) return {};
+  const middle = (/** @type {{left: number, right: number}} */ bar) => (bar.left + bar.right) / 2;
+  const left = Math.max(
+    0,
+    ...bars.filter((bar) => middle(bar) < width / 2).map((bar) => bar.right),
+  );
+  const first = Math.min(
+    width,
+    ...bars.filter((bar) => middle(bar) >= width / 2).map((bar) => bar.left),
+  );
+  return first - left > BETWEEN * width ? { left, right: width - first } : {};
 }
 
 /** Where a card lies in the scene; null: it is not shown. @param {HTMLElement} card @param {HTMLElement} canvas */
