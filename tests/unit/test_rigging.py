@@ -90,6 +90,13 @@ def test_places_of_a_load_may_have_units() -> None:
         line.rolling("80 kg", places=2.5)  # type: ignore[arg-type]
 
 
+def test_the_scene_of_a_line_has_its_length() -> None:
+    with pytest.raises(
+        SceneError, match=r"length: 3 - is that of the line, 10\.\d+ m; set up another"
+    ):
+        rw.line(10.0, 0.0, "wire-7x19-12", sag=1.0).scene(length=3)
+
+
 def test_a_line_makes_up_no_diameter() -> None:
     """A material has none: the scene of its line has 10 mm to what it touches only where they are given."""
     wire = rw.rope("wire-7x19-12")

@@ -141,6 +141,9 @@ class Line:
 
         Raises SceneError for fields that are faulty.
         """
+        if "length" in fields:
+            rule = f"is that of the line, {self.length:.6g} m; set up another line for it"
+            raise SceneError([Fault("length", fields["length"], rule)])
         end = (self.span, 0.0, self.height_difference)
         distance = math.hypot(self.span, self.height_difference)
         taut = self.length <= distance * (1.0 + 1e-9)
