@@ -2,7 +2,9 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 
+import { BodyHand } from "../src/input/body.js";
 import { hullOf } from "../src/render/canvas/solids.js";
+import { Camera } from "../src/view/camera.js";
 import {
   cornersOf,
   distanceTo,
@@ -66,6 +68,32 @@ test("triangles turn about their position, and a way meets them where they are t
     assert.equal(far === null, there === null);
     if (far !== null) assert.ok(Math.abs(far - there) < 1e-9);
   }
+});
+
+test("a stroke turns triangles around their position, where they turn, not around their middle", () => {
+  const vertices = [0, 0, 0, 1, 0, 0, 1, 1, 0, 1, 0, 1];
+  const faces = [0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3];
+  const tent = {
+    ...BAR,
+    kind: "mesh",
+    axis: [0, 0, 1],
+    axle: [0, 0, 1],
+    size: [0],
+    vertices,
+    faces,
+  };
+  const [solid] = solidsOf([tent], here);
+  assert.ok(Math.hypot(...solid.middle) > 0.3); // the twin: elsewhere
+  const camera = new Camera();
+  camera.resize(900, 600);
+  camera.set({ target: [0, 0, 0], distance: 20, azimuth: -Math.PI / 2, elevation: Math.PI / 2 });
+  const hand = { viewport: { camera, solids: { named: () => solid } }, hit: { obstacle: "bar" } };
+  const [from, to] = [0, Math.PI / 2].map((angle) => {
+    const [x, y] = camera.project(Math.cos(angle), Math.sin(angle), 0);
+    return { x, y };
+  });
+  const turned = BodyHand.prototype.turnBetween.call(hand, from, to);
+  assert.ok(Math.abs(turned - Math.PI / 2) < 1e-6, `${turned}`);
 });
 
 test("a half-pipe hides nothing: its near wall is cut away", () => {

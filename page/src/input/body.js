@@ -69,13 +69,13 @@ export class BodyHand {
     else this.pending ||= window.setTimeout(() => this.sendTarget(), wait);
   }
 
-  /** The angle of a stroke: around the middle of what faces the eye, else across the axis.
+  /** The angle of a stroke: around the axle of what faces the eye, else across the axis.
    * @param {{x: number, y: number}} from @param {{x: number, y: number}} to */
   turnBetween(from, to) {
     const { camera, solids } = this.viewport;
     const solid = solids.named(this.hit.obstacle);
     if (!solid) return 0;
-    const [cx, cy, depth] = camera.project(...solid.center);
+    const [cx, cy, depth] = camera.project(...minus(solid.center, solid.middle));
     const facing = dot(solid.axle, camera.toward);
     if (Math.abs(facing) > FACING) {
       const [a, b] = [from, to].map(({ x, y }) => Math.atan2(cy - y, x - cx));
