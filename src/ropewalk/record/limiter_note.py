@@ -2,7 +2,7 @@
 
 After a step it moves nodes to their bounds and takes the speed at which they would pass them. Where too much
 hangs on too fine a rope for its passes it only moves nodes: places stand still, and velocities go on. That
-shows in its work. Where nothing drives a scene bounds can only take energy.
+shows in its work and in the energy. Where nothing drives a scene bounds can only take.
 """
 
 from __future__ import annotations
@@ -30,7 +30,9 @@ def limiter_note(result: Result) -> str:
     work = result.work["limiter"][:good]
     if not np.isfinite(work).all():
         return ""
-    given = float((work - np.minimum.accumulate(work)).max())
+    # its work alone grows where a load hangs at its bound: against the weight's, step by step
+    total = result.energy["total"][:good]
+    given = min(float((one - np.minimum.accumulate(one)).max()) for one in (work, total))
     turned = largest_change(part[:good] for name, part in result.energy.items() if name != "total")
     if not given > MOST * turned > 0.0:
         return ""

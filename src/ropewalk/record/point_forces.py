@@ -143,7 +143,8 @@ class PointForces:
         if result.layout.pulleys:
             names = [body.name for body in result.scene.obstacles]
             free = [names.index(name) for name in result.layout.pulleys]
-            found[:, free] = result.read(PULLEYS)[frames, :, 0]
+            start, stop, step = frames.indices(result.frames)
+            found[:, free] = result.read(PULLEYS, start, stop)[::step, :, 0]
         return found
 
     @property
