@@ -211,7 +211,8 @@ def test_all_of_a_body_is_in_the_first_picture(open_window: Open, serve: Serve) 
     window = open_window(server.address, **WIDE).ready()
     window.settled()
     corners = window.ask(
-        "r.viewport.solids.places().map((one) => r.viewport.camera.project(...one))"
+        "r.viewport.solids.places({ low: [-9, -9, -9], high: [9, 9, 9] })"
+        ".map((one) => r.viewport.camera.project(...one))"
     )
     size = window.ask("[r.viewport.camera.width, r.viewport.camera.height]")
     assert len(corners) == 8
