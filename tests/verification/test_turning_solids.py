@@ -209,6 +209,13 @@ def test_hands_turn_a_plank_no_faster_than_it_can_be_followed() -> None:
     assert handle.angle - before == pytest.approx(handle.rate * 6 / 240, rel=1e-9)
     with pytest.raises(ValueError, match="jump over nodes"):
         handle.rate = 2.0 * handle.fastest_turn
+    left, most = handle.fastest, handle.fastest_turn
+    handle.rate = 0.0
+    assert left == pytest.approx(0.5 * handle.fastest)  # its turning took the other half
+    handle.velocity = (0.0, 0.0, 1.2 * left)
+    assert handle.fastest_turn == pytest.approx(0.4 * most)
+    with pytest.raises(ValueError, match="jump over nodes"):
+        handle.rate = 0.5 * most
 
 
 def test_what_turns_too_far_in_a_step_or_freely_is_refused() -> None:

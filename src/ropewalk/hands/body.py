@@ -105,21 +105,31 @@ class ObstacleHandle:
 
     @property
     def fastest(self) -> float:
-        """The largest speed at which it jumps over no node within a step [m/s]."""
-        simulation = self._simulation
-        return radius_with_rope(simulation.system, self._body) / simulation.clock[1]
+        """The largest speed at which it jumps over no node within a step, turning as it does [m/s]."""
+        return max(self._limit - abs(self.rate) * self._reach, 0.0)
 
     @property
     def fastest_turn(self) -> float:
-        """The largest rate at which it jumps over no node within a step [rad/s]; inf of what is round."""
-        table = self._simulation.system.node.obstacle
-        reach = reach_of(table, self._row) if table.kind[self._row] in UNROUND else 0.0
-        return self.fastest / reach if reach > 0.0 else math.inf
+        """The largest rate at which it does so, moving as it does [rad/s]; inf of what is round."""
+        left = max(self._limit - float(np.linalg.norm(self.velocity)), 0.0)
+        return left / self._reach if self._reach > 0.0 else math.inf
 
     @property
     def turns(self) -> bool:
         """Whether a hand can turn it: it does not turn freely."""
         return not is_free(self._body)
+
+    @property
+    def _limit(self) -> float:
+        """The largest speed at which a surface jumps over no node within a step [m/s]."""
+        simulation = self._simulation
+        return radius_with_rope(simulation.system, self._body) / simulation.clock[1]
+
+    @property
+    def _reach(self) -> float:
+        """How far from its axle turning moves its surface [m]; 0 of what is round."""
+        table = self._simulation.system.node.obstacle
+        return reach_of(table, self._row) if table.kind[self._row] in UNROUND else 0.0
 
     @property
     def taken(self) -> tuple[bool, bool]:

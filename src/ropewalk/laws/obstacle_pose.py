@@ -18,7 +18,7 @@ UNROUND = (BOX, HALF_PIPE, MESH)  # whose surface leaves its place as they turn
 @small
 def is_unround(kind):
     """Tell whether a body's surface leaves its place where it turns."""
-    return kind == BOX or kind == HALF_PIPE or kind == MESH
+    return kind in UNROUND
 
 
 @kernel

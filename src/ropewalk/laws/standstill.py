@@ -18,6 +18,7 @@ from ropewalk.laws.obstacle_pose import pose_of, probe_turned
 AT_LIMIT = 1.0 - 1e-9  # [1] of what friction can carry counts as all of it
 SHARE = 0.2  # [1] of the way at the first speed: what a step errs by that stops somewhere within
 LATE = 0.95  # [1] of a step: so late a stop is not within it for sure
+UNSEEN = 0.9  # [1] of the longest step whose stops are passed over: none is cut shorter, or twice by rounding
 
 
 @kernel
@@ -72,7 +73,6 @@ def standstills(obstacles, before, after, dt, tolerance):
             loss = -(a[0, i] * ux + a[1, i] * uy + a[2, i] * uz) / speed
             at = speed / loss if loss > 0.0 else math.inf
             at = at if at < LATE * dt else 0.5 * dt
-            end = min(
-                end, max(at, 0.9 * tolerance / (SHARE * speed))
-            )  # a shorter one is not looked at
+            least = UNSEEN * tolerance / (SHARE * speed)
+            end = min(end, max(at, least))
     return end, changes

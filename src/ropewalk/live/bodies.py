@@ -26,6 +26,7 @@ from ropewalk.simulation import Simulation
 FOLLOW = 0.05  # [s] of the user's time in which a body reaches its target
 SAFE = 0.5  # [1] of the speed at which it would jump over nodes
 FASTEST_TURN = 12.0  # [rad/s]
+_SLOW = 1e-9  # [m/s, rad/s] what is left to a body whose other motion is as fast as may be
 
 
 def lead(handle: ObstacleHandle, target: Floats | None, angle: float | None, pace: float) -> None:
@@ -38,11 +39,12 @@ def lead(handle: ObstacleHandle, target: Floats | None, angle: float | None, pac
     if angle is not None:
         if not handle.turns:
             raise refusal("angle", angle, "cannot be turned: it turns freely, as ropes turn it")
-        fastest = min(FASTEST_TURN, SAFE * handle.fastest_turn)
+        fastest = max(min(FASTEST_TURN, SAFE * handle.fastest_turn), _SLOW)
         handle.turn_to(angle, max(follow, abs(angle - handle.angle) / fastest))
     if target is not None:
         far = float(np.linalg.norm(target - handle.position))
-        handle.move_to(target, max(follow, far / min(FASTEST, SAFE * handle.fastest)))
+        fastest = max(min(FASTEST, SAFE * handle.fastest), _SLOW)
+        handle.move_to(target, max(follow, far / fastest))
 
 
 class Told:
