@@ -25,7 +25,7 @@ import math
 from ropewalk.core.jit import kernel
 from ropewalk.laws.contact_books import RUBBED, note_way, put_apart
 from ropewalk.laws.contact_frame import GRIP, PUSH, cut, spring_pull, surface_at
-from ropewalk.laws.obstacle_pose import pose_of, probe_turned, rates_of, swept
+from ropewalk.laws.obstacle_pose import body_of, pose_of, probe_turned, rates_of, swept
 from ropewalk.laws.wheels import find_rates, keep_wheels, turned
 
 
@@ -45,11 +45,11 @@ def contact_forces(x, v, obstacles, memory, now, force, lo, hi):
         center, axle, grip = obstacles.center[o], obstacles.axle[o], memory.grip[o]
         mx, my, mz, ux, uy, uz, angle, rate = turned(obstacles, memory, o, now)
         then = surface_at(obstacles, o, now[1])
-        pose = pose_of(obstacles, o, then[6] + angle)
+        body, pose = body_of(obstacles, o), pose_of(obstacles, o, then[6] + angle)
         (wx, wy, wz), sweep = rates_of(obstacles, o, rate)
         for i in range(lo, last):
             px, py, pz = x[0, i] - mx, x[1, i] - my, x[2, i] - mz
-            g, nx, ny, nz, _, _, _, _, _ = probe_turned(obstacles, o, pose, px, py, pz)
+            g, nx, ny, nz, _, _, _, _, _ = probe_turned(body, pose, px, py, pz)
             ox, oy, oz = px - center[0], py - center[1], pz - center[2]
             lx, ly, lz = swept(ux, uy, uz, sweep, ox, oy, oz)
             vx, vy, vz = v[0, i] - lx, v[1, i] - ly, v[2, i] - lz
@@ -93,11 +93,11 @@ def remember_contacts(x, v, obstacles, memory, now, stiffness):
         mx, my, mz, ux, uy, uz, angle, rate = turned(obstacles, memory, o, now)
         then = surface_at(obstacles, o, now[1])
         to = (mx, my, mz)
-        pose = pose_of(obstacles, o, then[6] + angle)
+        body, pose = body_of(obstacles, o), pose_of(obstacles, o, then[6] + angle)
         (wx, wy, wz), sweep = rates_of(obstacles, o, rate)
         for i in range(n):
             px, py, pz = x[0, i] - mx, x[1, i] - my, x[2, i] - mz
-            g, nx, ny, nz, _, _, _, _, _ = probe_turned(obstacles, o, pose, px, py, pz)
+            g, nx, ny, nz, _, _, _, _, _ = probe_turned(body, pose, px, py, pz)
             ox, oy, oz = px - center[0], py - center[1], pz - center[2]
             lx, ly, lz = swept(ux, uy, uz, sweep, ox, oy, oz)
             vx, vy, vz = v[0, i] - lx, v[1, i] - ly, v[2, i] - lz
@@ -142,13 +142,13 @@ def count_closing(x, v, obstacles, memory, now):
     for o in range(obstacles.kind.shape[0]):
         center, grip = obstacles.center[o], memory.grip[o]
         mx, my, mz, ux, uy, uz, angle, rate = surface_at(obstacles, o, now[0])
-        pose = pose_of(obstacles, o, angle)
+        body, pose = body_of(obstacles, o), pose_of(obstacles, o, angle)
         _, sweep = rates_of(obstacles, o, rate)
         for i in range(x.shape[1]):
             if grip[PUSH, i] > 0.0:
                 continue
             px, py, pz = x[0, i] - mx, x[1, i] - my, x[2, i] - mz
-            g, nx, ny, nz, _, _, _, _, _ = probe_turned(obstacles, o, pose, px, py, pz)
+            g, nx, ny, nz, _, _, _, _, _ = probe_turned(body, pose, px, py, pz)
             ox, oy, oz = px - center[0], py - center[1], pz - center[2]
             lx, ly, lz = swept(ux, uy, uz, sweep, ox, oy, oz)
             vx, vy, vz = v[0, i] - lx, v[1, i] - ly, v[2, i] - lz
@@ -190,10 +190,10 @@ def contact_energy(x, obstacles, t):
     total = 0.0
     for o in range(obstacles.kind.shape[0]):
         mx, my, mz, _, _, _, angle, _ = surface_at(obstacles, o, t)
-        pose = pose_of(obstacles, o, angle)
+        body, pose = body_of(obstacles, o), pose_of(obstacles, o, angle)
         for i in range(x.shape[1]):
             px, py, pz = x[0, i] - mx, x[1, i] - my, x[2, i] - mz
-            depth = obstacles.thickness[i] - probe_turned(obstacles, o, pose, px, py, pz)[0]
+            depth = obstacles.thickness[i] - probe_turned(body, pose, px, py, pz)[0]
             if depth > 0.0:
                 total += 0.5 * obstacles.stiffness[o, i] * depth * depth
     return total

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from ropewalk.core.jit import kernel, small
-from ropewalk.laws.obstacle_pose import pose_of, probe_turned, rotated
+from ropewalk.laws.obstacle_pose import body_of, drawn_place, pose_of, probe_turned, rotated
 from ropewalk.motions.whereabouts import place_now
 
 # Rows of `Memory.grip` after the spring's force: the coefficient of friction, R_n.
@@ -28,14 +28,30 @@ def surface_at(obstacles, row, t):
 
 
 @kernel
+def surface_by(obstacles, o, t, x, y, z):
+    """Return what `probe` does of obstacle o as it lies at time `t` [s], for a place of the scene [m]."""
+    mx, my, mz, _, _, _, angle, _ = surface_at(obstacles, o, t)
+    pose = pose_of(obstacles, o, angle)
+    return probe_turned(body_of(obstacles, o), pose, x - mx, y - my, z - mz)
+
+
+@kernel
+def drawn_from(obstacles, o, t, x, y, z):
+    """Return where a place at time `t` [s] was before obstacle o moved and turned, three numbers [m]."""
+    mx, my, mz, _, _, _, angle, _ = surface_at(obstacles, o, t)
+    pose = pose_of(obstacles, o, angle)
+    return drawn_place(body_of(obstacles, o), pose, x - mx, y - my, z - mz)
+
+
+@kernel
 def find_gaps(x, obstacles, t, found):
     """Write the distances of places (3, n) to every obstacle at time `t` [s], (k, n) [m]."""
     for o in range(obstacles.kind.shape[0]):
         mx, my, mz, _, _, _, angle, _ = surface_at(obstacles, o, t)
-        pose = pose_of(obstacles, o, angle)
+        body, pose = body_of(obstacles, o), pose_of(obstacles, o, angle)
         for i in range(x.shape[1]):
             px, py, pz = x[0, i] - mx, x[1, i] - my, x[2, i] - mz
-            found[o, i] = probe_turned(obstacles, o, pose, px, py, pz)[0]
+            found[o, i] = probe_turned(body, pose, px, py, pz)[0]
 
 
 @kernel

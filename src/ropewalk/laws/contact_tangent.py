@@ -16,7 +16,7 @@ import math
 from ropewalk.core.blocks import load9, subtract
 from ropewalk.core.jit import kernel
 from ropewalk.laws.contact_frame import GRIP, spring_pull, surface_at
-from ropewalk.laws.obstacle_pose import pose_of, probe_turned, rates_of, swept
+from ropewalk.laws.obstacle_pose import body_of, pose_of, probe_turned, rates_of, swept
 from ropewalk.laws.wheels import begin_ties, find_rates, turned, write_row
 
 
@@ -30,11 +30,11 @@ def contact_tangent(x, v, obstacles, memory, now, weight_x, weight_v, band):
         center, axle, grip = obstacles.center[o], obstacles.axle[o], memory.grip[o]
         mx, my, mz, ux, uy, uz, angle, rate = turned(obstacles, memory, o, now)
         then = surface_at(obstacles, o, now[1])
-        pose = pose_of(obstacles, o, then[6] + angle)
+        body, pose = body_of(obstacles, o), pose_of(obstacles, o, then[6] + angle)
         (wx, wy, wz), sweep = rates_of(obstacles, o, rate)
         for i in range(x.shape[1]):
             px, py, pz = x[0, i] - mx, x[1, i] - my, x[2, i] - mz
-            g, nx, ny, nz, ax, ay, az, ca, cb = probe_turned(obstacles, o, pose, px, py, pz)
+            g, nx, ny, nz, ax, ay, az, ca, cb = probe_turned(body, pose, px, py, pz)
             ox, oy, oz = px - center[0], py - center[1], pz - center[2]
             lx, ly, lz = swept(ux, uy, uz, sweep, ox, oy, oz)
             vx, vy, vz = v[0, i] - lx, v[1, i] - ly, v[2, i] - lz

@@ -7,8 +7,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ropewalk.core.arrays import Floats
-from ropewalk.laws.contact_frame import find_gaps, surface_at
-from ropewalk.laws.obstacle_pose import UNROUND, drawn_place, pose_of, probe_turned, rotated
+from ropewalk.laws.contact_frame import drawn_from, find_gaps, surface_at, surface_by
+from ropewalk.laws.obstacle_pose import (
+    UNROUND,
+    pose_of,
+    rotated,
+)
 from ropewalk.laws.obstacle_shapes import BOX, MESH, TORUS
 from ropewalk.laws.triangles import NORMALS, ROUNDING, TRIANGLES
 from ropewalk.motions.registry import FIXED
@@ -34,16 +38,12 @@ def surface_near(obstacles: Obstacles, row: int, place: Floats, t: float = 0.0) 
 
     See `obstacle_shapes.probe`.
     """
-    x, y, z, _, _, _, angle, _ = surface_at(obstacles, row, t)
-    pose = pose_of(obstacles, row, angle)
-    return probe_turned(obstacles, row, pose, *map(float, place - np.array((x, y, z))))
+    return surface_by(obstacles, row, t, *map(float, place))
 
 
 def drawn_places(obstacles: Obstacles, row: int, places: Floats, t: float = 0.0) -> Floats:
     """Return where places (n, 3) [m] at time `t` [s] were before an obstacle moved and turned, (n, 3)."""
-    x, y, z, _, _, _, angle, _ = surface_at(obstacles, row, t)
-    pose, moved = pose_of(obstacles, row, angle), np.array((x, y, z))
-    found = [drawn_place(obstacles, row, pose, *map(float, place - moved)) for place in places]
+    found = [drawn_from(obstacles, row, t, *map(float, place)) for place in places]
     return np.array(found).reshape(-1, 3)
 
 

@@ -61,26 +61,32 @@ def swept(ux, uy, uz, sweep, ox, oy, oz):
     return ux + (wy * oz - wz * oy), uy + (wz * ox - wx * oz), uz + (wx * oy - wy * ox)
 
 
-@kernel
-def drawn_place(obstacles, o, pose, x, y, z):
+@small
+def body_of(obstacles, o):
+    """Return kind, middle, axis, axle and size of obstacle o, for loops over nodes; for kernels only."""
+    center, axis, axle = obstacles.center[o], obstacles.axis[o], obstacles.axle[o]
+    return obstacles.kind[o], center, axis, axle, obstacles.size[o]
+
+
+@small
+def drawn_place(body, pose, x, y, z):
     """Return where a place was before the body turned; x, y, z in the frame that moves with it [m]."""
+    _, center, _, axle, _ = body
     c, s = pose
     if s == 0.0 and c == 1.0:
         return x, y, z
-    center = obstacles.center[o]
-    ox, oy, oz = rotated(obstacles.axle[o], c, -s, x - center[0], y - center[1], z - center[2])
+    ox, oy, oz = rotated(axle, c, -s, x - center[0], y - center[1], z - center[2])
     return center[0] + ox, center[1] + oy, center[2] + oz
 
 
-@kernel
-def probe_turned(obstacles, o, pose, x, y, z):
-    """Return what `probe` does of obstacle o as it lies; x, y, z in the frame that moves with it [m]."""
+@small
+def probe_turned(body, pose, x, y, z):
+    """Return what `probe` does of a body, see `body_of`, as it lies; x, y, z as for `drawn_place`."""
+    kind, center, axis, axle, size = body
     c, s = pose
-    x, y, z = drawn_place(obstacles, o, pose, x, y, z)
-    center, axis, size = obstacles.center[o], obstacles.axis[o], obstacles.size[o]
-    g, nx, ny, nz, ax, ay, az, ca, cb = probe(obstacles.kind[o], center, axis, size, x, y, z)
+    x, y, z = drawn_place(body, pose, x, y, z)
+    g, nx, ny, nz, ax, ay, az, ca, cb = probe(kind, center, axis, size, x, y, z)
     if s != 0.0 or c != 1.0:
-        axle = obstacles.axle[o]
         nx, ny, nz = rotated(axle, c, s, nx, ny, nz)
         ax, ay, az = rotated(axle, c, s, ax, ay, az)
     return g, nx, ny, nz, ax, ay, az, ca, cb

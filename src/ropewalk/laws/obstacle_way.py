@@ -20,7 +20,7 @@ import math
 
 from ropewalk.core.jit import kernel, part, small
 from ropewalk.laws.contact_frame import PUSH, surface_at
-from ropewalk.laws.obstacle_pose import drawn_place, pose_of
+from ropewalk.laws.obstacle_pose import body_of, drawn_place, pose_of
 from ropewalk.laws.obstacle_shapes import MESH, probe
 
 FINE, HALVE = 0, 2  # see `laws.couplings`
@@ -40,13 +40,11 @@ def pose_at(obstacles, o, t):
     return (x, y, z), pose_of(obstacles, o, angle)
 
 
-@kernel
-def place_in(obstacles, o, at, x, i):
-    """Return where node i is in the frame of obstacle o, which lies `at` what `pose_at` gives [m]."""
+@small
+def place_in(body, at, x, i):
+    """Return where node i is in the frame of a body that lies `at` what `pose_at` gives [m]."""
     moved, turn = at
-    return drawn_place(
-        obstacles, o, turn, x[0, i] - moved[0], x[1, i] - moved[1], x[2, i] - moved[2]
-    )
+    return drawn_place(body, turn, x[0, i] - moved[0], x[1, i] - moved[1], x[2, i] - moved[2])
 
 
 @small
@@ -158,13 +156,14 @@ def find_sweep(x, y, inverse_mass, stiffness, obstacles, through, now):
     for o in range(obstacles.kind.shape[0]):
         if obstacles.thin[o] == math.inf:
             continue
+        body = body_of(obstacles, o)
         then, here = pose_at(obstacles, o, now[1]), pose_at(obstacles, o, now[0])
         for i in range(x.shape[1] - 1):
             held = inverse_mass[i] == 0.0 and inverse_mass[i + 1] == 0.0
             if held or stiffness[i] == 0.0 or through[i] != 0:
                 continue
-            a, b = place_in(obstacles, o, then, x, i), place_in(obstacles, o, then, x, i + 1)
-            p, q = place_in(obstacles, o, here, y, i), place_in(obstacles, o, here, y, i + 1)
+            a, b = place_in(body, then, x, i), place_in(body, then, x, i + 1)
+            p, q = place_in(body, here, y, i), place_in(body, here, y, i + 1)
             if _may_reach(obstacles, o, i, a, b, p, q) and sweeps_across(
                 obstacles, o, i, a, b, p, q
             ):
@@ -184,9 +183,10 @@ def find_pass(x, y, inverse_mass, obstacles, grip, through, now):
     for o in range(obstacles.kind.shape[0]):
         if obstacles.thin[o] == math.inf:
             continue
+        body = body_of(obstacles, o)
         then, here = pose_at(obstacles, o, now[1]), pose_at(obstacles, o, now[0])
         for i in range(x.shape[1]):
-            p, q = place_in(obstacles, o, then, x, i), place_in(obstacles, o, here, y, i)
+            p, q = place_in(body, then, x, i), place_in(body, here, y, i)
             square = (q[0] - p[0]) ** 2 + (q[1] - p[1]) ** 2 + (q[2] - p[2]) ** 2
             thin = obstacles.thin[o] + obstacles.thickness[i]
             if square < thin * thin and grip[o, PUSH, i] == 0.0:

@@ -13,7 +13,7 @@ import math
 
 from ropewalk.core.jit import kernel
 from ropewalk.laws.contact_frame import GRIP, PUSH, surface_at
-from ropewalk.laws.obstacle_pose import pose_of, probe_turned
+from ropewalk.laws.obstacle_pose import body_of, pose_of, probe_turned
 
 AT_LIMIT = 1.0 - 1e-9  # [1] of what friction can carry counts as all of it
 SHARE = 0.2  # [1] of the way at the first speed: what a step errs by that stops somewhere within
@@ -34,7 +34,7 @@ def slip_at(obstacles, o, surface, x, v, i):
     """Return the velocity of a node over an obstacle's surface [m/s]; see `surface_at`."""
     center, axle, pose = obstacles.center[o], obstacles.axle[o], pose_of(obstacles, o, surface[6])
     px, py, pz = x[0, i] - surface[0], x[1, i] - surface[1], x[2, i] - surface[2]
-    _, nx, ny, nz, _, _, _, _, _ = probe_turned(obstacles, o, pose, px, py, pz)
+    _, nx, ny, nz, _, _, _, _, _ = probe_turned(body_of(obstacles, o), pose, px, py, pz)
     ox, oy, oz = px - center[0], py - center[1], pz - center[2]
     wx, wy, wz = surface[7] * axle[0], surface[7] * axle[1], surface[7] * axle[2]
     vx = v[0, i] - surface[3] - (wy * oz - wz * oy)
