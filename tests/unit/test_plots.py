@@ -119,10 +119,10 @@ def test_sound_runs_carry_no_such_note(three_anchors):
 
 
 def test_shape_shows_the_positions_at_the_nearest_frames(three_anchors):
-    axes = plots.shape(three_anchors, times=[0.0, 1.0]).axes[0]
+    axes = plots.shape(three_anchors, times=[0.0, 2.0]).axes[0]
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("x [m]", "y [m]")
     assert axes.get_aspect() == 1.0
-    for time in (0.0, 1.0):
+    for time in (0.0, 2.0):
         frame = three_anchors.frame_at(time)
         drawn = line(axes, f"{time:.4g} s")
         np.testing.assert_array_equal(drawn.get_xdata(), three_anchors.positions[frame, :, 0])
