@@ -40,7 +40,8 @@ export class Viewport {
     this.range = new Range();
     /** @type {Colouring} */
     this.colouring = "tension";
-    this.most = 0; // the greatest value behind the colours
+    /** The greatest tension of each rope of each copy [N]. @type {number[][]} */ this.tensions =
+      [];
     this.dots = false;
     this.apart = false;
     /** @type {number[][]} */ this.shifts = [[0, 0, 0]];
@@ -162,7 +163,7 @@ export class Viewport {
     tame(nodes, nodesOf(layout), layout.view);
     this.past = this.session.broken !== null || (frame.flags & BROKEN) !== 0;
     if (!(frame.flags & BROKEN) || this.range.unknown) {
-      this.most = extremes.most;
+      this.tensions = extremes.tensions;
       this.range.follow(extremes.low, extremes.high, Math.min(0.2, (now - this.lastPush) / 1000));
     }
     this.lastPush = now;

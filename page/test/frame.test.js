@@ -122,7 +122,7 @@ test("gather puts places with their shift and values into the drawn array", () =
   assert.deepEqual(gather(read, layout, "tension", [[1, 0, 0]], out), {
     low: -10,
     high: 30,
-    most: 30,
+    tensions: [[30]],
   });
   assert.deepEqual([...out], [1.5, 1.5, 2.5, -10, 4.5, 4.5, 5.5, 10, 7.5, 7.5, 8.5, 30]);
   gather(read, layout, "strain", [[0, 0, 0]], out);
@@ -132,7 +132,7 @@ test("gather puts places with their shift and values into the drawn array", () =
   assert.deepEqual(gather(read, strong, "utilisation", [[0, 0, 0]], out), {
     low: 0, // colours mean the same at every moment: from nothing to the breaking load
     high: 1,
-    most: 0.25,
+    tensions: [[30]],
   });
   assert.equal(out[11], 0.25);
   for (const rope of strong.variants[0].ropes) rope.breaking_load = 20;

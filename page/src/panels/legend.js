@@ -1,6 +1,7 @@
 // What the colours mean, with the range in units, and what is shown besides the ropes.
 
 import { css, uniformMap } from "../view/colours.js";
+import { marginText, usesOf } from "../view/margin.js";
 import { figures, quantity } from "../view/range.js";
 import { colourOf } from "../view/copies.js";
 import { touching } from "../source/frame.js";
@@ -9,7 +10,6 @@ import { placeOn } from "../view/cards.js";
 
 /** @typedef {import("../viewport.js").Viewport} Viewport */
 /** @typedef {import("../source/gather.js").Colouring} Colouring */
-/** @typedef {import("../source/protocol.js").Rope} Rope */
 
 const NUMBERS = 100; // ms between two changes of the numbers: faster ones cannot be read
 const ROUNDING = 1e-6; // of a range's width, below which an end of it is zero
@@ -24,28 +24,6 @@ function unitFor(colouring, most) {
   return most >= 1e4 ? ["kN", 1e-3] : ["N", 1];
 }
 
-/** How near to breaking, in words.
- * @param {number} most tension over breaking load @param {number} more times as much by a guess */
-export function marginText(most, more = 1) {
-  if (!(most > 0)) return "Most now: 0 %";
-  const three = (/** @type {number} */ value) => figures(Number(value.toPrecision(3)));
-  const share = `Most now: ${three(100 * most)} %`;
-  const told =
-    most > 1 ? `${share}: it would have parted` : `${share}, safety factor ${three(1 / most)}`;
-  if (!(more > 1)) return told;
-  const least = `${three(100 * more * most)} %, ${three(1 / (more * most))}`;
-  return `${told}. Breaking load guessed: with the least of it ${least}`;
-}
-
-/** How many times nearer to breaking guessed breaking loads may bring the ropes; 1 where none is guessed.
- * @param {Rope[]} ropes */
-export function moreByGuess(ropes) {
-  const shares = ropes.map(
-    (one) => (one.breaking_load ?? 1) / (one.least_load ?? one.breaking_load ?? 1),
-  );
-  return Math.max(1, ...shares);
-}
-
 /** Which arrows are left out where many anchors hold. @param {{forces: number, large: number}} crowd */
 export const crowdText = ({ forces, large }) =>
   large
@@ -57,7 +35,6 @@ export class Legend {
   constructor(viewport, host) {
     this.viewport = viewport;
     this.written = -Infinity;
-    /** see `moreByGuess` */ this.more = 1;
     this.select = h(
       "select",
       { id: "colouring", "aria-label": "Colour of the ropes", onchange: () => this.choose() },
@@ -165,7 +142,6 @@ export class Legend {
       }
     }
     this.margin.hidden = this.viewport.colouring !== "utilisation";
-    this.more = layout ? moreByGuess(layout.variants.flatMap(({ ropes }) => ropes)) : 1;
     if (!layout || !plain) return;
     const many = layout.variants.length > 1;
     const entries = many
@@ -215,7 +191,7 @@ export class Legend {
   refresh() {
     this.paint();
     this.written = performance.now();
-    if (!this.margin.hidden) write(this.margin, marginText(this.viewport.most, this.more));
+    this.tellMargin();
     const { range, colouring } = this.viewport;
     const { low, high } = range;
     const [unit, scale] = unitFor(colouring, Math.max(Math.abs(low), Math.abs(high)));
@@ -230,6 +206,15 @@ export class Legend {
     write(this.middle, text((low + high) / 2));
     write(this.high, `${text(high)} ${unit}`);
     this.showGrid();
+  }
+
+  /** How near to breaking. */
+  tellMargin() {
+    const { session, tensions } = this.viewport;
+    const { layout } = session;
+    if (this.margin.hidden || !layout || tensions.length !== layout.variants.length) return;
+    const ropes = layout.variants.reduce((sum, variant) => sum + variant.ropes.length, 0);
+    write(this.margin, marginText(usesOf(layout, tensions), ropes));
   }
 
   tellCrowd() {

@@ -18,10 +18,12 @@ function perNewton(rope, colouring) {
  * greatest since the frame before, so that no colour misses what came in between.
  * @param {Frame} frame @param {Layout} layout @param {Colouring} colouring
  * @param {number[][]} shifts [m] of each variant @param {Float32Array} out
- * @returns {{low: number, high: number, most: number}} what the colours run between, and the greatest value */
+ * @returns {{low: number, high: number, tensions: number[][]}} what the colours run between, and the greatest tension
+ * of each rope of each variant [N], where they show tensions */
 export function gather(frame, layout, colouring, shifts, out) {
   let at = 0;
   let [lowest, highest] = [Infinity, -Infinity];
+  /** @type {number[][]} */ const tensions = layout.variants.map(() => []);
   layout.variants.forEach((variant, v) => {
     const part = frame.parts[v];
     const [sx, sy, sz] = shifts[v];
@@ -56,13 +58,13 @@ export function gather(frame, layout, colouring, shifts, out) {
         }
         lowest = Math.min(lowest, (low + step * least) * per);
         highest = Math.max(highest, (low + step * most) * per);
+        tensions[v].push(low + step * most);
       }
     }
     at += 4 * variant.nodes;
   });
-  if (colouring === "utilisation")
-    return { low: 0, high: Math.max(1, highest), most: Math.max(0, highest) };
-  return { low: lowest, high: highest, most: Math.max(0, highest) };
+  if (colouring === "utilisation") return { low: 0, high: Math.max(1, highest), tensions };
+  return { low: lowest, high: highest, tensions };
 }
 
 /** Write the places of all anchors of all variants. @param {Frame} frame @param {number[][]} shifts [m]
