@@ -15,6 +15,7 @@ import ropewalk as rw
 from ropewalk.plots.dimensions import dimensions
 from ropewalk.record.extremes import extremes
 from ropewalk.scene import Anchor, Kick, Load, Material, Rope, RunSettings, Scene, Slack, Springs
+from ropewalk.scene.guess import Guess
 from ropewalk.scene.recut import recut
 from ropewalk.scene.shapes import Points, Straight
 from ropewalk.sheets import trust
@@ -197,6 +198,54 @@ def test_what_is_guessed_is_warned_of() -> None:
     sourced = scene.replace(**{"rope.made_of": rw.rope("dynamic-single-9.8").material()})
     told = " ".join(warnings(rw.sheet(sourced, convergence=False)))
     assert "Guessed" not in told
+
+
+def taut(*marks: Guess, **stuff: object) -> Scene:
+    """A rope without weight over 5.05 m, of 5 m: 1 % of its EA pulls at both anchors."""
+    made_of = LINE.replace(EA=4e4, guessed=marks, **stuff)
+    rope = Rope(
+        segments=4, length=5.0, made_of=made_of, shape=Straight(start=(0, 0, 0), end=(5.05, 0, 0))
+    )
+    run = RunSettings(duration=0.05, method="verlet", time_step=1e-3)
+    ends = [Anchor(node=0), Anchor(node=-1)]
+    return Scene(ropes=[rope], anchors=ends, run=run, gravity=(0, 0, 0))
+
+
+def test_both_ends_of_a_guessed_stiffness_are_computed() -> None:
+    """It said "compute both ends of it" and did not: 1 % of 20 kN and of 2 MN, at rest and in the run."""
+    guess = Guess(of="EA", value=4e4, low=2e4, high=2e6)
+    job = rw.sheet(taut(guess))
+    rows = {row[0]: row[1:] for row in table(job.section("Guessed stiffness")).rows}
+    for what in ("largest tension", "largest force on an anchor"):
+        for when in ("at rest", "in the run"):
+            told = [cell.partition(" (")[0] for cell in rows[f"{what}, {when}"]]
+            assert told == ["400 N", "200 N", "20 kN"]
+    told = " ".join(warnings(job))
+    assert (
+        "at rest, largest tension 200 N to 20 kN, largest force on an anchor 200 N to 20 kN" in told
+    )
+    assert "compute both ends of it" not in told
+    assert "both ends of it are computed under Guessed stiffness" in told
+    alone = rw.sheet(taut(guess), convergence=False)
+    assert "compute both ends of it" in " ".join(warnings(alone))
+    for one in (alone, rw.sheet(taut()), rw.sheet(taut(guess.replace(value=3e4)))):
+        assert "Guessed stiffness" not in [section.title for section in one.sections]
+
+
+def test_an_end_that_no_rope_can_have_is_said_to_fail() -> None:
+    relaxes = {"relaxing_EA": 1e4, "relaxation_time": 0.1}
+    guess = Guess(of="relaxing_EA", value=1e4, low=0.0, high=2e4)
+    job = rw.sheet(taut(guess, **relaxes))
+    told = " ".join(warnings(job))
+    assert "In the run, least stiffness: no rope can be of such a stiffness." in told
+    assert table(job.section("Guessed stiffness")).rows[0][2] == ""
+
+
+def test_how_forces_on_anchors_at_rest_converge_is_told() -> None:
+    """The row was missing: a largest one that begins at NaN is NaN."""
+    still = rw.sheet(hung(), run=False)
+    rows = {row[0]: row for row in table(still.section("Convergence")).rows}
+    assert rows["largest force on an anchor"][1].endswith("N")
 
 
 def test_rest_says_in_which_wind_and_where_what_slides_rests() -> None:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from ropewalk.core.arrays import Floats
-from ropewalk.scene.guess import doubt_of, guesses_of, load_doubt, worst_of
+from ropewalk.scene.guess import COMPUTE, doubt_of, guesses_of, load_doubt, worst_of
 
 if TYPE_CHECKING:
     from ropewalk.lowering import Layout
@@ -60,12 +60,13 @@ def margin_of(scene: Scene, utilisation: dict[str, float]) -> Margin:
     return Margin(name, utilisation[name], guessed, utilisation[guessed])
 
 
-def doubt_words(scene: Scene, margin: Margin) -> str:
+def doubt_words(scene: Scene, margin: Margin, then: str = COMPUTE) -> str:
     """Return what guesses make of the greatest utilisation; "" where none is a guess.
 
-    Another rope, whose breaking load is a guess, may come nearer than the one that is told.
+    `then`: what is to be done about a stiffness, or was done. Another rope, whose breaking load is a guess,
+    may come nearer than the one that is told.
     """
-    told = [doubt_of(scene.rope_named(margin.name).made_of, margin.utilisation)]
+    told = [doubt_of(scene.rope_named(margin.name).made_of, margin.utilisation, then)]
     if margin.guessed != margin.name:
         doubt = load_doubt(scene.rope_named(margin.guessed).made_of, margin.at_most)
         told.append(f"rope {margin.guessed!r} may come nearer: {doubt}")

@@ -22,7 +22,8 @@ Guessable = Literal[
     "EI",
     "breaking_load",
 ]
-_STIFF = ("EA", "relaxing_EA")
+STIFF = ("EA", "relaxing_EA")
+COMPUTE = "compute both ends of it"
 
 
 class Guess(Model):
@@ -62,12 +63,12 @@ def guess_words(made_of: Any) -> str:
     return ", ".join(f"{name.replace('_', ' ')} ({mark.span})" for name, mark in marks)
 
 
-def doubt_of(made_of: Any, utilisation: float) -> str:
-    """Return what guesses make of a utilisation [1]: of the load on the safe side; of EA, to compute it."""
+def doubt_of(made_of: Any, utilisation: float, then: str = COMPUTE) -> str:
+    """Return what guesses make of a utilisation [1]: of the load on the safe side; of EA, what `then`."""
     marks = guesses_of(made_of)
-    stiff = [f"{name} is a guess, {marks[name].span}" for name in _STIFF if name in marks]
+    stiff = [f"{name} is a guess, {marks[name].span}" for name in STIFF if name in marks]
     if stiff:
-        stiff.append("so that tensions that stretch makes are, too: compute both ends of it")
+        stiff.append(f"so that tensions that stretch makes are, too: {then}")
     load = load_doubt(made_of, utilisation)
     return "; ".join(text for text in (load, ", ".join(stiff)) if text)
 

@@ -11,6 +11,7 @@ from ropewalk.record.extremes import UTILISATION, extremes, margin, place_of
 from ropewalk.record.margins import Margin, doubt_words
 from ropewalk.record.moving_rows import moving_rows
 from ropewalk.record.tension_notes import tension_note
+from ropewalk.scene.guess import COMPUTE
 from ropewalk.sheets.content import Item, Section, Table, Text
 from ropewalk.words.prefixes import prefixed
 
@@ -35,8 +36,13 @@ _ROUNDING = 1e-9  # [1] of a force: components below are nothing
 _SIGN = "Forces of the ropes on the anchors; components along x, y and z."
 
 
-def summary_section(rest: Result | None, run: Result | None) -> Section:
-    """Return the numbers that a job is decided by, of the shape of rest and of the run."""
+def summary_section(
+    rest: Result | None, run: Result | None, ends: tuple[Item, ...], then: str
+) -> Section:
+    """Return the numbers that a job is decided by, of the shape of rest and of the run.
+
+    `ends`: what is to be said of guessed stiffnesses; `then`: what was done about them (`doubt_words`).
+    """
     rows, doubts = [], dict[str, list[str]]()
     for title, result in (("at rest", rest), ("in the run", run)):
         if result is not None:
@@ -53,12 +59,13 @@ def summary_section(rest: Result | None, run: Result | None) -> Section:
                     *_margin_cells(result, near),
                 )
             )
-            if near is not None and (doubt := doubt_words(result.scene, near)):
+            if near is not None and (doubt := doubt_words(result.scene, near, then)):
                 doubts.setdefault(doubt, []).append(title)
     head = ("", "largest tension", "largest force on an anchor", "utilisation", "safety factor")
     items: list[Item] = [Table(head, rows)]
     for doubt, titles in doubts.items():
         items.append(Text(f"{' and '.join(titles).capitalize()}: {doubt}.", warning=True))
+    items += ends
     if run is not None and run.diagnosis:
         items.append(Text("The run broke: see below. Its numbers end there.", warning=True))
     if run is not None and run.partings:
@@ -67,7 +74,7 @@ def summary_section(rest: Result | None, run: Result | None) -> Section:
 
 
 def rest_section(
-    result: Result, spans: tuple[RestSpan, ...], seats: tuple[Seat, ...] = ()
+    result: Result, spans: tuple[RestSpan, ...], seats: tuple[Seat, ...] = (), then: str = COMPUTE
 ) -> Section:
     """Return spans, tensions and anchor forces of an equilibrium, and where what slides rests."""
     rows = [
@@ -82,7 +89,7 @@ def rest_section(
     ]
     head = ("span", "ends apart", "sag", "horizontal tension", "largest tension")
     items: list[Item] = [Table(head, rows)] if rows else []
-    items += _anchor_table(result, result.reactions[0]) + _utilisation(result)
+    items += _anchor_table(result, result.reactions[0]) + _utilisation(result, then)
     items += [Text(f"{str(seat).replace('slide', 'Slide', 1)}.") for seat in seats]
     wind = () if result.scene.air is None else result.scene.air.wind
     blows = f"in the wind of {math.hypot(*wind):.4g} m/s, " if any(wind) else ""
@@ -91,7 +98,7 @@ def rest_section(
     return Section("At rest", (*items, Text(about)))
 
 
-def run_section(result: Result) -> Section:
+def run_section(result: Result, then: str = COMPUTE) -> Section:
     """Return the extremes of every step of a run, those of what turns and slides, and of every anchor."""
     found = extremes(result)
     rows = []
@@ -115,7 +122,7 @@ def run_section(result: Result) -> Section:
     items.append(Table(("", "value", "where and when"), rows, numbers=False))
     if note := tension_note(result, found["greatest tension"]):
         items.append(Text(f"The largest tension: {note}.", warning=True))
-    items += _anchor_peaks(result) + _utilisation(result)
+    items += _anchor_peaks(result) + _utilisation(result, then)
     return Section("The run", tuple(items))
 
 
@@ -196,7 +203,7 @@ def _margin_cells(result: Result, near: Margin | None) -> tuple[str, str]:
     return f"{100.0 * near.utilisation:.3g} %{whose}", factor
 
 
-def _utilisation(result: Result) -> list[Item]:
+def _utilisation(result: Result, then: str) -> list[Item]:
     found = extremes(result)
     near = margin(result, found)
     if near is None:
@@ -206,7 +213,7 @@ def _utilisation(result: Result) -> list[Item]:
         place = place.partition(",")[0]
     factor = f"safety factor {1.0 / near.utilisation:.3g}" if near.utilisation > 0.0 else "unloaded"
     text = f"Largest utilisation of the breaking load: {share:.3g} % ({factor}), {place}."
-    doubt = doubt_words(result.scene, near)
+    doubt = doubt_words(result.scene, near, then)
     text += f" {doubt[0].upper()}{doubt[1:]}." if doubt else ""
     if near.utilisation <= 1.0:
         return [Text(text, warning=bool(doubt))]

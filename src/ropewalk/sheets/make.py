@@ -15,8 +15,10 @@ from ropewalk.record.rest import rest_and_result
 from ropewalk.record.result import Result
 from ropewalk.scene import Scene, SceneError, dumps
 from ropewalk.scene.as_given import as_given
+from ropewalk.scene.guess import COMPUTE
 from ropewalk.sheets.content import Item, Listing, Section, Table, Text, picture
 from ropewalk.sheets.document import Sheet
+from ropewalk.sheets.guessed import SEE, at_ends, stiffness_ends
 from ropewalk.sheets.loads import rest_section, run_section, summary_section
 from ropewalk.sheets.ropes import assumption_section, rope_section
 from ropewalk.sheets.trust import convergence_section, method_section
@@ -39,7 +41,8 @@ def sheet(
     Args:
         scene: scene, preset's name, or scene file.
         run: run it; without, the sheet has the scene at rest alone.
-        convergence: compute it again with half the segments and half the step.
+        convergence: compute it again with half the segments and half the step, and with both ends of guessed
+            stiffnesses.
         uncertain: values that are not known, as for `uncertain`: paths to ranges or distributions.
         samples: base samples of these.
         file: that the scene was read from, whose quantities are shown as they stand there; by default
@@ -56,9 +59,10 @@ def sheet(
     made, tell = as_scene(scene), progress or (lambda words: None)
     tell("at rest")
     rest: Result | None = None
+    again = SEE if convergence and at_ends(made) else COMPUTE
     try:
         statics, rest = rest_and_result(made)
-        at_rest = rest_section(rest, statics.spans, statics.seats)
+        at_rest = rest_section(rest, statics.spans, statics.seats, again)
     except (SceneError, NoRest) as error:
         if not run:
             raise
@@ -68,13 +72,16 @@ def sheet(
         tell("the run")
         result = simulate(made, on_failure="return")
     assert result is not None
-    sections = [summary_section(rest, result if run else None)]
+    ran = result if run else None
+    ends = stiffness_ends(made, rest, ran, tell) if convergence else None
+    sections = [summary_section(rest, ran, ends.summary if ends else (), again)]
     sections += [_drawing(rest or result), rope_section(made), *_given(file or scene, made, flags)]
     sections += [assumption_section(made), at_rest]
     if run:
-        sections += [run_section(result), _courses(result), method_section(result)]
+        sections += [run_section(result, again), _courses(result), method_section(result)]
     if convergence and not result.diagnosis:
         sections.append(convergence_section(made, result, tell))
+    sections += [ends.section] if ends else []
     if uncertain:
         tell("what is not known")
         sections.append(_uncertain(made, uncertain, samples, "run" if run else "rest"))

@@ -77,7 +77,7 @@ def rest_numbers(scene: Scene) -> dict[str, float]:
     sizes = np.linalg.norm(result.reactions[0], axis=1)
     return {
         "largest tension": float(np.nanmax(result.tension[0])),
-        "largest force on an anchor": float(sizes.max(initial=math.nan)),
+        "largest force on an anchor": float(sizes.max()) if sizes.size else math.nan,
         "largest sag": max((s.sag for s in spans if s.kind == "span"), default=math.nan),
         "lowest point": float((result.positions[0] @ np.asarray(scene.up)).min()),
     }
@@ -95,7 +95,7 @@ def convergence_section(scene: Scene, result: Result, progress: Callable[[str], 
     ]
     ran = [variant for variant in variants if not variant.why_not]
     if ran:
-        rows = [row for name in base if (row := _row(name, base, ran))]
+        rows = [row for name in base if (row := row_of(name, base, ran))]
         items.append(Table(("", "this sheet", *(variant.title for variant in ran)), rows))
         items.append(_verdict(base, ran))
     return Section("Convergence", tuple(items))
@@ -108,7 +108,7 @@ def _other_cut(scene: Scene, result: Result, progress: Callable[[str], None]) ->
     title = "half the segments" if other.factor < 1.0 else "twice the segments"
     progress(f"once more with {title}")
     if result.status == "at rest":
-        return _tried(title, lambda made: rest_numbers(made), other.scene)
+        return tried(title, lambda made: rest_numbers(made), other.scene)
     plan, run = result.plan, other.scene.run
     if plan.tolerance is not None:
         run = run.replace(method=plan.method)
@@ -116,7 +116,7 @@ def _other_cut(scene: Scene, result: Result, progress: Callable[[str], None]) ->
         finer = other.factor > 1.0
         run = run.replace(method=plan.method, time_step=plan.dt / (2.0 if finer else 1.0))
         title += " (and half the step)" if finer else ""
-    return _tried(title, lambda made: run_numbers(simulate(made)), other.scene.replace(run=run))
+    return tried(title, lambda made: run_numbers(simulate(made)), other.scene.replace(run=run))
 
 
 def _other_step(scene: Scene, result: Result, progress: Callable[[str], None]) -> Variant:
@@ -128,10 +128,11 @@ def _other_step(scene: Scene, result: Result, progress: Callable[[str], None]) -
         title = "a tenth of the tolerance"
         run = scene.run.replace(method=plan.method, tolerance=max(plan.tolerance / 10.0, 1e-9))
     progress(f"once more with {title}")
-    return _tried(title, lambda made: run_numbers(simulate(made)), scene.replace(run=run))
+    return tried(title, lambda made: run_numbers(simulate(made)), scene.replace(run=run))
 
 
-def _tried(title: str, numbers: Callable[[Scene], dict[str, float]], scene: Scene) -> Variant:
+def tried(title: str, numbers: Callable[[Scene], dict[str, float]], scene: Scene) -> Variant:
+    """Return a variant of these numbers of a scene, or why there are none."""
     from ropewalk.api import BrokenRun
 
     try:
@@ -143,7 +144,7 @@ def _tried(title: str, numbers: Callable[[Scene], dict[str, float]], scene: Scen
     return Variant(title, why_not=f"FAILED: {why.splitlines()[0].rstrip('.')}", failed=True)
 
 
-def _row(name: str, base: dict[str, float], ran: list[Variant]) -> tuple[str, ...] | None:
+def row_of(name: str, base: dict[str, float], ran: list[Variant]) -> tuple[str, ...] | None:
     """Return a quantity with every variant's value and change; of a length in metres, else in percent."""
     value = base[name]
     if math.isnan(value):
@@ -156,6 +157,9 @@ def _row(name: str, base: dict[str, float], ran: list[Variant]) -> tuple[str, ..
 
     cells = []
     for variant in ran:
+        if variant.why_not:
+            cells.append("")
+            continue
         other = variant.numbers[name]
         change = f"{other - value:+.2g} m" if unit == "m" else f"{_change(value, other):+.2g} %"
         cells.append(f"{told(other)} ({change})")

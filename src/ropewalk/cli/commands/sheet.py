@@ -35,7 +35,7 @@ from ropewalk.cli.scene_argument import (
 @click.option(
     "--no-convergence",
     is_flag=True,
-    help="Do not compute it again with half the segments and half the step.",
+    help="Do not compute it again with half the segments, half the step and a guessed stiffness's ends.",
 )
 @click.option(
     "--uncertain",
@@ -74,8 +74,8 @@ def sheet(
 
     A drawing with dimensions, the ropes and where their numbers come from, what is taken for granted, sag,
     tensions and anchor forces at rest and in the run, utilisation, method and energy error, how the numbers
-    change with half the segments and half the step, versions, and the scene itself. Ends with the
-    status of `run` when the run breaks.
+    change with half the segments, half the step and both ends of a guessed stiffness, versions, and the
+    scene itself. Ends with the status of `run` when the run breaks.
     """
     loaded = load_scene(scene, overrides, duration=duration, time_step=time_step, method=method)
     paths = outputs or (free_name(Path(f"{short_name(scene)}-sheet.html")),)

@@ -1,0 +1,142 @@
+"""The same scene with the guessed stiffnesses of its ropes at the ends of their ranges."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from ropewalk.api import simulate
+from ropewalk.methods.registry import METHODS
+from ropewalk.scene import Scene, SceneError
+from ropewalk.scene.guess import STIFF, guesses_of
+from ropewalk.sheets.content import Item, Section, Table, Text
+from ropewalk.sheets.trust import Variant, rest_numbers, row_of, run_numbers, tried
+from ropewalk.words.prefixes import prefixed
+
+if TYPE_CHECKING:
+    from ropewalk.record.result import Result
+
+TITLE = "Guessed stiffness"
+SEE = f"both ends of it are computed under {TITLE}"
+_ENDS = ("least", "greatest")
+_NAMED = 6  # that are told one by one
+_TOLD = ("largest tension", "largest force on an anchor")
+
+
+class Ends(NamedTuple):
+    """What a sheet tells of the ends of guessed stiffnesses."""
+
+    section: Section
+    summary: tuple[Item, ...]  # for where a job is decided
+
+
+def at_ends(scene: Scene) -> tuple[Scene | None, Scene | None] | None:
+    """Return the scene with all guessed stiffnesses at their least, and at their greatest.
+
+    Lengths stay. None where none is a guess; None in place of a scene that cannot be.
+    """
+    if not any(set(STIFF) & set(guesses_of(rope.made_of)) for rope in scene.ropes):
+        return None
+    found: list[Scene | None] = []
+    for end in ("low", "high"):
+        try:
+            found.append(scene.replace(ropes=[_at(rope, end) for rope in scene.ropes]))
+        except SceneError:
+            found.append(None)
+    return found[0], found[1]
+
+
+def _at(rope: Any, end: str) -> Any:
+    marks = guesses_of(rope.made_of)
+    ends = {name: getattr(marks[name], end) for name in STIFF if name in marks}
+    return rope.replace(made_of=rope.made_of.replace(**ends)) if ends else rope
+
+
+def stiffness_ends(
+    scene: Scene, rest: Result | None, run: Result | None, progress: Callable[[str], None]
+) -> Ends | None:
+    """Return tensions, sag and anchor forces at both ends of guessed stiffnesses; None without any."""
+    scenes = at_ends(scene)
+    if scenes is None:
+        return None
+    items: list[Item] = [Text(_which(scene))]
+    told: list[str] = []
+    rows: list[tuple[str, ...]] = []
+    for title, result in (("at rest", rest), ("in the run", run)):
+        if result is None:
+            continue
+        variants = []
+        for end, one in zip(_ENDS, scenes, strict=True):
+            progress(f"{title} with the {end} of a guessed stiffness")
+            variants.append(_variant(f"{end} stiffness", one, result))
+        base = rest_numbers(scene) if result.status == "at rest" else run_numbers(result)
+        items += [
+            Text(f"{title.capitalize()}, {v.title}: {v.why_not}.", warning=v.failed)
+            for v in variants
+            if v.why_not
+        ]
+        rows += [
+            (f"{name}, {title}", *row[1:]) for name in base if (row := row_of(name, base, variants))
+        ]
+        told += _spans(title, base, variants)
+    items.append(Table(("", "this sheet", *(f"{end} stiffness" for end in _ENDS)), rows))
+    summary = Text(f"{_guess(scene)}: {'; '.join(told)}.", warning=True)
+    return Ends(Section(TITLE, tuple(items)), (summary,) if told else ())
+
+
+def _variant(title: str, scene: Scene | None, result: Result) -> Variant:
+    """Return the numbers of a scene at an end, computed as the result was."""
+    if scene is None:
+        return Variant(title, why_not="no rope can be of such a stiffness", failed=True)
+    if result.status == "at rest":
+        return tried(title, rest_numbers, scene)
+    plan = result.plan
+    run = scene.run.replace(method=plan.method)
+    if run.time_step != "auto" and plan.tolerance is None and not METHODS[plan.method].implicit:
+        run = run.replace(time_step=plan.dt / _faster(result.scene, scene))
+    return tried(title, lambda made: run_numbers(simulate(made)), scene.replace(run=run))
+
+
+def _faster(old: Scene, new: Scene) -> float:
+    """Return how many times as fast waves are at most: so much shorter is an explicit step; at least 1."""
+    stiffness = [[rope.segment_stiffness for rope in scene.ropes] for scene in (old, new)]
+    return math.sqrt(max(1.0, *(b / a for a, b in zip(*stiffness, strict=True))))
+
+
+def _spans(title: str, base: dict[str, float], variants: list[Variant]) -> list[str]:
+    """Return from where to where forces and sag go with a guessed stiffness, in words."""
+    ran = [variant.numbers for variant in variants if not variant.why_not]
+    found = []
+    for name in (*_TOLD, "largest sag"):
+        values = [numbers[name] for numbers in (base, *ran) if name in numbers]
+        if ran and values and not any(map(math.isnan, values)):
+            unit = "m" if name == "largest sag" else "N"
+            low, high = (prefixed(value, unit, 4) for value in (min(values), max(values)))
+            found.append(f"{name} {low}" + (f" to {high}" if high != low else ""))
+    return [f"{title}, {', '.join(found)}"] if found else []
+
+
+def _guess(scene: Scene) -> str:
+    """Say whose stiffness is a guess."""
+    names = [rope.name for rope in scene.ropes if set(STIFF) & set(guesses_of(rope.made_of))]
+    which = ", ".join(map(repr, names[:_NAMED])) + (" and others" if len(names) > _NAMED else "")
+    return f"The stiffness of {which} is a guess; over its range"
+
+
+def _which(scene: Scene) -> str:
+    """Say what was computed again, and how."""
+    found = []
+    for rope in scene.ropes:
+        marks = guesses_of(rope.made_of)
+        found += [
+            f"{name} of {rope.name!r} {marks[name].span}".replace("_", " ")
+            for name in STIFF
+            if name in marks
+        ]
+    more = f"; and {len(found) - _NAMED} more" if len(found) > _NAMED else ""
+    together = ", all of them at their least, then all at their greatest" if len(found) > 1 else ""
+    return (
+        f"Guessed: {'; '.join(found[:_NAMED])}{more}. Computed once more with both ends of that{together}; "
+        "unstretched lengths stay as they are. What lies between the ends may exceed both."
+    )
