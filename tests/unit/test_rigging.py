@@ -142,6 +142,14 @@ def test_a_load_of_grams_is_told_and_rubber_may_stretch() -> None:
     line = rw.line(60.0, 0.0, webbing, sag="2 %")
     assert "grams for kilograms?" in str(line.rolling(80e3, at=30.0))
     assert "grams" not in str(line.rolling(80.0, at=30.0))
+    stiff = rw.line(150.0, 0.0, webbing.replace(EA=math.inf, mass_per_length=0.5), sag="3 m")
+    assert stiff.rolling("1 t", at=75.0).notes() == []
+    told = ""
+    try:
+        told = str(stiff.rolling("1 Mt", at=75.0).notes())
+    except ArithmeticError as error:  # no rest is found: the slip is told with that
+        told = str(error)
+    assert "times the line's own mass; grams for kilograms?" in told
     rubber = rw.Material(EA=75.0, mass_per_length=0.047)
     assert rw.line(2.0, 0.0, rubber, pretension=50.0).notes() == []
 

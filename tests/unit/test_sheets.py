@@ -390,6 +390,6 @@ def test_words_of_a_drawing_keep_clear_of_axis_and_ropes() -> None:
         _, place = axes.transData.transform((0.0, height))
         assert (words[name].y1 < place) if side < 0 else (words[name].y0 > place)
     assert words["east-ground"].y0 > words["52.792 m"].y1
-    assert "Not all loads are named." in " ".join(
+    assert "All 9 loads are of 2000 kg; the first 8 are named." in " ".join(
         t.get_text() for t in drawn("suspension-cable")[0].texts
     )

@@ -9,10 +9,21 @@ import pytest
 
 import ropewalk as rw
 from ropewalk.analysis.check import check
-from ropewalk.engine.too_near import passing
+from ropewalk.engine.too_near import passing, refused_pair
+from ropewalk.laws.pairs.table import REFUSED
 from ropewalk.lowering import build
 from ropewalk.record.turnover import largest_change
-from ropewalk.scene import Capsule, Kick, Material, Points, Rope, RunSettings, Scene, Sphere
+from ropewalk.scene import (
+    Capsule,
+    Contact,
+    Kick,
+    Material,
+    Points,
+    Rope,
+    RunSettings,
+    Scene,
+    Sphere,
+)
 from ropewalk.scene.presets import preset
 from ropewalk.simulation import Simulation
 from ropewalk.statics import NoRest, static_shape
@@ -133,3 +144,30 @@ def test_a_segment_is_measured_as_it_is(stretch: float) -> None:
     _, helps = passing(which, model.state, model.layout, model.scene)
     told = "more segments (at most 14 mm long, this one is 30)"  # and nothing moves that could be slower
     assert helps == (told if stretch > 1.0 else "a shorter time_step")
+
+
+@pytest.mark.parametrize(
+    ("moves", "named"),
+    [
+        ({}, False),
+        ({"motion": {"kind": "velocity", "velocity": (0, 0, 1.0)}}, True),
+        ({"spin": {"rate": 2.0}}, True),
+        ({"spin": {"free": True, "inertia": 1.0}}, False),
+    ],
+)
+def test_ropes_that_obstacles_press_together_are_told_of_them(
+    moves: dict[str, object], named: bool
+) -> None:
+    """Of a pair that a moving bar presses together it named anchors and winches only."""
+    points = [(0.01 * i, 0.0, 0.0) for i in range(9)]
+    made_of = Material(EA=1e3, mass_per_length=0.1)
+    rope = Rope(
+        segments=8, length=0.08, diameter=0.01, made_of=made_of, shape=Points(points=points)
+    )
+    bar = Capsule(start=(0, -1, -1), end=(0, 1, -1), radius=0.1, **moves)
+    model = build(Scene(ropes=[rope], obstacles=[bar], contact=Contact()))
+    assert refused_pair(model.state, model.layout, model.scene) == ""
+    model.state.memory.contact.tally[REFUSED] = 1
+    told = refused_pair(model.state, model.layout, model.scene)
+    assert "would come too near to each other" in told
+    assert ("slower obstacles" in told) is named

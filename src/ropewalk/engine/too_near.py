@@ -24,14 +24,23 @@ def pair_of(state: State, layout: Layout) -> str:
 
 
 def _slower(scene: Scene, obstacle: Obstacle | None = None) -> list[str]:
-    """Return what moves in a scene, and at one obstacle of it, as a thing to try."""
+    """Return what moves in a scene, and at one obstacle of it (at all, without one), as a thing to try."""
+    led = scene.obstacles if obstacle is None else (obstacle,)
     moving = [
-        ("a slower obstacle", obstacle is not None and obstacle.motion.kind != "fixed"),
+        (
+            "slower obstacles" if obstacle is None else "a slower obstacle",
+            any(body.motion.kind != "fixed" or _turned(body) for body in led),
+        ),
         ("slower anchors", any(one.motion.kind != "fixed" for one in scene.anchors)),
         ("slower winches", any(one.speed != 0.0 for one in scene.winches)),
         ("a slower start", any(rope.kicks or any(rope.shape.velocity) for rope in scene.ropes)),
     ]
     return [words for words, moves in moving if moves]
+
+
+def _turned(body: Obstacle) -> bool:
+    """Tell whether a motor turns an obstacle."""
+    return body.spin is not None and not body.spin.free
 
 
 def _one_of(*helps: str) -> str:

@@ -250,7 +250,14 @@ def _name_loads(axes: Axes, result: Result, flat: Floats, seen: Backdrop) -> lis
             annotation_clip=False,
             zorder=5,
         )
-    return ["Not all loads are named."] if len(loads) > _MOST else []
+    if len(loads) <= _MOST:
+        return []
+    masses = {mass for _, mass in loads}
+    if len(masses) == 1:
+        return [
+            f"All {len(loads)} loads are of {masses.pop():.5g} kg; the first {_MOST} are named."
+        ]
+    return [f"The first {_MOST} of {len(loads)} loads are named."]
 
 
 def _clear_side(result: Result, flat: Floats, nodes: list[int], seen: Backdrop) -> tuple[int, int]:

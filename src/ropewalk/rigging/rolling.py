@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ropewalk.rigging.guessed import rolling_notes
-from ropewalk.rigging.slips import strain_slip
+from ropewalk.rigging.slips import load_slip, strain_slip
 from ropewalk.rigging.words import force, margins
 from ropewalk.theory import Cable, elastic_catenary
 from ropewalk.theory.cable import Floats
@@ -112,7 +112,8 @@ class Rolling:
 
     def notes(self) -> list[str]:
         """What to know of its numbers: what guesses make of them, and likely slips of units."""
-        return rolling_notes(self) + strain_slip(self.line, float(self.largest_tension.max()))
+        stretched = strain_slip(self.line, float(self.largest_tension.max()))
+        return rolling_notes(self) + (load_slip(self.line, self.mass) or stretched)
 
     def __str__(self) -> str:
         return "\n".join(self.lines())
@@ -248,7 +249,8 @@ def rest_at(
     if found is not None:
         left, drop = found
         return left, problem.straight - drop, problem.sides(left, drop)
-    raise ArithmeticError(f"no rest was found for a load of {load:.4g} N at {x:g} m")
+    slip = "".join(f": {text}" for text in load_slip(line, load / line.gravity))
+    raise ArithmeticError(f"no rest was found for a load of {load:.4g} N at {x:g} m{slip}")
 
 
 def _newton(problem: _Load, left: float, drop: float) -> tuple[float, float] | None:

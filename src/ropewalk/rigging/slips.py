@@ -14,6 +14,7 @@ _TAUTEST = 1e-3  # sag over span [1]; a sag of 0.02 m over 300 m is more likely 
 _LONGEST = 1e4  # [m]; the longest spans of power lines have half of it
 _THICKEST = 50.0  # span over diameter [1]
 _MOST_STRAIN = 0.4  # [1]; climbing ropes take 35 %
+_HEAVIEST = 5000.0  # [1] of the line's own mass, at least of 1 kg
 _RUBBER = 200.0  # [m/s] of sound, below which a rope is of rubber and takes more
 
 
@@ -34,6 +35,16 @@ def line_slips(line: Line) -> list[str]:
             f"{1e3 * line.diameter:.4g} mm; millimetres for metres, or metres for millimetres?"
         )
     return found + strain_slip(line, max(line.tensions))
+
+
+def load_slip(line: Line, mass: float) -> list[str]:
+    """Return a sentence for a load [kg] that is heavier than any that a line carries."""
+    own = line.length * line.material.mass_per_length
+    if mass <= _HEAVIEST * max(own, 1.0):
+        return []
+    return [
+        f"a load of {mass:.4g} kg is {mass / own:.3g} times the line's own mass; grams for kilograms?"
+    ]
 
 
 def strain_slip(line: Line, tension: float) -> list[str]:
