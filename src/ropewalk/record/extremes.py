@@ -9,6 +9,7 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats
 from ropewalk.core.peaks import EXTREMES
+from ropewalk.record.drums import rope_place
 from ropewalk.record.margins import Margin, breaking_loads, utilisations
 from ropewalk.record.quantities import has_rope, rest_length_at_start
 
@@ -48,8 +49,8 @@ def place_of(result: Result, name: str, extreme: Extreme) -> str:
     noun = _NOUNS.get(name.split()[-1], "segment")
     if noun == "anchor":
         return f"anchor {result.layout.anchor_names[extreme.place]!r}, {extreme.when}{seen}"
-    rope, number = result.layout.rope_of(extreme.place)
-    return f"{noun} {number} of rope {rope!r}, {extreme.when}{seen}"
+    place = rope_place(result, noun, extreme.place, extreme.until)
+    return f"{place}, {extreme.when}{seen}"
 
 
 def extremes(result: Result) -> dict[str, Extreme]:
