@@ -260,6 +260,17 @@ def test_rest_says_in_which_wind_and_where_what_slides_rests() -> None:
     assert "Slide 'trolley' rests at 102.35 m of rope 'wire'" in told
 
 
+def test_ropes_alike_have_one_table() -> None:
+    """The three guys of `guyed-mast` had three tables of the same numbers; twin: one of another length."""
+    mast = rw.preset("guyed-mast")
+    heads = [item.head[0] for item in rope_section(mast).items if isinstance(item, Table)]
+    assert heads == ["ropes 'east', 'north-west', 'south-west', each", "number of the library"]
+    east, *others = mast.ropes
+    uneven = mast.replace(ropes=[east.replace(length=43.1), *others])
+    heads = [item.head[0] for item in rope_section(uneven).items if isinstance(item, Table)]
+    assert heads[::2] == ["rope 'east'", "ropes 'north-west', 'south-west', each"]
+
+
 def test_narrow_figures_are_drawn_as_large_as_wide_ones() -> None:
     """One of 4.6 inches filled the page, with letters half as large again."""
     items = tuple(Picture(b"", width, 3.0, "it") for width in (7.2, 3.6))

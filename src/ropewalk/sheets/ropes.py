@@ -20,7 +20,7 @@ from ropewalk.scene.slide import Slide
 from ropewalk.sheets.content import Item, Section, Table, Text
 from ropewalk.words.prefixes import prefixed
 
-_MOST = 6  # ropes that have a table of their own
+_MOST = 6  # kinds of ropes that have a table, and names of ropes alike
 _NAMES = {
     "EA": "axial stiffness EA",
     "mass_per_length": "mass per length",
@@ -37,15 +37,33 @@ _MOST_NAMED = 8  # joints of which each has a sentence
 
 
 def rope_section(scene: Scene) -> Section:
-    """Return a table per rope, with the source of every number that is the library's."""
+    """Return a table per rope, with the source of every number that is the library's; one of ropes alike."""
+    kinds: list[tuple[list[tuple[str, str]], list[Item], list[str]]] = []
+    more = 0
+    for rope in scene.ropes:
+        rows, about = _rope_rows(rope), _sources(rope)
+        like = next((names for known, told, names in kinds if (known, told) == (rows, about)), None)
+        if like is not None:
+            like.append(rope.name)
+        elif len(kinds) < _MOST:
+            kinds.append((rows, about, [rope.name]))
+        else:
+            more += 1
     items: list[Item] = []
-    for rope in scene.ropes[:_MOST]:
-        items.append(Table((f"rope {rope.name!r}", ""), _rope_rows(rope), numbers=False))
-        items += _sources(rope)
-    if len(scene.ropes) > _MOST:
-        more = len(scene.ropes) - _MOST
+    for rows, about, names_of in kinds:
+        items += [Table((_heading(names_of), ""), rows, numbers=False), *about]
+    if more:
         items.append(Text(f"{more} more ropes are in the scene at the end of this sheet."))
     return Section("Ropes", tuple(items))
+
+
+def _heading(names_of: list[str]) -> str:
+    """Return what a table of one rope, or of several alike, is headed by."""
+    if len(names_of) == 1:
+        return f"rope {names_of[0]!r}"
+    more = len(names_of) - _MOST
+    told = ", ".join(map(repr, names_of[:_MOST])) + (f" and {more} more" if more > 0 else "")
+    return f"ropes {told}, each"
 
 
 def _rope_rows(rope: Rope) -> list[tuple[str, str]]:
