@@ -265,3 +265,8 @@ def test_a_climbing_rope_that_hangs_by_its_label_is_no_slip() -> None:
     assert "a load too large for this rope" in said(fall.replace(**{"rope.load.mass": 160.0}))[0]
     own = rw.Material(EA=fall.ropes[0].made_of.EA, mass_per_length=0.061)
     assert "kN typed as N" in said(fall.replace(**{"rope.made_of": own}))[0]
+
+
+def test_sources_are_plain_text() -> None:
+    """One had backticks, which consoles and sheets print as they are."""
+    assert not any("`" in text for text in sources().values())

@@ -147,3 +147,30 @@ def test_no_rope_of_the_library_looks_like_a_slip() -> None:
             shape=Straight(start=(0, 0, 0)),
         )  # fmt: skip
         assert unit_slips(build(scene().model_copy(update={"ropes": (piece,)}))) == [], name
+
+
+@pytest.mark.parametrize(("speed", "warned"), [(1000.0, True), (30.0, False)])
+def test_speeds_of_a_thousand_are_a_slip(speed: float, warned: bool) -> None:
+    """Nothing was said of a rope thrown at 1 km/s, nor of anchors, bodies and winches that go as fast."""
+    given = scene()
+    fine = given.run.replace(time_step=1e-4)
+    rope = given.ropes[0]
+    thrown = rope.replace(shape=Straight(start=(0, 0, 0), velocity=(0, 0, speed)))
+    kicked = rope.replace(kicks=[{"node": 1, "velocity": (speed, 0, 0)}])
+    led = {"kind": "velocity", "velocity": (speed, 0, 0)}
+    scenes = {
+        "rope[0].shape.velocity": given.replace(ropes=[thrown]),
+        "rope[0].kick": given.replace(ropes=[kicked]),
+        "anchor[0].motion.velocity": given.replace(anchors=[{"node": 0, "motion": led}]),
+        "winch[0].speed": given.replace(
+            anchors=[{"node": 0}],
+            winches=[{"end": "start", "speed": speed, "on_drum": 1.0}],
+            run=fine,
+        ),
+    }
+    for path, one in scenes.items():
+        found = [text for text in unit_slips(build(one)) if text.startswith(path)]
+        assert [f"{path}: 1000 m/s is faster than sound in air; mm/s for m/s?"] * warned == found
+    assert "faster than sound" not in "".join(
+        unit_slips(build(scenes["rope[0].kick"].replace(gravity=(0, 0, 0))))
+    )

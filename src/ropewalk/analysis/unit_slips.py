@@ -33,13 +33,14 @@ _BREAK_STRAIN = 5e-4, 4.0  # [1] breaking load over EA: power cables have 0.0013
 _RUBBER = 60.0  # speed of sound below which a rope is of rubber and stretches by more [m/s]
 _SHORTEST = 3.0  # length over diameter [1]
 _LONGEST = 1e4  # m, of a rope with weight
+_SOUND = 340.0  # m/s, in air
 _FAR_OFF = 100.0  # initial length over unstretched length, or the reverse
 
 
 def unit_slips(model: Model) -> list[str]:
     """Return one sentence for every number of a scene that looks like a slip of units."""
     scene = model.scene
-    found = _gravity(scene) + _run(scene)
+    found = _gravity(scene) + _run(scene) + _speeds(scene)
     for i, rope in enumerate(scene.ropes):
         path = f"rope[{i}]"
         found += _line(path, rope) + _section(path, rope, scene) + _size(path, rope, model)
@@ -75,6 +76,27 @@ def _run(scene: Scene) -> list[str]:
     if run.frame_rate < 0.1 and run.duration < 1000.0:
         found.append(f"run.frame_rate: {run.frame_rate:g} frames a second; a frame time instead?")
     return found
+
+
+def _speeds(scene: Scene) -> list[str]:
+    """Speeds that are given, of what begins, is led or is wound: the fastest one of each rope or thing."""
+    if not any(scene.gravity):  # in space they go at kilometres a second
+        return []
+    given = []
+    for i, rope in enumerate(scene.ropes):
+        given.append((f"rope[{i}].shape.velocity", math.hypot(*rope.shape.velocity)))
+        kicks = [math.hypot(*kick.velocity) for kick in rope.kicks]
+        given.append((f"rope[{i}].kick", max(kicks, default=0.0)))
+    for name, led in (("anchor", scene.anchors), ("obstacle", scene.obstacles)):
+        for i, one in enumerate(led):
+            velocity = getattr(one.motion, "velocity", (0.0,))
+            given.append((f"{name}[{i}].motion.velocity", math.hypot(*velocity)))
+    given += [(f"winch[{i}].speed", abs(one.speed)) for i, one in enumerate(scene.winches)]
+    return [
+        f"{path}: {speed:.4g} m/s is faster than sound in air; mm/s for m/s?"
+        for path, speed in given
+        if speed > _SOUND
+    ]
 
 
 def _line(path: str, rope: Rope) -> list[str]:
