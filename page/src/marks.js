@@ -17,7 +17,7 @@ import {
   numberedOf,
   strongestOf,
 } from "./reactions.js";
-import { Trails } from "./render/trails.js";
+import { Trails, fliers } from "./render/trails.js";
 
 /** @typedef {import("./viewport.js").Viewport} Viewport */
 /** @typedef {import("./source/protocol.js").Layout} Layout */
@@ -54,6 +54,7 @@ export class Marks {
     this.firmest = 0;
     /** @type {Trails | null} */ this.trails = null;
     /** @type {Set<number>} nodes of the first variant */ this.followed = new Set();
+    this.scene = ""; // whose they are
     /** What has a ring: what lies under the pointer, or where the hand is. @type {Hit | Vector | null} */
     this.hover = null;
     /** What this page's pointers hold: drawn where the pointers are, however late ropes follow.
@@ -87,6 +88,9 @@ export class Marks {
     const held = layout.obstacles?.length ? [] : copy.anchors.map(({ index }) => index); // bodies bear ropes
     this.hanging = new Set(held.filter((index) => hasTail(copy, index)));
     const most = copy.nodes;
+    const scene = `${layout.scene.name} ${layout.scene.preset}`;
+    if (scene !== this.scene) this.followed = new Set(fliers(layout));
+    this.scene = scene;
     for (const node of this.followed) if (node >= most) this.followed.delete(node);
     this.resetTrails();
     this.strongest = this.firmest = 0;
@@ -389,10 +393,5 @@ export class Marks {
     const { hover, viewport } = this;
     if (hover === null || Array.isArray(hover)) return hover;
     return placeOf(viewport, hover);
-  }
-
-  /** What the longest arrow means. */
-  get scale() {
-    return quantity(this.strongest, "N");
   }
 }

@@ -10,7 +10,8 @@ import { dot, length, minus, plus, times, vector } from "./view/vector.js";
 /** @typedef {import("./source/protocol.js").Layout} Layout */
 
 const ROOM = 1.3; // radii of the scene: what of a large body is farther away need not be in the picture
-const NEAR = 0.6; // of the ropes' extent: what is farther from them need not, either
+const NEAR = 0.6; // of the ropes' extent: a body that is farther from them need not, either
+const BESIDE = 0.25; // of it, up to which a body that goes on beyond the ropes is shown
 const WHEELS = ["turn0", "turn1", "turn2", "turn3"]; // scalars of a frame
 const LEVEL = 0.9999; // cosine of the tilt up to which a plane is a floor
 
@@ -117,15 +118,16 @@ export class Solids {
 /** The corners of a body, or of what of it is near the ropes. @param {Vector[]} corners
  * @param {import("./view/camera.js").Box} ropes @returns {Vector[]} */
 export function partNear(corners, { low, high }) {
-  const near = NEAR * Math.max(...high.map((value, k) => value - low[k]));
-  if (!Number.isFinite(near)) return corners; // there are none
-  const beyond = [0, 1, 2].some(
-    (k) =>
-      Math.min(...corners.map((corner) => corner[k])) > high[k] + near ||
-      Math.max(...corners.map((corner) => corner[k])) < low[k] - near,
-  );
-  if (beyond) return [];
+  const size = Math.max(...high.map((value, k) => value - low[k]));
+  if (!Number.isFinite(size)) return corners; // there are none
+  const least = low.map((_, k) => Math.min(...corners.map((corner) => corner[k])));
+  const most = low.map((_, k) => Math.max(...corners.map((corner) => corner[k])));
+  const away = low.map((value, k) => Math.max(least[k] - high[k], value - most[k]));
+  if (away.some((far) => far > NEAR * size)) return [];
+  const room = away.map((far) => (far > 0 ? NEAR : BESIDE) * size);
   return corners.map((corner) =>
-    vector(corner.map((value, k) => Math.min(high[k] + near, Math.max(low[k] - near, value)))),
+    vector(
+      corner.map((value, k) => Math.min(high[k] + room[k], Math.max(low[k] - room[k], value))),
+    ),
   );
 }

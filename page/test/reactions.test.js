@@ -168,8 +168,10 @@ test("of a body the picture holds what is near the ropes", () => {
   const held = partNear(stairs, ropes);
   assert.deepEqual(
     [Math.min(...held.map(([x]) => x)), Math.max(...held.map(([x]) => x))],
-    [-0.6, 1.6],
+    [-0.25, 1.25], // a little of what goes on
   );
+  const beam = [1.5, 9].flatMap((x) => [0, 0.1].flatMap((y) => [0, 0.1].map((z) => [x, y, z])));
+  assert.equal(Math.min(...partNear(beam, ropes).map(([x]) => x)), 1.5); // and where what is near begins
   assert.deepEqual(partNear(stairs, { low: [0, 0, -9], high: [1, 0.2, -8.5] }), []); // it fell off
   const wide = { low: [-9, 0, 0], high: [9, 1, 0] };
   assert.deepEqual(partNear(stairs, wide), stairs);

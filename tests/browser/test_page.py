@@ -8,6 +8,8 @@ import numpy as np
 import pytest
 
 from browser.window import Window
+from ropewalk.live.session import Session
+from ropewalk.scene.presets import preset
 
 pytestmark = pytest.mark.browser
 Open = Callable[..., Window]
@@ -138,3 +140,11 @@ def test_the_anchors_force_is_played_when_it_is_asked_for(window: Window) -> Non
     window.until(f"{hearing}.heard > 50 && {hearing}.sound.loudest > 0")
     sound.click()
     assert window.ask(f"{hearing}.sound.on") is False
+
+
+def test_what_flies_freely_has_a_trail_from_the_start(open_window: Open, serve: Serve) -> None:
+    window = open_window(serve(Session(preset("n39-gravity"), "n39-gravity")).address).ready()
+    assert window.ask("[...r.viewport.marks.followed]") == [0]
+    window.tell(type="scene", preset="r4")
+    window.until("r.session.layout.scene.preset === 'r4'")
+    assert window.ask("r.viewport.marks.followed.size") == 0

@@ -33,3 +33,10 @@ export class Trails {
     this.version++;
   }
 }
+
+/** The nodes that have a trail from a scene's start: of what flies freely, for the camera goes along with it, and all
+ * that it passes is sky. @param {import("../source/protocol.js").Layout} layout @returns {number[]} */
+export function fliers({ ground, obstacles, variants: [copy] }) {
+  const free = !ground && !obstacles?.length && !copy.anchors.length;
+  return free ? copy.ropes.slice(0, 1).map(({ first }) => first) : [];
+}
