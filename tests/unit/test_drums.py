@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any, Literal
 
 import pytest
 
@@ -11,11 +12,11 @@ from ropewalk.record.drums import rope_place
 from ropewalk.scene import Anchor, Load, Material, Rope, RunSettings, Scene, Straight, Winch
 
 
-def hoist(speed: float, end: str, *, parts: bool = False) -> rw.Result:
+def hoist(speed: float, end: Literal["start", "end"], *, parts: bool = False) -> rw.Result:
     """A load of 5 kg on 2 m of cord in half metres that hangs from its winch, for 1.1 s."""
     at = 0 if end == "start" else -1
     down = Straight(start=(0, 0, 0), direction=(0, 0, -1 if end == "start" else 1))
-    weak = {"parts": True, "breaking_load": 20.0} if parts else {}
+    weak: dict[str, Any] = {"parts": True, "breaking_load": 20.0} if parts else {}
     rope = Rope(
         segments=4,
         length=2.0,
@@ -35,7 +36,9 @@ def hoist(speed: float, end: str, *, parts: bool = False) -> rw.Result:
 
 
 @pytest.mark.parametrize("end", ["start", "end"])
-def test_what_is_paid_out_what_lies_on_the_drum_and_what_leaves_it(end: str) -> None:
+def test_what_is_paid_out_what_lies_on_the_drum_and_what_leaves_it(
+    end: Literal["start", "end"],
+) -> None:
     result = hoist(1.0, end)
     span = result.layout.span("rope")
     assert (span.spare_start if end == "start" else span.spare_end) >= 3

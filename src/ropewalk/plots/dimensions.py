@@ -252,11 +252,9 @@ def _name_loads(axes: Axes, result: Result, flat: Floats, seen: Backdrop) -> lis
         )
     if len(loads) <= _MOST:
         return []
-    masses = {mass for _, mass in loads}
-    if len(masses) == 1:
-        return [
-            f"All {len(loads)} loads are of {masses.pop():.5g} kg; the first {_MOST} are named."
-        ]
+    sizes = {mass for _, mass in loads}
+    if len(sizes) == 1:
+        return [f"All {len(loads)} loads are of {sizes.pop():.5g} kg; the first {_MOST} are named."]
     return [f"The first {_MOST} of {len(loads)} loads are named."]
 
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ropewalk.core.arrays import Floats
+from ropewalk.core.arrays import Ints
 from ropewalk.record.quantities import has_rope
 
 if TYPE_CHECKING:
@@ -43,7 +43,7 @@ def rope_place(result: Result, noun: str, index: int, time: float) -> str:
     return f"{plain}, paid out from the drum"
 
 
-def _off_drums(result: Result, span: Span, time: float) -> Floats:
+def _off_drums(result: Result, span: Span, time: float) -> Ints:
     """Return which segments of a rope, counted along it, are not on a drum, in order."""
     frame = min(int(np.searchsorted(result.time, time)), result.good_frames - 1)
     rest = result.read("rest_length", frame, frame + 1)[0]
@@ -52,5 +52,5 @@ def _off_drums(result: Result, span: Span, time: float) -> Floats:
     for one in result.partings:
         if one.rope == span.name and one.time <= time:
             there[span.spare_start + one.segment] = True
-    found: Floats = np.flatnonzero(there)
+    found: Ints = np.flatnonzero(there)
     return found

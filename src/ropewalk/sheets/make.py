@@ -58,15 +58,8 @@ def sheet(
     """
     made, tell = as_scene(scene), progress or (lambda words: None)
     tell("at rest")
-    rest: Result | None = None
     again = SEE if convergence and at_ends(made) else COMPUTE
-    try:
-        statics, rest = rest_and_result(made)
-        at_rest = rest_section(rest, statics.spans, statics.seats, again)
-    except (SceneError, NoRest) as error:
-        if not run:
-            raise
-        at_rest = _no_rest(str(error))
+    rest, at_rest = _rest(made, again, needed=not run)
     result = rest
     if run:
         tell("the run")
@@ -90,9 +83,16 @@ def sheet(
     return Sheet(made.name, " ".join((made.description, lead)).strip(), tuple(sections), result)
 
 
-def _no_rest(error: str) -> Section:
-    reason = error.splitlines()[-1].strip()
-    return Section("At rest", (Text(f"There is no shape of rest: {reason}"),))
+def _rest(scene: Scene, again: str, *, needed: bool) -> tuple[Result | None, Section]:
+    """Return the equilibrium and what is told of it; None where there is none, if that is not `needed`."""
+    try:
+        statics, rest = rest_and_result(scene)
+    except (SceneError, NoRest) as error:
+        if needed:
+            raise
+        reason = str(error).splitlines()[-1].strip()
+        return None, Section("At rest", (Text(f"There is no shape of rest: {reason}"),))
+    return rest, rest_section(rest, statics.spans, statics.seats, again)
 
 
 def _drawing(result: Result) -> Section:
