@@ -18,9 +18,9 @@ from ropewalk.scene.as_given import as_given
 from ropewalk.scene.guess import COMPUTE
 from ropewalk.sheets.content import Item, Listing, Section, Table, Text, picture
 from ropewalk.sheets.document import Sheet
-from ropewalk.sheets.guessed import SEE, at_ends, stiffness_ends
 from ropewalk.sheets.loads import rest_section, run_section, summary_section
 from ropewalk.sheets.ropes import assumption_section, rope_section
+from ropewalk.sheets.stiffness_ends import SEE, at_ends, stiffness_ends
 from ropewalk.sheets.trust import convergence_section, method_section
 from ropewalk.statics import NoRest
 
