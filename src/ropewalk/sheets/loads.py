@@ -37,7 +37,7 @@ _SIGN = "Forces of the ropes on the anchors; components along x, y and z."
 
 
 def summary_section(
-    rest: Result | None, run: Result | None, ends: tuple[Item, ...], then: str
+    rest: Result | None, run: Result | None, ends: tuple[Item, ...] = (), then: str = COMPUTE
 ) -> Section:
     """Return the numbers that a job is decided by, of the shape of rest and of the run.
 
