@@ -73,6 +73,15 @@ test("ropes without a breaking load are not passed over in silence", () => {
   );
 });
 
+test("a tension that is not known is not taken for none", () => {
+  /** @type {Made[]} */ const ropes = [
+    ["line", 1000, null],
+    ["sling", 1000, 800],
+  ];
+  for (const tensions of [[NaN, 900], [900, NaN], [Infinity, 1], [900], []])
+    assert.equal(told(ropes, tensions), "Most now: not known");
+});
+
 test("of copies the copy is named", () => {
   const copies = layoutOf({
     "1 kN/m": [["line", 1000, null]],

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
 import pytest
 
 import ropewalk as rw
@@ -38,6 +39,7 @@ def hung(mass: float, speed: float, **more: object) -> rw.Result:
         ropes=[rope],
         anchors=[Anchor(node=0)],
         limiter=Limiter(min_stretch=0.5, max_stretch=1.05),
+        air=more.pop("air", None),
         run=RunSettings(**(run | more)),
     )
     return rw.simulate(scene)
@@ -54,6 +56,15 @@ def test_energy_from_a_limiter_is_told() -> None:
     assert ABOUT not in long.table
     assert long.work["limiter"][-1] > long.work["limiter"].min() + 0.1
     assert ABOUT not in hung(100.0, 1.0, method="esdirk3", time_step=1 / 240).table
+
+
+def test_what_it_put_in_is_told_whole_where_other_things_take_of_it() -> None:
+    """Drag took a quarter; the rise of the energy was told for what the limiter had put in."""
+    thick = hung(100.0, 1.0, air={"node_drag": 5.0})
+    work, total = thick.work["limiter"], thick.energy["total"]
+    put_in, risen = ((one - np.minimum.accumulate(one)).max() for one in (work, total))
+    assert put_in > 1.2 * risen
+    assert f"it has put in {put_in:.3g} J" in thick.table[ABOUT]
 
 
 @pytest.mark.parametrize("method", ["semi-implicit-euler", "esdirk3"])

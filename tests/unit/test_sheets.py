@@ -239,6 +239,17 @@ def test_an_end_that_no_rope_can_have_is_said_to_fail() -> None:
     told = " ".join(warnings(job))
     assert "In the run, least stiffness: no rope can be of such a stiffness." in told
     assert table(job.section("Guessed stiffness")).rows[0][2] == ""
+    (summary,) = (text for text in warnings(job) if "over its range" in text)
+    assert summary.count("of the least stiffness nothing, for it FAILED") == 2  # at rest, and run
+
+
+def test_a_rope_that_parts_at_an_end_of_its_stiffness_is_told() -> None:
+    """It bears no more, so that its tension there is no largest one; twin: one that may not part."""
+    guess = Guess(of="EA", value=4e4, low=2e4, high=2e6)
+    for parts in (True, False):
+        told = " ".join(warnings(rw.sheet(taut(guess, breaking_load=1000.0, parts=parts))))
+        assert ("with the greatest stiffness a rope PARTS" in told) is parts
+        assert "with the least stiffness a rope PARTS" not in told
 
 
 def test_how_forces_on_anchors_at_rest_converge_is_told() -> None:

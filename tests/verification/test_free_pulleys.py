@@ -239,6 +239,10 @@ def test_what_is_recorded_is_in_folder_dataset_and_tables(tmp_path: Path) -> Non
     np.testing.assert_array_equal(table["work of ropes [J]"], wheel.rope_work)
     with pytest.raises(KeyError, match="turn freely, wheel, not 'drum'"):
         result.pulley("drum")
+    angles = result.obstacle_angles()
+    np.testing.assert_array_equal(angles[:, 0], wheel.angle)
+    for frames in (slice(None, None, -1), slice(-2, None), slice(5, 1, -2), slice(3, 3)):
+        np.testing.assert_array_equal(result.obstacle_angles(frames), angles[frames])
 
 
 def test_the_table_of_a_run_says_how_fast_it_turns_and_what_its_axle_carries() -> None:

@@ -46,6 +46,7 @@ export function usesOf({ variants }, tensions) {
  * as small as they may be. @param {Use[]} uses @param {number} ropes how many there are, with those of no known load */
 export function marginText(uses, ropes = uses.length) {
   if (!uses.length) return "";
+  if (!uses.every(({ share }) => Number.isFinite(share))) return "Most now: not known"; // broken, or cut since
   const first = uses.reduce((most, one) => (one.share > most.share ? one : most));
   const worst = uses.reduce((most, one) => {
     const same = one.worst === most.worst && one === first;

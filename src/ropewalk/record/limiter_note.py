@@ -32,9 +32,9 @@ def limiter_note(result: Result) -> str:
         return ""
     # its work alone grows where a load hangs at its bound: against the weight's, step by step
     total = result.energy["total"][:good]
-    given = min(float((one - np.minimum.accumulate(one)).max()) for one in (work, total))
+    given, risen = (float((one - np.minimum.accumulate(one)).max()) for one in (work, total))
     turned = largest_change(part[:good] for name, part in result.energy.items() if name != "total")
-    if not given > MOST * turned > 0.0:
+    if not min(given, risen) > MOST * turned > 0.0:
         return ""
     return (
         f"it has put in {given:.3g} J, {100.0 * given / turned:.3g} % of the energy turned over, where it "

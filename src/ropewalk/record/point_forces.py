@@ -143,8 +143,10 @@ class PointForces:
         if result.layout.pulleys:
             names = [body.name for body in result.scene.obstacles]
             free = [names.index(name) for name in result.layout.pulleys]
-            start, stop, step = frames.indices(result.frames)
-            found[:, free] = result.read(PULLEYS, start, stop)[::step, :, 0]
+            rows = np.arange(result.frames)[frames]
+            start = int(rows.min(initial=result.frames))
+            read = result.read(PULLEYS, start, int(rows.max(initial=-1)) + 1)
+            found[:, free] = read[rows - start, :, 0]
         return found
 
     @property

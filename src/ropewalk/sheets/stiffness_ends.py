@@ -22,6 +22,7 @@ SEE = f"both ends of it are computed under {TITLE}"
 _ENDS = ("least", "greatest")
 _NAMED = 6  # that are told one by one
 _TOLD = ("largest tension", "largest force on an anchor")
+_PARTED = "places where ropes parted"
 
 
 class Ends(NamedTuple):
@@ -95,7 +96,12 @@ def _variant(title: str, scene: Scene | None, result: Result) -> Variant:
     run = scene.run.replace(method=plan.method)
     if run.time_step != "auto" and plan.tolerance is None and not METHODS[plan.method].implicit:
         run = run.replace(time_step=plan.dt / _faster(result.scene, scene))
-    return tried(title, lambda made: run_numbers(simulate(made)), scene.replace(run=run))
+    return tried(title, _numbers, scene.replace(run=run))
+
+
+def _numbers(scene: Scene) -> dict[str, float]:
+    result = simulate(scene)
+    return {**run_numbers(result), _PARTED: float(len(result.partings))}
 
 
 def _faster(old: Scene, new: Scene) -> float:
@@ -105,7 +111,10 @@ def _faster(old: Scene, new: Scene) -> float:
 
 
 def _spans(title: str, base: dict[str, float], variants: list[Variant]) -> list[str]:
-    """Return from where to where forces and sag go with a guessed stiffness, in words."""
+    """Return from where to where forces and sag go with a guessed stiffness, in words.
+
+    And what these leave out: an end that has no numbers, and ropes that part at one, which bear no more.
+    """
     ran = [variant.numbers for variant in variants if not variant.why_not]
     found = []
     for name in (*_TOLD, "largest sag"):
@@ -114,6 +123,10 @@ def _spans(title: str, base: dict[str, float], variants: list[Variant]) -> list[
             unit = "m" if name == "largest sag" else "N"
             low, high = (prefixed(value, unit, 4) for value in (min(values), max(values)))
             found.append(f"{name} {low}" + (f" to {high}" if high != low else ""))
+    found += [f"of the {v.title} nothing, for it FAILED" for v in variants if v.why_not]
+    found += [
+        f"with the {v.title} a rope PARTS" for v in variants if v.numbers.get(_PARTED, 0.0) > 0.0
+    ]
     return [f"{title}, {', '.join(found)}"] if found else []
 
 
