@@ -142,6 +142,8 @@ def test_a_node_is_pulled_and_let_go(lab: Any) -> None:
     page.evaluate("window.ropewalkLab.lab.advance(200)")
     held = page.evaluate("window.ropewalkLab.lab.rope.hand.node")
     assert held == 10
+    assert page.inner_text("#play") == "Pause"  # else nothing would follow the hand
+    page.evaluate("window.ropewalkLab.lab.play(false)")
     assert page.evaluate("window.ropewalkLab.lab.rope.x[1][10]") < -2.0
     page.mouse.up()
     assert page.evaluate("window.ropewalkLab.lab.rope.hand") is None
@@ -226,6 +228,58 @@ def test_a_click_measures_and_does_not_pull(lessons: Any) -> None:
     lessons.fill("#node", "900")
     lessons.press("#node", "Enter")
     assert lessons.input_value("#node") == "40"  # there are no more
+
+
+@pytest.mark.browser
+def test_what_is_measured_first_moves(lab: Any) -> None:
+    """No anchor; and the value of one that stands is told once, not as 1e-9 above and below."""
+    for name in PRESETS:
+        lab.page.select_option("#scene", index=PRESETS.index(name))
+        held = lab.page.evaluate("window.ropewalkLab.lab.rope.anchors.map(({ node }) => node)")
+        assert int(lab.page.input_value("#node")) not in held, name
+    lab.page.fill("#node", "20")
+    lab.page.press("#node", "Enter")
+    told = lab.page.evaluate(
+        "() => { const { lab } = window.ropewalkLab, { strip } = lab.probe, told = [];"
+        " strip.pen.fillText = (text) => told.push(text); lab.advance(100); lab.note(); strip.draw();"
+        " return told; }"
+    )
+    assert [text for text in told if "s" not in text] == ["0"]
+
+
+@pytest.mark.browser
+def test_keys_choose_a_node_pull_it_and_let_go(lessons: Any) -> None:
+    hand, node = "window.ropewalkLab.lab.rope.hand", "#node"
+    lessons.select_option("#scene", label="4 chain at rest")
+    lessons.focus("#rope")
+    lessons.keyboard.press("ArrowRight")
+    assert lessons.input_value(node) == "21"
+    assert lessons.is_visible("#keys")
+    for _ in range(3):
+        lessons.keyboard.press("Shift+ArrowUp")
+    assert lessons.evaluate(f"{hand}.node") == 21
+    assert lessons.inner_text("#play") == "Pause"
+    before = lessons.evaluate("window.ropewalkLab.lab.base.x[2][21]")
+    until(lessons, f"lab.rope.x[2][21] > {before} + 0.6")  # 3 times 3 % of the drawing's 8 m
+    lessons.keyboard.press("Enter")
+    assert lessons.evaluate(hand) is None
+    lessons.keyboard.press("Space")
+    assert lessons.inner_text("#play") == "Play"
+
+
+@pytest.mark.browser
+def test_runge_kutta_thrashes_before_it_flies_apart(lessons: Any) -> None:
+    """As the first lesson says: energy out of nothing a tenth above its limit, a break far above."""
+    lessons.select_option("#scene", label="1 step by step")
+    lessons.select_option("#method", "rk4")
+    for factor, gains, breaks in ((0.97, False, False), (1.1, True, False), (1.4, True, True)):
+        lessons.fill("#k-shown", f"{factor * 8201.0:.1f}")
+        lessons.press("#k-shown", "Enter")
+        lessons.click("#restart")
+        lessons.evaluate("window.ropewalkLab.lab.advance(2000)")
+        kept = "window.ropewalkLab.lab.energy.kept.map(({ values }) => values[3])"
+        assert (max(lessons.evaluate(kept)) > 1.0) is gains, factor
+        assert lessons.is_visible("#broken") is breaks, factor
 
 
 @pytest.mark.browser

@@ -232,6 +232,19 @@ def test_the_energies_are_read_and_a_break_leaves_them(tmp_path: Path, open_wind
     assert 0.1 < largest < 1e6
 
 
+def test_a_break_by_friction_is_told_as_one(tmp_path: Path, open_window: Any) -> None:
+    page = open_window(write_lab(tmp_path / "lab.html").as_uri()).page
+    page.select_option("#method", "verlet")
+    for name, value, friction in (("c", 5.0, True), ("k", 1e5, False)):
+        write(page, name, value)
+        page.evaluate("window.ropewalkLab.lab.advance(4000)")
+        assert page.is_visible("#broken")
+        assert ("Friction is to slow" in page.inner_text("#why")) is friction
+        assert ("the springs push a node" in page.inner_text("#why")) is not friction
+        page.click("#own")
+        page.click("#again")
+
+
 SMALL = """() => [...document.querySelectorAll('button, select, input')]
   .filter((one) => one.getClientRects().length)
   .map((one) => [one.id, (one.type === 'checkbox' ? one.closest('label') : one).getBoundingClientRect()])

@@ -57,12 +57,13 @@ function quartic(p, q) {
   return Math.hypot(re, im);
 }
 
-/** The largest stable step [s] of a rope with a method. @param {Rope} rope @param {Method} method */
-export function largestStep(rope, method) {
+/** The largest stable step [s] of a rope with a method. @param {Rope} rope @param {Method} method
+ * @param {boolean} [friction] false: of the springs alone */
+export function largestStep(rope, method, friction = true) {
   const stiff = highest(rope, rope.stiffness);
   const rub = highest(
     rope,
-    rope.vector.map((c, j) => c + rope.axial[j]),
+    rope.vector.map((c, j) => (friction ? c + rope.axial[j] : 0)),
   );
   if (!(stiff > 0)) return rub > 0 ? 2 / rub : Infinity;
   /** @param {number} h whether every mode up to the highest keeps its size */

@@ -2,11 +2,19 @@
 
 /** @typedef {import("./kernel.js").Rope} Rope */
 /** @typedef {{rope?: Rope, drawing: import("./draw.js").Drawing, hover: number | null, playing: boolean,
- *   broken?: boolean, probe: import("./probe.js").Probe, plane(): [number[], number[]], draw(): void}} Lab */
+ *   broken?: boolean, probe: import("./probe.js").Probe, plane(): [number[], number[]], play(on: boolean): void,
+ *   draw(): void}} Lab */
 
 const REACH = 40; // pixels from a node at which it can be taken
 const STILL = 6; // pixels that a pointer moves at most in a click
 const SPEED = 0.7; // widths of the drawing that a hand moves in a second, at most
+const PRESS = 0.03; // widths of the drawing that a press of a key pulls
+const WAYS = /** @type {Record<string, [number, number]>} */ ({
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowDown: [0, -1],
+  ArrowUp: [0, 1],
+});
 
 /** Let the pointer take, lead and let go of nodes. @param {HTMLCanvasElement} board @param {Lab} lab */
 export function follow(board, lab) {
@@ -46,6 +54,39 @@ export function follow(board, lab) {
     pressed = null;
     release(lab.rope);
   };
+  board.onkeydown = (event) => {
+    const { altKey, ctrlKey, metaKey } = event;
+    if (altKey || ctrlKey || metaKey || !press(lab, event.key, event.shiftKey)) return;
+    event.preventDefault(); // the page does not scroll
+    if (!lab.playing) lab.draw();
+  };
+}
+
+/** What a key does on the drawing: choose a node, pull it, let go, play. @param {Lab} lab @param {string} key
+ * @param {boolean} shift @returns {boolean} whether it did something */
+function press(lab, key, shift) {
+  const { rope, probe } = lab;
+  if (!rope) return false;
+  const way = WAYS[key];
+  if (key === " ") lab.play(!lab.playing);
+  else if (key === "Enter" || key === "Escape") release(rope);
+  else if (way && shift) pull(lab, rope, way);
+  else if (way && way[0]) probe.choose(probe.node + way[0]);
+  else return false;
+  return true;
+}
+
+/** Pull the measured node on. @param {Lab} lab @param {Rope} rope @param {[number, number]} way */
+function pull(lab, rope, [right, high]) {
+  if (lab.broken) return;
+  if (rope.hand?.node !== lab.probe.node) {
+    release(rope);
+    take(lab, rope, lab.probe.node);
+  }
+  if (!rope.hand) return;
+  const [across, up] = lab.plane();
+  const far = PRESS * (lab.drawing.box.right - lab.drawing.box.left);
+  rope.hand.to = rope.hand.to.map((x, k) => x + far * (right * across[k] + high * up[k]));
 }
 
 /** @param {Lab} lab @param {Rope} rope @param {number} node */
@@ -55,6 +96,7 @@ function take(lab, rope, node) {
   const { left, right } = lab.drawing.box;
   rope.inverse[node] = 0;
   rope.hand = { node, at, to: [...at], speed: SPEED * (right - left) };
+  lab.play(true); // else nothing would follow the hand
 }
 
 /** Lead the node in hand to a pixel, in the plane that is seen. @param {Lab} lab @param {Rope} rope

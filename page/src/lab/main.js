@@ -5,11 +5,12 @@ import { Drawing } from "./draw.js";
 import { follow } from "./hand.js";
 import { METHODS, Rope } from "./kernel.js";
 import { energies, gravityAt, isBroken, tautEnergy, tensions } from "./measures.js";
-import { Probe } from "./probe.js";
+import { Probe, middle } from "./probe.js";
 import { Resampler, Sound } from "../sound.js";
 import { bridge } from "./bridge.js";
 import { Strip } from "./strip.js";
 import { Values } from "./values.js";
+import { milliseconds, whyItBroke } from "./why.js";
 
 /** @typedef {import("./kernel.js").Scene} Scene */
 /** @typedef {import("./kernel.js").Method} Method */
@@ -40,8 +41,6 @@ const small = (value) => String(Number((Math.abs(value) < LITTLE ? 0 : value).to
 /** A value that goes with another: where they are equal, to the last bit.
  * @param {number} value @param {number} own @param {number} now */
 const scaled = (value, own, now) => (value === own ? now : (now / own) * value);
-/** @param {number} seconds */
-const milliseconds = (seconds) => `${Number((1e3 * seconds).toPrecision(4))} ms`;
 
 class Lab {
   /** @param {Scene[]} scenes */
@@ -91,7 +90,7 @@ class Lab {
     find("about").textContent = this.scene.about;
     this.base = new Rope(this.scene);
     this.values.choose(this.scene, this.base);
-    this.probe.node = (this.base.n - 1) >> 1;
+    this.probe.node = middle(this.base);
     this.restart();
     this.probe.choose(this.probe.node);
   }
@@ -235,13 +234,7 @@ class Lab {
     this.broken = true;
     this.play(false);
     const [step, bound] = [this.step ?? 0, this.bound ?? 0];
-    find("why").textContent =
-      step > bound
-        ? `After ${rope.time.toPrecision(3)} s. With this stiffness and mass a step may be at most ` +
-          `${milliseconds(bound)}; it is ${milliseconds(step)}. In one step the springs push a node past where ` +
-          "it should be, in the next they push it back farther still: the zigzag grows until nothing is left."
-        : `After ${rope.time.toPrecision(3)} s. The step is short enough: something pulled the rope beyond ` +
-          "ten times its length.";
+    find("why").textContent = whyItBroke(rope, this.method ?? METHODS[0], step, bound);
     find("shorten").hidden = step <= bound;
     find("broken").hidden = false;
     find("broken").scrollIntoView({ block: "nearest" }); // on a phone

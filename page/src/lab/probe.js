@@ -23,6 +23,20 @@ export function measured(lab, node, quantity) {
   return beside.reduce((sum, j) => sum + tension[j], 0) / beside.length;
 }
 
+/** The node that is measured first: the middle of the longest piece between anchors or ends, which is not held.
+ * @param {Rope} rope */
+export function middle(rope) {
+  const held = rope.anchors.map((anchor) => anchor.node);
+  let [longest, node] = [0, 0];
+  for (const [first, last] of rope.ropes) {
+    const inside = held.filter((one) => first < one && one < last);
+    const ends = [first, ...inside.sort((a, b) => a - b), last];
+    for (const [i, end] of ends.slice(1).entries())
+      if (end - ends[i] > longest) [longest, node] = [end - ends[i], (ends[i] + end + 1) >> 1];
+  }
+  return node;
+}
+
 export class Probe {
   /** @param {Lab} lab @param {(id: string) => HTMLElement} find */
   constructor(lab, find) {

@@ -76,13 +76,17 @@ export class Strip {
     let [low, high] = [Math.min(...all), Math.max(...all)];
     if (curves.length > 1) [low, high] = [Math.min(low, 0), Math.max(high, 0)];
     const least = 1e-9 + 1e-6 * Math.max(Math.abs(low), Math.abs(high)); // else rounding fills the graph
-    if (high - low < least) [low, high] = [low - least, high + least];
+    const marks = low < 0 && high > 0 ? [low, 0, high] : [low, high];
+    if (high - low < least) {
+      marks.splice(0, 3, Math.abs(low) < least ? 0 : low); // one number says it all
+      [low, high] = [low - least, high + least];
+    }
     /** @param {number} t @param {number} value @returns {[number, number]} */
     const at = (t, value) => [
       LEFT * ratio + ((width - (LEFT + 4) * ratio) * (t - start)) / seconds,
       height - FOOT * ratio - ((height - (FOOT + HEAD) * ratio) * (value - low)) / (high - low),
     ];
-    this.#grid(at, { low, high, start, seconds }, ratio);
+    this.#grid(at, { low, high, start, seconds }, marks, ratio);
     const style = getComputedStyle(canvas);
     for (const [k, { name, wide }] of curves.entries()) {
       const points = kept.map(({ t, values }) => at(t, values[k]));
@@ -99,13 +103,13 @@ export class Strip {
   }
 
   /** @param {(t: number, value: number) => [number, number]} at
-   * @param {{low: number, high: number, start: number, seconds: number}} range @param {number} ratio */
-  #grid(at, { low, high, start, seconds }, ratio) {
+   * @param {{low: number, high: number, start: number, seconds: number}} range
+   * @param {number[]} marks values that are told @param {number} ratio */
+  #grid(at, { low, high, start, seconds }, marks, ratio) {
     const { pen, canvas } = this;
     const style = getComputedStyle(canvas);
     pen.fillStyle = style.getPropertyValue("--faint");
     pen.font = `${11 * ratio}px system-ui, sans-serif`;
-    const marks = low < 0 && high > 0 ? [low, 0, high] : [low, high];
     const room = Math.abs(at(0, low)[1] - at(0, high)[1]);
     for (const value of marks) {
       const [, y] = at(start, value);
