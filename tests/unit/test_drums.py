@@ -60,10 +60,12 @@ def test_what_is_paid_out_what_lies_on_the_drum_and_what_leaves_it(
 
 
 def test_no_extreme_of_a_winch_has_a_number_below_zero_alone() -> None:
-    """The highest point of `hoist-stop` was "node -2"."""
-    for key, place in hoist(1.0, "start").table.items():
-        if key.endswith(" at") and "-" in str(place).partition(",")[0]:
-            assert "paid out from the drum" in str(place)
+    """The highest point of `hoist-stop` was "node -2"; the largest tension of `rescue-lower` "segment -4"."""
+    assert rw.simulate("hoist-stop").table["highest point at"].startswith("on the drum of rope")
+    table = rw.simulate("rescue-lower").table
+    below = [str(table[key]) for key in table if key.endswith(" at") and " -" in str(table[key])]
+    assert below
+    assert all("paid out from the drum" in place for place in below)
 
 
 def test_what_is_reeled_in_lies_on_the_drum() -> None:
