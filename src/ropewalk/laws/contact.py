@@ -136,27 +136,33 @@ def remember_contacts(x, v, obstacles, memory, now, stiffness):
 
 
 @kernel
-def count_closing(x, v, obstacles, memory, now):
-    """Return how many contacts that were open close on the way to `x` and `v`, at the time `now` has."""
-    closing = 0.0
+def count_impacts(state, force, obstacles, memory):
+    """Return how many nodes a surface stops in a step that begins at `state`, under its mean forces.
+
+    One that was open and presses in the step is, were it for a stage alone; and one that presses as it
+    begins and comes nearer by more than counts. `force` is (3 + 6 k, n) [N].
+    """
+    struck, now, x, v = 0.0, state.now, state.x, state.v
+    dt = now[0] - now[1]
     for o in range(obstacles.kind.shape[0]):
-        center, grip = obstacles.center[o], memory.grip[o]
-        mx, my, mz, ux, uy, uz, angle, rate = surface_at(obstacles, o, now[0])
+        center, grip, row = obstacles.center[o], memory.grip[o], 3 + 6 * o
+        mx, my, mz, ux, uy, uz, angle, rate = surface_at(obstacles, o, now[1])
         body, pose = body_of(obstacles, o), pose_of(obstacles, o, angle)
         _, sweep = rates_of(obstacles, o, rate)
         for i in range(x.shape[1]):
-            if grip[PUSH, i] > 0.0:
+            if force[row, i] == 0.0 and force[row + 1, i] == 0.0 and force[row + 2, i] == 0.0:
+                continue
+            if grip[PUSH, i] == 0.0:
+                struck += 1.0
                 continue
             px, py, pz = x[0, i] - mx, x[1, i] - my, x[2, i] - mz
-            g, nx, ny, nz, _, _, _, _, _ = probe_turned(body, pose, px, py, pz)
+            _, nx, ny, nz, _, _, _, _, _ = probe_turned(body, pose, px, py, pz)
             ox, oy, oz = px - center[0], py - center[1], pz - center[2]
             lx, ly, lz = swept(ux, uy, uz, sweep, ox, oy, oz)
-            vx, vy, vz = v[0, i] - lx, v[1, i] - ly, v[2, i] - lz
-            rise = nx * vx + ny * vy + nz * vz
-            push = -obstacles.stiffness[o, i] * (g - obstacles.thickness[i])
-            if push - obstacles.damping[o, i] * rise > 0.0:
-                closing += 1.0
-    return closing
+            rise = nx * (v[0, i] - lx) + ny * (v[1, i] - ly) + nz * (v[2, i] - lz)
+            if rise * dt < -obstacles.still[i] and state.inverse_mass[i] > 0.0:
+                struck += 1.0
+    return struck
 
 
 @kernel

@@ -256,7 +256,7 @@ def remember_step(system, state, t):
 
 
 @part
-def _nothing_hit(system, state, x, v):
+def _nothing_hit(system, state, forces, x, v):
     return 0.0
 
 
@@ -264,17 +264,17 @@ def _hitting(law: NodeLaw, k: int, rest: Any) -> Any:
     hits = law.hits
 
     @part
-    def _hits(system, state, x, v):
-        found = rest(system, state, x, v)
+    def _hits(system, state, forces, x, v):
+        found = rest(system, state, forces, x, v)
         if acts(system, k):
-            found += hits(system.node[k], state, x, v)
+            found += hits(system.node[k], state, forces[k], x, v)
         return found
 
     return _hits
 
 
 hits = fold(_hitting, _nothing_hit, "hits")
-"""hits(system, state, x, v): return how many contacts close in a step from the state to there."""
+"""hits(system, state, forces, x, v): return how many nodes are hit in a step to there, (3, n) forces by law."""
 
 
 @part

@@ -23,7 +23,7 @@ from ropewalk.laws.contact import (
     contact_forces,
     contact_given,
     contact_rounding,
-    count_closing,
+    count_impacts,
     remember_contacts,
 )
 from ropewalk.laws.contact_books import BOOKS, WAYS, book_contacts
@@ -61,6 +61,7 @@ FIRM = 0.005  # [1] depth over the diameter, see above
 SHARP = 2.0  # [1] what a node presses with, over the tension, where the rope turns back
 SHARE = 0.15  # [1] compliance of a contact over the rope's own at a node
 DAMPING = 1.0  # [1] damping ratio of a node on its own: it does not bounce
+STILL = 0.1  # [1] diameters that a contact may close by in a step and still not be one that strikes
 
 
 class Obstacles(NamedTuple):
@@ -83,6 +84,7 @@ class Obstacles(NamedTuple):
     stiffness: Floats  # (k, n) of a contact, across and along [N/m]
     damping: Floats  # (k, n) [N s/m]
     thickness: Floats  # (n,) from the rope's middle to its surface [m]
+    still: Floats  # (n,) what comes nearer by no more in a step does not strike [m]
     # Those that turn freely, wheels, have a row of their own; w of them.
     wheel: Ints  # (k,) that row, -1: it does not
     inertia: Floats  # (w,) about the axis [kg m^2]
@@ -122,7 +124,7 @@ def lower(
     places = [place_of(body) for body in bodies]
     count, n = len(bodies), layout.nodes
     own, mass = np.zeros(n), np.zeros(n)
-    thickness = np.zeros(n)
+    thickness, still = np.zeros(n), np.zeros(n)
     firm = np.zeros((count, n))
     each = zip(ropes, layout.ropes, whole, strict=True) if bodies else ()
     for rope, span, all_mass in each:
@@ -131,7 +133,7 @@ def lower(
         own[nodes], mass[nodes] = stiff, weight
         here = slice(span.start, span.end + 1)
         own[here], mass[here] = _loaded(rope, stiff, weight, all_mass)
-        thickness[nodes] = radius_of(rope)
+        thickness[nodes], still[nodes] = radius_of(rope), STILL * rope.diameter
         for row, body in enumerate(bodies):
             firm[row, nodes] = _firm(rope, gravity * all_mass, radius_round(body), weight)
     stiffness = np.empty((count, n))
@@ -156,6 +158,7 @@ def lower(
         stiffness=stiffness,
         damping=2.0 * DAMPING * np.sqrt(stiffness * mass),
         thickness=thickness,
+        still=still,
         **wheel_columns([body.spin for body in bodies]),
     )
 
@@ -260,9 +263,9 @@ def book(obstacles, state, force, middle, dt):
 
 
 @part
-def hits(obstacles, state, x, v):
-    """Return how many contacts close on the way from the state to `x` and `v`."""
-    return count_closing(x, v, obstacles, state.memory.obstacle, state.now)
+def hits(obstacles, state, force, x, v):
+    """Return how many nodes are stopped by a surface in a step, see `contact.count_impacts`."""
+    return count_impacts(state, force, obstacles, state.memory.obstacle)
 
 
 @part

@@ -168,11 +168,11 @@ def end_dirk(state, scratch, A, b, dt):
 
 
 @part
-def end_stages(system, state, scratch, t, after, dt, level, kind, A, b, stopped):
+def end_stages(system, state, scratch, t, after, dt, level, kind, A, b, struck):
     """Write the end of a DIRK or BDF2 step, its forces and accelerations; return OK where it may stand.
 
-    But for the smallest parts one that makes up energy may not, nor one in which something is hit, or
-    `stopped` by a bound, but by implicit Euler, and but for steps as short as their error asks for.
+    But for the smallest parts one that makes up energy may not, nor one in which something is `struck`, but
+    by implicit Euler, and but for steps as short as their error asks for.
     """
     stage, mean, ends_here, watch = scratch.stage, scratch.mean, True, level < MOST_HALVINGS
     if kind == BDF2:
@@ -191,7 +191,7 @@ def end_stages(system, state, scratch, t, after, dt, level, kind, A, b, stopped)
         if makes_up_energy(system, state, stage, scratch.ends, mean, dt, most_of(system, level)):
             return UNSOLVED
     free = stage.saddle.band.frozen[0] == 0 and not is_soft(kind, A)
-    if watch and free and (stopped or hits(system, state, stage.x, stage.v) > 0.0):
+    if watch and free and struck:
         return HIT
     met = meet_on_way(system, state, stage.x)
     if met != FINE:
@@ -269,11 +269,14 @@ def take_step(system, state, scratch, t, after, dt, ledger, level, kind, A, b, c
             put(stage.v, scratch.u[s])
             put(stage.a, scratch.k[s])
             add_forces(system, stage.forces, b[s], mean)
-    stopped = is_stopped(system, state, mean if kind == DIRK else stage.forces, dt)
+    forces = mean if kind == DIRK else stage.forces
+    struck = is_stopped(system, state, forces, dt)
+    if not struck and stage.saddle.band.frozen[0] == 0:
+        struck = hits(system, state, forces.node, stage.x, stage.v) > 0.0
     if kind == GENERALIZED_ALPHA:
         end_alpha(system, state, scratch, numbers, dt)
     else:
-        status = end_stages(system, state, scratch, t, after, dt, level, kind, A, b, stopped)
+        status = end_stages(system, state, scratch, t, after, dt, level, kind, A, b, struck)
         if status != OK:
             stage.report[TIME] = after
             return status
@@ -283,7 +286,7 @@ def take_step(system, state, scratch, t, after, dt, ledger, level, kind, A, b, c
     middle = scratch.middle
     half_way(state.x, state.v, stage.x, stage.v, state.inverse_mass, middle, state.drift)
     move_anchors(system, state, mean, after, dt, middle, scratch.point, scratch.speed)
-    if stopped:
+    if struck:
         state.jolt[0] = 1.0
     if ledger:
         account(system, state, mean, middle, dt)

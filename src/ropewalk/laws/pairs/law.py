@@ -203,7 +203,7 @@ def book(table, state, force, middle, dt):
 
 
 @part
-def hits(table, state, x, v):
+def hits(table, state, force, x, v):
     """Return how many contacts close on the way from the state to `x` and `v`."""
     return count_closing_pairs(x, v, table, state.memory.contact)
 
