@@ -1,14 +1,15 @@
 """Contact of nodes with obstacles: Coulomb friction that sticks.
 
 With g the gap, v the velocity over the surface, D the way over it since the last accepted step, R' the
-friction spring's force then, P = I - n n^T and k the contact's stiffness,
-    R_n = max(0, -k g - c n.v)                            a damper that never pulls
-    q   = P (R' - k D) - c P v
+friction spring's force then, P = I - n n^T and R the force of a squeeze, see `hardening`,
+    R_n = max(0, R(-g) - c n.v)                           a damper that never pulls
+    q   = P (R' - k_t D) - c P v
     R_t = q            where |q| <= mu R_n                it sticks
           mu R_n q/|q| elsewhere                          it slips
-What is kept to the next step is the spring's part, P (R' - k D), cut to mu R_n. A contact that sticks does
+What is kept to the next step is the spring's part, P (R' - k_t D), cut to mu R_n. A contact that sticks does
 not creep: its memory is a force. A body that moves is looked at in its own frame, at the time of the forces.
-With c = 2 sqrt(k m) a node that hits a surface on its own stays there.
+k_t is R over the depth at the last step, k of what is not pressed far. With c = 2 sqrt(k m) a node that hits
+a surface on its own stays there.
 Sources: Cundall & Strack 1979, Geotechnique 29:47 (friction with memory); Simo & Hughes, Computational
 Inelasticity, 1998, ch. 2 (return mapping).
 
@@ -22,9 +23,19 @@ from __future__ import annotations
 
 import math
 
-from ropewalk.core.jit import kernel
-from ropewalk.laws.contact_books import RUBBED, note_way, put_apart
-from ropewalk.laws.contact_frame import GRIP, PUSH, cut, spring_pull, surface_at
+from ropewalk.core.jit import kernel, small
+from ropewalk.laws.contact_books import PRESSED, RUBBED, note_way, put_apart
+from ropewalk.laws.contact_frame import (
+    DAMP,
+    GRIP,
+    PUSH,
+    STIFF,
+    STILL,
+    cut,
+    spring_pull,
+    surface_at,
+)
+from ropewalk.laws.hardening import along_surface, squeezed
 from ropewalk.laws.obstacle_pose import body_of, pose_of, probe_turned, rates_of, swept
 from ropewalk.laws.wheels import find_rates, keep_wheels, turned
 
@@ -54,8 +65,8 @@ def contact_forces(x, v, obstacles, memory, now, force, lo, hi):
             lx, ly, lz = swept(ux, uy, uz, sweep, ox, oy, oz)
             vx, vy, vz = v[0, i] - lx, v[1, i] - ly, v[2, i] - lz
             rise = nx * vx + ny * vy + nz * vz
-            k, c = obstacles.stiffness[o, i], obstacles.damping[o, i]
-            push = -k * (g - obstacles.thickness[i]) - c * rise
+            k, c = grip[STIFF, i], grip[DAMP, i]
+            push = squeezed(obstacles, o, i, obstacles.thickness[i] - g)[0] - c * rise
             if not push > 0.0:
                 continue
             sx, sy, sz = 0.0, 0.0, 0.0
@@ -101,8 +112,9 @@ def remember_contacts(x, v, obstacles, memory, now, stiffness):
             ox, oy, oz = px - center[0], py - center[1], pz - center[2]
             lx, ly, lz = swept(ux, uy, uz, sweep, ox, oy, oz)
             vx, vy, vz = v[0, i] - lx, v[1, i] - ly, v[2, i] - lz
-            k, c = obstacles.stiffness[o, i], obstacles.damping[o, i]
-            push = -k * (g - obstacles.thickness[i]) - c * (nx * vx + ny * vy + nz * vz)
+            k, c, depth = grip[STIFF, i], grip[DAMP, i], obstacles.thickness[i] - g
+            pressed, _, stored = squeezed(obstacles, o, i, depth)
+            push = pressed - c * (nx * vx + ny * vy + nz * vz)
             if push > 0.0 and grip[PUSH, i] == 0.0:
                 closed += 1.0
             grip[PUSH, i] = max(push, 0.0)
@@ -119,8 +131,11 @@ def remember_contacts(x, v, obstacles, memory, now, stiffness):
                 across = nx * rx + ny * ry + nz * rz
                 rx, ry, rz = rx - across * nx, ry - across * ny, rz - across * nz
                 rx, ry, rz = cut(rx, ry, rz, bound)
+            share = harden(obstacles, grip, o, i, depth)
+            sx, sy, sz = share * sx, share * sy, share * sz
             grip[0, i], grip[1, i], grip[2, i] = sx, sy, sz
-            memory.books[o, RUBBED, i] = 0.5 * (sx * sx + sy * sy + sz * sz) / k
+            memory.books[o, PRESSED, i] = stored
+            memory.books[o, RUBBED, i] = 0.5 * (sx * sx + sy * sy + sz * sz) / grip[STIFF, i]
             if push > 0.0:
                 rx, ry, rz = rx + push * nx, ry + push * ny, rz + push * nz
                 power = rx * (lx + gx) + ry * (ly + gy) + rz * (lz + gz)
@@ -133,6 +148,24 @@ def remember_contacts(x, v, obstacles, memory, now, stiffness):
             memory.way[k, i] = x[k, i] - place[k, i]
             place[k, i] = x[k, i]
     return closed
+
+
+@small
+def harden(obstacles, grip, o, i, depth):
+    """Keep how stiff the springs along a surface are where a node is pressed so deep [m], and its damper.
+
+    Return by what the friction spring's force changes: one that gets softer keeps what it has stored.
+    """
+    before = grip[STIFF, i]
+    grip[STIFF, i], grip[DAMP, i] = along_surface(obstacles, o, i, depth)
+    return math.sqrt(grip[STIFF, i] / before) if grip[STIFF, i] < before else 1.0
+
+
+@kernel
+def push_on(obstacles, o, i, gap, rise):
+    """Return what presses on node i at a gap [m] that grows at `rise` [m/s] [N]; no more than 0: nothing."""
+    depth = obstacles.thickness[i] - gap
+    return squeezed(obstacles, o, i, depth)[0] - along_surface(obstacles, o, i, depth)[1] * rise
 
 
 @kernel
@@ -160,7 +193,7 @@ def count_impacts(state, force, obstacles, memory):
             ox, oy, oz = px - center[0], py - center[1], pz - center[2]
             lx, ly, lz = swept(ux, uy, uz, sweep, ox, oy, oz)
             rise = nx * (v[0, i] - lx) + ny * (v[1, i] - ly) + nz * (v[2, i] - lz)
-            if rise * dt < -obstacles.still[i] and state.inverse_mass[i] > 0.0:
+            if rise * dt < -STILL * obstacles.diameter[i] and state.inverse_mass[i] > 0.0:
                 struck += 1.0
     return struck
 
@@ -200,8 +233,7 @@ def contact_energy(x, obstacles, t):
         for i in range(x.shape[1]):
             px, py, pz = x[0, i] - mx, x[1, i] - my, x[2, i] - mz
             depth = obstacles.thickness[i] - probe_turned(body, pose, px, py, pz)[0]
-            if depth > 0.0:
-                total += 0.5 * obstacles.stiffness[o, i] * depth * depth
+            total += squeezed(obstacles, o, i, depth)[2]
     return total
 
 
@@ -225,5 +257,5 @@ def contact_rounding(x, obstacles):
             size = max(size, abs(obstacles.center[o, k]))
     for o in range(obstacles.kind.shape[0]):
         for i in range(x.shape[1]):
-            most = max(most, obstacles.stiffness[o, i])
+            most = max(most, obstacles.stiffness[o, i] + obstacles.hard[o, i])
     return 16.0 * 2.220446049250313e-16 * most * size

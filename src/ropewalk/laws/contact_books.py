@@ -5,7 +5,7 @@ the way of the surface as it moves, D the node's way over it as it moves and tur
 much its gap has grown along the normal n. Of a body that is not round, whose turning moves the surface, m is
 w: all that it leads along. Then
     N . n G        what presses,        Q . D        what rubs,        N . m + Q . w        the motor
-have done. The first two only take, but for what the contact stores, k e^2 / 2 of the depth e and
+have done. The first two only take, but for what the contact stores, its squeeze, see `hardening`, and
 |R|^2 / (2 k) of the friction spring: by implicit Euler friction in every step, pressing on flat bodies, for
 both are convex, and on round ones but for what a step's chord lacks of its arc. The ledger's own work is
 F . (v0 + v1) h / 2, F = N + Q (see `ledger`); what is left of it is the method's, which takes chords for arcs
@@ -40,7 +40,7 @@ def note_way(obstacles, memory, o, i, now, then, angle, x, y, z, gap, n0, n1, n2
     `now` and `then` are what `surface_at` gives for the step's ends, `angle` by what it has turned between.
     """
     slip, place, center, axle = memory.slip[o], memory.place, obstacles.center[o], obstacles.axle[o]
-    books, depth = memory.books[o], max(obstacles.thickness[i] - gap, 0.0)
+    books = memory.books[o]
     _, _, _, dx, dy, dz = carried(center, axle, angle, then, memory.grip[o], place, i, x, y, z)
     rise = gap - books[GAP, i]
     slip[RISE, i], slip[RISE + 1, i], slip[RISE + 2, i] = rise * n0, rise * n1, rise * n2
@@ -52,7 +52,6 @@ def note_way(obstacles, memory, o, i, now, then, angle, x, y, z, gap, n0, n1, n2
         slip[LED + 1, i] = y + now[1] - place[1, i] - dy
         slip[LED + 2, i] = z + now[2] - place[2, i] - dz
     books[GAP, i] = gap
-    books[PRESSED, i] = 0.5 * obstacles.stiffness[o, i] * depth * depth
 
 
 @kernel

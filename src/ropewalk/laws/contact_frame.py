@@ -8,8 +8,10 @@ from ropewalk.core.jit import kernel, small
 from ropewalk.laws.obstacle_pose import body_of, drawn_place, pose_of, probe_turned, rotated
 from ropewalk.motions.whereabouts import place_now
 
-# Rows of `Memory.grip` after the spring's force: the coefficient of friction, R_n.
-GRIP, PUSH = 3, 4
+# Rows of `Memory.grip` after the spring's force: the coefficient of friction, R_n, the spring's stiffness,
+# the damper.
+GRIP, PUSH, STIFF, DAMP, GRIPS = 3, 4, 5, 6, 7
+STILL = 0.1  # [1] diameters that a contact may close by in a step and still not be one that strikes
 
 
 @kernel

@@ -1,8 +1,8 @@
 """How the forces of contacts change with places and velocities; see `contact`.
 
-With H of the surface, b = mu R_n, q before it is cut and s = q/|q|,
+With H of the surface, k the slope of R, b = mu R_n, q before it is cut and s = q/|q|,
     -dR_n = k n.dx + c (n.dv + v.H dx - n.(W x dx))      of a contact that pushes
-    -dq   = k P dx + c P dv + (n.w) H dx + n (w.H dx),   w = R' - k D - c v
+    -dq   = k_t P dx + c P dv + (n.w) H dx + n (w.H dx),   w = R' - k_t D - c v
     -dR   = n (-dR_n) - R_n H dx + (-dq                                  where it sticks
                                     mu s (-dR_n) + (b/|q|) (I - s s^T) (-dq)   where it slips)
 The last but one makes it unsymmetric. The surface's own velocity changes with the place by its spin, which is
@@ -15,7 +15,8 @@ import math
 
 from ropewalk.core.blocks import load9, subtract
 from ropewalk.core.jit import kernel
-from ropewalk.laws.contact_frame import GRIP, spring_pull, surface_at
+from ropewalk.laws.contact_frame import DAMP, GRIP, STIFF, spring_pull, surface_at
+from ropewalk.laws.hardening import squeezed
 from ropewalk.laws.obstacle_pose import body_of, pose_of, probe_turned, rates_of, swept
 from ropewalk.laws.wheels import begin_ties, find_rates, turned, write_row
 
@@ -38,8 +39,9 @@ def contact_tangent(x, v, obstacles, memory, now, weight_x, weight_v, band):
             ox, oy, oz = px - center[0], py - center[1], pz - center[2]
             lx, ly, lz = swept(ux, uy, uz, sweep, ox, oy, oz)
             vx, vy, vz = v[0, i] - lx, v[1, i] - ly, v[2, i] - lz
-            k, c = obstacles.stiffness[o, i], obstacles.damping[o, i]
-            push = -k * (g - obstacles.thickness[i]) - c * (nx * vx + ny * vy + nz * vz)
+            c = grip[DAMP, i]
+            pressed, k, _ = squeezed(obstacles, o, i, obstacles.thickness[i] - g)
+            push = pressed - c * (nx * vx + ny * vy + nz * vz)
             if not push > 0.0:
                 continue
             n = (nx, ny, nz)
@@ -63,9 +65,10 @@ def contact_tangent(x, v, obstacles, memory, now, weight_x, weight_v, band):
                     vy - (wz * ox - wx * oz),
                     vz - (wx * oy - wy * ox),
                 )
-                sx, sy, sz = spring_pull(k, center, axle, angle, then, grip, place, i, px, py, pz)
+                kt = grip[STIFF, i]
+                sx, sy, sz = spring_pull(kt, center, axle, angle, then, grip, place, i, px, py, pz)
                 pull = (sx - c * vx, sy - c * vy, sz - c * vz)
-                own, turn = weight_x * k + weight_v * c, weight_x * c
+                own, turn = weight_x * kt + weight_v * c, weight_x * c
                 turning = (turn * (wx + sweep[0]), turn * (wy + sweep[1]), turn * (wz + sweep[2]))
                 mu = grip[GRIP, i]
                 before = load9(diagonal, i)
@@ -78,7 +81,7 @@ def contact_tangent(x, v, obstacles, memory, now, weight_x, weight_v, band):
 
 @kernel
 def rub(diagonal, i, n, a, ca, cb, pull, bound, friction, drop, own, turning, weight_x):
-    """Add the derivative of R_t. `pull` is R' - k D - c v, `own` the weighted k and c.
+    """Add the derivative of R_t. `pull` is R' - k D - c v, `own` the weighted k_t and c.
 
     `turning` is the weighted c times the surface's angular velocity.
     """

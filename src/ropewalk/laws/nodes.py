@@ -274,7 +274,7 @@ def _hitting(law: NodeLaw, k: int, rest: Any) -> Any:
 
 
 hits = fold(_hitting, _nothing_hit, "hits")
-"""hits(system, state, forces, x, v): return how many nodes are hit in a step to there, (3, n) forces by law."""
+"""hits(system, state, forces, x, v): return how many nodes are hit in a step to there."""
 
 
 @part

@@ -6,6 +6,8 @@ force at one of its nodes in a step of 1/60 s, whatever the run's own steps are,
 but no more than the whole rope's inertia in that time, nor than its segments are (those lighter than that
 step allows for, than k0). Round bodies are stiffer where more hangs on a rope than that holds: a tension of
 all its weight, loads and given forces turns by h/R at each node and presses it in by FIRM of its diameter.
+What is pressed in farther than the skin of a contact meets as much as the segments' own stiffness, see
+`hardening`: what pulls a line taut is not known beforehand.
 """
 
 from __future__ import annotations
@@ -27,7 +29,9 @@ from ropewalk.laws.contact import (
     remember_contacts,
 )
 from ropewalk.laws.contact_books import BOOKS, WAYS, book_contacts
+from ropewalk.laws.contact_frame import DAMP, GRIPS, STIFF
 from ropewalk.laws.contact_tangent import contact_tangent
+from ropewalk.laws.hardening import HARD
 from ropewalk.laws.node_law import NodeLaw, Rest
 from ropewalk.laws.obstacle_places import depths
 from ropewalk.laws.obstacle_rows import (
@@ -61,7 +65,7 @@ FIRM = 0.005  # [1] depth over the diameter, see above
 SHARP = 2.0  # [1] what a node presses with, over the tension, where the rope turns back
 SHARE = 0.15  # [1] compliance of a contact over the rope's own at a node
 DAMPING = 1.0  # [1] damping ratio of a node on its own: it does not bounce
-STILL = 0.1  # [1] diameters that a contact may close by in a step and still not be one that strikes
+RIGID = 1e3  # [1] how much stiffer contacts get whose rope has no stiffness to go by
 
 
 class Obstacles(NamedTuple):
@@ -84,7 +88,8 @@ class Obstacles(NamedTuple):
     stiffness: Floats  # (k, n) of a contact, across and along [N/m]
     damping: Floats  # (k, n) [N s/m]
     thickness: Floats  # (n,) from the rope's middle to its surface [m]
-    still: Floats  # (n,) what comes nearer by no more in a step does not strike [m]
+    hard: Floats  # (k, n) what is added to the stiffness where one is pressed deep [N/m], see `hardening`
+    diameter: Floats  # (n,) of the rope, whether the distance counts from its surface or not [m]
     # Those that turn freely, wheels, have a row of their own; w of them.
     wheel: Ints  # (k,) that row, -1: it does not
     inertia: Floats  # (w,) about the axis [kg m^2]
@@ -96,7 +101,9 @@ class Obstacles(NamedTuple):
 class Memory(NamedTuple):
     """What contacts remember of the last accepted step."""
 
-    grip: Floats  # (k, 5, n) force of the friction spring [N], coefficient of friction, R_n [N]
+    # (k, GRIPS, n) force of the friction spring [N], coefficient of friction, R_n [N], the spring's stiffness
+    # [N/m], the damper [N s/m]
+    grip: Floats
     place: Floats  # (3, n) [m]
     given: Floats  # (n,) what moving surfaces have given to nodes so far, where any did [J]
     books: Floats  # (k, BOOKS, n) see `contact_books`
@@ -124,7 +131,7 @@ def lower(
     places = [place_of(body) for body in bodies]
     count, n = len(bodies), layout.nodes
     own, mass = np.zeros(n), np.zeros(n)
-    thickness, still = np.zeros(n), np.zeros(n)
+    thickness, diameter, most = np.zeros(n), np.ones(n), np.zeros(n)
     firm = np.zeros((count, n))
     each = zip(ropes, layout.ropes, whole, strict=True) if bodies else ()
     for rope, span, all_mass in each:
@@ -133,13 +140,17 @@ def lower(
         own[nodes], mass[nodes] = stiff, weight
         here = slice(span.start, span.end + 1)
         own[here], mass[here] = _loaded(rope, stiff, weight, all_mass)
-        thickness[nodes], still[nodes] = radius_of(rope), STILL * rope.diameter
+        most[nodes], most[here] = _most(rope, weight), [_most(rope, one) for one in mass[here]]
+        thickness[nodes], diameter[nodes] = radius_of(rope), rope.diameter
         for row, body in enumerate(bodies):
             firm[row, nodes] = _firm(rope, gravity * all_mass, radius_round(body), weight)
-    stiffness = np.empty((count, n))
+    stiffness, hard = np.empty((count, n)), np.zeros((count, n))
     for row, body in enumerate(bodies):
         asked = body.compliance
         stiffness[row] = np.maximum(own, firm[row]) if asked is None else 1.0 / asked
+        if asked is None:
+            finite = np.where(np.isfinite(most), most, RIGID * stiffness[row])
+            hard[row] = np.maximum(finite - stiffness[row], 0.0)
     centers = np.array([place[0] for place in places], dtype=np.float64).reshape(count, 3)
     motion = motion_rows([body.motion for body in bodies], centers)
     for moved in np.flatnonzero(motion.kind != FIXED):  # a table has places of its own
@@ -158,7 +169,8 @@ def lower(
         stiffness=stiffness,
         damping=2.0 * DAMPING * np.sqrt(stiffness * mass),
         thickness=thickness,
-        still=still,
+        hard=hard,
+        diameter=diameter,
         **wheel_columns([body.spin for body in bodies]),
     )
 
@@ -218,7 +230,8 @@ def memory(obstacles: Obstacles, x: Floats, stiffness: Floats) -> Memory:
     count, n, wheels = len(obstacles.kind), x.shape[1], len(obstacles.inertia)
     passes = np.zeros((2, n if count else 0), np.int64)
     own = np.zeros((wheels, WIDTH)), np.zeros((wheels, ROWS, n)), passes[0], passes[1].copy()
-    grip, books, slip = (np.zeros((count, rows, n)) for rows in (5, BOOKS, WAYS))
+    grip, books, slip = (np.zeros((count, rows, n)) for rows in (GRIPS, BOOKS, WAYS))
+    grip[:, STIFF], grip[:, DAMP] = obstacles.stiffness, obstacles.damping
     if count == 0:
         none = np.zeros((3, 0))
         return Memory(grip, none, np.zeros(0), books, slip, none.copy(), *own)
@@ -316,11 +329,13 @@ def channels(obstacles: Obstacles) -> int:
 
 def cases(obstacles: Obstacles, chain: Chain) -> dict[str, Chain]:
     """Return a chain all of whose nodes are pressed to the stiffest obstacle, or to three, as in a corner."""
-    most = min(len(obstacles.kind), 3)
+    most, k, c = min(len(obstacles.kind), 3), obstacles.stiffness, obstacles.damping
+    stiff = k + obstacles.hard
+    damped = c * np.maximum(1.0, HARD * np.sqrt(stiff / k))
     return {
         "pressed to obstacles": chain._replace(
-            node_stiffness=chain.node_stiffness + most * obstacles.stiffness.max(axis=0),
-            node_damping=chain.node_damping + most * obstacles.damping.max(axis=0),
+            node_stiffness=chain.node_stiffness + most * stiff.max(axis=0),
+            node_damping=chain.node_damping + most * damped.max(axis=0),
         )
     }
 

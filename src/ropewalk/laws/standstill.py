@@ -12,7 +12,7 @@ from __future__ import annotations
 import math
 
 from ropewalk.core.jit import kernel
-from ropewalk.laws.contact_frame import GRIP, PUSH, surface_at
+from ropewalk.laws.contact_frame import GRIP, PUSH, STIFF, surface_at
 from ropewalk.laws.obstacle_pose import body_of, pose_of, probe_turned
 
 AT_LIMIT = 1.0 - 1e-9  # [1] of what friction can carry counts as all of it
@@ -61,7 +61,7 @@ def standstills(obstacles, before, after, dt, tolerance):
                 continue
             ux, uy, uz = slip_at(obstacles, o, surface, before.x, before.v, i)
             speed = math.sqrt(ux * ux + uy * uy + uz * uz)
-            pull = obstacles.stiffness[o, i] * speed * dt  # were it to stick
+            pull = first[STIFF, i] * speed * dt  # were it to stick
             if not at_limit(first, i) and pull <= first[GRIP, i] * first[PUSH, i]:
                 continue
             wx, wy, wz = slip_at(obstacles, o, there, after.x, after.v, i)

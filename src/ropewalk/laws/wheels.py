@@ -19,7 +19,8 @@ from __future__ import annotations
 import math
 
 from ropewalk.core.jit import kernel, small
-from ropewalk.laws.contact_frame import GRIP, cut, surface_at
+from ropewalk.laws.contact_frame import DAMP, GRIP, STIFF, cut, surface_at
+from ropewalk.laws.hardening import squeezed
 from ropewalk.laws.obstacle_pose import rotated
 from ropewalk.laws.obstacle_shapes import probe
 
@@ -93,8 +94,8 @@ def _list_nodes(x, v, obstacles, memory, o, t):
         px, py, pz = x[0, i] - mx, x[1, i] - my, x[2, i] - mz
         g, nx, ny, nz, _, _, _, _, _ = probe(kind, center, axis, size, px, py, pz)
         rise = nx * (v[0, i] - ux) + ny * (v[1, i] - uy) + nz * (v[2, i] - uz)
-        push = -obstacles.stiffness[o, i] * (g - obstacles.thickness[i])
-        bound = grip[GRIP, i] * (push - obstacles.damping[o, i] * rise)
+        push = squeezed(obstacles, o, i, obstacles.thickness[i] - g)[0]
+        bound = grip[GRIP, i] * (push - grip[DAMP, i] * rise)
         if bound > 0.0:
             ties[NODE, count], ties[BOUND, count] = i, bound
             ties[NORMAL, count], ties[NORMAL + 1, count], ties[NORMAL + 2, count] = nx, ny, nz
@@ -121,7 +122,8 @@ def _torque(rate, x, v, obstacles, memory, o, now, keep):
     for t in range(int(memory.wheel[w, COUNT])):
         i = int(ties[NODE, t])
         nx, ny, nz = ties[NORMAL, t], ties[NORMAL + 1, t], ties[NORMAL + 2, t]
-        k, c, grip = obstacles.stiffness[o, i], obstacles.damping[o, i], memory.grip[o]
+        grip = memory.grip[o]
+        k, c = grip[STIFF, i], grip[DAMP, i]
         ox, oy, oz = (
             x[0, i] - mx - center[0],
             x[1, i] - my - center[1],

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ropewalk.core.arrays import Floats, Ints
-from ropewalk.laws.contact import on_polygon, turn_towards
+from ropewalk.laws.contact import on_polygon, push_on, turn_towards
 from ropewalk.laws.contact_frame import surface_at
 from ropewalk.laws.obstacle import Obstacles
 from ropewalk.laws.obstacle_places import surface_near
@@ -73,8 +73,7 @@ def contacts_at(
             place, normal = x[:, i] - now[o][:3] - table.center[o], np.array(direction)
             turning = np.array(rates_of(table, o, now[o][7]))
             speed = v[:, i] - now[o][3:6] - np.cross(turning[1], place)
-            push = -table.stiffness[o, i] * (gap - table.thickness[i])
-            push -= table.damping[o, i] * float(normal @ speed)
+            push = push_on(table, o, i, gap, float(normal @ speed))
             if not push > 0.0:
                 continue
             turn = turn_towards(x, i, *direction, stiffness)

@@ -21,6 +21,7 @@ from __future__ import annotations
 import math
 
 from ropewalk.core.jit import kernel, small
+from ropewalk.laws.hardening import beyond
 from ropewalk.laws.pairs.table import (
     APART,
     CONTACTS,
@@ -51,15 +52,6 @@ def squeeze(depth, soft, hard, stop, layer):
     rate = 0.5 * (stop - hard) / layer
     force, slope, energy = beyond(min(depth - 3.0 * layer, 2.0 * layer), rate, force, slope, energy)
     return beyond(depth - 5.0 * layer, 0.0, force, slope, energy)
-
-
-@small
-def beyond(depth, rate, force, slope, energy):
-    """Return force, slope and energy after so much more depth [m], if any, with a slope that grows so."""
-    e = max(depth, 0.0)
-    more = (slope + 0.5 * rate * e) * e
-    stored = (force + (0.5 * slope + rate * e / 6.0) * e) * e
-    return force + more, slope + rate * e, energy + stored
 
 
 @small

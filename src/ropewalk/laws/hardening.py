@@ -1,0 +1,46 @@
+"""Contacts that get stiffer the deeper they are pressed."""
+
+from __future__ import annotations
+
+import math
+
+from ropewalk.core.jit import small
+
+SKIN = 0.005  # [1] depth over the diameter from which contacts with obstacles get stiffer
+HARD = 0.3  # [1] damping ratio of contacts that are pressed farther
+
+
+@small
+def beyond(depth, rate, force, slope, energy):
+    """Return force, slope and energy after so much more depth [m], if any, with a slope that grows so."""
+    e = max(depth, 0.0)
+    more = (slope + 0.5 * rate * e) * e
+    stored = (force + (0.5 * slope + rate * e / 6.0) * e) * e
+    return force + more, slope + rate * e, energy + stored
+
+
+@small
+def squeezed(obstacles, o, i, depth):
+    """Return force [N], its slope [N/m] and energy [J] of node i pressed by `depth` [m] into an obstacle.
+
+    k e in its skin, and twice as deep with k + `hard` for a slope. Negative where it is off, but for energy.
+    """
+    k, hard, skin = obstacles.stiffness[o, i], obstacles.hard[o, i], SKIN * obstacles.diameter[i]
+    if hard == 0.0 or depth <= skin:
+        return k * depth, k, 0.5 * k * depth * max(depth, 0.0)
+    force, slope, energy = k * skin, k, 0.5 * k * skin * skin
+    force, slope, energy = beyond(min(depth - skin, skin), hard / skin, force, slope, energy)
+    return beyond(depth - 2.0 * skin, 0.0, force, slope, energy)
+
+
+@small
+def along_surface(obstacles, o, i, depth):
+    """Return stiffness [N/m] and damping [N s/m] of the springs along a surface where one is pressed so deep.
+
+    The stiffness is force over depth, the damping no less than HARD of what is critical with that.
+    """
+    k, c = obstacles.stiffness[o, i], obstacles.damping[o, i]
+    if obstacles.hard[o, i] == 0.0 or depth <= SKIN * obstacles.diameter[i]:
+        return k, c
+    stiff = squeezed(obstacles, o, i, depth)[0] / depth
+    return stiff, c * max(1.0, HARD * math.sqrt(stiff / k))
