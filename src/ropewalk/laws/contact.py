@@ -169,14 +169,13 @@ def push_on(obstacles, o, i, gap, rise):
 
 
 @kernel
-def count_impacts(state, force, obstacles, memory):
-    """Return how many nodes a surface stops in a step that begins at `state`, under its mean forces.
+def quickest_impact(state, force, dt, obstacles, memory):
+    """Return how quickly a surface stops nodes in a step of `dt` [s] that begins at `state` [1/s]; 0: none.
 
-    One that was open and presses in the step is, were it for a stage alone; and one that presses as it
-    begins and comes nearer by more than counts. `force` is (3 + 6 k, n) [N].
+    Under mean forces (3 + 6 k, n) [N]. One that was open and presses in the step is stopped, were it for a
+    stage alone; and one that presses as it begins and comes nearer by more than STILL diameters.
     """
     struck, now, x, v = 0.0, state.now, state.x, state.v
-    dt = now[0] - now[1]
     for o in range(obstacles.kind.shape[0]):
         center, grip, row = obstacles.center[o], memory.grip[o], 3 + 6 * o
         mx, my, mz, ux, uy, uz, angle, rate = surface_at(obstacles, o, now[1])
@@ -185,8 +184,9 @@ def count_impacts(state, force, obstacles, memory):
         for i in range(x.shape[1]):
             if force[row, i] == 0.0 and force[row + 1, i] == 0.0 and force[row + 2, i] == 0.0:
                 continue
+            quick = grip[STIFF, i] / grip[DAMP, i]
             if grip[PUSH, i] == 0.0:
-                struck += 1.0
+                struck = max(struck, quick)
                 continue
             px, py, pz = x[0, i] - mx, x[1, i] - my, x[2, i] - mz
             _, nx, ny, nz, _, _, _, _, _ = probe_turned(body, pose, px, py, pz)
@@ -194,7 +194,7 @@ def count_impacts(state, force, obstacles, memory):
             lx, ly, lz = swept(ux, uy, uz, sweep, ox, oy, oz)
             rise = nx * (v[0, i] - lx) + ny * (v[1, i] - ly) + nz * (v[2, i] - lz)
             if rise * dt < -STILL * obstacles.diameter[i] and state.inverse_mass[i] > 0.0:
-                struck += 1.0
+                struck = max(struck, quick)
     return struck
 
 

@@ -11,7 +11,9 @@ from ropewalk.motions.whereabouts import place_now
 # Rows of `Memory.grip` after the spring's force: the coefficient of friction, R_n, the spring's stiffness,
 # the damper.
 GRIP, PUSH, STIFF, DAMP, GRIPS = 3, 4, 5, 6, 7
-STILL = 0.1  # [1] diameters that a contact may close by in a step and still not be one that strikes
+STILL = (
+    0.02  # [1] diameters that a contact may close by in a step and still not be one that strikes
+)
 
 
 @kernel

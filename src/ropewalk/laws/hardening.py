@@ -3,7 +3,11 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
+import numpy as np
+
+from ropewalk.core.arrays import Floats
 from ropewalk.core.jit import small
 
 SKIN = 0.005  # [1] depth over the diameter from which contacts with obstacles get stiffer
@@ -44,3 +48,15 @@ def along_surface(obstacles, o, i, depth):
         return k, c
     stiff = squeezed(obstacles, o, i, depth)[0] / depth
     return stiff, c * max(1.0, HARD * math.sqrt(stiff / k))
+
+
+def depth_under(obstacles: Any, force: float) -> Floats:
+    """Return how deep a force [N] presses every node into every obstacle [m], (k, n); see `squeezed`."""
+    k, hard, skin = obstacles.stiffness, obstacles.hard, SKIN * obstacles.diameter
+    beyond_skin = np.maximum(force - k * skin, 0.0)
+    share = hard / np.maximum(skin, np.finfo(float).tiny)
+    curved = 2.0 * beyond_skin / (k + np.sqrt(k * k + 2.0 * share * beyond_skin))
+    whole = (k + 0.5 * hard) * skin
+    straight = skin + (beyond_skin - whole) / (k + hard)
+    found: Floats = np.minimum(force / k, skin) + np.where(curved <= skin, curved, straight)
+    return np.where(hard > 0.0, found, force / k)

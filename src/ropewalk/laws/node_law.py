@@ -73,7 +73,8 @@ class NodeLaw(NamedTuple):
     # part (table, state, force, middle, dt): book a step's mean forces, see `ledger`, once it is remembered
     book: Any = None
     channels: Callable[[Any], int] | None = None  # (table): rows of its force, 3 and its own
-    # part (table, state, force, x, v): what is hit in a step from the state to there, under its mean force
+    # part (table, state, force, dt, x, v): how quickly what is hit in a step from the state to there, under
+    # its mean force, is stopped [1/s]; 0: nothing is
     hits: Any = None
     touch: Any = (
         None  # part (table, state, force): add what touches the nodes at the state [N], (3, n)

@@ -256,7 +256,7 @@ def remember_step(system, state, t):
 
 
 @part
-def _nothing_hit(system, state, forces, x, v):
+def _nothing_hit(system, state, forces, dt, x, v):
     return 0.0
 
 
@@ -264,17 +264,17 @@ def _hitting(law: NodeLaw, k: int, rest: Any) -> Any:
     hits = law.hits
 
     @part
-    def _hits(system, state, forces, x, v):
-        found = rest(system, state, forces, x, v)
+    def _hits(system, state, forces, dt, x, v):
+        found = rest(system, state, forces, dt, x, v)
         if acts(system, k):
-            found += hits(system.node[k], state, forces[k], x, v)
+            found = max(found, hits(system.node[k], state, forces[k], dt, x, v))
         return found
 
     return _hits
 
 
 hits = fold(_hitting, _nothing_hit, "hits")
-"""hits(system, state, forces, x, v): return how many nodes are hit in a step to there."""
+"""hits(system, state, forces, dt, x, v): return how quickly what is hit in a step is stopped [1/s], or 0."""
 
 
 @part

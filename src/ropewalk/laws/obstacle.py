@@ -25,7 +25,7 @@ from ropewalk.laws.contact import (
     contact_forces,
     contact_given,
     contact_rounding,
-    count_impacts,
+    quickest_impact,
     remember_contacts,
 )
 from ropewalk.laws.contact_books import BOOKS, WAYS, book_contacts
@@ -276,9 +276,9 @@ def book(obstacles, state, force, middle, dt):
 
 
 @part
-def hits(obstacles, state, force, x, v):
-    """Return how many nodes are stopped by a surface in a step, see `contact.count_impacts`."""
-    return count_impacts(state, force, obstacles, state.memory.obstacle)
+def hits(obstacles, state, force, dt, x, v):
+    """Return how quickly a surface stops nodes in a step [1/s], see `contact.quickest_impact`."""
+    return quickest_impact(state, force, dt, obstacles, state.memory.obstacle)
 
 
 @part

@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from ropewalk.core.arrays import Floats, State, System
+from ropewalk.laws.hardening import depth_under
 from ropewalk.laws.obstacle import Obstacles
 from ropewalk.laws.obstacle_places import depths, drawn_places, moves, sweeping_speed, turning_rate
 from ropewalk.laws.obstacle_way import LONG, lies_across
@@ -174,5 +175,5 @@ def squeeze(table: Obstacles, system: System, state: State) -> Floats:
     size = np.linalg.norm(np.diff(state.x, axis=1), axis=0)
     gives = np.isfinite(state.stiffness)
     pull = np.where(gives, state.stiffness, 0.0) * np.maximum(size - state.rest_length, 0.0)
-    found: Floats = (weight + 2.0 * float(pull.max(initial=0.0))) / table.stiffness + 1e-9
+    found: Floats = depth_under(table, weight + 2.0 * float(pull.max(initial=0.0))) + 1e-9
     return found

@@ -22,6 +22,7 @@ from ropewalk.core.status import HIT, OK, PAUSED, UNSOLVED
 from ropewalk.laws.anchors import release_anchors
 from ropewalk.laws.bounds import is_stopped, time_to_bounds
 from ropewalk.laws.links import hold_links, note_reactions
+from ropewalk.laws.nodes import hits
 from ropewalk.laws.rare import acts_after, parts, winds
 from ropewalk.laws.winch import end_turns, plan_turns, wind_to
 from ropewalk.methods.controller import (
@@ -60,6 +61,7 @@ from ropewalk.methods.tableaus import ESDIRK3
 from ropewalk.methods.verdict import note_changes
 from ropewalk.methods.watch import close_interval, open_interval, watch
 
+STOPS = 0.5  # [1] longest step in which a contact stops what strikes it, over 2 sqrt(m / k)
 SNAP = 1e-9  # [1] a frame this close to an end of a step, over its length, is at that end
 
 
@@ -174,6 +176,9 @@ def try_step(system, state, before, scratch, t, after, dt, ledger, tableau):
         return UNSOLVED_SHARE * dt, 0
     if is_stopped(system, before, solver.mean, dt):
         return land(system, state, before, scratch, t, after, dt, ledger)
+    quick = hits(system, before, solver.mean.node, dt, state.x, state.v)
+    if quick * dt > 1.5 * STOPS and dt > EVENT_STEP:
+        return max(STOPS / quick, EVENT_STEP), -1
     largest_error(solver.u, tableau.b, tableau.embedded, dt, state.inverse_mass, control)
     if not control[ERROR] <= tolerance:
         return dt * shorter(control[ERROR] / tolerance), 0

@@ -272,7 +272,7 @@ def take_step(system, state, scratch, t, after, dt, ledger, level, kind, A, b, c
     forces = mean if kind == DIRK else stage.forces
     struck = is_stopped(system, state, forces, dt)
     if not struck and stage.saddle.band.frozen[0] == 0:
-        struck = hits(system, state, forces.node, stage.x, stage.v) > 0.0
+        struck = hits(system, state, forces.node, dt, stage.x, stage.v) > 0.0
     if kind == GENERALIZED_ALPHA:
         end_alpha(system, state, scratch, numbers, dt)
     else:

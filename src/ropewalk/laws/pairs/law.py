@@ -35,7 +35,7 @@ from ropewalk.laws.pairs.table import (
     Memory,
     Pairs,
 )
-from ropewalk.laws.pairs.way import count_closing_pairs, meet_pairs
+from ropewalk.laws.pairs.way import meet_pairs, quickest_closing
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -203,9 +203,9 @@ def book(table, state, force, middle, dt):
 
 
 @part
-def hits(table, state, force, x, v):
-    """Return how many contacts close on the way from the state to `x` and `v`."""
-    return count_closing_pairs(x, v, table, state.memory.contact)
+def hits(table, state, force, dt, x, v):
+    """Return how quickly a contact stops ropes that closes on the way from the state to `x` and `v` [1/s]."""
+    return quickest_closing(x, v, table, state.memory.contact)
 
 
 @part

@@ -186,9 +186,9 @@ def meet_pairs(x, y, table, memory, tied):
 
 
 @kernel
-def count_closing_pairs(x, v, table, memory):
-    """Return how many contacts that were open are pressed at `x` and `v`."""
-    grip, closing = memory.grip, 0.0
+def quickest_closing(x, v, table, memory):
+    """Return how quickly contacts that were open and are pressed at `x` and `v` stop [1/s]; 0: none is."""
+    grip, quickest = memory.grip, 0.0
     for row in range(memory.tally[CONTACTS]):
         if grip[row, PUSH] > 0.0:
             continue
@@ -197,5 +197,5 @@ def count_closing_pairs(x, v, table, memory):
         s, t = grip[row, OWN], grip[row, OTHER]
         u, w = between(x, i, j, s, t), between(v, i, j, s, t)
         push = pressed(grip, row, u, w, soft, hard, stop, damping, size)[0]
-        closing += 1.0 if push > 0.0 else 0.0
-    return closing
+        quickest = max(quickest, soft / damping) if push > 0.0 else quickest
+    return quickest
