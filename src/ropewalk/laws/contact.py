@@ -31,6 +31,7 @@ from ropewalk.laws.contact_frame import (
     PUSH,
     STIFF,
     STILL,
+    STOPS,
     cut,
     spring_pull,
     surface_at,
@@ -173,7 +174,8 @@ def quickest_impact(state, force, dt, obstacles, memory):
     """Return how quickly a surface stops nodes in a step of `dt` [s] that begins at `state` [1/s]; 0: none.
 
     Under mean forces (3 + 6 k, n) [N]. One that was open and presses in the step is stopped, were it for a
-    stage alone; and one that presses as it begins and comes nearer by more than STILL diameters.
+    stage alone; and one that presses as it begins and comes nearer by more than STILL diameters, if the step
+    is too long to follow how it is stopped.
     """
     struck, now, x, v = 0.0, state.now, state.x, state.v
     for o in range(obstacles.kind.shape[0]):
@@ -193,7 +195,8 @@ def quickest_impact(state, force, dt, obstacles, memory):
             ox, oy, oz = px - center[0], py - center[1], pz - center[2]
             lx, ly, lz = swept(ux, uy, uz, sweep, ox, oy, oz)
             rise = nx * (v[0, i] - lx) + ny * (v[1, i] - ly) + nz * (v[2, i] - lz)
-            if rise * dt < -STILL * obstacles.diameter[i] and state.inverse_mass[i] > 0.0:
+            fast = rise * dt < -STILL * obstacles.diameter[i] and quick * dt > STOPS
+            if fast and state.inverse_mass[i] > 0.0:
                 struck = max(struck, quick)
     return struck
 

@@ -11,9 +11,8 @@ from ropewalk.motions.whereabouts import place_now
 # Rows of `Memory.grip` after the spring's force: the coefficient of friction, R_n, the spring's stiffness,
 # the damper.
 GRIP, PUSH, STIFF, DAMP, GRIPS = 3, 4, 5, 6, 7
-STILL = (
-    0.02  # [1] diameters that a contact may close by in a step and still not be one that strikes
-)
+STILL = 0.02  # [1] diameters by which a contact may close in a step that strikes nothing
+STOPS = 0.5  # [1] longest step that follows how a contact stops what strikes it, over 2 sqrt(m / k)
 
 
 @kernel

@@ -21,6 +21,7 @@ from ropewalk.core.jit import kernel, part
 from ropewalk.core.status import HIT, OK, PAUSED, UNSOLVED
 from ropewalk.laws.anchors import release_anchors
 from ropewalk.laws.bounds import is_stopped, time_to_bounds
+from ropewalk.laws.contact_frame import STOPS
 from ropewalk.laws.links import hold_links, note_reactions
 from ropewalk.laws.nodes import hits
 from ropewalk.laws.rare import acts_after, parts, winds
@@ -61,7 +62,6 @@ from ropewalk.methods.tableaus import ESDIRK3
 from ropewalk.methods.verdict import note_changes
 from ropewalk.methods.watch import close_interval, open_interval, watch
 
-STOPS = 0.5  # [1] longest step in which a contact stops what strikes it, over 2 sqrt(m / k)
 SNAP = 1e-9  # [1] a frame this close to an end of a step, over its length, is at that end
 
 
