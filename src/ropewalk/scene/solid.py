@@ -29,7 +29,7 @@ class Body(Model):
     )
     compliance: Number | None = positive(
         "How far a node is pressed in per force, across and along; by default as little as the rope's "
-        "own inertia and stiffness allow",
+        "own inertia and stiffness allow, and less the deeper",
         "m/N",
         default=None,
     )
