@@ -115,8 +115,9 @@ def test_a_thread_without_thickness_lies_on_a_mesh_that_is_hardly_rounded() -> N
 
 
 def test_what_is_pressed_half_way_into_a_solid_ends_in_words() -> None:
-    """860 N on a contact as soft as frame rates like it: it went round the bar's middle, step by step."""
-    simulation = at_ring(50.0)
+    """860 N on 2400 N/m: it went round the bar's middle, step by step. A contact that hardens holds it."""
+    at_ring(50.0).step(FRAME)
+    simulation = at_ring(50.0, compliance=1.0 / 2400.0)
     with pytest.raises(Broken, match="would go through obstacle 'ring', or too deep into it. Try"):
         simulation.step(FRAME)
 
@@ -145,7 +146,7 @@ def test_a_step_that_was_taken_and_passes_is_told() -> None:
     scene = thrown(PLATE, 50.0, "semi-implicit-euler", time_step="auto")
     simulation = Simulation(scene)
     table = simulation.system.node.obstacle
-    table.stiffness[:], table.damping[:] = 1e-9, 0.0
+    table.stiffness[:], table.damping[:], table.hard[:] = 1e-9, 0.0, 0.0
     passed = "node 0 of rope 'rope' has gone through obstacle 'plate', or too deep"
     with pytest.raises(Broken, match=passed):
         simulation.step(0.012)

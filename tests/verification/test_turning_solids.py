@@ -132,7 +132,7 @@ def test_what_has_turned_is_what_was_drawn_so(drawn: Obstacle, turned: Obstacle)
     points = [(0.03 * i - 0.09, high, 0.01 * i) for i in range(7)]
     rope = Rope(
         segments=6,
-        length=0.2,
+        length=0.19,
         diameter=0.01,
         made_of=STUFF,
         shape=Points(points=points, velocity=(aside, 0, 0)),

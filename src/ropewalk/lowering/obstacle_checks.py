@@ -19,6 +19,7 @@ from ropewalk.scene.obstacles import Obstacle, is_free, thinnest
 
 #: [rad] by which an obstacle turns in an automatic step at most.
 _FAR = 0.5 * math.pi
+DRAWN = 0.02  # [1] depth over the diameter that a drawn shape may begin with: chords of an arc
 #: Methods that keep stiff modes ringing, so that no contact comes to rest.
 RINGING = ("implicit-midpoint", "generalized-alpha")
 
@@ -175,5 +176,5 @@ def squeeze(table: Obstacles, system: System, state: State) -> Floats:
     size = np.linalg.norm(np.diff(state.x, axis=1), axis=0)
     gives = np.isfinite(state.stiffness)
     pull = np.where(gives, state.stiffness, 0.0) * np.maximum(size - state.rest_length, 0.0)
-    found: Floats = depth_under(table, weight + 2.0 * float(pull.max(initial=0.0))) + 1e-9
-    return found
+    found: Floats = depth_under(table, weight + 2.0 * float(pull.max(initial=0.0)))
+    return np.maximum(found, DRAWN * table.diameter) + 1e-9

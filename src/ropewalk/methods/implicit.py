@@ -20,7 +20,6 @@ from ropewalk.core.arrays import Floats, Forces, State, blank
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.status import HIT, OK, UNSOLVED
 from ropewalk.laws.anchors import move_anchors, place_stage
-from ropewalk.laws.bounds import is_stopped
 from ropewalk.laws.couplings import AGAIN, FINE, couples, meet_on_way
 from ropewalk.laws.elastic import CHANGE
 from ropewalk.laws.inner import (
@@ -33,7 +32,6 @@ from ropewalk.laws.inner import (
     write_rates,
 )
 from ropewalk.laws.ledger import account
-from ropewalk.laws.nodes import hits
 from ropewalk.laws.rare import has_bending, has_inner, winds
 from ropewalk.laws.table import accelerate
 from ropewalk.laws.wheels import aim_no_wheels, end_aim
@@ -41,6 +39,7 @@ from ropewalk.laws.winch import book_half, cut_short, wind_to
 from ropewalk.methods import tableaus
 from ropewalk.methods.gain import makes_up_energy, most_of
 from ropewalk.methods.generalized_alpha import end_alpha, prepare_alpha
+from ropewalk.methods.impacts import is_soft, is_struck
 from ropewalk.methods.loop import make_advance, nodes_out, prepare_links
 from ropewalk.methods.scratch import (
     add,
@@ -204,12 +203,6 @@ def end_stages(system, state, scratch, t, after, dt, level, kind, A, b, struck):
     return OK
 
 
-@part
-def is_soft(kind, A):
-    """Tell whether a step is one of implicit Euler, which lets nothing bounce."""
-    return kind == DIRK and A.shape[0] == 1 and A[0, 0] == 1.0
-
-
 @kernel
 def take_step(system, state, scratch, t, after, dt, ledger, level, kind, A, b, c, numbers, warm):
     """Take one step from time `t` [s]; return OK, or UNSOLVED or HIT with the state as it was.
@@ -269,10 +262,7 @@ def take_step(system, state, scratch, t, after, dt, ledger, level, kind, A, b, c
             put(stage.v, scratch.u[s])
             put(stage.a, scratch.k[s])
             add_forces(system, stage.forces, b[s], mean)
-    forces = mean if kind == DIRK else stage.forces
-    struck = is_stopped(system, state, forces, dt)
-    if not struck and stage.saddle.band.frozen[0] == 0:
-        struck = hits(system, state, forces.node, dt, stage.x, stage.v) > 0.0
+    struck = is_struck(system, state, stage, mean if kind == DIRK else stage.forces, dt)
     if kind == GENERALIZED_ALPHA:
         end_alpha(system, state, scratch, numbers, dt)
     else:
