@@ -12,7 +12,6 @@ from ropewalk.scene import Anchor, Force, Material, Points, Polyline, Rope, Scen
 from ropewalk.statics import NoRest, static_shape
 from verification.test_rest_on_obstacles import RUN, drum, weighted
 
-
 SOFT = 4e-5  # [m/N]
 
 
