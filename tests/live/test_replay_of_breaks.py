@@ -49,6 +49,19 @@ def test_a_sound_run_has_no_such_frames() -> None:
     assert broadcast.layout(0)["broke"] is None
 
 
+def test_an_anchor_that_has_let_go_is_not_shown_to_hold() -> None:
+    scene = runs.hanging(duration=0.2)
+    first, *others = scene.anchors
+    let_go = scene.replace(anchors=[first.replace(release_time=0.1), *others])
+    broadcast = ReplayBroadcast(rw.simulate(let_go), playing=False)
+    (part,) = broadcast.parts
+    holds = [bool(part.picture(frame).anchors[0, 9]) for frame in range(part.frames)]
+    assert holds == [bool(time < 0.1) for time in broadcast.times]
+    assert set(holds) == {True, False}
+    told = [anchor["until"] for anchor in broadcast.layout(0)["variants"][0]["anchors"]]
+    assert told == [0.1, *(one.release_time for one in others)]
+
+
 def test_frames_recorded_into_a_break_are_marked_too() -> None:
     result = rw.simulate(runs.breaking(), on_failure="return", keep_going=True)
     told = [bool(flag & BROKEN) for flag in flags(ReplayBroadcast(result, playing=False))]

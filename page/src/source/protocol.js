@@ -4,7 +4,7 @@
  *   EA: number, breaking_load?: number | null, least_load?: number | null,
  *   diameter: number, mass: number, submerged_weight: number | null, color: number}} Rope */
 /** @typedef {{name: string, rope: string, node: number, index: number, motion: string,
- *   pinned: boolean}} Anchor */
+ *   pinned: boolean, until?: number | null}} Anchor */
 /** @typedef {{rope: string, node: number, index: number, mass: number}} Load */
 /** @typedef {{scalars: number, positions: number, tension: number, speed: number, least_tension: number,
  *   greatest_tension: number, greatest_speed: number, least_height: number, greatest_height: number,

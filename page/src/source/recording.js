@@ -165,11 +165,11 @@ export class PackedFrames {
     const velocity = rowOf(numbers.velocity, row, new Float32Array(3 * anchors.length));
     const force = rowOf(numbers.force, row, new Float32Array(3 * anchors.length));
     const hands = floats(offsets.anchors, 10 * anchors.length);
-    anchors.forEach(({ index: node }, a) => {
+    anchors.forEach(({ index: node, until }, a) => {
       hands.set(positions.subarray(3 * node, 3 * node + 3), 10 * a);
       hands.set(velocity.subarray(3 * a, 3 * a + 3), 10 * a + 3);
       hands.set(force.subarray(3 * a, 3 * a + 3), 10 * a + 6);
-      hands[10 * a + 9] = 1;
+      hands[10 * a + 9] = holdsYet(until, this.clock[index]) ? 1 : 0;
     });
     if (numbers.contact && row < good)
       rowOf(numbers.contact, row, floats(offsets.contact ?? 0, touching(offsets)));
@@ -178,6 +178,10 @@ export class PackedFrames {
     return buffer;
   }
 }
+
+/** Whether an anchor that lets go at some time still holds. @param {number | null} [until] [s]
+ * @param {number} [time] [s] */
+export const holdsYet = (until, time = 0) => until == null || time < until;
 
 /** What some rows have seen, and the last one itself. @param {Record<string, Numbers>} numbers
  * @param {number} from @param {number} row the last */

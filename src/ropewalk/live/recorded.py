@@ -30,6 +30,9 @@ class Recorded:
         first = result.read("energy", 0, 1)[0]
         self.first_energy, self._first_gravity = float(first.sum()), float(first[1])
         self._up = np.array(result.scene.up)
+        lets_go = {one.name: one.release_time for one in result.scene.anchors}
+        #: When each anchor lets go [s], None: never.
+        self.until = [lets_go.get(name) for name in result.layout.anchor_names]
         self._no_force = np.zeros((_PIECE, len(result.layout.anchor_names), 3))
         self._piece = -1
         self._data: dict[str, Floats] = {}
@@ -83,14 +86,16 @@ class Recorded:
             speed = np.linalg.norm(velocities, axis=1)
         nodes = list(result.layout.anchor_nodes)
         anchors = np.zeros((len(nodes), 10))
-        anchors[:, :3], anchors[:, 3:6], anchors[:, 9] = positions[nodes], velocities[nodes], 1.0
+        time = float(data["time"][row])
+        anchors[:, :3], anchors[:, 3:6] = positions[nodes], velocities[nodes]
+        anchors[:, 9] = [until is None or time < until for until in self.until]
         if "reactions" in data:
             anchors[:, 6:9] = data["reactions"][row]
         seen = Seen.instant(tension, speed, heights, anchors[:, 6:9]).joined(
             self._seen(frame, frame - 1 if after is None else max(after, frame - _MOST))
         )
         scalars = {
-            "time": float(data["time"][row]),
+            "time": time,
             "dt": result.plan.dt,
             "kinetic": float(energy[0]),
             "gravity": float(energy[1]) - self._first_gravity,

@@ -135,7 +135,7 @@ class ReplayBroadcast:
                     "changes": {},
                     "nodes": result.nodes,
                     "ropes": rope_list(scene, spans, {}),
-                    "anchors": anchor_list(scene, result.layout),
+                    "anchors": self._anchors(part, later),
                     "loads": load_list(scene, result.layout),
                     "forces": force_list(scene, result.layout),
                     "joints": joint_list(scene, result.layout),
@@ -144,6 +144,13 @@ class ReplayBroadcast:
                 }
             ],
         }
+
+    def _anchors(self, part: int, later: float) -> list[dict[str, Any]]:
+        """Return the anchors of a part that begins so much later, with when they let go [s]."""
+        one = self.parts[part]
+        lets_go = [None if until is None else until + later for until in one.until]
+        anchors = anchor_list(one.result.scene, one.result.layout)
+        return [a | {"until": until} for a, until in zip(anchors, lets_go, strict=True)]
 
     def _parted(self, part: int) -> list[Parted]:
         """Return what has parted in a part and before it, at the times of that part."""
