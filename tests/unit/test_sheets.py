@@ -232,6 +232,16 @@ def test_both_ends_of_a_guessed_stiffness_are_computed() -> None:
         assert "Guessed stiffness" not in [section.title for section in one.sections]
 
 
+def test_how_near_to_breaking_a_guessed_stiffness_may_bring_a_rope_is_told() -> None:
+    """The reader had to divide: 400 N of 100 kN in the sheet, 20 kN at the stiff end."""
+    guess = Guess(of="EA", value=4e4, low=2e4, high=2e6)
+    job = rw.sheet(taut(guess, breaking_load=1e5))
+    assert "largest utilisation up to 20 % (safety factor 5)" in " ".join(warnings(job))
+    rows = {row[0]: row[1:] for row in table(job.section("Guessed stiffness")).rows}
+    told = ("0.4 % (safety factor 250)", "0.2 % (safety factor 500)", "20 % (safety factor 5)")
+    assert rows["largest utilisation, in the run"] == rows["largest utilisation, at rest"] == told
+
+
 def test_an_end_that_no_rope_can_have_is_said_to_fail() -> None:
     relaxes = {"relaxing_EA": 1e4, "relaxation_time": 0.1}
     guess = Guess(of="relaxing_EA", value=1e4, low=0.0, high=2e4)

@@ -6,8 +6,9 @@ import math
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from ropewalk.api import simulate
+from ropewalk.api import equilibrium, simulate
 from ropewalk.methods.registry import METHODS
+from ropewalk.record.extremes import extremes, margin
 from ropewalk.scene import Scene, SceneError
 from ropewalk.scene.guess import STIFF, guesses_of
 from ropewalk.sheets.content import Item, Section, Table, Text
@@ -22,7 +23,7 @@ SEE = f"both ends of it are computed under {TITLE}"
 _ENDS = ("least", "greatest")
 _NAMED = 6  # that are told one by one
 _TOLD = ("largest tension", "largest force on an anchor")
-_PARTED = "places where ropes parted"
+_PARTED, _USED = "places where ropes parted", "largest utilisation"
 
 
 class Ends(NamedTuple):
@@ -80,7 +81,12 @@ def stiffness_ends(
         rows += [
             (f"{name}, {title}", *row[1:]) for name in base if (row := row_of(name, base, variants))
         ]
-        told += _spans(title, base, variants)
+        used = _used(result)
+        if not math.isnan(used):
+            each = (used, *(v.numbers.get(_USED, math.nan) for v in variants))
+            cells = ("" if math.isnan(one) else _percent(one) for one in each)
+            rows.append((f"{_USED}, {title}", *cells))
+        told += _spans(title, base | {_USED: used}, variants)
     items.append(Table(("", "this sheet", *(f"{end} stiffness" for end in _ENDS)), rows))
     summary = Text(f"{_guess(scene)}: {'; '.join(told)}.", warning=True)
     return Ends(Section(TITLE, tuple(items)), (summary,) if told else ())
@@ -91,7 +97,7 @@ def _variant(title: str, scene: Scene | None, result: Result) -> Variant:
     if scene is None:
         return Variant(title, why_not="no rope can be of such a stiffness", failed=True)
     if result.status == "at rest":
-        return tried(title, rest_numbers, scene)
+        return tried(title, _rest_numbers, scene)
     plan = result.plan
     run = scene.run.replace(method=plan.method)
     if run.time_step != "auto" and plan.tolerance is None and not METHODS[plan.method].implicit:
@@ -101,7 +107,23 @@ def _variant(title: str, scene: Scene | None, result: Result) -> Variant:
 
 def _numbers(scene: Scene) -> dict[str, float]:
     result = simulate(scene)
-    return {**run_numbers(result), _PARTED: float(len(result.partings))}
+    own = {_PARTED: float(len(result.partings)), _USED: _used(result)}
+    return {**run_numbers(result), **own}
+
+
+def _rest_numbers(scene: Scene) -> dict[str, float]:
+    return {**rest_numbers(scene), _USED: _used(equilibrium(scene))}
+
+
+def _used(result: Result) -> float:
+    """Return the largest utilisation of a breaking load [1]; NaN where none is known."""
+    near = margin(result, extremes(result))
+    return math.nan if near is None else near.utilisation
+
+
+def _percent(used: float) -> str:
+    factor = f" (safety factor {1.0 / used:.3g})" if used > 0.0 else ""
+    return f"{100.0 * used:.3g} %{factor}"
 
 
 def _faster(old: Scene, new: Scene) -> float:
@@ -123,6 +145,9 @@ def _spans(title: str, base: dict[str, float], variants: list[Variant]) -> list[
             unit = "m" if name == "largest sag" else "N"
             low, high = (prefixed(value, unit, 4) for value in (min(values), max(values)))
             found.append(f"{name} {low}" + (f" to {high}" if high != low else ""))
+    used = [one[_USED] for one in (base, *ran) if not math.isnan(one[_USED])]
+    if ran and used:
+        found.append(f"{_USED} up to {_percent(max(used))}")
     found += [f"of the {v.title} nothing, for it FAILED" for v in variants if v.why_not]
     found += [
         f"with the {v.title} a rope PARTS" for v in variants if v.numbers.get(_PARTED, 0.0) > 0.0
