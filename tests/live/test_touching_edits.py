@@ -1,13 +1,25 @@
-"""Live edits of ropes that touch: what would press them into each other is refused in words."""
+"""Live edits of what touches: ropes are not pressed into each other, contacts are at once the new ones."""
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
+from ropewalk.laws.contact_frame import DAMP, STIFF
 from ropewalk.laws.pairs.table import CONTACTS, PUSH
 from ropewalk.live.carry import carry_over
 from ropewalk.live.edits import same_nodes
-from ropewalk.scene import Contact, Scene, SceneError
+from ropewalk.scene import (
+    Contact,
+    Kick,
+    Material,
+    Plane,
+    Points,
+    Rope,
+    RunSettings,
+    Scene,
+    SceneError,
+)
 from ropewalk.simulation import Simulation
 from unit.test_pair_memory import crossed
 
@@ -45,3 +57,40 @@ def test_contact_is_not_switched_on_where_ropes_lie_in_each_other() -> None:
     simulation.step(0.5)
     with pytest.raises(SceneError, match="inside segment 0 of rope 'a'"):
         carry_over(simulation, scene.replace(contact=Contact()), same_nodes(simulation.layout))
+
+
+def falling(compliance: float, method: str) -> Scene:
+    """A level rope 10 cm over a floor that comes down at 1 m/s."""
+    rope = Rope(
+        segments=4,
+        length=0.4,
+        diameter=0.01,
+        made_of=Material(EA=100.0, mass_per_length=0.06),
+        shape=Points(points=[(0.1 * i, 0.0, 0.105) for i in range(5)]),
+        kicks=[Kick(node=i, velocity=(0.0, 0.0, -1.0)) for i in range(5)],
+    )
+    run = RunSettings(method=method, duration=1.0, frame_rate=240.0)
+    return Scene(ropes=[rope], obstacles=[Plane(compliance=compliance)], run=run)
+
+
+@pytest.mark.parametrize("method", ["verlet", "implicit-euler"])
+def test_a_floor_that_is_made_softer_does_not_stop_what_is_over_it(method: str) -> None:
+    """The damper of the stiffer one reached half a metre up, and held a falling rope for a step."""
+    simulation = Simulation(falling(1e-7, method))
+    simulation.advance_frames(5)
+    source = same_nodes(simulation.layout)
+    made = carry_over(simulation, falling(1e-2, method), source)
+    made.advance_frames(1)
+    assert np.allclose(made.velocities[:, 2], -1.0 - 9.81 * 6 / 240, rtol=1e-6)
+
+
+def test_contacts_that_an_edit_leaves_alone_carry_on_as_hard_as_they_are() -> None:
+    """What the last step's depth says of them holds for the next step, too."""
+    scene = falling(1e-7, "implicit-euler")
+    scene = scene.replace(obstacles=[Plane()])
+    simulation = Simulation(scene)
+    simulation.advance_frames(5)
+    grip = simulation.arrays.memory.obstacle.grip
+    grip[:, [STIFF, DAMP], 2] = 1234.0, 56.0
+    made = carry_over(simulation, scene.replace(gravity=(0, 0, -1)), same_nodes(simulation.layout))
+    assert (made.arrays.memory.obstacle.grip[0, [STIFF, DAMP], 2] == (1234.0, 56.0)).all()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from typing import Any
 
 import pytest
@@ -58,6 +59,17 @@ def test_by_a_stiff_pipe_it_is_at_rest(length: float, tension: float, pipe: Any)
     assert tension == pytest.approx(1e5 * (over_top / length - 1.0), rel=0.01)
     rest = static_shape(taut_over_a_pipe(length, **pipe))
     assert rest.largest_tension == pytest.approx(tension, rel=0.01)
+
+
+def test_check_tells_how_deep_a_contact_that_hardens_is_pressed() -> None:
+    """As deep as it lies at rest: R over the stiffness of the skin was a hundred times that."""
+    scene = taut_over_a_pipe(2.06)
+    (told,) = [text for text in rw.check(scene, measure=False).warnings if "presses it in" in text]
+    rest = static_shape(scene).positions
+    depth = 0.035 - math.hypot(rest[30, 0], rest[30, 2])
+    found = re.search(r"carries at rest presses it in by ([\d.]+) mm", told)
+    assert found is not None
+    assert float(found[1]) == pytest.approx(1e3 * depth, rel=0.01)
 
 
 def test_forces_that_press_a_rope_through_are_told() -> None:

@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from ropewalk.laws.hardening import depth_under
 from ropewalk.lowering import Model
 from ropewalk.lowering.chains import driven_speed, fastest
 from ropewalk.lowering.obstacle_checks import turned_rate
@@ -52,7 +53,7 @@ def obstacle_warnings(model: Model, statics: Statics) -> list[str]:
                 f"up to half of that aside; take steps of at most {1e3 * step * _TURNS / turn:.3g} ms"
             )
         what, force = _presses(model, statics, row)
-        yields = force / float(table.stiffness[row].min())
+        yields = float(depth_under(table, force)[row].max())
         least = min(radius, thick) if thick > 0.0 else radius
         if yields > _YIELDS * least:
             enough = rounded(_YIELDS * least / force)

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
-from ropewalk.core.arrays import Floats, State, assign, flatten
+from ropewalk.core.arrays import Floats, Ints, State, assign, flatten
+from ropewalk.laws.contact_frame import DAMP, STIFF
 from ropewalk.laws.pairs.law import memory as found_contacts
 from ropewalk.laws.pairs.search import NOWHERE
 from ropewalk.laws.slides.sliding import memory as place_slides
@@ -181,6 +183,7 @@ def _carry_memory(old: Simulation, made: Simulation, state: State, source: Float
     if len(made.scene.obstacles) == len(old.scene.obstacles) > 0:
         grip = old.arrays.memory.obstacle.grip
         state.memory.obstacle.grip[:, :, whole] = grip[:, :, nodes]
+        _fit_contacts(old, made, state, whole, nodes)
     if old.arrays.inner.shape == state.inner.shape:
         state.inner[...] = old.arrays.inner
     kept, made_now = old.arrays.memory.contact, state.memory.contact
@@ -192,6 +195,22 @@ def _carry_memory(old: Simulation, made: Simulation, state: State, source: Float
     if there and same and whole.all():
         assign(made_now, kept)
         made_now.origin[:1, :1] = NOWHERE  # who is near is found anew: radii may have changed
+
+
+def _fit_contacts(
+    old: Simulation, made: Simulation, state: State, whole: NDArray[np.bool_], nodes: Ints
+) -> None:
+    """Let springs and dampers of contacts that an edit has changed be those of the new ones.
+
+    Those of the last step would hold up or throw a node for the next one, were it far from the surface.
+    """
+    was, now = old.system.node.obstacle, made.system.node.obstacle
+    grip, same = state.memory.obstacle.grip, np.zeros(now.stiffness.shape, bool)
+    same[:, whole] = True
+    for part in ("stiffness", "hard", "damping"):
+        same[:, whole] &= getattr(was, part)[:, nodes] == getattr(now, part)[:, whole]
+    grip[:, STIFF] = np.where(same, grip[:, STIFF], now.stiffness)
+    grip[:, DAMP] = np.where(same, grip[:, DAMP], now.damping)
 
 
 def _carry_work(old: Simulation, made: Simulation, state: State) -> None:

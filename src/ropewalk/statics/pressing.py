@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ropewalk.core.arrays import Floats
+from ropewalk.laws.contact import push_on
 from ropewalk.laws.obstacle_places import surface_near
 from ropewalk.lowering import Model
 from ropewalk.scene.obstacles import thinnest
@@ -89,7 +90,8 @@ class Watch:
         return found
 
     def _pressed(self, i: int, o: int, depth: float, *, through: bool) -> Pressed:
-        push = max(float(self.table.stiffness[o, i]) * depth, self.push)
+        gap = float(self.table.thickness[i]) - depth
+        push = max(push_on(self.table, o, i, gap, 0.0), self.push)
         enough = allowed_depth(float(self.body[o]), float(self.table.thickness[i])) / push
         return Pressed(i, o, depth, enough, through)
 
