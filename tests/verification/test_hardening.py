@@ -161,3 +161,19 @@ def test_loads_that_swing_get_nothing_out_of_friction() -> None:
             stored /= nodes.memory.grip[0, STIFF]
             assert (given + stored <= 1e-12).all()
         assert (given < 0.0).all()
+
+
+def test_a_contact_that_gets_softer_keeps_of_its_friction_spring_no_more_than_there_was() -> None:
+    """No node moves over the surface, some slip by what presses them less: none stores more for it."""
+    nodes = nodes_at(BODIES["plane"])
+    x, y = np.zeros((3, 5)), np.zeros((3, 5))
+    x[2], y[2] = 0.5 * D - 4.0 * SKIN * D, 0.5 * D - 2.0 * SKIN * D
+    nodes.remember(x)
+    grip, bound = nodes.memory.grip[0], MU * nodes.force(y)[2]
+    grip[:GRIP] = 0.0
+    grip[0] = bound * np.array([0.9, 0.999, 1.001, 1.05, 1.5])
+    assert (grip[0] < MU * grip[PUSH]).all()
+    before = 0.5 * grip[0] ** 2 / grip[STIFF]
+    nodes.remember(y)
+    assert (0.5 * grip[0] ** 2 / grip[STIFF] <= (1.0 + 1e-12) * before).all()
+    assert grip[0, -1] == pytest.approx(bound[-1])

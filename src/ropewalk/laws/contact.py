@@ -121,21 +121,18 @@ def remember_contacts(x, v, obstacles, memory, now, stiffness):
             grip[PUSH, i] = max(push, 0.0)
             bound = grip[GRIP, i] * grip[PUSH, i]
             note_way(obstacles, memory, o, i, to, then, angle, px, py, pz, g, nx, ny, nz)
-            sx, sy, sz, rx, ry, rz, sticks = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, False
+            sx, sy, sz, rx, ry, rz = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
             gx, gy, gz = wy * oz - wz * oy, wz * ox - wx * oz, wx * oy - wy * ox
+            softer = harden(obstacles, grip, o, i, depth)
             if bound > 0.0:
                 sx, sy, sz = spring_pull(k, center, axle, angle, then, grip, place, i, px, py, pz)
                 across = nx * sx + ny * sy + nz * sz
                 sx, sy, sz = sx - across * nx, sy - across * ny, sz - across * nz
                 rx, ry, rz = sx - c * (vx - gx), sy - c * (vy - gy), sz - c * (vz - gz)
-                sticks = sx * sx + sy * sy + sz * sz < bound * bound
-                sx, sy, sz = cut(sx, sy, sz, bound)
+                sx, sy, sz = cut(softer * sx, softer * sy, softer * sz, bound)
                 across = nx * rx + ny * ry + nz * rz
                 rx, ry, rz = rx - across * nx, ry - across * ny, rz - across * nz
                 rx, ry, rz = cut(rx, ry, rz, bound)
-            softer = harden(obstacles, grip, o, i, depth)
-            if sticks:
-                sx, sy, sz = softer * sx, softer * sy, softer * sz
             grip[0, i], grip[1, i], grip[2, i] = sx, sy, sz
             memory.books[o, PRESSED, i] = stored
             memory.books[o, RUBBED, i] = 0.5 * (sx * sx + sy * sy + sz * sz) / grip[STIFF, i]
@@ -157,7 +154,7 @@ def remember_contacts(x, v, obstacles, memory, now, stiffness):
 def harden(obstacles, grip, o, i, depth):
     """Keep how stiff the springs along a surface are where a node is pressed so deep [m], and its damper.
 
-    Return by what the force of a friction spring that sticks changes: a softer one keeps what it has stored.
+    Return by what the force of a friction spring changes: a softer one keeps what it has stored.
     """
     before = grip[STIFF, i]
     grip[STIFF, i], grip[DAMP, i] = along_surface(obstacles, o, i, depth)
