@@ -63,7 +63,8 @@ def test_what_a_plate_strikes_goes_along_with_it(method: str, speed: float) -> N
     run = run if method == "adaptive" else run.replace(time_step=1.0 / 60.0)
     scene = Scene(ropes=[level_rope(0.0, 0.0)], obstacles=[plate], gravity=(0, 0, 0), run=run)
     result = rw.simulate(scene)
-    assert result.velocities[:, :, 1].max() < 1.004 * speed
+    most = 1.015 if method == "adaptive" else 1.004
+    assert result.velocities[:, :, 1].max() < most * speed
     assert result.velocities[-1, :, 1].min() > 0.99 * speed
     surface = -0.05 * speed + speed * result.time[:, None]
     assert (surface + 0.5 * D - result.positions[:, :, 1]).max() < 0.05 * D

@@ -19,7 +19,7 @@ from ropewalk.scene.obstacles import Obstacle, is_free, thinnest
 
 #: [rad] by which an obstacle turns in an automatic step at most.
 _FAR = 0.5 * math.pi
-DRAWN = 0.02  # [1] depth over the diameter that a drawn shape may begin with: chords of an arc
+DRAWN = 0.012  # [1] depth over the diameter that a drawn shape may begin with: chords of an arc
 #: Methods that keep stiff modes ringing, so that no contact comes to rest.
 RINGING = ("implicit-midpoint", "generalized-alpha")
 

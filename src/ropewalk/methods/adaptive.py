@@ -178,7 +178,7 @@ def try_step(system, state, before, scratch, t, after, dt, ledger, tableau):
         return land(system, state, before, scratch, t, after, dt, ledger)
     quick = hits(system, before, solver.mean.node, dt, state.x, state.v)
     if quick * dt > 1.5 * STOPS and dt > EVENT_STEP:
-        return max(STOPS / quick, EVENT_STEP), -1
+        return max(0.5 * dt, STOPS / quick, EVENT_STEP), -1
     largest_error(solver.u, tableau.b, tableau.embedded, dt, state.inverse_mass, control)
     if not control[ERROR] <= tolerance:
         return dt * shorter(control[ERROR] / tolerance), 0

@@ -2,8 +2,8 @@
 
 One kernel serves all; `tableaus` has the coefficients. A step that finds no solution, or makes up energy,
 is taken in halves, and these in halves again, by implicit Euler. So are, in one piece, a step in which a
-contact closes, or a bound of the stretch stops much, and the next one: else the impulse would be taken for a
-force that lasts. The work
+contact or a bound of the stretch stops much (`impacts`), and the next one: else the impulse would be taken
+for a force that lasts. The work
 ledger is exact: every method's change of momentum is the step times a mean of forces,
     DIRK                m (v1 - v0) = h sum b_s F_s
     BDF2                m (v1 - v0) = h (F' / 3 + 2/3 F),   F' the mean of the step before

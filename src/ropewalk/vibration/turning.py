@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 
 from ropewalk.core.arrays import Floats, Ints
-from ropewalk.laws.contact_frame import GRIP
+from ropewalk.laws.contact_frame import DAMP, GRIP, PUSH, STIFF
 from ropewalk.laws.obstacle import Memory, Obstacles
 from ropewalk.laws.obstacle_places import moved_by, surface_near
 from ropewalk.lowering import Model
@@ -26,7 +26,6 @@ from ropewalk.scene import SceneError
 from ropewalk.scene.faults import Fault
 from ropewalk.vibration.linear import Linear
 
-_PUSH = GRIP + 1  # the row of R_n in `Memory.grip`
 _TURNED = 1e-3  # of the largest tension times the radius: a torque beyond the bearing's [1]
 
 
@@ -43,7 +42,7 @@ def with_wheels(linear: Linear, model: Model, memory: Memory, x: Floats, tension
     """
     table = model.system.node.obstacle
     for row, w in enumerate(table.wheel):
-        nodes = np.flatnonzero((memory.grip[row, _PUSH] > 0.0) & (memory.grip[row, GRIP] > 0.0))
+        nodes = np.flatnonzero((memory.grip[row, PUSH] > 0.0) & (memory.grip[row, GRIP] > 0.0))
         nodes = nodes[linear.follows[nodes] >= 0]
         if w < 0 or not nodes.size:
             continue
@@ -60,13 +59,16 @@ def with_wheels(linear: Linear, model: Model, memory: Memory, x: Floats, tension
             )
             raise SceneError([Fault(f"obstacle[{row}].spin.free", True, rule)])
         if table.bearing[w] == 0.0:
-            linear = _with_wheel(linear, table, row, nodes, arms, round_ / radius, force, radius)
+            linear = _with_wheel(
+                linear, table, memory, row, nodes, arms, round_ / radius, force, radius
+            )
     return linear
 
 
 def _with_wheel(
     linear: Linear,
     table: Obstacles,
+    memory: Memory,
     row: int,
     nodes: Ints,
     arms: Floats,
@@ -78,8 +80,8 @@ def _with_wheel(
     places = arms + table.center[row] + moved_by(table, row, 0.0)
     normal = np.array([surface_near(table, row, p)[1:4] for p in places])
     across = along - (along * normal).sum(axis=1)[:, None] * normal  # P d
-    w = table.wheel[row]
-    k, c = table.stiffness[row, nodes][:, None], table.damping[row, nodes][:, None]
+    w, grip = table.wheel[row], memory.grip[row]
+    k, c = grip[STIFF, nodes][:, None], grip[DAMP, nodes][:, None]
     stiff = -k * across - np.cross(table.axis[row], force) / radius
     square = (across**2).sum(axis=1)[:, None]
     columns = (3 * linear.follows[nodes][:, None] + np.arange(3)).ravel()
