@@ -1,0 +1,71 @@
+"""Sheets of ropes whose stiffness is a guess: both ends of it are computed, and told on the safe side."""
+
+from __future__ import annotations
+
+import ropewalk as rw
+from ropewalk.scene import Anchor, Rope, RunSettings, Scene
+from ropewalk.scene.guess import Guess
+from ropewalk.scene.shapes import Straight
+from unit.test_sheets import LINE, table, warnings
+
+
+def taut(*marks: Guess, **stuff: object) -> Scene:
+    """A rope without weight over 5.05 m, of 5 m: 1 % of its EA pulls at both anchors."""
+    made_of = LINE.replace(EA=4e4, guessed=marks, **stuff)
+    rope = Rope(
+        segments=4, length=5.0, made_of=made_of, shape=Straight(start=(0, 0, 0), end=(5.05, 0, 0))
+    )
+    run = RunSettings(duration=0.05, method="verlet", time_step=1e-3)
+    ends = [Anchor(node=0), Anchor(node=-1)]
+    return Scene(ropes=[rope], anchors=ends, run=run, gravity=(0, 0, 0))
+
+
+def test_both_ends_of_a_guessed_stiffness_are_computed() -> None:
+    """It said "compute both ends of it" and did not: 1 % of 20 kN and of 2 MN, at rest and in the run."""
+    guess = Guess(of="EA", value=4e4, low=2e4, high=2e6)
+    job = rw.sheet(taut(guess))
+    rows = {row[0]: row[1:] for row in table(job.section("Guessed stiffness")).rows}
+    for what in ("largest tension", "largest force on an anchor"):
+        for when in ("at rest", "in the run"):
+            told = [cell.partition(" (")[0] for cell in rows[f"{what}, {when}"]]
+            assert told == ["400 N", "200 N", "20 kN"]
+    told = " ".join(warnings(job))
+    assert (
+        "at rest, largest tension 200 N to 20 kN, largest force on an anchor 200 N to 20 kN" in told
+    )
+    assert "compute both ends of it" not in told
+    assert "both ends of it are computed under Guessed stiffness" in told
+    alone = rw.sheet(taut(guess), convergence=False)
+    assert "compute both ends of it" in " ".join(warnings(alone))
+    for one in (alone, rw.sheet(taut()), rw.sheet(taut(guess.replace(value=3e4)))):
+        assert "Guessed stiffness" not in [section.title for section in one.sections]
+
+
+def test_how_near_to_breaking_a_guessed_stiffness_may_bring_a_rope_is_told() -> None:
+    """The reader had to divide: 400 N of 100 kN in the sheet, 20 kN at the stiff end."""
+    guess = Guess(of="EA", value=4e4, low=2e4, high=2e6)
+    job = rw.sheet(taut(guess, breaking_load=1e5))
+    assert "largest utilisation up to 20 % (safety factor 5)" in " ".join(warnings(job))
+    rows = {row[0]: row[1:] for row in table(job.section("Guessed stiffness")).rows}
+    told = ("0.4 % (safety factor 250)", "0.2 % (safety factor 500)", "20 % (safety factor 5)")
+    assert rows["largest utilisation, in the run"] == rows["largest utilisation, at rest"] == told
+
+
+def test_an_end_that_no_rope_can_have_is_said_to_fail() -> None:
+    relaxes = {"relaxing_EA": 1e4, "relaxation_time": 0.1}
+    guess = Guess(of="relaxing_EA", value=1e4, low=0.0, high=2e4)
+    job = rw.sheet(taut(guess, **relaxes))
+    told = " ".join(warnings(job))
+    assert "In the run, least stiffness: no rope can be of such a stiffness." in told
+    assert table(job.section("Guessed stiffness")).rows[0][2] == ""
+    (summary,) = (text for text in warnings(job) if "over its range" in text)
+    assert summary.count("of the least stiffness nothing, for it FAILED") == 2  # at rest, and run
+
+
+def test_a_rope_that_parts_at_an_end_of_its_stiffness_is_told() -> None:
+    """It bears no more, so that its tension there is no largest one; twin: one that may not part."""
+    guess = Guess(of="EA", value=4e4, low=2e4, high=2e6)
+    for parts in (True, False):
+        told = " ".join(warnings(rw.sheet(taut(guess, breaking_load=1000.0, parts=parts))))
+        assert ("with the greatest stiffness a rope PARTS" in told) is parts
+        assert "with the least stiffness a rope PARTS" not in told
