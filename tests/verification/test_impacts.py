@@ -37,13 +37,18 @@ def level_rope(height: float, speed: float, EA: float = 1e4) -> Rope:
 @pytest.mark.parametrize("speed", [1.0, 10.0, 50.0])
 @pytest.mark.parametrize("height", [0.03, 0.3, 0.5, 0.7])
 def test_what_falls_flat_stays_down(method: str, speed: float, height: float) -> None:
-    """At 1/60 s: no speed upwards is left, and no depth of a tenth of the diameter is seen."""
-    if method == "adaptive" and speed == 50.0 and height == 0.03:
-        pytest.skip("begins within the damper's reach, and adaptive follows how it overshoots")
+    """At 1/60 s: no speed upwards is left, and no depth of a tenth of the diameter is seen.
+
+    But of what begins so fast within the damper's reach: `adaptive` follows how it is thrown back.
+    """
+    within_reach = method == "adaptive" and speed == 50.0 and height == 0.03
     rope, floor = level_rope(height, speed), Plane(normal=(0, 1, 0), friction=0.3)
     run = RunSettings(method=method, duration=0.6, frame_rate=60.0)
     run = run if method == "adaptive" else run.replace(time_step=1.0 / 60.0)
     result = rw.simulate(Scene(ropes=[rope], obstacles=[floor], gravity=(0, -9.81, 0), run=run))
+    if within_reach:
+        assert result.velocities[:, :, 1].max() < 0.25 * speed
+        return
     landed = int(np.argmax(result.positions[:, :, 1].mean(axis=1) < 0.6 * D))
     assert landed > 0
     assert result.velocities[:, :, 1].max() < 4e-3 * speed
