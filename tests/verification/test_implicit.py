@@ -195,6 +195,8 @@ def test_a_run_that_fails_midway_keeps_what_it_has() -> None:
     )
     assert re.match(said, broken.failure)
     assert whole.failure == ""
+    # who goes on from an earlier frame reads reactions without those of the parts that were solved
+    assert not broken._engine._scratch.reaction.any()
 
 
 def test_what_is_farthest_from_solved_is_named_first() -> None:

@@ -310,6 +310,14 @@ def settle_reaction(total, reaction):
     for row in range(total.shape[0]):
         for k in range(3):
             reaction[row, k] = total[row, k]
+    clear_parts(total)
+
+
+@kernel
+def clear_parts(total):
+    """Forget the forces of the parts of a step."""
+    for row in range(total.shape[0]):
+        for k in range(3):
             total[row, k] = 0.0
 
 
@@ -373,6 +381,8 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
         elif status == HIT:
             continue
         elif level == MOST_HALVINGS:
+            clear_parts(scratch.reaction)  # the run may go on from an earlier state
+            clear_parts(scratch.joint_force)
             break
         else:
             need = min(2 * need, MOST_PARTS) if climbed else need
