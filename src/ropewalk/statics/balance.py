@@ -35,6 +35,7 @@ from ropewalk.laws.obstacle_places import depths
 from ropewalk.laws.obstacle_places import standing as still
 from ropewalk.laws.others import other_forces, other_stiffness
 from ropewalk.laws.pulls import pulls_of_laws
+from ropewalk.laws.slides.table import Slides
 from ropewalk.laws.tangent import law_band
 from ropewalk.lowering import Model, Span
 from ropewalk.lowering.elastic_tables import put_tension, put_under_tension
@@ -198,6 +199,11 @@ class Balance:
             remember_contacts(x, self._zero, table, memory, np.zeros(2), self.state.stiffness)
         if self.coupled.acts:
             self.coupled.remember(x, at_last=at_last)
+
+    def put_slides(self, table: Slides) -> None:
+        """Let slides be of such a table."""
+        self.system = self.system._replace(node=self.system.node._replace(slide=table))
+        self.coupled.system, self.coupled.slide = self.system, table
 
     def elastic(self, x: Floats) -> Floats:
         """Return the tension that Hooke's law gives [N], (s,); infinite or NaN for rigid links."""

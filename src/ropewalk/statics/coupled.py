@@ -109,6 +109,8 @@ class Couplings:
                 condition(x, node, first, count, piece + 0.5, one)[1] for one in (piece, piece + 1)
             )
             bound = float(bound_of(table, memory.sight, row))
+            if math.isinf(bound):  # it is held, and friction has no say
+                continue
             most = max(most, bound * abs(before / after - 1.0))
         return most
 

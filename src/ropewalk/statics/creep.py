@@ -23,6 +23,7 @@ from ropewalk.core.arrays import Floats
 from ropewalk.laws.couplings import AGAIN, FINE
 from ropewalk.statics.balance import Balance
 from ropewalk.statics.newton import Found
+from ropewalk.statics.rolling import roll
 from ropewalk.statics.searching import search
 
 _STEPS, _MORE = 600, 3000  # of creeping; the same of ropes that touch each other or slide
@@ -64,7 +65,9 @@ def creep(
     unit = balance.force / balance.length
     drag = stiffest = max(unit, float(balance.stiffness().max()))
     longest, reach = _FAR * _size(balance, x), _CLEAR * thinnest  # farther where all is far away
-    way, spent, share = 0.0, 0, 0.1
+    begun = roll(balance, Found(x, tension, math.inf, 0.0, 0), see)
+    x, tension, spent = begun.x, begun.tension, begun.steps
+    way, share = 0.0, 0.1
     for count in range(_MORE if balance.coupled.acts else _STEPS):
         step = _dragged(balance, x, tension, drag)
         spent += step.steps
