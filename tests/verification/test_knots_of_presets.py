@@ -52,6 +52,14 @@ def test_a_bowline_does_not_run() -> None:
     assert passed == 0
 
 
+@pytest.mark.parametrize("step", [1.0 / 120.0, 1.0 / 480.0, 1.0 / 960.0])
+def test_a_bowline_is_loaded_alike_at_other_steps(step: float) -> None:
+    """With softer contacts and longer segments shorter steps found no solution after 100 to 240 N."""
+    scene = preset("bowline")
+    result = rw.simulate(scene.replace(run=scene.run.replace(time_step=step)))
+    assert result.tension[-1, 0] == pytest.approx(318.0, rel=0.03)
+
+
 def test_half_hitches_hold_with_friction() -> None:
     """With 0.6; with 0.3 the rope comes through them."""
     most, _, passed = run(preset("two-half-hitches"), 1.1)
