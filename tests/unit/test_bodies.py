@@ -110,3 +110,39 @@ def test_what_cannot_be_is_refused() -> None:
         bodies["table"].move_to((0.0, 0.0, 0.0), -1.0)
     with pytest.raises(ValueError, match="turns freely"):
         bodies["pulley"].rate = 1.0
+
+
+REACH = (
+    np.linalg.norm((0.58, 0.38, 0.07)) + 0.02
+)  # of the table: a corner of its core, and the rounding
+LATE = {"rate": 6.0, "start": 0.2, "stop": 0.3}
+
+
+@pytest.mark.parametrize(
+    "spin", [LATE, {"times": (0.0, 0.2, 0.3), "angles": (0.0, 0.0, 0.6)}], ids=["rate", "table"]
+)
+def test_a_hand_leaves_room_for_a_spin_that_begins_later(spin: dict[str, Any]) -> None:
+    """What moves and turns its edges must not go faster than both together may, once the spin begins."""
+    simulation = rw.Simulation(on_a_table(spin=spin))
+    table, alone = simulation.obstacles["table"], rw.Simulation(on_a_table()).obstacles["table"]
+    assert table.rate == 0.0
+    assert table.fastest == pytest.approx(alone.fastest - 6.0 * REACH)
+    with pytest.raises(ValueError, match="jump over nodes; at most"):
+        table.velocity = (0.9 * alone.fastest, 0.0, 0.0)
+    table.velocity = (table.fastest, 0.0, 0.0)
+    steps(simulation, 0.25)
+    assert table.rate == pytest.approx(6.0)
+    steps(simulation, 0.1)
+    assert table.fastest == pytest.approx(alone.fastest)  # over: it is no longer in the way
+
+
+def test_a_hand_leaves_room_for_a_motion_that_begins_later() -> None:
+    simulation = rw.Simulation(
+        on_a_table(motion=Velocity(velocity=(5.0, 0, 0), start=0.2, stop=0.3))
+    )
+    table, alone = simulation.obstacles["table"], rw.Simulation(on_a_table()).obstacles["table"]
+    assert table.fastest_turn == pytest.approx(alone.fastest_turn - 5.0 / REACH)
+    with pytest.raises(ValueError, match="rad/s"):
+        table.rate = alone.fastest_turn
+    steps(simulation, 0.35)
+    assert table.fastest_turn == pytest.approx(alone.fastest_turn)

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ropewalk.core.arrays import Floats
+from ropewalk.hands.ahead import rate_ahead, speed_ahead
 from ropewalk.hands.hand import three
 from ropewalk.laws.obstacle_places import reach_of
 from ropewalk.laws.obstacle_pose import UNROUND
@@ -26,6 +27,7 @@ from ropewalk.scene.obstacles import is_free, name_of
 from ropewalk.words.annotations import unquoted
 
 if TYPE_CHECKING:
+    from ropewalk.laws.obstacle import Obstacles
     from ropewalk.scene.obstacles import Obstacle
     from ropewalk.simulation import Simulation
 
@@ -105,14 +107,20 @@ class ObstacleHandle:
 
     @property
     def fastest(self) -> float:
-        """The largest speed at which it jumps over no node within a step, turning as it does [m/s]."""
-        return max(self._limit - abs(self.rate) * self._reach, 0.0)
+        """The largest speed at which it jumps over no node within a step, turning as it will [m/s]."""
+        if (reach := self._reach) == 0.0:
+            return self._limit
+        table, row, time = self._table, self._row, self._simulation.time
+        rate = abs(self.rate) if table.wheel[row] >= 0 else rate_ahead(table, row, time)
+        return max(self._limit - rate * reach, 0.0)
 
     @property
     def fastest_turn(self) -> float:
-        """The largest rate at which it does so, moving as it does [rad/s]; inf of what is round."""
-        left = max(self._limit - float(np.linalg.norm(self.velocity)), 0.0)
-        return left / self._reach if self._reach > 0.0 else math.inf
+        """The largest rate at which it does so, moving as it will [rad/s]; inf of what is round."""
+        if (reach := self._reach) == 0.0:
+            return math.inf
+        speed = speed_ahead(self._table.motion, self._row, self._simulation.time)
+        return max(self._limit - speed, 0.0) / reach
 
     @property
     def turns(self) -> bool:
@@ -128,7 +136,7 @@ class ObstacleHandle:
     @property
     def _reach(self) -> float:
         """How far from its axle turning moves its surface [m]; 0 of what is round."""
-        table = self._simulation.system.node.obstacle
+        table = self._table
         return reach_of(table, self._row) if table.kind[self._row] in UNROUND else 0.0
 
     @property
@@ -141,19 +149,23 @@ class ObstacleHandle:
         return moved, turned
 
     @property
+    def _table(self) -> Obstacles:
+        found: Obstacles = self._simulation.system.node.obstacle
+        return found
+
+    @property
     def _body(self) -> Obstacle:
         return self._simulation.scene.obstacles[self._row]
 
     @property
     def _now(self) -> Floats:
-        motion = self._simulation.system.node.obstacle.motion
-        return np.array(place_now(motion, self._row, self._simulation.time))
+        return np.array(place_now(self._table.motion, self._row, self._simulation.time))
 
     @property
     def _turned(self) -> tuple[float, float]:
         """Angle [rad] and rate [rad/s] now."""
         simulation, row = self._simulation, self._row
-        table, time = simulation.system.node.obstacle, simulation.time
+        table, time = self._table, simulation.time
         wheel = int(table.wheel[row])
         if wheel >= 0:
             angle, rate = simulation.arrays.memory.obstacle.wheel[wheel, :2]
