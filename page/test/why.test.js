@@ -7,16 +7,20 @@ const ONE = { stable: false, bound: 0.002, meter: 5.31, meter_limit: 4, meter_na
 const cause = (changes = {}) => /** @type {any} */ ({ ...ONE, ...changes });
 
 test("a break is told without the theory's letters, differently for a long step and a hard pull", () => {
-  const words = [{}, { stable: true }, { bound: null }].map((one) => whyItBroke(cause(one)));
-  assert.equal(new Set(words).size, 3);
+  const words = [{}, { stable: true }, { bound: null }, { rubs: true }].map((one) =>
+    whyItBroke(cause(one)),
+  );
+  assert.equal(new Set(words).size, 4);
   for (const text of words) assert.ok(!/[=²]|a \+|bound|zigzag/.test(text), text);
   assert.match(words[0], /too long/);
   assert.match(words[1], /too far/);
+  assert.match(words[3], /friction/); // where that breaks it, stiffness is not blamed
+  assert.doesNotMatch(words[3], /stiff|spring/);
   assert.doesNotMatch(whyItBroke(null), /step|hand/); // nothing is said that is not known
 });
 
 test("in short it says the same of each, within a phone's line", () => {
-  for (const one of [{}, { stable: true }, { bound: null }]) {
+  for (const one of [{}, { stable: true }, { bound: null }, { rubs: true }]) {
     const [short, long] = [whyInShort(cause(one)), whyItBroke(cause(one))];
     assert.ok(short.length < 56, short);
     const told = /too long|too far|pulled or threw/;

@@ -45,11 +45,27 @@ def test_the_message_has_its_own_cause() -> None:
     assert not meter["stable"]
     do(session, "set", name="spring_constant", value=1000.0)
     said = breaks.explain(session)  # asked late: the constants are others by now
-    assert said["cause"] == {name: meter[name] for name in said["cause"]}
+    assert said["cause"] == {name: meter[name] for name in said["cause"] if name != "rubs"} | {
+        "rubs": False
+    }
     assert not said["cause"]["stable"]
     assert "above the largest stable one" in said["text"]
     assert said["remedies"][0]["id"] == "on"
     assert breaks.Question.of(session).at_once()["cause"] is None
+
+
+@pytest.mark.parametrize(
+    ("friction", "rubs"), [(60.0, True), (0.01, False)], ids=["friction", "stiffness"]
+)
+def test_the_cause_tells_friction_from_stiffness(friction: float, rubs: bool) -> None:
+    """What breaks is friction only where the same springs alone would hold in that step."""
+    session = r4()
+    do(session, "set", name="spring_friction", value=friction)
+    do(session, "set", name="spring_constant", value=1000.0 if rubs else 40_000.0)
+    while session.broken is None and session.time < 20.0:
+        session.advance(9)
+    cause = breaks.explain(session)["cause"]
+    assert (cause["stable"], cause["rubs"]) == (False, rubs)
 
 
 def test_the_page_is_told_the_steps_past_the_break() -> None:

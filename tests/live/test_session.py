@@ -122,7 +122,9 @@ def test_anchors_stay_at_nodes_and_nodes_at_anchors() -> None:
 def test_out_of_range_values_are_answered_with_the_range() -> None:
     session = r4()
     said = refused(session, "set", name="mass", value=-1)
-    assert said == "mass: -1 - must be from 1e-12 to 1e+15 kg"
+    assert said == "mass: -1 - must be positive"
+    assert "must be from 1e-12 to 1e+15 kg" in refused(session, "set", name="mass", value=1e16)
+    assert "must not be negative" in refused(session, "set", name="spring_friction", value=-1)
     assert "must be from 1 to 20000" in refused(session, "set", name="segments", value=0)
     assert "must be a whole number from 1" in refused(session, "set", name="segments", value=1.5)
     assert "three finite numbers" in refused(session, "set", name="gravity", value=[0, 1])
@@ -290,6 +292,27 @@ def test_the_first_variant_of_another_scene() -> None:
     assert "no such preset" in refused(session, "scene", preset="n99")
     assert "one of preset, toml, address" in refused(session, "scene")
     assert session.preset == "n40"
+
+
+def test_what_would_not_be_felt_is_not_offered() -> None:
+    """Wind without drag, and numbers of a ground that is off: each says what it waits for."""
+    session = r4()
+
+    def why(name: str) -> str:
+        told = {one["name"]: one for one in parameters(session)["parameters"]}[name]
+        assert told["enabled"] == (told["why"] == "")
+        return str(told["why"])
+
+    do(session, "set", name="ground", value=False)
+    for drag in ("air_drag", "air_drag_quadratic", "air_density"):
+        do(session, "set", name=drag, value=0.0)
+    assert "drag" in why("wind")
+    assert "ground is off" in why("ground_height")
+    assert not why("ground")
+    do(session, "set", name="air_density", value=1.2)
+    do(session, "set", name="ground", value=True)
+    assert not why("wind")
+    assert not why("ground_height")
 
 
 @pytest.mark.parametrize(("name", "barred"), [("crossing", True), ("edge", True), ("n40", False)])

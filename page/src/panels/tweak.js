@@ -189,7 +189,7 @@ export class Tweak {
       await this.session.ask({ type: "set", name, value, rope });
       this.fault(name, "");
     } catch (fault) {
-      this.fault(name, /** @type {import("../source/protocol.js").Fault} */ (fault).text);
+      this.fault(name, ruleOf(/** @type {import("../source/protocol.js").Fault} */ (fault), name));
     }
     this.asked.delete(name);
     if (this.queue.has(name)) {
@@ -211,6 +211,14 @@ export class Tweak {
     row.fault.hidden = text === "";
     row.fault.textContent = text;
   }
+}
+
+/** What the row is told that was refused: where the fault is its own, without its name again.
+ * @param {import("../source/protocol.js").Fault} fault @param {string} name */
+function ruleOf({ text, faults }, name) {
+  return faults?.length === 1 && faults[0].path === name
+    ? `${faults[0].value}: ${faults[0].rule}`
+    : text;
 }
 
 /** @param {any} value @returns {string} */

@@ -46,7 +46,7 @@
  *   spring_factor: number | null, case: string, rope: string, node: number, method: string, verdict: string,
  *   remedies: string[], steps: Record<string, number>}} Stability */
 /** What the meter says of the step that broke. @typedef {Pick<Stability, "stable" | "bound" | "meter" |
- *   "meter_limit" | "meter_name">} Cause */
+ *   "meter_limit" | "meter_name"> & {rubs?: boolean}} Cause `rubs`: without friction the step would hold */
 /** @typedef {{id: string, label: string, value?: any}} Remedy */
 /** @typedef {{type: "broken", variant: number, time: number, step: number, rope: string, node: number,
  *   index: number, text: string, sign: string, cause: Cause | null, remedies: Remedy[],

@@ -16,6 +16,13 @@ export function whyItBroke(cause) {
       "a hand, a fast anchor, a heavy load. Be gentler, or take a shorter step."
     );
   }
+  if (cause.rubs) {
+    return (
+      "Each step was too long for so much friction: it is to slow a piece of the rope down, but in one step it threw " +
+      "the piece back faster than it came, in the next step faster still, and so on. A real rope would not do this; " +
+      "the computation did. A shorter step, less friction or more mass keep it together."
+    );
+  }
   return (
     "Each step was too long for so stiff and light a rope: within one step a piece of it flew past where its " +
     "neighbours pull it back to, then farther past on the other side, and so on. A real rope would not do this; " +
@@ -28,6 +35,7 @@ export function whyInShort(cause) {
   if (!cause) return "Why is being looked at.";
   if (cause.bound === null) return "It was moved too far in one step.";
   if (cause.stable) return "Something pulled or threw a piece of it too far.";
+  if (cause.rubs) return "Each step was too long for so much friction.";
   return "Each step was too long for so stiff and light a rope.";
 }
 

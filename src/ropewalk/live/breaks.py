@@ -15,7 +15,7 @@ from ropewalk.analysis.diagnosis import Diagnosis, diagnose, parted_segments, re
 from ropewalk.analysis.stability import stability
 from ropewalk.core.arrays import Floats
 from ropewalk.live.meter import measure
-from ropewalk.live.remedies import as_messages
+from ropewalk.live.remedies import as_messages, holds_without_friction
 from ropewalk.live.session import Break, Session
 from ropewalk.live.track import Saved, Track
 from ropewalk.record.beyond import cut, look_beyond
@@ -102,8 +102,10 @@ class Question:
 
     def _cause(self) -> dict[str, Any]:
         """Return what the meter says of the step that broke; the page's own may be of before a change."""
-        found = measure(self.simulation.model)
-        return {name: found[name] for name in _CAUSE}
+        model = self.simulation.model
+        found = measure(model)
+        rubs = not found["stable"] and holds_without_friction(model)
+        return {name: found[name] for name in _CAUSE} | {"rubs": rubs}
 
     def _past(self) -> list[dict[str, Any]]:
         """Return the first steps from the last good state into the break, as far as they can be drawn.

@@ -201,6 +201,8 @@ def _parameter(session: Session, parameter: Parameter) -> dict[str, Any]:
         why = f"cannot be changed {WITH_LINKS}"
     elif parameter.name == "EA" and value is None and len(distinct) == 1:
         why = "springs of no length have none"
+    else:
+        why = parameter.idle(scene)
     about = {
         "name": parameter.name,
         "label": parameter.label,

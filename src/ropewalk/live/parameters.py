@@ -49,6 +49,15 @@ class Parameter:
         firm = loaded.obstacles or loaded.contact
         return BARRED if self.group == GROUND and firm and loaded.ground is None else ""
 
+    def idle(self, scene: Scene) -> str:
+        """Return why a change would not be felt; empty where it would."""
+        if self.group == GROUND and self.name != "ground" and scene.ground is None:
+            return "has no effect while the yielding ground is off"
+        air = scene.air or Air()
+        if self.name == "wind" and not (air.node_drag or air.node_drag_quadratic or air.density):
+            return "is not felt without air: give a drag or a density first"
+        return ""
+
     @property
     def per_rope(self) -> bool:
         """Whether ropes may differ in it."""
@@ -99,6 +108,8 @@ class Parameter:
 
     def _in_range(self, number: Any, given: Any) -> Any:
         low, high = self.minimum, self.maximum
+        if low is not None and low <= TINY and number < low and number <= 0.0:
+            raise refusal(self.name, given, "must be positive" if low else "must not be negative")
         if (low is not None and number < low) or (high is not None and number > high):
             raise refusal(self.name, given, f"must be{self._range()}")
         return number
@@ -305,7 +316,8 @@ _TABLE = (
         _rope_value("segments"), resegment, minimum=1, maximum=most_segments(), factor=8.0,
     ),
     Parameter(
-        "diameter", "Diameter", ROPE, "m", NUMBER, "For quadratic air drag",
+        "diameter", "Diameter", ROPE, "m", NUMBER,
+        "How thick it is: contact with bodies and ropes, and drag by the air's density, go by it",
         _rope_value("diameter"), _set_rope("diameter"), **_positive(20.0),
     ),
     Parameter(

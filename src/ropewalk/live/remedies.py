@@ -5,10 +5,12 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from ropewalk.analysis.stability import STIFF
 from ropewalk.live.history import Moment
-from ropewalk.lowering import Layout
-from ropewalk.lowering.steps import predicted_step
+from ropewalk.lowering import Layout, Model
+from ropewalk.lowering.steps import predicted_step, step_cases
 from ropewalk.simulation import Simulation
 
 if TYPE_CHECKING:
@@ -22,6 +24,22 @@ def largest_step(simulation: Simulation) -> float:
     """Return the largest stable step of a simulation's method [s]."""
     model, plan = simulation.model, simulation.plan
     return predicted_step(model.system, model.state, plan.method, plan.duration)
+
+
+def holds_without_friction(model: Model) -> bool:
+    """Tell whether the step is stable for the same ropes without any friction."""
+    cases = step_cases(model.system, model.state, model.plan.duration)
+    smooth = {
+        name: chain._replace(
+            damping_vector=np.zeros_like(chain.damping_vector),
+            damping_axial=np.zeros_like(chain.damping_axial),
+            node_damping=np.zeros_like(chain.node_damping),
+            damping_bending=0.0,
+        )
+        for name, chain in cases.chains.items()
+    }
+    steps = cases._replace(chains=smooth).largest(model.plan.method)
+    return model.plan.dt <= min(steps.values())
 
 
 def suggested_step(simulation: Simulation) -> float:
