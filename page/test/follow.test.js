@@ -173,7 +173,7 @@ function flown(adrift) {
 test("what nothing holds is gone along with, and stays large in the picture; what is held is not", () => {
   const { made, follow, places } = flown(true);
   const goal = follow.goal(made, STRIPS);
-  assert.ok(goal && share(made.at(goal), places) > 0.2);
+  assert.ok(goal && share(made.at(goal), places) > 0.4);
   const twin = flown(false);
   const wide = twin.follow.goal(twin.made, STRIPS);
   assert.ok(wide && share(twin.made.at(wide), twin.places) < 0.1);

@@ -23,7 +23,7 @@ const SMALL = 0.75; // of the distance: nearer than this the ropes would fit as 
 const RESTS = 0.92; // and of what rests: there is no swing that brings it back
 const ROUNDS = 6; // in which ropes are brought into the picture
 const REST = 0.02; // of their size, by which ropes that rest have moved in that time
-const CALM = 1; // of their size in a second: the camera goes along with what is adrift and faster
+const CALM = 0.3; // of their size in a second: the camera goes along with what is adrift and faster
 
 export class Follow {
   constructor() {
