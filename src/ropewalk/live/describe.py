@@ -12,7 +12,7 @@ from ropewalk.analysis.json_values import plain
 from ropewalk.core.arrays import Floats
 from ropewalk.live.frame import HEADER, SCALARS
 from ropewalk.live.gaps import gaps, told
-from ropewalk.live.parameters import PARAMETERS, ROPE, Parameter
+from ropewalk.live.parameters import GROUND, PARAMETERS, ROPE, Parameter
 from ropewalk.live.pictures import shape_of
 from ropewalk.live.session import Session
 from ropewalk.live.solids import joint_list, obstacle_list
@@ -21,7 +21,7 @@ from ropewalk.live.themes import menu, title
 from ropewalk.live.track import RIGID_FIXED, WINCH_SAFE, WITH_LINKS, Track
 from ropewalk.lowering import Layout, Span
 from ropewalk.record.margins import breaking_load
-from ropewalk.scene import Scene, Springs
+from ropewalk.scene import Air, Scene, Springs
 from ropewalk.scene.guess import guesses_of
 from ropewalk.scene.presets import preset
 
@@ -202,7 +202,7 @@ def _parameter(session: Session, parameter: Parameter) -> dict[str, Any]:
     elif parameter.name == "EA" and value is None and len(distinct) == 1:
         why = "springs of no length have none"
     else:
-        why = parameter.idle(scene)
+        why = _idle(parameter, scene)
     about = {
         "name": parameter.name,
         "label": parameter.label,
@@ -224,6 +224,16 @@ def _parameter(session: Session, parameter: Parameter) -> dict[str, Any]:
         "why": why,
     }
     return about | {"value": plain(about["value"])}
+
+
+def _idle(parameter: Parameter, scene: Scene) -> str:
+    """Return why a change would not be felt; empty where it would."""
+    if parameter.group == GROUND and parameter.name != "ground" and scene.ground is None:
+        return "has no effect while the yielding ground is off"
+    air = scene.air or Air()
+    if parameter.name == "wind" and not (air.node_drag or air.node_drag_quadratic or air.density):
+        return "is not felt without air: give a drag or a density first"
+    return ""
 
 
 def presets(session: Session) -> dict[str, Any]:

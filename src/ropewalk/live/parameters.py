@@ -49,15 +49,6 @@ class Parameter:
         firm = loaded.obstacles or loaded.contact
         return BARRED if self.group == GROUND and firm and loaded.ground is None else ""
 
-    def idle(self, scene: Scene) -> str:
-        """Return why a change would not be felt; empty where it would."""
-        if self.group == GROUND and self.name != "ground" and scene.ground is None:
-            return "has no effect while the yielding ground is off"
-        air = scene.air or Air()
-        if self.name == "wind" and not (air.node_drag or air.node_drag_quadratic or air.density):
-            return "is not felt without air: give a drag or a density first"
-        return ""
-
     @property
     def per_rope(self) -> bool:
         """Whether ropes may differ in it."""
@@ -289,11 +280,12 @@ _TABLE = (
         _rope_value("segment_stiffness"), _set_constant, **_positive(100.0),
     ),
     Parameter(
-        "EA", "Axial stiffness EA", ROPE, "N", NUMBER, "Tension per strain, whatever the mesh",
+        "EA", "Axial stiffness EA", ROPE, "N", NUMBER, "Tension per strain, however many segments it has",
         _get_EA, _set_EA, **_positive(100.0),
     ),
     Parameter(
-        "spring_friction", "Friction", ROPE, "N s/m", NUMBER, "Friction of each segment",
+        "spring_friction", "Friction", ROPE, "N s/m", NUMBER,
+        "In each segment: slows its two ends against each other",
         _rope_value("segment_friction"), _set_friction, **_from_zero(1.0),
     ),
     Parameter(
@@ -354,7 +346,7 @@ _TABLE = (
         lambda scene, _: scene.ground is not None, _set_ground,
     ),
     Parameter(
-        "ground_height", "Height", GROUND, "m", NUMBER, "Along up",
+        "ground_height", "Height", GROUND, "m", NUMBER, "How high it is, measured upwards from zero",
         *_ground("height"), **_anything(-20.0, 20.0),
     ),
     Parameter(
@@ -370,7 +362,7 @@ _TABLE = (
         *_ground("absorption"), **_from_zero(5.0),
     ),
     Parameter(
-        "method", "Method", METHOD, "", CHOICE, "Time integration method",
+        "method", "Method", METHOD, "", CHOICE, "How each step is computed",
         *_run("method"), choices=_methods,
     ),
     Parameter(
@@ -380,7 +372,7 @@ _TABLE = (
     ),
     Parameter(
         "steps_per_frame", "Steps per frame", METHOD, "1", WHOLE,
-        "Another way to give the time step: frame over steps",
+        "So many steps for each picture of a run; this sets the time step",
         _get_count, _set_count, minimum=1, maximum=1_000_000, factor=30.0,
     ),
 )  # fmt: skip
