@@ -13,7 +13,7 @@ from live.drive import slack_rope
 from ropewalk.live.parameters import PARAMETERS, named
 from ropewalk.live.serve import ViewServer
 from ropewalk.live.session import Session
-from ropewalk.scene import Ground
+from ropewalk.scene import Air, Ground
 from ropewalk.scene.presets import preset
 
 pytestmark = pytest.mark.browser
@@ -65,7 +65,7 @@ def _value(server: ViewServer, name: str) -> Any:
 
 
 def test_every_constant_is_changed_and_goes_back(open_window: Open, serve: Serve) -> None:
-    server = serve(Session(slack_rope(ground=Ground(height=-6.0))))
+    server = serve(Session(slack_rope(ground=Ground(height=-6.0), air=Air(density=1.2))))
     window = open_window(server.address, viewport=SIZE).ready()
     window.until("r.session.parameters.length > 0")
     _folder(window, "More", "Air", "NeHe's ground")

@@ -216,9 +216,9 @@ export class Tweak {
 /** What the row is told that was refused: where the fault is its own, without its name again.
  * @param {import("../source/protocol.js").Fault} fault @param {string} name */
 function ruleOf({ text, faults }, name) {
-  return faults?.length === 1 && faults[0].path === name
-    ? `${faults[0].value}: ${faults[0].rule}`
-    : text;
+  if (faults?.length !== 1 || faults[0].path !== name) return text;
+  const [{ value, rule }] = faults;
+  return value === null ? rule : `${value}: ${rule}`;
 }
 
 /** @param {any} value @returns {string} */
