@@ -16,7 +16,7 @@ import pytest
 
 import ropewalk as rw
 import runs
-from ropewalk.record import lock
+from ropewalk.record import checkpoint, lock
 from ropewalk.record.errors import RunError
 from ropewalk.record.folder import verify
 from ropewalk.record.result import Result
@@ -369,6 +369,17 @@ def test_a_damaged_checkpoint_is_found(stopped: Path) -> None:
             rw.resume(stopped)
         flip(stopped / "checkpoint.npz", place)
     assert verify(stopped).faults == ()
+
+
+def test_a_checkpoint_of_another_layout_is_not_called_damaged(stopped: Path) -> None:
+    """As one of before contacts remembered how stiff they are."""
+    found = checkpoint.read(stopped)
+    index = json.loads(str(found["index"]))
+    row = [name for name, *_ in index].index("state.x")
+    index[row][2].reverse()
+    np.savez(stopped / "checkpoint.npz", **found | {"index": json.dumps(index)})
+    with pytest.raises(RunError, match=r"of another version: state\.x does not fit the scene"):
+        rw.resume(stopped)
 
 
 @pytest.mark.parametrize("length", [None, 0, 100])

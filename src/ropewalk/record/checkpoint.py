@@ -35,6 +35,10 @@ class Checkpoint:
     ends: tuple[End, ...]  # of ropes that broke, in a run that goes on
 
 
+class _MisfitError(ValueError):
+    """Arrays of another size or kind than the model's."""
+
+
 def save(folder: Path, checkpoint: Checkpoint) -> None:
     """Write the checkpoint in place of the one that is there. Raises OSError."""
     path = folder / NAME
@@ -76,6 +80,8 @@ def load(folder: Path, like: Snapshot) -> Checkpoint:
     except KeyError as error:
         rule = f"is damaged, or of another version: it lacks {error.args[0]}"
         raise RunError(path, rule) from None
+    except _MisfitError as error:
+        raise RunError(path, f"is of another scene, or of another version: {error}") from None
     except (ValueError, TypeError) as error:
         raise RunError(path, f"is damaged: {error}") from None
 
@@ -120,6 +126,6 @@ def _fill(like: Any, found: dict[str, Any], prefix: str) -> Any:
             continue
         array, old = found[key], np.asarray(item)
         if array.shape != old.shape or array.dtype != old.dtype:
-            raise ValueError(f"{key} does not fit the scene")
+            raise _MisfitError(f"{key} does not fit the scene")
         values.append(array if isinstance(item, np.ndarray) else array.item())
     return type(like)(*values)
