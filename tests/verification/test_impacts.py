@@ -124,3 +124,25 @@ def test_a_line_drawn_tight_over_a_post_pulls_as_it_should(
     assert tension[0] / tension[-1] == pytest.approx(fall, rel=0.02)
     depth = 0.055 - np.hypot(result.positions[:, :, 0], result.positions[:, :, 1])
     assert depth.max() < 0.02 * D
+
+
+@pytest.mark.parametrize("aside", [0.5, 0.8, 0.95])
+def test_adaptive_meets_what_it_would_fly_past(aside: float) -> None:
+    """A link that hits a smooth post off its middle goes on along the surface: b of its speed is left.
+
+    Nothing else asks for short steps: one of half a second led past the post, with all of the speed.
+    """
+    speed, r = 3.0, 0.1 + 0.5 * D
+    link = Rope(
+        segments=1,
+        length=0.1,
+        diameter=D,
+        made_of=Material(EA=1e3, mass_per_length=0.1, axial_damping=0.5),
+        shape=Points(points=[(-0.53, aside * r, 0.0), (-0.53, aside * r, 0.1)]),
+        kicks=[Kick(node=i, velocity=(speed, 0.0, 0.0)) for i in (0, 1)],
+    )
+    post = Cylinder(start=(0, 0, -1), end=(0, 0, 1), radius=0.1, friction=0.0)
+    run = RunSettings(method="adaptive", duration=0.5, frame_rate=60.0)
+    scene = Scene(ropes=[link], obstacles=[post], gravity=(0, 0, 0), run=run)
+    after = rw.simulate(scene).velocities[-1]
+    assert np.hypot(after[:, 0], after[:, 1]) == pytest.approx(aside * speed, abs=0.03 * speed)

@@ -8,6 +8,9 @@ A way may cut the corner of a surface that a node slides round. It goes through 
 comes in and goes out, or ends, are more than a right angle apart. What does not press yet and moves by less
 than a body's thinnest cannot, and is not looked at: a node's way inside is longer than that then.
 
+Nor may what pressed nothing and is outside of a body at the end have been in it by more than MISSED of the
+rope's diameter: no force of the step has seen that it hit.
+
 Only nodes are pushed. So what is thinner than a segment is long could slip through between two of them: no
 segment may come to lie across a body either, at the end of a step or on the way. It lies across where the
 normals at which its line comes in and goes out are more than 135 degrees apart; a corner is cut by less.
@@ -30,6 +33,8 @@ LEAST = 0.01  # [1] of the thinnest: the least part of a way that is gone at onc
 FACING = -0.7  # [1] cosine between the normals at both ends of what lies across a body
 LONG = 1.4  # [1] length over half the thickness of what may lie across; across shorter ones a node goes
 PAST = 2.0  # no cosine
+MISSED = 0.1  # [1] diameters by which a way may dip into a body that no force of the step has seen
+LOOKS = 12  # for where it dips deepest
 APART = 0.3  # [1] of the half thickness: how far a segment moves from one look to the next
 
 
@@ -45,6 +50,13 @@ def place_in(body, at, x, i):
     """Return where node i is in the frame of a body that lies `at` what `pose_at` gives [m]."""
     moved, turn = at
     return drawn_place(body, turn, x[0, i] - moved[0], x[1, i] - moved[1], x[2, i] - moved[2])
+
+
+@small
+def between(p, q, share):
+    """Return the place on the way from p to q [m]."""
+    rest = 1.0 - share
+    return rest * p[0] + share * q[0], rest * p[1] + share * q[1], rest * p[2] + share * q[2]
 
 
 @small
@@ -124,9 +136,7 @@ def sweeps_across(obstacles, o, i, a, b, p, q):
     looks = 1 + int(min(way / (APART * thin), TRIES))
     for look in range(1, looks + 1):
         s = look / looks
-        r = 1.0 - s
-        one = (r * a[0] + s * p[0], r * a[1] + s * p[1], r * a[2] + s * p[2])
-        other = (r * b[0] + s * q[0], r * b[1] + s * q[1], r * b[2] + s * q[2])
+        one, other = between(a, p, s), between(b, q, s)
         if lies_across(obstacles, o, i, one, other):
             return not lies_across(obstacles, o, i, a, b)
     return False
@@ -199,6 +209,53 @@ def find_pass(x, y, inverse_mass, obstacles, grip, through, now):
     return count
 
 
+@kernel
+def dips(obstacles, o, i, p, q):
+    """Tell whether node i hits obstacle o from p to q, outside of it, in the body's frame.
+
+    Along a straight way the distance from a convex body has one minimum: it is between the points beside the
+    lowest of three, where its thirds are looked at.
+    """
+    way = math.sqrt((q[0] - p[0]) ** 2 + (q[1] - p[1]) ** 2 + (q[2] - p[2]) ** 2)
+    thickness, least = obstacles.thickness[i], -MISSED * obstacles.diameter[i]
+    before = gap_at(obstacles, o, p) - thickness
+    if before <= 0.0 or before - way > least:
+        return False
+    after = gap_at(obstacles, o, q) - thickness
+    if after <= 0.0 or 0.5 * (before + after - way) > least:
+        return False
+    low, high = 0.0, 1.0
+    for _ in range(LOOKS):
+        a, b = (2.0 * low + high) / 3.0, (low + 2.0 * high) / 3.0
+        first = gap_at(obstacles, o, between(p, q, a)) - thickness
+        other = gap_at(obstacles, o, between(p, q, b)) - thickness
+        if min(first, other) < least:
+            return True
+        if first < other:
+            high = b
+        else:
+            low = a
+    return False
+
+
+@kernel
+def find_missed(x, y, inverse_mass, obstacles, grip, through, now):
+    """Note which obstacle a node has hit from x to y, see `find_pass`, and no force has seen it."""
+    count = 0
+    for o in range(obstacles.kind.shape[0]):
+        if obstacles.thin[o] == math.inf:
+            continue
+        body = body_of(obstacles, o)
+        then, here = pose_at(obstacles, o, now[1]), pose_at(obstacles, o, now[0])
+        for i in range(x.shape[1]):
+            if not inverse_mass[i] > 0.0 or through[i] != 0 or grip[o, PUSH, i] > 0.0:
+                continue
+            if dips(obstacles, o, i, place_in(body, then, x, i), place_in(body, here, y, i)):
+                through[i] = o + 1
+                count += 1
+    return count
+
+
 @part
 def meet(obstacles, state, x):
     """Tell whether the way from the state to `x` may stand, see `obstacle_way`."""
@@ -209,6 +266,7 @@ def meet(obstacles, state, x):
     inert, now = state.inverse_mass, state.now
     many = find_pass(state.x, x, inert, obstacles, grip, through, now)
     many += find_sweep(state.x, x, inert, state.stiffness, obstacles, through, now)
+    many += find_missed(state.x, x, inert, obstacles, grip, through, now)
     return HALVE if many > 0 else FINE
 
 
