@@ -125,12 +125,16 @@ def test_what_is_changed_is_what_python_simulates(
     """k, friction, step, method, gravity by hand: after a thousand steps as the scene with them, to 1e-12."""
     page = open_window(write_lab(tmp_path / "lab.html").as_uri()).page
     page.select_option("#method", method)
-    for name, value in (("k", 3217.0), ("c", 0.31), ("step", 1.234), ("g", 1.62)):
+    whole = preset("r4").ropes[0].total_mass
+    changes = ("k", 3217.0), ("c", 0.31), ("m", 1.7 * whole), ("step", 1.234), ("g", 1.62)
+    for name, value in changes:
         write(page, name, value)
     page.evaluate(f"window.ropewalkLab.lab.advance({STEPS})")
+    made_of = {"spring_constant": 3217.0, "spring_friction": 0.31}
+    made_of["node_mass"] = 1.7 * preset("r4").ropes[0].made_of.node_mass
     scene = preset("r4").replace(
         gravity=(0.0, -1.62, 0.0),
-        **{"rope.made_of.spring_constant": 3217.0, "rope.made_of.spring_friction": 0.31},
+        **{f"rope.made_of.{name}": value for name, value in made_of.items()},
     )
     exact = of_python(scene, method, 1.234e-3)
     assert apart(of_page(page), exact) <= 1e-12
@@ -230,6 +234,70 @@ def test_the_energies_are_read_and_a_break_leaves_them(tmp_path: Path, open_wind
         "Math.max(...window.ropewalkLab.lab.energy.kept.flatMap(({ values }) => values))"
     )
     assert 0.1 < largest < 1e6
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_it_breaks_where_python_says_so(tmp_path: Path, open_window: Any, method: str) -> None:
+    """Looked at every eight steps; a little below the bound both are whole."""
+    scene = lesson_scene("step-by-step")
+    page = open_window(write_lab(tmp_path / "lab.html", [scene]).as_uri()).page
+    page.select_option("#method", method)
+    limit = 8201.0 if method == "rk4" else 4100.0
+    for factor in (0.97, 1.1, 1.4):
+        k = factor * limit
+        run = scene.run.replace(
+            method=method, steps="exact", frame_rate=1.0 / (8 * 0.005), duration=4000 * 0.005
+        )
+        stiff = scene.replace(run=run, **{"rope.made_of.spring_constant": k})
+        own = rw.Simulation(stiff)
+        own.advance_frames(500)  # ends at its last good frame
+        write(page, "k", k)
+        page.click("#restart")
+        page.evaluate("window.ropewalkLab.lab.advance(4000)")
+        end = page.evaluate("window.ropewalkLab.lab.rope.time")
+        broke = page.is_visible("#broken")
+        assert broke is (factor > 1.0), factor
+        assert end == pytest.approx(own.time + (8 * 0.005 if broke else 0.0)), factor
+        if method == "rk4" and broke:
+            assert "nothing gave it so much" in page.inner_text("#why")
+
+
+def test_energy_that_anchors_and_hands_give_is_no_break(tmp_path: Path, open_window: Any) -> None:
+    """A rope pulled along by its anchor without weight, a stiffer one while it runs: both are whole."""
+    scene = preset("r4")
+    page = open_window(write_lab(tmp_path / "lab.html", [scene]).as_uri()).page
+    write(page, "g", 0.0)
+    page.click("#restart")
+    page.evaluate("window.ropewalkLab.lab.advance(2000)")
+    work = page.evaluate("[...window.ropewalkLab.lab.verdict.most]")
+    assert max(work) > 0.0
+    write(page, "m", 3.0 * scene.ropes[0].total_mass)
+    write(page, "k", 1.1e4)
+    page.evaluate("window.ropewalkLab.lab.advance(500)")
+    assert page.is_hidden("#broken")
+
+
+def test_a_theme_that_changes_changes_the_colours(tmp_path: Path, open_window: Any) -> None:
+    page = open_window(write_lab(tmp_path / "lab.html").as_uri(), color_scheme="light").page
+    ramp = "[window.ropewalkLab.lab.drawing.map[0], document.getElementById('ramp').style.backgroundImage]"
+    light = page.evaluate(ramp)
+    page.emulate_media(color_scheme="dark")
+    dark = page.evaluate(ramp)
+    assert light[0] != dark[0]
+    assert dark[0].replace(" ", ", ") in dark[1]
+
+
+def test_an_axis_says_no_number_twice(tmp_path: Path, open_window: Any) -> None:
+    """A chain that trembles by a millimetre about -2.659 m: not -2.66 above and below."""
+    scene = lesson_scene("chain-at-rest")
+    page = open_window(write_lab(tmp_path / "lab.html", [scene]).as_uri()).page
+    told = page.evaluate(
+        "() => { const { lab } = window.ropewalkLab, { strip } = lab.probe, told = [];"
+        " strip.pen.fillText = (text) => told.push(text); lab.advance(4000); strip.draw();"
+        " return told; }"
+    )
+    numbers = [text for text in told if "s" not in text]
+    assert len(set(numbers)) == len(numbers) == 2
 
 
 def test_a_break_by_friction_is_told_as_one(tmp_path: Path, open_window: Any) -> None:

@@ -26,8 +26,12 @@ export class Drawing {
     /** @type {number[]} */ this.across = [1, 0, 0];
     /** @type {number[]} */ this.up = [0, 1, 0];
     this.largest = 1; // tension at the top of the colours [N]
-    this.dark = matchMedia("(prefers-color-scheme: dark)").matches;
-    this.map = uniformMap(this.dark).map(
+    /** @type {string[]} */ this.map = [];
+  }
+
+  /** Take the colours of a theme. @param {boolean} dark */
+  tint(dark) {
+    this.map = uniformMap(dark).map(
       ([r, g, b]) => `rgb(${[r, g, b].map((part) => Math.round(255 * part)).join(" ")})`,
     );
   }

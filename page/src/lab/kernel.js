@@ -165,11 +165,14 @@ export class Rope {
 
   /** Let a node that was held go with the forces of the step that ends. @param {number} i */
   #let(i) {
-    for (let k = 0; k < 3; k++) {
-      const [e, c] = [this.pull[k], this.friction[k]];
-      const force = e[i + 1] + c[i + 1] - (e[i] + c[i]);
-      this.a[k][i] = force * this.inverse[i] + this.gravity[k];
-    }
+    for (let k = 0; k < 3; k++) this.a[k][i] = this.force(i, k) * this.inverse[i] + this.gravity[k];
+  }
+
+  /** What springs and friction do to a node along an axis, where they were last evaluated [N].
+   * @param {number} i @param {number} k */
+  force(i, k) {
+    const [e, c] = [this.pull[k], this.friction[k]];
+    return e[i + 1] + c[i + 1] - (e[i] + c[i]);
   }
 
   /** Move the hand towards where it is to be, no faster than it can. @param {number} dt */

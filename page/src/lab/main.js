@@ -4,12 +4,13 @@ import { largestStep } from "./bounds.js";
 import { Drawing } from "./draw.js";
 import { follow } from "./hand.js";
 import { METHODS, Rope } from "./kernel.js";
-import { energies, gravityAt, isBroken, tautEnergy, tensions } from "./measures.js";
+import { energies, gravityAt, tautEnergy, tensions } from "./measures.js";
 import { Probe, middle } from "./probe.js";
 import { Resampler, Sound } from "../sound.js";
 import { bridge } from "./bridge.js";
 import { Strip } from "./strip.js";
 import { Values } from "./values.js";
+import { Verdict } from "./verdict.js";
 import { milliseconds, whyItBroke } from "./why.js";
 
 /** @typedef {import("./kernel.js").Scene} Scene */
@@ -58,7 +59,9 @@ class Lab {
     this.taut = 0; // the elastic energy of the straight rope, from which that counts [J]
     this.probe = new Probe(this, find);
     this.sound = new Sound();
-    find("ramp").style.backgroundImage = `linear-gradient(90deg, ${this.drawing.map.join(", ")})`;
+    const theme = matchMedia("(prefers-color-scheme: dark)");
+    theme.onchange = () => this.tint(theme.matches);
+    this.tint(theme.matches);
     this.values = new Values(find, () => {
       this.apply();
       if (!this.playing) this.draw();
@@ -72,6 +75,13 @@ class Lab {
     this.#listen();
     this.choose(this.#named());
     requestAnimationFrame((now) => this.#picture(now));
+  }
+
+  /** Take the colours of a theme. @param {boolean} dark */
+  tint(dark) {
+    this.drawing.tint(dark);
+    find("ramp").style.backgroundImage = `linear-gradient(90deg, ${this.drawing.map.join(", ")})`;
+    this.draw();
   }
 
   /** The scene that the address names behind its #, such as lessons.html#pendulum; else the first. */
@@ -127,17 +137,13 @@ class Lab {
   /** Bring the values to the rope, and say what they mean for its stability. */
   apply() {
     const { rope, base, scene } = this;
-    const { now, own } = this.values;
+    const { now } = this.values;
     if (!rope || !base || !scene) return;
-    for (let j = 0; j < rope.n - 1; j++) {
-      rope.stiffness[j] = scaled(base.stiffness[j], own.k, now.k);
-      if (own.c > 0) {
-        rope.vector[j] = scaled(base.vector[j], own.c, now.c);
-        rope.axial[j] = scaled(base.axial[j], own.c, now.c);
-      } else if (base.stiffness[j] > 0) rope.vector[j] = now.c; // the scene has none of its own
+    if (rope.time > 0) this.verdict?.allow(rope, () => this.#change(rope, base, scene));
+    else {
+      this.#change(rope, base, scene);
+      this.verdict = new Verdict(rope); // it begins with these values
     }
-    rope.gravity = scene.up.map((part) => -now.g * part + 0);
-    rope.renew();
     [this.fall, this.taut] = [gravityAt(rope, base.x), tautEnergy(rope, base.x)];
     this.method = now.method;
     if (this.step !== now.step) [this.since, this.count] = [rope.time, 0];
@@ -147,6 +153,24 @@ class Lab {
     if (rope.time > 0) return;
     for (const strip of [this.energy, this.probe.strip]) strip.clear(); // it begins with these values
     this.note();
+  }
+
+  /** Give a rope the values. @param {Rope} rope @param {Rope} base as the scene has it @param {Scene} scene */
+  #change(rope, base, scene) {
+    const { now, own } = this.values;
+    for (let j = 0; j < rope.n - 1; j++) {
+      rope.stiffness[j] = scaled(base.stiffness[j], own.k, now.k);
+      if (own.c > 0) {
+        rope.vector[j] = scaled(base.vector[j], own.c, now.c);
+        rope.axial[j] = scaled(base.axial[j], own.c, now.c);
+      } else if (base.stiffness[j] > 0) rope.vector[j] = now.c; // the scene has none of its own
+    }
+    for (let i = 0; i < rope.n; i++) {
+      rope.mass[i] = scaled(base.mass[i], own.m, now.m);
+      if (rope.inverse[i] > 0) rope.inverse[i] = 1 / rope.mass[i]; // held ones have none
+    }
+    rope.gravity = scene.up.map((part) => -now.g * part + 0);
+    rope.renew();
   }
 
   #meter() {
@@ -195,12 +219,13 @@ class Lab {
 
   /** Take steps until there are enough, or it breaks. @param {number} steps */
   advance(steps) {
-    const { rope } = this;
-    if (!rope || this.broken) return;
+    const { rope, verdict } = this;
+    if (!rope || !verdict || this.broken) return;
     const every = NOTE * Number(choice("pace").value);
     for (let i = 0; i < steps; i++) {
       const dt = this.step ?? 1e-3;
-      rope.step(this.method ?? METHODS[0], dt, this.since + ++this.count * dt);
+      const after = this.since + ++this.count * dt;
+      verdict.watch(rope, () => rope.step(this.method ?? METHODS[0], dt, after));
       this.#peak(); // of every step, so that none is missed
       if (this.sound.on) this.#hear();
       if ((i & 7) === 7 || i === steps - 1) this.#look();
@@ -225,16 +250,18 @@ class Lab {
   }
 
   #look() {
-    const { rope } = this;
-    if (!rope) return;
-    if (!isBroken(rope)) {
+    const { rope, verdict } = this;
+    if (!rope || !verdict) return;
+    const broke = verdict.judge(rope);
+    if (!broke) {
       this.largest = this.reached; // a break's own tensions say nothing
       return;
     }
     this.broken = true;
     this.play(false);
     const [step, bound] = [this.step ?? 0, this.bound ?? 0];
-    find("why").textContent = whyItBroke(rope, this.method ?? METHODS[0], step, bound);
+    const method = this.method ?? METHODS[0];
+    find("why").textContent = whyItBroke(rope, method, step, bound, verdict, broke);
     find("shorten").hidden = step <= bound;
     find("broken").hidden = false;
     find("broken").scrollIntoView({ block: "nearest" }); // on a phone

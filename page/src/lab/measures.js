@@ -1,8 +1,13 @@
-// What is told of a rope: tensions, energies, whether it is broken.
+// What is told of a rope: tensions and energies.
 
 /** @typedef {import("./kernel.js").Rope} Rope */
 
-const LONGEST = 10; // a segment stretched more than this is a broken simulation
+/** The distance of a segment's ends [m]. @param {Rope} rope @param {number} j */
+export function size(rope, j) {
+  const [x, y, z] = rope.x;
+  const [dx, dy, dz] = [x[j + 1] - x[j], y[j + 1] - y[j], z[j + 1] - z[j]];
+  return Math.sqrt(dx * dx + dy * dy + dz * dz);
+}
 
 /** Write what every segment carries, friction along it included [N]. @param {Rope} rope @param {Float64Array} out */
 export function tensions(rope, out) {
@@ -25,7 +30,7 @@ export function energies(rope) {
   for (let i = 0; i < rope.n; i++)
     for (const row of rope.v) kinetic += 0.5 * rope.mass[i] * row[i] * row[i];
   for (let j = 0; j < rope.n - 1; j++) {
-    const r = Math.hypot(...[0, 1, 2].map((k) => rope.x[k][j + 1] - rope.x[k][j]));
+    const r = size(rope, j);
     const more = rope.slack[j] ? Math.max(r - rope.length[j], 0) : r - rope.length[j];
     elastic += 0.5 * rope.stiffness[j] * more * more;
   }
@@ -55,14 +60,4 @@ export function tautEnergy(rope, x) {
     energy += (0.5 * Math.max(apart - long, 0) ** 2) / soft;
   }
   return energy;
-}
-
-/** Whether something is not finite, or stretched beyond reason. @param {Rope} rope */
-export function isBroken(rope) {
-  for (let j = 0; j < rope.n - 1; j++) {
-    const r = Math.hypot(...[0, 1, 2].map((k) => rope.x[k][j + 1] - rope.x[k][j]));
-    const live = rope.length[j] > 0 && rope.stiffness[j] > 0;
-    if (!(r <= (live ? LONGEST * rope.length[j] : 1e150))) return true;
-  }
-  return rope.v.some((row) => row.some((value) => !Number.isFinite(value)));
 }

@@ -8,9 +8,11 @@ const [LEFT, FOOT, HEAD] = [56, 16, 8]; // room for the axes' numbers [px]
 /** @typedef {{name: string, wide?: boolean}} Curve whose colour is the sheet's --name */
 /** @typedef {{t: number, values: number[]}} Point */
 
-/** @param {number} value three figures, as short as they can be */
-const short = (value) => {
-  const rounded = Number(value.toPrecision(3)) + 0;
+const [FEW, MANY] = [3, 7]; // figures of the axis's numbers
+
+/** @param {number} value as short as it can be @param {number} figures */
+const short = (value, figures) => {
+  const rounded = Number(value.toPrecision(figures)) + 0;
   return Math.abs(rounded) >= 1e5 || (rounded && Math.abs(rounded) < 1e-3)
     ? rounded.toExponential(1)
     : String(rounded);
@@ -111,6 +113,9 @@ export class Strip {
     pen.fillStyle = style.getPropertyValue("--faint");
     pen.font = `${11 * ratio}px system-ui, sans-serif`;
     const room = Math.abs(at(0, low)[1] - at(0, high)[1]);
+    let figures = FEW; // so many that no two numbers look the same
+    while (figures < MANY && new Set(marks.map((one) => short(one, figures))).size < marks.length)
+      figures++;
     for (const value of marks) {
       const [, y] = at(start, value);
       const close = marks.some(
@@ -123,7 +128,7 @@ export class Strip {
       );
       if (value === 0 && close) continue; // no room for the zero's sign
       pen.textAlign = "right";
-      pen.fillText(short(value), (LEFT - 5) * ratio, y + 4 * ratio);
+      pen.fillText(short(value, figures), (LEFT - 5) * ratio, y + 4 * ratio);
     }
     for (const share of [0, 0.5, 1]) {
       const t = start + share * seconds;

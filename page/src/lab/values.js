@@ -5,11 +5,12 @@ import { METHODS } from "./kernel.js";
 /** @typedef {import("./kernel.js").Scene} Scene */
 /** @typedef {import("./kernel.js").Rope} Rope */
 /** @typedef {import("./kernel.js").Method} Method */
-/** @typedef {"k" | "c" | "step" | "g"} Name */
-/** @typedef {{k: number, c: number, step: number, g: number, method: Method}} Set in N/m, N s/m, s and m/s² */
+/** @typedef {"k" | "c" | "m" | "step" | "g"} Name */
+/** @typedef {{k: number, c: number, m: number, step: number, g: number, method: Method}} Set in N/m, N s/m, kg (of
+ *   all), s and m/s² */
 
-const NAMES = /** @type {Name[]} */ (["k", "c", "step", "g"]);
-const SHOWN = { k: 1, c: 1, step: 1e3, g: 1 }; // a step is told in milliseconds
+const NAMES = /** @type {Name[]} */ (["k", "c", "m", "step", "g"]);
+const SHOWN = { k: 1, c: 1, m: 1, step: 1e3, g: 1 }; // a step is told in milliseconds
 const FIGURES = 3; // to which a slider goes, so that what is shown is what holds
 const SLIGHT = 0.01; // of the critical friction: what the slider's middle is where a scene has none
 
@@ -19,10 +20,10 @@ export class Values {
     this.find = find;
     this.changed = changed;
     /** @type {Set[]} */ this.before = []; // what Undo goes back to, the newest last
-    /** @type {Set} */ this.own = { k: 1, c: 0, step: 1, g: 0, method: METHODS[0] }; // the scene's
+    /** @type {Set} */ this.own = { k: 1, c: 0, m: 1, step: 1, g: 0, method: METHODS[0] }; // the scene's
     this.now = { ...this.own };
     this.last = { ...this.own }; // what Undo will go back to when something changes
-    this.unit = { k: 1, c: 1 }; // the values in the sliders' middle
+    this.unit = { k: 1, c: 1, m: 1, step: 1 }; // the values in the sliders' middle
     for (const name of NAMES) {
       this.#slider(name).oninput = () => this.#slide(name);
       this.#field(name).onchange = () => this.#type(name);
@@ -48,13 +49,12 @@ export class Values {
     const [stiff, mass] = [base.stiffness[live] ?? 0, Math.max(...base.mass)];
     const rubs = (base.vector[live] ?? 0) + (base.axial[live] ?? 0);
     const slight = Number((SLIGHT * 2 * Math.sqrt(stiff * mass)).toPrecision(1));
-    /** @type {Set} */ this.own = { k: 1, c: 0, step: 1, g: 0, method: METHODS[0] }; // the scene's
-    this.now = { ...this.own };
-    this.last = { ...this.own }; // what Undo will go back to when something changes
-    this.unit = { k: stiff, c: rubs || slight };
+    const whole = base.mass.reduce((sum, one) => sum + one, 0);
+    this.unit = { k: stiff, c: rubs || slight, m: whole, step: 1 };
     this.own = {
       k: stiff,
       c: rubs,
+      m: whole,
       step: scene.step,
       g: Math.hypot(...scene.gravity),
       method: METHODS.find((method) => method === scene.method) ?? METHODS[0],
@@ -105,7 +105,7 @@ export class Values {
     if (name === "g") this.now.g = place;
     else if (none) this.now.c = 0;
     else {
-      const unit = name === "step" ? 1 : this.unit[name];
+      const unit = this.unit[name];
       const own = place === 0 && name !== "step"; // the middle is the scene's own, to the last bit
       this.now[name] = own ? unit : Number((10 ** place * unit).toPrecision(FIGURES));
     }
@@ -117,11 +117,9 @@ export class Values {
     const value = this.#field(name).valueAsNumber / SHOWN[name];
     if (Number.isFinite(value)) {
       const { min, max } = this.#slider(name);
-      const unit = name === "k" || name === "c" ? this.unit[name] : 1;
-      const [low, high] =
-        name === "g"
-          ? [Number(min), Number(max)]
-          : [10 ** Number(min) * unit, 10 ** Number(max) * unit];
+      const [low, high] = [min, max].map((end) =>
+        name === "g" ? Number(end) : 10 ** Number(end) * this.unit[name],
+      );
       const least = name === "c" ? 0 : low;
       this.now[name] = Math.min(Math.max(value, least), high);
     }
@@ -133,9 +131,8 @@ export class Values {
     const { now, own, before, unit } = this;
     for (const name of NAMES) {
       const value = now[name];
-      const of = name === "k" || name === "c" ? unit[name] : 1;
       const slider = this.#slider(name);
-      const place = name === "g" ? value : value > 0 ? Math.log10(value / of) : slider.min;
+      const place = name === "g" ? value : value > 0 ? Math.log10(value / unit[name]) : slider.min;
       slider.value = String(place);
       this.#field(name).value = String(Number((SHOWN[name] * value).toPrecision(6)));
     }

@@ -1,9 +1,14 @@
 // Why a rope broke, in words for somebody who has not heard of it.
 
 import { largestStep } from "./bounds.js";
+import { longest } from "./verdict.js";
 
 /** @typedef {import("./kernel.js").Rope} Rope */
 /** @typedef {import("./kernel.js").Method} Method */
+
+/** @param {number} energy that the rope has made up [J] */
+const made = (energy) =>
+  ` the rope has ${Number(energy.toPrecision(3))} J more than it began with, and nothing gave it so much`;
 
 /** @param {number} seconds */
 export const milliseconds = (seconds) => `${Number((1e3 * seconds).toPrecision(4))} ms`;
@@ -15,11 +20,17 @@ const FRICTION =
   "Friction is to slow the nodes down. In so long a step it throws them back faster than they came, in the next " +
   "step faster still: the zigzag grows until nothing is left. With less friction this step would hold.";
 
-/** @param {Rope} rope @param {Method} method @param {number} step @param {number} bound the longest that holds [s] */
-export function whyItBroke(rope, method, step, bound) {
-  const when = `After ${rope.time.toPrecision(3)} s. `;
+/** @typedef {import("./verdict.js").Verdict} Verdict */
+
+/** @param {Rope} rope @param {Method} method @param {number} step @param {number} bound the longest that holds [s]
+ * @param {Verdict} verdict @param {import("./verdict.js").Break} broke */
+export function whyItBroke(rope, method, step, bound, verdict, broke) {
+  const when = `After ${rope.time.toPrecision(3)} s${broke === "energy" ? made(verdict.gain(rope)) : ""}. `;
   if (step <= bound)
-    return `${when}The step is short enough: something pulled the rope beyond ten times its length.`;
+    return broke === "energy"
+      ? `${when}For a small swing the step is short enough, for so wild a one it is not.`
+      : `${when}The step is short enough: something pulled the rope beyond ` +
+          `${Number(longest(rope).toPrecision(3))} times its length.`;
   const rubs = step <= largestStep(rope, method, false); // the springs alone would hold
   return (
     `${when}With this stiffness, friction and mass a step may be at most ${milliseconds(bound)}; it is ` +

@@ -33,7 +33,7 @@ def lab(
 ) -> None:
     """Write a page in which ropes run in the browser itself: no server, no network, no Python.
 
-    A visitor changes spring constant, friction, step, method and gravity, pulls the rope, measures any
+    A visitor changes spring constant, friction, mass, step, method and gravity, pulls the rope, measures any
     node, and breaks it; a meter says what step holds. By default with the student report's ropes. SCENE may
     have springs or materials, friction, loads, kicks, and anchors that stand, move straight or let go.
     """
