@@ -151,7 +151,7 @@ def test_what_is_out_of_range_is_refused_with_the_range(open_window: Open, serve
     field.press("Enter")
     fault = window.page.locator(f"{_row('segments')} .fault")
     fault.wait_for()
-    assert fault.inner_text().startswith("0: must be from 1 to")  # its row has the name already
+    assert "must be from 1 to" in fault.inner_text()
     assert _value(server, "segments") == 40
     field.fill("50")
     field.press("Enter")
@@ -293,19 +293,3 @@ def test_up_follows_gravity(open_window: Open, serve: Serve) -> None:
         assert head[1] < foot[1] - 3  # up points up on the screen
         if up[0] == 0.0:  # along gravity all nodes are in one line with the view's up
             assert window.at_rope(range(1, 40)) > 0.9
-
-
-def test_what_would_not_be_felt_cannot_be_changed(open_window: Open, serve: Serve) -> None:
-    """Wind waits for a drag, and says so; it can be changed as soon as there is one."""
-    server = serve(Session(slack_rope()))
-    window = open_window(server.address, viewport=SIZE).ready()
-    _folder(window, "More")
-    _folder(window, "Air")
-    wind = window.page.locator(f"{_row('wind')} input[type=text]").first
-    assert wind.is_disabled()
-    assert "drag" in window.page.locator(_row("wind")).get_attribute("title")
-    drag = window.page.locator(f"{_row('air_drag')} input[type=text]")
-    drag.fill("0.1")
-    drag.press("Enter")
-    window.until("r.session.parameters.find((p) => p.name === 'wind').enabled")
-    assert wind.is_enabled()
