@@ -134,6 +134,18 @@ def test_the_rope_without_a_bob() -> None:
     assert round(2.0 * math.pi * math.sqrt(2.0 / 3.0 / G), 2) == 1.64
 
 
+def test_on_the_moon_all_swing_slower() -> None:
+    """By the same factor, the swing of any size and the rope; on Earth they would fail."""
+    longer = math.sqrt(G / 1.62)
+    told = {"pendulum": 4.95, "far-swing": 5.30, "swinging-rope": 4.11}
+    promised("pendulum", "2.46", "4.95, 5.30 and 4.11 s")
+    assert round(longer, 2) == 2.46
+    for name, seconds in told.items():
+        found = period(run_of(name, 25.0, gravity=(0.0, 0.0, -1.62)))
+        assert found == pytest.approx(longer * period(run_of(name, 10.5)), rel=2e-3)
+        assert found == pytest.approx(seconds, abs=0.006)
+
+
 def test_a_pulse_on_a_string() -> None:
     promised("waves", "takes 0.20 s: 20 m/s", "0.10 s", "4.04 m", "10.1 cm")
     for factor in (1.0, 4.0):
