@@ -20,7 +20,6 @@ from ropewalk.lowering import build
 from ropewalk.scene import (
     Anchor,
     ExponentialCurve,
-    Limiter,
     Material,
     NeoHookeanCurve,
     PolynomialCurve,
@@ -229,10 +228,8 @@ def test_bad_curves_are_told_with_rule_and_remedy(fields: dict[str, Any], words:
     assert words in said(**fields)
 
 
-def test_a_limiter_and_a_line_in_closed_form_refuse_a_curve() -> None:
+def test_a_line_in_closed_form_refuses_a_curve() -> None:
     made_of = material([(0.1, 1000.0), (0.2, 3000.0)])
-    with pytest.raises(SceneError, match="which has a curve"):
-        scene(made_of).replace(limiter=Limiter(max_stretch=1.1))
     with pytest.raises(SceneError, match="a line in closed form"):
         rw.line(10.0, 0.0, made_of, sag=0.1)
 

@@ -11,7 +11,7 @@ import sample_scenes as base
 from sample_scenes import K
 
 from ropewalk.analysis.check import check
-from ropewalk.scene import Anchor, Limiter, Material, Rope, Scene, Winch
+from ropewalk.scene import Anchor, Material, Rope, Scene, Winch
 from ropewalk.scene.base import Many, Model, Number, listed, quantity
 from ropewalk.simulation import Simulation
 
@@ -112,7 +112,6 @@ def refused() -> dict[str, str]:
     both = rope(made_of={"kind": "material"} | stuff, length=1.0)
     asked: dict[str, dict[str, Any]] = {
         "winch": {"anchors": [Anchor(name="drum", node=0)], "winches": wind},
-        "limiter": {"limiter": Limiter(max_stretch=1.5)},
         "two": {"ropes": [both]},
     }
     return {name: base.said_of(scene("verlet", 1e-3, **more)) for name, more in asked.items()}

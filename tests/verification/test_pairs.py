@@ -15,11 +15,8 @@ from verification.feature_pairs import FEATURES, scene_of
 #: Pairs that no method takes, with words of the refusal.
 APART = {
     ("rigid links", "winch"): "which a winch cannot wind segment by segment without a jolt",
-    ("rigid links", "limiter"): "whose links are rigid",
     ("rigid links", "curve"): "leave it out with a curve",
-    ("limiter", "curve"): "which has a curve",
     ("rigid links", "relaxation"): "nothing relaxes",
-    ("limiter", "relaxation"): "which relaxes",
     ("winch", "relaxation"): "with which a winch cannot wind it",
     ("winch", "bending"): "has bending stiffness",
     ("winch", "clamp"): "has bending stiffness",
@@ -28,8 +25,8 @@ APART = {
     ("contact", "slide"): "inside each other as they are where one slides",
     ("parting", "slide"): "then nothing tells along which part to slide",
 }
-#: What changes nothing beside another feature, which has it already.
-IDLE = {"clamp": "bending"}
+#: What changes nothing beside another feature, which has it already: the second of each.
+IDLE = {"clamp": "bending", "rigid links": "limiter"}
 EXPLICIT = tuple(name for name, method in METHODS.items() if not method.implicit)
 RINGING = ("implicit-midpoint", "generalized-alpha")
 #: What some methods do not take: features, methods, words of the refusal.

@@ -17,7 +17,6 @@ from ropewalk.scene import (
     Anchor,
     Force,
     Kick,
-    Limiter,
     Load,
     Material,
     Rope,
@@ -291,9 +290,7 @@ def test_what_a_solid_cannot_be_is_told(fields: dict[str, Any], words: str) -> N
         stuff(**fields)
 
 
-def test_limiter_winch_and_lab_refuse_a_rope_that_relaxes() -> None:
-    with pytest.raises(SceneError, match="which relaxes"):
-        swing().replace(limiter=Limiter(max_stretch=1.1))
+def test_winch_and_lab_refuse_a_rope_that_relaxes() -> None:
     with pytest.raises(SceneError, match="with which a winch cannot wind it"):
         swing().replace(winches=[Winch(end="start", speed=1.0)])
     with pytest.raises(SceneError, match="the lab has no relaxation"):

@@ -319,7 +319,7 @@ def test_what_cannot_be_built() -> None:
     assert "nothing determines its tension" in refusal(shape=Straight(end=(10, 0, 0)))
     assert "is 9 m long, but the rope is 10 m" in refusal(shape=Straight(end=(9, 0, 0)))
     assert "less straight" in refusal(shape=Straight(end=(9.9, 0, 0)))
-    assert "rigid (inf)" in refusal(limiter=Limiter(max_stretch=1.1))
+    assert "rigid (inf)" in refusal(limiter=Limiter(min_stretch=1.05, max_stretch=1.1))
     assert "which a winch cannot wind" in refusal(winches=[Winch(end="start", speed=0.1)])
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from ropewalk.lowering import Model
 from ropewalk.statics import Statics
 from ropewalk.statics.wraps import MANY
@@ -12,8 +14,8 @@ _ROUNDING = 1e-9
 def limiter_warnings(model: Model, statics: Statics) -> list[str]:
     """Return a sentence for weights that the springs carry only far beyond the limiter's length."""
     limiter = model.system.limiter
-    alive = model.state.stiffness > 0.0
-    stretch = statics.stretch[alive & (model.state.rest_length > 0.0)]
+    bounded = (model.state.stiffness > 0.0) & np.isfinite(model.state.stiffness)
+    stretch = statics.stretch[bounded & (model.state.rest_length > 0.0)]
     if not limiter.active or not stretch.size:
         return []
     over = int((stretch > limiter.longest * (1.0 + _ROUNDING)).sum())

@@ -251,7 +251,9 @@ def _rigid(model: Model) -> Stability:
     rigid = [rope.name for rope in model.scene.ropes if rope.rigid]
     bounds = {name: math.inf if method.holds_links else 0.0 for name, method in METHODS.items()}
     able = ", ".join(name for name, bound in bounds.items() if bound > 0.0)
-    note = f"rope {rigid[0]!r} does not stretch: its links need one of the methods {able}"
+    notes = [f"rope {rigid[0]!r} does not stretch: its links need one of the methods {able}"]
+    if model.scene.limiter is not None:
+        notes.append(f"the stretch limiter has nothing to do on {', '.join(map(repr, rigid))}")
     return Stability(
         method=model.plan.method,
         step=model.plan.dt,
@@ -259,7 +261,7 @@ def _rigid(model: Model) -> Stability:
         largest_step=bounds,
         case="of rigid links",
         cases={"of rigid links": bounds[model.plan.method]},
-        notes=(note,),
+        notes=tuple(notes),
         theory=RigidTheory((rigid[0], 0)),
     )
 

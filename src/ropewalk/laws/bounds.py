@@ -1,11 +1,13 @@
 """The stretch limiter inside a stage of an implicit method: bounds that no segment leaves.
 
-A segment of stretch s = r - L within [a, b] pulls with T = k s; at a bound its tension is an unknown that
-may be any beyond: T >= k b at s = b, T <= k a at s = a. Of the two conditions
-    s - b <= 0,   T - k s >= 0,   one of them an equation
-that of the length holds where e' (T - k b) + s - b > 0, e' the inertial compliance: on the far side of the
+A segment of stretch s = r - L within [a, b] pulls with T = k s, or as its elastic law has it, T = f(s); at a
+bound its tension is an unknown that may be any beyond: T >= f(b) at s = b, T <= f(a) at s = a. Of the two
+conditions
+    s - b <= 0,   T - f(s) >= 0,   one of them an equation
+that of the length holds where e' (T - f(b)) + s - b > 0, e' the inertial compliance: on the far side of the
 line through the curve's corner that weighs both alike (a semismooth Newton method: Qi & Sun 1993); the same
-with other signs at a. What the tension is beyond k s is the limiter's force.
+with other signs at a. What the tension is beyond f(s) is the limiter's force. In a stage f is that of a law
+whose memory follows the stage, d = d^ + c d'. Rigid links have no s, and nothing to bound.
 
 What comes to a bound with speed is stopped there by an impulse, which is no force that lasts: a step in
 which such an impact takes much is taken by implicit Euler, and the next, as where contacts close.
@@ -15,34 +17,67 @@ from __future__ import annotations
 
 import math
 
-from ropewalk.core.jit import kernel, part
+from ropewalk.core.jit import kernel, part, small
+from ropewalk.laws.elastic import pull_of
 from ropewalk.laws.rare import limits
 
 IMPACT = 0.01  # [1] of the kinetic energy: what is carried on of a lesser impulse moves little
+STILL = 1e-9  # [1/s] a rate of strain that rounding may leave of what hangs still in its bound
+
+
+@small
+def own_pull(elastic, stiffness, length, floor, work, j, s):
+    """Return what segment `j` pulls with by itself at a stretch of `s` in a stage [N]."""
+    if elastic.time.shape[0] == 0 or elastic.of[j] < 0:
+        pull = s / work.soft[j]
+    else:
+        known = work.known[j] if work.known.shape[0] > 0 else 0.0
+        share, _, _ = pull_of(elastic, j, s / length[j], known, work.follow[0])
+        pull = stiffness[j] * length[j] * share
+    return max(pull, floor[j])
+
+
+@small
+def true_stretch(length, work, j):
+    """Return r - L of segment `j` [m]: `work.stretch` is without the free strain of one that remembers."""
+    s = work.stretch[j]
+    if work.free.shape[0] > 0:
+        s += length[j] * work.free[j]
+    return s
+
+
+@small
+def within(limiter, strain):
+    """Return a strain within the bounds [1]."""
+    return min(max(strain, limiter.shortest - 1.0), limiter.longest - 1.0)
 
 
 @kernel
-def bound_segments(limiter, tension, inverse_mass, length, floor, work, saddle):
+def bound_segments(limiter, elastic, stiffness, tension, weights, length, floor, work, saddle):
     """Decide which segments are at a bound, and write their equations s - b = 0 over those of springs."""
     carries, e, g = saddle.carries, saddle.compliance, saddle.misfit
     for j in range(tension.shape[0]):
-        if work.over[j] == 0.0 or inverse_mass[j] + inverse_mass[j + 1] == 0.0:
+        held = weights[j] + weights[j + 1] == 0.0
+        if work.over[j] == 0.0 or held or stiffness[j] == math.inf:
             continue
-        s, k, slack = work.stretch[j], 1.0 / work.soft[j], 1.0 / work.weight[j]
+        s, slack = true_stretch(length, work, j), 1.0 / work.weight[j]
         low, high = (limiter.shortest - 1.0) * length[j], (limiter.longest - 1.0) * length[j]
-        if slack * (tension[j] - max(k * high, floor[j])) + s - high > 0.0:
+        upper = own_pull(elastic, stiffness, length, floor, work, j, high)
+        lower = own_pull(elastic, stiffness, length, floor, work, j, low)
+        if slack * (tension[j] - upper) + s - high > 0.0:
             carries[j], e[j], g[j] = 1.0, 0.0, s - high
-        elif slack * (tension[j] - max(k * low, floor[j])) + s - low < 0.0:
+        elif slack * (tension[j] - lower) + s - low < 0.0:
             carries[j], e[j], g[j] = 1.0, 0.0, s - low
 
 
 @kernel
-def split_tension(tension, floor, work, saddle, elastic, limiter):
-    """Give what segments at a bound pull beyond k s to the limiter's channel, both (3, n + 1) [N]."""
+def split_tension(laws, stiffness, tension, length, floor, work, saddle, elastic, limiter):
+    """Give what segments at a bound pull beyond their own to the limiter's channel, both (3, n + 1) [N]."""
     for j in range(tension.shape[0]):
-        extra = 0.0
-        if saddle.carries[j] != 0.0 and saddle.compliance[j] == 0.0:
-            extra = tension[j] - max(work.stretch[j] / work.soft[j], floor[j])
+        extra, rigid = 0.0, stiffness[j] == math.inf
+        if saddle.carries[j] != 0.0 and saddle.compliance[j] == 0.0 and not rigid:
+            s = true_stretch(length, work, j)
+            extra = tension[j] - own_pull(laws, stiffness, length, floor, work, j, s)
         for k in range(3):
             force = extra * saddle.direction[k, j]
             limiter[k, j + 1] = force
@@ -79,7 +114,7 @@ def stopped_energy(before, after, lasting, x, v, dt):
             pull += d * (after[k, j + 1] - lasting * before[k, j + 1])
             rate += d * (v[k, j + 1] - v[k, j])
             square += d * d
-        if square > 0.0 and pull * rate > 0.0:
+        if pull * rate > 0.0 and abs(rate) > STILL * square:
             total += 0.5 * dt * pull * rate / square
     return total
 

@@ -17,6 +17,7 @@ import math
 from typing import Any
 
 from ropewalk.core.jit import kernel, part, small
+from ropewalk.laws.bounds import within
 from ropewalk.laws.elastic import CHANGE, FIRST, NOW, RATE, asking, held_strain, strain_of
 from ropewalk.laws.elastic_law import ElasticLaw
 from ropewalk.laws.nodes import fold
@@ -258,16 +259,20 @@ def _begin(elastic, stiffness, known, free, c):
 def end_inner(system, state, work, tension, c, out):
     """Write d' of a stage that is solved, from its tensions, (s,) [1/s]."""
     if has_inner(system, state):
-        _end(system.elastic, state.stiffness, state.rest_length, work, tension, c, out)
+        k, floor, bounds = state.stiffness, system.slack_floor, system.limiter
+        _end(system.elastic, bounds, k, state.rest_length, floor, work, tension, c, out)
 
 
 @kernel
-def _end(elastic, stiffness, rest_length, work, tension, c, out):
+def _end(elastic, limiter, stiffness, rest_length, floor, work, tension, c, out):
     for j in range(out.shape[0]):
         out[j] = 0.0
         if remembers(elastic, stiffness, j):
             pull = tension[j] / (stiffness[j] * rest_length[j])
             strain, _ = strain_of(elastic, j, pull, work.known[j], c)
+            if limiter.active == 1:  # its share of the tension stretches nothing
+                strain = within(limiter, strain)
+                strain = max(strain, work.free[j]) if floor[j] == 0.0 else strain
             out[j] = rate_of(elastic, j, strain, work.known[j], c)
 
 

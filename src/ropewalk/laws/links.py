@@ -50,13 +50,13 @@ def hold_links(system, state, t, saddle):
     """
     links = mark_links(state.x, state.rest_length, state.stiffness, system.slack_floor, saddle)
     if limits(system):
-        links += mark_bounds(state.rest_length, system.limiter, saddle)
+        links += mark_bounds(state.rest_length, state.stiffness, system.limiter, saddle)
     if links == 0:
         return links
-    clear_links(state.stiffness, state.tension, state.forces.elastic)
     if limits(system):
         tensions(system, state, state.tension)
         clear_bounds(state.forces.limiter)
+    clear_links(state.stiffness, state.tension, state.forces.elastic)
     accelerate(system, state, state.forces, state.acceleration)
     sway_anchors(system, state, t, saddle.factor[0], saddle.factor[1])
     for _ in range(ATTEMPTS):
@@ -68,10 +68,9 @@ def hold_links(system, state, t, saddle):
         if drop_pushing(saddle.misfit, system.slack_floor, saddle.carries) == 0:
             break
     found, carries, direction = saddle.misfit, saddle.carries, saddle.direction
-    if limits(system):  # which refuses links
+    pull_links(found, carries, direction, state.tension, state.forces.elastic)
+    if limits(system):
         pull_bounds(found, carries, direction, state.tension, state.forces.limiter)
-    else:
-        pull_links(found, carries, direction, state.tension, state.forces.elastic)
     accelerate(system, state, state.forces, state.acceleration)
     return links
 
@@ -140,11 +139,14 @@ def mark_links(x, rest_length, stiffness, floor, saddle):
 
 
 @kernel
-def mark_bounds(rest_length, limiter, saddle):
-    """Mark the segments that are at a bound; return how many. Those that leave it are beyond it at once."""
+def mark_bounds(rest_length, stiffness, limiter, saddle):
+    """Mark the segments that are at a bound; return how many. Those that leave it are beyond it at once.
+
+    Rigid links have none.
+    """
     over, carries, count = saddle.compliance, saddle.carries, 0
     for j in range(rest_length.shape[0]):
-        if over[j] == 0.0 or rest_length[j] == 0.0:
+        if over[j] == 0.0 or rest_length[j] == 0.0 or stiffness[j] == np.inf:
             continue
         stretch = 1.0 / (over[j] * rest_length[j])
         long = stretch >= limiter.longest * (1.0 - SLACK)
@@ -230,11 +232,15 @@ def solve_tied_links(mass, inverse_mass, saddle):
                 misfit[j] += saddle.carries[j] * t[k, j] * (keep[j + 1, 8 + k] - keep[j, 8 + k])
     for j in range(misfit.shape[0]):
         saddle.compliance[j], misfit[j] = keep[j, 13], keep[j, 11]
+        saddle.carries[j] = keep[j, 14]
 
 
 @kernel
 def network_of_links(mass, inverse_mass, saddle):
-    """Begin to solve: inertia alone, and what is put by: accelerations, tensions, right side and 1 / r."""
+    """Begin to solve: inertia alone, and what is put by: accelerations, tensions, right side, 1 / r, marks.
+
+    Marks are factors in a network's equations, of links and of bounds alike.
+    """
     misfit, keep = saddle.misfit, saddle.factor
     clear_band(saddle.band)
     for i in range(mass.shape[0]):
@@ -246,7 +252,8 @@ def network_of_links(mass, inverse_mass, saddle):
         saddle.across[j], saddle.along[j] = 0.0, 0.0
         if saddle.carries[j] == 0.0 or saddle.free[j] + saddle.free[j + 1] == 0.0:
             misfit[j] = 0.0
-        keep[j, 12], keep[j, 13] = misfit[j], saddle.compliance[j]
+        keep[j, 12], keep[j, 13], keep[j, 14] = misfit[j], saddle.compliance[j], saddle.carries[j]
+        saddle.carries[j] = 1.0 if saddle.carries[j] != 0.0 else 0.0
         saddle.compliance[j] = SOFTEST / min(mass[j], mass[j + 1])
 
 
@@ -274,7 +281,8 @@ def clear_bounds(limiter):
 def pull_bounds(found, carries, direction, tension, limiter):
     """Put what the bounds hold into the limiter's channel (3, n + 1) [N], and add it to the tensions."""
     for j in range(found.shape[0]):
-        extra = found[j] if carries[j] != 0.0 and found[j] - found[j] == 0.0 else 0.0
+        at_bound = carries[j] > LINK and found[j] - found[j] == 0.0
+        extra = found[j] if at_bound else 0.0
         tension[j] += extra
         for k in range(3):
             limiter[k, j + 1] = extra * direction[k, j]
@@ -284,7 +292,7 @@ def pull_bounds(found, carries, direction, tension, limiter):
 def pull_links(found, carries, direction, tension, elastic):
     """Put the tensions of the links that carry into the state and its forces."""
     for j in range(found.shape[0]):
-        if carries[j] != 0.0 and found[j] - found[j] == 0.0:
+        if carries[j] == LINK and found[j] - found[j] == 0.0:
             tension[j] = found[j]
             for k in range(3):
                 elastic[k, j + 1] = found[j] * direction[k, j]

@@ -63,17 +63,18 @@ def evaluate_stage(system, state, x, v, tension, work, saddle, forces):
     over, stretch = work.over, work.stretch
     pull(x, tension, state.rest_length, work.alive, saddle.direction, stretch, over, forces.elastic)
     floor, carries, e, g = system.slack_floor, saddle.carries, saddle.compliance, saddle.misfit
+    lengths, k = state.rest_length, state.stiffness
     if has_elastic_laws(system):
-        lengths, k = state.rest_length, state.stiffness
         hold_secants(tension, lengths, k, system.elastic, work)
         decide(stretch, tension, over, work.soft, work.weight, floor, carries, e, g)
         hold_tangents(k, system.elastic, work, carries, e)
     else:
         decide(stretch, tension, over, work.soft, work.weight, floor, carries, e, g)
     if limits(system):
-        weights, lengths = state.inverse_mass, state.rest_length
-        bound_segments(system.limiter, tension, weights, lengths, floor, work, saddle)
-        split_tension(tension, floor, work, saddle, forces.elastic, forces.limiter)
+        weights, laws, bounds = state.inverse_mass, system.elastic, system.limiter
+        bound_segments(bounds, laws, k, tension, weights, lengths, floor, work, saddle)
+        springs, pulls = forces.elastic, forces.limiter
+        split_tension(laws, k, tension, lengths, floor, work, saddle, springs, pulls)
     rub_segments(system, state, x, v, forces)
     if system.flags[TENSION_ONLY] == 1:
         drop_marked_friction(saddle.band.rubs, forces.friction)

@@ -84,7 +84,7 @@ def with_links(model: Model) -> Model:
     _refuse_spans(model)
     _refuse_shapes(model)
     _fit_links(model)
-    _fit_velocities(model)
+    fit_velocities(model)
     return model
 
 
@@ -231,7 +231,7 @@ def fit_lengths(
     return int(np.nanargmax(np.abs(gaps()[1])))
 
 
-def _points(model: Model) -> Ints | None:
+def points(model: Model) -> Ints | None:
     """Return the number of every node's point, (n,); None where nothing is tied."""
     joints = model.system.joints
     if not joints.member.size:
@@ -246,7 +246,7 @@ def _fit_links(model: Model) -> None:
         t, gap = _gaps(model.state, one_way)
         return t, gap, gap != 0.0
 
-    worst = fit_lengths(model.state, gaps, _points(model))
+    worst = fit_lengths(model.state, gaps, points(model))
     if worst is None:
         return
     rope, _ = model.layout.rope_of(worst)
@@ -258,7 +258,7 @@ def _fit_links(model: Model) -> None:
     raise SceneError([Fault(f"rope[{number}].shape", model.scene.ropes[number].shape.kind, rule)])
 
 
-def _fit_velocities(model: Model) -> None:
+def fit_velocities(model: Model) -> None:
     """Take out of the velocities what would change a length: a plastic impact (Moreau 1988)."""
     state, one_way = model.state, model.system.slack_floor == 0.0
     d = np.diff(state.x, axis=1)
@@ -269,9 +269,9 @@ def _fit_velocities(model: Model) -> None:
     if not rate[active].any():
         return
     for _ in range(active.size):
-        impulse = _impulses(state, _points(model), t, active, np.where(active, rate, 0.0))
+        impulse = _impulses(state, points(model), t, active, np.where(active, rate, 0.0))
         pushing = active & one_way & (impulse < 0.0)
         if not pushing.any():
             break
         active &= ~pushing
-    state.v[...] += _shift(state, _points(model), t, impulse)
+    state.v[...] += _shift(state, points(model), t, impulse)

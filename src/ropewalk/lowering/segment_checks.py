@@ -1,6 +1,6 @@
 """Scenes with laws of segments that cannot be run.
 
-Two elastic laws at once; or a limiter or a winch, which know segments by Hooke's law or by nominal length.
+Two elastic laws at once; or a winch, which knows segments by nominal length.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from ropewalk.scene.faults import NO_VALUE, Fault
 
 
 def refuse_segments(scene: Scene, system: System, layout: Layout) -> None:
-    """Raise SceneError for two elastic laws of a rope, and a winch or limiter that does not know them."""
+    """Raise SceneError for two elastic laws of a rope, and a winch that does not know them."""
     faults = []
     for i, rope in enumerate(scene.ropes):
         said = _elastic(rope)
@@ -29,9 +29,6 @@ def refuse_segments(scene: Scene, system: System, layout: Layout) -> None:
         if said and rope.rigid:
             rule = f"has {said[0]}, but links that do not stretch (inf): give it a finite stiffness"
             faults.append(Fault(f"rope[{i}]", NO_VALUE, rule))
-        if said and scene.limiter is not None:
-            rule = f"cannot limit rope[{i}], which has {said[0]}: leave out one of them"
-            faults.append(Fault("limiter", NO_VALUE, rule))
     for winch in scene.winches:
         rope = scene.rope_named(winch.rope)
         for name in _unwindable(rope, system.elastic, layout.span(rope.name)):

@@ -41,6 +41,7 @@ from ropewalk.methods.controller import (
     count_step,
     first_step,
     largest_error,
+    largest_inner_error,
     longest_step,
     make_control,
     shorter,
@@ -179,7 +180,9 @@ def try_step(system, state, before, scratch, t, after, dt, ledger, tableau):
     quick = hits(system, before, solver.mean.node, dt, state.x, state.v)
     if quick * dt > 1.5 * STOPS and dt > EVENT_STEP:
         return max(0.5 * dt, STOPS / quick, EVENT_STEP), -1
-    largest_error(solver.u, tableau.b, tableau.embedded, dt, state.inverse_mass, control)
+    b, other = tableau.b, tableau.embedded
+    largest_error(solver.u, b, other, dt, state.inverse_mass, control)
+    largest_inner_error(solver.rates, b, other, dt, state.rest_length, control)
     if not control[ERROR] <= tolerance:
         return dt * shorter(control[ERROR] / tolerance), 0
     end, changes = crossings(system, before, state, dt, tolerance)

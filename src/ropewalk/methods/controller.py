@@ -1,7 +1,8 @@
 """Step-size control: the length of the next step from the estimated error of the last.
 
 The error of a step is the largest distance of any node between the method's result and that of the embedded
-method, e = h |sum (b_s - b'_s) V_s| [m]. It goes as h^3, so that with r = e / tolerance
+method, e = h |sum (b_s - b'_s) V_s| [m], and that of the inner strain of any segment that remembers, as a
+length. It goes as h^3, so that with r = e / tolerance
     h' = 0.9 h r^(-0.7/3) r_before^(0.4/3)    after an accepted step,
     h' = 0.9 h r^(-1/3)                       after a rejected one.
 Source: Gustafsson 1991, ACM Trans. Math. Softw. 17:533; Hairer & Wanner, Solving Ordinary Differential
@@ -66,6 +67,21 @@ def largest_error(u, b, embedded, dt, inverse_mass, control):
         if not square <= worst:
             worst, node = square, i
     control[ERROR], control[NODE] = dt * math.sqrt(worst), node
+
+
+@kernel
+def largest_inner_error(rates, b, embedded, dt, rest_length, control):
+    """Raise the error of a step to the largest of what segments remember [m], and its node to theirs.
+
+    `rates` (stages, s) [1/s] of inner strains; (stages, 0) where nothing remembers.
+    """
+    for j in range(rates.shape[1]):
+        error = 0.0
+        for s in range(b.shape[0]):
+            error += (b[s] - embedded[s]) * rates[s, j]
+        error = dt * abs(error) * rest_length[j]
+        if not error <= control[ERROR]:
+            control[ERROR], control[NODE] = error, j
 
 
 @kernel

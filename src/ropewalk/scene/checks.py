@@ -91,19 +91,21 @@ def _ropes(ropes: Sequence[Rope | None], limiter: Limiter | None) -> Iterator[Fa
                 "limiter", NO_VALUE, f"cannot limit rope[{i}], whose springs have no length"
             )
         if limiter is not None and rope.rigid:
-            rule = f"cannot limit rope[{i}], whose links are rigid (inf): leave it out"
-            yield Fault("limiter", NO_VALUE, rule)
-        if limiter is not None and rope.curved:
-            rule = f"cannot limit rope[{i}], which has a curve: let the curve rise steeply there instead"
-            yield Fault("limiter", NO_VALUE, rule)
-        elif limiter is not None and rope.relaxes:
-            rule = (
-                f"cannot limit rope[{i}], which relaxes: give it a curve that rises steeply instead"
-            )
-            yield Fault("limiter", NO_VALUE, rule)
+            yield from _bounds_of_links(limiter, i)
     total = sum(rope.segments for rope in ropes if rope is not None)
     if total > MOST_SEGMENTS:
         yield Fault("rope", f"{total} segments", f"must be at most {MOST_SEGMENTS} in total")
+
+
+def _bounds_of_links(limiter: Limiter, i: int) -> Iterator[Fault]:
+    """Bounds that links of one length cannot keep; all others they do."""
+    for name, at_fault, most in (
+        ("min_stretch", limiter.min_stretch > 1.0, "at most"),
+        ("max_stretch", limiter.max_stretch < 1.0, "at least"),
+    ):
+        if at_fault:
+            rule = f"must be {most} 1 beside rope[{i}], whose links are rigid (inf) and keep their length"
+            yield Fault(f"limiter.{name}", getattr(limiter, name), rule)
 
 
 def _slack(gravity: Sequence[float], ropes: Sequence[Rope | None]) -> Iterator[Fault]:

@@ -18,11 +18,12 @@ from ropewalk.laws.contact_frame import GRIP
 from ropewalk.laws.node_law import Rest
 from ropewalk.lowering import Layout, Model, build
 from ropewalk.lowering.elastic_tables import put_tension
+from ropewalk.lowering.limiter_bounds import beyond_bounds
 from ropewalk.lowering.link_lengths import has_links
 from ropewalk.lowering.touching import SLIPS
 from ropewalk.methods.loop import prepare_links
 from ropewalk.scene import Scene, SceneError
-from ropewalk.scene.faults import Fault
+from ropewalk.scene.faults import NO_VALUE, Fault
 from ropewalk.scene.obstacles import is_free
 from ropewalk.statics import Statics, checked_shape
 from ropewalk.statics.balance import standing
@@ -145,6 +146,7 @@ def modes(source: Scene | Model, about: About = "equilibrium", count: int = 10) 
         raise SceneError([Fault(f"obstacle[{wheels[0]}].spin.free", True, rule)])
     built = model
     x, tension, model = shape_about(model, about)
+    _refuse_bounds(model, x, about)
     try:
         linear = linearise(replace(model, system=relaxed(model.system)), x, tension)
         if wheels:
@@ -187,6 +189,17 @@ def _on_a_bump(model: Model) -> str:
         f". Slide {free[0]!r} may stand on a bump between two segments, from which it would roll down: "
         "change the line's segments by one, or take fewer"
     )
+
+
+def _refuse_bounds(model: Model, x: Floats, about: About) -> None:
+    """Raise SceneError for places (3, n) [m] that a stretch limiter would not have."""
+    if far := beyond_bounds(model, x):
+        where = "its start" if about == "start" else "rest"
+        rule = (
+            f"modes know springs only, and {where} is beyond the bounds: {far}; take a wider bound, or "
+            "leave the limiter out"
+        )
+        raise SceneError([Fault("limiter", NO_VALUE, rule)])
 
 
 def _refuse_loose(model: Model, about: About) -> None:
