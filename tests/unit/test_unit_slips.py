@@ -158,9 +158,12 @@ def test_speeds_of_a_thousand_are_a_slip(speed: float, warned: bool) -> None:
     thrown = rope.replace(shape=Straight(start=(0, 0, 0), velocity=(0, 0, speed)))
     kicked = rope.replace(kicks=[{"node": 1, "velocity": (speed, 0, 0)}])
     led = {"kind": "velocity", "velocity": (speed, 0, 0)}
+    table = {"kind": "table", "times": (0, 1, 1.5), "positions": ((0, 0, 0),) * 2}
+    table["positions"] += ((0.5 * speed, 0, 0),)
     scenes = {
         "rope[0].shape.velocity": given.replace(ropes=[thrown]),
         "rope[0].kick": given.replace(ropes=[kicked]),
+        "anchor[0].motion.positions": given.replace(anchors=[{"node": 0, "motion": table}]),
         "anchor[0].motion.velocity": given.replace(anchors=[{"node": 0, "motion": led}]),
         "winch[0].speed": given.replace(
             anchors=[{"node": 0}],
