@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from ropewalk.core.arrays import Floats, State, System
+from ropewalk.core.arrays import Floats, Ints, State, System
 from ropewalk.core.elimination import tied_network
 from ropewalk.core.network import Network, gather, solve_gathered
-from ropewalk.core.ordering import order_network
+from ropewalk.core.ordering import ask_for, begin_groups, order_groups
 from ropewalk.core.saddle import dense_saddle
 from ropewalk.laws.pairs.distance import NEVER, comes_to, nearest, relative_way
 from ropewalk.laws.pairs.force import pair_energy, pair_forces, squeeze
@@ -169,6 +169,13 @@ def test_what_is_pressed_hardens_without_a_jump() -> None:
     assert slope[-1] == pytest.approx(STOP * hard)
 
 
+def orders(network: Network, pairs: Ints, count: int) -> bool:
+    """Whether a network with these pairs of segments alone coupled has room for its blocks."""
+    begin_groups(network)
+    assert ask_for(network, pairs, count) == 0
+    return bool(order_groups(network))
+
+
 @pytest.mark.parametrize(("friction", "pull"), [(0.3, 3.0), (10.0, 0.01), (0.0, 0.0)])
 def test_the_tangent_is_the_derivative(friction: float, pull: float) -> None:
     """Slipping, sticking and without friction, against central differences; in places and velocities."""
@@ -176,7 +183,7 @@ def test_the_tangent_is_the_derivative(friction: float, pull: float) -> None:
     memory, n = state.memory.contact, state.x.shape[1]
     network = network_of(state, len(memory.pair))
     rows = int(memory.tally[CONTACTS])
-    assert order_network(network, memory.pair, rows)
+    assert orders(network, memory.pair, rows)
     slips = False
     for weight_x, weight_v in ((1.0, 0.0), (0.0, 1.0)):
         for part in (network.diagonal, network.upper, network.lower):
@@ -239,8 +246,8 @@ def test_a_network_with_contacts_solves_what_numpy_solves() -> None:
         pairs = np.zeros((64, 2), np.int64)
         pairs[:, 0] = rng.integers(0, 30, 64)
         pairs[:, 1] = pairs[:, 0] + rng.integers(2, 40, 64)
-        assert order_network(network, pairs, 64)  # of others before
-        assert order_network(network, pairs[:count].copy(), count)
+        assert orders(network, pairs, 64)  # of others before
+        assert orders(network, pairs[:count].copy(), count)
         saddle = saddle._replace(network=network)
         matrix, right = dense_saddle(saddle)
         gather(saddle, network)
@@ -276,8 +283,8 @@ def test_no_room_is_told() -> None:
     network = tied_network(joints, np.zeros(0, np.int64), np.ones(nodes - 1, bool), False, 200)
     network = network._replace(later=network.later[:60])
     pairs = np.array([(i, j) for i in range(12) for j in range(i + 3, 28)], dtype=np.int64)[:200]
-    assert not order_network(network, pairs, len(pairs))
-    assert order_network(network, pairs, 2)
+    assert not orders(network, pairs, len(pairs))
+    assert orders(network, pairs, 2)
 
 
 def test_a_hand_moved_contact_is_open_until_it_is_pressed() -> None:

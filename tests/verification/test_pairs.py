@@ -20,9 +20,7 @@ APART = {
     ("winch", "relaxation"): "with which a winch cannot wind it",
     ("winch", "bending"): "has bending stiffness",
     ("winch", "clamp"): "has bending stiffness",
-    ("winch", "contact"): "which takes nodes onto its drum",
     ("winch", "slide"): "on whose drum rope has no length to slide along",
-    ("contact", "slide"): "inside each other as they are where one slides",
     ("parting", "slide"): "then nothing tells along which part to slide",
 }
 #: What changes nothing beside another feature, which has it already: the second of each.

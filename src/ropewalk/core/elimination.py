@@ -18,20 +18,18 @@ def tied_network(
     alive: NDArray[np.bool_],
     second: bool,
     groups: int = 0,
-    width: int = 2,
 ) -> Network:
     """Return the network of nodes that joints tie, (j,) those that do; an empty one without joints.
 
     `alive` (s,) tells which segments join two nodes of a rope; with `second` next-but-one nodes are coupled.
-    Up to so many `groups` of four nodes may be coupled besides, and other ones from step to step; each is
-    given by `width` numbers: 2 segments, or 4 nodes.
+    Up to so many `groups` of four nodes may be coupled besides, and other ones from step to step.
     """
     if not joints.member.size and groups == 0:
         return no_network()
     number = points_of(joints, tied, alive.size + 1)
     far = alive[:-1] & alive[1:] if second else np.zeros(max(alive.size - 1, 0), bool)
     network = make_network(number, alive, far)
-    return with_room(network, groups, width) if groups else network
+    return with_room(network, groups) if groups else network
 
 
 def points_of(joints: Joints, tied: Ints, nodes: int) -> Ints:
@@ -90,15 +88,17 @@ def make_network(number: Ints, near: NDArray[np.bool_], far: NDArray[np.bool_]) 
 BLOCKS = 120
 
 
-def with_room(network: Network, groups: int, width: int = 2) -> Network:
-    """Return the network with room for so many groups that may be coupled, `width` numbers each."""
+def with_room(network: Network, groups: int) -> Network:
+    """Return the network with room for so many groups of four nodes that may be coupled."""
     points = network.diagonal.shape[0]
     blocks = max(min(points * (points - 1) // 2, BLOCKS * points), network.later.size)
     later = np.zeros(blocks, np.int64)
     later[: network.later.size] = network.later
     room = Room(
         point=network.number.copy(),
-        known=np.zeros((groups, width), np.int64),
+        asked=np.zeros((groups, 4), np.int64),
+        asked_count=np.zeros(1, np.int64),
+        known=np.zeros((groups, 4), np.int64),
         known_count=np.full(1, -1, np.int64),
         spots=np.zeros((groups, 6), np.int64),
         bits=np.zeros((points, -(-points // WORD)), np.int64),

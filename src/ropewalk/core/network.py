@@ -45,7 +45,9 @@ class Room(NamedTuple):
     """What finding the order anew takes, where couplings come and go; see `ordering`."""
 
     point: Ints  # (n,) the point of every node, not in order; (0,) where couplings stay
-    known: Ints  # (c, 2) pairs of segments, or (c, 4) nodes, that are coupled in the order in hand
+    asked: Ints  # (c, 4) nodes that are to be coupled
+    asked_count: Ints  # (1,)
+    known: Ints  # (c, 4) those that are coupled in the order in hand
     known_count: Ints  # (1,) of them; -1: there is none yet
     spots: Ints  # (c, 6) blocks of their four nodes
     bits: Ints  # (m, w) neighbours
@@ -76,7 +78,7 @@ class Network(NamedTuple):
 def no_room() -> Room:
     """Return the room of a network whose order stays."""
     none, wide = np.zeros(0, np.int64), np.zeros((0, 0), np.int64)
-    return Room(none, wide, none, wide, wide, *(none,) * 5)
+    return Room(none, wide, none, wide, none, wide, wide, *(none,) * 5)
 
 
 def no_network() -> Network:

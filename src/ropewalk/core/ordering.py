@@ -54,13 +54,32 @@ def member(group, row, a):
 
 
 @kernel
-def is_known(room, group, count):
-    """Tell whether the order in hand is that of these groups, (m, 2) or (m, 4); note them otherwise."""
-    same, known = room.known_count[0] == count, room.known
+def begin_groups(network):
+    """Begin a list of the groups of four nodes that are to be coupled."""
+    network.room.asked_count[0] = 0
+
+
+@kernel
+def ask_for(network, group, count):
+    """Add `count` groups to the list, (m, 2) or (m, 4); return the row of the first of them."""
+    room = network.room
+    first = room.asked_count[0]
     for row in range(count):
-        for k in range(group.shape[1]):
-            same = same and known[row, k] == group[row, k]
-            known[row, k] = group[row, k]
+        for k in range(4):
+            room.asked[first + row, k] = member(group, row, k)
+    room.asked_count[0] = first + count
+    return first
+
+
+@kernel
+def is_known(room):
+    """Tell whether the order in hand is that of the groups asked for; note them otherwise."""
+    count, known, asked = room.asked_count[0], room.known, room.asked
+    same = room.known_count[0] == count
+    for row in range(count):
+        for k in range(4):
+            same = same and known[row, k] == asked[row, k]
+            known[row, k] = asked[row, k]
     room.known_count[0] = count
     return same
 
@@ -74,7 +93,7 @@ def couple(bits, p, q):
 
 
 @kernel
-def graph(network, group, count):
+def graph(network):
     """Write the neighbours of every point as bits."""
     room, bits, n = network.room, network.room.bits, network.number.shape[0]
     point = room.point
@@ -86,10 +105,10 @@ def graph(network, group, count):
             couple(bits, point[i], point[i + 1])
         if i < n - 2 and network.far[i] != NOWHERE:
             couple(bits, point[i], point[i + 2])
-    for row in range(count):
+    for row in range(room.asked_count[0]):
         for a in range(4):
             for b in range(a + 1, 4):
-                couple(bits, point[member(group, row, a)], point[member(group, row, b)])
+                couple(bits, point[room.asked[row, a]], point[room.asked[row, b]])
 
 
 @small
@@ -192,15 +211,12 @@ def block_of(network, p, q):
 
 
 @kernel
-def order_network(network, group, count):
-    """Find order and blocks of a network with these groups of four nodes coupled; return whether they fit.
-
-    A group is a pair of segments, (m, 2), or four nodes, (m, 4).
-    """
+def order_groups(network):
+    """Find order and blocks of a network with the groups asked for coupled; return whether they fit."""
     room = network.room
-    if is_known(room, group, count):
+    if is_known(room):
         return True
-    graph(network, group, count)
+    graph(network)
     if not eliminate_points(network):
         room.known_count[0] = -1
         return False
@@ -213,11 +229,11 @@ def order_network(network, group, count):
             network.near[i] = block_of(network, number[i], number[i + 1])
         if i < n - 2 and network.far[i] != NOWHERE:
             network.far[i] = block_of(network, number[i], number[i + 2])
-    for row in range(count):
+    for row in range(room.asked_count[0]):
         at = 0
         for a in range(4):
             for b in range(a + 1, 4):
-                p, q = member(group, row, a), member(group, row, b)
+                p, q = room.asked[row, a], room.asked[row, b]
                 room.spots[row, at] = block_of(network, number[p], number[q])
                 at += 1
     return True

@@ -166,8 +166,8 @@ class Engine:
         self._tied = self.state.tied.copy()
         alive, bends = joined(self.system, self.state), bool(self.system.flags[BENDING])
         memory = self.state.memory
-        groups = memory.slide.group.shape if len(memory.slide.group) else memory.contact.pair.shape
-        network = tied_network(self.system.joints, self._tied, alive, bends, *groups)
+        groups = len(memory.slide.group) + len(memory.contact.pair)
+        network = tied_network(self.system.joints, self._tied, alive, bends, groups)
         self._scratch = with_network(self._scratch, network)
 
     # -- the beginning -------------------------------------------------------------------

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from ropewalk.core.jit import kernel, part
+from ropewalk.core.ordering import begin_groups, order_groups
 from ropewalk.laws.node_law import NodeLaw
 from ropewalk.laws.nodes import fold, nothing_to_remember, remembering, whether
 from ropewalk.laws.rare import acts
@@ -17,25 +18,55 @@ couples = whether("couple")
 
 
 @part
-def _always_fits(system, state, x, network):
-    return True
+def _nothing_asked(system, state, x, network):
+    pass
 
 
-def _ordering(law: NodeLaw, k: int, rest: Any) -> Any:
+def _asking(law: NodeLaw, k: int, rest: Any) -> Any:
     pattern = law.pattern
 
     @part
-    def _order(system, state, x, network):
-        fits = rest(system, state, x, network)
+    def _ask(system, state, x, network):
         if acts(system, k):
-            fits = pattern(system.node[k], state, x, network) and fits
-        return fits
+            pattern(system.node[k], state, x, network)
+        rest(system, state, x, network)
 
-    return _order
+    return _ask
 
 
-order_couplings = fold(_ordering, _always_fits, "pattern")
-"""order_couplings(system, state, x, network): find its order anew; return whether there was room for it."""
+_ask_all = fold(_asking, _nothing_asked, "pattern")
+
+
+@part
+def _none_told(system, state, fits):
+    pass
+
+
+def _telling(law: NodeLaw, k: int, rest: Any) -> Any:
+    ordered = law.ordered
+
+    @part
+    def _tell(system, state, fits):
+        if acts(system, k):
+            ordered(system.node[k], state, fits)
+        rest(system, state, fits)
+
+    return _tell
+
+
+_tell_all = fold(_telling, _none_told, "ordered")
+
+
+@part
+def order_couplings(system, state, x, network):
+    """Find the network's order anew with all that laws couple; return whether there was room for it."""
+    if not couples(system):
+        return True
+    begin_groups(network)
+    _ask_all(system, state, x, network)
+    fits = order_groups(network)
+    _tell_all(system, state, fits)
+    return fits
 
 
 @part
@@ -165,6 +196,27 @@ meet_couplings = fold(_meeting_coupled, _nothing_met, "couple")
 
 remember_couplings = fold(remembering, nothing_to_remember, "couple")
 """remember_couplings(system, state): let these laws keep what they carry; return what they have hit."""
+
+
+@part
+def _nothing_wound(system, state):
+    pass
+
+
+def _winding(law: NodeLaw, k: int, rest: Any) -> Any:
+    wound = law.wound
+
+    @part
+    def _wind(system, state):
+        if acts(system, k):
+            wound(system.node[k], state, system.winches)
+        rest(system, state)
+
+    return _wind
+
+
+wind_couplings = fold(_winding, _nothing_wound, "wound")
+"""wind_couplings(system, state): let these laws follow nodes that have gone on to drums, or come off."""
 
 
 @part

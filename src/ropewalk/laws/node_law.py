@@ -84,8 +84,9 @@ class NodeLaw(NamedTuple):
 
     # A law between nodes that are no neighbours. Its force is on nodes, as that of all others.
     pattern: Any = (
-        None  # part (table, state, x, network): order it anew; return whether there was room
+        None  # part (table, state, x, network): ask for the groups of four nodes that it couples
     )
+    ordered: Any = None  # part (table, state, fits): whether there was room for those of all laws
     # part (table, state, x, v, weight_x, weight_v, network): add -(weight_x dF/dx + weight_v dF/dv)
     couple: Any = None
     along: Any = (
@@ -95,6 +96,7 @@ class NodeLaw(NamedTuple):
     # what was found on its way: 1, or to be halved: 2
     meet: Any = None
     fault: Any = None  # part (table, state): not 0 where the run cannot go on
+    wound: Any = None  # part (table, state, winches): nodes have gone on to drums, or come off
 
     # A law of segments is made by `segment_law`.
     of_ropes: bool = False  # its section is a field of every rope

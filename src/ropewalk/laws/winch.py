@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 
 from ropewalk.core.arrays import State, System
 from ropewalk.core.jit import kernel, part
+from ropewalk.laws.couplings import wind_couplings
 from ropewalk.laws.elastic import stored_energy
 from ropewalk.laws.joints import is_tied
 from ropewalk.laws.ledger import gravity_energy, kinetic_energy
@@ -57,6 +58,7 @@ def run_winches(system, state, t, dt, turning):
         plan_turn(system, state, row, t, dt, turning)
         _end_turn(system, state, row, turning)
         turning[row, WOUND] = 0.0
+    wind_couplings(system, state)
     _book(system, state, kinetic, potential)
 
 
@@ -124,6 +126,7 @@ def end_turns(system, state, turning):
     wind_to(system, state, turning[0, BEGIN], turning)  # then one winch after the other
     for row in range(state.winch_exit.shape[0]):
         _end_turn(system, state, row, turning)
+    wind_couplings(system, state)
     _book(system, state, kinetic, potential)
 
 

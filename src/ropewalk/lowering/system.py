@@ -269,11 +269,13 @@ def _node_tables(scene: Scene, layout: Layout, keep: Pieces) -> Any:
         "ropes": (),
         "whole": (),
         "joints": (),
+        "slides": (),
     }
     each = zip(scene.ropes, layout.ropes, strict=True)
     inputs["parts"] = tuple((rope.strength, passing(rope, span)) for rope, span in each)
     if scene.obstacles or scene.slides or scene.contact is not None:  # what only they ask for
-        inputs |= {"ropes": scene.ropes, "whole": _tied_masses(scene), "joints": scene.joints}
+        inputs |= {"ropes": scene.ropes, "whole": _tied_masses(scene)}
+        inputs |= {"joints": scene.joints, "slides": scene.slides}
     return NodeTables(
         *(
             keep(law.name, law.lower, section_of(law, scene), *(inputs[n] for n in law.inputs))

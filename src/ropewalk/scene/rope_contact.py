@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ropewalk.scene.base import Model, Number, positive, quantity
-from ropewalk.scene.faults import MISSING, NO_VALUE, Fault
+from ropewalk.scene.faults import MISSING, Fault
 from ropewalk.scene.rope import Rope
 from ropewalk.scene.solid import MOST_FRICTION
-from ropewalk.scene.winch import Winch
 
 
 class Contact(Model):
@@ -32,24 +31,15 @@ class Contact(Model):
     )
 
 
-def contact_faults(
-    contact: Contact | None, ropes: Sequence[Rope], winches: Sequence[Winch]
-) -> list[Fault]:
+def contact_faults(contact: Contact | None, ropes: Sequence[Rope]) -> list[Fault]:
     """The faults of a scene whose ropes touch each other."""
     if contact is None:
         return []
     rule = (
         "is needed where ropes touch each other: give the rope its diameter, or leave out contact"
     )
-    found = [
+    return [
         Fault(f"rope[{i}].diameter", MISSING, rule)
         for i, rope in enumerate(ropes)
         if "diameter" not in rope.model_fields_set
     ]
-    if winches:
-        rule = (
-            "cannot work with a winch, which takes nodes onto its drum after the way of a step was looked "
-            "at: leave out the winches, or contact"
-        )
-        found.append(Fault("contact", NO_VALUE, rule))
-    return found

@@ -173,9 +173,8 @@ class Scene(Model):
         refuse(_start_faults(self.run, self.ropes))
         names = (body.name or f"obstacle{i}" for i, body in enumerate(self.obstacles))
         refuse(obstacle_faults(names))
-        refuse(contact_faults(self.contact, self.ropes, self.winches))
-        others = self.winches, self.contact
-        refuse(slide_faults(self.slides, self.ropes, *others))
+        refuse(contact_faults(self.contact, self.ropes))
+        refuse(slide_faults(self.slides, self.ropes, self.winches))
         self._fill_in_names()
         self._fill_in_method()
         return self

@@ -9,7 +9,6 @@ from pydantic import Field
 from ropewalk.scene.base import NAME, Model, Number, Text, Whole, not_negative, positive, quantity
 from ropewalk.scene.faults import MISSING, NO_VALUE, Fault
 from ropewalk.scene.rope import Rope, node_range
-from ropewalk.scene.rope_contact import Contact
 from ropewalk.scene.solid import MOST_FRICTION
 from ropewalk.scene.winch import Winch
 from ropewalk.words.nearest import nearest
@@ -75,26 +74,17 @@ def slide_faults(
     slides: Sequence[Slide],
     ropes: Sequence[Rope],
     winches: Sequence[Winch],
-    contact: Contact | None,
 ) -> list[Fault]:
     """The faults of a scene in which nodes slide along ropes."""
     if not slides:
         return []
-    others = (
-        (
-            bool(winches),
-            "a winch, on whose drum rope has no length to slide along: leave out the winch",
-        ),
-        (
-            contact is not None,
-            "ropes that touch each other, inside each other as they are where one slides: leave out contact",
-        ),
-    )
-    found = [
-        Fault("slide", NO_VALUE, f"cannot work with {what}, or the slides")
-        for there, what in others
-        if there
-    ]
+    found = []
+    if winches:
+        rule = (
+            "cannot work with a winch, on whose drum rope has no length to slide along: leave out the winch, "
+            "or the slides"
+        )
+        found.append(Fault("slide", NO_VALUE, rule))
     names, seen = [rope.name for rope in ropes], dict[tuple[str, int], int]()
     titles = dict[str, int]()
     for i, slide in enumerate(slides):

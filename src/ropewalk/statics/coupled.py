@@ -55,8 +55,8 @@ class Couplings:
     def _make_network(self) -> Network:
         state, memory = self.state, self.state.memory
         alive, bends = joined(self.system, state), bool(self.system.flags[BENDING])
-        groups = memory.slide.group.shape if len(memory.slide.group) else memory.contact.pair.shape
-        return tied_network(self.system.joints, state.tied, alive, bends, *groups)
+        groups = len(memory.slide.group) + len(memory.contact.pair)
+        return tied_network(self.system.joints, state.tied, alive, bends, groups)
 
     def entries(self, x: Floats, weight_x: float = 1.0, weight_v: float = 0.0) -> Entries | None:
         """Return -(weight_x df/dx + weight_v df/dv) at places (3, n) [m]; None where there is no room."""

@@ -15,7 +15,7 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats
 from ropewalk.core.jit import part
-from ropewalk.core.ordering import order_network
+from ropewalk.core.ordering import ask_for
 from ropewalk.laws.node_law import NodeLaw, Rest
 from ropewalk.laws.obstacle import node_stiffness
 from ropewalk.laws.pairs.force import add_pair_forces, pair_energy, pair_forces, pair_rounding
@@ -24,6 +24,7 @@ from ropewalk.laws.pairs.pair_memory import remember_pairs
 from ropewalk.laws.pairs.pair_tangent import along_pairs, couple_pairs
 from ropewalk.laws.pairs.search import note_ropes
 from ropewalk.laws.pairs.table import (
+    ASKED,
     CONTACTS,
     CROWDED,
     FAULT,
@@ -36,6 +37,7 @@ from ropewalk.laws.pairs.table import (
     Pairs,
 )
 from ropewalk.laws.pairs.way import meet_pairs, quickest_closing
+from ropewalk.laws.pairs.wound import wind_pairs
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -44,12 +46,14 @@ if TYPE_CHECKING:
     from ropewalk.methods.bound import Chain
     from ropewalk.scene import Joint, Rope
     from ropewalk.scene.rope_contact import Contact
+    from ropewalk.scene.slide import Slide
 
 SKIN = 0.5  # [1] how far lists of pairs look ahead, over the largest diameter
 RIGID = (
     100.0  # [1] stiffness of a contact of rigid links that is pressed far, over that pressed little
 )
 NEIGHBOURS = 0.8 * math.pi  # [1] rope on each side that counts as neighbour, over its radius
+NO_ROPE = -2  # along which nothing slides; -1 is between ropes
 ROWS, LISTED = 16, 40  # contacts, and pairs nearby, that there is room for, per segment
 LEAST_ROWS = 256
 
@@ -60,6 +64,7 @@ def lower(
     ropes: Sequence[Rope],
     whole: Sequence[float],
     joints: Sequence[Joint],
+    slides: Sequence[Slide],
 ) -> Pairs:
     """Return the table of a scene's ropes; `whole` is a rope's mass with all it is tied to [kg]."""
     s = layout.segments if contact is not None else 0
@@ -75,6 +80,7 @@ def lower(
         rope=np.full(s, -1, np.int64),
         skip=np.ones(s, np.int64),
         joint=np.full((s, 2), -1, np.int64),
+        along=np.full((s, 2), NO_ROPE, np.int64),
     )
     if contact is None:
         return table
@@ -96,12 +102,16 @@ def lower(
         table.skip[here] = max(1, neighbours(rope))
     table.skin[0] = SKIN * 2.0 * float(table.radius.max())
     _note_joints(table, layout, ropes, joints)
+    _note_slides(table, layout, ropes, slides)
     return table
 
 
-def neighbours(rope: Rope) -> int:
-    """Return how many segments on each side of one are its neighbours, which it does not touch."""
-    reach = NEIGHBOURS * 0.5 * rope.diameter
+def neighbours(rope: Rope, radius: float = 0.0) -> int:
+    """Return how many segments on each side of one are its neighbours, which it does not touch.
+
+    Or, where a node slides along a rope of some radius [m], which of those beside it do not touch that one.
+    """
+    reach = NEIGHBOURS * max(0.5 * rope.diameter, radius)
     if reach >= rope.length_unstretched:  # springs of no length, too
         return rope.segments
     return math.ceil(reach / rope.segment_length)
@@ -122,6 +132,20 @@ def _note_joints(
                     table.joint[k, side] = j
 
 
+def _note_slides(
+    table: Pairs, layout: Layout, ropes: Sequence[Rope], slides: Sequence[Slide]
+) -> None:
+    """Write along which ropes nodes near a segment slide: it lies inside those."""
+    numbers = {rope.name: number for number, rope in enumerate(ropes)}
+    for slide in slides:
+        own, line = numbers[slide.rope], numbers[slide.on]
+        rope, span = ropes[own], layout.ropes[own]
+        node = layout.node(slide.node, slide.rope)
+        reach = max(1, neighbours(rope, 0.5 * ropes[line].diameter))
+        for k in range(max(node - reach, span.first), min(node + reach, span.last)):
+            table.along[k, 0 if k >= node else 1] = line
+
+
 def acts(table: Pairs) -> bool:
     """Tell whether ropes touch each other."""
     return len(table.friction) > 0
@@ -136,7 +160,7 @@ def memory(table: Pairs, x: Floats, stiffness: Floats) -> Memory:
         pair=np.zeros((rows, 2), np.int64),
         grip=np.zeros((rows, WIDTH)),
         near=np.zeros((max(listed, 1) if s else 0, 2), np.int64),
-        tally=np.zeros(8 if s else 0, np.int64),
+        tally=np.zeros(9 if s else 0, np.int64),
         place=x.copy() if s else np.zeros((3, 0)),
         origin=np.full((3, x.shape[1]), 1e150) if s else np.zeros((3, 0)),
         box=np.zeros((s, 6)),
@@ -166,14 +190,19 @@ def tangent(table, state, x, v, weight_x, weight_v, marks, band):
 
 @part
 def pattern(table, state, x, network):
-    """Find the order of elimination with the contacts at hand; return whether there was room."""
+    """Ask for the contacts at hand."""
     memory = state.memory.contact
-    fits = order_network(network, memory.pair, memory.tally[CONTACTS])
+    memory.tally[ASKED] = ask_for(network, memory.pair, memory.tally[CONTACTS])
+
+
+@part
+def ordered(table, state, fits):
+    """Note whether there was room for what is coupled."""
+    memory = state.memory.contact
     if not fits:
         memory.tally[FAULT] = CROWDED
     elif memory.tally[FAULT] == CROWDED:  # fewer touch in a shorter step
         memory.tally[FAULT] = 0
-    return fits
 
 
 @part
@@ -212,6 +241,12 @@ def hits(table, state, force, dt, x, v):
 def meet(table, state, x):
     """Tell whether the way from the state to `x` may stand, see `way`."""
     return meet_pairs(state.x, x, table, state.memory.contact, state.tied)
+
+
+@part
+def wound(table, state, winches):
+    """Let contacts follow nodes that go on to drums, or come off."""
+    wind_pairs(table, state, winches)
 
 
 @part
@@ -278,7 +313,7 @@ CONTACT = NodeLaw(
     name="contact",
     section="contact",
     lower=lower,
-    inputs=("layout", "ropes", "whole", "joints"),
+    inputs=("layout", "ropes", "whole", "joints", "slides"),
     acts=acts,
     force=force,
     tangent=tangent,
@@ -294,8 +329,10 @@ CONTACT = NodeLaw(
     bears=touched,
     cases=cases,
     pattern=pattern,
+    ordered=ordered,
     couple=couple,
     along=along,
     meet=meet,
     fault=fault,
+    wound=wound,
 )

@@ -17,6 +17,7 @@ from ropewalk.core.jit import kernel, small
 from ropewalk.core.network import add_block, put_pair
 from ropewalk.laws.pairs.force import pressed, pull_of
 from ropewalk.laws.pairs.table import (
+    ASKED,
     CONTACTS,
     NORMAL,
     STIFF,
@@ -84,7 +85,7 @@ def between_nodes(m, grip, row, a, b):
 @kernel
 def couple_pairs(x, v, table, memory, weight_x, weight_v, network):
     """Add -(weight_x dR/dx + weight_v dR/dv) of all contacts to the network's blocks."""
-    number, grip = network.number, memory.grip
+    number, grip, first = network.number, memory.grip, memory.tally[ASKED]
     for row in range(memory.tally[CONTACTS]):
         block = tangent_of(table, memory, row, x, v, weight_x, weight_v)
         i, j = memory.pair[row, 0], memory.pair[row, 1]
@@ -96,7 +97,7 @@ def couple_pairs(x, v, table, memory, weight_x, weight_v, network):
                 q = number[i + b] if b < 2 else number[j + b - 2]
                 up = between_nodes(block, grip, row, a, b)
                 low = between_nodes(block, grip, row, b, a)
-                put_pair(network, p, q, network.room.spots[row, at], up, low)
+                put_pair(network, p, q, network.room.spots[first + row, at], up, low)
                 at += 1
 
 

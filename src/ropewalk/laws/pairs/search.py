@@ -16,7 +16,7 @@ NOWHERE = 1e150  # [m] so far are all nodes from where a list was made that does
 
 @small
 def are_neighbours(table, tied, i, j):
-    """Tell whether segments i < j are so near along a rope, or at a joint, that they always touch."""
+    """Tell whether segments i < j are so near along a rope, at a joint or a slide, that they always touch."""
     if table.rope[i] == table.rope[j] and j - i <= table.skip[i]:
         return True
     for a in range(2):
@@ -24,6 +24,8 @@ def are_neighbours(table, tied, i, j):
         if joint >= 0 and tied[joint] == 1:
             if table.joint[j, 0] == joint or table.joint[j, 1] == joint:
                 return True
+        if table.along[i, a] == table.rope[j] or table.along[j, a] == table.rope[i]:
+            return True
     return False
 
 

@@ -36,7 +36,7 @@ NORMAL, OWN, OTHER, SPRING, APART, PUSH, STIFF, GONE, MORE, FOUND, LEVER = (
 )
 WIDTH = 22
 # Places in `Memory.tally`.
-CONTACTS, NEAR, ROUNDS, SEEN, REFUSED, FAULT, FIRST, SECOND = range(8)
+CONTACTS, NEAR, ROUNDS, SEEN, REFUSED, FAULT, FIRST, SECOND, ASKED = range(9)
 PASSED, FULL, CROWDED = 1, 2, 3  # faults
 
 
@@ -54,6 +54,7 @@ class Pairs(NamedTuple):
     rope: Ints  # (s,) number of the rope, -1 between ropes
     skip: Ints  # (s,) so many segments beside it are its neighbours
     joint: Ints  # (s, 2) the joints near it, -1: none
+    along: Ints  # (s, 2) the ropes along which a node near it slides, -2: none
 
 
 class Memory(NamedTuple):
@@ -62,7 +63,7 @@ class Memory(NamedTuple):
     pair: Ints  # (m, 2) segments
     grip: Floats  # (m, WIDTH), see NORMAL
     near: Ints  # (c, 2) pairs that may touch soon
-    tally: Ints  # (8,), see CONTACTS
+    tally: Ints  # (9,), see CONTACTS
     place: Floats  # (3, n) [m]
     origin: Floats  # (3, n) where the nodes were when `near` was found [m]
     box: Floats  # (s, 6) working space of the search

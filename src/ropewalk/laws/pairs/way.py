@@ -44,6 +44,9 @@ WARY_ROUNDS = 3  # of which so many for the sake of normals alone
 DEEPEST = 0.9  # [1] distance over the radii's sum
 GIVES = 1.0 - 1e-9  # [1] to which the distance of a pair pressed deeper may shrink: rounding
 HALF = 0.5
+MORE_AT_ONCE = (
+    0.005  # [1] by so much of the radii's sum a contact presses more that counted too little
+)
 
 
 @kernel
@@ -127,6 +130,16 @@ def turn_contact(x, y, table, memory, row, hit, end):
     return 1
 
 
+@kernel
+def press_more(memory, row, size):
+    """Let a contact count as deeper that is as deep as may be, but counts as less; return whether it did."""
+    grip = memory.grip
+    if grip[row, MORE] >= 0.0:
+        return 0
+    grip[row, MORE] = min(grip[row, MORE] + MORE_AT_ONCE * size, 0.0)
+    return 1
+
+
 @small
 def refuse(memory, i, j):
     """Note which pair is why a step cannot stand."""
@@ -171,6 +184,8 @@ def meet_pairs(x, y, table, memory, tied):
             if off and (through or too_deep or own):
                 hit = comes_to(x, y, i, j, size, start, way) if hit == NEVER else hit
                 changed = turn_contact(x, y, table, memory, row, hit, end)
+        if too_deep and changed == 0 and row >= 0:
+            changed = press_more(memory, row, size)
         more += changed
         if through or too_deep:
             bad += 1

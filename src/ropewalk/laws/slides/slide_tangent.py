@@ -17,6 +17,7 @@ from ropewalk.laws.slides.rail import look
 from ropewalk.laws.slides.slide_force import cut, rubbing
 from ropewalk.laws.slides.table import (
     APART,
+    ASKED,
     BEND,
     GRADIENT,
     INSIDE,
@@ -96,7 +97,7 @@ def block(sight, row, m, n, weights):
 @kernel
 def couple_slides(x, v, table, memory, weight_x, weight_v, network):
     """Add -(weight_x df/dx + weight_v df/dv) of all slides to the network's blocks."""
-    number, sight, group = network.number, memory.sight, memory.group
+    number, sight, group, first = network.number, memory.sight, memory.group, memory.tally[ASKED]
     for row in range(table.node.shape[0]):
         look(x, table, memory, row)
         weights = weights_of(x, v, table, memory, row, weight_x, weight_v)
@@ -106,7 +107,9 @@ def couple_slides(x, v, table, memory, weight_x, weight_v, network):
             add_block(network.diagonal, p, block(sight, row, m, m, weights))
             for n in range(m + 1, 4):
                 up, low = block(sight, row, m, n, weights), block(sight, row, n, m, weights)
-                put_pair(network, p, number[group[row, n]], network.room.spots[row, at], up, low)
+                put_pair(
+                    network, p, number[group[row, n]], network.room.spots[first + row, at], up, low
+                )
                 at += 1
 
 

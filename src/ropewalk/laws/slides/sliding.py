@@ -13,13 +13,22 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats
 from ropewalk.core.jit import part
-from ropewalk.core.ordering import order_network
+from ropewalk.core.ordering import ask_for
 from ropewalk.laws.node_law import NodeLaw, Rest
 from ropewalk.laws.obstacle import node_stiffness
 from ropewalk.laws.slides.rail import nearest_place
 from ropewalk.laws.slides.slide_force import remember_slides, slide_energy, slide_forces
 from ropewalk.laws.slides.slide_tangent import along_slides, couple_slides
-from ropewalk.laws.slides.table import LOST, PLACE, WIDTH, Memory, Slides
+from ropewalk.laws.slides.table import (
+    ASKED,
+    FAULT,
+    LOST,
+    PLACE,
+    WHICH,
+    WIDTH,
+    Memory,
+    Slides,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -73,7 +82,7 @@ def memory(table: Slides, x: Floats, stiffness: Floats) -> Memory:
     for row in range(k):
         grip[row, PLACE] = place_near(table, row, x)
     found = Memory(
-        grip, np.zeros((k, 4), np.int64), np.zeros((k, WIDTH)), np.zeros(2 * min(k, 1), np.int64)
+        grip, np.zeros((k, 4), np.int64), np.zeros((k, WIDTH)), np.zeros(3 * min(k, 1), np.int64)
     )
     remember_slides(x, table, found)
     return found
@@ -99,10 +108,10 @@ def tangent(table, state, x, v, weight_x, weight_v, marks, band):
 
 @part
 def pattern(table, state, x, network):
-    """Find the order of elimination with the nodes that carry now; return whether there was room."""
+    """Ask for the nodes that carry now."""
     memory = state.memory.slide
     slide_energy(x, table, memory)  # which looks where they are
-    return order_network(network, memory.group, memory.group.shape[0])
+    memory.tally[ASKED] = ask_for(network, memory.group, memory.group.shape[0])
 
 
 @part
@@ -122,15 +131,15 @@ def remember(table, state):
     """Keep what slides carry at the state; nothing is hit."""
     memory = state.memory.slide
     lost = remember_slides(state.x, table, memory)
-    if lost >= 0 and memory.tally[0] == 0:
-        memory.tally[0], memory.tally[1] = LOST, lost
+    if lost >= 0 and memory.tally[FAULT] == 0:
+        memory.tally[FAULT], memory.tally[WHICH] = LOST, lost
     return 0.0
 
 
 @part
 def fault(table, state):
     """Return what went wrong, 0: nothing."""
-    return state.memory.slide.tally[0]
+    return state.memory.slide.tally[FAULT]
 
 
 @part
@@ -178,7 +187,7 @@ def chain(table: Slides, chain: Chain, lengths: Floats, speed: float) -> Chain:
 def lost(state: Any) -> int | None:
     """Return the slide whose node has come off its rope, if any."""
     tally = state.memory.slide.tally
-    return int(tally[1]) if tally.size and tally[0] == LOST else None
+    return int(tally[WHICH]) if tally.size and tally[FAULT] == LOST else None
 
 
 SLIDE = NodeLaw(

@@ -28,6 +28,7 @@ AT, APART, SLOPE, INSIDE, SHARE, RATE, BEND, R, R1, R2, GRADIENT, TURNS = (
 )
 WIDTH = 38
 LOST = 1  # fault
+FAULT, WHICH, ASKED = range(3)  # places in `Memory.tally`
 
 
 class Slides(NamedTuple):
@@ -50,4 +51,4 @@ class Memory(NamedTuple):
     grip: Floats  # (k, 2), see PLACE
     group: Ints  # (k, 4) the node, and the three of the rope that carry it
     sight: Floats  # (k, WIDTH) working space, see AT
-    tally: Ints  # (2,) fault, and the slide that has it
+    tally: Ints  # (3,) fault, the slide that has it, and its first row in the network

@@ -1,0 +1,92 @@
+"""Ropes that are thrown at each other, at random, at the frame rate."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import ropewalk as rw
+from ropewalk.core.arrays import Floats
+from ropewalk.laws.pairs.distance import nearest
+from ropewalk.scene import Anchor, Kick, Material, Points, Rope, RunSettings, Scene
+
+FRAME = 1.0 / 60.0
+DEEPEST = 0.1 + 1e-9  # of a diameter
+
+
+def line(middle: Floats, along: Floats, bend: float, segments: int) -> Points:
+    """A line of 1 m through a point, a little bent."""
+    along = along / np.linalg.norm(along)
+    aside = np.cross(along, (0.3, 0.5, 0.8))
+    place = np.linspace(-0.5, 0.5, segments + 1)[:, None]
+    return Points(points=(middle + along * place + aside * bend * np.sin(3 * place)).tolist())
+
+
+def meeting(seed: int, method: str) -> Scene:
+    """Two ropes, thick or thin; one flies at the other, which may be held, at 20 to 50 m/s."""
+    random = np.random.default_rng(seed)
+    segments, thick = int(random.integers(6, 18)), float(random.uniform(0.006, 0.03))
+    EA, speed = float(10 ** random.uniform(2.5, 6)), float(random.uniform(20, 50))
+    mass = float(random.uniform(0.03, 0.2))
+    stuff = Material(EA=EA, mass_per_length=mass, axial_damping=1e-3 * EA)
+    flat = random.normal(size=3) * (1.0, 0.3, 1.0)
+    away = np.array([random.uniform(-0.2, 0.2), random.uniform(2 * thick, 0.6) + 0.25, 0.0])
+    shapes = (
+        line(np.zeros(3), np.array([1.0, 0.0, 0.0]), 0.0, segments),
+        line(away, flat, random.uniform(0, 0.1), segments),
+    )
+    thrown = [Kick(node=i, velocity=(0, -speed, 0)) for i in range(segments + 1)]
+    ropes = [
+        Rope(
+            name=name,
+            segments=segments,
+            length=1.0,
+            diameter=thick,
+            made_of=stuff,
+            shape=shape,
+            kicks=kicks,
+        )
+        for name, shape, kicks in zip("ab", shapes, ([], thrown), strict=True)
+    ]
+    held = random.random() < 0.6
+    run = RunSettings(method=method, duration=0.2, time_step=FRAME, frame_rate=60.0)
+    return Scene(
+        ropes=ropes,
+        anchors=[Anchor(rope="a", node=node) for node in (0, -1)] if held else [],
+        contact={"friction": float(random.uniform(0, 0.5))},
+        gravity=(0, 0, 0),
+        run=run,
+    )
+
+
+def check_meetings(seeds: range, method: str) -> None:
+    """None ends early, is pressed deeper than a tenth of a diameter, or has energy that nobody gave it."""
+    touched = 0
+    for seed in seeds:
+        result = rw.simulate(meeting(seed, method), on_failure="return")
+        assert result.status == "finished", (seed, result.diagnosis)
+        first, thick = result.scene.ropes[0], result.scene.ropes[0].diameter
+        closest = np.inf
+        for places in result.positions:
+            x, n = np.ascontiguousarray(places.T), first.segments
+            pairs = ((i, j) for i in range(n) for j in range(n + 1, 2 * n + 1))
+            closest = min(closest, *(nearest(x, x, 0.0, i, j)[2] for i, j in pairs))
+        assert closest > (1.0 - DEEPEST) * thick, seed
+        touched += closest < thick
+        energy, work = result.energy["total"], result.work["contact"]
+        assert np.diff(energy).max() < 0.01 * energy[0], seed  # what contacts give back
+        assert work.max() < 1e-9 * energy[0], seed
+        assert energy.max() < (1.0 + 1e-3) * energy[0], seed  # what the method errs by in flight
+    assert touched > len(seeds) / 4
+
+
+@pytest.mark.parametrize("method", ["implicit-euler", "sdirk2", "bdf2", "esdirk3"])
+def test_ropes_that_are_thrown_at_each_other_stop_each_other(method: str) -> None:
+    """At 20 to 50 m/s in steps of a frame: up to 0.8 m in a step, with diameters from 6 mm on."""
+    check_meetings(range(24), method)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("method", ["implicit-euler", "sdirk2", "bdf2", "esdirk3"])
+def test_many_ropes_that_are_thrown_at_each_other_stop_each_other(method: str) -> None:
+    check_meetings(range(24, 224), method)
