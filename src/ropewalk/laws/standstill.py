@@ -23,7 +23,7 @@ UNSEEN = 0.9  # [1] of the longest step whose stops are passed over: none is cut
 
 @kernel
 def at_limit(grip, i):
-    """Tell whether friction at a node carries all that it can; `grip` (5, n)."""
+    """Tell whether friction at a node carries all that it can; `grip` (7, n)."""
     most = grip[GRIP, i] * grip[PUSH, i]
     square = grip[0, i] ** 2 + grip[1, i] ** 2 + grip[2, i] ** 2
     return most > 0.0 and math.sqrt(square) >= AT_LIMIT * most

@@ -103,18 +103,31 @@ def winding(turning):
 
 
 @kernel
-def book_half(system, state, x, inner, begin, end, turning):
-    """Book half of what the change of lengths from `begin` to `end` [s] stores with the nodes at `x` (3, n).
+def book_begin(system, state, x, inner, begin, end, turning):
+    """Book what lengths that change from `begin` to half way to `end` [s] store with the nodes at `x` (3, n).
 
-    At either end of their way, which makes the mean; `inner` is what segments remember there. Leaves the
-    lengths of `end`.
+    Where they are at the beginning; the other half is booked where they are at the end (`book_end`), so that
+    what a segment would store that is wound and does not move takes itself away. `inner` is what segments
+    remember there. Leaves the lengths of `end`.
     """
+    _book_change(system, state, x, inner, begin, 0.5 * (begin + end), turning)
+    wind_to(system, state, end, turning)
+
+
+@kernel
+def book_end(system, state, x, inner, begin, end, turning):
+    """Book the other half, with the nodes where they are at the end; leaves the lengths of `end`."""
+    _book_change(system, state, x, inner, 0.5 * (begin + end), end, turning)
+
+
+@kernel
+def _book_change(system, state, x, inner, begin, end, turning):
     if not winding(turning):
         return
     wind_to(system, state, begin, turning)
     less = stored_energy(system, state, x, inner)
     wind_to(system, state, end, turning)
-    state.work.winch[1] += 0.5 * (stored_energy(system, state, x, inner) - less)
+    state.work.winch[1] += stored_energy(system, state, x, inner) - less
 
 
 @kernel

@@ -35,7 +35,7 @@ from ropewalk.laws.ledger import account
 from ropewalk.laws.rare import has_bending, has_inner, winds
 from ropewalk.laws.table import accelerate
 from ropewalk.laws.wheels import aim_no_wheels, end_aim
-from ropewalk.laws.winch import book_half, cut_short, wind_to
+from ropewalk.laws.winch import book_begin, book_end, cut_short, wind_to
 from ropewalk.methods import tableaus
 from ropewalk.methods.gain import makes_up_energy, most_of
 from ropewalk.methods.generalized_alpha import end_alpha, prepare_alpha
@@ -271,8 +271,8 @@ def take_step(system, state, scratch, t, after, dt, ledger, level, kind, A, b, c
             stage.report[TIME] = after
             return status
     if winds(system, state):
-        book_half(system, state, state.x, state.inner, t, after, scratch.turning)
-        book_half(system, state, stage.x, scratch.ends, t, after, scratch.turning)
+        book_begin(system, state, state.x, state.inner, t, after, scratch.turning)
+        book_end(system, state, stage.x, scratch.ends, t, after, scratch.turning)
     middle = scratch.middle
     half_way(state.x, state.v, stage.x, stage.v, state.inverse_mass, middle, state.drift)
     move_anchors(system, state, mean, after, dt, middle, scratch.point, scratch.speed)

@@ -15,7 +15,7 @@ from ropewalk.laws.inner import end_stages, next_stage
 from ropewalk.laws.ledger import account
 from ropewalk.laws.rare import has_inner, winds
 from ropewalk.laws.table import accelerate, evaluate
-from ropewalk.laws.winch import book_half, wind_to
+from ropewalk.laws.winch import book_begin, book_end, wind_to
 from ropewalk.methods.loop import make_advance
 from ropewalk.methods.scratch import add, add_forces, axpy, clear, clear_forces, put
 
@@ -55,13 +55,13 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
         add(vs, b, dx)
         add(a, b, dv)
     if winds(system, state):
-        book_half(system, state, state.x, state.inner, t, after, scratch.turning)
+        book_begin(system, state, state.x, state.inner, t, after, scratch.turning)
     add(dx, 1.0, state.x)
     axpy(state.v, 0.5, dv, middle)
     add(dv, 1.0, state.v)
     move_anchors(system, state, mean, after, dt, middle, scratch.point, scratch.speed)
     if winds(system, state):
-        book_half(system, state, state.x, state.inner, t, after, scratch.turning)
+        book_end(system, state, state.x, state.inner, t, after, scratch.turning)
     if ledger:
         account(system, state, mean, middle, dt)
     if has_inner(system, state):

@@ -14,7 +14,7 @@ from ropewalk.laws.inner import note_strains, relax
 from ropewalk.laws.ledger import account
 from ropewalk.laws.rare import has_inner, winds
 from ropewalk.laws.table import accelerate, evaluate
-from ropewalk.laws.winch import book_half
+from ropewalk.laws.winch import book_begin, book_end
 from ropewalk.methods.loop import make_advance
 from ropewalk.methods.scratch import add, add_forces, axpy, clear_forces, put
 
@@ -31,7 +31,7 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
     put(a, old)
     axpy(v, dt, a, predicted)
     if winds(system, state):
-        book_half(system, state, x, state.inner, t, after, scratch.turning)
+        book_begin(system, state, x, state.inner, t, after, scratch.turning)
     add(v, dt, x)
     add(a, 0.5 * dt * dt, x)
     place_stage(system, state, after, dt, x, predicted, scratch.point, scratch.speed)
@@ -45,7 +45,7 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
     add(old, 0.5 * dt, v)
     move_anchors(system, state, mean, after, dt, middle, scratch.point, scratch.speed)
     if winds(system, state):
-        book_half(system, state, x, state.inner, t, after, scratch.turning)
+        book_end(system, state, x, state.inner, t, after, scratch.turning)
     if ledger:
         account(system, state, mean, middle, dt)
 

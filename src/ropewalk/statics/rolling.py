@@ -59,8 +59,10 @@ def roll(balance: Balance, found: Found, see: Callable[[Floats], None]) -> Found
 def _held(balance: Balance, table: Slides) -> Iterator[None]:
     """Hold all slides where they are."""
     none, grip = np.zeros(table.node.size), balance.coupled.state.memory.slide.grip
-    firm = {"friction": none, "brake": none + math.inf, "brake_from": none}
-    balance.put_slides(table._replace(length=_FIRM * table.length, **firm))
+    held = table._replace(
+        length=_FIRM * table.length, friction=none, brake=none + math.inf, brake_from=none
+    )
+    balance.put_slides(held)
     grip[:, SPRING] /= _FIRM
     try:
         yield
