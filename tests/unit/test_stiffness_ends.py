@@ -56,7 +56,7 @@ def test_an_end_that_no_rope_can_have_is_said_to_fail() -> None:
     guess = Guess(of="relaxing_EA", value=1e4, low=0.0, high=2e4)
     job = rw.sheet(taut(guess, **relaxes))
     told = " ".join(warnings(job))
-    assert "In the run, least stiffness: no rope can be of such a stiffness." in told
+    assert "In the run, least stiffness: the scene cannot be made with it." in told
     assert table(job.section("Guessed stiffness")).rows[0][2] == ""
     (summary,) = (text for text in warnings(job) if "over its range" in text)
     assert summary.count("of the least stiffness nothing, for it FAILED") == 2  # at rest, and run

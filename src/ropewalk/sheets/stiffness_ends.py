@@ -95,7 +95,7 @@ def stiffness_ends(
 def _variant(title: str, scene: Scene | None, result: Result) -> Variant:
     """Return the numbers of a scene at an end, computed as the result was."""
     if scene is None:
-        return Variant(title, why_not="no rope can be of such a stiffness", failed=True)
+        return Variant(title, why_not="the scene cannot be made with it", failed=True)
     if result.status == "at rest":
         return tried(title, _rest_numbers, scene)
     plan = result.plan
