@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from live.drive import do, r4, refused
 from ropewalk.live import breaks
 from ropewalk.live.meter import measure
-from ropewalk.live.remedies import suggested_step
+from ropewalk.live.remedies import holds_without_friction, suggested_step
 from ropewalk.live.session import Break, Session
+from ropewalk.lowering import build
+from ropewalk.lowering.steps import predicted_step
+from ropewalk.scene import Anchor, Cylinder, Material, Rope, RunSettings, Scene, Slack
 from ropewalk.scene.presets import preset
 
 
@@ -225,3 +230,26 @@ def test_whatever_breaks_it_the_sign_is_seen(name: str, name_of: str, value: obj
     assert not said["sign"].startswith("its "), said["sign"]
     burst = value == 100.0 or name == "r6"  # a few steps from the first sign to the end
     assert burst or "neighbouring segments zigzag" in said["sign"], said["sign"]
+
+
+def test_contacts_are_no_friction_of_the_rope() -> None:
+    """A rope without friction over a post, in steps that only its contact does not hold."""
+    rope = Rope(
+        segments=20,
+        length=2.0,
+        diameter=0.01,
+        made_of=Material(EA=1e3, mass_per_length=0.1),
+        shape=Slack(start=(-0.6, 0, 0.3), end=(0.6, 0, 0.3)),
+    )
+    post = Cylinder(**{"from": (0, 0.2, 0), "to": (0, -0.2, 0)}, radius=0.05, friction=0.3)
+    scene = Scene(
+        ropes=[rope],
+        anchors=[Anchor(node=0), Anchor(node=-1)],
+        obstacles=[post],
+        run=RunSettings(method="semi-implicit-euler", time_step=1e-4),
+    )
+    model = build(scene, drawn=False)
+    largest = predicted_step(model.system, model.state, model.plan.method, model.plan.duration)
+    longer = replace(model, plan=replace(model.plan, dt=1.3 * largest))
+    assert not holds_without_friction(longer)
+    assert holds_without_friction(model)

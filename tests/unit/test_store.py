@@ -180,7 +180,9 @@ def test_a_checkpoint_comes_back_to_the_bit(tmp_path: Path) -> None:
 def test_a_checkpoint_of_another_scene_is_refused(tmp_path: Path) -> None:
     simulation = rw.Simulation(runs.hanging())
     checkpoint.save(tmp_path, Checkpoint(simulation.state, 1, "hash", 0.0, ()))
-    with pytest.raises(RunError, match=r"checkpoint.npz: is damaged: .* does not fit the scene"):
+    with pytest.raises(
+        RunError, match=r"checkpoint.npz: is of another scene, .* does not fit the scene"
+    ):
         checkpoint.load(tmp_path, rw.Simulation(runs.hanging(segments=11)).state)
 
 

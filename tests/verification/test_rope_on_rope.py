@@ -30,7 +30,6 @@ from ropewalk.scene import (
     SceneError,
     Straight,
     Tie,
-    Winch,
 )
 from ropewalk.simulation import Broken, Simulation
 from verification.topology import linking_number
@@ -365,7 +364,7 @@ def test_a_run_goes_on_to_the_same_bits_from_a_snapshot() -> None:
 
 
 def test_what_cannot_touch_is_refused_in_words() -> None:
-    """Diameters, methods, ropes inside each other, winches."""
+    """Diameters, methods, ropes inside each other."""
     scene = thrown(1.0)
     bare = scene.ropes[0].model_copy()
     bare = Rope(
@@ -375,8 +374,6 @@ def test_what_cannot_touch_is_refused_in_words() -> None:
         SceneError, match=r"rope\[0\].diameter: missing - is needed where ropes touch"
     ):
         scene.replace(ropes=(bare, scene.ropes[1]))
-    with pytest.raises(SceneError, match="cannot work with a winch"):
-        scene.replace(winches=(Winch(rope="a", end="start", speed=0.1),))
     for method in ("implicit-midpoint", "generalized-alpha"):
         with pytest.raises(SceneError, match=r"run.method: .* cannot work with ropes that touch"):
             build(scene.replace(run=RunSettings(method=method)))

@@ -7,6 +7,7 @@ import pytest
 
 import ropewalk as rw
 from ropewalk.core.arrays import Floats
+from ropewalk.laws.pairs.search import are_neighbours
 from ropewalk.laws.pairs.table import CONTACTS, LEVER, PUSH, apart
 from ropewalk.laws.pairs.wound import come_off, go_on, sort_rows
 from ropewalk.record.result import Result
@@ -147,7 +148,12 @@ def test_a_node_that_goes_on_hands_its_contacts_to_the_next_segment(side: int) -
     """On a straight line they stay where they are; two of a pair become one with both forces."""
     system, state = pressed_tangle()
     memory, table, x = state.memory.contact, system.node.contact, state.x
-    row = int(np.argmax(memory.grip[: memory.tally[CONTACTS], PUSH]))
+    last, rope = memory.tally[CONTACTS], table.rope
+    row = next(
+        row
+        for row, (i, j) in enumerate(memory.pair[:last])
+        if rope[i + side] == rope[i] and not are_neighbours(table, state.tied, i + side, j)
+    )
     gone, other = (int(one) for one in memory.pair[row])
     kept = gone + side
     drum, middle, far = (gone, gone + 1, gone + 2) if side > 0 else (gone + 1, gone, gone - 1)
@@ -161,7 +167,7 @@ def test_a_node_that_goes_on_hands_its_contacts_to_the_next_segment(side: int) -
     before, push = seen(x, memory, first), memory.grip[:2, PUSH].sum()
     after = x.copy()
     after[:, middle] = x[:, drum]
-    go_on(after, table, memory, gone, kept, side)
+    go_on(after, table, memory, state.tied, gone, kept, side)
     assert (memory.pair[:2, 0] == kept).all()
     normal = memory.grip[first[0], :3]
     assert normal @ (seen(after, memory, first) - before)[0] == pytest.approx(0.0, abs=1e-4)

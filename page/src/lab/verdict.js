@@ -58,7 +58,8 @@ export class Verdict {
     this.honest += Math.abs(more);
   }
 
-  /** Let a rope take a step, and book what anchors and the hand do in it. @param {Rope} rope @param {() => void} step */
+  /** Let a rope take a step, and book what anchors and the hand do in it.
+   * @param {Rope} rope @param {() => void} step */
   watch(rope, step) {
     const led = [
       ...rope.anchors.map(({ node, held }) => (held ? node : -1)),

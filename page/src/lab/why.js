@@ -7,8 +7,10 @@ import { longest } from "./verdict.js";
 /** @typedef {import("./kernel.js").Method} Method */
 
 /** @param {number} energy that the rope has made up [J] */
-const made = (energy) =>
-  ` the rope has ${Number(energy.toPrecision(3))} J more than it began with, and nothing gave it so much`;
+const made = (energy) => {
+  const more = Number.isFinite(energy) ? `${Number(energy.toPrecision(3))} J` : "far";
+  return ` the rope has ${more} more energy than it began with, and nothing gave it so much`;
+};
 
 /** @param {number} seconds */
 export const milliseconds = (seconds) => `${Number((1e3 * seconds).toPrecision(4))} ms`;

@@ -214,10 +214,12 @@ def dips(obstacles, o, i, p, q):
     """Tell whether node i hits obstacle o from p to q, outside of it, in the body's frame.
 
     Along a straight way the distance from a convex body has one minimum: it is between the points beside the
-    lowest of three, where its thirds are looked at.
+    lowest of three, where its thirds are looked at. Of a torus or a mesh one of several may be missed.
     """
     way = math.sqrt((q[0] - p[0]) ** 2 + (q[1] - p[1]) ** 2 + (q[2] - p[2]) ** 2)
     thickness, least = obstacles.thickness[i], -MISSED * obstacles.diameter[i]
+    if way < -2.0 * least:  # too short to go so deep and out again
+        return False
     before = gap_at(obstacles, o, p) - thickness
     if before <= 0.0 or before - way > least:
         return False

@@ -99,7 +99,7 @@ class Parameter:
 
     def _in_range(self, number: Any, given: Any) -> Any:
         low, high = self.minimum, self.maximum
-        if low is not None and low <= TINY and number < low and number <= 0.0:
+        if low is not None and 0.0 <= low <= TINY and number < low and number <= 0.0:
             raise refusal(self.name, given, "must be positive" if low else "must not be negative")
         if (low is not None and number < low) or (high is not None and number > high):
             raise refusal(self.name, given, f"must be{self._range()}")

@@ -27,13 +27,12 @@ def largest_step(simulation: Simulation) -> float:
 
 
 def holds_without_friction(model: Model) -> bool:
-    """Tell whether the step is stable for the same ropes without any friction."""
+    """Tell whether the step is stable for the same ropes without friction of their own."""
     cases = step_cases(model.system, model.state, model.plan.duration)
     smooth = {
         name: chain._replace(
             damping_vector=np.zeros_like(chain.damping_vector),
             damping_axial=np.zeros_like(chain.damping_axial),
-            node_damping=np.zeros_like(chain.node_damping),
             damping_bending=0.0,
         )
         for name, chain in cases.chains.items()

@@ -22,7 +22,7 @@ from ropewalk.statics.balance import Balance
 from ropewalk.statics.newton import Found
 from ropewalk.statics.searching import search
 
-_FIRST, _INNER = 120, 40  # Newton steps for the first place, and for one of the others
+_FIRST, _INNER = 600, 40  # Newton steps for the first place, and for one of the others
 _SHARE = 1.0 / 8.0  # of a rope: the longest way between two looks at what drives [1]
 _LEAST = 1e-3  # of a segment: the shortest [1]
 _FIRM = (
@@ -95,7 +95,7 @@ def _go(
         balance.restore(kept)
         if abs(there - here) <= _NEAR:
             break
-        way = longest = 0.5 * way
+        way = longest = 0.5 * abs(there - here)
     return last, steps
 
 

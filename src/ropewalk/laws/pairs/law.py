@@ -80,7 +80,7 @@ def lower(
         rope=np.full(s, -1, np.int64),
         skip=np.ones(s, np.int64),
         joint=np.full((s, 2), -1, np.int64),
-        along=np.full((s, 2), NO_ROPE, np.int64),
+        along=np.full((s, 4), NO_ROPE, np.int64),
     )
     if contact is None:
         return table
@@ -143,7 +143,8 @@ def _note_slides(
         node = layout.node(slide.node, slide.rope)
         reach = max(1, neighbours(rope, 0.5 * ropes[line].diameter))
         for k in range(max(node - reach, span.first), min(node + reach, span.last)):
-            table.along[k, 0 if k >= node else 1] = line
+            if line not in table.along[k]:
+                table.along[k, np.argmin(table.along[k])] = line  # in place of none
 
 
 def acts(table: Pairs) -> bool:

@@ -18,6 +18,7 @@ from ropewalk.laws.pairs.search import find_near, freeze, new_row, normal_at, ow
 from ropewalk.laws.pairs.table import (
     APART,
     CONTACTS,
+    EXTRA,
     FAULT,
     FIRST,
     FOUND,
@@ -241,6 +242,7 @@ def fade(memory, dt):
     share = math.exp(-dt / FADES)
     for row in range(memory.tally[CONTACTS]):
         memory.grip[row, MORE] *= share
+        memory.grip[row, EXTRA] = 0.0
 
 
 @kernel

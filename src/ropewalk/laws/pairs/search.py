@@ -24,6 +24,7 @@ def are_neighbours(table, tied, i, j):
         if joint >= 0 and tied[joint] == 1:
             if table.joint[j, 0] == joint or table.joint[j, 1] == joint:
                 return True
+    for a in range(table.along.shape[1]):
         if table.along[i, a] == table.rope[j] or table.along[j, a] == table.rope[i]:
             return True
     return False

@@ -20,8 +20,9 @@ WRONG = 0.03  # [1] by which a frozen contact may err, over the same sum
 # Columns of `Memory.grip`: normal, points of both segments, the friction spring's force [N] and the vector
 # between the points [m] at the end of the last step, R_n then [N], the spring's stiffness [N/m], whether
 # the row is to go, by how much more it counts as pressed than its points say [m], whether it was found
-# on the way of the step in hand, and the levers of both segments [1], see `apart`.
-NORMAL, OWN, OTHER, SPRING, APART, PUSH, STIFF, GONE, MORE, FOUND, LEVER = (
+# on the way of the step in hand, the levers of both segments [1], see `apart`, and what of MORE is new in
+# this step [m].
+NORMAL, OWN, OTHER, SPRING, APART, PUSH, STIFF, GONE, MORE, FOUND, LEVER, EXTRA = (
     0,
     3,
     4,
@@ -33,8 +34,9 @@ NORMAL, OWN, OTHER, SPRING, APART, PUSH, STIFF, GONE, MORE, FOUND, LEVER = (
     14,
     15,
     16,
+    22,
 )
-WIDTH = 22
+WIDTH = 23
 # Places in `Memory.tally`.
 CONTACTS, NEAR, ROUNDS, SEEN, REFUSED, FAULT, FIRST, SECOND, ASKED = range(9)
 PASSED, FULL, CROWDED = 1, 2, 3  # faults
@@ -54,7 +56,7 @@ class Pairs(NamedTuple):
     rope: Ints  # (s,) number of the rope, -1 between ropes
     skip: Ints  # (s,) so many segments beside it are its neighbours
     joint: Ints  # (s, 2) the joints near it, -1: none
-    along: Ints  # (s, 2) the ropes along which a node near it slides, -2: none
+    along: Ints  # (s, 4) the ropes along which nodes near it slide, -2: none
 
 
 class Memory(NamedTuple):

@@ -16,6 +16,7 @@ from ropewalk.laws.pairs.search import find_near, freeze, new_row, normal_at, ow
 from ropewalk.laws.pairs.table import (
     APART,
     CONTACTS,
+    EXTRA,
     FAULT,
     FIRST,
     FOUND,
@@ -134,10 +135,21 @@ def turn_contact(x, y, table, memory, row, hit, end):
 def press_more(memory, row, size):
     """Let a contact count as deeper that is as deep as may be, but counts as less; return whether it did."""
     grip = memory.grip
-    if grip[row, MORE] >= 0.0:
+    more = min(MORE_AT_ONCE * size, -grip[row, MORE])
+    if more <= 0.0:
         return 0
-    grip[row, MORE] = min(grip[row, MORE] + MORE_AT_ONCE * size, 0.0)
+    grip[row, MORE] += more
+    grip[row, EXTRA] += more
     return 1
+
+
+@kernel
+def press_less(memory):
+    """Take back by how much more contacts press than at the beginning of a step that cannot stand."""
+    grip = memory.grip
+    for row in range(memory.tally[CONTACTS]):
+        grip[row, MORE] -= grip[row, EXTRA]
+        grip[row, EXTRA] = 0.0
 
 
 @small
@@ -192,6 +204,7 @@ def meet_pairs(x, y, table, memory, tied):
             refuse(memory, i, j)
     if count[FAULT] == FULL or (bad > 0 and more == 0) or count[ROUNDS] >= MOST_ROUNDS:
         count[ROUNDS] = 0
+        press_less(memory)
         return HALVE
     if more > 0:
         count[ROUNDS] += 1

@@ -12,7 +12,7 @@ import math
 from ropewalk.core.jit import kernel, small
 from ropewalk.laws.pairs.force import depth_at
 from ropewalk.laws.pairs.pair_memory import drop_gone, look_for_passes
-from ropewalk.laws.pairs.search import find_near, note_ropes
+from ropewalk.laws.pairs.search import are_neighbours, find_near, note_ropes
 from ropewalk.laws.pairs.table import (
     CONTACTS,
     FAULT,
@@ -23,9 +23,12 @@ from ropewalk.laws.pairs.table import (
     OWN,
     PUSH,
     SPRING,
+    STIFF,
     WIDTH,
 )
 from ropewalk.laws.pairs.way import begin_contact
+
+LEAST = 1e-6  # [1] least part of two segments that one of them is
 
 
 @small
@@ -64,13 +67,13 @@ def come_off(memory, new, old, side, share):
 
 
 @kernel
-def go_on(x, table, memory, gone, kept, side):
+def go_on(x, table, memory, tied, gone, kept, side):
     """Give the contacts of segment `gone`, next to the drum, to `kept`, which spans both at x (3, n).
 
     The places before are those of `memory`.
     """
     near, far = length_of(memory.place, gone), length_of(memory.place, kept)
-    share = near / (near + far) if near + far > 0.0 else 0.0
+    share = min(max(near / (near + far), LEAST), 1.0 - LEAST) if near + far > 0.0 else 0.5
     for row in range(memory.tally[CONTACTS]):
         i, j = memory.pair[row, 0], memory.pair[row, 1]
         if i != gone and j != gone and i != kept and j != kept:
@@ -80,14 +83,17 @@ def go_on(x, table, memory, gone, kept, side):
             segment, place = memory.pair[row, a], memory.grip[row, OWN + a * (OTHER - OWN)]
             place = place if side > 0 else 1.0 - place
             if segment == gone:
-                move_to(memory, row, a, kept, 0.0, 1.0)
-                place = share * place
+                place, part = share * place, share
             elif segment == kept:
-                place = share + (1.0 - share) * place
+                place, part = share + (1.0 - share) * place, 1.0 - share
             else:
                 continue
-            memory.grip[row, OWN + a * (OTHER - OWN)] = place if side > 0 else 1.0 - place
-        begin_contact(x, table, memory, row, before)
+            move_to(memory, row, a, kept, place if side > 0 else 1.0 - place, 1.0 / part)
+        i, j = memory.pair[row, 0], memory.pair[row, 1]
+        if are_neighbours(table, tied, min(i, j), max(i, j)):
+            memory.grip[row, GONE] = 1.0
+        else:
+            begin_contact(x, table, memory, row, before)
 
 
 @small
@@ -110,11 +116,13 @@ def sort_rows(memory):
             row -= 1
     first = 0
     for row in range(1, memory.tally[CONTACTS]):
-        if pair[row, 0] != pair[first, 0] or pair[row, 1] != pair[first, 1]:
+        other = pair[row, 0] != pair[first, 0] or pair[row, 1] != pair[first, 1]
+        if other or grip[first, GONE] == 1.0:
             first = row
             continue
         grip[row, GONE] = 1.0
         grip[first, PUSH] += grip[row, PUSH]
+        grip[first, STIFF] = max(grip[first, STIFF], grip[row, STIFF])
         for k in range(3):
             grip[first, SPRING + k] += grip[row, SPRING + k]
     drop_gone(memory)
@@ -133,9 +141,9 @@ def wind_pairs(table, state, winches):
             share = length / (length + state.rest_length[working + side])
             come_off(memory, working, working + side, side, share)
             changed = True
-        elif 0 <= on_drum < memory.rope.shape[0]:
+        elif 0 <= on_drum < memory.rope.shape[0] and memory.rope[working] >= 0:
             if memory.rope[on_drum] == memory.rope[working] and state.stiffness[on_drum] == 0.0:
-                go_on(x, table, memory, on_drum, working, side)
+                go_on(x, table, memory, state.tied, on_drum, working, side)
                 changed = True
     if not changed:
         return
