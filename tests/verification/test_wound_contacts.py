@@ -163,6 +163,7 @@ def test_a_node_that_goes_on_hands_its_contacts_to_the_next_segment(side: int) -
     for k, segment in enumerate(sorted((gone, kept))):
         memory.pair[k] = segment, other
         memory.grip[k] = memory.grip[row]
+        memory.grip[k, PUSH] = 1.0 + k
     first = [k for k in range(2) if memory.pair[k, 0] == gone]
     before, push = seen(x, memory, first), memory.grip[:2, PUSH].sum()
     after = x.copy()
