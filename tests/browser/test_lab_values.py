@@ -283,9 +283,9 @@ def test_a_theme_that_changes_changes_the_colours(tmp_path: Path, open_window: A
     page = open_window(write_lab(tmp_path / "lab.html").as_uri(), color_scheme="light").page
     ramp = "[window.ropewalkLab.lab.drawing.map[0], document.getElementById('ramp').style.backgroundImage]"
     light = page.evaluate(ramp)
-    page.emulate_media(color_scheme="dark")
+    page.emulate_media(color_scheme="dark")  # the page hears of it a little later
+    page.wait_for_function("(was) => window.ropewalkLab.lab.drawing.map[0] !== was", arg=light[0])
     dark = page.evaluate(ramp)
-    assert light[0] != dark[0]
     assert dark[0].replace(" ", ", ") in dark[1]
 
 
