@@ -55,7 +55,11 @@ def test_bad_sheets(ropewalk: Any, job: str) -> None:
     for options, text in (
         (("-o", "a.doc"), "must end in .html or .pdf"),
         (("-o", "job.toml/a.html"), "is a file, not a folder"),
-        (("--uncertain", "rope.length"), "rope.length"),
+        (("--uncertain", "rope.length"), "--uncertain: 'rope.length'"),
+        (("--uncertain", "rope.length"), "such as rope.made_of.EA=10%"),
+        (("--uncertain", "rope.length=3..x"), "--uncertain: 'rope.length=3..x'"),
+        (("--uncertain", "rope.length=0%"), "must be per cents above 0 and up to 100"),
+        (("--uncertain", "rope.length=3"), "or per cents such as 10 %"),
         (("--set", "rope.segments=0"), "segments: 0 - must be at least 1"),
     ):
         done = ropewalk("sheet", job, *options)

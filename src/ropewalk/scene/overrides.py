@@ -130,9 +130,12 @@ class Places:
 
     def value(self, number: int) -> Any:
         """Return what stands at path `number` now (at the first of many places); None for nothing."""
-        target = self._places[number][0]
-        found = target.owner.get(target.key, _default(target))
-        return found[target.part] if target.part is not None and found is not None else found
+        return self.values(number)[0]
+
+    def values(self, number: int) -> list[Any]:
+        """Return what stands at path `number` now, place by place; None for nothing."""
+        found = [(_whole(target), target.part) for target in self._places[number]]
+        return [one if part is None or one is None else one[part] for one, part in found]
 
     def overlap(self, number: int, other: int) -> bool:
         """Tell whether two of the paths write to one place."""
@@ -270,16 +273,17 @@ def _is_vector(
     return isinstance(step, int) and all(not kind_of(keys(m)[key]).models for _, m, _ in places)
 
 
-def _default(target: _Target) -> Any:
+def _whole(target: _Target) -> Any:
     field = keys(target.model)[target.key]
-    return None if field.is_required() else field.get_default()
+    default = None if field.is_required() else field.get_default()
+    return target.owner.get(target.key, default)
 
 
 def _checked(target: _Target) -> _Target:
     """The same target, after a check that there is such a component."""
     if target.part is None:
         return target
-    whole = target.owner.get(target.key, _default(target))
+    whole = _whole(target)
     if not isinstance(whole, (list, tuple)):
         raise _fault(target.path, "has no components; set it whole")
     if target.part >= len(whole):
@@ -369,7 +373,7 @@ def _set(target: _Target, value: Any) -> None:
     owner, key, model, _, part = target
     field = keys(model)[key]
     if part is not None:
-        whole = list(owner.get(key, _default(target)))
+        whole = list(_whole(target))
         whole[part] = value
         owner[key] = whole
         return

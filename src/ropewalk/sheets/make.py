@@ -140,7 +140,9 @@ def _uncertain(scene: Scene, spreads: Mapping[str, Any], samples: int, what: str
 
 
 def _spread(value: Any) -> str:
-    """Return a range or a distribution in words."""
+    """Return per cents, a range or a distribution in words."""
+    if isinstance(value, str):
+        return f"±{value.strip().lstrip('±').strip()} of what the scene has"
     if isinstance(value, tuple):
         low, high = (one if isinstance(one, str) else f"{one:.6g}" for one in value)
         return f"{low} to {high}"

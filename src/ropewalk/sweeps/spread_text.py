@@ -32,6 +32,21 @@ _QUANTITY = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(\D.*)
 _CALL = re.compile(r"(\w+)\((.*)\)")
 
 
+def parse_uncertain(text: str) -> tuple[str, Any]:
+    """Return path and spread of `PATH=SPREAD`, per cents as the text they are. Raises InputError.
+
+    SPREAD is a range or a distribution as of `parse_vary`, or per cents of the scene's value, `10 %`.
+    """
+    path, _, what = text.partition("=")
+    if path.strip() and what.strip().endswith("%") and ".." not in what:
+        return path.strip(), what.strip()
+    try:
+        return parse_vary(text)
+    except InputError as error:
+        rule = error.rule.replace("rope.made_of.EA=1e4,1e5,1e6", "rope.made_of.EA=10%")
+        raise InputError("--uncertain", text, rule) from None
+
+
 def parse_vary(text: str) -> tuple[str, Any]:
     """Return path and values (or spread) of `PATH=WHAT`. Raises InputError.
 

@@ -20,6 +20,7 @@ from ropewalk.sweeps.batch import GOOD
 from ropewalk.sweeps.designs import SALTELLI, Design
 from ropewalk.sweeps.many import make_runs, sweep
 from ropewalk.sweeps.parameters import Parameter, make_parameters
+from ropewalk.sweeps.per_cents import with_ranges
 from ropewalk.sweeps.whole import refuse_unless_whole
 
 if TYPE_CHECKING:
@@ -93,7 +94,8 @@ def uncertain(
 
     Args:
         scene: scene, preset's name, or scene file.
-        spreads: mapping from paths to frozen scipy.stats distributions or ranges (low, high).
+        spreads: mapping from paths to frozen scipy.stats distributions, ranges (low, high), or per cents
+            such as "10 %": that far below and above the scene's value, evenly.
         samples: base samples, best a power of two. With SALib (`ropewalk[uncertain]`) there are
             `samples` times (parameters + 2) runs, from which come bands and Sobol indices; without it
             `samples` runs, and bands only.
@@ -106,10 +108,14 @@ def uncertain(
     whole numbers and for fewer than 2 samples, else as `sweep`.
     """
     loaded = as_scene(scene)
+    spreads = with_ranges(loaded, spreads)
     parameters = make_parameters(loaded, spreads)
     fixed = [p.path for p in parameters if p.spread is None]
     if fixed:
-        rule = "must be a range (low, high) or a distribution"
+        rule = (
+            "must be a range such as 9.5..10.5, in Python (9.5, 10.5), a distribution such as norm(10, 0.5), "
+            "or per cents such as 10 %"
+        )
         raise SceneError([Fault(path, NO_VALUE, rule) for path in fixed])
     refuse_unless_whole("samples", samples, 2)
     if seed is not None:

@@ -45,8 +45,9 @@ quiet_option = click.option(
     "spreads",
     multiple=True,
     metavar="PATH=SPREAD",
-    help="A value that is not known exactly: a range 9.5..10.5 or norm(1e5, 5e3). Then many runs are made, "
-    "and bands for tension, sag and anchor forces printed and drawn; can be given again.",
+    help="A value that is not known exactly: a range 9.5..10.5, norm(1e5, 5e3), or 10% below and above the "
+    "scene's. Then many runs are made, and bands for tension, sag and anchor forces printed and drawn; "
+    "can be given again.",
 )
 @click.option("--samples", type=click.IntRange(2), metavar="N", help="Of --uncertain; default 256.")
 @click.option(

@@ -28,11 +28,11 @@ def run_uncertain(
     `drawn` are the number of samples and their seed.
     """
     from ropewalk import plots
-    from ropewalk.sweeps.spread_text import parse_vary
+    from ropewalk.sweeps.spread_text import parse_uncertain
     from ropewalk.sweeps.uncertainty import text_rows, uncertain
 
     output, name, overwrite = where
-    vary = dict(parse_vary(text) for text in spreads)
+    vary = dict(parse_uncertain(text) for text in spreads)
     tell_compiling(scene.run.method, scene)
     with claimed(output, SWEEPS, f"{name}-uncertain") as folder, telling():
         samples, seed = drawn

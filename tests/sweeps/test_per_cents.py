@@ -1,0 +1,84 @@
+"""Per cents of what a scene has: the range that they are, and what they cannot be of."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+import pytest
+
+import ropewalk as rw
+from ropewalk.record.errors import InputError
+from ropewalk.scene import SceneError
+from ropewalk.scene.presets import preset
+from ropewalk.sweeps.per_cents import with_ranges
+from ropewalk.sweeps.spread_text import parse_uncertain
+from sweeps.scenes import swing
+
+EA = "rope.made_of.EA"
+
+
+@pytest.mark.parametrize("text", ["10%", "10 %", "±10%", " ± 10 % "])
+def test_per_cents_are_of_what_the_library_rope_has(text: str) -> None:
+    found = with_ranges(preset("zip-line"), {EA: text, "rope.length": (150.0, 150.5)})
+    assert found == {
+        EA: pytest.approx((0.9 * 7.085e6, 1.1 * 7.085e6)),
+        "rope.length": (150.0, 150.5),
+    }
+
+
+def test_per_cents_of_a_negative_number_are_in_order() -> None:
+    found = with_ranges(preset("zip-line"), {"rope.shape.end[2]": "10%"})
+    assert found["rope.shape.end[2]"] == pytest.approx((-8.25, -6.75))
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "rule"),
+    [
+        *((EA, text, "above 0 and up to 100") for text in ("0%", "-10%", "120%", "x%", "10 kN")),
+        (EA, "10 % kN", "above 0 and up to 100"),
+        ("rope.shape.start", "10%", "no single number stands there"),
+        ("rope.shape.end[1]", "10%", "the scene has 0 there"),
+        ("rope.made_of.relaxing_EA", "10%", "nothing stands there"),
+        ("time_step", "10%", "no single number stands there"),
+        ("rope.made_of.EAA", "10%", "unknown key"),
+    ],
+)
+def test_what_per_cents_cannot_be(path: str, text: str, rule: str) -> None:
+    with pytest.raises(SceneError, match=rule):
+        with_ranges(preset("zip-line"), {path: text})
+
+
+def test_per_cents_of_unlike_ropes_are_refused() -> None:
+    with pytest.raises(SceneError, match="name one of them"):
+        with_ranges(preset("three-leg-sling"), {"rope.length": "10%"})
+
+
+def test_the_band_of_per_cents_is_that_of_their_range() -> None:
+    """At rest the tension goes with the mass: nine tenths of 10 % below and above it are in the band."""
+    mass = "rope.made_of.mass_per_length"
+    ask: dict[str, Any] = {
+        "samples": 32,
+        "seed": 3,
+        "what": "rest",
+        "on": "here",
+        "progress": False,
+    }
+    found = rw.uncertain(swing(0.02), {mass: "10 %"}, **ask)
+    low, middle, high = found.bands.tension_max.values / found.bands.tension_max.values[1]
+    assert (low, middle, high) == pytest.approx((0.91, 1.0, 1.09), abs=4e-3)
+
+
+@pytest.mark.parametrize("text", ["rope.length=10%", "rope.length = ±10 %"])
+def test_per_cents_on_the_command_line(text: str) -> None:
+    path, what = parse_uncertain(text)
+    assert path == "rope.length"
+    assert re.fullmatch("±?10 ?%", what)
+
+
+@pytest.mark.parametrize(
+    "text", ["rope.length", "rope.length=", "=10%", "rope.length=3..x", "a=norm(5%)"]
+)
+def test_refusals_name_their_own_option(text: str) -> None:
+    with pytest.raises(InputError, match="^--uncertain: "):
+        parse_uncertain(text)
