@@ -146,3 +146,25 @@ def test_a_hand_leaves_room_for_a_motion_that_begins_later() -> None:
         table.rate = alone.fastest_turn
     steps(simulation, 0.35)
     assert table.fastest_turn == pytest.approx(alone.fastest_turn)
+
+
+@pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf, "fast", None])
+def test_what_is_no_rate_is_refused(value: Any) -> None:
+    drum = rw.Simulation(on_a_table()).obstacles["drum"]
+    with pytest.raises(ValueError, match=r"^rate: .* must be a finite number \[rad/s\]"):
+        drum.rate = value
+    assert drum.rate == 0.0
+
+
+def test_what_is_round_turns_by_half_in_a_step_at_most() -> None:
+    """As in a scene, which is refused beyond it: friction would point backwards."""
+    simulation = rw.Simulation(on_a_table())
+    drum, most = simulation.obstacles["drum"], np.pi / STEP
+    assert drum.fastest_turn == pytest.approx(most)
+    for rate in (1.01 * most, -1.01 * most, 1e300):
+        with pytest.raises(ValueError, match=f"turn by more than half; at most {most:.4g} rad/s"):
+            drum.rate = rate
+    with pytest.raises(ValueError, match="turn by more than half"):
+        drum.turn_to(5.0, STEP)
+    drum.rate = -0.99 * most
+    assert drum.rate == pytest.approx(-0.99 * most)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import pytest
 
 from report_rope import material, scene
@@ -11,11 +13,14 @@ from ropewalk.library import names
 from ropewalk.library import rope as library_rope
 from ropewalk.lowering import build
 from ropewalk.scene import (
+    Box,
+    Cylinder,
     Load,
     Material,
     Polyline,
     Rope,
     Straight,
+    Torus,
 )
 
 
@@ -177,3 +182,29 @@ def test_speeds_of_a_thousand_are_a_slip(speed: float, warned: bool) -> None:
     assert "faster than sound" not in "".join(
         unit_slips(build(scenes["rope[0].kick"].replace(gravity=(0, 0, 0))))
     )
+
+
+@pytest.mark.parametrize(
+    ("body", "reach"),
+    [
+        (Cylinder(start=(0, 0, -9), end=(0, 1, -9), radius=0.2), 0.2),
+        (Torus(center=(0, 0, -9), radius=0.3, bar_radius=0.1), 0.4),
+        (Box(center=(0, 0, -9), half_sizes=(0.3, 0.4, 1.2), edge_radius=0.1), 1.3),
+    ],
+)
+def test_spins_faster_than_sound_are_a_slip(body: Any, reach: float) -> None:
+    """By what the surface does: nothing was said of a drum at 3600 rad/s, which was meant in degrees."""
+    given = scene()
+    given = given.replace(run=given.run.replace(time_step=1e-5))
+    for speed, warned in ((400.0, True), (300.0, False)):
+        rate = speed / reach
+        table = {"times": (0, 1, 1.5), "angles": (0, 0, -0.5 * rate)}
+        spins: list[Any] = [{"rate": -rate}, table]
+        if isinstance(body, Cylinder):
+            spins.append({"free": True, "inertia": 1.0, "rate": rate})
+        for spin in spins:
+            found = unit_slips(build(given.replace(obstacles=[body.replace(spin=spin)])))
+            assert [text for text in found if text.startswith("obstacle[0].spin: ")] == [
+                f"obstacle[0].spin: {rate:.4g} rad/s is 400 m/s at {reach:g} m from the axis, faster than "
+                "sound in air; degrees for radians, or mm for m?"
+            ] * warned

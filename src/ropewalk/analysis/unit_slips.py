@@ -13,6 +13,7 @@ import numpy as np
 
 from ropewalk.lowering import Model
 from ropewalk.scene import Material, Rope, Scene, Springs, TableCurve
+from ropewalk.scene.obstacles import Obstacle
 
 # Speed of sound along a rope, sqrt(EA / mass per length) [m/s].
 _SLOWEST = {"springs": 0.5, "material": 20.0}  # springs are often meant to be soft
@@ -97,7 +98,31 @@ def _speeds(scene: Scene) -> list[str]:
         f"{path}: {speed:.4g} m/s is faster than sound in air; mm/s for m/s?"
         for path, speed in given
         if speed > _SOUND
-    ]
+    ] + [text for i, body in enumerate(scene.obstacles) for text in _spin(f"obstacle[{i}]", body)]
+
+
+def _spin(path: str, body: Obstacle) -> list[str]:
+    """The greatest rate of a spin, as the speed that it gives the body's surface."""
+    if body.spin is None:
+        return []
+    by_table = _fastest(body.spin.as_motion()) if body.spin.times else 0.0
+    rate, reach = max(abs(body.spin.rate or 0.0), by_table), _reach(body)
+    if rate * reach <= _SOUND:
+        return []
+    surface = f"{rate:.4g} rad/s is {rate * reach:.4g} m/s at {reach:.4g} m from the axis"
+    return [f"{path}.spin: {surface}, faster than sound in air; degrees for radians, or mm for m?"]
+
+
+def _reach(body: Obstacle) -> float:
+    """Return how far a surface is from its axis [m]; 0 where that is not a number of the scene's."""
+    match body.kind:
+        case "box":
+            return math.hypot(*body.half_sizes)
+        case "torus":
+            return body.radius + body.bar_radius
+        case "plane" | "mesh" | "sdf":
+            return 0.0
+    return body.radius
 
 
 def _fastest(motion: object) -> float:

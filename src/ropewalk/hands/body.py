@@ -88,8 +88,8 @@ class ObstacleHandle:
         """The rate at which it turns about its axis [rad/s].
 
         Set it to turn the obstacle from now on, whatever the scene told it. Raises ValueError for anything
-        but a finite number, for an obstacle that turns freely, and for a rate at which one that is not round
-        would jump over nodes within a step.
+        but a finite number, for an obstacle that turns freely, for more than half a turn in a step, and for a
+        rate at which one that is not round would jump over nodes within a step.
         """
         return self._turned[1]
 
@@ -116,11 +116,14 @@ class ObstacleHandle:
 
     @property
     def fastest_turn(self) -> float:
-        """The largest rate at which it does so, moving as it will [rad/s]; inf of what is round."""
+        """The largest rate at which it does so, moving as it will, and by half a turn in a step [rad/s].
+
+        Friction turns with a body within a step: beyond half a turn it would point backwards.
+        """
         if (reach := self._reach) == 0.0:
-            return math.inf
+            return self._half_turn
         speed = speed_ahead(self._table.motion, self._row, self._simulation.time)
-        return max(self._limit - speed, 0.0) / reach
+        return min(max(self._limit - speed, 0.0) / reach, self._half_turn)
 
     @property
     def turns(self) -> bool:
@@ -132,6 +135,11 @@ class ObstacleHandle:
         """The largest speed at which a surface jumps over no node within a step [m/s]."""
         simulation = self._simulation
         return radius_with_rope(simulation.system, self._body) / simulation.clock[1]
+
+    @property
+    def _half_turn(self) -> float:
+        """Half a turn in a step [rad/s]."""
+        return math.pi / float(self._simulation.clock[1])
 
     @property
     def _reach(self) -> float:
@@ -202,7 +210,8 @@ class ObstacleHandle:
             raise ValueError(f"rate: {rate:g} rad/s - {rule}")
         if abs(rate) > (most := self.fastest_turn) * (1.0 + _EVEN):
             step = self._simulation.clock[1]
-            rule = f"in steps of {step:.3g} s it would jump over nodes; at most {most:.4g} rad/s"
+            does = "jump over nodes" if most < self._half_turn else "turn by more than half"
+            rule = f"in steps of {step:.3g} s it would {does}; at most {most:.4g} rad/s"
             raise ValueError(f"rate: {rate:.4g} rad/s - {rule}")
         bodies, row, angle = self._simulation.bodies, self._row, self.angle
         bodies.turning[row] = _VELOCITY
