@@ -258,6 +258,20 @@ def test_without_extremes_the_table_is_of_the_frames_and_says_so(tmp_path: Path)
     assert again.table["largest tension at"] == result.table["largest tension at"]
 
 
+def test_ropes_side_by_side_go_without_extremes_too() -> None:
+    one = caught(60.0)
+    rope, anchors = one.ropes[0], one.anchors
+    two = one.replace(
+        ropes=[rope.replace(name=name) for name in "ab"],
+        anchors=[
+            held.replace(rope=name, name=f"{held.name}-{name}") for name in "ab" for held in anchors
+        ],
+    )
+    alone, both = (rw.simulate(s.replace(**{"run.extremes": False})) for s in (one, two))
+    assert both.table["largest tension [N]"] == alone.table["largest tension [N]"]
+    assert both.table["largest tension at"].endswith("of the recorded frames")
+
+
 def test_a_break_leaves_no_absurd_extreme() -> None:
     """What came after the last good frame is in no table."""
     scene = swinging(EULER, 5, 0.0, "vector")

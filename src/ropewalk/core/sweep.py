@@ -5,12 +5,13 @@ and the tension of the segment before it leaves, for the next node and segment,
     M = A^-1 - d u u^T / (s + d p . u),  u = A^-1 p       the node's response, its segment held to its length
     s' = e + d t . M t,   p' = t - B M t,   A' = inertia + B - B M B
 with p and s column and pivot of the tension. The two ends are independent of each other until they meet
-at the middle node, so the processor works on both at the same time.
+at the middle node: what is done to both is done to a `Twin`, two numbers in one register.
 """
 
 from __future__ import annotations
 
 from ropewalk.core.jit import kernel, small
+from ropewalk.core.twin import first, second, twin
 
 
 @small
@@ -82,17 +83,42 @@ def keep(factor, i, m, w):
 
 
 @small
-def come_back(factor, i, z, pull, t, across, bend):
-    """Return what the solution of the next node changes in node `i` and in the tension before it."""
+def keep_both(factor, i, j, m, w):
+    """Store what the way back needs of nodes `i` and `j`."""
+    for k in range(6):
+        factor[i, k], factor[j, k] = first(m[k]), second(m[k])
+    for k in range(3):
+        factor[i, 6 + k], factor[j, 6 + k] = first(w[k]), second(w[k])
+
+
+@small
+def kept(factor, i):
+    """Return what was kept of node `i`."""
+    f = factor
+    return (f[i, 0], f[i, 1], f[i, 2], f[i, 3], f[i, 4], f[i, 5], f[i, 6], f[i, 7], f[i, 8])
+
+
+@small
+def kept_both(f, i, j):
+    """Return what was kept of nodes `i` and `j`."""
+    return (
+        twin(f[i, 0], f[j, 0]), twin(f[i, 1], f[j, 1]), twin(f[i, 2], f[j, 2]),
+        twin(f[i, 3], f[j, 3]), twin(f[i, 4], f[j, 4]), twin(f[i, 5], f[j, 5]),
+        twin(f[i, 6], f[j, 6]), twin(f[i, 7], f[j, 7]), twin(f[i, 8], f[j, 8]),
+    )  # fmt: skip
+
+
+@small
+def come_back(k, z, pull, t, across, bend):
+    """Return what the next node's solution `z` changes in one that kept `k`, and in the tension before it."""
     c = bend * (t[0] * z[0] + t[1] * z[1] + t[2] * z[2]) + pull
     b0, b1, b2 = across * z[0] + c * t[0], across * z[1] + c * t[1], across * z[2] + c * t[2]
-    m1, m2, m4 = factor[i, 1], factor[i, 2], factor[i, 4]
     change = (
-        factor[i, 0] * b0 + m1 * b1 + m2 * b2,
-        m1 * b0 + factor[i, 3] * b1 + m4 * b2,
-        m2 * b0 + m4 * b1 + factor[i, 5] * b2,
+        k[0] * b0 + k[1] * b1 + k[2] * b2,
+        k[1] * b0 + k[3] * b1 + k[4] * b2,
+        k[2] * b0 + k[4] * b1 + k[5] * b2,
     )
-    return change, factor[i, 6] * b0 + factor[i, 7] * b1 + factor[i, 8] * b2
+    return change, k[6] * b0 + k[7] * b1 + k[8] * b2
 
 
 @kernel
@@ -106,10 +132,29 @@ def sweep(saddle):
     misfit, tension, factor = saddle.misfit, saddle.pulled, saddle.factor
     n = free.shape[0]
     middle = n // 2
-    zero = (0.0, 0.0, 0.0)
-    a, p, s, g, f, d = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0), zero, 1.0, 0.0, zero, 0.0
-    A, P, S, G, F, D = a, zero, 1.0, 0.0, zero, 0.0
-    for i in range(middle):
+    no, one = twin(0.0, 0.0), twin(1.0, 1.0)
+    zero = (no, no, no)
+    A, P, S, G, F, D = (no, no, no, no, no, no), zero, one, no, zero, no
+    for i in range(n - 1 - middle):  # from both ends
+        h, j = n - 1 - i, n - 2 - i
+        t = (twin(d0[i], -d0[j]), twin(d1[i], -d1[j]), twin(d2[i], -d2[j]))
+        stiff = twin(across[i], across[j])
+        bend = twin(along[i], along[j]) - stiff
+        A = add_segment(A, twin(inertia[i], inertia[h]), t, stiff, bend)
+        F = (F[0] + twin(r0[i], r0[h]), F[1] + twin(r1[i], r1[h]), F[2] + twin(r2[i], r2[h]))
+        m, w, y, pull = respond(A, P, S, G, F, D, twin(free[i], free[h]))
+        keep_both(factor, i, h, m, w)
+        z0[i], z1[i], z2[i] = first(y[0]), first(y[1]), first(y[2])
+        z0[h], z1[h], z2[h] = second(y[0]), second(y[1]), second(y[2])
+        if i > 0:
+            tension[i - 1], tension[h] = first(pull), second(pull)
+        D = twin(on[i], on[j])
+        A, P, S, G, F = pass_on(m, y, t, stiff, bend, twin(e[i], e[j]), D)
+        G = G - twin(misfit[i], misfit[j])
+    a = (first(A[0]), first(A[1]), first(A[2]), first(A[3]), first(A[4]), first(A[5]))
+    p, f = (first(P[0]), first(P[1]), first(P[2])), (first(F[0]), first(F[1]), first(F[2]))
+    s, g, d = first(S), first(G), first(D)
+    for i in range(n - 1 - middle, middle):  # of an even number of nodes one is left
         t = (d0[i], d1[i], d2[i])
         bend = along[i] - across[i]
         a = add_segment(a, inertia[i], t, across[i], bend)
@@ -122,35 +167,22 @@ def sweep(saddle):
         d = on[i]
         a, p, s, g, f = pass_on(m, y, t, across[i], bend, e[i], d)
         g -= misfit[i]
-        i = n - 1 - i
-        if i > middle:
-            j = i - 1
-            t = (-d0[j], -d1[j], -d2[j])
-            bend = along[j] - across[j]
-            A = add_segment(A, inertia[i], t, across[j], bend)
-            F = (F[0] + r0[i], F[1] + r1[i], F[2] + r2[i])
-            m, w, y, pull = respond(A, P, S, G, F, D, free[i])
-            keep(factor, i, m, w)
-            z0[i], z1[i], z2[i] = y
-            if i < n - 1:
-                tension[i] = pull
-            D = on[j]
-            A, P, S, G, F = pass_on(m, y, t, across[j], bend, e[j], D)
-            G -= misfit[j]
     i = middle
-    a = (a[0] + A[0] + inertia[i], a[1] + A[1], a[2] + A[2],
-         a[3] + A[3] + inertia[i], a[4] + A[4], a[5] + A[5] + inertia[i])  # fmt: skip
-    f = (f[0] + F[0] + r0[i], f[1] + F[1] + r1[i], f[2] + F[2] + r2[i])
+    a = (a[0] + second(A[0]) + inertia[i], a[1] + second(A[1]), a[2] + second(A[2]),
+         a[3] + second(A[3]) + inertia[i], a[4] + second(A[4]),
+         a[5] + second(A[5]) + inertia[i])  # fmt: skip
+    f = (f[0] + second(F[0]) + r0[i], f[1] + second(F[1]) + r1[i], f[2] + second(F[2]) + r2[i])
     m, w, y, pull = respond(a, p, s, g, f, d, free[i])
     if i < n - 1:  # the tension of the segment that comes from the other end
-        q0 = m[0] * P[0] + m[1] * P[1] + m[2] * P[2]
-        q1 = m[1] * P[0] + m[3] * P[1] + m[4] * P[2]
-        q2 = m[2] * P[0] + m[4] * P[1] + m[5] * P[2]
-        pivot = S + D * (P[0] * q0 + P[1] * q1 + P[2] * q2)
-        other = (D * (P[0] * y[0] + P[1] * y[1] + P[2] * y[2]) - G) / pivot
+        p = (second(P[0]), second(P[1]), second(P[2]))
+        q0 = m[0] * p[0] + m[1] * p[1] + m[2] * p[2]
+        q1 = m[1] * p[0] + m[3] * p[1] + m[4] * p[2]
+        q2 = m[2] * p[0] + m[4] * p[1] + m[5] * p[2]
+        pivot = second(S) + second(D) * (p[0] * q0 + p[1] * q1 + p[2] * q2)
+        other = (second(D) * (p[0] * y[0] + p[1] * y[1] + p[2] * y[2]) - second(G)) / pivot
         tension[i] = other
         y = (y[0] - other * q0, y[1] - other * q1, y[2] - other * q2)
-        pull -= other * (w[0] * P[0] + w[1] * P[1] + w[2] * P[2])
+        pull -= other * (w[0] * p[0] + w[1] * p[1] + w[2] * p[2])
     z0[i], z1[i], z2[i] = y
     if i > 0:
         tension[i - 1] = pull
@@ -165,22 +197,31 @@ def _go_back(saddle, middle):
     z0, z1, z2 = saddle.moved[0], saddle.moved[1], saddle.moved[2]
     tension, factor = saddle.pulled, saddle.factor
     n = across.shape[0] + 1
-    z = (z0[middle], z1[middle], z2[middle])
-    Z = z
-    for back in range(1, middle + 1):
-        i = middle - back
+    x, y, z = z0[middle], z1[middle], z2[middle]
+    Z = (twin(x, x), twin(y, y), twin(z, z))
+    for i in range(middle - 1, 2 * middle - n, -1):
+        h, j = 2 * middle - i, 2 * middle - i - 1
+        t = (twin(d0[i], -d0[j]), twin(d1[i], -d1[j]), twin(d2[i], -d2[j]))
+        stiff = twin(across[i], across[j])
+        bend = twin(along[i], along[j]) - stiff
+        pulled = twin(tension[i], tension[j])
+        change, pull = come_back(kept_both(factor, i, h), Z, pulled, t, stiff, bend)
+        Z = (
+            twin(z0[i], z0[h]) + change[0],
+            twin(z1[i], z1[h]) + change[1],
+            twin(z2[i], z2[h]) + change[2],
+        )
+        z0[i], z1[i], z2[i] = first(Z[0]), first(Z[1]), first(Z[2])
+        z0[h], z1[h], z2[h] = second(Z[0]), second(Z[1]), second(Z[2])
+        if i > 0:
+            tension[i - 1] += first(pull)
+        if h < n - 1:
+            tension[h] += second(pull)
+    z = (first(Z[0]), first(Z[1]), first(Z[2]))
+    for i in range(2 * middle - n, -1, -1):  # of an even number of nodes one is left
         t = (d0[i], d1[i], d2[i])
-        change, pull = come_back(factor, i, z, tension[i], t, across[i], along[i] - across[i])
-        z = (z0[i] + change[0], z1[i] + change[1], z2[i] + change[2])
-        z0[i], z1[i], z2[i] = z
+        bend = along[i] - across[i]
+        change, pull = come_back(kept(factor, i), z, tension[i], t, across[i], bend)
+        z0[i], z1[i], z2[i] = z0[i] + change[0], z1[i] + change[1], z2[i] + change[2]
         if i > 0:
             tension[i - 1] += pull
-        i = middle + back
-        if i < n:
-            j = i - 1
-            t = (-d0[j], -d1[j], -d2[j])
-            change, pull = come_back(factor, i, Z, tension[j], t, across[j], along[j] - across[j])
-            Z = (z0[i] + change[0], z1[i] + change[1], z2[i] + change[2])
-            z0[i], z1[i], z2[i] = Z
-            if i < n - 1:
-                tension[i] += pull

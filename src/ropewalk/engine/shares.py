@@ -224,11 +224,12 @@ def collect(
         out.work[:frames, laws] += found.work[:frames, : len(works)]
         out.work[:frames, len(names[1]) + share.anchors] = found.work[:frames, len(works) :]
         out.reaction[:frames, share.anchors] = found.reaction[:frames]
-        out.reaction_high[:frames, share.anchors] = found.reaction_high[:frames]
         out.joint_force[:frames, share.points] = found.joint_force[:frames]
         if found.moment.shape[1]:
             out.moment[:frames, share.anchors] = found.moment[:frames]
-            out.moment_high[:frames, share.anchors] = found.moment_high[:frames]
+        for name in ("reaction_high", "moment_high"):  # none where extremes are not wanted
+            if getattr(found, name).shape[1]:
+                getattr(out, name)[:frames, share.anchors] = getattr(found, name)[:frames]
         if out.error_range.shape[1]:  # together they err by no more than this; when is not known
             out.error_range[:frames] += found.error_range[:frames]
             out.error_times[:frames] += found.error_times[:frames] if len(parts) == 1 else np.nan

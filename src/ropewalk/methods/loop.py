@@ -84,9 +84,6 @@ def _renew_other(system, state, t, scratch, tableau):
     prepare(system, state)
 
 
-_SOLVER, _OTHER = (_prepare_solver, _renew_solver), (_prepare_other, _renew_other)
-
-
 @part
 def _wind(system, state, scratch, t, dt, ledger):
     """End the turns of winches; a method that solves has the limiter in its equations."""
@@ -98,6 +95,10 @@ def _wind_and_limit(system, state, scratch, t, dt, ledger):
     """End the turns of winches, and let the limiter act on the end of a step."""
     end_turns(system, state, scratch.turning)
     limit_stretch(system, state, scratch.limiter, dt, ledger)
+
+
+_SOLVER = _prepare_solver, _renew_solver, _wind
+_OTHER = _prepare_other, _renew_other, _wind_and_limit
 
 
 @kernel
@@ -136,8 +137,7 @@ def make_advance(step: Any, *, carries: bool = False, solves: bool = False) -> A
 
     With `carries` a step begins with the forces that the one before ended with; `solves`: it has a status.
     """
-    begin_anew, renew = _SOLVER if solves else _OTHER
-    act_after = _wind if solves else _wind_and_limit
+    begin_anew, renew, act_after = _SOLVER if solves else _OTHER
     take = step if solves else _always(step)
 
     def advance(system, state, scratch, extras, clock, frames, ledger, out, stop_at_break, tableau):
@@ -151,14 +151,13 @@ def make_advance(step: Any, *, carries: bool = False, solves: bool = False) -> A
         rubs = any_rubs(state.damping_vector, state.damping_axial)
         note_changes(system, state)
         for frame in range(frames):
-            t = clock[0] + done * dt
+            t, parted = clock[0] + done * dt, False
             if frame > 0 or clock[4] == 0.0:
                 open_interval(system, state, pull, sums, t)
             if frame == 0 and take_up_hands(system, state, t, point, speed) > 0 and carries:
                 begin_anew(system, state, t, scratch)
             for s in range(done, done + steps):
-                t, after = clock[0] + s * dt, clock[0] + (s + 1) * dt
-                begin = t
+                t, begin, after = clock[0] + s * dt, clock[0] + s * dt, clock[0] + (s + 1) * dt
                 while begin < after:  # once, but for kinks
                     anew = release_anchors(system, state, begin, near(begin, dt))
                     h, end, to, jumps = next_piece(system, state, t, begin, after, dt, point, speed)
@@ -180,10 +179,12 @@ def make_advance(step: Any, *, carries: bool = False, solves: bool = False) -> A
                     watch(system, state, pull, sums, after)
                 elif wanted(state):
                     look_at_step(system, state, rubs, s + 1, pull, sums, after)
-                if parts(system) and part_ropes(system, state, pull, sums, after) > 0 and carries:
+                parted = parts(system) and part_ropes(system, state, pull, sums, after) > 0
+                if parted and carries:
                     begin_anew(system, state, after, scratch)
             done, clock[2] = done + steps, done + steps
-            if frame + 1 < frames or clock[5] == 0.0:
+            watched = not parted and (solves or looks_at_all(system, extras))
+            if not watched and (frame + 1 < frames or clock[5] == 0.0):
                 close_interval(system, state, pull, sums, after, after)
             status = close_frame(system, state, ledger, after, stop_at_break, sums, frame, out)
             if status != OK and stop_at_break:
