@@ -230,6 +230,39 @@ def test_the_guitar_string_has_its_pitch() -> None:
     assert found == pytest.approx(exact, rel=0.005)
 
 
+@pytest.mark.parametrize(
+    ("name", "half_turns", "words", "from_time"),
+    [
+        ("post", 1, ("2.57", "76 N"), 3.0),
+        ("post-hauled", 1, ("2.57", "504 N"), 5.0),
+        ("three-half-turns", 3, ("16.9", "11.6 N"), 5.0),
+    ],
+)
+def test_a_rope_slips_round_a_post(
+    name: str, half_turns: int, words: tuple[str, str], from_time: float
+) -> None:
+    """exp(mu theta) times the load, or as much less; the hand's own tension, less its rope's weight."""
+    promised("friction", *words)
+    ratio, load = math.exp(0.3 * math.pi * half_turns), 20.0 * G
+    assert round(ratio, 2 if half_turns == 1 else 1) == float(words[0])
+    pull = load * ratio if name == "post-hauled" else load / ratio
+    assert f"{pull:.3g} N" == words[1] or f"{pull:.2g} N" == words[1]
+    tension = run_of(name, 8.0)
+    late = tension.time > from_time
+    hand = tension.tension[late, 0] + 0.1 * G * -tension.positions[late, 0, 2]
+    assert hand.mean() == pytest.approx(pull, rel=0.03)
+    between = hand / tension.tension[late, -1]
+    assert np.maximum(between, 1.0 / between) == pytest.approx(ratio, rel=0.03)
+    before = run_of(name, 8.0).time < 1.0
+    assert np.ptp(tension.positions[before, -1, 2]) < 0.002  # it sticks first
+
+
 def test_the_capstan_is_arithmetic() -> None:
-    promised("friction", "6.6 times", "43 times", "286 times")
+    promised("friction", "6.6 times", "43 times", "286 times", "| 1.60 | 122 N |", "| 6.59 | 30 N |")
+    turned = {mu: math.exp(mu * math.pi) for mu in (0.15, 0.6)}
+    assert [round(one, 2) for one in turned.values()] == [1.60, 6.59]
+    assert [round(20.0 * G / one) for one in turned.values()] == [122, 30]
+    corner = 0.3 * math.tan(math.pi / 24.0)  # two chords of a polygon, with the arc's friction
+    promised("friction", "2.58 times", "2.57")
+    assert round(((1.0 + corner) / (1.0 - corner)) ** 12, 2) == 2.58
     assert [round(math.exp(0.3 * 2.0 * math.pi * n), n == 1) for n in (1, 2, 3)] == [6.6, 43, 286]

@@ -4,21 +4,27 @@
 /** @typedef {import("./kernel.js").Rope} Rope */
 /** @typedef {import("./kernel.js").Method} Method */
 
-const MODES = 64; // below the highest that are tried, for methods whose region has a wavy edge
+const MODES = 64; // up to the highest that are tried, for Runge-Kutta, whose region has a wavy edge
+const SHARES = Array.from({ length: MODES }, (_, i) => (i + 1) / MODES);
+/** What friction counts in 4 M - f h C - h^2 K, which is positive at a step h that holds. @type {Partial<Record<Method,
+ * number>>} */
+const PENCIL = { "semi-implicit-euler": 2, verlet: 4 };
 
-/** The largest eigenvalue of the chain's stiffness, or friction, over its masses, by Sturm sequences.
- * @param {Rope} rope @param {Float64Array} values of the segments */
-function highest(rope, values) {
+/** The largest eigenvalue, if any is above zero, of a chain's matrix over its masses, by Sturm sequences.
+ * @param {Rope} rope @param {Float64Array} values of the segments @param {Float64Array} own of the nodes */
+function highest(rope, values, own) {
   const n = rope.n;
   /** @type {number[]} */ const diagonal = [];
   /** @type {number[]} */ const squares = []; // of the entry before
+  /** @type {number[]} */ const rows = []; // what no eigenvalue exceeds (Gershgorin)
   for (let i = 0; i < n; i++) {
     const [before, after] = [i ? values[i - 1] : 0, i < n - 1 ? values[i] : 0];
     const w = rope.inverse[i];
-    diagonal.push((before + after) * w);
+    diagonal.push((before + after + own[i]) * w);
+    rows.push(diagonal[i] + (Math.abs(before) + Math.abs(after)) * w);
     squares.push(i ? before * before * w * rope.inverse[i - 1] : 0);
   }
-  let [low, high] = [0, 2 * Math.max(...diagonal)];
+  let [low, high] = [0, Math.max(...rows)];
   /** @param {number} at how many eigenvalues lie above it */
   const above = (at) => {
     let [count, q] = [0, 1];
@@ -37,12 +43,9 @@ function highest(rope, values) {
   return high;
 }
 
-/** Whether a mode with a = (w h)^2 and b = c h / m keeps its size; the Jury conditions of the methods' polynomials.
- * @param {Method} method @param {number} a @param {number} b */
-export function isStable(method, a, b) {
-  if (method === "semi-implicit-euler") return a + 2 * b <= 4 && b <= 2;
-  if (method === "verlet") return a + 4 * b <= 4 && b + 0.5 * a * b + b * b <= 2;
-  // the two rates of the mode times the step: z^2 + b z + a = 0
+/** Whether Runge-Kutta keeps the size of a mode with a = (w h)^2 and b = c h / m: its two rates times the step are
+ * those of z^2 + b z + a = 0. @param {number} a @param {number} b */
+export function isStable(a, b) {
   const root = b * b - 4 * a;
   const size = Math.sqrt(Math.abs(root));
   const rates =
@@ -57,24 +60,60 @@ function quartic(p, q) {
   return Math.hypot(re, im);
 }
 
-/** The largest stable step [s] of a rope with a method. @param {Rope} rope @param {Method} method
- * @param {boolean} [friction] false: of the springs alone */
+/** @typedef {{k: Float64Array, c: Float64Array, own: Float64Array, damp: Float64Array}} Chain stiffness and friction of
+ *   its segments and of its nodes */
+
+/** Pairs of stiffness and friction over the mass that enclose those of every mode [1/s^2], [1/s]. Without posts
+ * friction goes with stiffness. With them it may be what no direction exceeds; sideways there is less of the springs'
+ * stiffness, but of the friction all that does not only act along. @param {Rope} rope @param {Chain} chain
+ * @param {boolean} friction @returns {number[][]} */
+function modes(rope, chain, friction) {
+  const [a, b] = [highest(rope, chain.k, chain.own), highest(rope, chain.c, chain.damp)];
+  const along = SHARES.map((share) => [a * share, b * share]);
+  if (!rope.contact || !(b > 0)) return along;
+  const across = edge(rope, { ...chain, c: friction ? rope.vector : chain.c });
+  return [
+    ...along,
+    ...edge(rope, chain),
+    ...[0.3, 1e-3].flatMap((less) => across.map(([p, q]) => [less * p, q])),
+  ];
+}
+
+/** The stiffest modes with so much friction. @param {Rope} rope @param {Chain} chain @returns {number[][]} */
+function edge(rope, { k, c, own, damp }) {
+  const [a, b] = [highest(rope, k, own), highest(rope, c, damp)];
+  const slopes = [0, 0.1, 0.2, 0.5, 1, 2, 5, 10].map((slope) => (slope * a) / b);
+  const reach = slopes.map((q) => {
+    const both = k.map((one, j) => one - q * c[j]);
+    return highest(rope, both, own.map((one, i) => one - q * damp[i])); // prettier-ignore
+  });
+  return [0, ...SHARES].map((share) => [
+    Math.min(...slopes.map((q, i) => reach[i] + q * b * share)),
+    b * share,
+  ]);
+}
+
+/** The largest stable step [s] of a rope with a method, wherever it touches posts. @param {Rope} rope
+ * @param {Method} method @param {boolean} [friction] false: of the springs alone */
 export function largestStep(rope, method, friction = true) {
-  const stiff = highest(rope, rope.stiffness);
-  const rub = highest(
-    rope,
-    rope.vector.map((c, j) => (friction ? c + rope.axial[j] : 0)),
-  );
-  if (!(stiff > 0)) return rub > 0 ? 2 / rub : Infinity;
-  /** @param {number} h whether every mode up to the highest keeps its size */
+  const none = new Float64Array(rope.n);
+  const { stiff: own, damp } = rope.contact?.hardest() ?? { stiff: none, damp: none };
+  const c = rope.vector.map((one, j) => (friction ? one + rope.axial[j] : 0));
+  const chain = { k: rope.stiffness, c, own, damp: friction ? damp : none };
+  const spring = highest(rope, chain.k, own);
+  if (!(spring > 0)) {
+    const rub = highest(rope, c, chain.damp);
+    return rub > 0 ? 2 / rub : Infinity;
+  }
+  const f = PENCIL[method];
+  const pairs = f === undefined ? modes(rope, chain, friction) : [];
+  /** @param {number} h whether every mode keeps its size */
   const holds = (h) => {
-    for (let i = 1; i <= MODES; i++) {
-      const share = i / MODES;
-      if (!isStable(method, h * h * stiff * share, h * rub * share)) return false;
-    }
-    return true;
+    if (f === undefined) return pairs.every(([a, b]) => isStable(h * h * a, h * b));
+    const nodes = own.map((one, i) => h * h * one + f * h * chain.damp[i]);
+    return highest(rope, chain.k.map((one, j) => h * h * one + f * h * c[j]), nodes) <= 4; // prettier-ignore
   };
-  let [low, high] = [0, 4 / Math.sqrt(stiff)];
+  let [low, high] = [0, 4 / Math.sqrt(spring)];
   for (let i = 0; i < 60; i++) {
     const middle = 0.5 * (low + high);
     if (holds(middle)) low = middle;

@@ -1,6 +1,8 @@
 // The rope on its canvas: floor, curve coloured by tension, anchors, the hand.
 
 import { uniformMap } from "../view/colours.js";
+import { drawPosts, drawReading } from "./post-drawing.js";
+import { readPosts } from "./posts.js";
 
 /** @typedef {import("./kernel.js").Rope} Rope */
 /** @typedef {{left: number, right: number, low: number, high: number}} Box in metres */
@@ -69,7 +71,7 @@ export class Drawing {
   }
 
   /** Metres to pixels. @param {[number, number]} place @returns {[number, number]} */
-  #shown([x, y]) {
+  shown([x, y]) {
     const { width, height } = this.canvas;
     const middle = this.#middle();
     return [
@@ -93,7 +95,7 @@ export class Drawing {
   nearest(rope, px, py) {
     let [best, node] = [Infinity, 0];
     for (const [i, place] of this.#project(rope).entries()) {
-      const [x, y] = this.#shown(place);
+      const [x, y] = this.shown(place);
       const away = Math.hypot(x - px, y - py);
       if (away < best) [best, node] = [away, i];
     }
@@ -115,7 +117,9 @@ export class Drawing {
     );
     pen.clearRect(0, 0, width, height);
     this.#grid(width, height, ratio);
-    const places = this.#project(rope).map((place) => this.#shown(place));
+    const [fill, rim] = [colour(canvas, "--post"), colour(canvas, "--faint")];
+    drawPosts(this, rope.contact?.holds.map(({ post }) => post) ?? [], fill, rim, ratio);
+    const places = this.#project(rope).map((place) => this.shown(place));
     pen.lineCap = "round";
     pen.lineJoin = "round";
     for (const [first, last] of ropes) {
@@ -126,6 +130,7 @@ export class Drawing {
         this.#stroke([places[j], places[j + 1]], 4.5 * ratio, shade);
       }
     }
+    drawReading(this, readPosts(rope, tension), places, colour(canvas, "--ink"), ratio);
     this.#nodes(rope, places, ratio, hover);
     pen.fillStyle = colour(canvas, "--accent");
     pen.beginPath();
@@ -169,7 +174,7 @@ export class Drawing {
     pen.fillStyle = colour(canvas, "--faint");
     pen.font = `${11 * ratio}px system-ui, sans-serif`;
     for (const x of marks(left, right, spacing(this.scale))) {
-      const [px] = this.#shown([x, 0]);
+      const [px] = this.shown([x, 0]);
       this.#stroke(
         [
           [px, 0],
@@ -181,7 +186,7 @@ export class Drawing {
       pen.fillText(`${Number(x.toPrecision(6))} m`, px + 4 * ratio, height - 6 * ratio);
     }
     for (const y of marks(bottom, top, spacing(this.tall * this.scale))) {
-      const [, py] = this.#shown([0, y]);
+      const [, py] = this.shown([0, y]);
       this.#stroke(
         [
           [0, py],

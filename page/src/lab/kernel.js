@@ -2,11 +2,14 @@
 // steps agree to rounding. Vectors are three rows of n numbers each; forces of segments have n + 1 columns,
 // column j + 1 what segment j does to node j, so that no loop needs an edge case.
 
+import { Contact } from "./contact.js";
+
 /** @typedef {{node: number, origin: number[], velocity: number[], start: number, stop: number,
  *   release: number | null}} Anchor */
 /** @typedef {{name: string, about: string, up: number[], gravity: number[], step: number, method: string,
  *   x: number[][], v: number[][], mass: number[], length: number[], stiffness: number[],
- *   vector: number[], axial: number[], slack: boolean[], anchors: Anchor[], ropes: number[][]}} Scene */
+ *   vector: number[], axial: number[], slack: boolean[], anchors: Anchor[], ropes: number[][],
+ *   posts: import("./solids.js").Post[], lines: import("./grips.js").Line[]}} Scene */
 /** @typedef {"semi-implicit-euler" | "verlet" | "rk4"} Method */
 
 /** @type {Method[]} */
@@ -51,6 +54,7 @@ export class Rope {
     /** A node that is led by hand: where it is, where to, and how fast at most [m/s].
      * @type {{node: number, at: number[], to: number[], speed: number} | null} */
     this.hand = null;
+    this.contact = scene.posts?.length ? new Contact(this, scene.posts, scene.lines) : null;
     this.renew();
   }
 
@@ -95,6 +99,7 @@ export class Rope {
         out[i] = (e[i + 1] + c[i + 1] - (e[i] + c[i])) * w + (w > 0 ? g : 0);
       }
     }
+    this.contact?.accelerate(x, v, a);
   }
 
   /** Whether an anchor holds one of the nodes that are stepped at present.
@@ -168,11 +173,11 @@ export class Rope {
     for (let k = 0; k < 3; k++) this.a[k][i] = this.force(i, k) * this.inverse[i] + this.gravity[k];
   }
 
-  /** What springs and friction do to a node along an axis, where they were last evaluated [N].
+  /** What springs, friction and posts do to a node along an axis, where they were last evaluated [N].
    * @param {number} i @param {number} k */
   force(i, k) {
     const [e, c] = [this.pull[k], this.friction[k]];
-    return e[i + 1] + c[i + 1] - (e[i] + c[i]);
+    return e[i + 1] + c[i + 1] - (e[i] + c[i]) + (this.contact?.force[k][i] ?? 0);
   }
 
   /** Move the hand towards where it is to be, no faster than it can. @param {number} dt */
@@ -182,6 +187,7 @@ export class Rope {
     const away = Math.hypot(...to.map((value, k) => value - at[k]));
     const share = away > speed * dt ? (speed * dt) / away : 1;
     for (let k = 0; k < 3; k++) at[k] += share * (to[k] - at[k]);
+    this.contact?.keepOut(at, this.hand.node);
   }
 
   /** @param {Method} method @param {number} dt @param {number} after */
@@ -222,7 +228,9 @@ export class Rope {
 
   /** Semi-implicit Euler: velocity first, then place with it. @param {number} dt @param {number} after */
   #swing(dt, after) {
+    this.contact?.begin();
     this.accelerate(this.x, this.v, this.a);
+    this.contact?.weigh(1);
     for (let k = 0; k < 3; k++) {
       const [x, v, a] = [this.x[k], this.v[k], this.a[k]];
       for (let i = this.first; i <= this.last; i++) {
@@ -231,11 +239,13 @@ export class Rope {
         x[i] += dt * now;
       }
     }
-    this.place(after, this.x, this.v);
+    this.#end(after, dt);
   }
 
   /** Velocity Verlet with a predicted velocity for friction. @param {number} dt @param {number} after */
   #verlet(dt, after) {
+    this.contact?.begin();
+    this.contact?.weigh(0.5);
     copy(this.a, this.old);
     for (let k = 0; k < 3; k++) {
       const [x, v, a, guess] = [this.x[k], this.v[k], this.a[k], this.vs[k]];
@@ -247,11 +257,12 @@ export class Rope {
     }
     this.place(after, this.x, this.vs);
     this.accelerate(this.x, this.vs, this.a);
+    this.contact?.weigh(0.5);
     for (let k = 0; k < 3; k++) {
       const [v, a, old] = [this.v[k], this.a[k], this.old[k]];
       for (let i = this.first; i <= this.last; i++) v[i] += 0.5 * dt * (old[i] + a[i]);
     }
-    this.place(after, this.x, this.v);
+    this.#end(after, dt);
   }
 
   /** The classical Runge-Kutta method. @param {number} dt @param {number} after */
@@ -260,6 +271,7 @@ export class Rope {
     const weights = [1 / 6, 1 / 3, 1 / 3, 1 / 6];
     const { xs, vs, a, dx, dv } = this;
     for (const row of [...dx, ...dv]) row.fill(0);
+    this.contact?.begin();
     for (let s = 0; s < 4; s++) {
       const [c, b] = [dt * shares[s], dt * weights[s]];
       for (let k = 0; k < 3; k++) {
@@ -271,6 +283,7 @@ export class Rope {
       }
       if (s) this.place(s === 3 ? after : this.time + c, xs, vs);
       this.accelerate(xs, vs, a);
+      this.contact?.weigh(weights[s]);
       for (let k = 0; k < 3; k++) {
         for (let i = this.first; i <= this.last; i++) {
           dx[k][i] += b * vs[k][i];
@@ -284,6 +297,12 @@ export class Rope {
         this.v[k][i] += dv[k][i];
       }
     }
+    this.#end(after, dt);
+  }
+
+  /** End a step, or a piece of one. @param {number} after @param {number} dt */
+  #end(after, dt) {
     this.place(after, this.x, this.v);
+    this.contact?.end(dt);
   }
 }

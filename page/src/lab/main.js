@@ -4,7 +4,8 @@ import { largestStep } from "./bounds.js";
 import { Drawing } from "./draw.js";
 import { follow } from "./hand.js";
 import { METHODS, Rope } from "./kernel.js";
-import { energies, gravityAt, tautEnergy, tensions } from "./measures.js";
+import { LITTLE, energies, gravityAt, tautEnergy, tensions, told } from "./measures.js";
+import { postRows } from "./posts.js";
 import { Probe, middle } from "./probe.js";
 import { Resampler, Sound } from "../sound.js";
 import { bridge } from "./bridge.js";
@@ -17,7 +18,6 @@ import { milliseconds, whyItBroke } from "./why.js";
 /** @typedef {import("./kernel.js").Method} Method */
 
 const BUDGET = 11; // milliseconds of a picture for steps
-const LITTLE = 1e-9; // what rounding leaves of nothing [N], [J]
 const SAFE = 0.8; // of the largest stable step
 const NOTE = 0.02; // seconds of the watch between points of the graphs
 const ENERGIES = ["gravity", "elastic", "kinetic", "total"];
@@ -30,13 +30,6 @@ const input = (id) => /** @type {HTMLInputElement} */ (find(id));
 const choice = (id) => /** @type {HTMLSelectElement} */ (find(id));
 /** @param {string} id */
 const canvas = (id) => /** @type {HTMLCanvasElement} */ (find(id));
-/** @param {number} value three figures and a prefix @param {string} unit */
-const told = (value, unit) => {
-  if (Math.abs(value) <= LITTLE) return `0 ${unit}`;
-  const size = Math.abs(value);
-  const [factor, prefix] = size >= 1e6 ? [1e6, "M"] : size >= 1e4 ? [1e3, "k"] : [1, ""];
-  return `${Number((value / factor).toPrecision(3))} ${prefix}${unit}`;
-};
 /** @param {number} value four figures; what is below a billionth is rounding */
 const small = (value) => String(Number((Math.abs(value) < LITTLE ? 0 : value).toPrecision(4)));
 /** A value that goes with another: where they are equal, to the last bit.
@@ -99,10 +92,18 @@ class Lab {
     this.scene = this.scenes[index];
     find("about").textContent = this.scene.about;
     this.base = new Rope(this.scene);
+    this.#offer(this.scene.posts.length > 0);
     this.values.choose(this.scene, this.base);
     this.probe.node = middle(this.base);
     this.restart();
     this.probe.choose(this.probe.node);
+  }
+
+  /** Show what only posts have, or hide it. @param {boolean} posts */
+  #offer(posts) {
+    find("posts").hidden = !posts;
+    find("ratio").hidden = !posts;
+    if (!posts && choice("quantity").value === "ratio") choice("quantity").value = "height";
   }
 
   /** Begin at time zero, with the values that the controls have. */
@@ -170,6 +171,10 @@ class Lab {
       if (rope.inverse[i] > 0) rope.inverse[i] = 1 / rope.mass[i]; // held ones have none
     }
     rope.gravity = scene.up.map((part) => -now.g * part + 0);
+    rope.contact?.change(
+      ({ friction }) => (own.mu > 0 ? scaled(friction, own.mu, now.mu) : now.mu),
+      now.m / own.m,
+    );
     rope.renew();
   }
 
@@ -313,6 +318,7 @@ class Lab {
     const numbers = [
       ["largest tension now", this.broken ? "none: it is broken" : told(now, "N")],
       ["largest tension so far", told(Math.max(this.largest ?? 0, now || 0), "N")],
+      ...postRows(rope, tension),
     ];
     find("numbers").replaceChildren(
       ...numbers.flatMap(([name, value]) => {

@@ -2,6 +2,16 @@
 
 /** @typedef {import("./kernel.js").Rope} Rope */
 
+export const LITTLE = 1e-9; // what rounding leaves of nothing [N], [J]
+
+/** @param {number} value three figures and a prefix @param {string} unit */
+export const told = (value, unit) => {
+  if (Math.abs(value) <= LITTLE) return `0 ${unit}`;
+  const size = Math.abs(value);
+  const [factor, prefix] = size >= 1e6 ? [1e6, "M"] : size >= 1e4 ? [1e3, "k"] : [1, ""];
+  return `${Number((value / factor).toPrecision(3))} ${prefix}${unit}`;
+};
+
 /** The distance of a segment's ends [m]. @param {Rope} rope @param {number} j */
 export function size(rope, j) {
   const [x, y, z] = rope.x;
@@ -34,6 +44,7 @@ export function energies(rope) {
     const more = rope.slack[j] ? Math.max(r - rope.length[j], 0) : r - rope.length[j];
     elastic += 0.5 * rope.stiffness[j] * more * more;
   }
+  elastic += rope.contact?.stored() ?? 0; // where posts are pressed in
   return { kinetic, elastic, gravity: gravityAt(rope, rope.x) };
 }
 

@@ -1,12 +1,13 @@
 // A node that is measured: what it does now, and over time.
 
+import { readPosts } from "./posts.js";
 import { Strip } from "./strip.js";
 
 /** @typedef {import("./kernel.js").Rope} Rope */
 /** @typedef {{rope?: Rope, tension?: Float64Array, plane(): [number[], number[]], draw(): void}} Lab */
 
 /** What can be measured, with its unit. @type {Record<string, string>} */
-export const QUANTITIES = { height: "m", sideways: "m", speed: "m/s", tension: "N" };
+export const QUANTITIES = { height: "m", sideways: "m", speed: "m/s", tension: "N", ratio: "" };
 
 /** The value of a quantity at a node, in the plane that is seen. @param {Lab} lab @param {number} node
  * @param {string} quantity */
@@ -18,6 +19,7 @@ export function measured(lab, node, quantity) {
   const along = (way) => way.reduce((sum, part, k) => sum + part * rope.x[k][node], 0);
   if (quantity === "height") return along(up);
   if (quantity === "sideways") return along(across);
+  if (quantity === "ratio") return readPosts(rope, tension)?.ratio ?? NaN;
   if (quantity === "speed") return Math.hypot(...rope.v.map((row) => row[node]));
   const beside = [node - 1, node].filter((j) => j >= 0 && j < rope.n - 1 && rope.stiffness[j] > 0);
   return beside.reduce((sum, j) => sum + tension[j], 0) / beside.length;
@@ -58,6 +60,7 @@ export class Probe {
     this.node = Math.min(Math.max(Math.round(node) || 0, 0), last);
     this.field.max = String(last);
     this.field.value = String(this.node);
+    this.field.disabled = this.choice.value === "ratio"; // which is of no node
     this.strip.clear();
     this.lab.draw();
   }
@@ -84,7 +87,9 @@ export class Probe {
   /** The graph as a table that spreadsheets open. */
   table() {
     const { kept } = this.strip;
-    const head = `time [s],${this.choice.value} of node ${this.node} [${QUANTITIES[this.choice.value]}]`;
+    const { value } = this.choice;
+    const name = value === "ratio" ? "ratio at the post [1]" : `${value} of node ${this.node}`;
+    const head = `time [s],${name}${value === "ratio" ? "" : ` [${QUANTITIES[value]}]`}`;
     return [
       head,
       ...kept.map(({ t, values }) => `${Number(t.toPrecision(9))},${values[0]}`),

@@ -5,12 +5,13 @@ import { METHODS } from "./kernel.js";
 /** @typedef {import("./kernel.js").Scene} Scene */
 /** @typedef {import("./kernel.js").Rope} Rope */
 /** @typedef {import("./kernel.js").Method} Method */
-/** @typedef {"k" | "c" | "m" | "step" | "g"} Name */
-/** @typedef {{k: number, c: number, m: number, step: number, g: number, method: Method}} Set in N/m, N s/m, kg (of
- *   all), s and m/s² */
+/** @typedef {"k" | "c" | "m" | "step" | "g" | "mu"} Name */
+/** @typedef {{k: number, c: number, m: number, step: number, g: number, mu: number, method: Method}} Set in N/m,
+ *   N s/m, kg (of all), s and m/s²; mu is of the first post */
 
-const NAMES = /** @type {Name[]} */ (["k", "c", "m", "step", "g"]);
-const SHOWN = { k: 1, c: 1, m: 1, step: 1e3, g: 1 }; // a step is told in milliseconds
+const NAMES = /** @type {Name[]} */ (["k", "c", "m", "step", "g", "mu"]);
+const PLAIN = ["g", "mu"]; // whose slider has the value itself, not its power of ten
+const SHOWN = { k: 1, c: 1, m: 1, step: 1e3, g: 1, mu: 1 }; // a step is told in milliseconds
 const FIGURES = 3; // to which a slider goes, so that what is shown is what holds
 const SLIGHT = 0.01; // of the critical friction: what the slider's middle is where a scene has none
 
@@ -20,10 +21,10 @@ export class Values {
     this.find = find;
     this.changed = changed;
     /** @type {Set[]} */ this.before = []; // what Undo goes back to, the newest last
-    /** @type {Set} */ this.own = { k: 1, c: 0, m: 1, step: 1, g: 0, method: METHODS[0] }; // the scene's
+    /** @type {Set} */ this.own = { k: 1, c: 0, m: 1, step: 1, g: 0, mu: 0, method: METHODS[0] }; // the scene's
     this.now = { ...this.own };
     this.last = { ...this.own }; // what Undo will go back to when something changes
-    this.unit = { k: 1, c: 1, m: 1, step: 1 }; // the values in the sliders' middle
+    this.unit = { k: 1, c: 1, m: 1, step: 1, g: 1, mu: 1 }; // the values in the sliders' middle
     for (const name of NAMES) {
       this.#slider(name).oninput = () => this.#slide(name);
       this.#field(name).onchange = () => this.#type(name);
@@ -50,13 +51,14 @@ export class Values {
     const rubs = (base.vector[live] ?? 0) + (base.axial[live] ?? 0);
     const slight = Number((SLIGHT * 2 * Math.sqrt(stiff * mass)).toPrecision(1));
     const whole = base.mass.reduce((sum, one) => sum + one, 0);
-    this.unit = { k: stiff, c: rubs || slight, m: whole, step: 1 };
+    this.unit = { k: stiff, c: rubs || slight, m: whole, step: 1, g: 1, mu: 1 };
     this.own = {
       k: stiff,
       c: rubs,
       m: whole,
       step: scene.step,
       g: Math.hypot(...scene.gravity),
+      mu: scene.posts[0]?.friction ?? 0,
       method: METHODS.find((method) => method === scene.method) ?? METHODS[0],
     };
     this.now = { ...this.own };
@@ -102,7 +104,7 @@ export class Values {
   #slide(name) {
     const place = Number(this.#slider(name).value);
     const none = name === "c" && this.#slider(name).value === this.#slider(name).min;
-    if (name === "g") this.now.g = place;
+    if (PLAIN.includes(name)) this.now[name] = place;
     else if (none) this.now.c = 0;
     else {
       const unit = this.unit[name];
@@ -118,7 +120,7 @@ export class Values {
     if (Number.isFinite(value)) {
       const { min, max } = this.#slider(name);
       const [low, high] = [min, max].map((end) =>
-        name === "g" ? Number(end) : 10 ** Number(end) * this.unit[name],
+        PLAIN.includes(name) ? Number(end) : 10 ** Number(end) * this.unit[name],
       );
       const least = name === "c" ? 0 : low;
       this.now[name] = Math.min(Math.max(value, least), high);
@@ -132,7 +134,11 @@ export class Values {
     for (const name of NAMES) {
       const value = now[name];
       const slider = this.#slider(name);
-      const place = name === "g" ? value : value > 0 ? Math.log10(value / unit[name]) : slider.min;
+      const place = PLAIN.includes(name)
+        ? value
+        : value > 0
+          ? Math.log10(value / unit[name])
+          : slider.min;
       slider.value = String(place);
       this.#field(name).value = String(Number((SHOWN[name] * value).toPrecision(6)));
     }

@@ -1,10 +1,10 @@
-// Whether a rope is broken, as the Python verdict has it: not finite, stretched beyond reason, or with energy that
-// nothing gave it.
+// Whether a rope is broken, as the Python verdict has it: not finite, stretched beyond reason, deep in a post,
+// or with energy that nothing gave it.
 
 import { energies, size } from "./measures.js";
 
 /** @typedef {import("./kernel.js").Rope} Rope */
-/** @typedef {"" | "far" | "energy"} Break "": it is whole */
+/** @typedef {"" | "far" | "energy" | "through"} Break "": it is whole */
 
 const LONGEST = 10; // a segment stretched more than this, and than its weight explains, is a broken simulation
 const WEIGHTS = 3; // times what all weight stretches the softest segment by come on top
@@ -93,6 +93,7 @@ export class Verdict {
       if (!(size(rope, j) <= (live ? most * rope.length[j] : FURTHEST))) return "far";
     }
     if (rope.v.some((row) => row.some((value) => !Number.isFinite(value)))) return "far";
+    if (rope.contact?.through()) return "through";
     const given = this.most.reduce((sum, one) => sum + one, this.honest + turnover(rope));
     return this.gain(rope) <= MADE_UP * given ? "" : "energy";
   }

@@ -28,6 +28,8 @@ const FRICTION =
  * @param {Verdict} verdict @param {import("./verdict.js").Break} broke */
 export function whyItBroke(rope, method, step, bound, verdict, broke) {
   const when = `After ${rope.time.toPrecision(3)} s${broke === "energy" ? made(verdict.gain(rope)) : ""}. `;
+  if (step <= bound && broke === "through")
+    return `${when}The step is short enough: something pulled the rope so hard that it goes through a post.`;
   if (step <= bound)
     return broke === "energy"
       ? `${when}For a small swing the step is short enough, for so wild a one it is not.`

@@ -19,6 +19,9 @@ NAMES = (
     "tone",
     "overtone",
     "guitar-string",
+    "post",
+    "post-hauled",
+    "three-half-turns",
 )
 
 

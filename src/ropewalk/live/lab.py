@@ -17,6 +17,7 @@ from ropewalk.core.arrays import AXIAL, BENDING
 from ropewalk.engine.start import started
 from ropewalk.laws.acting import section_of
 from ropewalk.laws.registry import NODE_LAWS
+from ropewalk.live.lab_posts import posts_of, refused_posts
 from ropewalk.live.share import HERE, as_data, in_script, policy
 from ropewalk.lowering import Model, build
 from ropewalk.motions.registry import CODES
@@ -109,6 +110,7 @@ def lab_scene(scene: Scene) -> dict[str, Any]:
         "slack": (system.slack_floor == 0.0).tolist(),
         "ropes": [[span.first, span.last] for span in model.layout.ropes],
         "anchors": [_anchor(model, row) for row in range(len(state.held))],
+        **posts_of(model),
     }
 
 
@@ -130,7 +132,8 @@ def _anchor(model: Model, row: int) -> dict[str, Any]:
 def _refused(model: Model) -> list[tuple[str, str]]:
     """Return what of a scene the lab's kernel does not have, with its path."""
     scene, system = model.scene, model.system
-    found = [(law.section, law.section) for law in NODE_LAWS if section_of(law, scene)]
+    laws = [law.section for law in NODE_LAWS if section_of(law, scene)]
+    found = [(name, name) for name in laws if name != "obstacles"] + refused_posts(scene)
     found += [("limiter", "limiter")] if scene.limiter else []
     found += [("winch", "winches")] if scene.winches else []
     found += [("joint", "joints")] if scene.joints else []

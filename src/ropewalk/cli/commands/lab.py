@@ -35,7 +35,8 @@ def lab(
 
     A visitor changes spring constant, friction, mass, step, method and gravity, pulls the rope, measures any
     node, and breaks it; a meter says what step holds. By default with the student report's ropes. SCENE may
-    have springs or materials, friction, loads, kicks, and anchors that stand, move straight or let go.
+    have springs or materials, friction, loads, kicks, anchors that stand, move straight or let go, and posts:
+    cylinders, capsules, spheres and planes that stand still.
     """
     path = output or free_name(Path("lab.html"))
     if path.suffix.lower() not in (".html", ".htm"):

@@ -1,0 +1,106 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { METHODS, Rope } from "../src/lab/kernel.js";
+import { energies, tensions } from "../src/lab/measures.js";
+import { readPosts, takenByPosts } from "../src/lab/posts.js";
+import { probe } from "../src/lab/solids.js";
+import { Verdict } from "../src/lab/verdict.js";
+
+/** A post of a kind. @param {object} [more] @returns {any} */
+const post = (more = {}) => ({
+  kind: "cylinder", center: [0, 0, 0], axis: [0, 1, 0], radius: 0.2, half: null, friction: 0.3, compliance: null,
+  ...more,
+}); // prettier-ignore
+
+/** A rope of 31 nodes half round the post, between two loads [kg]. @param {number[]} loads @param {any} [more]
+ * @returns {any} */
+function over(loads, more = {}) {
+  const n = 31;
+  const [r, size] = [0.205, 0.05];
+  const places = Array.from({ length: n }, (_, i) => {
+    const s = (i - 15) * size;
+    const a = Math.min(Math.max(s / r, -Math.PI / 2), Math.PI / 2);
+    return [r * Math.sin(a), 0, r * Math.cos(a) - Math.max(Math.abs(s) - (r * Math.PI) / 2, 0)];
+  });
+  const mass = Array.from({ length: n }, (_, i) => 0.005 + (loads[[0, n - 1].indexOf(i)] ?? 0));
+  const rows = [0, 1, 2].map((k) => places.map((place) => place[k]));
+  return {
+    name: "over", about: "", up: [0, 0, 1], gravity: [0, 0, -9.81], step: 8e-5, method: "verlet",
+    x: rows, v: rows.map((row) => row.map(() => 0)), mass, length: Array(n - 1).fill(size),
+    stiffness: Array(n - 1).fill(1e5), vector: Array(n - 1).fill(2), axial: Array(n - 1).fill(0),
+    slack: Array(n - 1).fill(false), ropes: [[0, n - 1]], anchors: [], posts: [post()],
+    lines: [{
+      first: 0, last: n - 1, own: 0.005, whole: 0.155 + loads[0] + loads[1], diameter: 0.01, thickness: 0.005,
+      segment: size, loads: [[0, loads[0]], [n - 1, loads[1]]],
+    }],
+    ...more,
+  }; // prettier-ignore
+}
+
+test("two loads stick below exp(mu pi), and slip above", () => {
+  for (const [heavy, slips] of /** @type {const} */ ([
+    [2.4, false],
+    [2.8, true],
+  ])) {
+    const rope = new Rope(over([1, heavy]));
+    for (let i = 0; i < 5000; i++) rope.step("verlet", 8e-5);
+    const begin = rope.x[2][30];
+    for (let i = 0; i < 2500; i++) rope.step("verlet", 8e-5);
+    assert.equal(begin - rope.x[2][30] > 0.02, slips, `${heavy} kg: ${begin - rope.x[2][30]}`);
+    const tension = new Float64Array(31);
+    tensions(rope, tension);
+    const ratio = readPosts(rope, tension)?.ratio ?? 0;
+    if (slips) assert.ok(Math.abs(ratio / Math.exp(0.3 * Math.PI) - 1) < 0.05, String(ratio));
+  }
+});
+
+test("what friction takes is what the energies lose", () => {
+  for (const method of METHODS) {
+    const scene = over([1, 4], { vector: Array(30).fill(0) });
+    const rope = new Rope(scene);
+    const sum = () => Object.values(energies(rope)).reduce((all, one) => all + one, 0);
+    const before = sum();
+    for (let i = 0; i < 8000; i++) rope.step(method, 2e-5);
+    const [lost, taken] = [before - sum(), takenByPosts(rope)];
+    assert.ok(taken > 0.5, `${method}: ${taken}`);
+    assert.ok(Math.abs(lost - taken) < 0.01 * taken, `${method}: lost ${lost}, taken ${taken}`);
+  }
+});
+
+test("without friction nothing is taken and nothing holds", () => {
+  const rope = new Rope(over([1, 1.2], { posts: [post({ friction: 0 })] }));
+  for (let i = 0; i < 4000; i++) rope.step("verlet", 8e-5);
+  assert.ok(rope.x[2][30] < -0.46);
+  assert.equal(Math.max(...rope.contact?.holds[0].slide ?? [1]), 0); // prettier-ignore
+});
+
+test("distances of a bar with flat and with round ends, of a ball and of a plane", () => {
+  const found = new Float64Array(4);
+  /** @param {any} more @param {number[]} place */
+  const at = (more, [x, y, z]) => (probe(post(more), x, y, z, found), [...found]);
+  const bar = { half: 0.5 };
+  assert.deepEqual(at(bar, [0.5, 0.1, 0]), [0.3, 1, 0, 0]);
+  assert.deepEqual(at(bar, [0, -0.7, 0.1]).map((one) => Number(one.toFixed(12))), [0.2, 0, -1, 0]); // prettier-ignore
+  const edge = at(bar, [0.5, 0.9, 0]);
+  assert.ok(Math.abs(edge[0] - 0.5) < 1e-12 && Math.abs(edge[1] - 0.6) < 1e-12);
+  assert.ok(Math.abs(at({ ...bar, kind: "capsule" }, [0.3, 0.9, 0])[0] - 0.3) < 1e-12);
+  assert.deepEqual(at({ kind: "sphere" }, [0, 0, 1]), [0.8, 0, 0, 1]);
+  assert.deepEqual(at({ kind: "plane" }, [3, -2, 1]), [-2, 0, 1, 0]);
+  assert.equal(at({}, [0, 9, 0])[0], -0.2); // on the axis
+});
+
+test("a hand stays outside, and what is pressed too deep breaks", () => {
+  const rope = new Rope(over([1, 1]));
+  rope.inverse[8] = 0;
+  rope.hand = { node: 8, at: rope.x.map((row) => row[8]), to: [0, 0, 0], speed: 1 };
+  for (let i = 0; i < 5000; i++) {
+    rope.step("semi-implicit-euler", 8e-5);
+    assert.ok(Math.hypot(rope.x[0][8], rope.x[2][8]) > 0.205 - 1e-9);
+  }
+  const verdict = new Verdict(new Rope(over([1, 1])));
+  const deep = new Rope(over([1, 1]));
+  deep.x[2][15] = 0.04;
+  deep.x[0][15] = 0;
+  assert.equal(verdict.judge(deep), "through");
+});
