@@ -77,7 +77,9 @@ def over_a_post(seed: int, **changes: Any) -> rw.Scene:
     s = np.arange(segments + 1) * stretched
     a = np.clip((s - left) / r, 0.0, angle)
     before, after = np.maximum(left - s, 0.0), np.maximum(s - left - r * angle, 0.0)
-    tip = 0.5 * np.pi - 0.5 * angle  # where it comes to the post, so that the load hangs as the hand holds
+    tip = (
+        0.5 * np.pi - 0.5 * angle
+    )  # where it comes to the post, so that the load hangs as the hand holds
     x = -r * np.cos(a + tip) + after * np.sin(angle + tip) - before * np.sin(tip)
     z = r * np.sin(a + tip) + after * np.cos(angle + tip) - before * np.cos(tip)
     points = np.round(np.stack([x, 0.002 * np.arange(segments + 1), z], axis=1), 6)

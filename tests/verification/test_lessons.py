@@ -258,7 +258,9 @@ def test_a_rope_slips_round_a_post(
 
 
 def test_the_capstan_is_arithmetic() -> None:
-    promised("friction", "6.6 times", "43 times", "286 times", "| 1.60 | 122 N |", "| 6.59 | 30 N |")
+    promised(
+        "friction", "6.6 times", "43 times", "286 times", "| 1.60 | 122 N |", "| 6.59 | 30 N |"
+    )
     turned = {mu: math.exp(mu * math.pi) for mu in (0.15, 0.6)}
     assert [round(one, 2) for one in turned.values()] == [1.60, 6.59]
     assert [round(20.0 * G / one) for one in turned.values()] == [122, 30]
