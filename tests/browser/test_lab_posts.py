@@ -39,9 +39,9 @@ HOLDS = """([index, method, steps, dt]) => {
 
 
 def errors(found: np.ndarray, exact: np.ndarray) -> np.ndarray:
-    """Of places over the largest, and of velocities over that of waves along the rope, 173 m/s."""
+    """Of places over the largest, and of velocities over that of waves along the rope, 170 m/s or more."""
     x, v = np.abs(found - exact).max(axis=(1, 2))
-    return np.array([x / np.abs(exact[0]).max(), v / math.sqrt(3000.0 / 0.1)])
+    return np.array([x / np.abs(exact[0]).max(), v / 170.0])
 
 
 @pytest.mark.parametrize("method", METHODS)
@@ -53,7 +53,8 @@ def test_a_thousand_steps_over_posts_are_those_of_python(
     Velocities are measured by that of waves: a place's last bit, times the highest frequency, is 1e-12 of
     speeds as slow as these.
     """
-    scenes = [over_a_post(seed) for seed in SEEDS]
+    lessons = [lesson_scene(name) for name in ("post", "post-hauled", "three-half-turns")]
+    scenes = [*(over_a_post(seed) for seed in SEEDS), *lessons]
     page = open_window(write_lab(tmp_path / "posts.html", scenes).as_uri()).page
     sticks = slips = far = 0
     for index, scene in enumerate(scenes):
@@ -65,10 +66,11 @@ def test_a_thousand_steps_over_posts_are_those_of_python(
         held = page.evaluate(HOLDS, [index, method, STEPS, dt])
         sticks, slips = sticks + held["sticks"], slips + held["slips"]
         assert held["bound"] == pytest.approx(largest, rel=2e-3)
-        twin = over_a_post(index, friction=1.001 * scene.obstacles[0].friction)
-        far += errors(of_python(twin, method, dt), exact).max() > 1e-9
+        if index in SEEDS:
+            twin = over_a_post(index, friction=1.001 * scene.obstacles[0].friction)
+            far += errors(of_python(twin, method, dt), exact).max() > 1e-9
     assert min(sticks, slips) > 2000
-    assert far == len(scenes)
+    assert far == len(SEEDS)
 
 
 @pytest.mark.parametrize("method", METHODS)

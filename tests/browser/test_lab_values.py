@@ -102,12 +102,12 @@ def write(page: Any, name: str, value: float) -> None:
 def test_whatever_the_lab_has_is_as_in_python(
     tmp_path: Path, open_window: Any, method: str
 ) -> None:
-    """Every lesson, and two ropes with all else that the lab takes, to 1e-12 after a thousand steps.
+    """Every lesson without posts, and two ropes with all else, to 1e-12 after a thousand steps.
 
     The twin: with a thousandth more gravity they are far off.
     """
     every = loads(EVERYTHING, "everything")
-    scenes = [*lesson_scenes(), every]
+    scenes = [*(one for one in lesson_scenes() if not one.obstacles), every]
     page = open_window(write_lab(tmp_path / "all.html", scenes).as_uri()).page
     for index, scene in enumerate(scenes):
         largest = rw.check(scene, measure=False).stability.largest_step[method]
