@@ -105,7 +105,8 @@ def test_a_load_at_the_bound_of_the_stretch_weighs_what_it_weighs(
 def test_the_winch_does_the_work_of_the_force_at_its_drum(method: str) -> None:
     """A stiff rope between two points, paid out by 1.25 mm a step, forty times its strain: the work is the
     drum's force times the speed, to what the steps leave of it. (Booked at either end of a step with the
-    whole change of length it was -12.5 J; the twin with a hundredth of the stiffness never was.)
+    whole change of length it was -12.5 J, at the mean places of the nodes -0.18; the twin with a hundredth of
+    the stiffness never was.)
     """
     for stiff in (1e6, 1e4):
         rope = Rope(
@@ -126,4 +127,17 @@ def test_the_winch_does_the_work_of_the_force_at_its_drum(method: str) -> None:
             force = np.linalg.norm(result.reactions[:, 0], axis=1)
             assert -0.3 * np.trapezoid(force[2:], result.time[2:]) == pytest.approx(WORK, abs=0.01)
         found = float(result.work["winch"][-1] - result.work["winch"][2])
-        assert found == pytest.approx(WORK, abs=0.12), stiff
+        assert found == pytest.approx(WORK, abs=0.025), stiff
+
+
+def test_a_drum_that_takes_in_a_slack_rope_does_the_work_of_the_lift() -> None:
+    """Where steps begin slack and end taut, too. Booked half at the places of either end it was 2770 J with
+    `sdirk2` and 4560 J with `adaptive`; what is in no law's work is as little as what the steps leave.
+    """
+    slow = {"run.duration": 0.6, "run.time_step": 1 / 60}
+    scene = rw.preset("crane-snap")
+    lift = rw.simulate(scene.replace(**{"run.duration": 0.6})).work["winch"][-1]
+    for method in ("sdirk2", "adaptive"):
+        found = rw.simulate(scene.replace(**slow, **{"run.method": method}))
+        assert found.work["winch"][-1] == pytest.approx(lift, rel=0.003), method
+        assert abs(found.table["largest energy error [J]"]) < 0.003 * lift, method

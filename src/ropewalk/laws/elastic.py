@@ -261,6 +261,23 @@ def stored_energy(system, state, x, inner):
 
 
 @part
+def length_slope(system, state, j, r):
+    """Return by how much more segment `j` stores with every metre of rest length, at length `r` [N].
+
+    Of V = EA L G(e) that is EA (G - (1 + e) g), e the strain. Laws that remember are not wound.
+    """
+    length, k = state.rest_length[j], state.stiffness[j]
+    strain = (r - length) / length
+    pull, energy = strain, 0.5 * strain * strain
+    if has_elastic_laws(system) and system.elastic.of[j] >= 0:
+        pull, _, energy = pull_of(system.elastic, j, strain, 0.0, 0.0)
+    slope = k * length * (energy - (1.0 + strain) * pull)
+    if system.slack_floor[j] == 0.0 and strain < 0.0:
+        slope = 0.0
+    return slope
+
+
+@part
 def tensions(system, state, tension):
     """Write the elastic tension of every segment [N], (s,); negative where it is compressed."""
     lengths, k, floor = state.rest_length, state.stiffness, system.slack_floor

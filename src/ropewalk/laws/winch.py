@@ -21,11 +21,12 @@ from numpy.typing import NDArray
 from ropewalk.core.arrays import State, System
 from ropewalk.core.jit import kernel, part
 from ropewalk.laws.couplings import wind_couplings
-from ropewalk.laws.elastic import stored_energy
+from ropewalk.laws.elastic import length_slope, stored_energy
 from ropewalk.laws.joints import is_tied
 from ropewalk.laws.ledger import gravity_energy, kinetic_energy
 from ropewalk.laws.parting import has_parted
 from ropewalk.laws.rare import parts, winds
+from ropewalk.laws.stretch import stretched
 
 SPLIT = 1.6  # [1] times the nominal segment length
 MERGE = 0.4
@@ -33,8 +34,9 @@ CHANGED = 0.05  # [1] of a winch's rate: a smaller change is what it gives back 
 WINCH_SHARE = 0.2  # a winch winds at most this part of a segment in a step [1]
 
 # Columns of `turning`: the step's begin and length [s], the working segment's rest length then, what the
-# winch winds and what it gives back of what merged segments have lost [m], 1 where it can turn at all.
-BEGIN, STEP, LENGTH, WOUND, BACK, TURNS = range(6)
+# winch winds and what it gives back of what merged segments have lost [m], 1 where it can turn at all, the
+# working segment's length then [m].
+BEGIN, STEP, LENGTH, WOUND, BACK, TURNS, REACH = range(7)
 
 
 def joined(system: System, state: State) -> NDArray[np.bool_]:
@@ -64,7 +66,7 @@ def run_winches(system, state, t, dt, turning):
 
 @kernel
 def plan_turns(system, state, t, dt, turning):
-    """Write what every winch is to wind in the step of `dt` from `t` [s], (w, 6), see BEGIN.
+    """Write what every winch is to wind in the step of `dt` from `t` [s], (w, 7), see BEGIN.
 
     Returns whether one starts, stops or changes its speed, so that forces at `t` are others than before.
     """
@@ -103,31 +105,30 @@ def winding(turning):
 
 
 @kernel
-def book_begin(system, state, x, inner, begin, end, turning):
-    """Book what lengths that change from `begin` to half way to `end` [s] store with the nodes at `x` (3, n).
-
-    Where they are at the beginning; the other half is booked where they are at the end (`book_end`), so that
-    what a segment would store that is wound and does not move takes itself away. `inner` is what segments
-    remember there. Leaves the lengths of `end`.
-    """
-    _book_change(system, state, x, inner, begin, 0.5 * (begin + end), turning)
+def book_begin(system, state, x, end, turning):
+    """Note how long the working segments are, nodes at `x` (3, n); leave the rest lengths of `end` [s]."""
+    for row in range(turning.shape[0]):
+        turning[row, REACH] = stretched(x, _working(system.winches, state, row))
     wind_to(system, state, end, turning)
 
 
 @kernel
-def book_end(system, state, x, inner, begin, end, turning):
-    """Book the other half, with the nodes where they are at the end; leaves the lengths of `end`."""
-    _book_change(system, state, x, inner, 0.5 * (begin + end), end, turning)
+def book_end(system, state, x, begin, end, turning):
+    """Book the work of the lengths that change from `begin` to `end` [s], the nodes at `x` (3, n) at the end.
 
-
-@kernel
-def _book_change(system, state, x, inner, begin, end, turning):
+    It is what the drum's force does at the step's mean lengths. A stiff rope that is slack at one end of the
+    step would store more than it ever has, with the places of that end and another's rest length. Leaves the
+    rest lengths of `end`.
+    """
     if not winding(turning):
         return
-    wind_to(system, state, begin, turning)
-    less = stored_energy(system, state, x, inner)
+    wind_to(system, state, 0.5 * (begin + end), turning)
+    for row in range(turning.shape[0]):
+        working = _working(system.winches, state, row)
+        reach = 0.5 * (turning[row, REACH] + stretched(x, working))
+        wound = (turning[row, WOUND] + turning[row, BACK]) * (end - begin) / turning[row, STEP]
+        state.work.winch[1] += wound * length_slope(system, state, working, reach)
     wind_to(system, state, end, turning)
-    state.work.winch[1] += stored_energy(system, state, x, inner) - less
 
 
 @kernel

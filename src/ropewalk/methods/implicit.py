@@ -77,7 +77,7 @@ class ImplicitScratch(NamedTuple):
     speed: Floats  # (3,)
     reaction: Floats  # (a, 3) sum over the parts of a step [N]
     joint_force: Floats  # (p, 3) the same
-    turning: Floats  # (w, 6) what winches wind in a step, see `laws.winch`
+    turning: Floats  # (w, 7) what winches wind in a step, see `laws.winch`
     sums: Floats
     pull: Floats  # (2, s) tensions, see `watch`
     rescue: Tableau  # of the method that takes the parts of a step without solution
@@ -271,8 +271,8 @@ def take_step(system, state, scratch, t, after, dt, ledger, level, kind, A, b, c
             stage.report[TIME] = after
             return status
     if winds(system, state):
-        book_begin(system, state, state.x, state.inner, t, after, scratch.turning)
-        book_end(system, state, stage.x, scratch.ends, t, after, scratch.turning)
+        book_begin(system, state, state.x, after, scratch.turning)
+        book_end(system, state, stage.x, t, after, scratch.turning)
     middle = scratch.middle
     half_way(state.x, state.v, stage.x, stage.v, state.inverse_mass, middle, state.drift)
     move_anchors(system, state, mean, after, dt, middle, scratch.point, scratch.speed)

@@ -55,13 +55,13 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
         add(vs, b, dx)
         add(a, b, dv)
     if winds(system, state):
-        book_begin(system, state, state.x, state.inner, t, after, scratch.turning)
+        book_begin(system, state, state.x, after, scratch.turning)
     add(dx, 1.0, state.x)
     axpy(state.v, 0.5, dv, middle)
     add(dv, 1.0, state.v)
     move_anchors(system, state, mean, after, dt, middle, scratch.point, scratch.speed)
     if winds(system, state):
-        book_end(system, state, state.x, state.inner, t, after, scratch.turning)
+        book_end(system, state, state.x, t, after, scratch.turning)
     if ledger:
         account(system, state, mean, middle, dt)
     if has_inner(system, state):

@@ -11,6 +11,7 @@ from ropewalk.core.jit import kernel, part
 from ropewalk.core.ranges import ALL, rows
 from ropewalk.laws.nodes import on_channels
 from ropewalk.laws.rare import has_bending, limits
+from ropewalk.laws.winch import REACH
 
 LANES = 64  # of a sum: so many nodes or segments are added side by side
 SUMS = 8  # that are made at once
@@ -28,7 +29,7 @@ class Scratch(NamedTuple):
     speed: Floats  # (3,)
     mean: Forces
     limiter: Floats  # (11, n) rows of the limiter's equations
-    turning: Floats  # (w, 6) what winches wind in a step, see `laws.winch`
+    turning: Floats  # (w, 7) what winches wind in a step, see `laws.winch`
     sums: Floats  # see `make_sums`
     pull: Floats  # (2, s) what a look at the segments needs, see `watch` and `add_up_springs`
     over: Floats  # (s,) 1 / (k L), see `spring_forces`
@@ -48,8 +49,8 @@ def make_scratch(state: State) -> Scratch:
 
 
 def make_turning(state: State) -> Floats:
-    """Return what a step needs for its winches, (w, 6), see `laws.winch`."""
-    return np.zeros((state.winch_exit.shape[0], 6))
+    """Return what a step needs for its winches, (w, 7), see `laws.winch`."""
+    return np.zeros((state.winch_exit.shape[0], REACH + 1))
 
 
 def make_sums() -> Floats:

@@ -31,7 +31,7 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
     put(a, old)
     axpy(v, dt, a, predicted)
     if winds(system, state):
-        book_begin(system, state, x, state.inner, t, after, scratch.turning)
+        book_begin(system, state, x, after, scratch.turning)
     add(v, dt, x)
     add(a, 0.5 * dt * dt, x)
     place_stage(system, state, after, dt, x, predicted, scratch.point, scratch.speed)
@@ -45,7 +45,7 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
     add(old, 0.5 * dt, v)
     move_anchors(system, state, mean, after, dt, middle, scratch.point, scratch.speed)
     if winds(system, state):
-        book_end(system, state, x, state.inner, t, after, scratch.turning)
+        book_end(system, state, x, t, after, scratch.turning)
     if ledger:
         account(system, state, mean, middle, dt)
 
