@@ -19,7 +19,6 @@ from ropewalk.scene import SceneError, apply_overrides
 from ropewalk.scene.overrides import Places
 from ropewalk.scene.paths import by_tag, keys, kind_of, sections, tag
 from ropewalk.scene.scene import Scene
-from ropewalk.scene.toml_text import scene_table
 from ropewalk.sweeps.parameters import TEXT
 from ropewalk.sweeps.workshop import Workshop
 from sweeps.scenes import DOWN, EA, alone, swing
@@ -70,7 +69,7 @@ def every_path(scene: Scene) -> Iterator[tuple[str, type, str, Any]]:
                 one = by_tag(kind.models, value.get("kind", tag(kind.models[0])))
                 yield from below(value, one, f"{path}.")
 
-    yield from below(scene_table(scene), Scene, "")
+    yield from below(scene.table(), Scene, "")
 
 
 def near(value: Any) -> Any:
@@ -101,7 +100,7 @@ def bits(model: Model) -> dict[str, Any]:
         for name, array in arrays.items()
     }
     plain = {"layout": repr(model.layout), "plan": repr(model.plan), "zero": model.gravity_zero}
-    return found | plain | {"scene": repr(scene_table(model.scene))}
+    return found | plain | {"scene": repr(model.scene.table())}
 
 
 def anew(scene: Scene, path: str, text: str) -> dict[str, Any] | str:

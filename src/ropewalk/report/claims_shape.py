@@ -12,7 +12,6 @@ from ropewalk.report.claims_model import G, K, L, M
 from ropewalk.report.outcome import Number, Outcome, Part
 from ropewalk.report.runs import Run, at_rest, changed, record
 from ropewalk.scene import Scene
-from ropewalk.scene.toml_text import scene_table
 from ropewalk.statics import Statics, static_shape
 
 SPAN = 20.0  # [m] and springs between two anchors
@@ -210,7 +209,7 @@ def _tugged() -> tuple[Run, Statics]:
     scene, statics = at_rest(changed("r3", "steps=exact", "frame_rate=500", "duration=1.2"))
     times = np.linspace(0.0, 0.24, 13)
     side = 0.02 * np.sin(np.pi * times / 0.24) ** 2
-    table = scene_table(scene)
+    table = scene.table()
     table["anchor"][0]["motion"] = {
         "kind": "table",
         "times": times.tolist(),

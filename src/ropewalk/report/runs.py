@@ -14,7 +14,6 @@ from ropewalk.lowering import build
 from ropewalk.scene import Scene
 from ropewalk.scene.overrides import apply_overrides
 from ropewalk.scene.presets import preset
-from ropewalk.scene.toml_text import scene_table
 from ropewalk.simulation import Simulation
 from ropewalk.simulation.block import join
 from ropewalk.statics import Statics, static_shape
@@ -98,7 +97,7 @@ def record(scene: Scene, *, keep_going: bool = False, verdict: bool = False) -> 
 
 def with_points(scene: Scene, points: Floats) -> Scene:
     """Return a scene of one rope whose nodes start at given places [m], (n, 3)."""
-    table = scene_table(scene)
+    table = scene.table()
     table["rope"][0]["shape"] = {"kind": "points", "points": points.tolist()}
     return Scene.model_validate(table)
 
@@ -121,7 +120,7 @@ def log_growth(scene: Scene, steps: int) -> float:
     free[list(model.layout.anchor_nodes)] = False
     zigzag = np.where(np.arange(len(x)) % 2 == 0, 1e-6, -1e-6) * free
     x[:, 0] += zigzag * float(model.state.rest_length.max())
-    table = scene_table(with_points(scene, x))
+    table = with_points(scene, x).table()
     table["gravity"] = [0.0, 0.0, 0.0]
     frames, dt = 64, model.plan.dt
     each = steps // frames

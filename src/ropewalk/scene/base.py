@@ -22,8 +22,10 @@ from pydantic import (
 from pydantic.fields import FieldInfo
 from pydantic_core import PydanticCustomError
 
+from ropewalk.scene.changing import replaced
 from ropewalk.scene.faults import Fault, SceneError
 from ropewalk.scene.limits import HUGE, TINY
+from ropewalk.scene.model_table import as_table
 from ropewalk.scene.sentences import faults_of
 from ropewalk.scene.signatures import docstring, signature
 from ropewalk.scene.units import WrongUnit, in_unit
@@ -246,6 +248,10 @@ class Model(BaseModel, metaclass=_Sentences):
         """Names of fields that follow from others, which files leave out."""
         return frozenset()
 
+    def table(self) -> dict[str, Any]:
+        """The model as nested dicts and lists with TOML keys, defaults left out."""
+        return as_table(self)
+
     def replace(self, **changes: Any) -> Self:
         """A validated copy with some fields changed: ``changes`` gives them by name.
 
@@ -257,8 +263,6 @@ class Model(BaseModel, metaclass=_Sentences):
             SceneError: when a path leads nowhere, or the changed model is faulty.
         """
         if any("." in name or "[" in name for name in changes):
-            from ropewalk.scene.overrides import replaced
-
             return replaced(self, changes)
         kept = {name: getattr(self, name) for name in self.model_fields_set}
         return type(self)(**(kept | changes))

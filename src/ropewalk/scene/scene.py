@@ -131,6 +131,14 @@ class Scene(Model):
         """The node that an anchor of this scene holds, counted from 0 within its rope."""
         return self.rope_named(anchor.rope).node_index(anchor.node)
 
+    def table(self) -> dict[str, Any]:
+        """The scene as nested dicts and lists with TOML keys, defaults and obvious names left out."""
+        table = super().table()
+        if len(self.ropes) == 1:
+            for part in (*table.get("anchor", ()), *table.get("winch", ())):
+                del part["rope"]
+        return table
+
     def view(
         self,
         *,

@@ -8,15 +8,9 @@ import tomllib
 from pathlib import Path
 from typing import Any
 
-from ropewalk.scene.base import Model
 from ropewalk.scene.faults import NO_VALUE, Fault, SceneError, SceneFileError
-from ropewalk.scene.paths import keys
 from ropewalk.scene.scene import Scene
 
-#: Written even when they have their default value: without them a table says too little.
-_ALWAYS = {"kind", "name", "schema_version", "method"}
-#: Written wherever they were given: a rope of a given diameter keeps half of it from obstacles.
-_WHERE_GIVEN = {"diameter"}
 #: A list of three numbers, which tomli_w writes on five lines. Texts hold no line breaks there.
 _NUMBERS = re.compile(r"\[\n((?:\s*[-+.\w]+,\n){3})\s*\]")
 #: No scene is larger; a file that is, is something else.
@@ -53,7 +47,7 @@ def dumps(scene: Scene) -> str:
     """The scene as TOML; ``loads(dumps(scene)) == scene``, bit for bit in every number."""
     import tomli_w
 
-    return _NUMBERS.sub(_one_line, tomli_w.dumps(scene_table(scene)))
+    return _NUMBERS.sub(_one_line, tomli_w.dumps(scene.table()))
 
 
 def save(scene: Scene, path: str | Path) -> None:
@@ -75,39 +69,6 @@ def save(scene: Scene, path: str | Path) -> None:
 
 def _one_line(found: re.Match[str]) -> str:
     return "[" + ", ".join(found[1].replace(",", " ").split()) + "]"
-
-
-def scene_table(scene: Scene) -> dict[str, Any]:
-    """A scene as nested dicts and lists with TOML keys, defaults and obvious names left out."""
-    table = as_table(scene)
-    if len(scene.ropes) == 1:
-        for part in (*table.get("anchor", ()), *table.get("winch", ())):
-            del part["rope"]
-    return table
-
-
-def as_table(model: Model) -> dict[str, Any]:
-    """A model as nested dicts and lists with TOML keys, defaults left out."""
-    table = {}
-    for (name, field), key in zip(type(model).model_fields.items(), keys(type(model)), strict=True):
-        value = getattr(model, name)
-        if value is None or name in model.derived():
-            continue
-        default = field.get_default()
-        given = key in _WHERE_GIVEN and name in model.model_fields_set
-        if key not in _ALWAYS and not given and value == default and repr(value) == repr(default):
-            continue  # repr tells -0.0 from 0.0
-        table[key] = plain(value)
-    return table
-
-
-def plain(value: Any) -> Any:
-    """A value as TOML holds it: models as tables, tuples as lists."""
-    if isinstance(value, Model):
-        return as_table(value)
-    if isinstance(value, (tuple, list)):
-        return [plain(item) for item in value]
-    return value
 
 
 def schema() -> dict[str, Any]:
