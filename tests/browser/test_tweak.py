@@ -293,3 +293,19 @@ def test_up_follows_gravity(open_window: Open, serve: Serve) -> None:
         assert head[1] < foot[1] - 3  # up points up on the screen
         if up[0] == 0.0:  # along gravity all nodes are in one line with the view's up
             assert window.at_rope(range(1, 40)) > 0.9
+
+
+def test_what_would_not_be_felt_cannot_be_changed(open_window: Open, serve: Serve) -> None:
+    """Wind waits for a drag, and says so; it can be changed as soon as there is one."""
+    server = serve(Session(slack_rope()))
+    window = open_window(server.address, viewport=SIZE).ready()
+    _folder(window, "More")
+    _folder(window, "Air")
+    wind = window.page.locator(f"{_row('wind')} input[type=text]").first
+    assert wind.is_disabled()
+    assert "drag" in (window.page.locator(_row("wind")).get_attribute("title") or "")
+    drag = window.page.locator(f"{_row('air_drag')} input[type=text]")
+    drag.fill("0.1")
+    drag.press("Enter")
+    window.until("r.session.parameters.find((p) => p.name === 'wind').enabled")
+    assert wind.is_enabled()
