@@ -36,9 +36,13 @@ export class Following {
     this.strips = framing.now();
     const room = framing.roomIn((strips) => ropes.goal(camera, strips), this.strips);
     const goal = ropes.goal(camera, room);
-    if (viewport.flight instanceof Chase) viewport.flight.to = goal ?? viewport.flight.to;
-    else if (!viewport.flight)
-      this.chase(framing.losesArrow() ? goal : ropes.wanted(camera, this.strips, room), now);
+    const { flight } = viewport;
+    if (flight instanceof Chase) {
+      const near = Math.min(flight.to.distance, flight.pose.distance);
+      if (goal) flight.to = ropes.calm(goal, near);
+    } else if (!flight && framing.losesArrow())
+      this.chase(goal && ropes.calm(goal, camera.pose.distance), now);
+    else if (!flight) this.chase(ropes.wanted(camera, this.strips, room), now);
   }
 
   /** The ropes as they hang together, and whether anything holds them. @param {Layout} layout */

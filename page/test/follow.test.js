@@ -207,17 +207,56 @@ test("ropes that are faster than a damped camera are kept in the picture, by as 
 
 test("ropes that have come to rest are shown larger sooner than ropes that move", () => {
   const places = rope(5, 8.4); // the picture could be 0.84 as far away
-  for (const [swing, moves] of /** @type {[number, boolean][]} */ ([
-    [0, true],
-    [0.3, false],
-  ])) {
+  const waits = [0, 0.3].map((swing) => {
     const made = camera();
     made.set(made.framed(rope(6), { azimuth: -1.85, elevation: 0.14 }));
     const follow = new Follow();
-    for (let i = 0; i < 300; i++) {
+    for (let i = 0; i < 600; i++) {
       const now = places.map(([x, y, z]) => [x, y, z + swing * Math.sin(i / 9)]);
       follow.take(made, nodesOf(now), ALL, 1 / 60, ROOM);
+      if (follow.wanted(made, STRIPS)) return i / 60;
     }
-    assert.equal(follow.wanted(made, STRIPS) !== null, moves);
+    return Infinity;
+  });
+  assert.ok(waits[0] < 2, `${waits}`); // s
+  assert.ok(waits[1] > 2.9 && waits[1] < 3.5, `${waits}`); // what swings evenly for so long will go on so
+});
+
+test("what becomes large and small again and again is not zoomed in on each time", () => {
+  const made = camera();
+  const follow = new Follow();
+  made.set(made.framed(rope(6), { azimuth: -1.85, elevation: 0.14 }));
+  let [turns, way] = [0, 0];
+  for (let i = 0; i < 60 * 60; i++) {
+    const small = i % 300 > 100; // for 3.3 s of 5
+    follow.take(made, nodesOf(small ? rope(3, 4) : rope(6)), ALL, 1 / 60, ROOM);
+    const pose = follow.wanted(made, STRIPS);
+    if (!pose) continue;
+    const now = Math.sign(pose.distance - made.pose.distance);
+    if (now && now !== way) turns++;
+    way = now || way;
+    made.set(pose);
   }
+  assert.ok(turns >= 2 && turns <= 8, `${turns} zooms in a minute`); // in and out each time: 24
+  for (let i = 0; i < 20 * 60; i++) follow.take(made, nodesOf(rope(3, 4)), ALL, 1 / 60, ROOM);
+  assert.ok(follow.wanted(made, STRIPS)); // the twin: what stays small is looked at from near
+});
+
+test("a rope that swings round fills the picture as far as it goes round, not the box around that", () => {
+  const made = camera();
+  const follow = new Follow();
+  made.set(made.framed(rope(6), { azimuth: -1.85, elevation: 0.14 }));
+  const turned = (/** @type {number} */ angle) =>
+    rope(8).map(([x, , z]) => [x, -z * Math.sin(angle), z * Math.cos(angle)]);
+  const turns = Array.from({ length: 120 }, (_, i) => turned(i / 5));
+  for (const places of turns) follow.take(made, nodesOf(places), ALL, 1 / 60, ROOM);
+  const pose = follow.goal(made, STRIPS);
+  assert.ok(pose);
+  const whole = made.framed(follow.corners(made)); // the twin
+  made.set(pose);
+  const part = share(made, turns.flat());
+  assert.ok(part > 0.9 && part <= 1.001, `${part}`);
+  made.set(whole);
+  const box = share(made, turns.flat());
+  assert.ok(box < 0.97 * part, `${box} ${part}`);
 });

@@ -23,6 +23,21 @@ test("a label stands beyond its arrow's tip and inside the scene", () => {
   }
 });
 
+test("a label is near its arrow's tip in all places but the last ones", () => {
+  const near = ({ x, y }, [tx, ty]) =>
+    Math.hypot(Math.max(x - tx, 0, tx - x - 60), Math.max(y - ty, 0, ty - y - 20));
+  for (let angle = 0; angle < 6.3; angle += 0.1) {
+    const places = placesFor(
+      [200, 150],
+      [50 * Math.cos(angle), 50 * Math.sin(angle)],
+      SIZE,
+      [400, 300],
+    );
+    const off = places.map((place) => near(place, [200, 150]));
+    assert.ok(Math.max(...off.slice(0, -2)) <= 15.001, `${angle}: ${off}`);
+  }
+});
+
 test("there is a place clear of a card, of an anchor and of a rope", () => {
   const places = placesFor([100, 100], [0, -30], SIZE, [400, 300]);
   const card = { x: 60, y: 0, width: 80, height: 98 }; // over the first place

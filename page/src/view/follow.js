@@ -21,6 +21,10 @@ const LOOKED_AT = 300; // nodes, at most
 const OUTER = 0.95; // of the picture's half: what leaves this is followed
 const SMALL = 0.75; // of the distance: nearer than this the ropes would fit as well
 const RESTS = 0.92; // and of what rests: there is no swing that brings it back
+const STEADY = 3; // s, after which what swings evenly counts as what rests
+const BINS = 48; // of the window: ropes that swing round fill less than the box around all of it
+const WIDER = 1.05; // of a distance: so much farther is a zoom out
+const PATIENCE = 16; // s, at most: what becomes large and small again and again is not zoomed in on
 const ROUNDS = 6; // in which ropes are brought into the picture
 const REST = 0.02; // of their size, by which ropes that rest have moved in that time
 const CALM = 0.3; // of their size in a second: the camera goes along with what is adrift and faster
@@ -39,6 +43,12 @@ export class Follow {
     /** Where the ropes are now. @type {Edges | null} */ this.now = null;
     this.along = 0; // part of their way that the camera goes with them
     /** The middle of what was drawn. @type {Vector | null} */ this.drawn = null;
+    /** Still places that are kept in the picture, too. @type {Vector[]} */ this.still = [];
+    /** What the envelope holds beyond where the ropes were [m]. */
+    this.beyond = { low: [0, 0, 0], high: [0, 0, 0] };
+    this.patience = 0; // s, for which ropes must have been small before the camera comes nearer
+    this.large = 0; // s, of the clock: when they were not small last
+    this.nearer = false; // whether the camera has come nearer since it went back last
   }
 
   /** Forget all places. */
@@ -50,6 +60,9 @@ export class Follow {
     this.now = null;
     this.along = 0;
     this.drawn = null;
+    this.still = [];
+    this.patience = this.large = 0;
+    this.nearer = false;
   }
 
   /** Take over where the ropes are now: the envelope holds where they were in the last seconds, and goes before them.
@@ -79,9 +92,12 @@ export class Follow {
       const least = Math.min(...this.past.map((one) => one.low[k]));
       const greatest = Math.max(...this.past.map((one) => one.high[k]));
       // only onto new ground: what swings to and fro comes back by itself
-      this.low[k] = least - (low[k] > least ? 0 : ahead(this.speeds.low[k] + along[k]));
-      this.high[k] = greatest + (high[k] < greatest ? 0 : ahead(this.speeds.high[k] - along[k]));
+      this.beyond.low[k] = -(low[k] > least ? 0 : ahead(this.speeds.low[k] + along[k]));
+      this.beyond.high[k] = high[k] < greatest ? 0 : ahead(this.speeds.high[k] - along[k]);
+      this.low[k] = least + this.beyond.low[k];
+      this.high[k] = greatest + this.beyond.high[k];
     }
+    this.still = [];
     if (this.drawn) this.stayBehind(camera, this.drawn, now);
   }
 
@@ -90,8 +106,10 @@ export class Follow {
   stayBehind({ right, top, toward }, drawn, now) {
     [right, top, toward].forEach((axis, k) => {
       const by = this.along * (dot(drawn, axis) - now.middle[k]);
-      this.low[k] += by;
-      this.high[k] += by;
+      for (const { low, high } of [this, this.beyond]) {
+        low[k] += by;
+        high[k] += by;
+      }
     });
   }
 
@@ -156,6 +174,7 @@ export class Follow {
 
   /** Keep still places in the picture, too. @param {Camera} camera @param {Vector[]} places */
   hold({ right, top, toward }, places) {
+    this.still = places;
     [right, top, toward].forEach((axis, k) => {
       for (const place of places) {
         const value = dot(place, axis);
@@ -181,19 +200,60 @@ export class Follow {
   wanted(camera, strips, room = strips) {
     const wanted = this.goal(camera, room);
     if (!wanted) return null;
-    const small = wanted.distance < (this.rests ? RESTS : SMALL) * camera.pose.distance;
-    return small || this.leaves(camera, strips) ? wanted : null;
+    const { distance } = camera.pose;
+    const calm = this.calm(wanted, distance);
+    return calm.distance < distance || this.leaves(camera, strips) ? calm : null;
+  }
+
+  /** A goal that comes no nearer than a distance before the ropes have been small for a while, each time longer when
+   * they became large again: a zoom that goes to and fro is worse than ropes that are small for a moment.
+   * @param {Pose} goal @param {number} distance [m] @returns {Pose} */
+  calm(goal, distance) {
+    if (goal.distance >= RESTS * distance) this.large = this.clock;
+    if (goal.distance > WIDER * distance && this.nearer) {
+      this.patience = Math.min(PATIENCE, Math.max(WINDOW, 2 * this.patience));
+      this.nearer = false;
+    }
+    if (goal.distance >= distance) return goal;
+    const waited = this.clock - this.large - this.patience;
+    const small = goal.distance < SMALL * distance || this.rests || waited >= STEADY;
+    if (!small || waited < 0 || this.large === this.clock) return { ...goal, distance };
+    this.nearer = true;
+    return goal;
   }
 
   /** The pose that shows the envelope, whether the camera has to move or not. @param {Camera} camera
    * @param {Strips} room @returns {Pose | null} */
   goal(camera, room) {
-    return this.low.every(Number.isFinite) ? camera.framed(this.corners(camera), {}, room) : null;
+    return this.low.every(Number.isFinite) ? camera.framed(this.outline(camera), {}, room) : null;
   }
 
   /** @param {Camera} camera @param {Strips} strips */
   leaves(camera, strips) {
-    return outside(camera, this.corners(camera), strips) > OUTER;
+    return outside(camera, this.outline(camera), strips) > OUTER;
+  }
+
+  /** Corners of what the envelope holds: where the ropes were, time by time, and what does not move. Ropes that swing
+   * round fill less of the picture's depth than one box around it all. @param {Camera} camera @returns {Vector[]} */
+  outline(camera) {
+    /** @type {Map<number, {low: number[], high: number[]}>} */ const boxes = new Map();
+    for (const { time, low, high } of this.past) {
+      const bin = Math.floor((time * BINS) / WINDOW);
+      const box = boxes.get(bin) ?? { low, high };
+      boxes.set(bin, {
+        low: low.map((value, k) => Math.min(value, box.low[k])),
+        high: high.map((value, k) => Math.max(value, box.high[k])),
+      });
+    }
+    const found = [...this.still];
+    for (const { low, high } of boxes.values())
+      found.push(
+        ...this.corners(camera, {
+          low: low.map((value, k) => value + this.beyond.low[k]),
+          high: high.map((value, k) => value + this.beyond.high[k]),
+        }),
+      );
+    return found;
   }
 
   /** The pose, or one with the ropes as they are now in the picture: a damped camera comes late where they are fast.

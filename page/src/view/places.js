@@ -4,8 +4,8 @@
 
 const APART = 5; // from the tip
 
-/** Places for a label, the best first: beyond the tip in the arrow's direction, above and below that, above, below,
- * right and left of the tip; all inside the room. @param {number[]} tip @param {number[]} way of the arrow
+/** Places for a label, the best first: beyond the tip in the arrow's direction, at the corners of that, above, below,
+ * right and left of the tip, then farther off; all inside the room. @param {number[]} tip @param {number[]} way of the arrow
  * @param {number[]} size width and height @param {number[]} room @returns {Box[]} */
 export function placesFor([x, y], [dx, dy], [width, height], room) {
   const length = Math.hypot(dx, dy);
@@ -15,14 +15,18 @@ export function placesFor([x, y], [dx, dy], [width, height], room) {
   const beyond = [x + ux * reach, y + uy * reach];
   const aside = width / 2 + 3 * APART;
   const level = height / 2 + 3 * APART;
+  const [across, up] = [width / 2 + APART, height / 2 + APART];
+  const [sx, sy] = [ux < 0 ? -1 : 1, uy < 0 ? -1 : 1];
   const middles = [
     beyond,
-    [beyond[0], beyond[1] - height],
-    [beyond[0], beyond[1] + height],
+    [x + sx * across, y + sy * up],
+    [x - sx * across, y + sy * up],
+    [x + sx * across, y - sy * up],
     [x, y - level],
     [x, y + level],
     [x + aside, y],
     [x - aside, y],
+    [x - sx * across, y - sy * up],
     [x, y - level - 1.5 * height],
     [x, y + level + 1.5 * height],
   ];
