@@ -13,8 +13,10 @@ import ropewalk as rw
 from browser.post_scenes import over_a_post
 from browser.test_lab import METHODS, RUN, STEPS
 from browser.test_lab_values import of_page, of_python, write
+from ropewalk.laws.contact_books import PRESSED
 from ropewalk.lessons import lesson_scene
 from ropewalk.live.lab import lab_scene, write_lab
+from ropewalk.scene import Anchor
 from ropewalk.scene.presets import preset
 
 pytestmark = pytest.mark.browser
@@ -71,6 +73,51 @@ def test_a_thousand_steps_over_posts_are_those_of_python(
             far += errors(of_python(twin, method, dt), exact).max() > 1e-9
     assert min(sticks, slips) > 2000
     assert far == len(SEEDS)
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_an_anchor_lets_go_of_a_rope_over_a_post(
+    tmp_path: Path, open_window: Any, method: str
+) -> None:
+    """Inside a step, and at the end of one; two ropes, each with pieces of its own."""
+    scene = over_a_post(4)
+    second = scene.ropes[0].replace(name="second", kicks=[])
+    dt = 1e-5
+    for release in (0.004 + 0.4 * dt, 400 * dt):
+        ends = [
+            Anchor(rope="rope", node=0, release_time=release),
+            Anchor(rope="second", node=0, motion=scene.anchors[0].motion),
+        ]
+        both = scene.replace(ropes=[scene.ropes[0], second], anchors=ends)
+        path = write_lab(tmp_path / "let-go.html", [both])
+        found = np.array(open_window(path.as_uri()).page.evaluate(RUN, [0, method, STEPS, dt]))
+        assert errors(found, of_python(both, method, dt)).max() <= 1e-12
+        late = [ends[0].replace(release_time=release + dt), ends[1]]
+        twin = of_python(both.replace(anchors=late), method, dt)
+        assert errors(found, twin).max() > 1e-9
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_posts_have_done_what_python_books(tmp_path: Path, open_window: Any, method: str) -> None:
+    """Their work on the nodes, to 1e-9 of it, and what is stored in their surfaces."""
+    scene = over_a_post(5)
+    dt = 1e-5
+    run = scene.run.replace(
+        method=method, time_step=dt, steps="exact", frame_rate=1.0 / dt, duration=STEPS * dt
+    )
+    own = rw.Simulation(scene.replace(run=run), ledger=True)
+    own.advance_frames(STEPS)
+    page = open_window(write_lab(tmp_path / "post.html", [scene]).as_uri()).page
+    work, stored = page.evaluate(
+        "([method, steps, dt]) => { const { scenes, Rope } = window.ropewalkLab;"
+        " const rope = new Rope(scenes[0]); for (let i = 1; i <= steps; i++) rope.step(method, dt, i * dt);"
+        " return [rope.contact.work, rope.contact.stored()]; }",
+        [method, STEPS, dt],
+    )
+    assert work < -1e-3
+    assert work == pytest.approx(own.arrays.work.node.obstacle.sum(), rel=1e-9)
+    books = own.arrays.memory.obstacle.books
+    assert stored == pytest.approx(books[:, PRESSED].sum(), rel=1e-9)
 
 
 @pytest.mark.parametrize("method", METHODS)

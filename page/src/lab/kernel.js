@@ -201,7 +201,7 @@ export class Rope {
       .sort((a, b) => a - b);
     for (const end of [...cuts, after]) {
       const h = end === after && !cuts.length ? dt : end - this.time;
-      this.#jump(0.5 * (this.time + end));
+      this.#jump(0.5 * (this.time + end), this.#isKink(this.time, dt));
       if (method === "verlet") this.#verlet(h, end);
       else this.#rungeKutta(h, end);
       this.time = end;
@@ -209,11 +209,22 @@ export class Rope {
     }
   }
 
+  /** Whether an anchor of the present ropes begins or ends to move at a time [s], or lets go.
+   * @param {number} time @param {number} dt */
+  #isKink(time, dt) {
+    return this.anchors.some(
+      ({ node, start, stop, release }) =>
+        this.first <= node &&
+        node <= this.last &&
+        [start, stop, release ?? 0].some((t) => t > 0 && Math.abs(t - time) <= 1e-6 * dt),
+    );
+  }
+
   /** Begin a piece: an anchor that begins or ends to move has its new velocity from here on.
-   * @param {number} middle time of the piece's middle [s] */
-  #jump(middle) {
+   * @param {number} middle time of the piece's middle [s] @param {boolean} kink whether it begins at one */
+  #jump(middle, kink) {
     this.middle = middle;
-    let jumped = false;
+    let jumped = kink && this.contact !== null; // posts go on from what they remember of it
     for (const anchor of this.anchors) {
       if (!this.#steps(anchor)) continue;
       const moves = anchor.start < middle && middle < anchor.stop;
