@@ -66,3 +66,4 @@ def test_bad_sheets(ropewalk: Any, job: str) -> None:
         assert done.exit_code == 2, options
         assert text in done.stderr
         assert "Traceback" not in done.stderr
+        assert "at rest" not in done.output  # before anything is computed

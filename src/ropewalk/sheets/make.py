@@ -57,6 +57,10 @@ def sheet(
     that is not found.
     """
     made, tell = as_scene(scene), progress or (lambda words: None)
+    if uncertain:  # refused now, not after all runs
+        from ropewalk.sweeps.uncertainty import spread_parameters
+
+        spread_parameters(made, uncertain)
     tell("at rest")
     again = SEE if convergence and at_ends(made) else COMPUTE
     rest, at_rest = _rest(made, again, needed=not run)

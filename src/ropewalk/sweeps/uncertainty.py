@@ -108,15 +108,7 @@ def uncertain(
     whole numbers and for fewer than 2 samples, else as `sweep`.
     """
     loaded = as_scene(scene)
-    spreads = with_ranges(loaded, spreads)
-    parameters = make_parameters(loaded, spreads)
-    fixed = [p.path for p in parameters if p.spread is None]
-    if fixed:
-        rule = (
-            "must be a range such as 9.5..10.5, in Python (9.5, 10.5), a distribution such as norm(10, 0.5), "
-            "or per cents such as 10 %"
-        )
-        raise SceneError([Fault(path, NO_VALUE, rule) for path in fixed])
+    spreads, parameters = spread_parameters(loaded, spreads)
     refuse_unless_whole("samples", samples, 2)
     if seed is not None:
         refuse_unless_whole("seed", seed, 0)
@@ -133,6 +125,20 @@ def uncertain(
     plain = runs.isel(run=slice(0, None, len(parameters) + 2))
     found, more = _indices(runs, parameters, samples, seed, _sizes(loaded))
     return Uncertainty(runs, bands(plain), found, _note(runs, more))
+
+
+def spread_parameters(scene: Scene, spreads: Any) -> tuple[Any, tuple[Parameter, ...]]:
+    """Return the spreads with per cents as ranges, and their parameters. Raises SceneError as `uncertain`."""
+    ranges = with_ranges(scene, spreads)
+    parameters = make_parameters(scene, ranges)
+    fixed = [p.path for p in parameters if p.spread is None]
+    if fixed:
+        rule = (
+            "must be a range such as 9.5..10.5, in Python (9.5, 10.5), a distribution such as norm(10, 0.5), "
+            "or per cents such as 10 %"
+        )
+        raise SceneError([Fault(path, NO_VALUE, rule) for path in fixed])
+    return ranges, parameters
 
 
 def _default_keep(scene: Scene, what: str) -> list[str]:
