@@ -5,8 +5,8 @@
 const APART = 5; // from the tip
 
 /** Places for a label, the best first: beyond the tip in the arrow's direction, at the corners of that, above, below,
- * right and left of the tip, then farther off; all inside the room. @param {number[]} tip @param {number[]} way of the arrow
- * @param {number[]} size width and height @param {number[]} room @returns {Box[]} */
+ * right and left of the tip, then farther off; all inside the room. @param {number[]} tip
+ * @param {number[]} way of the arrow @param {number[]} size width and height @param {number[]} room @returns {Box[]} */
 export function placesFor([x, y], [dx, dy], [width, height], room) {
   const length = Math.hypot(dx, dy);
   const [ux, uy] = length > 1 ? [dx / length, dy / length] : [1, 0];
