@@ -25,6 +25,7 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats, Forces, State, blank
 from ropewalk.core.jit import kernel, part
+from ropewalk.core.largest import order, ordered
 from ropewalk.core.saddle import Saddle, make_saddle
 from ropewalk.core.status import OK, UNSOLVED
 from ropewalk.laws.couplings import couples
@@ -146,30 +147,43 @@ def misfit_merit(misfit, weight):
 
 @kernel
 def largest_force(v, known, mass, free, gravity, c2, force, report):
-    """Note the largest residual [N], its node, and the largest force of inertia and weight [N]."""
-    worst, node, scale, over = 0.0, 0, 0.0, 1.0 / c2
+    """Note the largest residual [N], and the largest force of inertia and weight [N]."""
+    worst, scale, over = 0, 0, 1.0 / c2
     pull = max(abs(gravity[0]), abs(gravity[1]), abs(gravity[2]))
+    v0, v1, v2, k0, k1, k2 = v[0], v[1], v[2], known[0], known[1], known[2]
+    f0, f1, f2 = force[0], force[1], force[2]
     for i in range(mass.shape[0]):
-        rate = abs(v[0, i] - known[0, i]) + abs(v[1, i] - known[1, i]) + abs(v[2, i] - known[2, i])
-        scale = max(scale, mass[i] * free[i] * max(over * rate, pull))
-        largest = max(abs(force[0, i]), abs(force[1, i]), abs(force[2, i]))
-        if not largest <= worst:
-            worst, node = largest, i
-    report[RESIDUAL], report[NODE], report[SCALE] = worst, node, scale
+        rate = abs(v0[i] - k0[i]) + abs(v1[i] - k1[i]) + abs(v2[i] - k2[i])
+        heavy = mass[i] * free[i]
+        scale = max(scale, order(heavy * (over * rate)), order(heavy * pull))
+        worst = max(worst, order(abs(f0[i])), order(abs(f1[i])), order(abs(f2[i])))
+    report[RESIDUAL], report[SCALE] = ordered(worst), ordered(scale)
+
+
+@kernel
+def find_worst(force, report):
+    """Note the node with the largest residual."""
+    for i in range(force.shape[1]):
+        if not max(abs(force[0, i]), abs(force[1, i]), abs(force[2, i])) < report[RESIDUAL]:
+            report[NODE] = i
+            return
 
 
 @kernel
 def largest_misfit(x, tension, rest_length, friction, saddle, report):
     """Put tensions and friction into the force scale; note the largest misfit over what is allowed."""
-    worst, scale = 0.0, report[SCALE]
+    most, worst = order(report[SCALE]), 0
+    x0, x1, x2, e, g = x[0], x[1], x[2], saddle.compliance, saddle.misfit
+    r0, r1, r2 = friction[0], friction[1], friction[2]
     for j in range(tension.shape[0]):
-        rub = max(abs(friction[0, j + 1]), abs(friction[1, j + 1]), abs(friction[2, j + 1]))
-        scale = max(scale, abs(tension[j]), rub)
+        rub = max(order(abs(r0[j + 1])), order(abs(r1[j + 1])), order(abs(r2[j + 1])))
+        most = max(most, order(abs(tension[j])), rub)
+    scale = ordered(most)
     for j in range(tension.shape[0]):
-        size = max(abs(x[0, j]), abs(x[1, j]), abs(x[2, j]), rest_length[j])
-        allowed = TIGHT * scale * saddle.compliance[j] + 1e-13 * rest_length[j]
-        worst = max(worst, abs(saddle.misfit[j]) / (allowed + 8.0 * EPSILON * size + 1e-300))
-    report[SCALE], report[MISFIT] = scale, worst
+        size = max(order(abs(x0[j])), order(abs(x1[j])), order(abs(x2[j])), order(rest_length[j]))
+        allowed = TIGHT * scale * e[j] + 1e-13 * rest_length[j]
+        worst = max(worst, order(abs(g[j]) / (allowed + 8.0 * EPSILON * ordered(size) + 1e-300)))
+    report[SCALE], report[MISFIT] = scale, ordered(worst)
 
 
 @kernel
@@ -288,6 +302,7 @@ def solve_stage(system, state, stage, c1, c2):
                 break
         leaps, leap = leaps + (1 if stuck else 0), stuck or (leap and wary > 1)
         if iteration == most or leaps > MOST_LEAPS:
+            find_worst(saddle.force, report)
             return UNSOLVED
         wary = WARY if failed else wary - 1
         near = exact or (
@@ -300,6 +315,7 @@ def solve_stage(system, state, stage, c1, c2):
         held_back = newton_step(system, state, stage, c1, c2, exact, leap)
         report[SOLVES] += 1.0
         if not is_finite(saddle.moved, saddle.pulled):
+            find_worst(saddle.force, report)
             return UNSOLVED
         if touching:
             size, iteration = follow_model(system, state, stage, c1, exact), iteration + 1
