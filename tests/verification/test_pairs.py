@@ -20,8 +20,6 @@ APART = {
     ("winch", "relaxation"): "with which a winch cannot wind it",
     ("winch", "bending"): "has bending stiffness",
     ("winch", "clamp"): "has bending stiffness",
-    ("winch", "slide"): "on whose drum rope has no length to slide along",
-    ("parting", "slide"): "then nothing tells along which part to slide",
 }
 #: What changes nothing beside another feature, which has it already: the second of each.
 IDLE = {"clamp": "bending", "rigid links": "limiter"}

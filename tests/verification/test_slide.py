@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 import ropewalk as rw
-from ropewalk.laws.slides.rail import look, point_at, shares
+from ropewalk.laws.slides.ends import whole
+from ropewalk.laws.slides.rail import look, piece_of, point_at, shares
 from ropewalk.laws.slides.slide_force import slide_energy, slide_forces
 from ropewalk.laws.slides.slide_tangent import along_slides, block, weights_of
 from ropewalk.laws.slides.table import AT, Memory, Slides
@@ -133,8 +134,8 @@ def test_a_load_rolls_over_no_bumps() -> None:
     count = 8
 
     def arcs(u: float) -> list[tuple[int, float]]:
-        piece = min(max(math.floor(u + 0.5), 0), count)
-        *parts, middle = shares(u, piece, count)
+        ends = whole(count)
+        *parts, middle = shares(u, piece_of(u, ends), ends)
         return [(middle - 1 + m, parts[m]) for m in range(3)]
 
     def straight(u: float) -> list[tuple[int, float]]:
@@ -154,11 +155,13 @@ def test_the_force_does_not_jump_at_nodes() -> None:
     ways = np.linspace(0.9, 1.1, 401)
     beads = np.stack([ways, np.zeros_like(ways), np.full_like(ways, 0.1)])
     table = Slides(
-        *(np.array([i]) for i in (3, 0, 2)), *(np.array([s]) for s in (1.0, 1.0, 0, 0, 0, 0))
+        *(np.array([i]) for i in (3, 0, 2)),
+        *(np.array([s]) for s in (1.0, 1.0, 0, 0, 0, 0)),
+        *(np.array([i]) for i in (0, 2)),
+        np.full((1, 2), -1),
     )
-    memory = Memory(
-        np.full((1, 2), 1.0), np.zeros((1, 4), int), np.zeros((1, 38)), np.zeros(2, int)
-    )
+    working = np.zeros((1, 4), int), np.zeros((1, 38)), np.zeros(2, int)
+    memory = Memory(np.full((1, 2), 1.0), *working, whole(2)[None], np.full(1, math.inf))
     memory.grip[0, 1] = 0.0
     found, straight = [], []
     for bead in beads.T:
@@ -325,7 +328,7 @@ def test_it_begins_on_its_rope() -> None:
         memory = simulation.arrays.memory.slide
         u = at / (SPAN / 1.01) * (LINE - 1)
         assert memory.sight[0, AT] == pytest.approx(u, abs=1e-9)
-        place = point_at(simulation.arrays.x, 0, LINE - 1, u)
+        place = point_at(simulation.arrays.x, 0, whole(LINE - 1), u)
         assert simulation.arrays.x[:, LINE] == pytest.approx(place, abs=1e-12)
         assert np.diff(simulation.arrays.x[2, LINE:]) == pytest.approx([-0.5], abs=1e-12)
 

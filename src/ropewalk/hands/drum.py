@@ -6,6 +6,7 @@ import math
 from typing import TYPE_CHECKING
 
 from ropewalk.core.arrays import State, System, Winches
+from ropewalk.laws.slides.table import room_of
 from ropewalk.laws.winch import SPLIT, WINCH_SHARE
 from ropewalk.lowering.joint_tables import tied_with
 from ropewalk.words.annotations import unquoted
@@ -16,7 +17,7 @@ if TYPE_CHECKING:
 # Why a winch stands although it is told to turn.
 EMPTY, LONGEST, SHORTEST = "empty drum", "max_length", "min_length"
 LAST, HELD_NODE, RELEASED = "last segment", "held node", "released"
-PARTED = "rope parted"
+PARTED, SLIDES = "rope parted", "room for a slide"
 _ROUNDING = 1e-9  # [1] of a segment
 
 
@@ -85,7 +86,8 @@ class WinchHandle:
         """What keeps it from turning as it is told; empty when nothing does.
 
         "empty drum", "max_length", "min_length", "last segment" (half a segment is left outside),
-        "held node" (an anchor holds the next node), "released" (the drum was let go) or "rope parted".
+        "held node" (an anchor holds the next node), "released" (the drum was let go), "rope parted", or
+        "room for a slide" (something slides along the rope, which needs what is left).
         """
         return why_stopped(self._simulation.system, self._state, self._row, self.speed)
 
@@ -126,10 +128,20 @@ def limit_reached(system: System, state: State, row: int, speed: float) -> str:
             return EMPTY
         return LONGEST if out >= winches.longest[row] - little else ""
     if out <= winches.shortest[row] + little:
-        return LAST if winches.shortest[row] == 0.5 * winches.segment[row] else SHORTEST
+        if winches.shortest[row] == 0.5 * winches.segment[row]:
+            return LAST
+        return SLIDES if _keeps_room(system, row) else SHORTEST
     outer = drum + int(winches.step[row])
     held = state.inverse_mass[outer] == 0.0 or len(tied_with(system.joints, state.tied, outer)) > 1
     return HELD_NODE if held and working <= 0.5 * winches.segment[row] + little else ""
+
+
+def _keeps_room(system: System, row: int) -> bool:
+    """Tell whether a winch stops where it does for something that slides along its rope."""
+    drums = system.node.slide.winch
+    mine = drums[(drums == row).any(axis=1)]
+    room = room_of(int((mine >= 0).sum(axis=1).max(initial=0))) * system.winches.segment[row]
+    return len(mine) > 0 and bool(system.winches.shortest[row] == room)
 
 
 def parted_at(winches: Winches, state: State, row: int) -> float:

@@ -220,6 +220,27 @@ wind_couplings = fold(_winding, _nothing_wound, "wound")
 
 
 @part
+def _nothing_parted(system, state, segment, time):
+    pass
+
+
+def _parting(law: NodeLaw, k: int, rest: Any) -> Any:
+    parted = law.parted
+
+    @part
+    def _part(system, state, segment, time):
+        if acts(system, k):
+            parted(system.node[k], state, segment, time)
+        rest(system, state, segment, time)
+
+    return _part
+
+
+part_couplings = fold(_parting, _nothing_parted, "parted")
+"""part_couplings(system, state, segment, time): let these laws know of a segment that has parted."""
+
+
+@part
 def _no_fault(system, state):
     return False
 

@@ -97,6 +97,7 @@ class NodeLaw(NamedTuple):
     meet: Any = None
     fault: Any = None  # part (table, state): not 0 where the run cannot go on
     wound: Any = None  # part (table, state, winches): nodes have gone on to drums, or come off
+    parted: Any = None  # part (table, state, segment, time): a segment has parted, at `time` [s]
 
     # A law of segments is made by `segment_law`.
     of_ropes: bool = False  # its section is a field of every rope

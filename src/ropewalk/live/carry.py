@@ -55,6 +55,7 @@ def carry_over(old: Simulation, scene: Scene, source: Floats) -> Simulation:
         refuse_pressing(model.system, state, model.layout, before)
     if scene.slides:
         memory = place_slides(model.system.node.slide, state.x, state.stiffness)
+        _leave_off(old, scene, memory.off)
         assign(state.memory.slide, memory)
     made = Simulation(model, ledger=old.ledger)
     snapshot = made.state
@@ -126,6 +127,14 @@ def _carry_partings(old: Simulation, new: State, source: Floats) -> list[tuple[i
 def _carry_winches(old: State, new: State) -> None:
     for name in _WOUND:
         getattr(new, name)[...] = getattr(old, name)
+
+
+def _leave_off(old: Simulation, scene: Scene, off: Floats) -> None:
+    """Keep off its rope what has run off it: `off` (slides,) says when [s]."""
+    names = [slide.name for slide in old.scene.slides]
+    for row, slide in enumerate(scene.slides):
+        if slide.name in names:
+            off[row] = old.arrays.memory.slide.off[names.index(slide.name)]
 
 
 def _carry_anchors(old: Simulation, model: Model) -> np.ndarray[tuple[int], np.dtype[np.int64]]:

@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from ropewalk.core.arrays import Floats, State
+from ropewalk.laws.slides.ends import whole
 from ropewalk.laws.slides.rail import nearest_place, point_at
+from ropewalk.laws.slides.table import room_of
 from ropewalk.lowering.layout import Layout
-from ropewalk.scene import Scene, SceneError
-from ropewalk.scene.faults import NO_VALUE, Fault
+from ropewalk.scene import Scene, SceneError, Winch
+from ropewalk.scene.faults import MISSING, NO_VALUE, Fault
+from ropewalk.scene.slide import NEAREST
 
 _NEAR = 1.0  # [1] a node that is drawn farther off, over the length of a segment, is somewhere else
 _SECOND = 0.01  # [1] the same of a second node of one rope, which alone is moved
@@ -20,18 +25,30 @@ def refuse_slides(scene: Scene, what: str) -> None:
         raise SceneError([Fault("slide", NO_VALUE, f"{what}; leave out the slides")])
 
 
+def shortest_length(scene: Scene, winch: Winch, segment: float) -> float:
+    """Return the unstretched length at which a winch stops reeling in [m]; `segment` is that of one [m].
+
+    Half a segment, where it is not given; more where something slides along the rope.
+    """
+    least = 0.5
+    if any(slide.on == winch.rope for slide in scene.slides):
+        least = room_of(sum(other.rope == winch.rope for other in scene.winches))
+    return max(winch.min_length or 0.0, least * segment)
+
+
 def put_on_ropes(scene: Scene, layout: Layout, state: State) -> None:
     """Move what slides onto its rope, its own rope with it: lines first, then what slides along them.
 
     Raises SceneError where it is drawn too far from there, where an anchor holds what would be moved, and
     for ropes that slide along each other in a ring.
     """
-    faults, placed = [], set[str]()
+    faults, placed = list[Fault](), set[str]()
     held = {anchor.rope for anchor in scene.anchors}
     for i in _lines_first(scene):
         slide = scene.slides[i]
         node, span, line = layout.node(slide.node, slide.rope), layout.span(slide.rope), slide.on
-        way = _way_to_rope(scene, layout, state.x, i)
+        u, way = _way_to_rope(scene, layout, state.x, i)
+        faults += _at_drum(scene, i, u)
         far = float(np.linalg.norm(way))
         stays = slide.rope in placed or slide.rope in held
         if stays:
@@ -54,17 +71,34 @@ def put_on_ropes(scene: Scene, layout: Layout, state: State) -> None:
         raise SceneError(faults)
 
 
-def _way_to_rope(scene: Scene, layout: Layout, x: Floats, i: int) -> Floats:
-    """Return the way from where the node of a slide is drawn to its place on the line, (3,) [m]."""
+def _way_to_rope(scene: Scene, layout: Layout, x: Floats, i: int) -> tuple[float, Floats]:
+    """Return a slide's place on its line [1], and the way there from where its node is drawn, (3,) [m]."""
     slide = scene.slides[i]
     node, line = layout.node(slide.node, slide.rope), layout.span(slide.on)
     first, last = line.start, line.end
+    ends = whole(last - first)
     if slide.at is None:
         away = np.square(x[:, first : last + 1] - x[:, [node]]).sum(axis=0)
-        u = nearest_place(x, node, first, last, float(np.argmin(away)))
+        u = nearest_place(x, node, first, ends, float(np.argmin(away)))
     else:
         u = min(slide.at / scene.rope_named(slide.on).segment_length, float(last - first))
-    return np.array(point_at(x, first, last, u)) - x[:, node]
+    return u, np.array(point_at(x, first, ends, u)) - x[:, node]
+
+
+def _at_drum(scene: Scene, i: int, u: float) -> Iterator[Fault]:
+    """The fault of a slide that begins where a drum's stop would press on it, at a place [1]."""
+    slide = scene.slides[i]
+    line = scene.rope_named(slide.on)
+    for winch in scene.winches:
+        away = u if winch.end == "start" else line.segments - u
+        if winch.rope == slide.on and away < NEAREST:
+            least = NEAREST * line.segment_length
+            rule = (
+                f"is {away * line.segment_length:.4g} m from the drum of winch {winch.name!r}: what slides "
+                f"is stopped {NEAREST:g} segments from a drum, {least:.4g} m; begin farther away, or give "
+                f"rope {slide.on!r} more segments"
+            )
+            yield Fault(f"slide[{i}].at", slide.at if slide.at is not None else MISSING, rule)
 
 
 def _lines_first(scene: Scene) -> list[int]:

@@ -34,7 +34,7 @@ from ropewalk.lowering.masses import line, line_density, masses, passing
 from ropewalk.lowering.motion_rows import anchor_tables
 from ropewalk.lowering.pieces import Pieces
 from ropewalk.lowering.remembered import with_memory
-from ropewalk.lowering.slide_checks import put_on_ropes
+from ropewalk.lowering.slide_checks import put_on_ropes, shortest_length
 from ropewalk.lowering.variant import rare_of
 from ropewalk.methods.kinks import kink_times
 from ropewalk.scene import Limiter as LimiterInScene
@@ -270,12 +270,13 @@ def _node_tables(scene: Scene, layout: Layout, keep: Pieces) -> Any:
         "whole": (),
         "joints": (),
         "slides": (),
+        "winches": (),
     }
     each = zip(scene.ropes, layout.ropes, strict=True)
     inputs["parts"] = tuple((rope.strength, passing(rope, span)) for rope, span in each)
     if scene.obstacles or scene.slides or scene.contact is not None:  # what only they ask for
         inputs |= {"ropes": scene.ropes, "whole": _tied_masses(scene)}
-        inputs |= {"joints": scene.joints, "slides": scene.slides}
+        inputs |= {"joints": scene.joints, "slides": scene.slides, "winches": scene.winches}
     return NodeTables(
         *(
             keep(law.name, law.lower, section_of(law, scene), *(inputs[n] for n in law.inputs))
@@ -344,7 +345,7 @@ def _winches(scene: Scene, layout: Layout) -> Winches:
                 winch.start,
                 winch.stop,
                 length,
-                winch.min_length or 0.5 * length,
+                shortest_length(scene, winch, length),
                 winch.max_length or math.inf,
                 span.length_on_drum(winch.end, length) if winch.on_drum is None else winch.on_drum,
                 rope.segment_stiffness * length,

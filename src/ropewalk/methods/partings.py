@@ -13,6 +13,7 @@ import math
 
 from ropewalk.core.jit import kernel, part
 from ropewalk.laws.clamps import bent_energy
+from ropewalk.laws.couplings import part_couplings
 from ropewalk.laws.elastic import stored_energy
 from ropewalk.laws.rare import has_bending, winds
 from ropewalk.methods.recording import carried_tension, record_elastic
@@ -125,4 +126,5 @@ def part_segment(system, state, j, tension, t):
     state.memory.parting.time[j] = t
     state.memory.parting.tension[j] = tension
     state.work.node.parting[j] -= lost
+    part_couplings(system, state, j, t)
     state.past[0] = 0.0  # a multistep method begins anew

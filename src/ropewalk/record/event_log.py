@@ -15,6 +15,7 @@ from ropewalk.record.place import EVENTS as NAME
 from ropewalk.record.seal import log_fault, sealed_line
 
 Event = dict[str, Any]
+RAN_OFF = "ran off its rope"  # the event of a slide on a rope that has parted
 _LAST = 1 << 18  # bytes at the end of a log, in which the line before is looked for
 
 
@@ -74,4 +75,6 @@ def until(events: tuple[Event, ...], time: float) -> tuple[Event, ...]:
 
 
 def _is_of_the_scene(event: Event) -> bool:
-    return bool({"anchor", "winch", "segment"} & event.keys()) or event["event"] == ROPE_BROKE
+    return (
+        bool({"anchor", "winch", "segment", "slide"} & event.keys()) or event["event"] == ROPE_BROKE
+    )

@@ -1,4 +1,4 @@
-"""What happens to a scene while it runs: anchors let go, winches come to a stop, ropes part."""
+"""What happens to a scene while it runs: anchors let go, winches stop, ropes part, slides run off them."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import numpy as np
 from ropewalk.core.arrays import Floats, Ints
 from ropewalk.hands.drum import EMPTY, PARTED, RELEASED, limit_reached, parted_at
 from ropewalk.methods.registry import METHODS
-from ropewalk.record.event_log import Event
+from ropewalk.record.event_log import RAN_OFF, Event
 from ropewalk.simulation import Simulation
 
 STOPPED, LET_GO = "winch stopped", "released"
@@ -34,6 +34,7 @@ class Watch:
         self._told: set[tuple[int, str]] = set()
         self._ended: set[str] = set()
         self._whole: Bools = np.ones(simulation.arrays.memory.parting.time.size, dtype=bool)
+        self._slid: Bools = np.ones(len(simulation.scene.slides), dtype=bool)
         self._time, self._paid = simulation.time, simulation.arrays.winch_paid.copy()
         if resumed:
             self.look()
@@ -44,7 +45,7 @@ class Watch:
 
     def look(self) -> list[Event]:
         """Return what has happened, in order of time: `event`, `time` [s], and whom it concerns."""
-        found = [*self._releases(), *self._stops(), *self._partings()]
+        found = [*self._releases(), *self._stops(), *self._partings(), *self._slides()]
         state = self._simulation.arrays
         self._time, self._paid = self._simulation.time, state.winch_paid.copy()
         return sorted(found, key=lambda event: float(event["time"]))
@@ -93,6 +94,22 @@ class Watch:
             if rope not in self._ended:
                 found.append({"event": PARTED, "time": time, **where})
         return found
+
+    def _slides(self) -> list[Event]:
+        """Tell what has run off a rope that parted, at the end of which step."""
+        simulation = self._simulation
+        if not self._slid.size:
+            return []
+        off = simulation.arrays.memory.slide.off
+        on = np.isinf(off)
+        gone = np.flatnonzero(self._slid & ~on)
+        self._slid = on
+        slides = [simulation.scene.slides[int(row)] for row in gone]
+        return [
+            {"event": RAN_OFF, "time": float(off[row]), "slide": slide.name, "rope": slide.on}
+            for row, slide in zip(gone, slides, strict=True)
+            if not {slide.rope, slide.on} & self._ended
+        ]
 
     def _stop_of(self, row: int) -> tuple[str, float]:
         """Return what a winch was stopped by and when [s]."""

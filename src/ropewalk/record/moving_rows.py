@@ -12,8 +12,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from ropewalk.core.arrays import Floats
+from ropewalk.record.event_log import RAN_OFF
 from ropewalk.record.extremes import SEEN
-from ropewalk.record.quantities import PULLEYS
+from ropewalk.record.quantities import PULLEYS, has_rope
 
 if TYPE_CHECKING:
     from ropewalk.laws.slides.table import Slides
@@ -26,9 +27,9 @@ _RATE = 1  # column of the quantity pulleys
 class SlideMotion(NamedTuple):
     """How a node slid along a rope, one row a frame."""
 
-    place: Floats  # (frames,) unstretched rope from the line's start [m]
+    place: Floats  # (frames,) unstretched rope from the line's start [m], NaN once it has run off
     speed: Floats  # (frames,) of the node [m/s]
-    load: Floats  # (frames,) that it presses on the line with, across it [N]
+    load: Floats  # (frames,) that it presses on the line with, across it [N]; 0 once it has run off
     carried: (
         Floats  # (frames,) speed of the centre of mass of the node's rope, with its loads [m/s]
     )
@@ -49,6 +50,12 @@ def slide_motion(result: Result, name: str) -> SlideMotion:
     for start, stop in _pieces(result, result.frames):
         parts.append(_piece(result, row, table, masses, start, stop))
     return SlideMotion(*(np.concatenate(column) for column in zip(*parts, strict=True)))
+
+
+def ran_off_at(result: Result, name: str) -> float:
+    """Return when a slide ran off its rope, which had parted [s]; inf: it never did."""
+    events = (event for event in result.events if event["event"] == RAN_OFF)
+    return min((float(one["time"]) for one in events if one["slide"] == name), default=math.inf)
 
 
 def axle_loads(result: Result, frames: range) -> Floats:
@@ -105,7 +112,11 @@ def _slide_rows(result: Result) -> dict[str, Any]:
                 there = f"rope {slide.rope!r}, {where}" if title == "carried" else where
                 words = f"{said} along {slide.on!r}" if title == "place" else there
                 _keep(best, title, values[:, None], [words], result.time[start:stop])
-        last.append(f"{slide.name!r} {found.place[-1]:.5g} m along")
+        off = ran_off_at(result, slide.name)
+        left = f"has run off at t = {off:.6g} s"
+        last.append(
+            f"{slide.name!r} " + (f"{found.place[-1]:.5g} m along" if off == math.inf else left)
+        )
     titles = {
         "speed": "largest speed of a sliding node [m/s]",
         "carried": "largest speed of a sliding rope's centre of mass [m/s]",
@@ -164,17 +175,29 @@ def _piece(
     result: Result, row: int, table: Slides, masses: Floats, start: int, stop: int
 ) -> SlideMotion:
     """Return how a slide moved in some frames."""
+    from ropewalk.laws.slides.ends import live_ends, place_near, whole
     from ropewalk.laws.slides.rail import nearest_place, point_at
-    from ropewalk.laws.slides.sliding import place_near
+    from ropewalk.laws.slides.table import LOOSE
 
     places = result.read("positions", start, stop).transpose(0, 2, 1)
     velocities = result.read("velocities", start, stop)
     node, first, last = int(table.node[row]), int(table.first[row]), int(table.last[row])
+    slide = result.scene.slides[row]
+    off, live, ends = ran_off_at(result, slide.name), None, whole(last - first)
+    if "rest_length" in result.source.names:
+        lengths = [rope.segment_length for rope in result.scene.ropes]
+        live = has_rope(result.layout, result.read("rest_length", start, stop), lengths)
     span = result.layout.span(result.scene.slides[row].rope)
     place, load, u = np.zeros(stop - start), np.zeros(stop - start), math.nan
     for i, x in enumerate(np.ascontiguousarray(places)):
-        u = nearest_place(x, node, first, last, u) if u == u else place_near(table, row, x)
-        apart = x[:, node] - np.array(point_at(x, first, last, u))
+        if result.time[start + i] >= off:
+            place[i], load[i] = math.nan, 0.0
+            continue
+        if live is not None:
+            ends = live_ends(table, row, x, live[i], u)
+            ends[LOOSE : LOOSE + 2] = 0
+        u = nearest_place(x, node, first, ends, u) if u == u else place_near(table, row, x, ends)
+        apart = x[:, node] - np.array(point_at(x, first, ends, u))
         place[i] = u * table.length[row]
         load[i] = table.stiffness[row] * float(np.linalg.norm(apart))
     middle = np.einsum("n,fnk->fk", masses, velocities[:, span.start : span.end + 1])

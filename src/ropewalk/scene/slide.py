@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 
 from pydantic import Field
 
 from ropewalk.scene.base import NAME, Model, Number, Text, Whole, not_negative, positive, quantity
-from ropewalk.scene.faults import MISSING, NO_VALUE, Fault
+from ropewalk.scene.faults import MISSING, Fault
 from ropewalk.scene.rope import Rope, node_range
 from ropewalk.scene.solid import MOST_FRICTION
 from ropewalk.scene.winch import Winch
 from ropewalk.words.nearest import nearest
 
 _FEWEST = 2  # segments of a rope that something slides along
+NEAREST = 2.25  # [1] segments from a drum at which a slide is stopped
 
 
 class Slide(Model):
@@ -78,13 +80,7 @@ def slide_faults(
     """The faults of a scene in which nodes slide along ropes."""
     if not slides:
         return []
-    found = []
-    if winches:
-        rule = (
-            "cannot work with a winch, on whose drum rope has no length to slide along: leave out the winch, "
-            "or the slides"
-        )
-        found.append(Fault("slide", NO_VALUE, rule))
+    found = list[Fault]()
     names, seen = [rope.name for rope in ropes], dict[tuple[str, int], int]()
     titles = dict[str, int]()
     for i, slide in enumerate(slides):
@@ -98,12 +94,16 @@ def slide_faults(
             for key, value in (("rope", slide.rope), ("on", on))
             if value not in names
         ]
-        found += unknown or _one(i, slide, ropes[names.index(slide.rope)], ropes[names.index(on)])
-        if not unknown:
-            point = slide.rope, slide.node % ropes[names.index(slide.rope)].nodes
-            if seen.setdefault(point, i) != i:
-                rule = f"slides already, by slide[{seen[point]}]"
-                found.append(Fault(f"slide[{i}].node", slide.node, rule))
+        if unknown:
+            found += unknown
+            continue
+        rope, line = ropes[names.index(slide.rope)], ropes[names.index(on)]
+        found += [*_one(i, slide, rope, line), *_beside_winches(i, slide, rope, line, winches)]
+        point = slide.rope, slide.node % rope.nodes
+        if seen.setdefault(point, i) != i:
+            found.append(
+                Fault(f"slide[{i}].node", slide.node, f"slides already, by slide[{seen[point]}]")
+            )
     return found
 
 
@@ -122,9 +122,6 @@ def _one(i: int, slide: Slide, rope: Rope, line: Rope) -> Iterator[Fault]:
     if line.segments < _FEWEST:
         rule = f"has one segment; give the rope that something slides along {_FEWEST} or more"
         yield Fault(f"{path}.on", line.name, rule)
-    if line.made_of.parts:
-        rule = "may part, and then nothing tells along which part to slide; leave out parts of that rope"
-        yield Fault(f"{path}.on", line.name, rule)
     for key, value in (("at", slide.at), ("brake_from", slide.brake_from)):
         if value is not None and value > line.length_unstretched:
             rule = f"must be on rope {line.name!r}, which is {line.length_unstretched:g} m long"
@@ -132,3 +129,22 @@ def _one(i: int, slide: Slide, rope: Rope, line: Rope) -> Iterator[Fault]:
     if slide.brake_from > 0.0 and slide.brake == 0.0:
         rule = "is needed with brake_from: give the brake's force, or leave out brake_from"
         yield Fault(f"{path}.brake", MISSING, rule)
+
+
+def _beside_winches(
+    i: int, slide: Slide, rope: Rope, line: Rope, winches: Sequence[Winch]
+) -> Iterator[Fault]:
+    """The faults of a slide where winches wind its ropes: at a drum there is nothing to slide along."""
+    drums = sum(winch.rope == line.name for winch in winches)
+    least = math.ceil(NEAREST * drums + 1.0)
+    if drums and line.segments < least:
+        rule = (
+            f"has {line.segments} segments, and what slides is stopped {NEAREST:g} of them from a drum: "
+            f"give it {least} or more"
+        )
+        yield Fault(f"slide[{i}].on", line.name, rule)
+    ends = {winch.end for winch in winches if winch.rope == rope.name}
+    node = slide.node % rope.nodes
+    if ends and (len(ends) == 2 or node != (rope.nodes - 1 if "start" in ends else 0)):
+        rule = "could come on to the drum of its rope: let the end slide that has no winch"
+        yield Fault(f"slide[{i}].node", slide.node, rule)

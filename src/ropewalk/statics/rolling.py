@@ -157,8 +157,8 @@ def _moved(balance: Balance, table: Slides, row: int, last: Found, there: float)
         low -= 1
     while high < balance.live.size and balance.live[high]:
         high += 1
-    end = first + count
-    places = (np.array(point_at(last.x, first, end, place)) for place in (there, here))
+    ends = balance.coupled.state.memory.slide.ends[row]
+    places = (np.array(point_at(last.x, first, ends, place)) for place in (there, here))
     shift = np.subtract(*places)
     x[:, low : high + 1] += np.where(balance.free[low : high + 1], shift[:, None], 0.0)
     grip[PLACE] = there

@@ -175,7 +175,7 @@ def conclude(result: Result, warnings: tuple[str, ...] = (), *, as_json: bool, q
         print_results(result, f"{result.scene.name}: {result.status}")
         say(f"run folder: {result.folder}")
     if not quiet:
-        _tell_of_winches(result)
+        _tell_of_events(result)
         _tell_of_partings(result.partings)
     if result.status == "interrupted":
         tell(f"interrupted at t = {result.time[-1]:.6g} s; what there is was kept")
@@ -200,9 +200,16 @@ def _tell_of_partings(partings: tuple[Parting, ...]) -> None:
         warn(f"and {len(partings) - _NAMED} more segments parted")
 
 
-def _tell_of_winches(result: Result) -> None:
-    """Say which winches stood still for want of rope."""
+def _tell_of_events(result: Result) -> None:
+    """Say which winches stood still for want of rope, and what has run off a rope that parted."""
+    from ropewalk.record.event_log import RAN_OFF
+
     for event in result.events:
+        if event["event"] == RAN_OFF:
+            at = f"{event['time']:.6g} s"
+            warn(
+                f"slide {event['slide']!r} ran off rope {event['rope']!r} at t = {at}: it had parted"
+            )
         if event["event"] == "winch stopped" and event["by"] == "empty drum":
             at = f"{event['time']:.6g} s"
             warn(f"winch {event['winch']!r} stopped at t = {at}: its drum was empty")

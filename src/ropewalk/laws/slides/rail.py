@@ -1,7 +1,8 @@
 """The curve that a node slides along, and the place on it that is nearest to the node.
 
-X(u), u = 0 .. N, between the rope's nodes x_0 .. x_N: straight from either end to the middle of the last
-segment; from middle to middle an arc of an ellipse that touches both segments there, with s = u - i,
+X(u), u = 0 .. N, between the rope's nodes x_0 .. x_N, those off its drums or of the part of a broken rope:
+straight from either end to the middle of the last segment; from middle to middle an arc of an ellipse that
+touches both segments there, with s = u - i,
     X = (1 - s - q) x_(i-1) / 2 + q x_i + (1 + s - q) x_(i+1) / 2,    q = sqrt(1/2 - s^2)
 It goes on without a kink, and is the straight line where the nodes are on one. Why an ellipse: a force F on
 X, shared among the nodes so, sinks into a string of segments h under tension T by sum S (1 - S) h F / T less
@@ -10,6 +11,7 @@ straight segments a load would roll over bumps of 0.25 h F / T, on parabolas (a 
 With r = p - X(u) from the curve to the node p, the nearest place is where g = r . r' = 0 and g' > 0, or an
 end; shares a of the four nodes x: r = sum a x, r' = sum a' x, r'' = sum a'' x. How it changes with the nodes:
     grad u = -(a r' + a' r) / g',    g' = r' . r' + r . r''
+Beyond a broken end it goes on straight: what is there at the end of a step has run off.
 Source: Lanczos, The Variational Principles of Mechanics, 1970, ch. 2 (auxiliary conditions).
 """
 
@@ -23,7 +25,12 @@ from ropewalk.laws.slides.table import (
     AT,
     BEND,
     GRADIENT,
+    HIGH,
+    HIGHEST,
     INSIDE,
+    LOOSE,
+    LOW,
+    LOWEST,
     PLACE,
     R1,
     R2,
@@ -35,26 +42,28 @@ from ropewalk.laws.slides.table import (
 )
 
 ROUNDS = 60
+BEYOND = 2.0  # [1] segments beyond a broken end, within a step
 LEAST = 0.05  # [1] of g' over r' . r'
 
 
 @small
-def piece_of(u, count):
-    """Return the piece on which a place lies; there are count + 1, each about a node."""
-    return min(max(math.floor(u + 0.5), 0), count)
+def piece_of(u, ends):
+    """Return the piece on which a place lies, one about each node between the `ends`."""
+    return min(max(math.floor(u + 0.5), ends[LOW]), ends[HIGH])
 
 
 @small
-def shares(u, piece, count):
+def shares(u, piece, ends):
     """Return shares of three nodes in X, X', of the middle one in X'' and X''', and the middle one.
 
     The others have minus half of those each.
     """
-    if piece == 0:
-        return 1.0 - u, u, 0.0, -1.0, 1.0, 0.0, 0.0, 0.0, 1
-    if piece == count:
-        s = count - u
-        return 0.0, s, 1.0 - s, 0.0, -1.0, 1.0, 0.0, 0.0, count - 1
+    if piece == ends[LOW] or piece == ends[HIGH]:
+        left = ends[LOW] if piece == ends[LOW] else ends[HIGH] - 1
+        s = u - left
+        if left == ends[LOWEST] or (piece == ends[LOW] and left + 2 <= ends[HIGHEST]):
+            return 1.0 - s, s, 0.0, -1.0, 1.0, 0.0, 0.0, 0.0, left + 1
+        return 0.0, 1.0 - s, s, 0.0, -1.0, 1.0, 0.0, 0.0, left
     s = u - piece
     q = math.sqrt(0.5 - s * s)
     turn = -s / q
@@ -64,9 +73,9 @@ def shares(u, piece, count):
 
 
 @kernel
-def point_at(x, first, last, u):
-    """Return a place of the curve [m], of a rope's first and last node; `x` is (3, n)."""
-    w0, w1, w2, _, _, _, _, _, middle = shares(u, piece_of(u, last - first), last - first)
+def point_at(x, first, ends, u):
+    """Return a place of the curve [m], of a rope's first node and `ends`, see `table`; `x` is (3, n)."""
+    w0, w1, w2, _, _, _, _, _, middle = shares(u, piece_of(u, ends), ends)
     i = first + middle
     return (
         w0 * x[0, i - 1] + w1 * x[0, i] + w2 * x[0, i + 1],
@@ -76,9 +85,9 @@ def point_at(x, first, last, u):
 
 
 @small
-def condition(x, node, first, count, u, piece):
+def condition(x, node, first, ends, u, piece):
     """Return g and g' at a place [m^2]."""
-    w0, w1, w2, d0, d1, d2, bend, _, middle = shares(u, piece, count)
+    w0, w1, w2, d0, d1, d2, bend, _, middle = shares(u, piece, ends)
     i, g, slope = first + middle, 0.0, 0.0
     for k in range(3):
         a, b, c = x[k, i - 1], x[k, i], x[k, i + 1]
@@ -90,11 +99,11 @@ def condition(x, node, first, count, u, piece):
 
 
 @kernel
-def root(x, node, first, count, start, piece, low, high):
+def root(x, node, first, ends, start, piece, low, high):
     """Return the place between two, g < 0 < g there, at which g is zero; from a guess."""
     u = min(max(start, low), high)
     for _ in range(ROUNDS):
-        g, slope = condition(x, node, first, count, u, piece)
+        g, slope = condition(x, node, first, ends, u, piece)
         if g < 0.0:
             low = u
         else:
@@ -106,38 +115,45 @@ def root(x, node, first, count, start, piece, low, high):
         if new == u:
             break
         u, way = new, abs(new - u)
-        if way <= 4e-16 * max(u, 1.0):
+        if way <= 4e-16 * max(abs(u), 1.0):
             break
     return u
 
 
+@small
+def bounds_of(ends):
+    """Return the first and the last place there can be: a stop, or somewhat beyond a broken end."""
+    return ends[LOW] - BEYOND * ends[LOOSE], ends[HIGH] + BEYOND * ends[LOOSE + 1]
+
+
 @kernel
-def nearest_place(x, node, first, last, start):
+def nearest_place(x, node, first, ends, start):
     """Return the place on the rope that is nearest to a node, downhill from `start`."""
-    count = last - first
-    piece, before = piece_of(start, count), 0
-    for _ in range(count + 2):
-        low, high = max(piece - 0.5, 0.0), min(piece + 0.5, float(count))
-        if condition(x, node, first, count, low, piece)[0] > 0.0:
-            if piece == 0 or before > 0:
+    least, most = bounds_of(ends)
+    piece, before = piece_of(start, ends), 0
+    for _ in range(ends[HIGH] - ends[LOW] + 2):
+        low = least if piece == ends[LOW] else piece - 0.5
+        high = most if piece == ends[HIGH] else piece + 0.5
+        if condition(x, node, first, ends, low, piece)[0] > 0.0:
+            if piece == ends[LOW] or before > 0:
                 return low
             piece, before = piece - 1, -1
-        elif condition(x, node, first, count, high, piece)[0] < 0.0:
-            if piece == count or before < 0:
+        elif condition(x, node, first, ends, high, piece)[0] < 0.0:
+            if piece == ends[HIGH] or before < 0:
                 return high
             piece, before = piece + 1, 1
         else:
-            return root(x, node, first, count, start, piece, low, high)
+            return root(x, node, first, ends, start, piece, low, high)
     return start
 
 
 @kernel
 def look(x, table, memory, row):
     """Write where a slide is at places (3, n) and what it needs of the curve there, see `table`."""
-    node, first, last = table.node[row], table.first[row], table.last[row]
-    sight, group, count = memory.sight, memory.group, last - first
-    u = nearest_place(x, node, first, last, memory.grip[row, PLACE])
-    w0, w1, w2, d0, d1, d2, bend, more, middle = shares(u, piece_of(u, count), count)
+    node, first, ends = table.node[row], table.first[row], memory.ends[row]
+    sight, group = memory.sight, memory.group
+    u = nearest_place(x, node, first, ends, memory.grip[row, PLACE])
+    w0, w1, w2, d0, d1, d2, bend, more, middle = shares(u, piece_of(u, ends), ends)
     group[row, 0] = node
     sight[row, SHARE], sight[row, RATE], sight[row, BEND] = 1.0, 0.0, 0.0
     for m in range(3):
@@ -161,7 +177,8 @@ def look(x, table, memory, row):
         speed += sight[row, R1 + k] * sight[row, R1 + k]
         slope += sight[row, R + k] * sight[row, R2 + k]
     slope = max(speed + slope, LEAST * speed)
-    inside = 0.0 < u < count and slope > 0.0
+    least, most = bounds_of(ends)
+    inside = least < u < most and slope > 0.0
     sight[row, AT], sight[row, APART], sight[row, SLOPE] = u, math.sqrt(square), slope
     sight[row, TURNS] = turns
     sight[row, INSIDE] = 1.0 if inside else 0.0

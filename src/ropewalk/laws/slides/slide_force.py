@@ -9,15 +9,37 @@ rope's segments, all others by their gradients so that momentum and angular mome
     f = -grad V + R L grad u
 b is the brake's force, from its place on, in full after one segment; R' and u' are of the last accepted
 step. At an end of the rope u stays and V holds the node there: a stop.
+
+u counts the rope's own nodes: of a rope on a winch it stays what it was while rope goes on to the drum.
+Nearer to the drum than z there is a stop that stands there, k (z - d)^2 / 2 with d the distance between node
+and drum: there no node comes on to the drum, or off it, that carries a part of F. The segment at the drum is
+0.4 to 1.6 as long as the others, X is 1.5 of them wide, so that z has to be 2.1 of them.
+At a broken end u goes on, and what is there at the end of a step is off: no force from then on.
 Sources: Cundall & Strack 1979, Geotechnique 29:47 (friction with memory); Lanczos, The Variational Principles
 of Mechanics, ch. 3 and 4 (generalised forces).
 """
 
 from __future__ import annotations
 
+import math
+
 from ropewalk.core.jit import kernel, small
 from ropewalk.laws.slides.rail import look
-from ropewalk.laws.slides.table import APART, AT, GRADIENT, INSIDE, PLACE, SHARE, SPRING, R
+from ropewalk.laws.slides.table import (
+    APART,
+    AT,
+    DRUM,
+    GRADIENT,
+    HIGH,
+    INSIDE,
+    LOOSE,
+    LOW,
+    PLACE,
+    SHARE,
+    SPRING,
+    R,
+)
+from ropewalk.scene.slide import NEAREST
 
 
 @small
@@ -66,6 +88,44 @@ def rubbing(v, table, memory, row):
     return q, bound
 
 
+@small
+def on_rope(memory, row):
+    """Tell whether a slide is on its rope still."""
+    return memory.off[row] == math.inf
+
+
+@small
+def to_drum(x, table, memory, row, side):
+    """Return the stop's drum, how far a slide is pressed into it, and the way from there (3,) [m].
+
+    -1 where there is no drum on this side, or where it is farther away.
+    """
+    drum, node = memory.ends[row, DRUM + side], table.node[row]
+    if drum < 0:
+        return -1, 0.0, 0.0, 0.0, 0.0, 1.0
+    a, b, c = x[0, node] - x[0, drum], x[1, node] - x[1, drum], x[2, node] - x[2, drum]
+    apart = math.sqrt(a * a + b * b + c * c)
+    deep = NEAREST * table.length[row] - apart
+    if deep <= 0.0 or apart == 0.0:
+        return -1, 0.0, 0.0, 0.0, 0.0, 1.0
+    return drum, deep, a / apart, b / apart, c / apart, apart
+
+
+@small
+def stop_forces(x, table, memory, row, force):
+    """Add the forces of the stops at drums, on what slides and on the drums."""
+    for side in range(2):
+        drum, deep, a, b, c, _ = to_drum(x, table, memory, row, side)
+        if drum >= 0:
+            push, node = table.stiffness[row] * deep, table.node[row]
+            force[0, node] += push * a
+            force[1, node] += push * b
+            force[2, node] += push * c
+            force[0, drum] -= push * a
+            force[1, drum] -= push * b
+            force[2, drum] -= push * c
+
+
 @kernel
 def slide_forces(x, v, table, memory, force, lo, hi):
     """Write the force of all slides on every node [N], (3, n)."""
@@ -79,7 +139,10 @@ def add_slide_forces(x, v, table, memory, force):
     """Add the force of all slides on every node [N], (3, n)."""
     sight = memory.sight
     for row in range(table.node.shape[0]):
+        if not on_rope(memory, row):
+            continue
         look(x, table, memory, row)
+        stop_forces(x, table, memory, row, force)
         q, bound = rubbing(v, table, memory, row)
         along = cut(q, bound) * table.length[row]
         for m in range(4):
@@ -93,9 +156,13 @@ def slide_energy(x, table, memory):
     """Return what slides have stored, their friction springs included [J]."""
     total = 0.0
     for row in range(table.node.shape[0]):
+        if not on_rope(memory, row):
+            continue
         look(x, table, memory, row)
-        apart = memory.sight[row, APART]
-        total += 0.5 * table.stiffness[row] * apart * apart
+        square = memory.sight[row, APART] ** 2
+        for side in range(2):
+            square += to_drum(x, table, memory, row, side)[1] ** 2
+        total += 0.5 * table.stiffness[row] * square
         if memory.sight[row, INSIDE] == 1.0:
             held = cut(spring_of(table, memory, row), bound_of(table, memory.sight, row))
             total += 0.5 * held * held / table.stiffness[row]
@@ -107,6 +174,8 @@ def remember_slides(x, table, memory):
     """Keep where slides are and what their friction carries; return the first that is off its rope, or -1."""
     lost = -1
     for row in range(table.node.shape[0]):
+        if not on_rope(memory, row):
+            continue
         look(x, table, memory, row)
         held = 0.0
         if memory.sight[row, INSIDE] == 1.0:
@@ -115,3 +184,17 @@ def remember_slides(x, table, memory):
         if lost < 0 and not memory.sight[row, APART] <= 0.5 * table.length[row]:
             lost = row
     return lost
+
+
+@kernel
+def let_run_off(memory, time):
+    """Let go what is beyond a broken end at `time` [s]; tell whether anything is."""
+    found = False
+    for row in range(memory.off.shape[0]):
+        ends, place = memory.ends[row], memory.grip[row, PLACE]
+        beyond = (ends[LOOSE] == 1 and place < ends[LOW]) or (
+            ends[LOOSE + 1] == 1 and place > ends[HIGH]
+        )
+        if beyond and on_rope(memory, row):
+            memory.off[row], found = time, True
+    return found

@@ -6,7 +6,8 @@ With a, a', a'' the nodes' shares in r, r', r'', c = grad u, D = g', and m, n tw
                   mu k L R/|R| c_m (a_n r/|r|)^T - R L U_mn                      where it slips
     U_mn = grad grad u = -((a_m a'_n + a'_m a_n) I + h_m c_n^T + c_m h_n^T + g'' c_m c_n^T) / D
     h_m = 2 a'_m r' + a_m r'' + a''_m r,    g'' = 3 r'.r'' + r.r'''
-The turning of c is left out of what damping does, and the way of the brake's force.
+The turning of c is left out of what damping does, the way of the brake's force, and that of a drum, which an
+anchor holds.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from __future__ import annotations
 from ropewalk.core.jit import kernel, small
 from ropewalk.core.network import add_block, put_pair
 from ropewalk.laws.slides.rail import look
-from ropewalk.laws.slides.slide_force import cut, rubbing
+from ropewalk.laws.slides.slide_force import cut, on_rope, rubbing, to_drum
 from ropewalk.laws.slides.table import (
     APART,
     ASKED,
@@ -95,12 +96,35 @@ def block(sight, row, m, n, weights):
 
 
 @kernel
+def stop_block(x, table, memory, row, weight_x):
+    """Return the block of the node that slides, of the stops at drums, row by row."""
+    a, b, c, d, e, f = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+    for side in range(2):
+        drum, deep, p, q, r, apart = to_drum(x, table, memory, row, side)
+        if drum >= 0:
+            k = weight_x * table.stiffness[row]
+            aside = -k * deep / apart
+            along = k - aside
+            a += along * p * p + aside
+            b += along * p * q
+            c += along * p * r
+            d += along * q * q + aside
+            e += along * q * r
+            f += along * r * r + aside
+    return a, b, c, b, d, e, c, e, f
+
+
+@kernel
 def couple_slides(x, v, table, memory, weight_x, weight_v, network):
     """Add -(weight_x df/dx + weight_v df/dv) of all slides to the network's blocks."""
     number, sight, group, first = network.number, memory.sight, memory.group, memory.tally[ASKED]
     for row in range(table.node.shape[0]):
+        if not on_rope(memory, row):
+            continue
         look(x, table, memory, row)
         weights = weights_of(x, v, table, memory, row, weight_x, weight_v)
+        stop = stop_block(x, table, memory, row, weight_x)
+        add_block(network.diagonal, number[table.node[row]], stop)
         at = 0
         for m in range(4):
             p = number[group[row, m]]
@@ -118,8 +142,14 @@ def along_slides(x, v, d, table, memory, weight_x, weight_v):
     """Return d . K d of the same matrix [N m], for a direction (3, n) [m]."""
     total = 0.0
     for row in range(table.node.shape[0]):
+        if not on_rope(memory, row):
+            continue
         look(x, table, memory, row)
         weights = weights_of(x, v, table, memory, row, weight_x, weight_v)
+        stop, node = stop_block(x, table, memory, row, weight_x), table.node[row]
+        for i in range(3):
+            for k in range(3):
+                total += d[i, node] * stop[3 * i + k] * d[k, node]
         for m in range(4):
             for n in range(4):
                 for i in range(3):

@@ -16,11 +16,17 @@ from ropewalk.core.jit import part
 from ropewalk.core.ordering import ask_for
 from ropewalk.laws.node_law import NodeLaw, Rest
 from ropewalk.laws.obstacle import node_stiffness
-from ropewalk.laws.slides.rail import nearest_place
-from ropewalk.laws.slides.slide_force import remember_slides, slide_energy, slide_forces
+from ropewalk.laws.slides.ends import follow_drums, live_ends, part_line, place_near
+from ropewalk.laws.slides.slide_force import (
+    let_run_off,
+    remember_slides,
+    slide_energy,
+    slide_forces,
+)
 from ropewalk.laws.slides.slide_tangent import along_slides, couple_slides
 from ropewalk.laws.slides.table import (
     ASKED,
+    ENDS,
     FAULT,
     LOST,
     PLACE,
@@ -37,6 +43,7 @@ if TYPE_CHECKING:
     from ropewalk.methods.bound import Chain
     from ropewalk.scene import Rope
     from ropewalk.scene.slide import Slide
+    from ropewalk.scene.winch import Winch
 
 DAMPING = 0.5  # [1] damping ratio of the friction spring between the nodes at hand
 
@@ -46,6 +53,7 @@ def lower(
     layout: Layout,
     ropes: Sequence[Rope],
     whole: Sequence[float],
+    winches: Sequence[Winch],
 ) -> Slides:
     """Return the table of a scene's slides; `whole` is a rope's mass with all it is tied to [kg]."""
     numbers = {rope.name: number for number, rope in enumerate(ropes)}
@@ -64,10 +72,24 @@ def lower(
         rubs = slide.friction > 0.0 or slide.brake > 0.0
         damping = 2.0 * DAMPING * math.sqrt(stiff * mass * light / (mass + light)) if rubs else 0.0
         place = layout.node(slide.node, slide.rope), span.start, span.end, line.segment_length
-        rows.append((*place, stiff, damping, slide.friction, slide.brake, slide.brake_from))
-    columns = np.array(rows, dtype=np.float64).reshape(-1, 9).T
-    whole_numbers = (column.astype(np.int64) for column in columns[:3])
-    return Slides(*whole_numbers, *(np.ascontiguousarray(column) for column in columns[3:]))
+        rubbed = stiff, damping, slide.friction, slide.brake, slide.brake_from
+        rows.append((*place, *rubbed, span.first, span.last, *_drums_of(line, winches)))
+    columns = np.array(rows, dtype=np.float64).reshape(-1, 13).T
+    ints = [np.ascontiguousarray(column).astype(np.int64) for column in columns]
+    floats = [np.ascontiguousarray(column) for column in columns]
+    drums = np.ascontiguousarray(columns[11:].T).astype(np.int64)
+    names = [name for name in Slides._fields if name != "winch"]
+    whole_numbers = {"node", "first", "last", "lowest", "highest"}
+    made: Any = {
+        name: ints[k] if name in whole_numbers else floats[k] for k, name in enumerate(names)
+    }
+    return Slides(**made, winch=drums)
+
+
+def _drums_of(line: Rope, winches: Sequence[Winch]) -> tuple[int, int]:
+    """Return the numbers of the winches at a rope's start and end, -1: there is none."""
+    found = {winch.end: i for i, winch in enumerate(winches) if winch.rope == line.name}
+    return found.get("start", -1), found.get("end", -1)
 
 
 def acts(table: Slides) -> bool:
@@ -78,21 +100,15 @@ def acts(table: Slides) -> bool:
 def memory(table: Slides, x: Floats, stiffness: Floats) -> Memory:
     """Return what is remembered at the start, for nodes at places (3, n) [m]: no friction."""
     k = len(table.node)
-    grip = np.zeros((k, 2))
+    grip, ends = np.zeros((k, 2)), np.zeros((k, ENDS), np.int64)
     for row in range(k):
-        grip[row, PLACE] = place_near(table, row, x)
-    found = Memory(
-        grip, np.zeros((k, 4), np.int64), np.zeros((k, WIDTH)), np.zeros(3 * min(k, 1), np.int64)
-    )
+        ends[row] = live_ends(table, row, x, stiffness > 0.0)
+        grip[row, PLACE] = place_near(table, row, x, ends[row])
+    tally = np.zeros(3 * min(k, 1), np.int64)
+    off = np.full(k, math.inf)
+    found = Memory(grip, np.zeros((k, 4), np.int64), np.zeros((k, WIDTH)), tally, ends, off)
     remember_slides(x, table, found)
     return found
-
-
-def place_near(table: Slides, row: int, x: Floats) -> float:
-    """Return the place on its rope that is nearest to a node, of all places (3, n) [m]."""
-    node, first, last = int(table.node[row]), int(table.first[row]), int(table.last[row])
-    away = np.square(x[:, first : last + 1] - x[:, [node]]).sum(axis=0)
-    return float(nearest_place(x, node, first, last, float(np.argmin(away))))
 
 
 @part
@@ -133,7 +149,21 @@ def remember(table, state):
     lost = remember_slides(state.x, table, memory)
     if lost >= 0 and memory.tally[FAULT] == 0:
         memory.tally[FAULT], memory.tally[WHICH] = LOST, lost
+    if let_run_off(memory, state.now[0]):
+        state.past[0] = 0.0  # a multistep method begins anew
     return 0.0
+
+
+@part
+def wound(table, state, winches):
+    """Let slides follow the nodes at drums."""
+    follow_drums(table, state.memory.slide, state.winch_exit, state.held, winches.anchor)
+
+
+@part
+def parted(table, state, segment, time):
+    """Leave what slides the part of its rope that it is on, where a segment has parted at `time` [s]."""
+    part_line(table, state.memory.slide, segment, time)
 
 
 @part
@@ -178,9 +208,11 @@ def chain(table: Slides, chain: Chain, lengths: Floats, speed: float) -> Chain:
         node, line = int(table.node[row]), slice(int(table.first[row]), int(table.last[row]) + 1)
         ratio = chain.mass[line] / chain.mass[node] if chain.free[node] else 0.0
         least = np.min(chain.mass[line])
+        stop = 1.0 if (table.winch[row] >= 0).any() else 0.0
         for array, value in ((stiffness, table.stiffness[row]), (damping, table.damping[row])):
             array[line] += value * (1.0 + ratio)
             array[node] += value * (1.0 + chain.mass[node] / least)
+        stiffness[node] += stop * table.stiffness[row]
     return chain._replace(node_stiffness=stiffness, node_damping=damping)
 
 
@@ -194,7 +226,7 @@ SLIDE = NodeLaw(
     name="slide",
     section="slides",
     lower=lower,
-    inputs=("layout", "ropes", "whole"),
+    inputs=("layout", "ropes", "whole", "winches"),
     acts=acts,
     force=force,
     tangent=tangent,
@@ -208,4 +240,6 @@ SLIDE = NodeLaw(
     couple=couple,
     along=along,
     fault=fault,
+    wound=wound,
+    parted=parted,
 )

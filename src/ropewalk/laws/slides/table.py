@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from ropewalk.core.arrays import Floats, Ints
+from ropewalk.scene.slide import NEAREST
 
 # Columns of `Memory.grip`: place on the rope [1], force of the friction spring [N].
 PLACE, SPRING = range(2)
@@ -29,6 +30,13 @@ AT, APART, SLOPE, INSIDE, SHARE, RATE, BEND, R, R1, R2, GRADIENT, TURNS = (
 WIDTH = 38
 LOST = 1  # fault
 FAULT, WHICH, ASKED = range(3)  # places in `Memory.tally`
+# Columns of `Memory.ends`, nodes counted from `Slides.first`: those between which there is rope to slide
+# along, and the first and last there ever is; 1 at a broken end, where what slides runs off; then the nodes
+# of the arrays at which drums stand, -1: there is none.
+LOW, HIGH, LOWEST, HIGHEST, LOOSE, DRUM = 0, 1, 2, 3, 4, 6
+ENDS = 8
+# NEAREST segments from a drum a slide is stopped, see `slide_force`.
+ROOM = 0.75  # [1] segments that winches leave besides
 
 
 class Slides(NamedTuple):
@@ -43,6 +51,9 @@ class Slides(NamedTuple):
     friction: Floats  # (k,) [1]
     brake: Floats  # (k,) [N]
     brake_from: Floats  # (k,) place from which it brakes [m]
+    lowest: Ints  # (k,) first node of the rope, those on a drum included
+    highest: Ints  # (k,) last one
+    winch: Ints  # (k, 2) winches at its start and at its end, -1: there is none
 
 
 class Memory(NamedTuple):
@@ -52,3 +63,10 @@ class Memory(NamedTuple):
     group: Ints  # (k, 4) the node, and the three of the rope that carry it
     sight: Floats  # (k, WIDTH) working space, see AT
     tally: Ints  # (3,) fault, the slide that has it, and its first row in the network
+    ends: Ints  # (k, ENDS), see LOW
+    off: Floats  # (k,) when it has run off a broken rope [s], inf: it is on it
+
+
+def room_of(drums: int) -> float:
+    """Return how much rope winches leave for what slides, of so many drums [1], in segments."""
+    return NEAREST * drums + ROOM
