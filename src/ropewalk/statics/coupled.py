@@ -21,7 +21,7 @@ from ropewalk.laws.pairs.table import CONTACTS, FAULT, PUSH, SPRING
 from ropewalk.laws.registry import NAMES
 from ropewalk.laws.slides.rail import condition, look
 from ropewalk.laws.slides.slide_force import bound_of
-from ropewalk.laws.slides.table import AT
+from ropewalk.laws.slides.table import AT, HIGH, LOW
 from ropewalk.laws.slides.table import SPRING as HELD
 from ropewalk.laws.winch import joined
 from ropewalk.lowering.touching import SLIPS
@@ -100,13 +100,13 @@ class Couplings:
         table, memory, most = self.slide, self.state.memory.slide, 0.0
         for row in range(len(table.node)):
             look(x, table, memory, row)
-            node, first = int(table.node[row]), int(table.first[row])
-            count, at = int(table.last[row]) - first, float(memory.sight[row, AT])
+            node, first, ends = int(table.node[row]), int(table.first[row]), memory.ends[row]
+            at = float(memory.sight[row, AT])
             piece = math.floor(at)  # its arc meets the next one at its end, piece + 1/2
-            if abs(at - piece - 0.5) > _SEAM or not 0 <= piece < count:
+            if abs(at - piece - 0.5) > _SEAM or not ends[LOW] <= piece < ends[HIGH]:
                 continue
             before, after = (
-                condition(x, node, first, count, piece + 0.5, one)[1] for one in (piece, piece + 1)
+                condition(x, node, first, ends, piece + 0.5, one)[1] for one in (piece, piece + 1)
             )
             bound = float(bound_of(table, memory.sight, row))
             if math.isinf(bound):  # it is held, and friction has no say
