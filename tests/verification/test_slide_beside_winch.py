@@ -12,11 +12,10 @@ import ropewalk as rw
 from ropewalk.laws.slides.ends import whole
 from ropewalk.laws.slides.rail import piece_of, point_at, shares
 from ropewalk.laws.slides.slide_force import slide_energy
-from ropewalk.laws.slides.table import DRUM, LOW
+from ropewalk.laws.slides.table import DRUM, LOW, NEAREST
 from ropewalk.laws.winch import MERGE, SPLIT
 from ropewalk.lowering.layout import make_layout
 from ropewalk.scene import Points, Slack, Straight
-from ropewalk.scene.slide import NEAREST
 from ropewalk.statics import checked_shape
 
 g = 9.81
@@ -224,7 +223,7 @@ def test_the_curve_stays_where_a_node_goes_on_to_the_drum_or_comes_off(lam: floa
     ("more", "words"),
     [
         ({"at": 1.0}, "is 1 m from the drum of winch 'winch0'"),
-        ({"segments": 3, "at": 9.0}, "has 3 segments, and what slides is stopped 2.25 of them"),
+        ({"segments": 4, "at": 10.0, "end": "end"}, "stopped 2.25 segments from a drum, 5.963 m"),
     ],
 )
 def test_what_begins_at_a_drum_is_refused(more: dict[str, Any], words: str) -> None:

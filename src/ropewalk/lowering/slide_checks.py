@@ -9,11 +9,10 @@ import numpy as np
 from ropewalk.core.arrays import Floats, State
 from ropewalk.laws.slides.ends import whole
 from ropewalk.laws.slides.rail import nearest_place, point_at
-from ropewalk.laws.slides.table import room_of
+from ropewalk.laws.slides.table import NEAREST, room_of
 from ropewalk.lowering.layout import Layout
 from ropewalk.scene import Scene, SceneError, Winch
 from ropewalk.scene.faults import MISSING, NO_VALUE, Fault
-from ropewalk.scene.slide import NEAREST
 
 _NEAR = 1.0  # [1] a node that is drawn farther off, over the length of a segment, is somewhere else
 _SECOND = 0.01  # [1] the same of a second node of one rope, which alone is moved

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Sequence
 
 from pydantic import Field
@@ -15,7 +14,6 @@ from ropewalk.scene.winch import Winch
 from ropewalk.words.nearest import nearest
 
 _FEWEST = 2  # segments of a rope that something slides along
-NEAREST = 2.25  # [1] segments from a drum at which a slide is stopped
 
 
 class Slide(Model):
@@ -98,7 +96,7 @@ def slide_faults(
             found += unknown
             continue
         rope, line = ropes[names.index(slide.rope)], ropes[names.index(on)]
-        found += [*_one(i, slide, rope, line), *_beside_winches(i, slide, rope, line, winches)]
+        found += [*_one(i, slide, rope, line), *_wound(i, slide, rope, winches)]
         point = slide.rope, slide.node % rope.nodes
         if seen.setdefault(point, i) != i:
             found.append(
@@ -131,18 +129,8 @@ def _one(i: int, slide: Slide, rope: Rope, line: Rope) -> Iterator[Fault]:
         yield Fault(f"{path}.brake", MISSING, rule)
 
 
-def _beside_winches(
-    i: int, slide: Slide, rope: Rope, line: Rope, winches: Sequence[Winch]
-) -> Iterator[Fault]:
-    """The faults of a slide where winches wind its ropes: at a drum there is nothing to slide along."""
-    drums = sum(winch.rope == line.name for winch in winches)
-    least = math.ceil(NEAREST * drums + 1.0)
-    if drums and line.segments < least:
-        rule = (
-            f"has {line.segments} segments, and what slides is stopped {NEAREST:g} of them from a drum: "
-            f"give it {least} or more"
-        )
-        yield Fault(f"slide[{i}].on", line.name, rule)
+def _wound(i: int, slide: Slide, rope: Rope, winches: Sequence[Winch]) -> Iterator[Fault]:
+    """The fault of a slide whose node could come on to a drum."""
     ends = {winch.end for winch in winches if winch.rope == rope.name}
     node = slide.node % rope.nodes
     if ends and (len(ends) == 2 or node != (rope.nodes - 1 if "start" in ends else 0)):

@@ -34,12 +34,12 @@ from ropewalk.laws.slides.table import (
     INSIDE,
     LOOSE,
     LOW,
+    NEAREST,
     PLACE,
     SHARE,
     SPRING,
     R,
 )
-from ropewalk.scene.slide import NEAREST
 
 
 @small

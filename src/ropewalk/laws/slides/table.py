@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from ropewalk.core.arrays import Floats, Ints
-from ropewalk.scene.slide import NEAREST
 
 # Columns of `Memory.grip`: place on the rope [1], force of the friction spring [N].
 PLACE, SPRING = range(2)
@@ -35,7 +34,7 @@ FAULT, WHICH, ASKED = range(3)  # places in `Memory.tally`
 # of the arrays at which drums stand, -1: there is none.
 LOW, HIGH, LOWEST, HIGHEST, LOOSE, DRUM = 0, 1, 2, 3, 4, 6
 ENDS = 8
-# NEAREST segments from a drum a slide is stopped, see `slide_force`.
+NEAREST = 2.25  # [1] segments from a drum: there a slide is stopped, see `slide_force`
 ROOM = 0.75  # [1] segments that winches leave besides
 
 
