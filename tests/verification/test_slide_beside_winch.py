@@ -223,7 +223,7 @@ def test_the_curve_stays_where_a_node_goes_on_to_the_drum_or_comes_off(lam: floa
     ("more", "words"),
     [
         ({"at": 1.0}, "is 1 m from the drum of winch 'winch0'"),
-        ({"segments": 4, "at": 10.0, "end": "end"}, "stopped 2.25 segments from a drum, 5.963 m"),
+        ({"segments": 4, "at": 10.0, "end": "end"}, "stopped 2.25 segments from a drum, 5.96"),
     ],
 )
 def test_what_begins_at_a_drum_is_refused(more: dict[str, Any], words: str) -> None:
