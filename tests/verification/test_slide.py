@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 import ropewalk as rw
-from ropewalk.laws.slides.ends import whole
 from ropewalk.laws.slides.rail import look, piece_of, point_at, shares
+from ropewalk.laws.slides.reach import whole
 from ropewalk.laws.slides.slide_force import slide_energy, slide_forces
 from ropewalk.laws.slides.slide_tangent import along_slides, block, weights_of
 from ropewalk.laws.slides.table import AT, Memory, Slides

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 import ropewalk as rw
-from ropewalk.laws.slides.ends import whole
 from ropewalk.laws.slides.rail import piece_of, point_at, shares
+from ropewalk.laws.slides.reach import whole
 from ropewalk.laws.slides.slide_force import slide_energy
 from ropewalk.laws.slides.table import DRUM, LOW, NEAREST
 from ropewalk.laws.winch import MERGE, SPLIT

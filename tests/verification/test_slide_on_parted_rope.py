@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 import ropewalk as rw
-from ropewalk.laws.slides.ends import whole
 from ropewalk.laws.slides.rail import nearest_place
+from ropewalk.laws.slides.reach import whole
 from ropewalk.laws.slides.slide_force import slide_energy
 from ropewalk.laws.slides.table import HIGH, LOOSE, LOW
 from ropewalk.methods.registry import METHODS

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 import numpy as np
 
 from ropewalk.core.arrays import Floats, State
-from ropewalk.laws.slides.ends import whole
 from ropewalk.laws.slides.rail import nearest_place, point_at
+from ropewalk.laws.slides.reach import whole
 from ropewalk.laws.slides.table import NEAREST, room_of
 from ropewalk.lowering.layout import Layout
 from ropewalk.scene import Scene, SceneError, Winch

@@ -175,8 +175,8 @@ def _piece(
     result: Result, row: int, table: Slides, masses: Floats, start: int, stop: int
 ) -> SlideMotion:
     """Return how a slide moved in some frames."""
-    from ropewalk.laws.slides.ends import live_ends, place_near, whole
     from ropewalk.laws.slides.rail import nearest_place, point_at
+    from ropewalk.laws.slides.reach import live_ends, place_near, whole
     from ropewalk.laws.slides.table import LOOSE
 
     places = result.read("positions", start, stop).transpose(0, 2, 1)

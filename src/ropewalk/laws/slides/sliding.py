@@ -16,7 +16,7 @@ from ropewalk.core.jit import part
 from ropewalk.core.ordering import ask_for
 from ropewalk.laws.node_law import NodeLaw, Rest
 from ropewalk.laws.obstacle import node_stiffness
-from ropewalk.laws.slides.ends import follow_drums, live_ends, part_line, place_near
+from ropewalk.laws.slides.reach import follow_drums, live_ends, part_line, place_near
 from ropewalk.laws.slides.slide_force import (
     let_run_off,
     remember_slides,
