@@ -77,6 +77,7 @@ def lower(
         hard=np.zeros(s),
         stop=np.zeros(s),
         mass=np.zeros(s),
+        load=np.zeros(layout.nodes if s else 0),
         rope=np.full(s, -1, np.int64),
         skip=np.ones(s, np.int64),
         joint=np.full((s, 2), -1, np.int64),
@@ -100,6 +101,8 @@ def lower(
             table.stop[here] = min(1.0 / (STOP * far), 0.5 * contact.compliance / STOP)
         table.rope[here] = number
         table.skip[here] = max(1, neighbours(rope))
+        for load in rope.loads:
+            table.load[layout.node(load.node, rope.name)] += load.mass
     table.skin[0] = SKIN * 2.0 * float(table.radius.max())
     _note_joints(table, layout, ropes, joints)
     _note_slides(table, layout, ropes, slides)
@@ -120,12 +123,14 @@ def neighbours(rope: Rope, radius: float = 0.0) -> int:
 def _note_joints(
     table: Pairs, layout: Layout, ropes: Sequence[Rope], joints: Sequence[Joint]
 ) -> None:
-    """Write which joints are so near a segment that those beyond them are its neighbours."""
+    """Write which joints are so near a segment that those beyond them are its neighbours, and their loads."""
     numbers = {rope.name: number for number, rope in enumerate(ropes)}
     for j, joint in enumerate(joints):
+        together = sum(table.load[layout.node(tie.node, tie.rope)] for tie in joint.points)
         for tie in joint.points:
             rope, span = ropes[numbers[tie.rope]], layout.ropes[numbers[tie.rope]]
             node, reach = layout.node(tie.node, tie.rope), max(1, neighbours(rope))
+            table.load[node] = together
             for k in range(max(node - reach, span.first), min(node + reach, span.last)):
                 side = 0 if k >= node else 1
                 if table.joint[k, side] < 0 or abs(k - node) < reach:

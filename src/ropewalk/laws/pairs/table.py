@@ -53,6 +53,7 @@ class Pairs(NamedTuple):
     hard: Floats  # (s,) the same of one that is pressed far [m/N]
     stop: Floats  # (s,) the same of one that is pressed through
     mass: Floats  # (s,) of a node [kg]
+    load: Floats  # (n,) what nodes carry beside their rope [kg]
     rope: Ints  # (s,) number of the rope, -1 between ropes
     skip: Ints  # (s,) so many segments beside it are its neighbours
     joint: Ints  # (s, 2) the joints near it, -1: none
@@ -76,6 +77,29 @@ class Memory(NamedTuple):
 
 
 @small
+def mass_at(table, i, s):
+    """Return the mass that a contact meets at a point of a segment, its loads with it [kg].
+
+    It is no more than what the point moves as, 1 / sum(c^2 / m), c its shares in the nodes of masses m.
+    """
+    near, far = table.mass[i] + table.load[i], table.mass[i] + table.load[i + 1]
+    moves = 1.0 / ((1.0 - s) ** 2 / near + s**2 / far)
+    return min((1.0 - s) * near + s * far, moves)
+
+
+@small
+def reduced(table, grip, row, i, j):
+    """Return the mass that a contact's damper is for [kg].
+
+    Of a load that meets what is lighter only half of that, as of two alike: steps allow for no more.
+    """
+    mass = table.mass[i] * table.mass[j] / (table.mass[i] + table.mass[j])
+    if table.load[i] + table.load[i + 1] + table.load[j] + table.load[j + 1] > 0.0:
+        mass = 0.5 * min(mass_at(table, i, grip[row, OWN]), mass_at(table, j, grip[row, OTHER]))
+    return mass
+
+
+@small
 def spring_of(table, grip, row, i, j):
     """Return stiffness pressed little, far and through [N/m], damping [N s/m], and the sum of radii [m]."""
     soft, hard = (
@@ -83,7 +107,7 @@ def spring_of(table, grip, row, i, j):
         1.0 / (table.hard[i] + table.hard[j]),
     )
     stop = 1.0 / (table.stop[i] + table.stop[j])
-    mass = table.mass[i] * table.mass[j] / (table.mass[i] + table.mass[j])
+    mass = reduced(table, grip, row, i, j)
     damping = 2.0 * max((soft * mass) ** 0.5, HARD * (grip[row, STIFF] * mass) ** 0.5)
     return soft, hard, stop, damping, table.radius[i] + table.radius[j]
 
