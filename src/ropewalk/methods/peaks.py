@@ -75,6 +75,20 @@ def keep_between(values, high, low, lo, hi):
         high[j], low[j] = greater(values[j], high[j]), lesser(values[j], low[j])
 
 
+@kernel
+def keep_live(tension, rest_length, stiffness, high, low):
+    """As `keep_between`, of real segments: one that comes off a drum has carried nothing there [N]."""
+    for j in range(tension.shape[0]):
+        if is_live(rest_length[j], stiffness[j]):
+            high[j], low[j] = greater(tension[j], high[j]), lesser(tension[j], low[j])
+
+
+@small
+def is_live(rest_length, stiffness):
+    """Tell whether a segment is real: not between two ropes, nor on a drum."""
+    return rest_length > 0.0 or stiffness > 0.0
+
+
 @small
 def keep_squares(x, high, low, lo, hi):
     """Keep greatest and least square of the length of every segment [m^2]."""
@@ -278,7 +292,7 @@ def search_live(values, rest_length, stiffness, sign, which, found, since, until
     if more == 0:
         return
     for j in range(values.shape[0]):
-        value, live = values[j], rest_length[j] > 0.0 or stiffness[j] > 0.0
+        value, live = values[j], is_live(rest_length[j], stiffness[j])
         if live and value - value == 0.0 and sign * value > sign * found[VALUE, which]:
             found[VALUE, which], found[PLACE, which] = value, j
             found[SINCE, which], found[UNTIL, which] = since, until
@@ -343,8 +357,9 @@ def clear_peaks(peaks):
 def record_peaks(peaks, frame, out):
     """Write the interval that ends with frame `frame`."""
     for j in range(out.tension_high.shape[1]):
-        out.tension_high[frame, j] = peaks.tension_high[j]
-        out.tension_low[frame, j] = peaks.tension_low[j]
+        seen = peaks.tension_low[j] < np.inf  # else it has not been rope
+        out.tension_high[frame, j] = peaks.tension_high[j] if seen else 0.0
+        out.tension_low[frame, j] = peaks.tension_low[j] if seen else 0.0
         out.stretch_high[frame, j] = max(peaks.stretch[j], 0.0)  # 0: no rope, or of no length
     for i in range(out.speed_high.shape[1]):
         out.speed_high[frame, i] = math.sqrt(peaks.speed[i])

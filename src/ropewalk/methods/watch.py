@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.ranges import ALL
+from ropewalk.laws.rare import winds
 from ropewalk.methods.errors import keep_error, set_zero
 from ropewalk.methods.peaks import (
     clear_peaks,
     keep_anchors,
     keep_between,
+    keep_live,
     keep_nodes,
     keep_stretch,
     search_all,
@@ -26,7 +28,10 @@ def watch(system, state, pull, sums, t):
     elastic = record_elastic(system, state, sums, pull[0])
     keep_error(system, state, elastic, sums, t)
     carried_tension(system, state, pull[0], pull[1])
-    keep_between(pull[1], peaks.tension_high, peaks.tension_low, 0, ALL)
+    if winds(system, state):
+        keep_live(pull[1], lengths, state.stiffness, peaks.tension_high, peaks.tension_low)
+    else:
+        keep_between(pull[1], peaks.tension_high, peaks.tension_low, 0, ALL)
     keep_stretch(state.x, lengths, peaks.stretch)
     keep_nodes(system, state)
     keep_anchors(system, state)
