@@ -69,3 +69,5 @@ def test_what_is_no_number_is_larger_than_all() -> None:
         report, _ = looked(saddle)
         assert np.isnan(report[RESIDUAL])
         assert np.isnan(report[MISFIT])
+        find_worst(saddle.force, report)
+        assert report[NODE] == node

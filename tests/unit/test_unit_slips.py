@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import pytest
@@ -189,7 +190,18 @@ def test_speeds_of_a_thousand_are_a_slip(speed: float, warned: bool) -> None:
     [
         (Cylinder(start=(0, 0, -9), end=(0, 1, -9), radius=0.2), 0.2),
         (Torus(center=(0, 0, -9), radius=0.3, bar_radius=0.1), 0.4),
-        (Box(center=(0, 0, -9), half_sizes=(0.3, 0.4, 1.2), edge_radius=0.1), 1.3),
+        (Box(center=(0, 0, -9), half_sizes=(0.4, 0.5, 1.2), edge_radius=0.1), 0.6),
+        (Box(center=(0, 0, -9), half_sizes=(0.4, 1.3, 0.5), edge_radius=0.1, axis=(0, 5, 0)), 0.6),
+        (
+            Box(
+                center=(0, 0, -9),
+                half_sizes=(1.3, 0.6, 0.4),
+                edge_radius=0.1,
+                axis=(2, 0, 0),
+                rotation=(0, math.pi / 2, 0),
+            ),
+            1.4,
+        ),
     ],
 )
 def test_spins_faster_than_sound_are_a_slip(body: Any, reach: float) -> None:

@@ -7,10 +7,12 @@ mooring chain (500 kg/m) and from rubber (sound at some 30 m/s) to carbon fibre 
 
 from __future__ import annotations
 
+import itertools
 import math
 
 import numpy as np
 
+from ropewalk.laws.obstacle_rows import axle_of, turned_by
 from ropewalk.lowering import Model
 from ropewalk.scene import Material, Rope, Scene, Springs, TableCurve
 from ropewalk.scene.obstacles import Obstacle
@@ -114,10 +116,13 @@ def _spin(path: str, body: Obstacle) -> list[str]:
 
 
 def _reach(body: Obstacle) -> float:
-    """Return how far a surface is from its axis [m]; 0 where that is not a number of the scene's."""
+    """Return how far a surface is from its axis at most [m]; 0 where that is no number of the scene's."""
     match body.kind:
-        case "box":
-            return math.hypot(*body.half_sizes)
+        case "box":  # its edges are round about the corners of a smaller box
+            inner = np.array(body.half_sizes) - body.edge_radius
+            corners = turned_by(body.rotation, inner * list(itertools.product((-1, 1), repeat=3)))
+            aside = np.linalg.norm(np.cross(corners, axle_of(body)), axis=1)
+            return float(aside.max()) + body.edge_radius
         case "torus":
             return body.radius + body.bar_radius
         case "plane" | "mesh" | "sdf":

@@ -163,8 +163,10 @@ def largest_force(v, known, mass, free, gravity, c2, force, report):
 @kernel
 def find_worst(force, report):
     """Note the node with the largest residual."""
+    worst = order(report[RESIDUAL])
     for i in range(force.shape[1]):
-        if not max(abs(force[0, i]), abs(force[1, i]), abs(force[2, i])) < report[RESIDUAL]:
+        size = max(order(abs(force[0, i])), order(abs(force[1, i])), order(abs(force[2, i])))
+        if size >= worst:
             report[NODE] = i
             return
 
