@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from ropewalk.core.arrays import Floats, Ints, State, assign, flatten
+from ropewalk.core.arrays import Floats, Ints, State, System, assign, flatten
 from ropewalk.laws.contact_frame import DAMP, STIFF
 from ropewalk.laws.pairs.law import memory as found_contacts
 from ropewalk.laws.pairs.search import NOWHERE
@@ -131,10 +131,10 @@ def _carry_winches(old: State, new: State) -> None:
 
 def _leave_off(old: Simulation, scene: Scene, off: Floats) -> None:
     """Keep off its rope what has run off it: `off` (slides,) says when [s]."""
-    names = [slide.name for slide in old.scene.slides]
+    known = [(slide.name, slide.on) for slide in old.scene.slides]
     for row, slide in enumerate(scene.slides):
-        if slide.name in names:
-            off[row] = old.arrays.memory.slide.off[names.index(slide.name)]
+        if (slide.name, slide.on) in known:
+            off[row] = old.arrays.memory.slide.off[known.index((slide.name, slide.on))]
 
 
 def _carry_anchors(old: Simulation, model: Model) -> np.ndarray[tuple[int], np.dtype[np.int64]]:
@@ -197,13 +197,19 @@ def _carry_memory(old: Simulation, made: Simulation, state: State, source: Float
         state.inner[...] = old.arrays.inner
     kept, made_now = old.arrays.memory.contact, state.memory.contact
     same = nodes.size == old.arrays.x.shape[1] and (nodes == np.arange(nodes.size)).all()
-    slid, now = old.arrays.memory.slide, state.memory.slide
-    if same and whole.all() and np.array_equal(slid.group[:, :1], now.group[:, :1]):
-        assign(now, slid)
+    if same and whole.all() and _slide_alike(old.system, made.system):
+        assign(state.memory.slide, old.arrays.memory.slide)
     there = kept.pair.size > 0 and kept.pair.shape == made_now.pair.shape
     if there and same and whole.all():
         assign(made_now, kept)
         made_now.origin[:1, :1] = NOWHERE  # who is near is found anew: radii may have changed
+
+
+def _slide_alike(old: System, new: System) -> bool:
+    """Tell whether the same nodes slide along the same lines, with the same drums."""
+    parts = ("node", "first", "last", "winch")
+    was, now = old.node.slide, new.node.slide
+    return all(np.array_equal(getattr(was, part), getattr(now, part)) for part in parts)
 
 
 def _fit_contacts(
