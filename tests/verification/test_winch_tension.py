@@ -130,6 +130,35 @@ def test_the_winch_does_the_work_of_the_force_at_its_drum(method: str) -> None:
         assert found == pytest.approx(WORK, abs=0.025), stiff
 
 
+@pytest.mark.parametrize("speed", [-0.05, 0.05])
+def test_strain_energy_is_let_go_on_the_drum(speed: float) -> None:
+    """At a tenth of strain e the work is that of T (1 + e / 2), not of T, nor of T (1 + e)."""
+    EA = 1e4
+    rope = Rope(
+        segments=20,
+        length=2.0,
+        made_of=Material(EA=EA, mass_per_length=0.1, axial_damping=2.0),
+        shape={"kind": "straight", "end": (2.2, 0, 0)},
+    )
+    result = rw.simulate(
+        Scene(
+            ropes=[rope],
+            anchors=[Anchor(node=0), Anchor(node=-1)],
+            winches=[Winch(rope="rope", end="start", speed=speed)],
+            gravity=(0, 0, 0),
+            run=RunSettings(method="rk4", duration=0.5, frame_rate=1000.0),
+        )
+    )
+    drum = (result.rest_length > 0.0).argmax(axis=1)
+    pull = result.tension[np.arange(len(drum)), drum]
+    work = {
+        part: np.trapezoid(-speed * pull * (1.0 + part * pull / EA), result.time)
+        for part in (0.0, 0.5, 1.0)
+    }
+    assert result.work["winch"][-1] == pytest.approx(work[0.5], rel=3e-4)
+    assert min(abs(work[part] / work[0.5] - 1.0) for part in (0.0, 1.0)) > 0.04
+
+
 def test_a_drum_that_takes_in_a_slack_rope_does_the_work_of_the_lift() -> None:
     """Where steps begin slack and end taut, too. Booked half at the places of either end it was 2770 J with
     `sdirk2` and 4560 J with `adaptive`; what is in no law's work is as little as what the steps leave.
