@@ -60,6 +60,8 @@ def test_bad_sheets(ropewalk: Any, job: str) -> None:
         (("--uncertain", "rope.length=3..x"), "--uncertain: 'rope.length=3..x'"),
         (("--uncertain", "rope.length=0%"), "must be per cents above 0 and up to 100"),
         (("--uncertain", "rope.length=3"), "or per cents such as 10 %"),
+        (("--uncertain", "EA=10%"), "EA: unknown key here; write rope.made_of.EA"),
+        (("--set", "EA=1e4"), "EA: unknown key here; write rope.made_of.EA"),
         (("--set", "rope.segments=0"), "segments: 0 - must be at least 1"),
     ):
         done = ropewalk("sheet", job, *options)

@@ -145,6 +145,10 @@ def test_a_single_rope_can_be_renamed() -> None:
     [
         ("rope.segmnts=3", 'rope[0].segmnts: unknown key; did you mean "segments"?'),
         ("rope.EA=3 MN", "rope[0].EA: unknown key here; write rope[0].made_of.EA"),
+        ("EA=3 MN", "EA: unknown key here; write rope.made_of.EA"),
+        ("segments=3", "segments: unknown key here; write rope.segments"),
+        ("kind=material", "kind: unknown key; known: schema_version"),
+        ("stiffnes=3", "stiffnes: unknown key; known: schema_version"),
         ("rope.mass=3", "rope[0].mass: unknown key; known: name"),
         ("rop.segments=3", 'rop: unknown key; did you mean "rope"?'),
         ("run.metod=rk4", 'run.metod: unknown key; did you mean "method"?'),

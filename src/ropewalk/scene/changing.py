@@ -158,7 +158,7 @@ def _known(
         rule = f"unknown key; {nearest(str(key), list(known))}"
         others = [tag(one) for one in siblings(model) if key in keys(one)]
         if inner := section_with(model, str(key)):
-            rule = f"unknown key here; write {join(path, inner)}.{key}"
+            rule = f"unknown key here; write {join(join(path, inner), str(key))}"
         if others:
             rule = f"{tag(model)!r} has no such key, {others[0]!r} has: set {path}.kind too"
         raise no_path(join(path, str(key)), rule)

@@ -46,11 +46,21 @@ def keys(model: ModelType) -> dict[str, FieldInfo]:
 
 
 def section_with(model: ModelType, key: str) -> str:
-    """Return the table below a model's that has a key which the model has not; "" of none, or of "kind"."""
+    """Return the path of the first table below a model's that has a key which the model has not, or "".
+
+    Every scene has ropes: below a scene itself their tables are looked through too, as "rope" and
+    "rope.made_of". "kind" is in too many tables for one to be meant.
+    """
+    if key == "kind":
+        return ""
     for name, field in keys(model).items():
         kind = kind_of(field)
-        if key != "kind" and not kind.listed and any(key in keys(one) for one in kind.models):
+        if not kind.listed and any(key in keys(one) for one in kind.models):
             return name
+    if model in _roots:
+        (rope,) = kind_of(keys(model)["rope"]).models
+        inner = section_with(rope, key)
+        return "rope" if key in keys(rope) else join("rope", inner) if inner else ""
     return ""
 
 
