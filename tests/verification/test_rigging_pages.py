@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 import ropewalk as rw
+from ropewalk.scene.overrides import apply_overrides
 from ropewalk.scene.presets import preset
 
 PAGE = Path(__file__).resolve().parents[2] / "docs/how-to/rigging.md"
@@ -18,6 +19,9 @@ PRESETS = (
 PARTS = ("Question", "Result", "Your own job", "Not covered", "To check")
 QUOTED = re.compile(r"(largest tension|largest anchor force|lowest point) (−?[\d.]+) (kN|m)\b")
 AT_REST = re.compile(r"At rest(?: in that wind)? ([\d.]+) kN")
+CHANGED = re.compile(
+    r"((?:`--set [^`]+`(?: and )?)+)(?:[^`;\n]*?(?::| gives))? [^`;\n]*?([\d.]+) kN"
+)
 FACTORS = {"kN": 1e3, "m": 1.0}
 
 
@@ -69,3 +73,26 @@ def test_quoted_results_hold(name: str) -> None:
     for number in AT_REST.findall(told):
         rest = rw.equilibrium(preset(name)).table["largest tension [N]"] / 1e3
         assert rest == pytest.approx(float(number), abs=rounding(number))
+
+
+def variants() -> list[tuple[str, list[str], str]]:
+    """Return the presets that the page changes, with what it sets and the largest tension it tells [kN]."""
+    return [
+        (name, [one.strip('"') for one in re.findall(r"`--set ([^`]+)`", changes)], number)
+        for name, text in sections().items()
+        for changes, number in CHANGED.findall(text)
+    ]
+
+
+def test_all_variants_with_a_result_are_found() -> None:
+    assert sorted(name for name, _, _ in variants()) == sorted(
+        [*("highline", "hoist-stop", "climbing-fall", "crane-snap"), *2 * ("rescue-lower",)]
+        + 3 * ["tow", "power-line-in-wind"]
+    )
+
+
+@pytest.mark.parametrize(("name", "changes", "number"), variants())
+def test_quoted_results_of_variants_hold(name: str, changes: list[str], number: str) -> None:
+    result = rw.simulate(apply_overrides(preset(name), changes))
+    found = result.table["largest tension [N]"] / 1e3
+    assert found == pytest.approx(float(number), abs=rounding(number))
