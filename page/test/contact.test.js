@@ -3,8 +3,11 @@ import { test } from "node:test";
 
 import { METHODS, Rope } from "../src/lab/kernel.js";
 import { energies, tensions } from "../src/lab/measures.js";
-import { readPosts, takenByPosts } from "../src/lab/posts.js";
+import { postRows, readPosts, takenByPosts } from "../src/lab/posts.js";
+import { measured } from "../src/lab/probe.js";
 import { probe } from "../src/lab/solids.js";
+import { Strip } from "../src/lab/strip.js";
+import { scaled } from "../src/lab/values.js";
 import { Verdict } from "../src/lab/verdict.js";
 
 /** A post of a kind. @param {object} [more] @returns {any} */
@@ -73,6 +76,58 @@ test("without friction nothing is taken and nothing holds", () => {
   for (let i = 0; i < 4000; i++) rope.step("verlet", 8e-5);
   assert.ok(rope.x[2][30] < -0.46);
   assert.equal(Math.max(...rope.contact?.holds[0].slide ?? [1]), 0); // prettier-ignore
+});
+
+test("what posts have taken does not jump where values are changed", () => {
+  const rope = new Rope(over([1, 1.2]));
+  for (let i = 0; i < 4000; i++) rope.step("verlet", 8e-5);
+  const [taken, stored] = [takenByPosts(rope), rope.contact?.stored() ?? 0];
+  for (const factor of [10, 0.01]) {
+    for (let j = 0; j < 30; j++) rope.stiffness[j] *= factor;
+    rope.contact?.change(({ friction }) => friction, 1);
+    rope.renew();
+    assert.ok(Math.abs(takenByPosts(rope) - taken) < 1e-15, String(takenByPosts(rope) - taken));
+  }
+  assert.ok(Math.abs((rope.contact?.stored() ?? 0) - stored) > 1e-4); // which does
+});
+
+test("a ratio is of two sides that pull, and else none everywhere", () => {
+  const rope = new Rope(over([1, 1.2]));
+  for (let i = 0; i < 200; i++) rope.step("verlet", 8e-5);
+  const tension = new Float64Array(31).fill(10);
+  const { nodes } = /** @type {import("../src/lab/posts.js").Reading} */ (readPosts(rope, tension));
+  for (const [first, second, ratio] of [
+    [5, 10, 2], [10, 4, 2.5], [-3, 10, NaN], [-2, -4, NaN], [0, 10, NaN], [0, 0, NaN], [1e-12, 3e-12, NaN], [1e-6, 10, NaN],
+    [NaN, 10, NaN], [Infinity, 10, NaN],
+  ]) {
+    [tension[nodes[0]], tension[nodes[1] - 1]] = [first, second];
+    const now = readPosts(rope, tension);
+    const lab = { rope, tension, plane: () => [], draw: () => {} };
+    const seen = measured(/** @type {any} */ (lab), 3, "ratio");
+    for (const found of [now?.ratio, seen]) assert.ok(Object.is(found, ratio), `${first}, ${second}: ${found}`);
+    const told = postRows(rope, now, false)[1][1];
+    assert.equal(told, Number.isNaN(ratio) ? "none" : ratio.toFixed(2));
+  }
+}); // prettier-ignore
+
+test("of a broken rope nothing is told of its posts", () => {
+  const rope = new Rope(over([1, 1.2], { posts: [post(), post({ kind: "plane" })] }));
+  const names = ["tensions beside the post", "the larger over the smaller", "angle round the post", "taken by the posts"]; // prettier-ignore
+  assert.deepEqual(postRows(rope, null, true), names.map((name) => [name, "none"])); // prettier-ignore
+  assert.equal(postRows(rope, null, false)[3][1], "0 J");
+  assert.equal(postRows(new Rope(over([1, 1])), null, false)[3][0], "taken by the post");
+});
+
+test("a curve is interrupted where there is nothing to draw", () => {
+  const strip = new Strip(/** @type {any} */ ({ getContext: () => null }), [{ name: "accent" }]);
+  for (const [t, value] of [[0, 1], [1, 2], [2, NaN], [3, Infinity], [4, 5], [5, 6]]) strip.add(t, [value]); // prettier-ignore
+  assert.deepEqual(strip.kept.map(({ t, parted }) => [t, parted]), [[0, false], [1, false], [4, true], [5, false]]); // prettier-ignore
+});
+
+test("values go with the first of their kind; where it is zero, only others that are go with it", () => {
+  assert.deepEqual([0.25, 0, 0.5].map((mu) => scaled(mu, 0.25, 0.75)), [0.75, 0, 1.5]); // prettier-ignore
+  assert.deepEqual([0, 0.5, 0.3].map((mu) => scaled(mu, 0, 0)), [0, 0.5, 0.3]); // prettier-ignore
+  assert.deepEqual([0, 0.5, 0.3].map((mu) => scaled(mu, 0, 0.2)), [0.2, 0.5, 0.3]); // prettier-ignore
 });
 
 test("distances of a bar with flat and with round ends, of a ball and of a plane", () => {

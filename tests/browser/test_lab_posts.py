@@ -12,7 +12,7 @@ import pytest
 import ropewalk as rw
 from browser.post_scenes import over_a_post
 from browser.test_lab import METHODS, RUN, STEPS
-from browser.test_lab_values import of_page, of_python, write
+from browser.test_lab_values import apart, of_page, of_python, write
 from ropewalk.laws.contact_books import PRESSED
 from ropewalk.lessons import lesson_scene
 from ropewalk.live.lab import lab_scene, write_lab
@@ -95,6 +95,25 @@ def test_an_anchor_lets_go_of_a_rope_over_a_post(
         late = [ends[0].replace(release_time=release + dt), ends[1]]
         twin = of_python(both.replace(anchors=late), method, dt)
         assert errors(found, twin).max() > 1e-9
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("posts", [False, True])
+def test_steps_are_cut_where_the_motion_of_a_released_anchor_would_have_ended(
+    tmp_path: Path, open_window: Any, method: str, posts: bool
+) -> None:
+    """As in Python, to 1e-11; the twin's motion would end at a step's end, which cuts none."""
+    dt = 1e-5 if posts else 1e-3
+    scene = over_a_post(5) if posts else preset("r4")
+    motion = over_a_post(5).anchors[0].motion.replace(start=20.3 * dt, stop=150.4 * dt)
+    ends = [Anchor(node=0, motion=motion, release_time=50.4 * dt), *scene.anchors[1:]]
+    let_go = scene.replace(anchors=ends)
+    page = open_window(write_lab(tmp_path / "let-go.html", [let_go]).as_uri()).page
+    found = np.array(page.evaluate(RUN, [0, method, STEPS, dt]))
+    assert apart(found, of_python(let_go, method, dt)) <= 1e-11
+    ends[0] = ends[0].replace(motion=motion.replace(stop=150.0 * dt))
+    uncut = apart(found, of_python(scene.replace(anchors=ends), method, dt))
+    assert bool(uncut > 1e-9) is (method != "semi-implicit-euler")
 
 
 @pytest.mark.parametrize("method", METHODS)
@@ -209,6 +228,46 @@ def test_the_posts_friction_is_a_value(
     assert last[last[:, 0] > 5.0, 1] == pytest.approx(exact, rel=0.025)
     page.click("#undo")
     assert page.input_value("#mu-shown") == "0.3"
+
+
+def test_posts_keep_their_friction_beside_a_first_one_without(
+    tmp_path: Path, open_window: Any
+) -> None:
+    """As the scene has it at the start; by the slider the first gets some, and the others keep theirs."""
+    scene = over_a_post(1)
+    first, ball, plane = scene.obstacles
+    smooth = scene.replace(
+        obstacles=[first.replace(friction=0.0), ball, plane.replace(friction=0.3)]
+    )
+    page = open_window(write_lab(tmp_path / "smooth.html", [smooth]).as_uri()).page
+    have = "window.ropewalkLab.lab.rope.contact.holds.map(({ friction }) => friction)"
+    assert page.evaluate(have) == [0.0, 0.5, 0.3]
+    write(page, "step", 0.02)  # whatever else changes
+    assert page.evaluate(have) == [0.0, 0.5, 0.3]
+    write(page, "mu", 0.2)
+    assert page.evaluate(have) == [0.2, 0.5, 0.3]
+
+
+def test_a_broken_rope_has_no_numbers_of_posts(tmp_path: Path, open_window: Any) -> None:
+    page = open_window(write_lab(tmp_path / "post.html", [lesson_scene("post")]).as_uri()).page
+    page.select_option("#quantity", "ratio")
+    page.evaluate("window.ropewalkLab.lab.advance(100)")
+    page.evaluate("window.ropewalkLab.lab.draw()")
+    rows = page.locator("#numbers dd")
+    assert "none" not in rows.all_inner_texts()
+    assert "none" not in page.inner_text("#reading")
+    write(page, "step", 1.0)  # far beyond what holds
+    page.evaluate("window.ropewalkLab.lab.advance(4000)")
+    assert page.is_visible("#broken")
+    told = page.evaluate(
+        "() => { const { drawing } = window.ropewalkLab.lab, told = [];"
+        " drawing.pen.fillText = (text) => told.push(text);"
+        " window.ropewalkLab.lab.draw(); return told; }"
+    )
+    assert rows.all_inner_texts()[2:] == ["none"] * 4
+    assert page.locator("#numbers dt").all_inner_texts()[-1] == "taken by the post"
+    assert page.inner_text("#reading") == "none"
+    assert not [text for text in told if "N" in text or "°" in text or ":" in text]
 
 
 def test_only_scenes_with_posts_offer_their_friction(tmp_path: Path, open_window: Any) -> None:

@@ -155,6 +155,23 @@ def test_a_scene_without_friction_gets_some(tmp_path: Path, open_window: Any) ->
     assert apart(of_page(page), of_python(rubbed, "semi-implicit-euler", 0.005)) <= 1e-12
 
 
+def test_a_rope_with_friction_keeps_it_beside_a_first_one_without(
+    tmp_path: Path, open_window: Any
+) -> None:
+    """Along its segments or of the whole velocity; by the slider only the first gets some."""
+    every = loads(EVERYTHING, "everything")
+    smooth, rough = every.ropes[0].replace(**{"made_of.axial_damping": 0.0}), every.ropes[1]
+    along = rough.made_of.replace(friction="axial")
+    for made_of in (rough.made_of, along):
+        scene = every.replace(ropes=[smooth, rough.replace(made_of=made_of)])
+        page = open_window(write_lab(tmp_path / "lab.html", [scene]).as_uri()).page
+        own = [0.4 * (made_of is not along), 0.4 * (made_of is along)]
+        have = "[3, 12, 15].map((j) => ['vector', 'axial'].map((way) => window.ropewalkLab.lab.rope[way][j]))"
+        assert page.evaluate(have) == [[0.0, 0.0], [0.0, 0.0], own]
+        write(page, "c", 0.25)
+        assert page.evaluate(have) == [[0.25, 0.0], [0.0, 0.0], own]
+
+
 def test_a_number_is_taken_as_it_is_written(tmp_path: Path, open_window: Any) -> None:
     """Sliders are too coarse for 16401 N/m or 1.62 m/s^2; a number beyond the slider's end stays at it."""
     scene = lesson_scene("step-by-step")

@@ -40,7 +40,7 @@ export class Contact {
     this.mean = rows(n); // of the step [N]
     this.before = rows(n); // velocity as it begins
     this.place = rows(n); // as the last step ended
-    this.work = this.first = 0; // of all posts so far, and what they had stored as it began [J]
+    this.work = this.first = 0; // of all posts so far, and what they had stored as it began and got by changes [J]
     this.found = new Float64Array(4); // what `probe` writes
     this.squeezed = new Float64Array(3);
     /** @type {Hold[]} */ this.holds = posts.map((post) => ({
@@ -81,10 +81,12 @@ export class Contact {
         ([node, mass]) => /** @type {[number, number]} */ ([node, heavier * mass]),
       ),
     }));
+    const before = this.stored();
     for (const hold of this.holds) {
       hold.friction = friction(hold.post);
       Object.assign(hold, gripOf(this.rope, hold.post, lines));
     }
+    this.first += this.stored() - before;
     if (this.rope.time === 0) this.start();
     else this.#turn();
   }

@@ -2,7 +2,6 @@
 
 import { uniformMap } from "../view/colours.js";
 import { drawPosts, drawReading } from "./post-drawing.js";
-import { readPosts } from "./posts.js";
 
 /** @typedef {import("./kernel.js").Rope} Rope */
 /** @typedef {{left: number, right: number, low: number, high: number}} Box in metres */
@@ -103,8 +102,9 @@ export class Drawing {
   }
 
   /** Draw one picture. @param {Rope} rope @param {Float64Array} tension @param {number[][]} ropes first and last
-   * node of each @param {number | null} hover @param {number} probe the node that is measured */
-  draw(rope, tension, ropes, hover, probe) {
+   * node of each @param {number | null} hover @param {number} probe the node that is measured
+   * @param {import("./posts.js").Reading | null} reading of a post */
+  draw(rope, tension, ropes, hover, probe, reading) {
     const { canvas, pen, box } = this;
     const ratio = devicePixelRatio || 1;
     const [width, height] = [canvas.clientWidth * ratio, canvas.clientHeight * ratio];
@@ -130,7 +130,7 @@ export class Drawing {
         this.#stroke([places[j], places[j + 1]], 4.5 * ratio, shade);
       }
     }
-    drawReading(this, readPosts(rope, tension), places, colour(canvas, "--ink"), ratio);
+    drawReading(this, reading, places, colour(canvas, "--ink"), ratio);
     this.#nodes(rope, places, ratio, hover);
     pen.fillStyle = colour(canvas, "--accent");
     pen.beginPath();

@@ -193,10 +193,9 @@ export class Rope {
   /** @param {Method} method @param {number} dt @param {number} after */
   #pieces(method, dt, after) {
     const begin = this.time;
-    const cuts = this.anchors
-      .flatMap((anchor) =>
-        this.#steps(anchor) ? [anchor.start, anchor.stop, anchor.release ?? -1] : [],
-      )
+    const cuts = this.anchors // of those that have let go, too, as in Python
+      .filter(({ node }) => this.first <= node && node <= this.last)
+      .flatMap(({ start, stop, release }) => [start, stop, release ?? -1])
       .filter((t) => t > begin + 1e-6 * dt && t < after - 1e-6 * dt)
       .sort((a, b) => a - b);
     for (const end of [...cuts, after]) {

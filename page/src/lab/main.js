@@ -5,12 +5,12 @@ import { Drawing } from "./draw.js";
 import { follow } from "./hand.js";
 import { METHODS, Rope } from "./kernel.js";
 import { LITTLE, energies, gravityAt, tautEnergy, tensions, told } from "./measures.js";
-import { postRows } from "./posts.js";
+import { postRows, readPosts } from "./posts.js";
 import { Probe, middle } from "./probe.js";
 import { Resampler, Sound } from "../sound.js";
 import { bridge } from "./bridge.js";
 import { Strip } from "./strip.js";
-import { Values } from "./values.js";
+import { Values, scaled } from "./values.js";
 import { Verdict } from "./verdict.js";
 import { milliseconds, whyItBroke } from "./why.js";
 
@@ -32,9 +32,6 @@ const choice = (id) => /** @type {HTMLSelectElement} */ (find(id));
 const canvas = (id) => /** @type {HTMLCanvasElement} */ (find(id));
 /** @param {number} value four figures; what is below a billionth is rounding */
 const small = (value) => String(Number((Math.abs(value) < LITTLE ? 0 : value).toPrecision(4)));
-/** A value that goes with another: where they are equal, to the last bit.
- * @param {number} value @param {number} own @param {number} now */
-const scaled = (value, own, now) => (value === own ? now : (now / own) * value);
 
 class Lab {
   /** @param {Scene[]} scenes */
@@ -161,20 +158,16 @@ class Lab {
     const { now, own } = this.values;
     for (let j = 0; j < rope.n - 1; j++) {
       rope.stiffness[j] = scaled(base.stiffness[j], own.k, now.k);
-      if (own.c > 0) {
-        rope.vector[j] = scaled(base.vector[j], own.c, now.c);
-        rope.axial[j] = scaled(base.axial[j], own.c, now.c);
-      } else if (base.stiffness[j] > 0) rope.vector[j] = now.c; // the scene has none of its own
+      const bare = base.stiffness[j] > 0 && base.axial[j] === 0; // which the gap between ropes is not
+      if (own.c > 0 || bare) rope.vector[j] = scaled(base.vector[j], own.c, now.c);
+      if (own.c > 0) rope.axial[j] = scaled(base.axial[j], own.c, now.c);
     }
     for (let i = 0; i < rope.n; i++) {
       rope.mass[i] = scaled(base.mass[i], own.m, now.m);
       if (rope.inverse[i] > 0) rope.inverse[i] = 1 / rope.mass[i]; // held ones have none
     }
     rope.gravity = scene.up.map((part) => -now.g * part + 0);
-    rope.contact?.change(
-      ({ friction }) => (own.mu > 0 ? scaled(friction, own.mu, now.mu) : now.mu),
-      now.m / own.m,
-    );
+    rope.contact?.change(({ friction }) => scaled(friction, own.mu, now.mu), now.m / own.m);
     rope.renew();
   }
 
@@ -311,14 +304,15 @@ class Lab {
     const now = this.broken ? NaN : Math.max(...tension.subarray(0, rope.n - 1), 0);
     const top = this.drawing.largest;
     if (!this.broken) this.drawing.largest = Math.max(now, 0.98 * top, LITTLE);
-    this.drawing.draw(rope, tension, scene.ropes, this.hover, this.probe.node);
+    const reading = this.broken ? null : readPosts(rope, tension);
+    this.drawing.draw(rope, tension, scene.ropes, this.hover, this.probe.node, reading);
     this.#tell();
     this.probe.draw();
     find("state").textContent = `t = ${rope.time.toFixed(2)} s`;
     const numbers = [
       ["largest tension now", this.broken ? "none: it is broken" : told(now, "N")],
       ["largest tension so far", told(Math.max(this.largest ?? 0, now || 0), "N")],
-      ...postRows(rope, tension),
+      ...postRows(rope, reading, this.broken ?? false),
     ];
     find("numbers").replaceChildren(
       ...numbers.flatMap(([name, value]) => {

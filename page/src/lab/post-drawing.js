@@ -47,7 +47,7 @@ export function drawReading(sheet, reading, places, ink, ratio) {
   }
   pen.textAlign = "center";
   if (scale * reading.post.radius > 30 * ratio) {
-    if (reading.ratio >= 1) pen.fillText(`${toldRatio(reading.ratio)} : 1`, x, y - 8 * ratio);
+    if (reading.ratio) pen.fillText(`${toldRatio(reading.ratio)} : 1`, x, y - 8 * ratio);
     pen.fillText(toldAngle(reading.angle), x, y + 18 * ratio);
   }
   pen.textAlign = "start";

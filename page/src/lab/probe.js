@@ -4,16 +4,17 @@ import { readPosts } from "./posts.js";
 import { Strip } from "./strip.js";
 
 /** @typedef {import("./kernel.js").Rope} Rope */
-/** @typedef {{rope?: Rope, tension?: Float64Array, plane(): [number[], number[]], draw(): void}} Lab */
+/** @typedef {{rope?: Rope, tension?: Float64Array, broken?: boolean, plane(): [number[], number[]],
+ *   draw(): void}} Lab */
 
 /** What can be measured, with its unit. @type {Record<string, string>} */
 export const QUANTITIES = { height: "m", sideways: "m", speed: "m/s", tension: "N", ratio: "" };
 
-/** The value of a quantity at a node, in the plane that is seen. @param {Lab} lab @param {number} node
- * @param {string} quantity */
+/** The value of a quantity at a node, in the plane that is seen; NaN where there is none, as after a break.
+ * @param {Lab} lab @param {number} node @param {string} quantity */
 export function measured(lab, node, quantity) {
   const { rope, tension } = lab;
-  if (!rope || !tension) return NaN;
+  if (!rope || !tension || lab.broken) return NaN;
   const [across, up] = lab.plane();
   /** @param {number[]} way */
   const along = (way) => way.reduce((sum, part, k) => sum + part * rope.x[k][node], 0);
@@ -80,8 +81,8 @@ export class Probe {
     const when = read ? ` at ${read.t.toFixed(3)} s` : "";
     const small = Math.abs(value) < 1e-3 && value !== 0;
     const rounded = small ? value.toExponential(4) : String(Number(value.toPrecision(5)) + 0);
-    const told = Number.isFinite(value) ? rounded : "no";
-    this.reading.textContent = `${told} ${QUANTITIES[choice.value]}${when}`;
+    const told = Number.isFinite(value) ? `${rounded} ${QUANTITIES[choice.value]}` : "none";
+    this.reading.textContent = `${told}${when}`;
   }
 
   /** The graph as a table that spreadsheets open. */

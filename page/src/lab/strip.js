@@ -6,7 +6,7 @@ const WINDOWS = [0.1, 0.2, 0.5, 1, 2, 5, SECONDS]; // what the time axis shows u
 const [LEFT, FOOT, HEAD] = [56, 16, 8]; // room for the axes' numbers [px]
 
 /** @typedef {{name: string, wide?: boolean}} Curve whose colour is the sheet's --name */
-/** @typedef {{t: number, values: number[]}} Point */
+/** @typedef {{t: number, values: number[], parted?: boolean}} Point `parted`: there was nothing just before it */
 
 const [FEW, MANY] = [3, 7]; // figures of the axis's numbers
 
@@ -26,6 +26,7 @@ export class Strip {
     this.curves = curves;
     this.pen = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
     /** @type {Point[]} */ this.kept = [];
+    this.parted = false; // whether there is nothing since the last point
     /** @type {number | null} */ this.pointer = null; // of the canvas's width
     canvas.onpointermove = canvas.onpointerdown = (event) => {
       const box = canvas.getBoundingClientRect();
@@ -40,13 +41,16 @@ export class Strip {
 
   clear() {
     this.kept = [];
+    this.parted = false;
     this.draw();
   }
 
-  /** @param {number} t @param {number[]} values one of each curve */
+  /** @param {number} t @param {number[]} values one of each curve, which is interrupted where they are not finite */
   add(t, values) {
+    if (!values.every(Number.isFinite)) this.parted = true;
     if (!values.every(Number.isFinite) || this.kept.at(-1)?.t === t) return;
-    this.kept.push({ t, values });
+    this.kept.push({ t, values, parted: this.parted });
+    this.parted = false;
     while (this.kept.length > MOST || this.kept[0].t < t - SECONDS) this.kept.shift();
   }
 
@@ -92,7 +96,8 @@ export class Strip {
     const style = getComputedStyle(canvas);
     for (const [k, { name, wide }] of curves.entries()) {
       const points = kept.map(({ t, values }) => at(t, values[k]));
-      this.#line(points, style.getPropertyValue(`--${name}`), (wide ? 2.2 : 1.6) * ratio);
+      const begins = kept.map(({ parted }) => parted ?? false);
+      this.#line(points, style.getPropertyValue(`--${name}`), (wide ? 2.2 : 1.6) * ratio, begins);
     }
     const read = this.read();
     if (!read) return;
@@ -138,14 +143,15 @@ export class Strip {
     }
   }
 
-  /** @param {[number, number][]} points @param {string} style @param {number} width */
-  #line(points, style, width) {
+  /** @param {[number, number][]} points @param {string} style @param {number} width
+   * @param {boolean[]} begins whether a line begins anew at a point */
+  #line(points, style, width, begins = []) {
     const { pen } = this;
     pen.lineWidth = width;
     pen.strokeStyle = style;
     pen.beginPath();
     for (const [i, point] of points.entries()) {
-      if (i) pen.lineTo(...point);
+      if (i && !begins[i]) pen.lineTo(...point);
       else pen.moveTo(...point);
     }
     pen.stroke();

@@ -15,6 +15,12 @@ const SHOWN = { k: 1, c: 1, m: 1, step: 1e3, g: 1, mu: 1 }; // a step is told in
 const FIGURES = 3; // to which a slider goes, so that what is shown is what holds
 const SLIGHT = 0.01; // of the critical friction: what the slider's middle is where a scene has none
 
+/** A scene's own value when the first one of its kind, which the slider has, goes from `own` to `now`: in proportion,
+ * where they are equal to the last bit. Where the first is zero, those that are go with it, and the others stay.
+ * @param {number} value @param {number} own @param {number} now */
+export const scaled = (value, own, now) =>
+  value === own ? now : own > 0 ? (now / own) * value : value;
+
 export class Values {
   /** @param {(id: string) => HTMLElement} find @param {() => void} changed called when a value has changed */
   constructor(find, changed) {
