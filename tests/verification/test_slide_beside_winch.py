@@ -257,3 +257,24 @@ def test_a_trolley_is_hauled_along_by_a_rope_of_its_own() -> None:
     with pytest.raises(rw.SceneError, match="could come on to the drum of its rope"):
         given.replace(slides=[rw.Slide(rope="tow", node=-1)])
     assert math.isinf(rw.Simulation(given).arrays.memory.slide.off[0])
+
+
+def test_the_stop_is_where_it_is_seen_from_the_drum() -> None:
+    """Not along the rope: from a corner one segment off the drum 2.26 segments of rope are 1.6 away, and the
+    stop would throw what begins there.
+    """
+    h = 0.53
+    corner = [(0.0, 0.0, -h), *((h * i, 0.0, -h) for i in range(1, 20))]
+    given = scene(rise=0.0, at=2.26 * h)
+    line = given.ropes[0].replace(shape=Points(points=[(0.0, 0.0, 0.0), *corner]))
+    with pytest.raises(rw.SceneError, match="from the drum of winch 'winch0'"):
+        rw.Simulation(given.replace(ropes=[line, given.ropes[1]]))
+
+
+def test_a_stop_that_is_too_near_for_a_stretched_rope_is_told() -> None:
+    """At 16 %, not at the few per mille of a stiff rope: the twin."""
+    soft = {"EA": 8e3, "length": 9.6, "rise": 5.0, "at": 1.5, "damping": 5.0}
+    table = rw.simulate(scene(duration=0.1, **soft)).table
+    assert "rope 'line' was" in table["about slides at drums"]
+    assert "is for 7 %" in table["about slides at drums"]
+    assert "about slides at drums" not in rw.simulate(scene(duration=0.1)).table

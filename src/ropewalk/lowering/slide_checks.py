@@ -47,7 +47,7 @@ def put_on_ropes(scene: Scene, layout: Layout, state: State) -> None:
         slide = scene.slides[i]
         node, span, line = layout.node(slide.node, slide.rope), layout.span(slide.rope), slide.on
         u, way = _way_to_rope(scene, layout, state.x, i)
-        faults += _at_drum(scene, i, u)
+        faults += _at_drum(scene, layout, state.x, i, u)
         far = float(np.linalg.norm(way))
         stays = slide.rope in placed or slide.rope in held
         if stays:
@@ -84,13 +84,23 @@ def _way_to_rope(scene: Scene, layout: Layout, x: Floats, i: int) -> tuple[float
     return u, np.array(point_at(x, first, ends, u)) - x[:, node]
 
 
-def _at_drum(scene: Scene, i: int, u: float) -> Iterator[Fault]:
-    """The fault of a slide that begins where a drum's stop would press on it, at a place [1]."""
+def _at_drum(scene: Scene, layout: Layout, x: Floats, i: int, u: float) -> Iterator[Fault]:
+    """The fault of a slide that begins where a drum's stop would press on it, at a place [1].
+
+    Along the rope, as `at` is, or through the air as the stop sees it, where the rope is slack or bent.
+    """
     slide = scene.slides[i]
-    line = scene.rope_named(slide.on)
+    line, span = scene.rope_named(slide.on), layout.span(slide.on)
+    place = np.array(point_at(x, span.start, whole(span.end - span.start), u))
     for winch in scene.winches:
-        away = u if winch.end == "start" else line.segments - u
-        if winch.rope == slide.on and away < NEAREST:
+        if winch.rope != slide.on:
+            continue
+        start = winch.end == "start"
+        drum = x[:, span.start if start else span.end]
+        far = float(np.linalg.norm(place - drum)) / line.segment_length
+        away = u if start else line.segments - u
+        if min(away, far) < NEAREST:
+            away = away if away < NEAREST else far
             least = NEAREST * line.segment_length
             rule = (
                 f"is {away * line.segment_length:.4g} m from the drum of winch {winch.name!r}: what slides "

@@ -44,6 +44,8 @@ from ropewalk.laws.slides.table import (
 ROUNDS = 60
 BEYOND = 2.0  # [1] segments beyond a broken end, within a step
 LEAST = 0.05  # [1] of g' over r' . r'
+STRIDE = 1.0 / 16.0  # [1] segments: so far apart places downhill are looked at
+NEAR = 1e-13  # [1] segments: a shorter step of Newton's is the last
 
 
 @small
@@ -99,11 +101,11 @@ def condition(x, node, first, ends, u, piece):
 
 
 @kernel
-def root(x, node, first, ends, start, piece, low, high):
-    """Return the place between two, g < 0 < g there, at which g is zero; from a guess."""
-    u = min(max(start, low), high)
+def root(x, node, first, ends, low, high):
+    """Return a place between two, g < 0 < g there, at which g is zero."""
+    u = 0.5 * (low + high)
     for _ in range(ROUNDS):
-        g, slope = condition(x, node, first, ends, u, piece)
+        g, slope = condition(x, node, first, ends, u, piece_of(u, ends))
         if g < 0.0:
             low = u
         else:
@@ -127,24 +129,41 @@ def bounds_of(ends):
 
 
 @kernel
+def place_beside(x, node, first, ends, start):
+    """Return the place that Newton's steps lead to from `start`, each shorter than the last; nan: to none.
+
+    Where a rope folds there are several near each other; this is the one that the node is at.
+    """
+    least, most = bounds_of(ends)
+    u, last = min(max(start, least), most), math.inf
+    for _ in range(ROUNDS):
+        g, slope = condition(x, node, first, ends, u, piece_of(u, ends))
+        if not (slope > 0.0 and abs(g) < last * slope):
+            return math.nan
+        last = abs(g) / slope
+        new = min(max(u - g / slope, least), most)
+        way, u = abs(new - u), new
+        if way <= 4e-16 * max(abs(u), 1.0) or last < NEAR:
+            return u
+    return math.nan
+
+
+@kernel
 def nearest_place(x, node, first, ends, start):
     """Return the place on the rope that is nearest to a node, downhill from `start`."""
+    u = place_beside(x, node, first, ends, start)
+    if u == u:
+        return u
     least, most = bounds_of(ends)
-    piece, before = piece_of(start, ends), 0
-    for _ in range(ends[HIGH] - ends[LOW] + 2):
-        low = least if piece == ends[LOW] else piece - 0.5
-        high = most if piece == ends[HIGH] else piece + 0.5
-        if condition(x, node, first, ends, low, piece)[0] > 0.0:
-            if piece == ends[LOW] or before > 0:
-                return low
-            piece, before = piece - 1, -1
-        elif condition(x, node, first, ends, high, piece)[0] < 0.0:
-            if piece == ends[HIGH] or before < 0:
-                return high
-            piece, before = piece + 1, 1
-        else:
-            return root(x, node, first, ends, start, piece, low, high)
-    return start
+    u = min(max(start, least), most)
+    side = -1.0 if condition(x, node, first, ends, u, piece_of(u, ends))[0] > 0.0 else 1.0
+    end = least if side < 0.0 else most
+    while u != end:
+        new = min(max(u + side * STRIDE, least), most)
+        if side * condition(x, node, first, ends, new, piece_of(new, ends))[0] >= 0.0:
+            return root(x, node, first, ends, min(u, new), max(u, new))
+        u = new
+    return u
 
 
 @kernel

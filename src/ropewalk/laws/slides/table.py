@@ -35,6 +35,7 @@ FAULT, WHICH, ASKED = range(3)  # places in `Memory.tally`
 LOW, HIGH, LOWEST, HIGHEST, LOOSE, DRUM = 0, 1, 2, 3, 4, 6
 ENDS = 8
 NEAREST = 2.25  # [1] segments from a drum: there a slide is stopped, see `slide_force`
+CLEAR = 2.1  # [1] segments, stretched: beyond no node that bears it goes on to the drum or off it
 ROOM = 0.75  # [1] segments that winches leave besides
 
 
