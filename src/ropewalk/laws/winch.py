@@ -116,7 +116,7 @@ def book_begin(system, state, x, end, turning):
 def book_end(system, state, x, begin, end, turning):
     """Book the work of the lengths that change from `begin` to `end` [s], the nodes at `x` (3, n) at the end.
 
-    It is what the drum's force does at the step's mean lengths. A stiff rope that is slack at one end of the
+    It is that of dV/dL at the mean lengths of the step. A stiff rope that is slack at one end of the
     step would store more than it ever has, with the places of that end and another's rest length. Leaves the
     rest lengths of `end`.
     """
