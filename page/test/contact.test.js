@@ -97,8 +97,8 @@ test("a ratio is of two sides that pull, and else none everywhere", () => {
   const tension = new Float64Array(31).fill(10);
   const { nodes } = /** @type {import("../src/lab/posts.js").Reading} */ (readPosts(rope, tension));
   for (const [first, second, ratio] of [
-    [5, 10, 2], [10, 4, 2.5], [-3, 10, NaN], [-2, -4, NaN], [0, 10, NaN], [0, 0, NaN], [1e-12, 3e-12, NaN], [1e-6, 10, NaN],
-    [NaN, 10, NaN], [Infinity, 10, NaN],
+    [5, 10, 2], [10, 4, 2.5], [-3, 10, NaN], [-2, -4, NaN], [0, 10, NaN], [0, 0, NaN], [1e-12, 3e-12, NaN],
+    [1e-6, 10, NaN], [NaN, 10, NaN], [Infinity, 10, NaN],
   ]) {
     [tension[nodes[0]], tension[nodes[1] - 1]] = [first, second];
     const now = readPosts(rope, tension);
@@ -112,7 +112,9 @@ test("a ratio is of two sides that pull, and else none everywhere", () => {
 
 test("of a broken rope nothing is told of its posts", () => {
   const rope = new Rope(over([1, 1.2], { posts: [post(), post({ kind: "plane" })] }));
-  const names = ["tensions beside the post", "the larger over the smaller", "angle round the post", "taken by the posts"]; // prettier-ignore
+  const names = [
+    "tensions beside the post", "the larger over the smaller", "angle round the post", "taken by the posts",
+  ]; // prettier-ignore
   assert.deepEqual(postRows(rope, null, true), names.map((name) => [name, "none"])); // prettier-ignore
   assert.equal(postRows(rope, null, false)[3][1], "0 J");
   assert.equal(postRows(new Rope(over([1, 1])), null, false)[3][0], "taken by the post");
@@ -120,8 +122,9 @@ test("of a broken rope nothing is told of its posts", () => {
 
 test("a curve is interrupted where there is nothing to draw", () => {
   const strip = new Strip(/** @type {any} */ ({ getContext: () => null }), [{ name: "accent" }]);
-  for (const [t, value] of [[0, 1], [1, 2], [2, NaN], [3, Infinity], [4, 5], [5, 6]]) strip.add(t, [value]); // prettier-ignore
-  assert.deepEqual(strip.kept.map(({ t, parted }) => [t, parted]), [[0, false], [1, false], [4, true], [5, false]]); // prettier-ignore
+  for (const [t, value] of [1, 2, NaN, Infinity, 5, 6].entries()) strip.add(t, [value]);
+  const kept = strip.kept.map(({ t, parted }) => [t, parted]);
+  assert.deepEqual(kept, [[0, false], [1, false], [4, true], [5, false]]); // prettier-ignore
 });
 
 test("values go with the first of their kind; where it is zero, only others that are go with it", () => {

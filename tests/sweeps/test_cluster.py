@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from distributed import Client
 
 import ropewalk as rw
 from ropewalk.record.errors import RunError
@@ -117,6 +118,10 @@ def test_a_worker_is_killed(tmp_path: Path, cluster: Cluster, here: dict[str, by
     folder = tmp_path / "s"
     finished: set[int] = set()
     kill = once(cluster.workers[0], 20)
+    with Client(
+        cluster.address
+    ) as client:  # else one may have done it all before the other is there
+        client.wait_for_workers(2)
 
     def told(standing: Any) -> None:
         if standing.done >= 20 and not finished:
