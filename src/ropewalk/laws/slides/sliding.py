@@ -75,15 +75,11 @@ def lower(
         rubbed = stiff, damping, slide.friction, slide.brake, slide.brake_from
         rows.append((*place, *rubbed, span.first, span.last, *_drums_of(line, winches)))
     columns = np.array(rows, dtype=np.float64).reshape(-1, 13).T
-    ints = [np.ascontiguousarray(column).astype(np.int64) for column in columns]
-    floats = [np.ascontiguousarray(column) for column in columns]
-    drums = np.ascontiguousarray(columns[11:].T).astype(np.int64)
     names = [name for name in Slides._fields if name != "winch"]
-    whole_numbers = {"node", "first", "last", "lowest", "highest"}
-    made: Any = {
-        name: ints[k] if name in whole_numbers else floats[k] for k, name in enumerate(names)
-    }
-    return Slides(**made, winch=drums)
+    made = dict(zip(names, map(np.ascontiguousarray, columns[:11]), strict=True))
+    for name in ("node", "first", "last", "lowest", "highest"):
+        made[name] = made[name].astype(np.int64)
+    return Slides(**made, winch=np.ascontiguousarray(columns[11:].T).astype(np.int64))
 
 
 def _drums_of(line: Rope, winches: Sequence[Winch]) -> tuple[int, int]:
