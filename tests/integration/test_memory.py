@@ -39,12 +39,15 @@ def peak_of(folder: Path, duration: float) -> dict[str, float]:
 
 @pytest.mark.slow
 @pytest.mark.skipif(sys.platform != "linux", reason="reads its peak memory from /proc")
-def test_a_long_run_stays_within_330_megabytes(tmp_path: Path) -> None:
+def test_a_run_needs_no_more_memory_when_it_is_longer(tmp_path: Path) -> None:
+    """The program takes its share (it grows with the kernels there are), blocks of frames theirs."""
     short = peak_of(tmp_path / "short", 0.4)
+    half = peak_of(tmp_path / "half", 20.0)
     long = peak_of(tmp_path / "long", 40.0)
     assert (long["nodes"], long["frames"]) == (1000, 20001)
     stored = sum(path.stat().st_size for path in (tmp_path / "long").rglob("*") if path.is_file())
-    assert stored > 330e6  # it really wrote more than it may hold
-    # the blocks of frames that wait to be written hold the extremes of every step, too
-    assert long["peak"] < 330.0
+    more = stored / 1e6 / 2.0  # what the second half of the run has written [MB]
+    assert more > 150.0
+    assert long["peak"] < half["peak"] + 0.03 * more
+    # two blocks of frames of 24 MB, one of them waits to be written
     assert long["peak"] < short["peak"] + 80.0
