@@ -13,7 +13,7 @@ from ropewalk.laws.slides.rail import look, piece_of, point_at, shares
 from ropewalk.laws.slides.reach import whole
 from ropewalk.laws.slides.slide_force import slide_energy, slide_forces
 from ropewalk.laws.slides.slide_tangent import along_slides, block, weights_of
-from ropewalk.laws.slides.table import AT, Memory, Slides
+from ropewalk.laws.slides.table import AT, WIDTH, Memory, Slides
 from ropewalk.lowering import build
 from ropewalk.methods.verdict import energy_now
 from ropewalk.scene import SceneError, Straight
@@ -117,6 +117,20 @@ def test_the_tangent_against_differences(changes: dict[str, float], close: float
         assert along == pytest.approx(float((d * found).sum()), rel=1e-12)
 
 
+@pytest.mark.parametrize("stretch", [1.0, 1.5, 0.4])
+def test_the_brakes_force_is_what_it_is_on_a_rope_of_any_stretch(stretch: float) -> None:
+    """As the rate of the unstretched place it was divided by the stretch, and much too large in folds."""
+    x, v, table, memory = arrays_of(brake=30.0, damping=50.0)
+    for node in range(LINE):
+        x[:, node] = stretch * SPAN / 1.01 / (LINE - 1) * node * np.array([1.0, 0.0, 0.0])
+    x[:, LINE] = 0.5 * (x[:, 1] + x[:, 2])
+    v[:, :LINE], v[:, LINE] = 0.0, [50.0, 0.0, 0.0]
+    memory.grip[0] = 1.5, 0.0
+    force = force_at(x, v, table, memory)
+    assert force[:, LINE] == pytest.approx([-30.0, 0.0, 0.0], abs=1e-9)
+    assert force[0, :LINE].sum() == pytest.approx(30.0, abs=1e-9)
+
+
 def sink(share: Any, u: float, count: int) -> float:
     """How far a load at a place lowers itself, on a string of `count` segments with unit T, h and load."""
     weights = np.zeros(count + 1)
@@ -156,11 +170,11 @@ def test_the_force_does_not_jump_at_nodes() -> None:
     beads = np.stack([ways, np.zeros_like(ways), np.full_like(ways, 0.1)])
     table = Slides(
         *(np.array([i]) for i in (3, 0, 2)),
-        *(np.array([s]) for s in (1.0, 1.0, 0, 0, 0, 0)),
+        *(np.array([s]) for s in (1.0, 1.0, 1.0, 0, 0, 0, 0)),
         *(np.array([i]) for i in (0, 2)),
         np.full((1, 2), -1),
     )
-    working = np.zeros((1, 4), int), np.zeros((1, 38)), np.zeros(2, int)
+    working = np.zeros((1, 4), int), np.zeros((1, WIDTH)), np.zeros(2, int)
     memory = Memory(np.full((1, 2), 1.0), *working, whole(2)[None], np.full(1, math.inf))
     memory.grip[0, 1] = 0.0
     found, straight = [], []

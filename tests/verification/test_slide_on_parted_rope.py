@@ -215,3 +215,20 @@ def test_a_brake_only_takes_where_the_rope_folds(torn: int) -> None:
     assert result.work["slide"].max() < 1e-6
     assert result.work["slide"][-1] < -20.0
     assert result.table["largest energy error [J]"] < 1.0
+
+
+@pytest.mark.parametrize("torn", [-1, 0])
+def test_a_braked_trolley_on_a_line_that_whips_by_long_steps(torn: int) -> None:
+    """Where the line folds the brake's force was up to twenty times what it is told, and `esdirk3` at 1 ms
+    ended in words; the twin is `rk4` at a tenth of its step.
+    """
+    long, short = (
+        rw.simulate(scene(method, step, torn=torn, slide={"brake": 50.0}))
+        for method, step in (("esdirk3", 1e-3), ("rk4", 1e-4))
+    )
+    assert long.status == short.status == "finished"
+    assert len(long.partings) == len(short.partings) == 1
+    assert long.work["slide"][-1] == pytest.approx(short.work["slide"][-1], rel=0.05)
+    assert max(long.work["slide"].max(), short.work["slide"].max()) < 1e-6
+    place = [np.nanmax(one.slide("slide0").place) for one in (long, short)]
+    assert place[0] == pytest.approx(place[1], abs=0.05)

@@ -19,9 +19,7 @@ from ropewalk.laws.pairs.force import pair_rounding
 from ropewalk.laws.pairs.pairs_at_rest import straighten
 from ropewalk.laws.pairs.table import CONTACTS, FAULT, PUSH, SPRING
 from ropewalk.laws.registry import NAMES
-from ropewalk.laws.slides.rail import condition, look
 from ropewalk.laws.slides.slide_force import bound_of
-from ropewalk.laws.slides.table import AT, HIGH, LOW
 from ropewalk.laws.slides.table import SPRING as HELD
 from ropewalk.laws.winch import joined
 from ropewalk.lowering.touching import SLIPS
@@ -30,9 +28,6 @@ Entries = tuple[
     Ints, Ints, Floats
 ]  # rows, columns, values of a matrix over all places, node by node
 
-_SEAM = (
-    1e-8  # of a segment: how near to where two arcs of a slide's curve meet they are taken to [1]
-)
 _BEGINS = 0.03  # [s] the time of a step, for what contacts carry over as they are found anew
 _ASKEW = 0.48, 0.6, 0.64  # [N] a force along no normal, but by chance; only that it is one counts
 ROOM = "ropes touch in more places than there is room for: take fewer segments"
@@ -85,34 +80,11 @@ class Couplings:
         return float(self.slide.length.min(initial=math.inf))
 
     def rounding(self, x: Floats) -> float:
-        """Return what rounding of places (3, n) [m], and jumps of friction, make of these forces [N]."""
+        """Return what rounding of places (3, n) [m] makes of these forces [N]."""
         found, stiff = 0.0, float(self.slide.stiffness.max(initial=0.0))
         if self.touch:
             found = float(pair_rounding(x, self.system.node.contact, self.state.memory.contact))
-        return max(found, 16.0 * _EPS * float(np.abs(x).max()) * stiff) + self._jumps(x)
-
-    def _jumps(self, x: Floats) -> float:
-        """Return by how much friction jumps along slides at places (3, n) [m] where arcs of a curve meet [N].
-
-        There the bend of the curve jumps, and with it the direction of grad u: what is held by friction that
-        is a little too weak on one side, and more than strong enough on the other, is at rest between them.
-        """
-        table, memory, most = self.slide, self.state.memory.slide, 0.0
-        for row in range(len(table.node)):
-            look(x, table, memory, row)
-            node, first, ends = int(table.node[row]), int(table.first[row]), memory.ends[row]
-            at = float(memory.sight[row, AT])
-            piece = math.floor(at)  # its arc meets the next one at its end, piece + 1/2
-            if abs(at - piece - 0.5) > _SEAM or not ends[LOW] <= piece < ends[HIGH]:
-                continue
-            before, after = (
-                condition(x, node, first, ends, piece + 0.5, one)[1] for one in (piece, piece + 1)
-            )
-            bound = float(bound_of(table, memory.sight, row))
-            if math.isinf(bound):  # it is held, and friction has no say
-                continue
-            most = max(most, bound * abs(before / after - 1.0))
-        return most
+        return max(found, 16.0 * _EPS * float(np.abs(x).max()) * stiff)
 
     def small_motions(self, x: Floats) -> tuple[Entries, Entries]:
         """Return stiffness and friction about places (3, n) [m]: what is at the limit of friction is free."""

@@ -25,10 +25,8 @@ from ropewalk.statics.searching import search
 _FIRST, _INNER = 600, 40  # Newton steps for the first place, and for one of the others
 _SHARE = 1.0 / 8.0  # of a rope: the longest way between two looks at what drives [1]
 _LEAST = 1e-3  # of a segment: the shortest [1]
-_FIRM = (
-    5.0  # how much longer its unit along the rope is: what holds it is stiffer by the square [1]
-)
-_NEAR = 1e-8  # of a segment: how near to where two arcs of the curve meet friction jumps, see `Couplings` [1]
+_FIRM = 25.0  # how much stiffer what holds it along the rope is [1]
+_NEAR = 1e-8  # of a segment: a shorter way is none [1]
 
 
 def roll(balance: Balance, found: Found, see: Callable[[Floats], None]) -> Found:
@@ -58,17 +56,15 @@ def roll(balance: Balance, found: Found, see: Callable[[Floats], None]) -> Found
 @contextmanager
 def _held(balance: Balance, table: Slides) -> Iterator[None]:
     """Hold all slides where they are."""
-    none, grip = np.zeros(table.node.size), balance.coupled.state.memory.slide.grip
+    none = np.zeros(table.node.size)
     held = table._replace(
-        length=_FIRM * table.length, friction=none, brake=none + math.inf, brake_from=none
+        hold=_FIRM * table.hold, friction=none, brake=none + math.inf, brake_from=none
     )
     balance.put_slides(held)
-    grip[:, SPRING] /= _FIRM
     try:
         yield
     finally:
         balance.put_slides(table)
-        grip[:, SPRING] *= _FIRM
 
 
 def _go(
@@ -83,7 +79,7 @@ def _go(
         free = (side * (bars - here))[side * (bars - here) > 0.0].min(initial=math.inf) - 1.0
         if free < _LEAST:
             break
-        there = here + side * _ahead(side * here, min(way, free))
+        there = here + side * min(way, free)
         after = _moved(balance, table, row, last, there)
         steps += after.steps
         if after.at_rest:
@@ -119,14 +115,6 @@ def _bars(balance: Balance, table: Slides, row: int) -> Floats:
     return np.concatenate([np.flatnonzero(bar), memory.grip[others, PLACE]])
 
 
-def _ahead(here: float, way: float) -> float:
-    """Return the way to try from a place [1]; a short one leads close to where two arcs meet, or beyond."""
-    left = math.floor(here + 0.5) + 0.5 - here
-    if way >= 1.0 or left > way:
-        return way
-    return left - 0.25 * _NEAR if left > 0.5 * _NEAR else left + 0.25 * _NEAR
-
-
 def _grip(balance: Balance, row: int) -> Floats:
     """Return what a slide remembers, (2,)."""
     grip: Floats = balance.coupled.state.memory.slide.grip[row]
@@ -137,7 +125,7 @@ def _driven(balance: Balance, table: Slides, row: int, x: Floats) -> int:
     """Return in which direction along its rope what is held at places (3, n) [m] is driven; 0: in none."""
     memory = balance.coupled.state.memory.slide
     look(x, table, memory, row)
-    holds = _FIRM * float(memory.grip[row, SPRING])
+    holds = float(memory.grip[row, SPRING])
     if memory.sight[row, INSIDE] == 0.0 or abs(holds) <= float(bound_of(table, memory.sight, row)):
         return 0
     return -1 if holds > 0.0 else 1

@@ -31,13 +31,14 @@ from ropewalk.laws.slides.table import (
     LOOSE,
     LOW,
     LOWEST,
+    PER_PLACE,
     PLACE,
     R1,
     R2,
     RATE,
     SHARE,
     SLOPE,
-    TURNS,
+    STRETCHES,
     R,
 )
 
@@ -56,7 +57,7 @@ def piece_of(u, ends):
 
 @small
 def shares(u, piece, ends):
-    """Return shares of three nodes in X, X', of the middle one in X'' and X''', and the middle one.
+    """Return shares of three nodes in X, X', of the middle one in X'', and the middle one.
 
     The others have minus half of those each.
     """
@@ -64,20 +65,20 @@ def shares(u, piece, ends):
         left = ends[LOW] if piece == ends[LOW] else ends[HIGH] - 1
         s = u - left
         if left == ends[LOWEST] or (piece == ends[LOW] and left + 2 <= ends[HIGHEST]):
-            return 1.0 - s, s, 0.0, -1.0, 1.0, 0.0, 0.0, 0.0, left + 1
-        return 0.0, 1.0 - s, s, 0.0, -1.0, 1.0, 0.0, 0.0, left
+            return 1.0 - s, s, 0.0, -1.0, 1.0, 0.0, 0.0, left + 1
+        return 0.0, 1.0 - s, s, 0.0, -1.0, 1.0, 0.0, left
     s = u - piece
     q = math.sqrt(0.5 - s * s)
     turn = -s / q
     left, right = 0.5 * (1.0 - s - q), 0.5 * (1.0 + s - q)
-    bend, more = -0.5 / (q * q * q), -1.5 * s / (q * q * q * q * q)
-    return left, q, right, 0.5 * (-1.0 - turn), turn, 0.5 * (1.0 - turn), bend, more, piece
+    bend = -0.5 / (q * q * q)
+    return left, q, right, 0.5 * (-1.0 - turn), turn, 0.5 * (1.0 - turn), bend, piece
 
 
 @kernel
 def point_at(x, first, ends, u):
     """Return a place of the curve [m], of a rope's first node and `ends`, see `table`; `x` is (3, n)."""
-    w0, w1, w2, _, _, _, _, _, middle = shares(u, piece_of(u, ends), ends)
+    w0, w1, w2, _, _, _, _, middle = shares(u, piece_of(u, ends), ends)
     i = first + middle
     return (
         w0 * x[0, i - 1] + w1 * x[0, i] + w2 * x[0, i + 1],
@@ -89,7 +90,7 @@ def point_at(x, first, ends, u):
 @small
 def condition(x, node, first, ends, u, piece):
     """Return g and g' at a place [m^2]."""
-    w0, w1, w2, d0, d1, d2, bend, _, middle = shares(u, piece, ends)
+    w0, w1, w2, d0, d1, d2, bend, middle = shares(u, piece, ends)
     i, g, slope = first + middle, 0.0, 0.0
     for k in range(3):
         a, b, c = x[k, i - 1], x[k, i], x[k, i + 1]
@@ -172,7 +173,7 @@ def look(x, table, memory, row):
     node, first, ends = table.node[row], table.first[row], memory.ends[row]
     sight, group = memory.sight, memory.group
     u = nearest_place(x, node, first, ends, memory.grip[row, PLACE])
-    w0, w1, w2, d0, d1, d2, bend, more, middle = shares(u, piece_of(u, ends), ends)
+    w0, w1, w2, d0, d1, d2, bend, middle = shares(u, piece_of(u, ends), ends)
     group[row, 0] = node
     sight[row, SHARE], sight[row, RATE], sight[row, BEND] = 1.0, 0.0, 0.0
     for m in range(3):
@@ -188,18 +189,18 @@ def look(x, table, memory, row):
             r1 += sight[row, RATE + m] * place
             r2 += sight[row, BEND + m] * place
         sight[row, R + k], sight[row, R1 + k], sight[row, R2 + k] = r, r1, r2
-    square, speed, slope, turns = 0.0, 0.0, 0.0, 0.0
-    ratio = more / bend if bend != 0.0 else 0.0
+    square, speed, slope, stretches = 0.0, 0.0, 0.0, 0.0
     for k in range(3):
-        turns += (3.0 * sight[row, R1 + k] + ratio * sight[row, R + k]) * sight[row, R2 + k]
         square += sight[row, R + k] * sight[row, R + k]
         speed += sight[row, R1 + k] * sight[row, R1 + k]
         slope += sight[row, R + k] * sight[row, R2 + k]
+        stretches += sight[row, R1 + k] * sight[row, R2 + k]
     slope = max(speed + slope, LEAST * speed)
     least, most = bounds_of(ends)
-    inside = least < u < most and slope > 0.0
+    inside = least < u < most and speed > 0.0
     sight[row, AT], sight[row, APART], sight[row, SLOPE] = u, math.sqrt(square), slope
-    sight[row, TURNS] = turns
+    sight[row, PER_PLACE] = slope / math.sqrt(speed) if inside else 0.0
+    sight[row, STRETCHES] = stretches / speed if inside else 0.0
     sight[row, INSIDE] = 1.0 if inside else 0.0
     for m in range(4):
         a, b = sight[row, SHARE + m], sight[row, RATE + m]

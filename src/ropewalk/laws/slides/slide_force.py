@@ -1,12 +1,14 @@
 """The force of slides: a spring across, friction along.
 
-With u the place on the curve that is nearest to the node, r from there to the node and L the length of the
-rope's segments, all others by their gradients so that momentum and angular momentum are kept:
+With u the place on the curve that is nearest to the node, r from there to the node, r' its derivative and g'
+that of r.r' (`rail`), all others by their gradients so that momentum and angular momentum are kept:
     V = k r.r / 2                                   it stays on the rope; nothing along it, as r is across
-    q = R' - k L (u - u') - c L du/dt               a friction spring between place and rope
+    q = R' - k w (u - u') - c w du/dt               a friction spring between place and rope
     R = q            where |q| <= mu k |r| + b      it sticks
         (mu k |r| + b) q/|q|      elsewhere         it slips
-    f = -grad V + R L grad u
+    f = -grad V + R w grad u,    w = g' / |r'|
+w du/dt is how fast the node goes along the rope past the point that it is at, so that R is the force along
+the rope however that is stretched, and where it folds: w grad u = -(a r' + a' r) / |r'| has no g' below.
 b is the brake's force, from its place on, in full after one segment; R' and u' are of the last accepted
 step. At an end of the rope u stays and V holds the node there: a stop.
 
@@ -35,6 +37,7 @@ from ropewalk.laws.slides.table import (
     LOOSE,
     LOW,
     NEAREST,
+    PER_PLACE,
     PLACE,
     SHARE,
     SPRING,
@@ -55,7 +58,7 @@ def bound_of(table, sight, row):
 def spring_of(table, memory, row):
     """Return the friction spring's force at the place in sight, not yet cut [N]."""
     way = memory.sight[row, AT] - memory.grip[row, PLACE]
-    return memory.grip[row, SPRING] - table.stiffness[row] * table.length[row] * way
+    return memory.grip[row, SPRING] - table.hold[row] * memory.sight[row, PER_PLACE] * way
 
 
 @small
@@ -84,7 +87,7 @@ def rubbing(v, table, memory, row):
     if bound == 0.0:
         return 0.0, 0.0
     q = spring_of(table, memory, row)
-    q -= table.damping[row] * table.length[row] * rate_of(v, memory, row)
+    q -= table.damping[row] * memory.sight[row, PER_PLACE] * rate_of(v, memory, row)
     return q, bound
 
 
@@ -144,7 +147,7 @@ def add_slide_forces(x, v, table, memory, force):
         look(x, table, memory, row)
         stop_forces(x, table, memory, row, force)
         q, bound = rubbing(v, table, memory, row)
-        along = cut(q, bound) * table.length[row]
+        along = cut(q, bound) * sight[row, PER_PLACE]
         for m in range(4):
             i, push = memory.group[row, m], -table.stiffness[row] * sight[row, SHARE + m]
             for k in range(3):
@@ -165,7 +168,7 @@ def slide_energy(x, table, memory):
         total += 0.5 * table.stiffness[row] * square
         if memory.sight[row, INSIDE] == 1.0:
             held = cut(spring_of(table, memory, row), bound_of(table, memory.sight, row))
-            total += 0.5 * held * held / table.stiffness[row]
+            total += 0.5 * held * held / table.hold[row]
     return total
 
 

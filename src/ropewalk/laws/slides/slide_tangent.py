@@ -1,13 +1,14 @@
 """How the forces of slides change: 3 x 3 blocks between the four nodes of each.
 
-With a, a', a'' the nodes' shares in r, r', r'', c = grad u, D = g', and m, n two of the nodes:
+With a, a', a'' the nodes' shares in r, r', r'', c = grad u, D = g', w and R of `slide_force`,
+t = r'/|r'|, and m, n two of the nodes:
     grad grad V = k (a_m a_n I - D c_m c_n^T)
-    -d(R L c)   = L^2 (k + damping) c_m c_n^T - R L U_mn                        where it sticks
-                  mu k L R/|R| c_m (a_n r/|r|)^T - R L U_mn                      where it slips
-    U_mn = grad grad u = -((a_m a'_n + a'_m a_n) I + h_m c_n^T + c_m h_n^T + g'' c_m c_n^T) / D
-    h_m = 2 a'_m r' + a_m r'' + a''_m r,    g'' = 3 r'.r'' + r.r'''
-The turning of c is left out of what damping does, the way of the brake's force, and that of a drum, which an
-anchor holds.
+    -d(R w c)   = w^2 (k + damping) c_m c_n^T - R U_mn                          where it sticks
+                  mu k w R/|R| c_m (a_n r/|r|)^T - R U_mn                        where it slips
+    U_mn = -((a_m a'_n + a'_m a_n) I + h_m c_n^T) / |r'| - w c_m (a'_n t + t.r'' c_n)^T / |r'|
+    h_m = 2 a'_m r' + a_m r'' + a''_m r
+How w c turns is left out of what spring and damping do, the way of the brake's force, and that of a drum,
+which an anchor holds.
 """
 
 from __future__ import annotations
@@ -22,33 +23,34 @@ from ropewalk.laws.slides.table import (
     BEND,
     GRADIENT,
     INSIDE,
+    PER_PLACE,
     R1,
     R2,
     RATE,
     SHARE,
     SLOPE,
-    TURNS,
+    STRETCHES,
     R,
 )
 
 
 @small
 def weights_of(x, v, table, memory, row, weight_x, weight_v):
-    """Return the factors of a_m a_n I, of c_m c_n^T, of c_m (a_n r)^T and of U_mn [N/m, N m, N, N m]."""
-    sight, k, length = memory.sight, table.stiffness[row], table.length[row]
+    """Return the factors of a_m a_n I, of c_m c_n^T, of c_m (a_n r)^T and of U_mn [N/m, N m, N, N]."""
+    sight, k = memory.sight, table.stiffness[row]
     across = weight_x * k
     if sight[row, INSIDE] == 0.0:
         return across, 0.0, 0.0, 0.0
     along, aside, turn = -weight_x * k * sight[row, SLOPE], 0.0, 0.0
     q, bound = rubbing(v, table, memory, row)
-    held = cut(q, bound)
+    held, w = cut(q, bound), sight[row, PER_PLACE]
     if bound > 0.0:
-        turn = -weight_x * held * length
+        turn = -weight_x * held
         if held == q:
-            along += length * length * (weight_x * k + weight_v * table.damping[row])
+            along += w * w * (weight_x * table.hold[row] + weight_v * table.damping[row])
         elif sight[row, APART] > 0.0:
             side = 1.0 if q > 0.0 else -1.0
-            aside = -weight_x * side * table.friction[row] * k * length / sight[row, APART]
+            aside = -weight_x * side * table.friction[row] * k * w / sight[row, APART]
     return across, along, aside, turn
 
 
@@ -68,14 +70,17 @@ def entry(sight, row, m, n, i, k, weights):
     cm, cn = sight[row, GRADIENT + 3 * m + i], sight[row, GRADIENT + 3 * n + k]
     found = along * cm * cn + aside * cm * sight[row, SHARE + n] * sight[row, R + k]
     if turn != 0.0:
-        more = turned(sight, row, m, i) * cn + cm * turned(sight, row, n, k)
-        found -= turn * (more + sight[row, TURNS] * cm * cn) / sight[row, SLOPE]
+        w, slope = sight[row, PER_PLACE], sight[row, SLOPE]
+        speed = slope / w
+        pull = sight[row, RATE + n] * sight[row, R1 + k] / (speed * speed)
+        pull += sight[row, STRETCHES] * cn
+        found -= turn * (turned(sight, row, m, i) * cn / speed + w * cm * pull)
     if i == k:
         found += across * sight[row, SHARE + m] * sight[row, SHARE + n]
         if turn != 0.0:
             both = sight[row, SHARE + m] * sight[row, RATE + n]
             both += sight[row, RATE + m] * sight[row, SHARE + n]
-            found -= turn * both / sight[row, SLOPE]
+            found -= turn * both / speed
     return found
 
 

@@ -72,14 +72,14 @@ def lower(
         rubs = slide.friction > 0.0 or slide.brake > 0.0
         damping = 2.0 * DAMPING * math.sqrt(stiff * mass * light / (mass + light)) if rubs else 0.0
         place = layout.node(slide.node, slide.rope), span.start, span.end, line.segment_length
-        rubbed = stiff, damping, slide.friction, slide.brake, slide.brake_from
+        rubbed = stiff, stiff, damping, slide.friction, slide.brake, slide.brake_from
         rows.append((*place, *rubbed, span.first, span.last, *_drums_of(line, winches)))
-    columns = np.array(rows, dtype=np.float64).reshape(-1, 13).T
+    columns = np.array(rows, dtype=np.float64).reshape(-1, 14).T
     names = [name for name in Slides._fields if name != "winch"]
-    made = dict(zip(names, map(np.ascontiguousarray, columns[:11]), strict=True))
+    made = dict(zip(names, map(np.ascontiguousarray, columns[:12]), strict=True))
     for name in ("node", "first", "last", "lowest", "highest"):
         made[name] = made[name].astype(np.int64)
-    return Slides(**made, winch=np.ascontiguousarray(columns[11:].T).astype(np.int64))
+    return Slides(**made, winch=np.ascontiguousarray(columns[12:].T).astype(np.int64))
 
 
 def _drums_of(line: Rope, winches: Sequence[Winch]) -> tuple[int, int]:

@@ -11,8 +11,8 @@ PLACE, SPRING = range(2)
 # Columns of `Memory.sight`, see `rail.look`: place on the rope and on its piece [1], distance [m], slope
 # of the condition for the nearest point [m^2], 1 where that is inside the rope; the shares of the four
 # nodes in r and its derivatives; r, r', r'' [m]; the gradient of the place [1/m], three for each node;
-# how the slope changes with the place [m^2].
-AT, APART, SLOPE, INSIDE, SHARE, RATE, BEND, R, R1, R2, GRADIENT, TURNS = (
+# way past the rope per place [m], see `slide_force`; how |r'| changes with the place, over |r'| [1].
+AT, APART, SLOPE, INSIDE, SHARE, RATE, BEND, R, R1, R2, GRADIENT, PER_PLACE, STRETCHES = (
     0,
     1,
     2,
@@ -25,8 +25,9 @@ AT, APART, SLOPE, INSIDE, SHARE, RATE, BEND, R, R1, R2, GRADIENT, TURNS = (
     22,
     25,
     37,
+    38,
 )
-WIDTH = 38
+WIDTH = 39
 LOST = 1  # fault
 FAULT, WHICH, ASKED = range(3)  # places in `Memory.tally`
 # Columns of `Memory.ends`, nodes counted from `Slides.first`: those between which there is rope to slide
@@ -46,7 +47,8 @@ class Slides(NamedTuple):
     first: Ints  # (k,) first node of the rope that it slides along
     last: Ints  # (k,) its last one
     length: Floats  # (k,) of its segments [m]
-    stiffness: Floats  # (k,) across, and along where it sticks [N/m]
+    stiffness: Floats  # (k,) across [N/m]
+    hold: Floats  # (k,) the same along where it sticks [N/m]
     damping: Floats  # (k,) along [N s/m]; 0 without friction
     friction: Floats  # (k,) [1]
     brake: Floats  # (k,) [N]
