@@ -175,7 +175,8 @@ def test_the_force_does_not_jump_at_nodes() -> None:
         np.full((1, 2), -1),
     )
     working = np.zeros((1, 4), int), np.zeros((1, WIDTH)), np.zeros(2, int)
-    memory = Memory(np.full((1, 2), 1.0), *working, whole(2)[None], np.full(1, math.inf))
+    off, stops = np.full(1, math.inf), np.zeros((1, 3))
+    memory = Memory(np.full((1, 2), 1.0), *working, whole(2)[None], off, stops)
     memory.grip[0, 1] = 0.0
     found, straight = [], []
     for bead in beads.T:

@@ -199,7 +199,8 @@ def _carry_memory(old: Simulation, made: Simulation, state: State, source: Float
     same = nodes.size == old.arrays.x.shape[1] and (nodes == np.arange(nodes.size)).all()
     if same and whole.all() and _slide_alike(old.system, made.system):
         assign(state.memory.slide, old.arrays.memory.slide)
-    there = kept.pair.size > 0 and kept.pair.shape == made_now.pair.shape
+    shapes = [(one.pair.shape, one.inside.shape) for one in (kept, made_now)]
+    there = kept.pair.size > 0 and shapes[0] == shapes[1]
     if there and same and whole.all():
         assign(made_now, kept)
         made_now.origin[:1, :1] = NOWHERE  # who is near is found anew: radii may have changed

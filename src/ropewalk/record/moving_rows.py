@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from ropewalk.core.arrays import Floats
-from ropewalk.laws.slides.table import CLEAR, NEAREST
 from ropewalk.record.event_log import RAN_OFF
 from ropewalk.record.extremes import SEEN
 from ropewalk.record.quantities import PULLEYS, has_rope
@@ -128,27 +127,7 @@ def _slide_rows(result: Result) -> dict[str, Any]:
     for name, title in titles.items():
         rows |= {title: best[name][0], f"{title.partition(' [')[0]} at": best[name][1]}
     rows["farthest place of a slide at"] += f"; in the end {', '.join(last[:4])}"
-    return rows | _stretched_rows(result)
-
-
-def _stretched_rows(result: Result) -> dict[str, Any]:
-    """Say where a rope was stretched too far for the stops at its drums, see `laws.slides.slide_force`."""
-    if not result.has_extremes:
-        return {}
-    wound = {winch.rope for winch in result.scene.winches}
-    for name in dict.fromkeys(slide.on for slide in result.scene.slides if slide.on in wound):
-        span, most = result.layout.span(name), 0.0
-        for start, stop in _pieces(result, result.good_frames):
-            found = result.read("greatest_stretch", start, stop)[:, span.first : span.last]
-            most = max(most, float(found.max()))
-        if most > NEAREST / CLEAR:
-            words = (
-                f"rope {name!r} was {100.0 * (most - 1.0):.3g} % longer than at rest; the stop at a drum, "
-                f"{NEAREST:g} segments from it, is for {100.0 * (NEAREST / CLEAR - 1.0):.1g} %: beyond that, "
-                "segments that bear the load go on to the drum or come off it, and make it jump"
-            )
-            return {"about slides at drums": words}
-    return {}
+    return rows
 
 
 def _keep(

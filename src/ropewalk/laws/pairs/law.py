@@ -18,6 +18,7 @@ from ropewalk.core.jit import part
 from ropewalk.core.ordering import ask_for
 from ropewalk.laws.node_law import NodeLaw, Rest
 from ropewalk.laws.obstacle import node_stiffness
+from ropewalk.laws.pairs.beside_slides import begin_inside, follow_slides
 from ropewalk.laws.pairs.force import add_pair_forces, pair_energy, pair_forces, pair_rounding
 from ropewalk.laws.pairs.pair_books import book_pairs
 from ropewalk.laws.pairs.pair_memory import remember_pairs
@@ -53,7 +54,6 @@ RIGID = (
     100.0  # [1] stiffness of a contact of rigid links that is pressed far, over that pressed little
 )
 NEIGHBOURS = 0.8 * math.pi  # [1] rope on each side that counts as neighbour, over its radius
-NO_ROPE = -2  # along which nothing slides; -1 is between ropes
 ROWS, LISTED = 16, 40  # contacts, and pairs nearby, that there is room for, per segment
 LEAST_ROWS = 256
 
@@ -81,7 +81,8 @@ def lower(
         rope=np.full(s, -1, np.int64),
         skip=np.ones(s, np.int64),
         joint=np.full((s, 2), -1, np.int64),
-        along=np.full((s, 4), NO_ROPE, np.int64),
+        slides=np.zeros((s, 0), np.int64),
+        inside=np.zeros((0, 6), np.int64),
     )
     if contact is None:
         return table
@@ -105,8 +106,7 @@ def lower(
             table.load[layout.node(load.node, rope.name)] += load.mass
     table.skin[0] = SKIN * 2.0 * float(table.radius.max())
     _note_joints(table, layout, ropes, joints)
-    _note_slides(table, layout, ropes, slides)
-    return table
+    return _with_slides(table, layout, ropes, slides)
 
 
 def neighbours(rope: Rope, radius: float = 0.0) -> int:
@@ -137,19 +137,26 @@ def _note_joints(
                     table.joint[k, side] = j
 
 
-def _note_slides(
+def _with_slides(
     table: Pairs, layout: Layout, ropes: Sequence[Rope], slides: Sequence[Slide]
-) -> None:
-    """Write along which ropes nodes near a segment slide: it lies inside those."""
+) -> Pairs:
+    """Return the table with the segments near nodes that slide along ropes: they lie inside those."""
     numbers = {rope.name: number for number, rope in enumerate(ropes)}
-    for slide in slides:
+    rows: list[tuple[int, ...]] = []
+    near: list[list[int]] = [[] for _ in table.rope]
+    for number, slide in enumerate(slides):
         own, line = numbers[slide.rope], numbers[slide.on]
-        rope, span = ropes[own], layout.ropes[own]
+        span, other = layout.ropes[own], layout.ropes[line]
+        radius = 0.5 * max(ropes[own].diameter, ropes[line].diameter)
         node = layout.node(slide.node, slide.rope)
-        reach = max(1, neighbours(rope, 0.5 * ropes[line].diameter))
+        reach, within = (max(1, neighbours(ropes[i], radius)) for i in (own, line))
         for k in range(max(node - reach, span.first), min(node + reach, span.last)):
-            if line not in table.along[k]:
-                table.along[k, np.argmin(table.along[k])] = line  # in place of none
+            near[k].append(len(rows))
+            rows.append((k, number, other.first, other.last - 1, within, node))
+    found = np.full((len(near), max(map(len, near), default=0)), -1, np.int64)
+    for k, one in enumerate(near):
+        found[k, : len(one)] = one
+    return table._replace(slides=found, inside=np.array(rows, np.int64).reshape(-1, 6))
 
 
 def acts(table: Pairs) -> bool:
@@ -174,9 +181,11 @@ def memory(table: Pairs, x: Floats, stiffness: Floats) -> Memory:
         rope=np.full(s, -1, np.int64),
         way=np.zeros((3, x.shape[1] if s else 0)),
         books=np.zeros(3 if s else 0),
+        inside=np.zeros((len(table.inside), 2), np.int64),
     )
     if s:
         note_ropes(table, found, stiffness)
+        begin_inside(x, table, found)
         found.tally[SEEN] = 1
         tied = np.ones(int(table.joint.max(initial=-1)) + 1, np.int64)
         remember_pairs(x, np.zeros_like(x), 0.0, table, found, tied)
@@ -228,7 +237,10 @@ def remember(table, state):
     """Keep what contacts carry at the state; return how many have closed."""
     memory, dt = state.memory.contact, state.now[0] - state.now[1]
     note_ropes(table, memory, state.stiffness)
-    return remember_pairs(state.x, state.v, dt, table, memory, state.tied)
+    closed = remember_pairs(state.x, state.v, dt, table, memory, state.tied)
+    slide = state.memory.slide
+    follow_slides(state.x, table, memory, slide.grip, slide.off, state.tied)
+    return closed
 
 
 @part

@@ -15,7 +15,7 @@ NOWHERE = 1e150  # [m] so far are all nodes from where a list was made that does
 
 
 @small
-def are_neighbours(table, tied, i, j):
+def are_neighbours(table, memory, tied, i, j):
     """Tell whether segments i < j are so near along a rope, at a joint or a slide, that they always touch."""
     if table.rope[i] == table.rope[j] and j - i <= table.skip[i]:
         return True
@@ -24,8 +24,11 @@ def are_neighbours(table, tied, i, j):
         if joint >= 0 and tied[joint] == 1:
             if table.joint[j, 0] == joint or table.joint[j, 1] == joint:
                 return True
-    for a in range(table.along.shape[1]):
-        if table.along[i, a] == table.rope[j] or table.along[j, a] == table.rope[i]:
+    for a in range(table.slides.shape[1]):
+        one, two = table.slides[i, a], table.slides[j, a]
+        if one >= 0 and memory.inside[one, 0] <= j <= memory.inside[one, 1]:
+            return True
+        if two >= 0 and memory.inside[two, 0] <= i <= memory.inside[two, 1]:
             return True
     return False
 
@@ -102,7 +105,7 @@ def list_near(x, y, table, memory, tied):
             if box[p, two] > box[q, 3 + two] or box[q, two] > box[p, 3 + two]:
                 continue
             i, j = min(p, q), max(p, q)
-            if are_neighbours(table, tied, i, j):
+            if are_neighbours(table, memory, tied, i, j):
                 continue
             if found == near.shape[0]:
                 memory.origin[0, 0] = NOWHERE  # the list is not whole: it is made anew
@@ -195,20 +198,20 @@ def owns(x, y, share, table, memory, tied, i, j, s, t):
     """
     rope = memory.rope
     if s <= 0.0 and i > 0 and rope[i - 1] == rope[i]:
-        if not are_neighbours(table, tied, i - 1, j):
+        if not are_neighbours(table, memory, tied, i - 1, j):
             return False
     if t <= 0.0 and rope[j - 1] == rope[j] and j - 1 > i:
-        if not are_neighbours(table, tied, i, j - 1):
+        if not are_neighbours(table, memory, tied, i, j - 1):
             return False
     if s >= 1.0 and i + 1 < j and rope[i + 1] == rope[i]:
         c, e = on_way(x, y, share, j), on_way(x, y, share, j + 1)
         p = ((1.0 - t) * c[0] + t * e[0], (1.0 - t) * c[1] + t * e[1], (1.0 - t) * c[2] + t * e[2])
-        if is_next(x, y, share, i, s, p) and not are_neighbours(table, tied, i + 1, j):
+        if is_next(x, y, share, i, s, p) and not are_neighbours(table, memory, tied, i + 1, j):
             return False
     if t >= 1.0 and j + 1 < rope.shape[0] and rope[j + 1] == rope[j]:
         c, e = on_way(x, y, share, i), on_way(x, y, share, i + 1)
         p = ((1.0 - s) * c[0] + s * e[0], (1.0 - s) * c[1] + s * e[1], (1.0 - s) * c[2] + s * e[2])
-        if is_next(x, y, share, j, t, p) and not are_neighbours(table, tied, i, j + 1):
+        if is_next(x, y, share, j, t, p) and not are_neighbours(table, memory, tied, i, j + 1):
             return False
     return True
 

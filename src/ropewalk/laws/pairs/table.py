@@ -40,6 +40,9 @@ WIDTH = 23
 # Places in `Memory.tally`.
 CONTACTS, NEAR, ROUNDS, SEEN, REFUSED, FAULT, FIRST, SECOND, ASKED = range(9)
 PASSED, FULL, CROWDED = 1, 2, 3  # faults
+# Columns of `Pairs.inside`: a segment near a node that slides, the slide, first and last segment of its line,
+# so many segments of that on each side of the node that this one lies in, and the node.
+SEGMENT, SLIDE, FROM, TO, WITHIN, NODE = range(6)
 
 
 class Pairs(NamedTuple):
@@ -57,7 +60,8 @@ class Pairs(NamedTuple):
     rope: Ints  # (s,) number of the rope, -1 between ropes
     skip: Ints  # (s,) so many segments beside it are its neighbours
     joint: Ints  # (s, 2) the joints near it, -1: none
-    along: Ints  # (s, 4) the ropes along which nodes near it slide, -2: none
+    slides: Ints  # (s, c) the slides near it, as rows of `inside`, -1: none
+    inside: Ints  # (p, 6) see SEGMENT
 
 
 class Memory(NamedTuple):
@@ -74,6 +78,7 @@ class Memory(NamedTuple):
     rope: Ints  # (s,) as in `Pairs`, -1 as well where one has parted
     way: Floats  # (3, n) in the last step [m]
     books: Floats  # (3,) works so far: what pressed, what rubbed, the method's share [J]
+    inside: Ints  # (p, 2) first and last segment of the line that each row of `Pairs.inside` does not touch
 
 
 @small

@@ -90,7 +90,7 @@ def go_on(x, table, memory, tied, gone, kept, side):
                 continue
             move_to(memory, row, a, kept, place if side > 0 else 1.0 - place, 1.0 / part)
         i, j = memory.pair[row, 0], memory.pair[row, 1]
-        if are_neighbours(table, tied, min(i, j), max(i, j)):
+        if are_neighbours(table, memory, tied, min(i, j), max(i, j)):
             memory.grip[row, GONE] = 1.0
         else:
             begin_contact(x, table, memory, row, before)

@@ -15,7 +15,8 @@ step. At an end of the rope u stays and V holds the node there: a stop.
 u counts the rope's own nodes: of a rope on a winch it stays what it was while rope goes on to the drum.
 Nearer to the drum than z there is a stop that stands there, k (z - d)^2 / 2 with d the distance between node
 and drum: there no node comes on to the drum, or off it, that carries a part of F. The segment at the drum is
-0.4 to 1.6 as long as the others, X is 1.5 of them wide, so that z has to be 2.1 of them.
+0.4 to 1.6 as long as the others, X is 1.5 of them wide, so that z has to be 2.1 of them, as they are
+stretched: see `stops`.
 At a broken end u goes on, and what is there at the end of a step is off: no force from then on.
 Sources: Cundall & Strack 1979, Geotechnique 29:47 (friction with memory); Lanczos, The Variational Principles
 of Mechanics, ch. 3 and 4 (generalised forces).
@@ -27,16 +28,15 @@ import math
 
 from ropewalk.core.jit import kernel, small
 from ropewalk.laws.slides.rail import look
+from ropewalk.laws.slides.stops import move_stops, to_drum
 from ropewalk.laws.slides.table import (
     APART,
     AT,
-    DRUM,
     GRADIENT,
     HIGH,
     INSIDE,
     LOOSE,
     LOW,
-    NEAREST,
     PER_PLACE,
     PLACE,
     SHARE,
@@ -95,23 +95,6 @@ def rubbing(v, table, memory, row):
 def on_rope(memory, row):
     """Tell whether a slide is on its rope still."""
     return memory.off[row] == math.inf
-
-
-@small
-def to_drum(x, table, memory, row, side):
-    """Return the stop's drum, how far a slide is pressed into it, and the way from there (3,) [m].
-
-    -1 where there is no drum on this side, or where it is farther away.
-    """
-    drum, node = memory.ends[row, DRUM + side], table.node[row]
-    if drum < 0:
-        return -1, 0.0, 0.0, 0.0, 0.0, 1.0
-    a, b, c = x[0, node] - x[0, drum], x[1, node] - x[1, drum], x[2, node] - x[2, drum]
-    apart = math.sqrt(a * a + b * b + c * c)
-    deep = NEAREST * table.length[row] - apart
-    if deep <= 0.0 or apart == 0.0:
-        return -1, 0.0, 0.0, 0.0, 0.0, 1.0
-    return drum, deep, a / apart, b / apart, c / apart, apart
 
 
 @small
@@ -184,6 +167,7 @@ def remember_slides(x, table, memory):
         if memory.sight[row, INSIDE] == 1.0:
             held = cut(spring_of(table, memory, row), bound_of(table, memory.sight, row))
         memory.grip[row, SPRING], memory.grip[row, PLACE] = held, memory.sight[row, AT]
+        move_stops(x, table, memory, row)
         if lost < 0 and not memory.sight[row, APART] <= 0.5 * table.length[row]:
             lost = row
     return lost

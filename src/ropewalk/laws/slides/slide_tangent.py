@@ -16,7 +16,8 @@ from __future__ import annotations
 from ropewalk.core.jit import kernel, small
 from ropewalk.core.network import add_block, put_pair
 from ropewalk.laws.slides.rail import look
-from ropewalk.laws.slides.slide_force import cut, on_rope, rubbing, to_drum
+from ropewalk.laws.slides.slide_force import cut, on_rope, rubbing
+from ropewalk.laws.slides.stops import to_drum
 from ropewalk.laws.slides.table import (
     APART,
     ASKED,

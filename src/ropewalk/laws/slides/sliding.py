@@ -28,6 +28,7 @@ from ropewalk.laws.slides.table import (
     ASKED,
     ENDS,
     FAULT,
+    GIVEN,
     LOST,
     PLACE,
     WHICH,
@@ -102,7 +103,8 @@ def memory(table: Slides, x: Floats, stiffness: Floats) -> Memory:
         grip[row, PLACE] = place_near(table, row, x, ends[row])
     tally = np.zeros(3 * min(k, 1), np.int64)
     off = np.full(k, math.inf)
-    found = Memory(grip, np.zeros((k, 4), np.int64), np.zeros((k, WIDTH)), tally, ends, off)
+    work = np.zeros((k, 4), np.int64), np.zeros((k, WIDTH))
+    found = Memory(grip, *work, tally, ends, off, np.zeros((k, 3)))
     remember_slides(x, table, found)
     return found
 
@@ -175,6 +177,15 @@ def energy(table, state, x):
 
 
 @part
+def given(table, state, x):
+    """Return what stops at drums have given as they moved [J]."""
+    stops, total = state.memory.slide.stops, 0.0
+    for row in range(stops.shape[0]):
+        total += max(stops[row, GIVEN], 0.0)
+    return total
+
+
+@part
 def rounding(table, state, x):
     """Return what rounding of the places does to the force [N]."""
     size, most = 0.0, 0.0
@@ -230,6 +241,7 @@ SLIDE = NodeLaw(
     remember=remember,
     rounding=rounding,
     energy=energy,
+    given=given,
     at_rest=at_rest,
     chain=chain,
     pattern=pattern,

@@ -35,8 +35,9 @@ FAULT, WHICH, ASKED = range(3)  # places in `Memory.tally`
 # of the arrays at which drums stand, -1: there is none.
 LOW, HIGH, LOWEST, HIGHEST, LOOSE, DRUM = 0, 1, 2, 3, 4, 6
 ENDS = 8
-NEAREST = 2.25  # [1] segments from a drum: there a slide is stopped, see `slide_force`
-CLEAR = 2.1  # [1] segments, stretched: beyond no node that bears it goes on to the drum or off it
+NEAREST = 2.25  # [1] segments, stretched, from a drum: there a slide is stopped, see `slide_force`
+CLEAR = 2.12  # [1] the same: from 2.1 on no node that bears it goes on to the drum or off it
+GIVEN = 2  # column of `Memory.stops`
 ROOM = 0.75  # [1] segments that winches leave besides
 
 
@@ -67,6 +68,7 @@ class Memory(NamedTuple):
     tally: Ints  # (3,) fault, the slide that has it, and its first row in the network
     ends: Ints  # (k, ENDS), see LOW
     off: Floats  # (k,) when it has run off a broken rope [s], inf: it is on it
+    stops: Floats  # (k, 3) how far from the drums stops stand [m], and what they gave as they moved [J]
 
 
 def room_of(drums: int) -> float:
