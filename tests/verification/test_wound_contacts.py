@@ -155,7 +155,8 @@ def test_a_node_that_goes_on_hands_its_contacts_to_the_next_segment(side: int) -
     row = next(
         row
         for row, (i, j) in enumerate(memory.pair[:last])
-        if rope[i + side] == rope[i] and not are_neighbours(table, state.tied, i + side, j)
+        if rope[i + side] == rope[i]
+        and not are_neighbours(table, state.memory.contact, state.tied, i + side, j)
     )
     gone, other = (int(one) for one in memory.pair[row])
     kept = gone + side
