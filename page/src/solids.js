@@ -59,7 +59,8 @@ export class Solids {
     if (time === this.time) return;
     this.time = time;
     if (!this.starts.some(leaves)) return;
-    this.all = this.starts.map((one) => placed(one, time));
+    const told = this.told();
+    this.all = this.starts.map((one) => placed(one, time, told));
     this.version++;
   }
 
@@ -80,12 +81,17 @@ export class Solids {
     return this.turns()[this.all.findIndex((one) => one.name === name)] ?? 0;
   }
 
+  /** How far those have that turn freely [rad]. */
+  told() {
+    const { frame, layout } = this.viewport.session;
+    const part = frame?.parts[0];
+    return layout && part ? WHEELS.map((name) => scalar(layout, part, name)) : [];
+  }
+
   /** How far each has turned [rad]. */
   turns() {
-    const { frame, layout } = this.viewport.session;
-    const time = frame?.time ?? 0;
-    const part = frame?.parts[0];
-    const told = layout && part ? WHEELS.map((name) => scalar(layout, part, name)) : [];
+    const time = this.viewport.session.frame?.time ?? 0;
+    const told = this.told();
     return this.all.map((one) => turnOf(one, time, told));
   }
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
+import numpy as np
 import pytest
 
 from report_rope import material, scene
@@ -18,8 +19,11 @@ from ropewalk.scene import (
     Cylinder,
     Load,
     Material,
+    Mesh,
+    Plane,
     Polyline,
     Rope,
+    Spin,
     Straight,
     Torus,
 )
@@ -202,6 +206,15 @@ def test_speeds_of_a_thousand_are_a_slip(speed: float, warned: bool) -> None:
             ),
             1.4,
         ),
+        (
+            Mesh(
+                vertices=((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 2)),
+                faces=((0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)),
+                position=(0, 0, -9),
+                rounding=0.1,
+            ),
+            1.1,
+        ),
     ],
 )
 def test_spins_faster_than_sound_are_a_slip(body: Any, reach: float) -> None:
@@ -220,3 +233,28 @@ def test_spins_faster_than_sound_are_a_slip(body: Any, reach: float) -> None:
                 f"obstacle[0].spin: {rate:.4g} rad/s is 400 m/s at {reach:g} m from the axis, faster than "
                 "sound in air; degrees for radians, or mm for m?"
             ] * warned
+
+
+def test_a_turntable_is_as_fast_as_where_ropes_are() -> None:
+    given = scene()
+    given = given.replace(run=given.run.replace(time_step=1e-5))
+    x, y, _ = build(given).state.x
+    for beyond in (0.0, 30.0):
+        far = float(np.hypot(x - beyond, y).max())
+        rate = 400.0 / far
+        disc = Plane(point=(beyond, 0, -9), spin=Spin(rate=rate))
+        (said,) = [s for s in unit_slips(build(given.replace(obstacles=[disc]))) if "spin" in s]
+        assert f"{rate:.4g} rad/s is 400 m/s at {far:.4g} m from the axis" in said
+        slow = Plane(point=(beyond, 0, -9), spin=Spin(rate=0.8 * rate))
+        assert not [s for s in unit_slips(build(given.replace(obstacles=[slow]))) if "spin" in s]
+
+
+def test_a_cam_is_as_fast_as_its_farthest_side() -> None:
+    given = scene()
+    given = given.replace(run=given.run.replace(time_step=1e-5))
+    cam = Cylinder(
+        start=(0, 0, -9), end=(0, 1, -9), radius=0.2,
+        spin=Spin(rate=1000.0, pivot=(0.3, 0, -9)),
+    )  # fmt: skip
+    (said,) = [s for s in unit_slips(build(given.replace(obstacles=[cam]))) if "spin" in s]
+    assert "500 m/s at 0.5 m from the axis" in said

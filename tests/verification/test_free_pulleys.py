@@ -19,7 +19,7 @@ from ropewalk.core.band import make_band
 from ropewalk.laws.contact import contact_forces
 from ropewalk.laws.contact_tangent import contact_tangent
 from ropewalk.laws.registry import NODE_LAWS
-from ropewalk.laws.wheels import COLUMN, ROW, TIE, TRIAL
+from ropewalk.laws.wheel_rows import COLUMN, ROW, TIE, TRIAL
 from ropewalk.lowering import build
 from ropewalk.scene import Cylinder, Load, Material, Polyline, Rope, RunSettings, Scene, Spin
 from ropewalk.simulation import Simulation
@@ -96,6 +96,24 @@ def test_an_atwood_machine_falls_as_its_wheel_lets_it(method: str, step: float) 
     assert load != pytest.approx(acceleration(inertia=0.0), rel=0.2)  # it is the wheel's inertia
     assert closes(result) < 1e-12
     assert np.abs(result.balance_residual).max() < 1e-9
+
+
+@pytest.mark.parametrize("method", ["implicit-euler", "semi-implicit-euler"])
+def test_a_wheel_turns_alike_as_a_body_that_is_not_round(method: str) -> None:
+    """With its axis beside its middle by a nanometre all that presses turns it, which is nothing more."""
+    step = 1 / 960 if method == "implicit-euler" else 5e-6
+    beside = Spin(free=True, inertia=INERTIA, bearing=0.08, pivot=(1e-9, 0.0, 0.0))
+    plain = Spin(free=True, inertia=INERTIA, bearing=0.08)
+    found, wanted = (
+        rw.simulate(atwood(spin, method=method, time_step=step, duration=0.1))
+        for spin in (beside, plain)
+    )
+    assert build(found.scene).system.node.obstacle.sweeps.tolist() == [1]
+    assert build(wanted.scene).system.node.obstacle.sweeps.tolist() == [0]
+    np.testing.assert_allclose(found.positions, wanted.positions, atol=1e-7)
+    angle = wanted.pulley("wheel").angle
+    np.testing.assert_allclose(found.pulley("wheel").angle, angle, atol=1e-5 * np.ptp(angle))
+    assert closes(found) < 1e-9
 
 
 def test_a_bearing_takes_its_torque() -> None:

@@ -122,7 +122,10 @@ def test_what_is_stored_is_the_work_of_pressing(name: str) -> None:
         for i in range(5):
             step = np.zeros((3, 5))
             step[c, i] = 1e-6
-            ends = [contact_energy(x + s * step, nodes.table, 0.0) for s in (-1.0, 1.0)]
+            ends = [
+                contact_energy(x + s * step, nodes.table, nodes.memory, np.zeros(2))
+                for s in (-1.0, 1.0)
+            ]
             assert (ends[0] - ends[1]) / 2e-6 == pytest.approx(force[c, i], rel=1e-4, abs=1e-3)
 
 

@@ -16,7 +16,7 @@
 /** @typedef {{name: string, kind: string, center: number[], axis: number[], size: (number | null)[],
  *   friction: number, spin: [number, number, number | null] | null, turns?: number[][] | null,
  *   motion?: Motion | null, wheel?: number, vertices?: number[], faces?: number[], first?: number[],
- *   axle?: number[], turnable?: boolean}} Obstacle */
+ *   axle?: number[], hub?: number[], turnable?: boolean}} Obstacle */
 /** @typedef {{kind: string, params: (number | null)[], table: number[][]}} Motion */
 /** @typedef {{name: string, nodes: number[]}} Joint */
 

@@ -10,10 +10,10 @@ import { cross, dot, minus, plus, rotated, times, unit } from "./vector.js";
 /** @typedef {"plane" | "sphere" | "cylinder" | "capsule" | "box" | "torus" | "half-pipe" | "mesh"} Kind */
 
 /** One body of one copy. `size` as in the layout message; `zero`: across the axis, where turns are counted from, of a
- * box its first edge; `axle`: about which it turns, through its centre less `middle` [m]; `reach`: no part of it is
- * farther from its centre [m].
+ * box its first edge; `axle`: about which it turns, through its centre less `middle`, with `hub` [m]; `sweeps`: not
+ * round about that; `reach`: no part of it is farther from its centre [m].
  * @typedef {{name: string, kind: Kind, number: number, center: Vector, axis: Vector, size: number[], zero: Vector,
- *   axle: Vector, middle: Vector, reach: number, spin: [number, number, number] | null,
+ *   axle: Vector, hub: Vector, sweeps: boolean, middle: Vector, reach: number, spin: [number, number, number] | null,
  *   turns: number[][] | null, wheel: number | null, motion: (Motion & {origin: Vector}) | null,
  *   surface: import("./surface.js").Surface | null}} Solid */
 
@@ -49,7 +49,7 @@ const same = (a, b) => a.every((value, k) => value === b[k]);
 
 /** @param {Obstacle} obstacle @param {number[]} shift @returns {Solid | null} */
 function solidOf(obstacle, shift) {
-  const { name, center, axis, axle, first, size, spin, turns, motion, wheel } = obstacle;
+  const { name, center, axis, axle, hub, first, size, spin, turns, motion, wheel } = obstacle;
   const kind = obstacle.kind === "sdf" ? "mesh" : obstacle.kind;
   const number = KINDS.indexOf(/** @type {Kind} */ (kind));
   const { vertices, faces } = obstacle;
@@ -75,6 +75,8 @@ function solidOf(obstacle, shift) {
     size: sizes,
     zero: first ? vector(first) : unit(minus(across, times(along, dot(across, along)))),
     axle: unit(axle ?? axis),
+    hub: hub ? minus(vector(hub), vector(center)) : [0, 0, 0],
+    sweeps: axle !== undefined,
     middle,
     reach: reachOf(/** @type {Kind} */ (kind), sizes),
     spin: turning ? [spin[0], spin[1], spin[2] ?? Infinity] : null,
@@ -114,20 +116,18 @@ export function turnOf({ spin, turns, wheel }, time, wheels = []) {
   return rate * Math.max(0, Math.min(time, stop) - start);
 }
 
-/** Whether its surface leaves its place as it turns. @param {Solid} solid */
-const isUnround = ({ kind }) => boxed(kind) || kind === "half-pipe";
-
 /** Whether its surface goes along itself as it turns: marks on it show that. @param {Solid} solid */
 export const slides = (solid) =>
-  !isUnround(solid) && Boolean(solid.spin || solid.turns || solid.wheel !== null);
+  !solid.sweeps && Boolean(solid.spin || solid.turns || solid.wheel !== null);
 
 /** Whether it is drawn elsewhere at another time. @param {Solid} solid */
 export const leaves = (solid) =>
-  Boolean(solid.motion || (isUnround(solid) && (solid.spin || solid.turns)));
+  Boolean(solid.motion || (solid.sweeps && (solid.spin || solid.turns || solid.wheel !== null)));
 
-/** A body where it is at a time. @param {Solid} solid @param {number} time [s] @returns {Solid} */
-export function placed(solid, time) {
-  const found = isUnround(solid) ? turned(solid, turnOf(solid, time)) : solid;
+/** A body where it is at a time. @param {Solid} solid @param {number} time [s]
+ * @param {number[]} wheels as for `turnOf` @returns {Solid} */
+export function placed(solid, time, wheels = []) {
+  const found = solid.sweeps ? turned(solid, turnOf(solid, time, wheels)) : solid;
   if (!solid.motion) return found;
   const way = minus(whereabouts(solid.motion, time), solid.motion.origin);
   return way.every((one) => Math.abs(one) < LARGEST)
@@ -140,14 +140,16 @@ function turned(solid, angle) {
   if (!angle || !Number.isFinite(angle)) return solid;
   const { axle, axis, zero, size, center } = solid;
   const turn = (/** @type {Vector} */ one) => rotated(one, axle, angle);
-  const middle = turn(solid.middle);
+  const base = minus(center, solid.middle);
+  const pivot = plus(base, solid.hub);
+  const found = plus(pivot, turn(minus(center, pivot)));
   return {
     ...solid,
     axis: turn(axis),
     zero: turn(zero),
     size: solid.kind === "half-pipe" ? [size[0], ...turn(vector(size.slice(1)))] : size,
-    middle,
-    center: plus(minus(center, solid.middle), middle),
+    middle: minus(found, base),
+    center: found,
   };
 }
 

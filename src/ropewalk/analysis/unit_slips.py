@@ -9,10 +9,12 @@ from __future__ import annotations
 
 import itertools
 import math
+from typing import Any
 
 import numpy as np
 
-from ropewalk.laws.obstacle_rows import axle_of, turned_by
+from ropewalk.core.arrays import Floats
+from ropewalk.laws.obstacle_rows import axle_of, corners_of, hub_of, turned_by
 from ropewalk.lowering import Model
 from ropewalk.scene import Material, Rope, Scene, Springs, TableCurve
 from ropewalk.scene.obstacles import Obstacle
@@ -43,7 +45,7 @@ _FAR_OFF = 100.0  # initial length over unstretched length, or the reverse
 def unit_slips(model: Model) -> list[str]:
     """Return one sentence for every number of a scene that looks like a slip of units."""
     scene = model.scene
-    found = _gravity(scene) + _run(scene) + _speeds(scene)
+    found = _gravity(scene) + _run(scene) + _speeds(model)
     for i, rope in enumerate(scene.ropes):
         path = f"rope[{i}]"
         found += _line(path, rope) + _section(path, rope, scene) + _size(path, rope, model)
@@ -81,8 +83,9 @@ def _run(scene: Scene) -> list[str]:
     return found
 
 
-def _speeds(scene: Scene) -> list[str]:
+def _speeds(model: Model) -> list[str]:
     """Speeds that are given, of what begins, is led or is wound: the fastest one of each rope or thing."""
+    scene = model.scene
     if not any(scene.gravity):  # in space they go at kilometres a second
         return []
     given = []
@@ -100,33 +103,45 @@ def _speeds(scene: Scene) -> list[str]:
         f"{path}: {speed:.4g} m/s is faster than sound in air; mm/s for m/s?"
         for path, speed in given
         if speed > _SOUND
-    ] + [text for i, body in enumerate(scene.obstacles) for text in _spin(f"obstacle[{i}]", body)]
+    ] + [text for i in range(len(scene.obstacles)) for text in _spin(i, model)]
 
 
-def _spin(path: str, body: Obstacle) -> list[str]:
+def _spin(row: int, model: Model) -> list[str]:
     """The greatest rate of a spin, as the speed that it gives the body's surface."""
+    body = model.scene.obstacles[row]
     if body.spin is None:
         return []
     by_table = _fastest(body.spin.as_motion()) if body.spin.times else 0.0
-    rate, reach = max(abs(body.spin.rate or 0.0), by_table), _reach(body)
+    rate, reach = max(abs(body.spin.rate or 0.0), by_table), _reach(body, model.state.x.T)
     if rate * reach <= _SOUND:
         return []
     surface = f"{rate:.4g} rad/s is {rate * reach:.4g} m/s at {reach:.4g} m from the axis"
-    return [f"{path}.spin: {surface}, faster than sound in air; degrees for radians, or mm for m?"]
+    slip = "degrees for radians, or mm for m?"
+    return [f"obstacle[{row}].spin: {surface}, faster than sound in air; {slip}"]
 
 
-def _reach(body: Obstacle) -> float:
-    """Return how far a surface is from its axis at most [m]; 0 where that is no number of the scene's."""
+def _reach(body: Obstacle, nodes: Floats) -> float:
+    """Return how far a surface is from its axis at most [m], of a plane at the farthest node, (n, 3)."""
+
+    def aside(places: Any) -> float:
+        away = np.asarray(places, dtype=float) - hub_of(body)
+        return float(np.linalg.norm(np.cross(away, axle_of(body)), axis=-1).max())
+
     match body.kind:
         case "box":  # its edges are round about the corners of a smaller box
             inner = np.array(body.half_sizes) - body.edge_radius
             corners = turned_by(body.rotation, inner * list(itertools.product((-1, 1), repeat=3)))
-            aside = np.linalg.norm(np.cross(corners, axle_of(body)), axis=1)
-            return float(aside.max()) + body.edge_radius
+            return aside(np.array(body.center) + corners) + body.edge_radius
+        case "mesh" | "sdf":
+            return aside(np.array(body.position) + corners_of(body)) + body.rounding
+        case "plane":
+            return aside(nodes)
         case "torus":
-            return body.radius + body.bar_radius
-        case "plane" | "mesh" | "sdf":
-            return 0.0
+            return aside(body.center) + body.radius + body.bar_radius
+        case "cylinder" | "capsule":
+            return aside([body.start, body.end]) + body.radius
+        case "sphere":
+            return aside(body.center) + body.radius
     return body.radius
 
 

@@ -9,7 +9,8 @@ import numpy as np
 from ropewalk.core import arrays
 from ropewalk.core.arrays import Floats, State, System
 from ropewalk.laws.clamps import start_clamps
-from ropewalk.laws.wheels import PULL, RATE, TORQUE
+from ropewalk.laws.free_torques import rope_torques
+from ropewalk.laws.wheel_rows import PULL, RATE, TORQUE, WEIGHED
 from ropewalk.lowering import Model
 from ropewalk.lowering.elastic_tables import let_relax
 from ropewalk.lowering.limiter_bounds import with_bounds
@@ -60,15 +61,15 @@ def _load_wheels(model: Model) -> None:
     """Write the torques with which wheels start, on which ropes lie at rest as if they stood."""
     table, state = model.system.node.obstacle, model.state
     memory = state.memory.obstacle
+    torques = rope_torques(table, memory, state.x)
     for row, w in enumerate(table.wheel):
         if w < 0:
             continue
-        arms = np.cross(table.axis[row], state.x.T - table.center[row])
-        drive, rate = -float((arms * memory.grip[row, :3].T).sum()), memory.wheel[w, RATE]
+        drive, rate, weigh = float(torques[row]), memory.wheel[w, RATE], table.weight[w, 0]
         most = table.bearing[w]
-        drag = -most * np.sign(rate) if rate else -float(np.clip(drive, -most, most))
-        memory.wheel[w, TORQUE] = drive
-        memory.wheel[w, PULL] = drive + drag - table.viscous[w] * rate
+        drag = -most * np.sign(rate) if rate else -float(np.clip(drive + weigh, -most, most))
+        memory.wheel[w, TORQUE], memory.wheel[w, WEIGHED] = drive, weigh
+        memory.wheel[w, PULL] = drive + drag + weigh - table.viscous[w] * rate
 
 
 def _remembering(model: Model) -> Model:

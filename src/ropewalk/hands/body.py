@@ -17,7 +17,6 @@ from ropewalk.core.arrays import Floats
 from ropewalk.hands.ahead import rate_ahead, speed_ahead
 from ropewalk.hands.hand import three
 from ropewalk.laws.obstacle_places import reach_of
-from ropewalk.laws.obstacle_pose import UNROUND
 from ropewalk.lowering.obstacle_checks import radius_with_rope
 from ropewalk.motions.kind import ORIGIN
 from ropewalk.motions.registry import CODES
@@ -145,7 +144,7 @@ class ObstacleHandle:
     def _reach(self) -> float:
         """How far from its axle turning moves its surface [m]; 0 of what is round."""
         table = self._table
-        return reach_of(table, self._row) if table.kind[self._row] in UNROUND else 0.0
+        return reach_of(table, self._row) if table.sweeps[self._row] else 0.0
 
     @property
     def taken(self) -> tuple[bool, bool]:

@@ -34,10 +34,10 @@ from ropewalk.laws.contact_frame import (
     STOPS,
     cut,
     spring_pull,
-    surface_at,
 )
 from ropewalk.laws.hardening import along_surface, squeezed
 from ropewalk.laws.obstacle_pose import body_of, pose_of, probe_turned, rates_of, swept
+from ropewalk.laws.wheel_rows import surface_now, surface_then
 from ropewalk.laws.wheels import find_rates, keep_wheels, turned
 
 
@@ -54,15 +54,15 @@ def contact_forces(x, v, obstacles, memory, now, force, lo, hi):
         for i in range(lo, last):
             force[row, i] = 0.0
     for o in range(obstacles.kind.shape[0]):
-        center, axle, grip = obstacles.center[o], obstacles.axle[o], memory.grip[o]
+        hub, axle, grip = obstacles.hub[o], obstacles.axle[o], memory.grip[o]
         mx, my, mz, ux, uy, uz, angle, rate = turned(obstacles, memory, o, now)
-        then = surface_at(obstacles, o, now[1])
+        then = surface_then(obstacles, memory.wheel, o, now)
         body, pose = body_of(obstacles, o), pose_of(obstacles, o, then[6] + angle)
         (wx, wy, wz), sweep = rates_of(obstacles, o, rate)
         for i in range(lo, last):
             px, py, pz = x[0, i] - mx, x[1, i] - my, x[2, i] - mz
             g, nx, ny, nz, _, _, _, _, _ = probe_turned(body, pose, px, py, pz)
-            ox, oy, oz = px - center[0], py - center[1], pz - center[2]
+            ox, oy, oz = px - hub[0], py - hub[1], pz - hub[2]
             lx, ly, lz = swept(ux, uy, uz, sweep, ox, oy, oz)
             vx, vy, vz = v[0, i] - lx, v[1, i] - ly, v[2, i] - lz
             rise = nx * vx + ny * vy + nz * vz
@@ -78,7 +78,7 @@ def contact_forces(x, v, obstacles, memory, now, force, lo, hi):
                     vy - (wz * ox - wx * oz),
                     vz - (wx * oy - wy * ox),
                 )
-                sx, sy, sz = spring_pull(k, center, axle, angle, then, grip, place, i, px, py, pz)
+                sx, sy, sz = spring_pull(k, hub, axle, angle, then, grip, place, i, px, py, pz)
                 sx, sy, sz = sx - c * vx, sy - c * vy, sz - c * vz
                 across = nx * sx + ny * sy + nz * sz
                 sx, sy, sz = sx - across * nx, sy - across * ny, sz - across * nz
@@ -101,16 +101,16 @@ def remember_contacts(x, v, obstacles, memory, now, stiffness):
     dt = now[0] - now[1]
     find_rates(x, v, obstacles, memory, now)
     for o in range(obstacles.kind.shape[0]):
-        center, axle, grip = obstacles.center[o], obstacles.axle[o], memory.grip[o]
+        hub, axle, grip = obstacles.hub[o], obstacles.axle[o], memory.grip[o]
         mx, my, mz, ux, uy, uz, angle, rate = turned(obstacles, memory, o, now)
-        then = surface_at(obstacles, o, now[1])
+        then = surface_then(obstacles, memory.wheel, o, now)
         to = (mx, my, mz)
         body, pose = body_of(obstacles, o), pose_of(obstacles, o, then[6] + angle)
         (wx, wy, wz), sweep = rates_of(obstacles, o, rate)
         for i in range(n):
             px, py, pz = x[0, i] - mx, x[1, i] - my, x[2, i] - mz
             g, nx, ny, nz, _, _, _, _, _ = probe_turned(body, pose, px, py, pz)
-            ox, oy, oz = px - center[0], py - center[1], pz - center[2]
+            ox, oy, oz = px - hub[0], py - hub[1], pz - hub[2]
             lx, ly, lz = swept(ux, uy, uz, sweep, ox, oy, oz)
             vx, vy, vz = v[0, i] - lx, v[1, i] - ly, v[2, i] - lz
             k, c, depth = grip[STIFF, i], grip[DAMP, i], obstacles.thickness[i] - g
@@ -125,7 +125,7 @@ def remember_contacts(x, v, obstacles, memory, now, stiffness):
             gx, gy, gz = wy * oz - wz * oy, wz * ox - wx * oz, wx * oy - wy * ox
             softer = harden(obstacles, grip, o, i, depth)
             if bound > 0.0:
-                sx, sy, sz = spring_pull(k, center, axle, angle, then, grip, place, i, px, py, pz)
+                sx, sy, sz = spring_pull(k, hub, axle, angle, then, grip, place, i, px, py, pz)
                 across = nx * sx + ny * sy + nz * sz
                 sx, sy, sz = sx - across * nx, sy - across * ny, sz - across * nz
                 rx, ry, rz = sx - c * (vx - gx), sy - c * (vy - gy), sz - c * (vz - gz)
@@ -178,8 +178,8 @@ def quickest_impact(state, force, dt, obstacles, memory):
     """
     struck, now, x, v = 0.0, state.now, state.x, state.v
     for o in range(obstacles.kind.shape[0]):
-        center, grip, row = obstacles.center[o], memory.grip[o], 3 + 6 * o
-        mx, my, mz, ux, uy, uz, angle, rate = surface_at(obstacles, o, now[1])
+        hub, grip, row = obstacles.hub[o], memory.grip[o], 3 + 6 * o
+        mx, my, mz, ux, uy, uz, angle, rate = surface_then(obstacles, memory.wheel, o, now)
         body, pose = body_of(obstacles, o), pose_of(obstacles, o, angle)
         _, sweep = rates_of(obstacles, o, rate)
         for i in range(x.shape[1]):
@@ -191,7 +191,7 @@ def quickest_impact(state, force, dt, obstacles, memory):
                 continue
             px, py, pz = x[0, i] - mx, x[1, i] - my, x[2, i] - mz
             _, nx, ny, nz, _, _, _, _, _ = probe_turned(body, pose, px, py, pz)
-            ox, oy, oz = px - center[0], py - center[1], pz - center[2]
+            ox, oy, oz = px - hub[0], py - hub[1], pz - hub[2]
             lx, ly, lz = swept(ux, uy, uz, sweep, ox, oy, oz)
             rise = nx * (v[0, i] - lx) + ny * (v[1, i] - ly) + nz * (v[2, i] - lz)
             fast = rise * dt < -STILL * obstacles.diameter[i] and quick * dt > STOPS
@@ -226,11 +226,11 @@ def on_polygon(friction, turn):
 
 
 @kernel
-def contact_energy(x, obstacles, t):
-    """Return what the obstacles' surfaces have stored where they are pressed in at time `t` [J]."""
+def contact_energy(x, obstacles, memory, now):
+    """Return what the obstacles' surfaces have stored where they are pressed in [J]."""
     total = 0.0
     for o in range(obstacles.kind.shape[0]):
-        mx, my, mz, _, _, _, angle, _ = surface_at(obstacles, o, t)
+        mx, my, mz, _, _, _, angle, _ = surface_now(obstacles, memory.wheel, o, now)
         body, pose = body_of(obstacles, o), pose_of(obstacles, o, angle)
         for i in range(x.shape[1]):
             px, py, pz = x[0, i] - mx, x[1, i] - my, x[2, i] - mz

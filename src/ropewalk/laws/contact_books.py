@@ -16,7 +16,6 @@ from __future__ import annotations
 
 from ropewalk.core.jit import kernel
 from ropewalk.laws.contact_frame import carried
-from ropewalk.laws.obstacle_pose import is_unround
 
 # Rows of `Memory.books`: works so far [J], what is stored now [J], and the gap now [m].
 MOTOR, PRESS, RUB, METHOD, PRESSED, RUBBED, GAP, BOOKS = range(8)
@@ -39,15 +38,15 @@ def note_way(obstacles, memory, o, i, now, then, angle, x, y, z, gap, n0, n1, n2
 
     `now` and `then` are what `surface_at` gives for the step's ends, `angle` by what it has turned between.
     """
-    slip, place, center, axle = memory.slip[o], memory.place, obstacles.center[o], obstacles.axle[o]
+    slip, place, hub, axle = memory.slip[o], memory.place, obstacles.hub[o], obstacles.axle[o]
     books = memory.books[o]
-    _, _, _, dx, dy, dz = carried(center, axle, angle, then, memory.grip[o], place, i, x, y, z)
+    _, _, _, dx, dy, dz = carried(hub, axle, angle, then, memory.grip[o], place, i, x, y, z)
     rise = gap - books[GAP, i]
     slip[RISE, i], slip[RISE + 1, i], slip[RISE + 2, i] = rise * n0, rise * n1, rise * n2
     slip[OVER, i], slip[OVER + 1, i], slip[OVER + 2, i] = dx, dy, dz
     for k in range(3):
         slip[LED + k, i] = now[k] - then[k]
-    if angle != 0.0 and is_unround(obstacles.kind[o]):  # what its turning leads along, too
+    if angle != 0.0 and obstacles.sweeps[o]:  # what its turning leads along, too
         slip[LED, i] = x + now[0] - place[0, i] - dx
         slip[LED + 1, i] = y + now[1] - place[1, i] - dy
         slip[LED + 2, i] = z + now[2] - place[2, i] - dz

@@ -15,9 +15,10 @@ import math
 
 from ropewalk.core.blocks import load9, subtract
 from ropewalk.core.jit import kernel
-from ropewalk.laws.contact_frame import DAMP, GRIP, STIFF, spring_pull, surface_at
+from ropewalk.laws.contact_frame import DAMP, GRIP, STIFF, spring_pull
 from ropewalk.laws.hardening import squeezed
 from ropewalk.laws.obstacle_pose import body_of, pose_of, probe_turned, rates_of, swept
+from ropewalk.laws.wheel_rows import surface_then
 from ropewalk.laws.wheels import begin_ties, find_rates, turned, write_row
 
 
@@ -28,15 +29,17 @@ def contact_tangent(x, v, obstacles, memory, now, weight_x, weight_v, band):
     find_rates(x, v, obstacles, memory, now)
     begin_ties(x, v, obstacles, memory, now)
     for o in range(obstacles.kind.shape[0]):
-        center, axle, grip = obstacles.center[o], obstacles.axle[o], memory.grip[o]
+        hub, axle, grip = obstacles.hub[o], obstacles.axle[o], memory.grip[o]
         mx, my, mz, ux, uy, uz, angle, rate = turned(obstacles, memory, o, now)
-        then = surface_at(obstacles, o, now[1])
+        then = surface_then(obstacles, memory.wheel, o, now)
         body, pose = body_of(obstacles, o), pose_of(obstacles, o, then[6] + angle)
         (wx, wy, wz), sweep = rates_of(obstacles, o, rate)
+        tied = obstacles.wheel[o] >= 0
+        whole = tied and obstacles.sweeps[o]  # what presses turns it, too
         for i in range(x.shape[1]):
             px, py, pz = x[0, i] - mx, x[1, i] - my, x[2, i] - mz
             g, nx, ny, nz, ax, ay, az, ca, cb = probe_turned(body, pose, px, py, pz)
-            ox, oy, oz = px - center[0], py - center[1], pz - center[2]
+            ox, oy, oz = px - hub[0], py - hub[1], pz - hub[2]
             lx, ly, lz = swept(ux, uy, uz, sweep, ox, oy, oz)
             vx, vy, vz = v[0, i] - lx, v[1, i] - ly, v[2, i] - lz
             c = grip[DAMP, i]
@@ -55,10 +58,11 @@ def contact_tangent(x, v, obstacles, memory, now, weight_x, weight_v, band):
                 weight_x * (k * nz + c * hz) + weight_v * c * nz,
             )
             bend = -weight_x * push  # R_n H
+            before = load9(diagonal, i)
             for p in range(3):
                 for r in range(3):
                     diagonal[i, 3 * p + r] += n[p] * drop[r] + bend * curve(ca, cb, n, a, p, r)
-            bound = grip[GRIP, i] * push
+            bound, pull = grip[GRIP, i] * push, (0.0, 0.0, 0.0)
             if bound > 0.0:
                 vx, vy, vz = (
                     vx - (wy * oz - wz * oy),
@@ -66,17 +70,17 @@ def contact_tangent(x, v, obstacles, memory, now, weight_x, weight_v, band):
                     vz - (wx * oy - wy * ox),
                 )
                 kt = grip[STIFF, i]
-                sx, sy, sz = spring_pull(kt, center, axle, angle, then, grip, place, i, px, py, pz)
+                sx, sy, sz = spring_pull(kt, hub, axle, angle, then, grip, place, i, px, py, pz)
                 pull = (sx - c * vx, sy - c * vy, sz - c * vz)
                 own, turn = weight_x * kt + weight_v * c, weight_x * c
                 turning = (turn * (wx + sweep[0]), turn * (wy + sweep[1]), turn * (wz + sweep[2]))
                 mu = grip[GRIP, i]
-                before = load9(diagonal, i)
+                before = before if whole else load9(diagonal, i)
                 rub(diagonal, i, n, a, ca, cb, pull, bound, mu, drop, own, turning, weight_x)
-                if obstacles.wheel[o] >= 0:
-                    arm = (ox, oy, oz)
-                    more = subtract(load9(diagonal, i), before)
-                    write_row(obstacles, memory, o, i, arm, n, pull, bound, more, weight_x)
+            if whole or (tied and bound > 0.0):
+                arm, more = (ox, oy, oz), subtract(load9(diagonal, i), before)
+                presses = push if whole else 0.0
+                write_row(obstacles, memory, o, i, arm, n, presses, pull, bound, more, weight_x)
 
 
 @kernel

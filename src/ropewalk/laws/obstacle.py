@@ -38,16 +38,18 @@ from ropewalk.laws.obstacle_rows import (
     KINDS,
     axle_of,
     half_thickness,
+    hub_of,
     place_of,
     radius_round,
     size_rows,
     spin_of,
+    sweeps,
     turning_of,
     wheel_columns,
 )
 from ropewalk.laws.obstacle_way import find_pass, find_sweep, gone, meet
 from ropewalk.laws.standstill import standstills
-from ropewalk.laws.wheels import RATE, ROWS, WIDTH
+from ropewalk.laws.wheel_rows import RATE, ROWS, WIDTH
 from ropewalk.motions.registry import FIXED
 from ropewalk.motions.rows import Motions, jumps, motion_rows
 from ropewalk.motions.whereabouts import place_now
@@ -74,7 +76,9 @@ class Obstacles(NamedTuple):
     kind: Ints  # (k,)
     center: Floats  # (k, 3) at time zero a point of the plane, or the middle [m]
     axis: Floats  # (k, 3) unit vector; the normal of a plane
-    axle: Floats  # (k, 3) unit vector about which it turns, through its middle: of what is round its axis
+    axle: Floats  # (k, 3) unit vector about which it turns: of what is round its axis
+    hub: Floats  # (k, 3) at time zero a point of the axle [m]: of most the middle
+    sweeps: Ints  # (k,) whether turning moves the surface: it is not round about the axle
     # (k, 4 or more) radius, half length; of a ring that of the circle and of the bar; of a box without its
     # edges half sizes, then the edges' radius [m], then the direction of its first edge [1], its third being
     # along the axis; of a half-pipe its radius [m], then the direction to which it is open, across the axis
@@ -96,6 +100,8 @@ class Obstacles(NamedTuple):
     bearing: Floats  # (w,) torque of the bearing's friction [N m]
     viscous: Floats  # (w,) the same per rate [N m s]
     rate: Floats  # (w,) at time zero [rad/s]
+    # (w, 2) torque of the body's weight about its axis as it starts, and a quarter of a turn on [N m]
+    weight: Floats
 
 
 class Memory(NamedTuple):
@@ -122,10 +128,11 @@ def lower(
     ropes: Sequence[Rope],
     whole: Sequence[float],
     gravity: float,
+    up: Sequence[float] = (0.0, 0.0, 1.0),
 ) -> Obstacles:
     """Return the table of a scene's obstacles; `whole` is a rope's mass with all it is tied to [kg].
 
-    `gravity` is its size [m/s^2].
+    `gravity` is its size [m/s^2], `up` the direction against it.
     """
     bodies = tuple(obstacles or ())
     places = [place_of(body) for body in bodies]
@@ -152,14 +159,19 @@ def lower(
             finite = np.where(np.isfinite(most), most, RIGID * stiffness[row])
             hard[row] = np.maximum(finite - stiffness[row], 0.0)
     centers = np.array([place[0] for place in places], dtype=np.float64).reshape(count, 3)
+    hubs = np.array([hub_of(body) for body in bodies], dtype=np.float64).reshape(count, 3)
     motion = motion_rows([body.motion for body in bodies], centers)
     for moved in np.flatnonzero(motion.kind != FIXED):  # a table has places of its own
-        centers[moved] = place_now(motion, moved, 0.0)[:3]
+        there = np.array(place_now(motion, moved, 0.0)[:3])
+        hubs[moved] += there - centers[moved]
+        centers[moved] = there
     return Obstacles(
         kind=np.array([KINDS[body.kind] for body in bodies], dtype=np.int64),
         center=centers,
         axis=np.array([place[1] for place in places], dtype=np.float64).reshape(count, 3),
         axle=np.array([axle_of(body) for body in bodies], dtype=np.float64).reshape(count, 3),
+        hub=hubs,
+        sweeps=np.array([sweeps(body) for body in bodies], dtype=np.int64),
         size=size_rows([place[2] for place in places]),
         thin=np.array([half_thickness(body) for body in bodies], dtype=np.float64),
         friction=np.array([body.friction for body in bodies], dtype=np.float64),
@@ -171,7 +183,7 @@ def lower(
         thickness=thickness,
         hard=hard,
         diameter=diameter,
-        **wheel_columns([body.spin for body in bodies]),
+        **wheel_columns(bodies, -gravity * np.array(up, dtype=np.float64)),
     )
 
 
@@ -264,8 +276,8 @@ def remember(obstacles, state):
     """Keep what contacts carry at the state; return how many have closed."""
     memory, inert, now = state.memory.obstacle, state.inverse_mass, state.now
     place, fault = memory.place, memory.fault
-    find_pass(place, state.x, inert, obstacles, memory.grip, fault, now)
-    find_sweep(place, state.x, inert, state.stiffness, obstacles, fault, now)
+    find_pass(place, state.x, inert, obstacles, memory.grip, memory.wheel, fault, now)
+    find_sweep(place, state.x, inert, state.stiffness, obstacles, memory.wheel, fault, now)
     return remember_contacts(state.x, state.v, obstacles, memory, now, state.stiffness)
 
 
@@ -303,7 +315,7 @@ def rounding(obstacles, state, x):
 @part
 def energy(obstacles, state, x):
     """Return what the surfaces have stored [J]."""
-    return contact_energy(x, obstacles, state.now[0])
+    return contact_energy(x, obstacles, state.memory.obstacle, state.now)
 
 
 @part
@@ -344,7 +356,7 @@ OBSTACLE = NodeLaw(
     name="obstacle",
     section="obstacles",
     lower=lower,
-    inputs=("layout", "ropes", "whole", "gravity"),
+    inputs=("layout", "ropes", "whole", "gravity", "up"),
     acts=acts,
     force=force,
     tangent=tangent,

@@ -8,12 +8,8 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats
 from ropewalk.laws.contact_frame import drawn_from, find_gaps, surface_at, surface_by
-from ropewalk.laws.obstacle_pose import (
-    UNROUND,
-    pose_of,
-    rotated,
-)
-from ropewalk.laws.obstacle_shapes import BOX, MESH, TORUS
+from ropewalk.laws.obstacle_pose import pose_of, rotated
+from ropewalk.laws.obstacle_shapes import BOX, CAPSULE, CYLINDER, HALF_PIPE, MESH, PLANE, TORUS
 from ropewalk.laws.triangles import NORMALS, ROUNDING, TRIANGLES
 from ropewalk.motions.registry import FIXED
 from ropewalk.motions.rows import largest_speed, motion_rows
@@ -54,8 +50,8 @@ def moves(obstacles: Obstacles, row: int) -> bool:
 
 def stays(obstacles: Obstacles, row: int) -> bool:
     """Tell whether an obstacle's surface is always where it starts; what is round may turn there."""
-    turning = obstacles.kind[row] in UNROUND and turning_rate(obstacles, row) > 0.0
-    return not moves(obstacles, row) and not turning
+    turning = turning_rate(obstacles, row) > 0.0 or obstacles.wheel[row] >= 0
+    return not moves(obstacles, row) and not (turning and obstacles.sweeps[row])
 
 
 def turn_of(obstacles: Obstacles, row: int, t: float) -> Floats:
@@ -68,6 +64,15 @@ def turn_of(obstacles: Obstacles, row: int, t: float) -> Floats:
 def moved_by(obstacles: Obstacles, row: int, t: float) -> Floats:
     """Return by how much an obstacle has moved at time `t` [s], (3,) [m]."""
     return np.array(place_now(obstacles.motion, row, t)[:3]) - obstacles.center[row]
+
+
+def middle_at(obstacles: Obstacles, row: int, t: float) -> Floats:
+    """Return where an obstacle's middle is at time `t` [s], (3,) [m]."""
+    arm = obstacles.center[row] - obstacles.hub[row]
+    found: Floats = (
+        obstacles.hub[row] + moved_by(obstacles, row, t) + turn_of(obstacles, row, t) @ arm
+    )
+    return found
 
 
 def turning_rate(obstacles: Obstacles, row: int) -> float:
@@ -88,19 +93,27 @@ def surface_speed(obstacles: Obstacles, row: int) -> float:
 
 def reach_of(obstacles: Obstacles, row: int) -> float:
     """Return how far a surface is from the axle at most [m], of a half-pipe where ropes lie; 0 of a plane."""
-    size, kind = obstacles.size[row], obstacles.kind[row]
+    size, kind, axle = obstacles.size[row], obstacles.kind[row], obstacles.axle[row]
+    middle = obstacles.center[row] - obstacles.hub[row]
+    off = float(np.linalg.norm(np.cross(axle, middle)))
     if kind == BOX:
-        return float(np.linalg.norm(size[:3]) + size[3])
+        return off + float(np.linalg.norm(size[:3]) + size[3])
     if kind == MESH:
         corners = size[int(size[TRIANGLES]) : int(size[NORMALS])].reshape(-1, 3)
-        across = np.cross(corners, obstacles.axle[row])
+        across = np.cross(corners + middle, axle)
         return float(np.linalg.norm(across, axis=1).max() + size[ROUNDING])
-    return float(size[0] + (size[1] if kind == TORUS else 0.0))
+    if not obstacles.sweeps[row] or kind in (PLANE, HALF_PIPE):
+        return float(size[0] + (size[1] if kind == TORUS else 0.0))
+    ring = float(size[1]) if kind == TORUS else 0.0
+    tilt = float(np.linalg.norm(np.cross(axle, obstacles.axis[row])))
+    if kind in (CYLINDER, CAPSULE) and tilt > 1e-9:  # an end of it is the farthest
+        return off + float(size[0] + tilt * size[1])
+    return off + float(size[0]) + ring
 
 
 def sweeping_speed(obstacles: Obstacles, row: int) -> float:
     """Return the largest speed at which a surface itself moves [m/s]; turning moves no round one."""
-    turning = turning_rate(obstacles, row) if obstacles.kind[row] in UNROUND else 0.0
+    turning = turning_rate(obstacles, row) if obstacles.sweeps[row] else 0.0
     return largest_speed(obstacles.motion, row) + turning * reach_of(obstacles, row)
 
 

@@ -1,8 +1,9 @@
 """How bodies lie that have turned, and how their surfaces move.
 
-Bodies of revolution turn about their own axis: the surface stays where it is, and slides along itself. Of all
-others, with the angle a about the axle e, and w its rate, places are turned back to where the body was drawn,
-and what `probe` finds there is turned along. A place of the surface, o from the middle, goes at w e x o.
+The surface of a body of revolution that turns about its own axis stays where it is, and slides along itself.
+Those of all others sweep (`Obstacles.sweeps`): with the angle a about the axle e through the hub, and w its
+rate, places are turned back to where the body was drawn, and what `probe` finds there is turned along. A
+place of the surface, o from the hub, goes at w e x o.
 """
 
 from __future__ import annotations
@@ -10,15 +11,7 @@ from __future__ import annotations
 import math
 
 from ropewalk.core.jit import kernel, small
-from ropewalk.laws.obstacle_shapes import BOX, HALF_PIPE, MESH, probe
-
-UNROUND = (BOX, HALF_PIPE, MESH)  # whose surface leaves its place as they turn
-
-
-@small
-def is_unround(kind):
-    """Tell whether a body's surface leaves its place where it turns."""
-    return kind in UNROUND
+from ropewalk.laws.obstacle_shapes import probe
 
 
 @kernel
@@ -36,7 +29,7 @@ def rotated(axis, c, s, x, y, z):
 @kernel
 def pose_of(obstacles, o, angle):
     """Return cosine and sine of the angle by which a surface has turned; 1, 0 of a round one."""
-    if angle != 0.0 and is_unround(obstacles.kind[o]):
+    if angle != 0.0 and obstacles.sweeps[o]:
         return math.cos(angle), math.sin(angle)
     return 1.0, 0.0
 
@@ -49,7 +42,7 @@ def rates_of(obstacles, o, rate):
     """
     axle, none = obstacles.axle[o], (0.0, 0.0, 0.0)
     turning = (rate * axle[0], rate * axle[1], rate * axle[2])
-    if is_unround(obstacles.kind[o]):
+    if obstacles.sweeps[o]:
         return none, turning
     return turning, none
 
@@ -63,26 +56,26 @@ def swept(ux, uy, uz, sweep, ox, oy, oz):
 
 @small
 def body_of(obstacles, o):
-    """Return kind, middle, axis, axle and size of obstacle o, for loops over nodes; for kernels only."""
+    """Return kind, middle, axis, axle, size and hub of obstacle o, for loops over nodes; for kernels only."""
     center, axis, axle = obstacles.center[o], obstacles.axis[o], obstacles.axle[o]
-    return obstacles.kind[o], center, axis, axle, obstacles.size[o]
+    return obstacles.kind[o], center, axis, axle, obstacles.size[o], obstacles.hub[o]
 
 
 @small
 def drawn_place(body, pose, x, y, z):
     """Return where a place was before the body turned; x, y, z in the frame that moves with it [m]."""
-    _, center, _, axle, _ = body
+    _, _, _, axle, _, hub = body
     c, s = pose
     if s == 0.0 and c == 1.0:
         return x, y, z
-    ox, oy, oz = rotated(axle, c, -s, x - center[0], y - center[1], z - center[2])
-    return center[0] + ox, center[1] + oy, center[2] + oz
+    ox, oy, oz = rotated(axle, c, -s, x - hub[0], y - hub[1], z - hub[2])
+    return hub[0] + ox, hub[1] + oy, hub[2] + oz
 
 
 @small
 def probe_turned(body, pose, x, y, z):
     """Return what `probe` does of a body, see `body_of`, as it lies; x, y, z as for `drawn_place`."""
-    kind, center, axis, axle, size = body
+    kind, center, axis, axle, size, _ = body
     c, s = pose
     x, y, z = drawn_place(body, pose, x, y, z)
     g, nx, ny, nz, ax, ay, az, ca, cb = probe(kind, center, axis, size, x, y, z)

@@ -34,8 +34,12 @@ KINDS = {
 }
 
 
-def wheel_columns(spins: Sequence[Any]) -> dict[str, Any]:
-    """Return the columns of what turns freely, see `Obstacles`."""
+_ROUND = 1e-9  # [1] by which an axle may be off the axis of what is round
+
+
+def wheel_columns(bodies: Sequence[Any], gravity: Floats) -> dict[str, Any]:
+    """Return the columns of what turns freely, see `Obstacles`; `gravity` (3,) [m/s^2]."""
+    spins = [body.spin for body in bodies]
     free = [row for row, spin in enumerate(spins) if spin is not None and spin.free]
     wheel = np.full(len(spins), -1, np.int64)
     wheel[free] = np.arange(len(free))
@@ -43,7 +47,20 @@ def wheel_columns(spins: Sequence[Any]) -> dict[str, Any]:
     for name in ("inertia", "bearing", "viscous", "rate"):
         column = [getattr(spins[row], name) or 0.0 for row in free]
         found[name] = np.array(column, dtype=np.float64)
+    weights = [weight_of(bodies[row], gravity) for row in free]
+    found["weight"] = np.array(weights, dtype=np.float64).reshape(len(free), 2)
     return found
+
+
+def weight_of(body: Any, gravity: Floats) -> tuple[float, float]:
+    """Return the torque of a body's weight about its axle as it starts, and a quarter of a turn on [N m]."""
+    spin = body.spin
+    if spin.mass is None:
+        return 0.0, 0.0
+    axle, pull = axle_of(body), spin.mass * gravity
+    where = place_of(body)[0] if spin.center_of_mass is None else spin.center_of_mass
+    arm = np.array(where, dtype=np.float64) - hub_of(body)
+    return float(axle @ np.cross(arm, pull)), float(axle @ np.cross(np.cross(axle, arm), pull))
 
 
 def place_of(body: Any) -> tuple[Any, Any, Any]:
@@ -75,7 +92,30 @@ def place_of(body: Any) -> tuple[Any, Any, Any]:
 
 def axle_of(body: Any) -> Any:
     """Return the unit vector about which an obstacle turns."""
+    if body.spin is not None and body.spin.axis is not None:
+        return _unit(body.spin.axis)
     return _unit(body.axis) if body.kind in ("box", "mesh", "sdf") else place_of(body)[1]
+
+
+def hub_of(body: Any) -> Floats:
+    """Return a point of the axis about which an obstacle turns (3,) [m], where it starts."""
+    spin = body.spin
+    own = place_of(body)[0] if spin is None or spin.pivot is None else spin.pivot
+    return np.array(own, dtype=np.float64)
+
+
+def sweeps(body: Any) -> bool:
+    """Tell whether an obstacle's surface leaves its place as it turns: it is not round about its axle."""
+    if body.kind in ("box", "half-pipe", "mesh", "sdf"):
+        return True
+    middle, axis, _ = place_of(body)
+    aside = hub_of(body) - np.array(middle, dtype=np.float64)
+    if body.kind == "sphere":
+        axis = axle_of(body)
+    elif np.linalg.norm(np.cross(axis, axle_of(body))) > _ROUND:
+        return True
+    off = float(np.linalg.norm(np.cross(axis, aside)))
+    return body.kind != "plane" and off > _ROUND * float(body.radius)
 
 
 def radius_round(body: Any) -> float:

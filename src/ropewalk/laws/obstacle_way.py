@@ -22,9 +22,10 @@ from __future__ import annotations
 import math
 
 from ropewalk.core.jit import kernel, part, small
-from ropewalk.laws.contact_frame import PUSH, surface_at
+from ropewalk.laws.contact_frame import PUSH
 from ropewalk.laws.obstacle_pose import body_of, drawn_place, pose_of
 from ropewalk.laws.obstacle_shapes import MESH, probe
+from ropewalk.laws.wheel_rows import surface_now, surface_then
 
 FINE, HALVE = 0, 2  # see `laws.couplings`
 TRIES = 500
@@ -39,15 +40,17 @@ APART = 0.3  # [1] of the half thickness: how far a segment moves from one look 
 
 
 @kernel
-def pose_at(obstacles, o, t):
-    """Return how far obstacle o has moved at time `t` [s], (3) [m], and what `pose_of` gives."""
-    x, y, z, _, _, _, angle, _ = surface_at(obstacles, o, t)
-    return (x, y, z), pose_of(obstacles, o, angle)
+def poses_at(obstacles, wheels, o, now):
+    """Return how far obstacle o had moved and has, (3) [m], each with what `pose_of` gives."""
+    x, y, z, _, _, _, angle, _ = surface_then(obstacles, wheels, o, now)
+    then = (x, y, z), pose_of(obstacles, o, angle)
+    x, y, z, _, _, _, angle, _ = surface_now(obstacles, wheels, o, now)
+    return then, ((x, y, z), pose_of(obstacles, o, angle))
 
 
 @small
 def place_in(body, at, x, i):
-    """Return where node i is in the frame of a body that lies `at` what `pose_at` gives [m]."""
+    """Return where node i is in the frame of a body that lies `at` what `poses_at` gives [m]."""
     moved, turn = at
     return drawn_place(body, turn, x[0, i] - moved[0], x[1, i] - moved[1], x[2, i] - moved[2])
 
@@ -157,7 +160,7 @@ def _may_reach(obstacles, o, i, a, b, p, q):
 
 
 @kernel
-def find_sweep(x, y, inverse_mass, stiffness, obstacles, through, now):
+def find_sweep(x, y, inverse_mass, stiffness, obstacles, wheels, through, now):
     """Note for a segment's first node which obstacle it comes to lie across from x to y, from -1 down.
 
     What is noted already stays. Return how many do; see `find_pass`.
@@ -167,7 +170,7 @@ def find_sweep(x, y, inverse_mass, stiffness, obstacles, through, now):
         if obstacles.thin[o] == math.inf:
             continue
         body = body_of(obstacles, o)
-        then, here = pose_at(obstacles, o, now[1]), pose_at(obstacles, o, now[0])
+        then, here = poses_at(obstacles, wheels, o, now)
         for i in range(x.shape[1] - 1):
             held = inverse_mass[i] == 0.0 and inverse_mass[i + 1] == 0.0
             if held or stiffness[i] == 0.0 or through[i] != 0:
@@ -183,7 +186,7 @@ def find_sweep(x, y, inverse_mass, stiffness, obstacles, through, now):
 
 
 @kernel
-def find_pass(x, y, inverse_mass, obstacles, grip, through, now):
+def find_pass(x, y, inverse_mass, obstacles, grip, wheels, through, now):
     """Note for every node that is not held which obstacle it goes through from x to y, from 1 on.
 
     What is noted already stays. `now` holds the times of y and of x [s], `grip` what presses at x. Return how
@@ -194,7 +197,7 @@ def find_pass(x, y, inverse_mass, obstacles, grip, through, now):
         if obstacles.thin[o] == math.inf:
             continue
         body = body_of(obstacles, o)
-        then, here = pose_at(obstacles, o, now[1]), pose_at(obstacles, o, now[0])
+        then, here = poses_at(obstacles, wheels, o, now)
         for i in range(x.shape[1]):
             p, q = place_in(body, then, x, i), place_in(body, here, y, i)
             square = (q[0] - p[0]) ** 2 + (q[1] - p[1]) ** 2 + (q[2] - p[2]) ** 2
@@ -241,14 +244,14 @@ def dips(obstacles, o, i, p, q):
 
 
 @kernel
-def find_missed(x, y, inverse_mass, obstacles, grip, through, now):
+def find_missed(x, y, inverse_mass, obstacles, grip, wheels, through, now):
     """Note which obstacle a node has hit from x to y, see `find_pass`, and no force has seen it."""
     count = 0
     for o in range(obstacles.kind.shape[0]):
         if obstacles.thin[o] == math.inf:
             continue
         body = body_of(obstacles, o)
-        then, here = pose_at(obstacles, o, now[1]), pose_at(obstacles, o, now[0])
+        then, here = poses_at(obstacles, wheels, o, now)
         for i in range(x.shape[1]):
             if not inverse_mass[i] > 0.0 or through[i] != 0 or grip[o, PUSH, i] > 0.0:
                 continue
@@ -262,13 +265,13 @@ def find_missed(x, y, inverse_mass, obstacles, grip, through, now):
 def meet(obstacles, state, x):
     """Tell whether the way from the state to `x` may stand, see `obstacle_way`."""
     memory = state.memory.obstacle
-    grip, through = memory.grip, memory.through
+    grip, wheels, through = memory.grip, memory.wheel, memory.through
     for i in range(through.shape[0]):
         through[i] = 0
     inert, now = state.inverse_mass, state.now
-    many = find_pass(state.x, x, inert, obstacles, grip, through, now)
-    many += find_sweep(state.x, x, inert, state.stiffness, obstacles, through, now)
-    many += find_missed(state.x, x, inert, obstacles, grip, through, now)
+    many = find_pass(state.x, x, inert, obstacles, grip, wheels, through, now)
+    many += find_sweep(state.x, x, inert, state.stiffness, obstacles, wheels, through, now)
+    many += find_missed(state.x, x, inert, obstacles, grip, wheels, through, now)
     return HALVE if many > 0 else FINE
 
 

@@ -32,10 +32,10 @@ def at_limit(grip, i):
 @kernel
 def slip_at(obstacles, o, surface, x, v, i):
     """Return the velocity of a node over an obstacle's surface [m/s]; see `surface_at`."""
-    center, axle, pose = obstacles.center[o], obstacles.axle[o], pose_of(obstacles, o, surface[6])
+    hub, axle, pose = obstacles.hub[o], obstacles.axle[o], pose_of(obstacles, o, surface[6])
     px, py, pz = x[0, i] - surface[0], x[1, i] - surface[1], x[2, i] - surface[2]
     _, nx, ny, nz, _, _, _, _, _ = probe_turned(body_of(obstacles, o), pose, px, py, pz)
-    ox, oy, oz = px - center[0], py - center[1], pz - center[2]
+    ox, oy, oz = px - hub[0], py - hub[1], pz - hub[2]
     wx, wy, wz = surface[7] * axle[0], surface[7] * axle[1], surface[7] * axle[2]
     vx = v[0, i] - surface[3] - (wy * oz - wz * oy)
     vy = v[1, i] - surface[4] - (wz * ox - wx * oz)

@@ -18,30 +18,46 @@ from __future__ import annotations
 
 import math
 
-from ropewalk.core.jit import kernel, small
+from ropewalk.core.jit import kernel
 from ropewalk.laws.contact_frame import DAMP, GRIP, STIFF, cut, surface_at
 from ropewalk.laws.hardening import squeezed
 from ropewalk.laws.obstacle_pose import rotated
 from ropewalk.laws.obstacle_shapes import probe
+from ropewalk.laws.rotors import find_turning, turning_torque
+from ropewalk.laws.wheel_rows import (
+    ANGLE,
+    BEARING,
+    BOUND,
+    COLUMN,
+    COUNT,
+    DRAG,
+    DRIVE,
+    FALL,
+    GAIN,
+    KNOWN,
+    LEAD,
+    MEAN_DRAG,
+    MEAN_DRIVE,
+    MEAN_WEIGH,
+    MOVED,
+    NODE,
+    NORMAL,
+    PART,
+    PULL,
+    RATE,
+    ROPES,
+    ROW,
+    SHARE,
+    STAGES,
+    TIE,
+    TORQUE,
+    TRIAL,
+    WAY,
+    WEIGH,
+    WEIGHED,
+    span_of,
+)  # fmt: skip
 
-# Columns of `Memory.wheel`: angle [rad] and rate [rad/s] at the end of the last accepted step, the work that
-# ropes and bearing have done on the wheel so far [J], the ropes' torque then and that of all [N m], by how
-# much rate and angle changed in it; then those in hand: rate, torques of ropes and bearing, s (0: it does not
-# give), number of nodes that it rubs on; and of the stage w^, d^ and c (0: implicit Euler), its weight, the
-# others' mean torques of ropes and bearing; and from STAGES on rate and torque of every stage.
-ANGLE, RATE, ROPES, BEARING, TORQUE, PULL, GAIN, WAY, TRIAL, DRIVE, DRAG, TIE, COUNT = range(13)
-KNOWN, LEAD, PART, SHARE, MEAN_DRIVE, MEAN_DRAG, STAGES = range(13, 20)
-MOST_STAGES = 8
-WIDTH = STAGES + 2 * MOST_STAGES
-# Rows of `Memory.ties`, working space: nodes on the wheel, the normals and the most that friction carries
-# there [N], u, z, and of the solver the solution for u, its tensions and what it keeps of the equations.
-NODE, NORMAL, BOUND, COLUMN, ROW, MOVED, PULLED, KEPT, ROWS = 0, 1, 4, 5, 8, 11, 14, 15, 16
-#: What is recorded of a wheel, and in which units.
-RECORDED = (
-    *("angle", "speed", "kinetic energy"),
-    *("work of ropes", "work of bearing", "torque of ropes"),
-)
-UNITS = ("rad", "rad/s", "J", "J", "J", "N m")
 MOST = 200  # iterations, halvings of its bounds among them
 TIGHT, CLOSE = 1e-15, 1e-9  # [1] of the sum of all torques
 WIDER = 0.1  # [1] by which the bounds of a rate are wider than its nodes' own
@@ -54,16 +70,10 @@ def turned(obstacles, memory, row, now):
     w = obstacles.wheel[row]
     if w >= 0:
         rate = memory.wheel[w, TRIAL]
-        angle = memory.wheel[w, LEAD] + rate * _span(memory.wheel[w], now)
+        angle = memory.wheel[w, LEAD] + rate * span_of(memory.wheel[w], now)
     else:
         angle = angle - surface_at(obstacles, row, now[1])[6]
     return dx, dy, dz, vx, vy, vz, angle, rate
-
-
-@small
-def _span(wheel, now):
-    """Return c of the stage in hand, or how long ago the last accepted step was [s]."""
-    return wheel[PART] if wheel[PART] > 0.0 else now[0] - now[1]
 
 
 @kernel
@@ -76,8 +86,13 @@ def find_rates(x, v, obstacles, memory, now):
         wheel = memory.wheel[w]
         if not wheel[PART] > 0.0:
             wheel[KNOWN], wheel[LEAD] = wheel[RATE], 0.0
-        h = _span(wheel, now)
+        h = span_of(wheel, now)
         wheel[TRIAL], wheel[TIE], wheel[DRIVE], wheel[DRAG] = wheel[KNOWN], 0.0, 0.0, 0.0
+        wheel[WEIGH] = 0.0
+        if obstacles.sweeps[o]:
+            if h > 0.0:
+                find_turning(x, v, obstacles, memory, o, now)
+            continue
         _list_nodes(x, v, obstacles, memory, o, now[0])
         if h > 0.0:
             _find_rate(x, v, obstacles, memory, o, now)
@@ -111,11 +126,11 @@ def _torque(rate, x, v, obstacles, memory, o, now, keep):
     With `keep` what the forces of the nodes change by with the rate is written.
     """
     w = obstacles.wheel[o]
-    center, axis, ties, place = obstacles.center[o], obstacles.axis[o], memory.ties[w], memory.place
+    center, axis, ties, place = obstacles.center[o], obstacles.axle[o], memory.ties[w], memory.place
     ax, ay, az = axis[0], axis[1], axis[2]
     mx, my, mz, ux, uy, uz, _, _ = surface_at(obstacles, o, now[0])
     bx, by, bz, _, _, _, _, _ = surface_at(obstacles, o, now[1])
-    h, total, slope, parts = _span(memory.wheel[w], now), 0.0, 0.0, 0.0
+    h, total, slope, parts = span_of(memory.wheel[w], now), 0.0, 0.0, 0.0
     least, greatest = math.inf, -math.inf
     angle = memory.wheel[w, LEAD] + rate * h
     co, si = math.cos(angle), math.sin(angle)
@@ -177,7 +192,7 @@ def _torque(rate, x, v, obstacles, memory, o, now, keep):
 def _find_rate(x, v, obstacles, memory, o, now):
     """Write rate, s and torques of a wheel: Newton's method on what rises, held between its bounds."""
     w = obstacles.wheel[o]
-    wheel, inertia = memory.wheel[w], obstacles.inertia[w] / _span(memory.wheel[w], now)
+    wheel, inertia = memory.wheel[w], obstacles.inertia[w] / span_of(memory.wheel[w], now)
     bearing, viscous, before = obstacles.bearing[w], obstacles.viscous[w], memory.wheel[w, KNOWN]
     drive, slope, parts, _, _ = _torque(0.0, x, v, obstacles, memory, o, now, False)
     push = inertia * before + drive
@@ -226,22 +241,28 @@ def begin_ties(x, v, obstacles, memory, now):
         for k in range(COLUMN, MOVED):
             for i in range(x.shape[1]):
                 memory.ties[w, k, i] = 0.0
-        if memory.wheel[w, TIE] > 0.0:
+        if not memory.wheel[w, TIE] > 0.0:
+            continue
+        if obstacles.sweeps[o]:
+            turning_torque(memory.wheel[w, TRIAL], x, v, obstacles, memory, o, now, True)
+        else:
             _torque(memory.wheel[w, TRIAL], x, v, obstacles, memory, o, now, True)
 
 
 @kernel
-def write_row(obstacles, memory, o, i, arm, n, pull, bound, block, weight_x):
-    """Write how the torque on a wheel changes with node `i`, whose friction changes by -`block`.
+def write_row(obstacles, memory, o, i, arm, n, push, pull, bound, block, weight_x):
+    """Write how the torque on a wheel changes with node `i`, whose force changes by -`block`.
 
-    `arm` from the wheel's middle to the node, `pull` its friction before it is cut to `bound`.
+    `arm` from the wheel's middle to the node, `pull` its friction before it is cut to `bound`, `push` what
+    presses there; 0 of what is round.
     """
-    axis, ties = obstacles.axis[o], memory.ties[obstacles.wheel[o]]
+    axis, ties = obstacles.axle[o], memory.ties[obstacles.wheel[o]]
     ax, ay, az = axis[0], axis[1], axis[2]
     ox, oy, oz = arm
     ex, ey, ez = ay * oz - az * oy, az * ox - ax * oz, ax * oy - ay * ox
     along = n[0] * pull[0] + n[1] * pull[1] + n[2] * pull[2]
     fx, fy, fz = cut(pull[0] - along * n[0], pull[1] - along * n[1], pull[2] - along * n[2], bound)
+    fx, fy, fz = fx + push * n[0], fy + push * n[1], fz + push * n[2]
     turn = (
         fy * az - fz * ay,
         fz * ax - fx * az,
@@ -258,12 +279,13 @@ def aim_wheels(wheel, A, b, s, dt):
     for w in range(wheel.shape[0]):
         one = wheel[w]
         if s == 0:
-            one[MEAN_DRIVE], one[MEAN_DRAG] = 0.0, 0.0
+            one[MEAN_DRIVE], one[MEAN_DRAG], one[MEAN_WEIGH] = 0.0, 0.0, 0.0
         one[PART], one[SHARE] = dt * A[s, s], b[s]
         if A[s, s] == 0.0:  # it is the step's begin
             one[STAGES], one[STAGES + 1] = one[RATE], one[PULL]
             one[MEAN_DRIVE] += b[s] * one[TORQUE]
-            one[MEAN_DRAG] += b[s] * (one[PULL] - one[TORQUE])
+            one[MEAN_DRAG] += b[s] * (one[PULL] - one[TORQUE] - one[WEIGHED])
+            one[MEAN_WEIGH] += b[s] * one[WEIGHED]
             continue
         one[KNOWN], one[LEAD] = 0.0, 0.0
         for r in range(s):
@@ -286,6 +308,7 @@ def aim_wheels_bdf2(wheel, dt):
         one[KNOWN], one[LEAD] = one[RATE] + one[GAIN] / 3.0, one[WAY] / 3.0
         one[PART], one[SHARE] = 2.0 * dt / 3.0, 2.0 / 3.0
         one[MEAN_DRIVE], one[MEAN_DRAG] = one[STAGES] / 3.0, one[STAGES + 1] / 3.0
+        one[MEAN_WEIGH] = one[STAGES + 2] / 3.0
 
 
 @kernel
@@ -293,10 +316,14 @@ def end_aim(wheel, s, last):
     """Keep a stage that is solved; its torques count in the mean, but those of the last one, yet to come."""
     for w in range(wheel.shape[0]):
         one = wheel[w]
-        one[STAGES + 2 * s], one[STAGES + 2 * s + 1] = one[TRIAL], one[DRIVE] + one[DRAG]
+        one[STAGES + 2 * s], one[STAGES + 2 * s + 1] = (
+            one[TRIAL],
+            one[DRIVE] + one[DRAG] + one[WEIGH],
+        )
         if not last:
             one[MEAN_DRIVE] += one[SHARE] * one[DRIVE]
             one[MEAN_DRAG] += one[SHARE] * one[DRAG]
+            one[MEAN_WEIGH] += one[SHARE] * one[WEIGH]
 
 
 @kernel
@@ -319,28 +346,37 @@ def keep_wheels(obstacles, memory, dt):
             continue
         wheel = memory.wheel[w]
         drive, drag, turn = wheel[DRIVE], wheel[DRAG], dt * wheel[TRIAL]
+        weigh = wheel[WEIGH]
         if wheel[PART] > 0.0:
             drive = wheel[MEAN_DRIVE] + wheel[SHARE] * drive
             drag = wheel[MEAN_DRAG] + wheel[SHARE] * drag
+            weigh = wheel[MEAN_WEIGH] + wheel[SHARE] * weigh
             turn = wheel[LEAD] + wheel[PART] * wheel[TRIAL]
         way = 0.5 * dt * (wheel[RATE] + wheel[TRIAL])
         wheel[ANGLE] += turn
         wheel[ROPES] += drive * way
         wheel[BEARING] += drag * way
+        wheel[FALL] += weigh * way
         wheel[GAIN], wheel[WAY] = wheel[TRIAL] - wheel[RATE], turn
         wheel[RATE], wheel[TORQUE], wheel[PULL] = (
             wheel[TRIAL],
             wheel[DRIVE],
-            wheel[DRIVE] + wheel[DRAG],
+            wheel[DRIVE] + wheel[DRAG] + wheel[WEIGH],
         )
-        wheel[STAGES], wheel[STAGES + 1] = drive, drag  # the mean ones, for BDF2's next step
+        wheel[WEIGHED] = wheel[WEIGH]
+        wheel[STAGES], wheel[STAGES + 1], wheel[STAGES + 2] = (
+            drive,
+            drag,
+            weigh,
+        )  # the mean ones, for BDF2's next step
         wheel[PART] = 0.0
 
 
 @kernel
 def record_wheels(inertia, wheel, out):
-    """Write angle, rate, kinetic energy, works of ropes and bearing, and the ropes' torque, (w, 6)."""
+    """Write what is recorded of wheels, see `wheel_rows.RECORDED`, (w, 7)."""
     for w in range(out.shape[0]):
         rate = wheel[w, RATE]
         out[w, 0], out[w, 1], out[w, 2] = wheel[w, ANGLE], rate, 0.5 * inertia[w] * rate * rate
         out[w, 3], out[w, 4], out[w, 5] = wheel[w, ROPES], wheel[w, BEARING], wheel[w, TORQUE]
+        out[w, 6] = wheel[w, FALL]

@@ -11,7 +11,6 @@ from ropewalk.core.arrays import Floats
 from ropewalk.engine.engine import Bodies
 from ropewalk.laws.obstacle import Obstacles
 from ropewalk.laws.obstacle_places import moves
-from ropewalk.laws.obstacle_pose import UNROUND
 from ropewalk.laws.obstacle_rows import corners_of
 from ropewalk.laws.obstacle_shapes import BOX, MESH
 from ropewalk.lowering import Layout
@@ -84,7 +83,9 @@ def _size(table: Obstacles, row: int) -> Any:
 
 def _turned(table: Obstacles, row: int) -> dict[str, Any]:
     """Return about what a body turns that is not round, and the direction of a box's first edge."""
-    axle = {"axle": _numbers(table.axle[row])} if table.kind[row] in UNROUND else {}
+    axle = {"axle": _numbers(table.axle[row])} if table.sweeps[row] else {}
+    if not np.array_equal(table.hub[row], table.center[row]):
+        axle["hub"] = _numbers(table.hub[row])
     return axle | ({"first": _numbers(table.size[row][4:7])} if table.kind[row] == BOX else {})
 
 

@@ -70,7 +70,7 @@ def contacts_at(
     for i in map(int, np.flatnonzero(np.any(force != 0.0, axis=0))):
         for o in range(len(table.kind)):
             gap, *direction = surface_near(table, o, x[:, i], t)[:4]
-            place, normal = x[:, i] - now[o][:3] - table.center[o], np.array(direction)
+            place, normal = x[:, i] - now[o][:3] - table.hub[o], np.array(direction)
             turning = np.array(rates_of(table, o, now[o][7]))
             speed = v[:, i] - now[o][3:6] - np.cross(turning[1], place)
             push = push_on(table, o, i, gap, float(normal @ speed))
@@ -83,13 +83,15 @@ def contacts_at(
     return _shared(rows, force)
 
 
-def at_rates(table: Obstacles, rates: Floats) -> Obstacles:
-    """Return the same obstacles, those that turn freely turning at some rates [rad/s], (w,)."""
-    spin = table.spin.copy()
+def at_rates(table: Obstacles, wheels: Floats, t: float) -> Obstacles:
+    """Return the same obstacles, those that turn freely as recorded at time `t` [s], rows of `RECORDED`."""
+    spin, params = table.spin.copy(), table.turns.params.copy()
     free = table.wheel >= 0
-    spin[free] = 0.0, 0.0, np.inf
-    spin[free, 0] = rates[table.wheel[free]]
-    return table._replace(spin=spin, wheel=np.full_like(table.wheel, -1))
+    which = table.wheel[free]
+    spin[free] = 0.0, t, np.inf
+    spin[free, 0], params[free, 0] = wheels[which, 1], wheels[which, 0]
+    turns = table.turns._replace(params=params)
+    return table._replace(spin=spin, turns=turns, wheel=np.full_like(table.wheel, -1))
 
 
 def _shared(rows: list[tuple[int, int, Floats, float, float, Floats]], force: Floats) -> Contacts:

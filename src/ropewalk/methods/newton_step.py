@@ -13,7 +13,7 @@ from ropewalk.laws.couplings import add_couplings, couples, order_couplings
 from ropewalk.laws.nodes import add_diagonals, are_diagonal
 from ropewalk.laws.rare import are_tied, has_bending, winds
 from ropewalk.laws.tangent import add_tangents, begin_tangent
-from ropewalk.laws.wheels import TIE
+from ropewalk.laws.wheel_rows import TIE
 from ropewalk.methods.wheel_ties import has_wheels, put_column, take_column, tie_wheels
 
 COMPRESSION = -0.24  # [1] least geometric stiffness far from the solution, over m / (c1 c2)

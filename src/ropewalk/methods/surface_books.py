@@ -6,7 +6,8 @@ from ropewalk.core.arrays import State
 from ropewalk.core.jit import part
 from ropewalk.laws.contact_books import ENTRIES, record_books
 from ropewalk.laws.pairs.pair_books import record_pair_books
-from ropewalk.laws.wheels import RECORDED, record_wheels
+from ropewalk.laws.wheel_rows import RECORDED
+from ropewalk.laws.wheels import record_wheels
 
 
 def surface_shapes(state: State) -> list[tuple[int, int]]:

@@ -6,17 +6,8 @@ With A z = f solved, and y = A^-1 u, the solution of (A - u r / s) z = f is z + 
 from __future__ import annotations
 
 from ropewalk.core.jit import kernel, part
-from ropewalk.laws.wheels import (
-    COLUMN,
-    KEPT,
-    MOVED,
-    PULLED,
-    ROW,
-    TIE,
-    aim_wheels,
-    aim_wheels_bdf2,
-    know_rates,
-)
+from ropewalk.laws.wheel_rows import COLUMN, KEPT, MOVED, PULLED, ROW, TIE
+from ropewalk.laws.wheels import aim_wheels, aim_wheels_bdf2, know_rates
 from ropewalk.methods.tableaus import DIRK
 
 

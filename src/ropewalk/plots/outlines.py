@@ -10,7 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.patches import PathPatch
 from matplotlib.path import Path
 
-from ropewalk.laws.obstacle_places import moved_by, stays, turn_of
+from ropewalk.laws.obstacle_places import middle_at, stays, turn_of
 from ropewalk.laws.obstacle_rows import corners_of
 from ropewalk.plots.sight import Floats, Sight
 from ropewalk.record.obstacle_table import obstacle_table
@@ -53,8 +53,8 @@ def outlines_of(result: Result, view: Sight, time: float | None = None) -> tuple
     found: list[Outline | None] = []
     for row, body in enumerate(result.scene.obstacles):
         if stays(table, row) == (time is None):
-            center = table.center[row] + moved_by(table, row, time or 0.0)
             turn = turn_of(table, row, time or 0.0)
+            center = middle_at(table, row, time or 0.0)
             if body.kind in ("mesh", "sdf"):
                 found.append(_surface(body, center, turn, view))
                 continue

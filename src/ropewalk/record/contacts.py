@@ -123,7 +123,7 @@ def each_frame(result: Result, frames: Iterable[int]) -> Iterator[tuple[int, Con
         if force[frame].any():
             now = [np.ascontiguousarray(part[frame].T) for part in (x, v, force)]
             t = float(result.time[frame])
-            then = table if turning is None else at_rates(table, turning[frame, :, 1])
+            then = table if turning is None else at_rates(table, turning[frame], t)
             contacts = contacts_at(then, now[0], now[1], now[2], stiffness, t)
             yield frame, contacts if apart else _told(model, now[0], contacts)
 

@@ -27,6 +27,7 @@ class PulleyMotion(NamedTuple):
     rope_work: Floats  # (frames,) of the ropes on it [J]
     bearing_work: Floats  # (frames,) of its bearing on it [J]
     rope_torque: Floats  # (frames,) of the ropes in the last step [N m]
+    weight_work: Floats  # (frames,) of its own weight on it [J], 0 where it has no mass
 
 
 class PointForces:
@@ -84,7 +85,7 @@ class PointForces:
     def pulley(self, name: str) -> PulleyMotion:
         """How an obstacle turned that turns freely: angle, speed, energy, works, torque.
 
-        What ropes and bearing have done on it is the change of its energy, to rounding.
+        What ropes, bearing and its own weight have done on it is the change of its energy, to rounding.
 
         Raises KeyError where no obstacle of that name turns freely.
         """
@@ -94,7 +95,9 @@ class PointForces:
             known = ", ".join(names) or "(none)"
             raise KeyError(f"name one of the obstacles that turn freely, {known}, not {name!r}")
         columns = result.read("pulleys")[:, names.index(name)]
-        return PulleyMotion(*np.ascontiguousarray(columns.T))
+        rows = np.zeros((len(PulleyMotion._fields), len(columns)))
+        rows[: columns.shape[1]] = columns.T  # runs of before had no weights
+        return PulleyMotion(*rows)
 
     @property
     def contact_work(self) -> Mapping[str, Mapping[str, Floats]]:

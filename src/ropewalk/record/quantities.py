@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from ropewalk.core.arrays import Floats
 from ropewalk.core.peaks import BOUNDS, EXTREMES
 from ropewalk.laws.contact_books import ENTRIES
-from ropewalk.laws.wheels import RECORDED, UNITS
+from ropewalk.laws.wheel_rows import RECORDED, UNITS
 from ropewalk.lowering import Layout
 from ropewalk.methods.recording import energy_names, work_names
 from ropewalk.scene import Scene

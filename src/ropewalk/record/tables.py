@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ropewalk.core.peaks import BOUNDS, EXTREMES
-from ropewalk.laws.wheels import RECORDED, UNITS
+from ropewalk.laws.wheel_rows import RECORDED, UNITS
 from ropewalk.record.contacts import COLUMNS, WRAP_COLUMNS, rows, wrap_rows
 from ropewalk.record.errors import InputError, RunError
 from ropewalk.record.quantities import (

@@ -21,7 +21,7 @@ from ropewalk.scene.motions import (
     axis_faults,
 )
 from ropewalk.scene.solid import Body
-from ropewalk.scene.spin import Swinging, Tumbling, Turning
+from ropewalk.scene.spin import Tumbling, Turning
 
 
 def _between(description: str, toml: str, python: str) -> Any:
@@ -90,7 +90,7 @@ class Capsule(_Between, Turning):
     kind: Literal["capsule"] = "capsule"
 
 
-class HalfPipe(_Between, Swinging):
+class HalfPipe(_Between, Turning):
     """A trough to lie in: half a pipe with upright walls above it, endless, and all else solid.
 
     It turns about its axis, from ``from`` to ``to``.

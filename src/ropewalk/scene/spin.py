@@ -27,7 +27,7 @@ from ropewalk.scene.solid import Body
 
 class Spin(Model):
     """Turns an obstacle about its axis, right-handed: at one ``rate``, by a table of ``angles``, or
-    ``free``, as the friction of ropes turns it.
+    ``free``, as ropes turn it.
 
     At a rate it turns from ``start`` to ``stop``; by a table it stands before the first time and after the
     last one. One that is free has an ``inertia`` and begins at ``rate``, at rest without it.
@@ -44,6 +44,22 @@ class Spin(Model):
     viscous: Number = not_negative(
         "Torque of the bearing per rate, of one that is free", "N m s", default=0.0
     )
+    mass: Number | None = positive(
+        "Mass of one that is free, whose weight turns it, too", "kg", default=None
+    )
+    center_of_mass: Vector | None = vector(
+        "Its centre of mass where it starts; default its middle, of a mesh its position",
+        "m",
+        default=None,
+    )
+    pivot: Vector | None = vector(
+        "A point of the axis about which it turns, where it starts; default its middle",
+        "m",
+        default=None,
+    )
+    axis: Vector | None = vector(
+        "Direction of that axis (any length but zero); default the body's own", "1", default=None
+    )
     start: Number = not_negative("Time at which it begins to turn", "s", default=0.0)
     stop: Number = stop_time()
     times: Many[Annotated[Number, Field(ge=-HUGE, le=HUGE, allow_inf_nan=False)]] = Field(
@@ -59,10 +75,12 @@ class Spin(Model):
     @model_validator(mode="after")
     def _check(self) -> Spin:
         given = self.model_fields_set
+        if self.axis is not None:
+            refuse(axis_faults(self.axis))
         if self.free:
             refuse(_wheel_faults(self))
             return self
-        if over := given & {"inertia", "bearing", "viscous"}:
+        if over := given & {"inertia", "bearing", "viscous", "mass", "center_of_mass"}:
             rule = "is for an obstacle that turns freely: give free = true, too, or leave it out"
             refuse([Fault(min(over), getattr(self, min(over)), rule)])
         by_table = given & {"times", "angles", "interpolation"}
@@ -97,41 +115,38 @@ def _wheel_faults(spin: Spin) -> list[Fault]:
     faults = []
     if spin.inertia is None:
         rule = (
-            "an obstacle that turns freely needs its moment of inertia [kg m^2]: that of a round disc of "
-            "mass m and radius R is m R^2 / 2; of one so light that it does not matter, give a tenth of the "
-            "rope's mass on it times R^2"
+            "an obstacle that turns freely needs its moment of inertia about its axis [kg m^2]: that of a "
+            "round disc of mass m and radius R is m R^2 / 2, of a box of sides a and b m (a^2 + b^2) / 12, "
+            "and m d^2 more where the axis is d from the middle; of one so light that it does not matter, "
+            "give a tenth of the rope's mass on it times R^2"
         )
         faults.append(Fault("inertia", MISSING, rule))
     if over := spin.model_fields_set & {"start", "stop", "times", "angles", "interpolation"}:
         rule = "is for an obstacle that is turned: one that is free turns as ropes turn it"
         faults.append(Fault(min(over), NO_VALUE, rule))
+    if spin.center_of_mass is not None and spin.mass is None:
+        faults.append(Fault("mass", MISSING, "give the mass whose centre center_of_mass is"))
     return faults
 
 
 class Turning(Body):
-    """What may turn about its own axis."""
+    """What may turn about its own axis, or about the pivot and axis of its spin."""
 
     spin: Spin | None = Field(
         default=None, description="How it turns about its axis; at rest without it"
     )
 
-
-class Swinging(Turning):
-    """What may be turned about its own axis, but does not turn freely: it is not round."""
-
     @model_validator(mode="after")
-    def _check_spin(self) -> Swinging:
-        if self.spin is not None and self.spin.free:
-            rule = (
-                "is for round bodies, which ropes turn by friction alone; turn this one by a rate or by "
-                "angles, or take a cylinder"
-            )
-            refuse([Fault("spin.free", True, rule)])
+    def _check_spin(self) -> Turning:
+        from ropewalk.scene.pivots import pivot_faults
+
+        if self.spin is not None:
+            refuse(pivot_faults(self, self.spin))
         return self
 
 
-class Tumbling(Swinging):
-    """The same, about an axis that is given."""
+class Tumbling(Turning):
+    """What may turn about an axis that is given."""
 
     axis: Vector = vector(
         "Axis of its spin, through its centre or position (any length but zero)",

@@ -5,10 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
-
 from ropewalk.core.arrays import Floats
-from ropewalk.laws.contact_frame import GRIP
+from ropewalk.laws.free_torques import rope_torques
 from ropewalk.lowering import Model
 from ropewalk.words.prefixes import prefixed
 
@@ -20,8 +18,9 @@ class Pulley:
     """An obstacle that turns freely, and what ropes at rest turn it with."""
 
     obstacle: str
-    torque: float  # of the ropes' friction about its axis [N m]
+    torque: float  # of the ropes about its axis, and of its own weight [N m]
     bearing: float  # what its bearing holds [N m]
+    weighs: bool = False  # whether its own weight turns it, too
 
     @property
     def stands(self) -> bool:
@@ -30,7 +29,8 @@ class Pulley:
 
     def __str__(self) -> str:
         turn, most = prefixed(abs(self.torque), "N m", 4), prefixed(self.bearing, "N m", 4)
-        said = f"pulley {self.obstacle!r}: ropes turn it with {turn}, its bearing holds {most}"
+        by = "ropes and its weight" if self.weighs else "ropes"
+        said = f"pulley {self.obstacle!r}: {by} turn it with {turn}, its bearing holds {most}"
         if self.stands:
             return said
         return f"{said}: it is held still here, and turns when it is let go"
@@ -43,10 +43,10 @@ class Pulley:
 def pulleys(model: Model, memory: Any, x: Floats) -> tuple[Pulley, ...]:
     """Return what turns every pulley at places (3, n) [m], with what `State.memory` carries there."""
     table, found = model.system.node.obstacle, []
+    torques = rope_torques(table, memory.obstacle, x) if len(table.inertia) else ()
     for row, w in enumerate(table.wheel):
         if w >= 0:
-            arms = np.cross(table.axis[row], x.T - table.center[row])
-            torque = -float((arms * memory.obstacle.grip[row, :GRIP].T).sum())
             name = model.scene.obstacles[row].name
-            found.append(Pulley(name, torque, float(table.bearing[w])))
+            weight, bearing = float(table.weight[w, 0]), float(table.bearing[w])
+            found.append(Pulley(name, float(torques[row]) + weight, bearing, weight != 0.0))
     return tuple(found)

@@ -16,6 +16,7 @@ from ropewalk.display import cells
 from ropewalk.laws.acting import at_rest, relaxed
 from ropewalk.laws.contact_frame import GRIP
 from ropewalk.laws.node_law import Rest
+from ropewalk.laws.obstacle_rows import sweeps
 from ropewalk.lowering import Layout, Model, build
 from ropewalk.lowering.elastic_tables import put_tension
 from ropewalk.lowering.limiter_bounds import beyond_bounds
@@ -144,6 +145,12 @@ def modes(source: Scene | Model, about: About = "equilibrium", count: int = 10) 
             "with it modes are about the equilibrium, in which contacts are known; leave out spin"
         )
         raise SceneError([Fault(f"obstacle[{wheels[0]}].spin.free", True, rule)])
+    if levers := [row for row in wheels if sweeps(model.scene.obstacles[row])]:
+        rule = (
+            "is not round about its axis: modes know of free bodies that ropes turn by friction alone; "
+            "leave out spin, so that it is held"
+        )
+        raise SceneError([Fault(f"obstacle[{levers[0]}].spin.free", True, rule)])
     built = model
     x, tension, model = shape_about(model, about)
     _refuse_bounds(model, x, about)
