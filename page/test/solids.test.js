@@ -150,6 +150,20 @@ test("a pulley has turned as far as the frame tells", () => {
   assert.equal(turnOf(pulley, 9, [0.5]), 0); // a frame tells of four
 });
 
+test("a cam that turns freely lies where its angle has led it, about its hub", () => {
+  const [cam] = solidsOf([{ ...BAR, wheel: 1, axle: [0, 1, 0], hub: [0.05, 0, 0] }], here);
+  assert.ok(leaves(cam));
+  const { center, middle } = placed(cam, 2, [0, Math.PI / 2]);
+  [0.05, 0, 0.05].forEach((value, k) => assert.ok(Math.abs(center[k] - value) < 1e-12));
+  assert.deepEqual(
+    center.map((value, k) => value - middle[k]),
+    [0, 0, 0],
+  );
+  const [round] = solidsOf([{ ...BAR, wheel: 1 }], here);
+  assert.equal(placed(round, 2, [0, Math.PI / 2]), round);
+  assert.ok(!leaves(round));
+});
+
 test("a body turns from its start to its stop", () => {
   const [drum] = solidsOf([{ ...BAR, spin: [2, 1, 3] }], here);
   assert.deepEqual([0, 1, 2, 3, 9].map((time) => turnOf(drum, time)), [0, 0, 2, 4, 4]); // prettier-ignore

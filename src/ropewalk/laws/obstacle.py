@@ -158,13 +158,7 @@ def lower(
         if asked is None:
             finite = np.where(np.isfinite(most), most, RIGID * stiffness[row])
             hard[row] = np.maximum(finite - stiffness[row], 0.0)
-    centers = np.array([place[0] for place in places], dtype=np.float64).reshape(count, 3)
-    hubs = np.array([hub_of(body) for body in bodies], dtype=np.float64).reshape(count, 3)
-    motion = motion_rows([body.motion for body in bodies], centers)
-    for moved in np.flatnonzero(motion.kind != FIXED):  # a table has places of its own
-        there = np.array(place_now(motion, moved, 0.0)[:3])
-        hubs[moved] += there - centers[moved]
-        centers[moved] = there
+    centers, hubs, motion = _wherever(bodies, places)
     return Obstacles(
         kind=np.array([KINDS[body.kind] for body in bodies], dtype=np.int64),
         center=centers,
@@ -185,6 +179,19 @@ def lower(
         diameter=diameter,
         **wheel_columns(bodies, -gravity * np.array(up, dtype=np.float64)),
     )
+
+
+def _wherever(bodies: Sequence[Obstacle], places: Sequence[Any]) -> tuple[Floats, Floats, Motions]:
+    """Return the middles and hubs of bodies at time zero, (k, 3) each [m], and how they move."""
+    count = len(bodies)
+    centers = np.array([place[0] for place in places], dtype=np.float64).reshape(count, 3)
+    hubs = np.array([hub_of(body) for body in bodies], dtype=np.float64).reshape(count, 3)
+    motion = motion_rows([body.motion for body in bodies], centers)
+    for moved in np.flatnonzero(motion.kind != FIXED):  # a table has places of its own
+        there = np.array(place_now(motion, moved, 0.0)[:3])
+        hubs[moved] += there - centers[moved]
+        centers[moved] = there
+    return centers, hubs, motion
 
 
 def radius_of(rope: Rope) -> float:

@@ -25,7 +25,7 @@ from ropewalk.plots.style import (
     styled,
 )
 from ropewalk.plots.torn import broken_note
-from ropewalk.record.obstacle_table import obstacle_table
+from ropewalk.record.obstacle_table import obstacle_table, table_then
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -68,7 +68,8 @@ def coils(result: Result, frame: int) -> list[Coil]:
     if table is None:
         return []
     places = result.positions[frame]
-    deep = depths(table, places.T, float(result.time[frame]))
+    time = float(result.time[frame])
+    deep = depths(table_then(result, table, time), places.T, time)
     touches = deep.max(axis=0) > -0.2 * table.thickness  # the others touch ropes
     touches &= np.abs(force[frame]).sum(axis=1) > 0.0
     touched = np.where(touches, deep.argmax(axis=0), -1)

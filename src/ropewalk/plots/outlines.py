@@ -13,7 +13,7 @@ from matplotlib.path import Path
 from ropewalk.laws.obstacle_places import middle_at, stays, turn_of
 from ropewalk.laws.obstacle_rows import corners_of
 from ropewalk.plots.sight import Floats, Sight
-from ropewalk.record.obstacle_table import obstacle_table
+from ropewalk.record.obstacle_table import obstacle_table, table_then
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -51,10 +51,11 @@ def outlines_of(result: Result, view: Sight, time: float | None = None) -> tuple
     points = result.read("positions", 0, 1)[0]
     size = float(np.ptp(points, axis=0).max()) or 1.0
     found: list[Outline | None] = []
+    then = table if time is None else table_then(result, table, time)
     for row, body in enumerate(result.scene.obstacles):
         if stays(table, row) == (time is None):
-            turn = turn_of(table, row, time or 0.0)
-            center = middle_at(table, row, time or 0.0)
+            turn = turn_of(then, row, time or 0.0)
+            center = middle_at(then, row, time or 0.0)
             if body.kind in ("mesh", "sdf"):
                 found.append(_surface(body, center, turn, view))
                 continue

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from ropewalk.core.arrays import Floats
@@ -9,7 +11,11 @@ from ropewalk.laws.contact_frame import surface_at
 from ropewalk.laws.obstacle import Obstacles, lower
 from ropewalk.laws.obstacle_places import moved_by
 from ropewalk.lowering import Layout
+from ropewalk.lowering.touching import at_rates
 from ropewalk.scene import Scene
+
+if TYPE_CHECKING:
+    from ropewalk.record.result import Result
 
 
 def obstacle_table(scene: Scene, where: Layout) -> Obstacles | None:
@@ -18,6 +24,14 @@ def obstacle_table(scene: Scene, where: Layout) -> Obstacles | None:
         return None
     masses = [rope.total_mass for rope in scene.ropes]
     return lower(scene.obstacles, where, scene.ropes, masses, 0.0)
+
+
+def table_then(result: Result, table: Obstacles, time: float) -> Obstacles:
+    """Return obstacles with those that turn freely as they lay at the frame nearest to a time [s]."""
+    if not result.layout.pulleys:
+        return table
+    frame = int(np.abs(result.time - time).argmin())
+    return at_rates(table, result.read("pulleys", frame, frame + 1)[0], time)
 
 
 def obstacle_angles(scene: Scene, where: Layout, times: Floats) -> Floats:
