@@ -1,6 +1,7 @@
 // Posts that nodes touch, with Coulomb friction that sticks, as the Python `contact` has it: the same arithmetic in
 // the same order. A post does not move. What is remembered of the last step is every node's friction force.
 
+import { closing } from "./closing.js";
 import { HARD, SKIN, gripOf, squeeze } from "./grips.js";
 import { probe } from "./solids.js";
 
@@ -41,7 +42,7 @@ export class Contact {
     this.before = rows(n); // velocity as it begins
     this.place = rows(n); // as the last step ended
     this.work = this.first = 0; // of all posts so far, and what they had stored as it began and got by changes [J]
-    this.found = new Float64Array(4); // what `probe` writes
+    this.found = new Float64Array(9); // what `probe` writes
     this.squeezed = new Float64Array(3);
     /** @type {Hold[]} */ this.holds = posts.map((post) => ({
       post,
@@ -132,7 +133,10 @@ export class Contact {
       const k = hold.k[i];
       const c = hold.c[i];
       squeeze(hold.stiff[i], hold.hard[i], this.skin[i], thickness[i] - found[0], squeezed);
-      const push = squeezed[0] - c * (nx * v0[i] + ny * v1[i] + nz * v2[i]);
+      const rise = nx * v0[i] + ny * v1[i] + nz * v2[i];
+      if (!(squeezed[0] - c * rise > 0)) continue;
+      const comes = closing(rise, found[0] - thickness[i], found, v0[i], v1[i], v2[i]);
+      const push = squeezed[0] - c * comes;
       if (!(push > 0)) continue;
       let sx = 0;
       let sy = 0;
@@ -210,7 +214,9 @@ export class Contact {
     const depth = this.thickness[i] - found[0];
     squeeze(stiff[i], hard[i], this.skin[i], depth, squeezed);
     const k = hold.k[i];
-    const push = squeezed[0] - hold.c[i] * (nx * v[0][i] + ny * v[1][i] + nz * v[2][i]);
+    const rise = nx * v[0][i] + ny * v[1][i] + nz * v[2][i];
+    const comes = closing(rise, -depth, found, v[0][i], v[1][i], v[2][i]);
+    const push = squeezed[0] - hold.c[i] * comes;
     hold.push[i] = Math.max(push, 0);
     const deep = hard[i] !== 0 && depth > this.skin[i];
     hold.k[i] = deep ? squeezed[0] / depth : stiff[i];

@@ -9,7 +9,7 @@ import { probe } from "./solids.js";
  *   the larger over the smaller, NaN where one does not pull, and by how much the rope turns between them [rad] */
 
 const NOTHING = 1e-6; // of the other side: one that pulls less does not pull
-const found = new Float64Array(4);
+const found = new Float64Array(9);
 
 /** The reading of the post round which a rope turns farthest; null where it lies round none.
  * @param {Rope} rope @param {Float64Array} tension of the segments @returns {Reading | null} */

@@ -2,7 +2,7 @@
 
 With g the gap, v the velocity over the surface, D the way over it since the last accepted step, R' the
 friction spring's force then, P = I - n n^T and R the force of a squeeze, see `hardening`,
-    R_n = max(0, R(-g) - c n.v)                           a damper that never pulls
+    R_n = max(0, R(-g) - c n.v)                           a damper that never pulls, see `closing`
     q   = P (R' - k_t D) - c P v
     R_t = q            where |q| <= mu R_n                it sticks
           mu R_n q/|q| elsewhere                          it slips
@@ -24,6 +24,7 @@ from __future__ import annotations
 import math
 
 from ropewalk.core.jit import kernel, small
+from ropewalk.laws.closing import closing
 from ropewalk.laws.contact_books import PRESSED, RUBBED, note_way, put_apart
 from ropewalk.laws.contact_frame import (
     DAMP,
@@ -61,13 +62,14 @@ def contact_forces(x, v, obstacles, memory, now, force, lo, hi):
         (wx, wy, wz), sweep = rates_of(obstacles, o, rate)
         for i in range(lo, last):
             px, py, pz = x[0, i] - mx, x[1, i] - my, x[2, i] - mz
-            g, nx, ny, nz, _, _, _, _, _ = probe_turned(body, pose, px, py, pz)
+            g, nx, ny, nz, ax, ay, az, ca, cb = probe_turned(body, pose, px, py, pz)
             ox, oy, oz = px - hub[0], py - hub[1], pz - hub[2]
             lx, ly, lz = swept(ux, uy, uz, sweep, ox, oy, oz)
             vx, vy, vz = v[0, i] - lx, v[1, i] - ly, v[2, i] - lz
-            rise = nx * vx + ny * vy + nz * vz
-            k, c = grip[STIFF, i], grip[DAMP, i]
-            push = squeezed(obstacles, o, i, obstacles.thickness[i] - g)[0] - c * rise
+            k, c, depth = grip[STIFF, i], grip[DAMP, i], obstacles.thickness[i] - g
+            n, a = (nx, ny, nz), (ax, ay, az)
+            rise = closing(nx * vx + ny * vy + nz * vz, -depth, n, a, ca, cb, (vx, vy, vz))[0]
+            push = squeezed(obstacles, o, i, depth)[0] - c * rise
             if not push > 0.0:
                 continue
             sx, sy, sz = 0.0, 0.0, 0.0
@@ -109,13 +111,15 @@ def remember_contacts(x, v, obstacles, memory, now, stiffness):
         (wx, wy, wz), sweep = rates_of(obstacles, o, rate)
         for i in range(n):
             px, py, pz = x[0, i] - mx, x[1, i] - my, x[2, i] - mz
-            g, nx, ny, nz, _, _, _, _, _ = probe_turned(body, pose, px, py, pz)
+            g, nx, ny, nz, ax, ay, az, ca, cb = probe_turned(body, pose, px, py, pz)
             ox, oy, oz = px - hub[0], py - hub[1], pz - hub[2]
             lx, ly, lz = swept(ux, uy, uz, sweep, ox, oy, oz)
             vx, vy, vz = v[0, i] - lx, v[1, i] - ly, v[2, i] - lz
             k, c, depth = grip[STIFF, i], grip[DAMP, i], obstacles.thickness[i] - g
             pressed, _, stored = squeezed(obstacles, o, i, depth)
-            push = pressed - c * (nx * vx + ny * vy + nz * vz)
+            normal, a, rise = (nx, ny, nz), (ax, ay, az), nx * vx + ny * vy + nz * vz
+            rise = closing(rise, -depth, normal, a, ca, cb, (vx, vy, vz))[0]
+            push = pressed - c * rise
             if push > 0.0 and grip[PUSH, i] == 0.0:
                 closed += 1.0
             grip[PUSH, i] = max(push, 0.0)

@@ -1,7 +1,7 @@
 """How the forces of contacts change with places and velocities; see `contact`.
 
 With H of the surface, k the slope of R, b = mu R_n, q before it is cut and s = q/|q|,
-    -dR_n = k n.dx + c (n.dv + v.H dx - n.(W x dx))      of a contact that pushes
+    -dR_n = k n.dx + c (n.dv + v.H dx - n.(W x dx))      of a contact that pushes, see `closing` beside it
     -dq   = k_t P dx + c P dv + (n.w) H dx + n (w.H dx),   w = R' - k_t D - c v
     -dR   = n (-dR_n) - R_n H dx + (-dq                                  where it sticks
                                     mu s (-dR_n) + (b/|q|) (I - s s^T) (-dq)   where it slips)
@@ -15,6 +15,7 @@ import math
 
 from ropewalk.core.blocks import load9, subtract
 from ropewalk.core.jit import kernel
+from ropewalk.laws.closing import across, closing
 from ropewalk.laws.contact_frame import DAMP, GRIP, STIFF, spring_pull
 from ropewalk.laws.hardening import squeezed
 from ropewalk.laws.obstacle_pose import body_of, pose_of, probe_turned, rates_of, swept
@@ -42,20 +43,25 @@ def contact_tangent(x, v, obstacles, memory, now, weight_x, weight_v, band):
             ox, oy, oz = px - hub[0], py - hub[1], pz - hub[2]
             lx, ly, lz = swept(ux, uy, uz, sweep, ox, oy, oz)
             vx, vy, vz = v[0, i] - lx, v[1, i] - ly, v[2, i] - lz
-            c = grip[DAMP, i]
-            pressed, k, _ = squeezed(obstacles, o, i, obstacles.thickness[i] - g)
-            push = pressed - c * (nx * vx + ny * vy + nz * vz)
+            c, depth = grip[DAMP, i], obstacles.thickness[i] - g
+            n, a, speed = (nx, ny, nz), (ax, ay, az), (vx, vy, vz)
+            rise, by_gap, by_place, by_speed = closing(
+                nx * vx + ny * vy + nz * vz, -depth, n, a, ca, cb, speed
+            )
+            pressed, k, _ = squeezed(obstacles, o, i, depth)
+            push = pressed - c * rise
             if not push > 0.0:
                 continue
-            n = (nx, ny, nz)
-            a = (ax, ay, az)
-            vH = across(ca, cb, n, a, (vx, vy, vz))
+            vH = across(ca, cb, n, a, speed)
             hx, hy, hz = swept(vH[0], vH[1], vH[2], sweep, nx, ny, nz)  # - n . (W x dx)
             # -dR_n = drop . (weighted step)
+            apart = weight_x * (k + c * by_gap) + weight_v * c
+            aside, by_turn = c * (weight_x * by_place + weight_v * by_speed), weight_x * c
+            tx, ty, tz = swept(0.0, 0.0, 0.0, sweep, vH[0], vH[1], vH[2])
             drop = (
-                weight_x * (k * nx + c * hx) + weight_v * c * nx,
-                weight_x * (k * ny + c * hy) + weight_v * c * ny,
-                weight_x * (k * nz + c * hz) + weight_v * c * nz,
+                apart * nx + by_turn * (hx + by_speed * tx) + aside * vH[0],
+                apart * ny + by_turn * (hy + by_speed * ty) + aside * vH[1],
+                apart * nz + by_turn * (hz + by_speed * tz) + aside * vH[2],
             )
             bend = -weight_x * push  # R_n H
             before = load9(diagonal, i)
@@ -128,14 +134,3 @@ def curve(ca, cb, n, a, p, r):
     """Return entry (p, r) of H."""
     one = 1.0 if p == r else 0.0
     return ca * (one - n[p] * n[r] - a[p] * a[r]) + cb * a[p] * a[r]
-
-
-@kernel
-def across(ca, cb, n, a, u):
-    """Return H u."""
-    along, aside = n[0] * u[0] + n[1] * u[1] + n[2] * u[2], a[0] * u[0] + a[1] * u[1] + a[2] * u[2]
-    return (
-        ca * (u[0] - along * n[0] - aside * a[0]) + cb * aside * a[0],
-        ca * (u[1] - along * n[1] - aside * a[1]) + cb * aside * a[1],
-        ca * (u[2] - along * n[2] - aside * a[2]) + cb * aside * a[2],
-    )

@@ -9,7 +9,8 @@ comes in and goes out, or ends, are more than a right angle apart. What does not
 than a body's thinnest cannot, and is not looked at: a node's way inside is longer than that then.
 
 Nor may what pressed nothing and is outside of a body at the end have been in it by more than MISSED of the
-rope's diameter: no force of the step has seen that it hit.
+rope's diameter: no force of the step has seen that it hit. And what hits must not go far round the surface in
+that step: the force across it is that at the step's end.
 
 Only nodes are pushed. So what is thinner than a segment is long could slip through between two of them: no
 segment may come to lie across a body either, at the end of a step or on the way. It lies across where the
@@ -22,9 +23,9 @@ from __future__ import annotations
 import math
 
 from ropewalk.core.jit import kernel, part, small
-from ropewalk.laws.contact_frame import PUSH
+from ropewalk.laws.contact_frame import PUSH, STILL
 from ropewalk.laws.obstacle_pose import body_of, drawn_place, pose_of
-from ropewalk.laws.obstacle_shapes import MESH, probe
+from ropewalk.laws.obstacle_shapes import MESH, PLANE, probe
 from ropewalk.laws.wheel_rows import surface_now, surface_then
 
 FINE, HALVE = 0, 2  # see `laws.couplings`
@@ -35,6 +36,8 @@ FACING = -0.7  # [1] cosine between the normals at both ends of what lies across
 LONG = 1.4  # [1] length over half the thickness of what may lie across; across shorter ones a node goes
 PAST = 2.0  # no cosine
 MISSED = 0.1  # [1] diameters by which a way may dip into a body that no force of the step has seen
+SWERVE = 0.99  # [1] least cosine between the normals where a way would hit and where the step ends
+SHORT = 0.1  # [1] diameters: so short a way does not count as far round an edge
 LOOKS = 12  # for where it dips deepest
 APART = 0.3  # [1] of the half thickness: how far a segment moves from one look to the next
 
@@ -49,10 +52,16 @@ def poses_at(obstacles, wheels, o, now):
 
 
 @small
+def seen_from(body, at, x, y, z):
+    """Return where a place is in the frame of a body that lies `at` what `poses_at` gives [m]."""
+    moved, turn = at
+    return drawn_place(body, turn, x - moved[0], y - moved[1], z - moved[2])
+
+
+@small
 def place_in(body, at, x, i):
     """Return where node i is in the frame of a body that lies `at` what `poses_at` gives [m]."""
-    moved, turn = at
-    return drawn_place(body, turn, x[0, i] - moved[0], x[1, i] - moved[1], x[2, i] - moved[2])
+    return seen_from(body, at, x[0, i], x[1, i], x[2, i])
 
 
 @small
@@ -261,6 +270,43 @@ def find_missed(x, y, inverse_mass, obstacles, grip, wheels, through, now):
     return count
 
 
+@small
+def swerves(obstacles, o, i, p, f, q):
+    """Tell whether node i, from p on the way to f, hits obstacle o and ends at q, far round it."""
+    dx, dy, dz = f[0] - p[0], f[1] - p[1], f[2] - p[2]
+    thickness, way = obstacles.thickness[i], math.sqrt(dx * dx + dy * dy + dz * dz)
+    before = gap_at(obstacles, o, p) - thickness
+    if before <= 0.0 or before > way or way < SHORT * obstacles.diameter[i]:
+        return False
+    enters, ax, ay, az = inward(obstacles, o, thickness, p, f)
+    if not enters or ax * dx + ay * dy + az * dz > -STILL * obstacles.diameter[i]:
+        return False
+    center, axis, size = obstacles.center[o], obstacles.axis[o], obstacles.size[o]
+    _, bx, by, bz, _, _, _, _, _ = probe(obstacles.kind[o], center, axis, size, q[0], q[1], q[2])
+    return ax * bx + ay * by + az * bz < SWERVE
+
+
+@kernel
+def find_swerves(x, v, y, inverse_mass, obstacles, wheels, through, now):
+    """Note which obstacle a node has hit from x to y, with v at x, and gone far round, see `find_pass`."""
+    count, dt = 0, now[0] - now[1]
+    for o in range(obstacles.kind.shape[0]):
+        if obstacles.kind[o] == PLANE:
+            continue
+        body = body_of(obstacles, o)
+        then, here = poses_at(obstacles, wheels, o, now)
+        for i in range(x.shape[1]):
+            if not inverse_mass[i] > 0.0 or through[i] != 0:
+                continue
+            fx, fy, fz = x[0, i] + dt * v[0, i], x[1, i] + dt * v[1, i], x[2, i] + dt * v[2, i]
+            ahead = seen_from(body, here, fx, fy, fz)
+            p, q = place_in(body, then, x, i), place_in(body, here, y, i)
+            if swerves(obstacles, o, i, p, ahead, q):
+                through[i] = o + 1
+                count += 1
+    return count
+
+
 @part
 def meet(obstacles, state, x):
     """Tell whether the way from the state to `x` may stand, see `obstacle_way`."""
@@ -271,6 +317,7 @@ def meet(obstacles, state, x):
     inert, now = state.inverse_mass, state.now
     many = find_pass(state.x, x, inert, obstacles, grip, wheels, through, now)
     many += find_sweep(state.x, x, inert, state.stiffness, obstacles, wheels, through, now)
+    many += find_swerves(state.x, state.v, x, inert, obstacles, wheels, through, now)
     many += find_missed(state.x, x, inert, obstacles, grip, wheels, through, now)
     return HALVE if many > 0 else FINE
 

@@ -19,6 +19,7 @@ from __future__ import annotations
 import math
 
 from ropewalk.core.jit import kernel
+from ropewalk.laws.closing import closing
 from ropewalk.laws.contact_frame import DAMP, GRIP, STIFF, cut, surface_at
 from ropewalk.laws.hardening import squeezed
 from ropewalk.laws.obstacle_pose import rotated
@@ -107,9 +108,12 @@ def _list_nodes(x, v, obstacles, memory, o, t):
     mx, my, mz, ux, uy, uz, _, _ = surface_at(obstacles, o, t)
     for i in range(x.shape[1]):
         px, py, pz = x[0, i] - mx, x[1, i] - my, x[2, i] - mz
-        g, nx, ny, nz, _, _, _, _, _ = probe(kind, center, axis, size, px, py, pz)
-        rise = nx * (v[0, i] - ux) + ny * (v[1, i] - uy) + nz * (v[2, i] - uz)
-        push = squeezed(obstacles, o, i, obstacles.thickness[i] - g)[0]
+        g, nx, ny, nz, ax, ay, az, ca, cb = probe(kind, center, axis, size, px, py, pz)
+        vx, vy, vz = v[0, i] - ux, v[1, i] - uy, v[2, i] - uz
+        rise, depth = nx * vx + ny * vy + nz * vz, obstacles.thickness[i] - g
+        n, a = (nx, ny, nz), (ax, ay, az)
+        rise = closing(rise, -depth, n, a, ca, cb, (vx, vy, vz))[0]
+        push = squeezed(obstacles, o, i, depth)[0]
         bound = grip[GRIP, i] * (push - grip[DAMP, i] * rise)
         if bound > 0.0:
             ties[NODE, count], ties[BOUND, count] = i, bound

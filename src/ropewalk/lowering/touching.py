@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ropewalk.core.arrays import Floats, Ints
+from ropewalk.laws.closing import closing
 from ropewalk.laws.contact import on_polygon, push_on, turn_towards
 from ropewalk.laws.contact_frame import surface_at
 from ropewalk.laws.obstacle import Obstacles
@@ -69,11 +70,13 @@ def contacts_at(
     now = [np.array(surface_at(table, o, t)) for o in range(len(table.kind))]
     for i in map(int, np.flatnonzero(np.any(force != 0.0, axis=0))):
         for o in range(len(table.kind)):
-            gap, *direction = surface_near(table, o, x[:, i], t)[:4]
+            gap, *direction, ax, ay, az, ca, cb = surface_near(table, o, x[:, i], t)
             place, normal = x[:, i] - now[o][:3] - table.hub[o], np.array(direction)
             turning = np.array(rates_of(table, o, now[o][7]))
             speed = v[:, i] - now[o][3:6] - np.cross(turning[1], place)
-            push = push_on(table, o, i, gap, float(normal @ speed))
+            room, rise = gap - table.thickness[i], float(normal @ speed)
+            rise = closing(rise, room, tuple(direction), (ax, ay, az), ca, cb, tuple(speed))[0]
+            push = push_on(table, o, i, gap, rise)
             if not push > 0.0:
                 continue
             turn = turn_towards(x, i, *direction, stiffness)
