@@ -16,6 +16,7 @@ import math
 
 from ropewalk.core.blocks import dot3, minus3, scale3
 from ropewalk.core.jit import kernel, small
+from ropewalk.laws.closing import closing
 from ropewalk.laws.contact_frame import DAMP, GRIP, STIFF, cut, spring_pull, surface_at
 from ropewalk.laws.hardening import squeezed
 from ropewalk.laws.obstacle_pose import body_of, pose_of, probe_turned, rates_of, swept
@@ -94,11 +95,13 @@ def turning_torque(rate, x, v, obstacles, memory, o, now, keep):
     for i in range(x.shape[1]):
         px, py, pz = x[0, i] - mx, x[1, i] - my, x[2, i] - mz
         g, nx, ny, nz, ax, ay, az, ca, cb = probe_turned(body, pose, px, py, pz)
-        pressed, k, _ = squeezed(obstacles, o, i, obstacles.thickness[i] - g)
+        depth = obstacles.thickness[i] - g
+        pressed, k, _ = squeezed(obstacles, o, i, depth)
         arm = (px - hub[0], py - hub[1], pz - hub[2])
         n, a, c = (nx, ny, nz), (ax, ay, az), grip[DAMP, i]
         u = minus3((v[0, i], v[1, i], v[2, i]), swept(ux, uy, uz, sweep, arm[0], arm[1], arm[2]))
-        push = pressed - c * dot3(n, u)
+        rise, by_gap, by_place, by_speed = closing(dot3(n, u), -depth, n, a, ca, cb, u)
+        push = pressed - c * rise
         if not push > 0.0:
             continue
         kt, mu = grip[STIFF, i], grip[GRIP, i]
@@ -109,7 +112,11 @@ def turning_torque(rate, x, v, obstacles, memory, o, now, keep):
         e = cross3(axis, arm)
         dx, dv = scale3(-h, e), scale3(-1.0, plus3(e, scale3(h, cross3(axis, u))))
         dn = bent(ca, cb, n, a, dx)
-        more = -k * dot3(n, dx) - c * (dot3(dn, u) + dot3(n, dv))
+        uH = bent(ca, cb, n, a, u)
+        more = (
+            by_gap * dot3(n, dx) + by_place * dot3(uH, dx) + by_speed * dot3(uH, dv)
+        )  # of what may pass
+        more = -k * dot3(n, dx) - c * (dot3(dn, u) + dot3(n, dv) + more)
         change = scale3(-1.0, plus3(scale3(kt, dx), scale3(c, dv)))
         led = changes(n, dn, push, more, pull, change, mu)
         led = plus3(led, scale3(h, cross3(axis, force)))
