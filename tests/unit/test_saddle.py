@@ -9,7 +9,7 @@ import pytest
 
 from ropewalk.core.band_sweep import band_sweep
 from ropewalk.core.saddle import Saddle, dense_saddle, make_saddle
-from ropewalk.core.sweep import sweep
+from ropewalk.core.sweep import leaning_sweep, sweep
 
 SIZES = (2, 3, 4, 5, 8, 13)
 
@@ -46,6 +46,28 @@ def error(solver: Callable[[Saddle], None], saddle: Saddle) -> float:
     exact = np.linalg.solve(matrix, right)
     found = np.concatenate([saddle.moved.T.ravel(), saddle.pulled])
     return float(np.abs(found - exact).max() / np.abs(exact).max())
+
+
+def leaning_saddle(nodes: int, seed: int) -> Saddle:
+    """Return random equations whose forces along the segments follow the nodes' motion."""
+    saddle = random_saddle(nodes, seed)
+    saddle.lean[:] = np.random.default_rng(100 + seed).normal(size=(3, nodes - 1))
+    return saddle
+
+
+@pytest.mark.parametrize("nodes", (*SIZES, 101, 300))
+def test_rows_that_lean(nodes: int) -> None:
+    """What numpy solves, to rounding; without a lean what the symmetric sweep gives; the twin leaves it out."""
+    for seed in range(8):
+        saddle = leaning_saddle(nodes, seed)
+        assert error(leaning_sweep, saddle) < 1e-10
+        assert error(sweep, saddle) > 1e-3
+        straight = random_saddle(nodes, seed)
+        sweep(straight)
+        expected = straight.moved.copy(), straight.pulled.copy()
+        leaning_sweep(straight)
+        assert np.abs(straight.moved - expected[0]).max() < 1e-11 * np.abs(expected[0]).max()
+        assert np.abs(straight.pulled - expected[1]).max() < 1e-10 * np.abs(expected[1]).max()
 
 
 @pytest.mark.parametrize("nodes", SIZES)

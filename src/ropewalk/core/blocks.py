@@ -41,6 +41,12 @@ def scale3(c, a):
 
 
 @small
+def plus3(a, b):
+    """Return the vector a + b."""
+    return a[0] + b[0], a[1] + b[1], a[2] + b[2]
+
+
+@small
 def minus3(a, b):
     """Return the vector a - b."""
     return a[0] - b[0], a[1] - b[1], a[2] - b[2]
@@ -131,10 +137,16 @@ def less_product(m, u, w):
 @small
 def inverse(a):
     """Return the inverse by cofactors; infinite where the block is singular."""
+    return free_inverse(a, 1.0)
+
+
+@small
+def free_inverse(a, free):
+    """Return `free` times the inverse."""
     c0 = a[4] * a[8] - a[5] * a[7]
     c3 = a[5] * a[6] - a[3] * a[8]
     c6 = a[3] * a[7] - a[4] * a[6]
-    over = 1.0 / (a[0] * c0 + a[1] * c3 + a[2] * c6)
+    over = free / (a[0] * c0 + a[1] * c3 + a[2] * c6)
     return (
         over * c0, over * (a[2] * a[7] - a[1] * a[8]), over * (a[1] * a[5] - a[2] * a[4]),
         over * c3, over * (a[0] * a[8] - a[2] * a[6]), over * (a[2] * a[3] - a[0] * a[5]),

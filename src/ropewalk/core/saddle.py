@@ -4,12 +4,13 @@ Unknowns are the displacement z of every node and the change T' of every segment
     node i      L z_(i-1) + A z_i + U z_(i+1) - t_i T'_i + t_(i-1) T'_(i-1) = f_i
     segment j   d_j t_j . (z_(j+1) - z_j) - e_j T'_j = -g_j
 with t the unit vectors, e the compliance 1/k, g the misfit of the length and d = 0 for a segment that carries
-nothing. A, L, U hold inertia, geometric stiffness, friction and all other laws, but no spring constant: no
+nothing. Where forces along the segments follow the nodes' motion, the nodes have t_j lean_j . (z_(j+1) - z_j)
+besides. A, L, U hold inertia, geometric stiffness, friction and all other laws, but no spring constant: no
 number in the elimination grows with k, and k = inf (e = 0) is a rigid link.
 
 The matrix is given in two parts: inertia of the nodes and across I + (along - across) t t^T of the segments,
-which most ropes need only, and a band of blocks for all else. `sweep` solves the first kind from both ends
-at once, `band_sweep` any; where joints tie nodes, `network` does.
+which most ropes need only, and a band of blocks for all else. `sweep` and `leaning_sweep` solve the first kind
+from both ends at once, `band_sweep` any without `lean`; where joints tie nodes, `network` does.
 """
 
 from __future__ import annotations
@@ -36,6 +37,7 @@ class Saddle(NamedTuple):
     compliance: Floats  # (s,) [m/N]
     force: Floats  # (3, n) right side of the nodes, f [N]
     misfit: Floats  # (s,) g [m]
+    lean: Floats  # (3, s) of `leaning_sweep`, 0 without [N/m]
     moved: Floats  # (3, n) solution z [m]
     pulled: Floats  # (s,) solution T' [N]
     factor: Floats  # (n, 16) what the way back needs
@@ -46,7 +48,7 @@ class Saddle(NamedTuple):
 def make_saddle(nodes: int, second: bool = False, marks: int = 0) -> Saddle:
     """Return equations of zeros; `second` and `marks` are those of the band, see `make_band`."""
     n, s = nodes, nodes - 1
-    shapes = (n, n, s, s, (3, s), s, s, (3, n), s, (3, n), s, (n, 16), (n * second, 12))
+    shapes = (n, n, s, s, (3, s), s, s, (3, n), s, (3, s), (3, n), s, (n, 16), (n * second, 12))
     arrays = [np.zeros(shape) for shape in shapes]
     return Saddle._make((make_band(n, second, marks), *arrays, no_network()))
 
@@ -63,6 +65,7 @@ def dense_saddle(saddle: Saddle) -> tuple[Floats, Floats]:
         low, high = slice(3 * j, 3 * j + 3), slice(3 * j + 3, 3 * j + 6)
         line = np.outer(t, t)
         block = saddle.across[j] * (np.eye(3) - line) + saddle.along[j] * line
+        block += np.outer(t, saddle.lean[:, j])
         for p, q, sign in (
             (low, low, 1.0),
             (high, high, 1.0),

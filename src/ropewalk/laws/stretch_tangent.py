@@ -117,6 +117,30 @@ def axial_tangent(x, v, coefficient, weight_x, weight_v, rubs, band):
 
 
 @kernel
+def axial_lean(x, v, coefficient, weight_v, rubs, over, saddle):
+    """Add the same to a saddle without a band: c/r (u . t) to across, the rest to lean.
+
+    `over` is 1 / r, (s,), 0 where the ends of a segment coincide.
+    """
+    x0, x1, x2, v0, v1, v2 = x[0], x[1], x[2], v[0], v[1], v[2]
+    across, lean0, lean1, lean2 = saddle.across, saddle.lean[0], saddle.lean[1], saddle.lean[2]
+    for j in range(coefficient.shape[0]):
+        c = coefficient[j] * rubs[j]
+        tx, ty, tz = (
+            over[j] * (x0[j + 1] - x0[j]),
+            over[j] * (x1[j + 1] - x1[j]),
+            over[j] * (x2[j + 1] - x2[j]),
+        )
+        ux, uy, uz = v0[j + 1] - v0[j], v1[j + 1] - v1[j], v2[j + 1] - v2[j]
+        rate, q = ux * tx + uy * ty + uz * tz, c * over[j]
+        along = weight_v * c - q * rate
+        across[j] += q * rate
+        lean0[j] = along * tx + q * ux
+        lean1[j] = along * ty + q * uy
+        lean2[j] = along * tz + q * uz
+
+
+@kernel
 def growth_tangent(state, winches, weight_x, rubs, band):
     """Add the derivatives of what the growth of the winches' segments takes out of their friction."""
     for row in range(state.winch_exit.shape[0]):

@@ -8,10 +8,11 @@ from ropewalk.core.arrays import AXIAL
 from ropewalk.core.band_sweep import band_sweep
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.network import gather, soften, solve_gathered
-from ropewalk.core.sweep import sweep
+from ropewalk.core.sweep import leaning_sweep, sweep
 from ropewalk.laws.couplings import add_couplings, couples, order_couplings
 from ropewalk.laws.nodes import add_diagonals, are_diagonal
 from ropewalk.laws.rare import are_tied, has_bending, winds
+from ropewalk.laws.stretch_tangent import axial_lean
 from ropewalk.laws.tangent import add_tangents, begin_tangent
 from ropewalk.laws.wheel_rows import TIE
 from ropewalk.methods.wheel_ties import has_wheels, put_column, take_column, tie_wheels
@@ -45,13 +46,8 @@ def rub_along(damping, rubs, over_c1, mass, free, inertia, saddle):
 
 @part
 def is_simple(system, state):
-    """Tell whether all laws fit into inertia, across and along."""
-    return (
-        system.flags[AXIAL] == 0
-        and not has_bending(system)
-        and are_diagonal(system)
-        and not winds(system, state)
-    )
+    """Tell whether all laws fit into inertia, across, along and lean."""
+    return not has_bending(system) and are_diagonal(system) and not winds(system, state)
 
 
 @part
@@ -93,7 +89,12 @@ def newton_step(system, state, stage, c1, c2, exact, leap):
     if is_simple(system, state) and not coupled:
         rub_along(state.damping_vector, rubs, 1.0 / c1, state.mass, saddle.free, inertia, saddle)
         add_diagonals(system, 1.0 / c1, saddle.free, saddle.inertia)
-        sweep(saddle)
+        if system.flags[AXIAL] == 1:
+            x, v, axial = stage.x, stage.v, state.damping_axial
+            axial_lean(x, v, axial, 1.0 / c1, rubs, segments.over, saddle)
+            leaning_sweep(saddle)
+        else:
+            sweep(saddle)
     else:
         rub_along(state.damping_vector, rubs, 0.0, state.mass, saddle.free, inertia, saddle)
         begin_tangent(system, state, stage.x, stage.v, 1.0, 1.0 / c1, leap, saddle.band)
