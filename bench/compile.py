@@ -12,7 +12,9 @@ import sys
 import tempfile
 
 from bench.row import Row
-from ropewalk.laws.registry import NAMES as LAWS
+
+# Laws of nodes that no other file names: without another one the program does not start.
+LAWS = ("air", "ground", "slide")
 
 SCENE = """
 import sys
@@ -57,5 +59,12 @@ def compile() -> list[Row]:  # noqa: A001 - the name of the case
         ]
     whole = rows[1].value
     fewer = [seconds("semi-implicit-euler", full=True, without=name) for name in LAWS]
-    rows.append(Row("a law of nodes adds, mean", whole - sum(fewer) / len(fewer), "s", "<= 3"))
+    rows.append(
+        Row(
+            "a law of nodes adds, mean of air, ground, slide",
+            whole - sum(fewer) / len(fewer),
+            "s",
+            "<= 3",
+        )
+    )
     return rows

@@ -40,6 +40,14 @@ def make_band(nodes: int, second: bool = False, marks: int = 0) -> Band:
 
 
 @kernel
+def clear_diagonal(band):
+    """Set the blocks on the diagonal to zero."""
+    for i in range(band.diagonal.shape[0]):
+        for k in range(9):
+            band.diagonal[i, k] = 0.0
+
+
+@kernel
 def clear_band(band):
     """Set all blocks to zero."""
     for i in range(band.diagonal.shape[0]):

@@ -1,4 +1,6 @@
-"""The pieces of a sweep whose rows lean away from their columns: blocks of nine numbers.
+"""The pieces of a sweep whose rows lean away from their columns: blocks have nine numbers.
+
+The band's diagonal adds blocks that nodes have of themselves.
 
 Forces along a segment that follow the motion of its ends by `lean`, (rub t + w)^T (z_(j+1) - z_j), go into
 its tension's unknown: with N' = T' + lean . (z_(j+1) - z_j) the nodes know N' t only, and segment j's row is
@@ -11,11 +13,13 @@ With B = across I + (along - across) t t^T, eliminating a node and N' of the seg
 from __future__ import annotations
 
 from ropewalk.core.blocks import (
+    add,
     apply,
     apply_left,
     dot3,
     free_inverse,
     less_product,
+    load9,
     minus3,
     plus3,
     scale3,
@@ -52,16 +56,46 @@ def rows(saddle, i, j, t):
 
 
 @small
-def add_node(passed, inertia, force, t, across, bend):
-    """Add a node's inertia, force and B of its other segment to what came from those before it."""
+def both9(blocks, i, j):
+    """Return the first nine numbers of rows `i` and `j`."""
+    b = blocks
+    return (
+        twin(b[i, 0], b[j, 0]), twin(b[i, 1], b[j, 1]), twin(b[i, 2], b[j, 2]),
+        twin(b[i, 3], b[j, 3]), twin(b[i, 4], b[j, 4]), twin(b[i, 5], b[j, 5]),
+        twin(b[i, 6], b[j, 6]), twin(b[i, 7], b[j, 7]), twin(b[i, 8], b[j, 8]),
+    )  # fmt: skip
+
+
+@small
+def plus_inertia(a, d):
+    """Return a + d I."""
+    return a[0] + d, a[1], a[2], a[3], a[4] + d, a[5], a[6], a[7], a[8] + d
+
+
+@small
+def own(saddle, i):
+    """Return what node `i` has of itself: inertia and the band's block."""
+    return plus_inertia(load9(saddle.band.diagonal, i), saddle.inertia[i])
+
+
+@small
+def owns(saddle, i, j):
+    """Return what nodes `i` and `j` have of themselves."""
+    d = twin(saddle.inertia[i], saddle.inertia[j])
+    return plus_inertia(both9(saddle.band.diagonal, i, j), d)
+
+
+@small
+def add_node(passed, own, force, t, across, bend):
+    """Add a node's own block, force and B of its other segment to what came from those before it."""
     a, p, q, s, g, f = passed
-    d = inertia + across
+    a = plus_inertia(add(a, own), across)
     b0, b1, b2 = bend * t[0], bend * t[1], bend * t[2]
     xy, xz, yz = b0 * t[1], b0 * t[2], b1 * t[2]
     a = (
-        a[0] + d + b0 * t[0], a[1] + xy, a[2] + xz,
-        a[3] + xy, a[4] + d + b1 * t[1], a[5] + yz,
-        a[6] + xz, a[7] + yz, a[8] + d + b2 * t[2],
+        a[0] + b0 * t[0], a[1] + xy, a[2] + xz,
+        a[3] + xy, a[4] + b1 * t[1], a[5] + yz,
+        a[6] + xz, a[7] + yz, a[8] + b2 * t[2],
     )  # fmt: skip
     return a, p, q, s, g, plus3(f, force)
 
@@ -125,16 +159,10 @@ def seconds(both):
 
 
 @small
-def join(one, other, inertia, force):
+def join(one, other, own, force):
     """Return the middle node with what both ends left to it; column and row are those of the first end."""
     a, p, q, s, g, f = one
-    b, h = other[0], other[5]
-    a = (
-        a[0] + b[0] + inertia, a[1] + b[1], a[2] + b[2],
-        a[3] + b[3], a[4] + b[4] + inertia, a[5] + b[5],
-        a[6] + b[6], a[7] + b[7], a[8] + b[8] + inertia,
-    )  # fmt: skip
-    return a, p, q, s, g, plus3(plus3(f, h), force)
+    return add(add(a, other[0]), own), p, q, s, g, plus3(plus3(f, other[5]), force)
 
 
 @small
@@ -165,19 +193,14 @@ def keep_both(factor, i, j, m, w):
 @small
 def kept(f, i):
     """Return what was kept of node `i`: M and w."""
-    m = (f[i, 0], f[i, 1], f[i, 2], f[i, 3], f[i, 4], f[i, 5], f[i, 6], f[i, 7], f[i, 8])
-    return m, (f[i, 9], f[i, 10], f[i, 11])
+    return load9(f, i), (f[i, 9], f[i, 10], f[i, 11])
 
 
 @small
 def kept_both(f, i, j):
     """Return what was kept of nodes `i` and `j`."""
-    m = (
-        twin(f[i, 0], f[j, 0]), twin(f[i, 1], f[j, 1]), twin(f[i, 2], f[j, 2]),
-        twin(f[i, 3], f[j, 3]), twin(f[i, 4], f[j, 4]), twin(f[i, 5], f[j, 5]),
-        twin(f[i, 6], f[j, 6]), twin(f[i, 7], f[j, 7]), twin(f[i, 8], f[j, 8]),
-    )  # fmt: skip
-    return m, (twin(f[i, 9], f[j, 9]), twin(f[i, 10], f[j, 10]), twin(f[i, 11], f[j, 11]))
+    w = (twin(f[i, 9], f[j, 9]), twin(f[i, 10], f[j, 10]), twin(f[i, 11], f[j, 11]))
+    return both9(f, i, j), w
 
 
 @small

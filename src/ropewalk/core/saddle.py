@@ -9,8 +9,9 @@ besides. A, L, U hold inertia, geometric stiffness, friction and all other laws,
 number in the elimination grows with k, and k = inf (e = 0) is a rigid link.
 
 The matrix is given in two parts: inertia of the nodes and across I + (along - across) t t^T of the segments,
-which most ropes need only, and a band of blocks for all else. `sweep` and `leaning_sweep` solve the first kind
-from both ends at once, `band_sweep` any without `lean`; where joints tie nodes, `network` does.
+which most ropes need only, and a band of blocks for all else. `sweep` solves the first kind from both ends at
+once, `leaning_sweep` that with `lean` and the blocks on the band's diagonal, `band_sweep` any without `lean`;
+where joints tie nodes, `network` does.
 """
 
 from __future__ import annotations
@@ -37,7 +38,7 @@ class Saddle(NamedTuple):
     compliance: Floats  # (s,) [m/N]
     force: Floats  # (3, n) right side of the nodes, f [N]
     misfit: Floats  # (s,) g [m]
-    lean: Floats  # (3, s) of `leaning_sweep`, 0 without [N/m]
+    lean: Floats  # (3, s), see `leaning` [N/m]
     moved: Floats  # (3, n) solution z [m]
     pulled: Floats  # (s,) solution T' [N]
     factor: Floats  # (n, 16) what the way back needs

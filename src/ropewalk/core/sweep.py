@@ -19,13 +19,20 @@ from ropewalk.core.twin import first, second, twin
 
 def _to_the_middle(form: ModuleType) -> Any:
     """Return the part that goes from both ends to the middle with the pieces of a form."""
-    nothing, row, rows, keep, keep_both = form.nothing, form.row, form.rows, form.keep, form.keep_both
+    nothing, row, rows, keep, keep_both = (
+        form.nothing,
+        form.row,
+        form.rows,
+        form.keep,
+        form.keep_both,
+    )
     add_node, respond, pass_on = form.add_node, form.respond, form.pass_on
+    own, owns = form.own, form.owns
     firsts, seconds = form.firsts, form.seconds
 
     @part
     def _both_ends(saddle, middle):
-        free, inertia, e = saddle.free, saddle.inertia, saddle.compliance
+        free, e = saddle.free, saddle.compliance
         across, along, misfit = saddle.across, saddle.along, saddle.misfit
         d0, d1, d2 = saddle.direction[0], saddle.direction[1], saddle.direction[2]
         r0, r1, r2 = saddle.force[0], saddle.force[1], saddle.force[2]
@@ -39,7 +46,7 @@ def _to_the_middle(form: ModuleType) -> Any:
             stiff = twin(across[i], across[j])
             bend = twin(along[i], along[j]) - stiff
             f = (twin(r0[i], r0[h]), twin(r1[i], r1[h]), twin(r2[i], r2[h]))
-            both = add_node(both, twin(inertia[i], inertia[h]), f, t, stiff, bend)
+            both = add_node(both, owns(saddle, i, h), f, t, stiff, bend)
             m, w, y, pull = respond(both, twin(free[i], free[h]))
             keep_both(factor, i, h, m, w)
             z0[i], z1[i], z2[i] = first(y[0]), first(y[1]), first(y[2])
@@ -52,7 +59,7 @@ def _to_the_middle(form: ModuleType) -> Any:
         for i in range(n - 1 - middle, middle):  # of an even number of nodes one is left
             t = (d0[i], d1[i], d2[i])
             bend = along[i] - across[i]
-            one = add_node(one, inertia[i], (r0[i], r1[i], r2[i]), t, across[i], bend)
+            one = add_node(one, own(saddle, i), (r0[i], r1[i], r2[i]), t, across[i], bend)
             m, w, y, pull = respond(one, free[i])
             keep(factor, i, m, w)
             z0[i], z1[i], z2[i] = y
@@ -66,13 +73,13 @@ def _to_the_middle(form: ModuleType) -> Any:
 
 def _at_the_middle(form: ModuleType) -> Any:
     """Return the part that solves for the middle node and the tensions beside it."""
-    join, respond, meet = form.join, form.respond, form.meet
+    join, respond, meet, own = form.join, form.respond, form.meet, form.own
 
     @part
     def _middle_node(saddle, i, one, other):
         force, tension, z = saddle.force, saddle.pulled, saddle.moved
         f = (force[0, i], force[1, i], force[2, i])
-        m, w, y, pull = respond(join(one, other, saddle.inertia[i], f), saddle.free[i])
+        m, w, y, pull = respond(join(one, other, own(saddle, i), f), saddle.free[i])
         if i < saddle.free.shape[0] - 1:  # the tension of the segment that comes from the other end
             against, moved = meet(m, y, other)
             p = other[1]
@@ -139,10 +146,7 @@ _both_leaning, _middle_leaning, _go_back_leaning = (
 
 @kernel
 def sweep(saddle):
-    """Solve the equations; the solution is in `moved` and `pulled`, not finite where there is none.
-
-    `saddle.lean` is not looked at.
-    """
+    """Solve the equations; the solution is in `moved` and `pulled`, not finite where there is none."""
     middle = saddle.free.shape[0] // 2
     one, other = _both_ends(saddle, middle)
     _middle_node(saddle, middle, one, other)
@@ -151,7 +155,7 @@ def sweep(saddle):
 
 @kernel
 def leaning_sweep(saddle):
-    """As `sweep`, with what the forces along the segments have of the nodes' motion in `saddle.lean`."""
+    """As `sweep`, with `lean` and the blocks on the band's diagonal."""
     middle = saddle.free.shape[0] // 2
     one, other = _both_leaning(saddle, middle)
     _middle_leaning(saddle, middle, one, other)

@@ -32,6 +32,18 @@ def rows(saddle, i, j, t):
 
 
 @small
+def own(saddle, i):
+    """Return the inertia of node `i`, which is all that it has of itself."""
+    return saddle.inertia[i]
+
+
+@small
+def owns(saddle, i, j):
+    """Return those of nodes `i` and `j`."""
+    return twin(saddle.inertia[i], saddle.inertia[j])
+
+
+@small
 def add_node(passed, inertia, force, t, across, bend):
     """Add a node's inertia, force and B of its other segment to what came from those before it."""
     a, p, on, s, g, f = passed

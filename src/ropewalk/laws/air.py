@@ -159,6 +159,7 @@ AIR = NodeLaw(
     force=drag,
     tangent=tangent,
     is_diagonal=is_linear,
+    is_local=is_linear,
     add_diagonal=add_diagonal,
     power=power,
     at_rest=at_rest,

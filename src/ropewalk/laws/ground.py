@@ -22,7 +22,7 @@ from ropewalk.core.arrays import Floats
 from ropewalk.core.jit import kernel, part, small
 from ropewalk.core.ranges import ALL, rows
 from ropewalk.laws.events import end_of_crossing
-from ropewalk.laws.node_law import NodeLaw, Rest
+from ropewalk.laws.node_law import NodeLaw, Rest, always
 
 if TYPE_CHECKING:
     from ropewalk.methods.bound import Chain
@@ -287,6 +287,7 @@ GROUND = NodeLaw(
     acts=acts,
     force=force,
     tangent=tangent,
+    is_local=always,
     mark=mark,
     marked_force=marked_force,
     crossings=crossings,

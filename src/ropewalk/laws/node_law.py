@@ -18,6 +18,7 @@ from enum import Enum
 from typing import Any, NamedTuple
 
 from ropewalk.core.arrays import Floats
+from ropewalk.core.jit import part
 
 
 class Rest(Enum):
@@ -28,6 +29,12 @@ class Rest(Enum):
     BEARS = 2  # it bears what lies on it
     HOLDS = 3  # it has a place for every node
     PULLS = 4  # it pulls neighbours together or apart, and holds no rope anywhere
+
+
+@part
+def always(table):
+    """Say yes."""
+    return True
 
 
 class NodeLaw(NamedTuple):
@@ -63,6 +70,10 @@ class NodeLaw(NamedTuple):
     )
 
     given: Any = None  # part (table, state, x): what it has put in so far beyond that [J], where that is kept
+
+    is_local: Any = (
+        None  # part (table): whether its tangent writes the blocks on the band's diagonal only
+    )
 
     # A law with a memory. It is part of the state, and so of snapshots, islands and checkpoints.
     # (table, x, stiffness of the segments): at the start, a named tuple of arrays; the last axis counts nodes

@@ -132,28 +132,34 @@ node_tangents = fold(_differing, _no_tangents)
 
 
 @part
-def _all_diagonal(system):
+def _all_are(system):
     return True
 
 
-def _simplifying(law: NodeLaw, k: int, rest: Any) -> Any:
-    is_diagonal = law.is_diagonal
-
-    @part
-    def _never(table):
-        return False
-
-    simple = _never if is_diagonal is None else is_diagonal
-
-    @part
-    def _are_diagonal(system):
-        return (not acts(system, k) or simple(system.node[k])) and rest(system)
-
-    return _are_diagonal
+@part
+def _never(table):
+    return False
 
 
-are_diagonal = fold(_simplifying, _all_diagonal)
+def all_are(piece: str) -> Any:
+    """Return the part that tells whether all laws that act say yes to `piece`; a law without it says no."""
+
+    def make(law: NodeLaw, k: int, rest: Any) -> Any:
+        says = getattr(law, piece) or _never
+
+        @part
+        def _are(system):
+            return (not acts(system, k) or says(system.node[k])) and rest(system)
+
+        return _are
+
+    return fold(make, _all_are)
+
+
+are_diagonal = all_are("is_diagonal")
 """are_diagonal(system): tell whether all tangents are a number for every node, and of velocities only."""
+are_local = all_are("is_local")
+"""are_local(system): tell whether all tangents have a block for every node, and no more."""
 
 
 @part

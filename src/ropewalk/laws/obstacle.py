@@ -32,7 +32,7 @@ from ropewalk.laws.contact_books import BOOKS, WAYS, book_contacts
 from ropewalk.laws.contact_frame import DAMP, GRIPS, STIFF
 from ropewalk.laws.contact_tangent import contact_tangent
 from ropewalk.laws.hardening import HARD
-from ropewalk.laws.node_law import NodeLaw, Rest
+from ropewalk.laws.node_law import NodeLaw, Rest, always
 from ropewalk.laws.obstacle_places import depths
 from ropewalk.laws.obstacle_rows import (
     KINDS,
@@ -367,6 +367,7 @@ OBSTACLE = NodeLaw(
     acts=acts,
     force=force,
     tangent=tangent,
+    is_local=always,
     memory=memory,
     remember=remember,
     book=book,

@@ -118,7 +118,7 @@ def axial_tangent(x, v, coefficient, weight_x, weight_v, rubs, band):
 
 @kernel
 def axial_lean(x, v, coefficient, weight_v, rubs, over, saddle):
-    """Add the same to a saddle without a band: c/r (u . t) to across, the rest to lean.
+    """Put the same into a saddle: add c/r (u . t) to across, write the rest as lean.
 
     `over` is 1 / r, (s,), 0 where the ends of a segment coincide.
     """

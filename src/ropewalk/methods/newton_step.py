@@ -5,12 +5,13 @@ from __future__ import annotations
 import numpy as np
 
 from ropewalk.core.arrays import AXIAL
+from ropewalk.core.band import clear_diagonal
 from ropewalk.core.band_sweep import band_sweep
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.network import gather, soften, solve_gathered
 from ropewalk.core.sweep import leaning_sweep, sweep
 from ropewalk.laws.couplings import add_couplings, couples, order_couplings
-from ropewalk.laws.nodes import add_diagonals, are_diagonal
+from ropewalk.laws.nodes import add_diagonals, are_diagonal, are_local, node_tangents
 from ropewalk.laws.rare import are_tied, has_bending, winds
 from ropewalk.laws.stretch_tangent import axial_lean
 from ropewalk.laws.tangent import add_tangents, begin_tangent
@@ -45,9 +46,25 @@ def rub_along(damping, rubs, over_c1, mass, free, inertia, saddle):
 
 
 @part
-def is_simple(system, state):
-    """Tell whether all laws fit into inertia, across, along and lean."""
-    return not has_bending(system) and are_diagonal(system) and not winds(system, state)
+def is_local(system, state):
+    """Tell whether all laws but those of the segments' own stretch act on nodes each by itself."""
+    bound = has_bending(system) or are_tied(system) or couples(system) or has_wheels(system)
+    return not bound and are_local(system) and not winds(system, state)
+
+
+@part
+def solve_local(system, state, stage, c1):
+    """Assemble and solve the equations of a rope whose laws are local."""
+    saddle, x, v, over_c1 = stage.saddle, stage.x, stage.v, 1.0 / c1
+    if system.flags[AXIAL] == 0 and are_diagonal(system):
+        add_diagonals(system, over_c1, saddle.free, saddle.inertia)
+        sweep(saddle)
+    else:
+        clear_diagonal(saddle.band)
+        node_tangents(system, state, x, v, 1.0, over_c1, saddle.band)
+        axial, over = state.damping_axial, stage.segments.over
+        axial_lean(x, v, axial, over_c1, saddle.band.rubs, over, saddle)
+        leaning_sweep(saddle)
 
 
 @part
@@ -86,15 +103,9 @@ def newton_step(system, state, stage, c1, c2, exact, leap):
     rubs = saddle.band.rubs
     held_back = stiffen(stage.tension, segments.over, segments.weight, exact, saddle.across)
     coupled = are_tied(system) or couples(system)
-    if is_simple(system, state) and not coupled:
+    if is_local(system, state):
         rub_along(state.damping_vector, rubs, 1.0 / c1, state.mass, saddle.free, inertia, saddle)
-        add_diagonals(system, 1.0 / c1, saddle.free, saddle.inertia)
-        if system.flags[AXIAL] == 1:
-            x, v, axial = stage.x, stage.v, state.damping_axial
-            axial_lean(x, v, axial, 1.0 / c1, rubs, segments.over, saddle)
-            leaning_sweep(saddle)
-        else:
-            sweep(saddle)
+        solve_local(system, state, stage, c1)
     else:
         rub_along(state.damping_vector, rubs, 0.0, state.mass, saddle.free, inertia, saddle)
         begin_tangent(system, state, stage.x, stage.v, 1.0, 1.0 / c1, leap, saddle.band)
