@@ -37,6 +37,12 @@ def always(table):
     return True
 
 
+@part
+def never(table):
+    """Say no."""
+    return False
+
+
 class NodeLaw(NamedTuple):
     """A law of nodes. x and v are (3, n), [m] and [m/s]; `marks` (n,) are the law's own."""
 

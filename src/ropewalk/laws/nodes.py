@@ -12,7 +12,7 @@ from typing import Any
 
 from ropewalk.core.jit import part
 from ropewalk.core.ranges import ALL
-from ropewalk.laws.node_law import NodeLaw
+from ropewalk.laws.node_law import NodeLaw, never
 from ropewalk.laws.rare import acts
 from ropewalk.laws.registry import NODE_LAWS
 
@@ -136,16 +136,11 @@ def _all_are(system):
     return True
 
 
-@part
-def _never(table):
-    return False
-
-
 def all_are(piece: str) -> Any:
     """Return the part that tells whether all laws that act say yes to `piece`; a law without it says no."""
 
     def make(law: NodeLaw, k: int, rest: Any) -> Any:
-        says = getattr(law, piece) or _never
+        says = getattr(law, piece) or never
 
         @part
         def _are(system):
