@@ -35,7 +35,6 @@ def scene(seed: int) -> rw.Scene:
     rubs = {
         "brake": draw.choice([0.0, 0.02, 0.1]) * mass * g,
         "friction": draw.choice([0.0, 0.02, 0.1]),
-        "compliance": 0.002 * line.segment_length / (mass * g),  # by default some are torn off
     }
     riders, slides = [], []
     for i in range(int(draw.integers(1, 3))):

@@ -56,8 +56,8 @@ class Slide(Model):
         default=0.0,
     )
     compliance: Number | None = positive(
-        "How far it comes off the rope's middle per force; by default as little as both ropes' inertia and "
-        "stiffness allow",
+        "How far it comes off the rope's middle per force; by default 0.5 % of a segment under the weight "
+        "that hangs on it, less where both ropes' inertia allows",
         "m/N",
         default=None,
     )

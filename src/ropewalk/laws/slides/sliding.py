@@ -1,7 +1,8 @@
 """Slides as a law: nodes that run along other ropes, with friction and a brake. See `slide_force`.
 
-By default a slide is as stiff across as contacts of the two ropes would be (`laws.obstacle`): as soft as
-their own inertia lets it be solved for.
+By default a slide is as stiff across as contacts of the two ropes would be (`laws.obstacle`), or as hangs its
+load at rest no farther off the line than SINK of a segment, where that is more. No more than steps for the
+ropes allow for as well: on its own it moves no quicker than their nodes do by one of their segments.
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ from ropewalk.core.arrays import Floats
 from ropewalk.core.jit import part
 from ropewalk.core.ordering import ask_for
 from ropewalk.laws.node_law import NodeLaw, Rest
-from ropewalk.laws.obstacle import node_stiffness
+from ropewalk.laws.obstacle import FRAME, node_stiffness
 from ropewalk.laws.slides.reach import follow_drums, live_ends, part_line, place_near
 from ropewalk.laws.slides.slide_force import (
     let_run_off,
@@ -47,6 +48,9 @@ if TYPE_CHECKING:
     from ropewalk.scene.winch import Winch
 
 DAMPING = 0.5  # [1] damping ratio of the friction spring between the nodes at hand
+SINK = (
+    0.005  # [1] how far off its line a load hangs at rest by default, over the length of a segment
+)
 
 
 def lower(
@@ -55,11 +59,16 @@ def lower(
     ropes: Sequence[Rope],
     whole: Sequence[float],
     winches: Sequence[Winch],
+    gravity: float,
 ) -> Slides:
-    """Return the table of a scene's slides; `whole` is a rope's mass with all it is tied to [kg]."""
+    """Return the table of a scene's slides; `whole` is a rope's mass with all it is tied to [kg].
+
+    `gravity` is its size [m/s^2].
+    """
     numbers = {rope.name: number for number, rope in enumerate(ropes)}
     rows = []
-    for slide in slides or ():
+    pulls = _pulls(slides or (), layout, ropes, whole, gravity)
+    for slide, pull in zip(slides or (), pulls, strict=True):
         own, other = numbers[slide.rope], numbers[slide.on]
         rope, line, span = ropes[own], ropes[other], layout.ropes[other]
         node = rope.node_index(slide.node)
@@ -68,6 +77,7 @@ def lower(
         stiff, mass = node_stiffness(rope, whole[own], mass)
         carries, light = node_stiffness(line, whole[other])
         stiff = stiff * carries / (stiff + carries)
+        stiff = max(stiff, min(pull / (SINK * line.segment_length), _most(rope, mass, line, light)))
         if slide.compliance is not None:
             stiff = 1.0 / slide.compliance
         rubs = slide.friction > 0.0 or slide.brake > 0.0
@@ -81,6 +91,44 @@ def lower(
     for name in ("node", "first", "last", "lowest", "highest"):
         made[name] = made[name].astype(np.int64)
     return Slides(**made, winch=np.ascontiguousarray(columns[12:].T).astype(np.int64))
+
+
+def _pulls(
+    slides: Sequence[Slide],
+    layout: Layout,
+    ropes: Sequence[Rope],
+    whole: Sequence[float],
+    gravity: float,
+) -> list[float]:
+    """Return what is known to pull each slide off its line [N].
+
+    That is the weight of its rope and of all that is tied to it or slides along it, and given forces;
+    where an anchor holds its rope the line may hang on that, too.
+    """
+    weights = {rope.name: gravity * mass for rope, mass in zip(ropes, whole, strict=True)}
+    pushes = {rope.name: sum(math.hypot(*one.force) for one in rope.forces) for rope in ropes}
+    own = []
+    for slide in slides:
+        span = layout.span(slide.rope)
+        held = any(span.first <= node <= span.last for node in layout.anchor_nodes)
+        pull = weights[slide.rope] + pushes[slide.rope]
+        own.append(pull + held * weights[slide.on])
+    found = own
+    for _ in slides:  # no more of them hang on one another
+        on = dict.fromkeys(weights, 0.0)
+        for slide, pull in zip(slides, found, strict=True):
+            on[slide.on] += pull
+        found = [pull + on[slide.rope] for slide, pull in zip(slides, own, strict=True)]
+    return found
+
+
+def _most(rope: Rope, mass: float, line: Rope, light: float) -> float:
+    """Return the stiffness of a slide that steps for its ropes allow for as well [N/m].
+
+    Its node has `mass`, those of the line are `light` [kg].
+    """
+    quickest = max(rope.segment_stiffness / mass, line.segment_stiffness / light, FRAME**-2)
+    return quickest * mass * light / (mass + light)
 
 
 def _drums_of(line: Rope, winches: Sequence[Winch]) -> tuple[int, int]:
@@ -233,7 +281,7 @@ SLIDE = NodeLaw(
     name="slide",
     section="slides",
     lower=lower,
-    inputs=("layout", "ropes", "whole", "winches"),
+    inputs=("layout", "ropes", "whole", "winches", "gravity"),
     acts=acts,
     force=force,
     tangent=tangent,
