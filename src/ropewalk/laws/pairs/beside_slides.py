@@ -1,8 +1,9 @@
 """What lies inside the line that a node slides along: rope next to that node does not touch it there.
 
 Each segment near the node leaves out an interval of the line's segments about the node's place, which goes
-along with it. One that the interval would leave behind stays in it until the two are clear of each other, so
-that no contact begins pressed: what has run off, or is pulled out of a fold, touches from then on.
+along with it: in a step it reaches to where the node is at the step's end. One that the interval would leave
+behind stays in it until the two are clear of each other, so that no contact begins pressed: what has run off,
+or is pulled out of a fold, touches from then on.
 """
 
 from __future__ import annotations
@@ -13,7 +14,18 @@ from ropewalk.core.jit import kernel, small
 from ropewalk.laws.pairs.distance import nearest
 from ropewalk.laws.pairs.pair_memory import drop_gone
 from ropewalk.laws.pairs.search import NOWHERE, are_neighbours
-from ropewalk.laws.pairs.table import CONTACTS, FROM, GONE, NODE, SEGMENT, SLIDE, TO, WITHIN
+from ropewalk.laws.pairs.table import (
+    CONTACTS,
+    FROM,
+    GONE,
+    NODE,
+    SEGMENT,
+    SLIDE,
+    START,
+    TO,
+    WITHIN,
+)
+from ropewalk.laws.slides.rail import nearest_place
 from ropewalk.laws.slides.table import PLACE
 
 
@@ -44,15 +56,17 @@ def leave_behind(x, table, memory, row, low, high):
 @small
 def first_of(table, row, place):
     """Return the first segment of the line that a row lies in, with its node at a place [1]."""
-    first, within = table.inside[row, FROM], table.inside[row, WITHIN]
-    return max(first + math.floor(place - within), first)
+    inside = table.inside[row]
+    low = inside[START] + math.floor(place - inside[WITHIN])
+    return min(max(low, inside[FROM]), inside[TO])
 
 
 @small
 def last_of(table, row, place):
     """Return the last segment of the line that a row lies in, with its node at a place [1]."""
-    first, within = table.inside[row, FROM], table.inside[row, WITHIN]
-    return min(first + math.ceil(place + within) - 1, table.inside[row, TO])
+    inside = table.inside[row]
+    high = inside[START] + math.ceil(place + inside[WITHIN]) - 1
+    return min(max(high, inside[FROM]), inside[TO])
 
 
 @kernel
@@ -67,10 +81,8 @@ def begin_inside(x, table, memory):
                 square += (x[k, j] - x[k, node]) ** 2
             if square < least:
                 at, least = j, square
-        low = first_of(
-            table, row, at - first - 0.5
-        )  # the nearest node is half a segment off at most
-        high = last_of(table, row, at - first + 0.5)
+        place = at - table.inside[row, START]  # the nearest node is half a segment off at most
+        low, high = first_of(table, row, place - 0.5), last_of(table, row, place + 0.5)
         while low > first and not is_clear(x, table, memory, i, low - 1):
             low -= 1
         while high < last and not is_clear(x, table, memory, i, high + 1):
@@ -78,19 +90,20 @@ def begin_inside(x, table, memory):
         memory.inside[row, 0], memory.inside[row, 1] = low, high
 
 
+@small
+def about_node(x, table, slide, row):
+    """Return the interval about a row's node at places (3, n) [m]; an empty one where it has run off."""
+    inside = table.inside[row]
+    one = inside[SLIDE]
+    if slide.off[one] < math.inf:
+        return 0, -1
+    place = nearest_place(x, inside[NODE], inside[START], slide.ends[one], slide.grip[one, PLACE])
+    return first_of(table, row, place), last_of(table, row, place)
+
+
 @kernel
-def follow_slides(x, table, memory, grip, off, tied):
-    """Let the intervals follow the slides, whose `grip` and `off` are in `laws.slides.table`."""
-    changed = False
-    for row in range(table.inside.shape[0]):
-        slide, low, high = table.inside[row, SLIDE], 0, -1
-        if off[slide] == math.inf:
-            place = grip[slide, PLACE]
-            low, high = first_of(table, row, place), last_of(table, row, place)
-        if leave_behind(x, table, memory, row, low, high):
-            changed = True
-    if not changed:
-        return
+def let_in(table, memory, tied):
+    """Give up the contacts of what lies in its line now; tell whether there were any."""
     memory.origin[0, 0] = NOWHERE
     pair, gone = memory.pair, False
     for row in range(memory.tally[CONTACTS]):
@@ -98,3 +111,31 @@ def follow_slides(x, table, memory, grip, off, tied):
             memory.grip[row, GONE], gone = 1.0, True
     if gone:
         drop_gone(memory)
+    return gone
+
+
+@kernel
+def follow_slides(x, table, memory, slide, tied):
+    """Let the intervals follow the slides, whose memory is `slide`, to places (3, n) [m]."""
+    changed = False
+    for row in range(table.inside.shape[0]):
+        low, high = about_node(x, table, slide, row)
+        if leave_behind(x, table, memory, row, low, high):
+            changed = True
+    if changed:
+        let_in(table, memory, tied)
+
+
+@kernel
+def reach_ahead(y, table, memory, slide, tied):
+    """Let the intervals reach to where a step ends, y (3, n) [m]; tell whether contacts are given up.
+
+    In a step of many segments what slides would touch the line between, and be braked by its own rope.
+    """
+    changed, inside = False, memory.inside
+    for row in range(table.inside.shape[0]):
+        low, high = about_node(y, table, slide, row)
+        if low <= high and (low < inside[row, 0] or high > inside[row, 1]):
+            inside[row, 0], inside[row, 1] = min(inside[row, 0], low), max(inside[row, 1], high)
+            changed = True
+    return changed and let_in(table, memory, tied)

@@ -18,7 +18,7 @@ from ropewalk.core.jit import part
 from ropewalk.core.ordering import ask_for
 from ropewalk.laws.node_law import NodeLaw, Rest
 from ropewalk.laws.obstacle import node_stiffness
-from ropewalk.laws.pairs.beside_slides import begin_inside, follow_slides
+from ropewalk.laws.pairs.beside_slides import begin_inside, follow_slides, reach_ahead
 from ropewalk.laws.pairs.force import add_pair_forces, pair_energy, pair_forces, pair_rounding
 from ropewalk.laws.pairs.pair_books import book_pairs
 from ropewalk.laws.pairs.pair_memory import remember_pairs
@@ -37,7 +37,7 @@ from ropewalk.laws.pairs.table import (
     Memory,
     Pairs,
 )
-from ropewalk.laws.pairs.way import meet_pairs, quickest_closing
+from ropewalk.laws.pairs.way import AGAIN, meet_pairs, quickest_closing
 from ropewalk.laws.pairs.wound import wind_pairs
 
 if TYPE_CHECKING:
@@ -82,7 +82,7 @@ def lower(
         skip=np.ones(s, np.int64),
         joint=np.full((s, 2), -1, np.int64),
         slides=np.zeros((s, 0), np.int64),
-        inside=np.zeros((0, 6), np.int64),
+        inside=np.zeros((0, 7), np.int64),
     )
     if contact is None:
         return table
@@ -152,11 +152,11 @@ def _with_slides(
         reach, within = (max(1, neighbours(ropes[i], radius)) for i in (own, line))
         for k in range(max(node - reach, span.first), min(node + reach, span.last)):
             near[k].append(len(rows))
-            rows.append((k, number, other.first, other.last - 1, within, node))
+            rows.append((k, number, other.first, other.last - 1, within, node, other.start))
     found = np.full((len(near), max(map(len, near), default=0)), -1, np.int64)
     for k, one in enumerate(near):
         found[k, : len(one)] = one
-    return table._replace(slides=found, inside=np.array(rows, np.int64).reshape(-1, 6))
+    return table._replace(slides=found, inside=np.array(rows, np.int64).reshape(-1, 7))
 
 
 def acts(table: Pairs) -> bool:
@@ -238,8 +238,7 @@ def remember(table, state):
     memory, dt = state.memory.contact, state.now[0] - state.now[1]
     note_ropes(table, memory, state.stiffness)
     closed = remember_pairs(state.x, state.v, dt, table, memory, state.tied)
-    slide = state.memory.slide
-    follow_slides(state.x, table, memory, slide.grip, slide.off, state.tied)
+    follow_slides(state.x, table, memory, state.memory.slide, state.tied)
     return closed
 
 
@@ -258,7 +257,10 @@ def hits(table, state, force, dt, x, v):
 @part
 def meet(table, state, x):
     """Tell whether the way from the state to `x` may stand, see `way`."""
-    return meet_pairs(state.x, x, table, state.memory.contact, state.tied)
+    memory = state.memory.contact
+    if reach_ahead(x, table, memory, state.memory.slide, state.tied):
+        return AGAIN
+    return meet_pairs(state.x, x, table, memory, state.tied)
 
 
 @part

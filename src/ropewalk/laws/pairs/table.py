@@ -41,8 +41,9 @@ WIDTH = 23
 CONTACTS, NEAR, ROUNDS, SEEN, REFUSED, FAULT, FIRST, SECOND, ASKED = range(9)
 PASSED, FULL, CROWDED = 1, 2, 3  # faults
 # Columns of `Pairs.inside`: a segment near a node that slides, the slide, first and last segment of its line,
-# so many segments of that on each side of the node that this one lies in, and the node.
-SEGMENT, SLIDE, FROM, TO, WITHIN, NODE = range(6)
+# so many segments of that on each side of the node that this one lies in, the node, and the line's node from
+# which places count.
+SEGMENT, SLIDE, FROM, TO, WITHIN, NODE, START = range(7)
 
 
 class Pairs(NamedTuple):
@@ -61,7 +62,7 @@ class Pairs(NamedTuple):
     skip: Ints  # (s,) so many segments beside it are its neighbours
     joint: Ints  # (s, 2) the joints near it, -1: none
     slides: Ints  # (s, c) the slides near it, as rows of `inside`, -1: none
-    inside: Ints  # (p, 6) see SEGMENT
+    inside: Ints  # (p, 7) see SEGMENT
 
 
 class Memory(NamedTuple):
