@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 import ropewalk as rw
-from ropewalk.laws.slides.slide_force import slide_energy
+from ropewalk.laws.slides.slide_force import bound_of, rate_of, slide_energy
+from ropewalk.laws.slides.table import PER_PLACE
 from ropewalk.scene import Slack, Straight
 
 g = 9.81
@@ -55,7 +56,9 @@ def scene(seed: int) -> rw.Scene:
     if draw.random() < 0.4:
         more["contact"] = rw.Contact(friction=0.2)
     if draw.random() < 0.3:
-        more["winches"] = [rw.Winch(rope="line", end="end", speed=draw.choice([-0.2, 0.2]))]
+        speed = draw.choice([-0.2, 0.2])
+        end = "start" if seed % 2 else "end"
+        more["winches"] = [rw.Winch(rope="line", end=end, speed=speed)]
     if draw.random() < 0.3:
         more["air"] = {"density": 1.2}
     method, step = METHODS[seed % len(METHODS)]
@@ -68,8 +71,26 @@ def scene(seed: int) -> rw.Scene:
     )
 
 
+def rubbed_at_most(simulation: rw.Simulation, until: float) -> float:
+    """What the force that friction and brake may have would take on the way past the line [J]."""
+    state, table, total = simulation.arrays, simulation.system.node.slide, 0.0
+    memory, before = state.memory.slide, 0.0
+    while simulation.time < until - 1e-9:
+        start = simulation.time
+        simulation.advance_steps(1)
+        slide_energy(state.x, table, memory)  # which looks where they are
+        now = sum(
+            bound_of(table, memory.sight, row)
+            * abs(rate_of(state.v, memory, row) * memory.sight[row, PER_PLACE])
+            for row in range(table.node.size)
+        )
+        total += 0.5 * (before + now) * (simulation.time - start)
+        before = now
+    return total
+
+
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", range(9))
+@pytest.mark.parametrize("seed", [*range(9), 27])  # 5, 27: contact, and a winch at the start
 def test_a_random_trolley_keeps_its_books(seed: int) -> None:
     given = scene(seed)
     result = rw.simulate(given)
@@ -80,11 +101,12 @@ def test_a_random_trolley_keeps_its_books(seed: int) -> None:
     assert result.table["largest energy error [J]"] < 0.02 * turned
     assert result.work["slide"].max() < 1e-6 * turned
     simulation = rw.Simulation(given)
-    simulation.step(1.0)
+    most = rubbed_at_most(simulation, 1.0)
     state, table = simulation.arrays, simulation.system.node.slide
     stored = slide_energy(state.x, table, state.memory.slide)
     taken = -float(state.work.node.slide.sum())
     if table.friction.any() or table.brake.any():
-        assert taken > 0.99 * stored
+        # 1.3 % above are seen, as the load shakes within steps; below is what sticks
+        assert 0.75 * most < taken - stored < 1.03 * most
     else:  # it has what it took, but for what the method loses
         assert taken == pytest.approx(stored, abs=0.02 * turned)
