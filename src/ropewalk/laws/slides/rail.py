@@ -39,12 +39,14 @@ from ropewalk.laws.slides.table import (
     SHARE,
     SLOPE,
     STRETCHES,
+    TURNS,
     R,
 )
 
 ROUNDS = 60
 BEYOND = 2.0  # [1] segments beyond a broken end, within a step
 LEAST = 0.05  # [1] of g' over r' . r'
+FOLDED = 0.05  # [1] of |r'| over the segments' length: less is a cusp, see `slide_force`
 STRIDE = 1.0 / 16.0  # [1] segments: so far apart places downhill are looked at
 NEAR = 1e-13  # [1] segments: a shorter step of Newton's is the last
 
@@ -199,8 +201,10 @@ def look(x, table, memory, row):
     least, most = bounds_of(ends)
     inside = least < u < most and speed > 0.0
     sight[row, AT], sight[row, APART], sight[row, SLOPE] = u, math.sqrt(square), slope
-    sight[row, PER_PLACE] = slope / math.sqrt(speed) if inside else 0.0
-    sight[row, STRETCHES] = stretches / speed if inside else 0.0
+    folded = (FOLDED * table.length[row]) ** 2
+    sight[row, PER_PLACE] = slope / math.sqrt(max(speed, folded)) if inside else 0.0
+    sight[row, TURNS] = 1.0 / speed if inside and speed > folded else 0.0
+    sight[row, STRETCHES] = stretches * sight[row, TURNS]
     sight[row, INSIDE] = 1.0 if inside else 0.0
     for m in range(4):
         a, b = sight[row, SHARE + m], sight[row, RATE + m]

@@ -9,6 +9,8 @@ that of r.r' (`rail`), all others by their gradients so that momentum and angula
     f = -grad V + R w grad u,    w = g' / |r'|
 w du/dt is how fast the node goes along the rope past the point that it is at, so that R is the force along
 the rope however that is stretched, and where it folds: w grad u = -(a r' + a' r) / |r'| has no g' below.
+In a cusp, where the curve turns round and |r'| is nothing, FOLDED of a segment takes its place (`rail`): that
+force had no bound there.
 b is the brake's force, from its place on, in full after one segment; R' and u' are of the last accepted
 step. At an end of the rope u stays and V holds the node there: a stop.
 

@@ -31,6 +31,7 @@ from ropewalk.laws.slides.table import (
     SHARE,
     SLOPE,
     STRETCHES,
+    TURNS,
     R,
 )
 
@@ -73,7 +74,7 @@ def entry(sight, row, m, n, i, k, weights):
     if turn != 0.0:
         w, slope = sight[row, PER_PLACE], sight[row, SLOPE]
         speed = slope / w
-        pull = sight[row, RATE + n] * sight[row, R1 + k] / (speed * speed)
+        pull = sight[row, RATE + n] * sight[row, R1 + k] * sight[row, TURNS]
         pull += sight[row, STRETCHES] * cn
         found -= turn * (turned(sight, row, m, i) * cn / speed + w * cm * pull)
     if i == k:

@@ -11,8 +11,9 @@ PLACE, SPRING = range(2)
 # Columns of `Memory.sight`, see `rail.look`: place on the rope and on its piece [1], distance [m], slope
 # of the condition for the nearest point [m^2], 1 where that is inside the rope; the shares of the four
 # nodes in r and its derivatives; r, r', r'' [m]; the gradient of the place [1/m], three for each node;
-# way past the rope per place [m], see `slide_force`; how |r'| changes with the place, over |r'| [1].
-AT, APART, SLOPE, INSIDE, SHARE, RATE, BEND, R, R1, R2, GRADIENT, PER_PLACE, STRETCHES = (
+# way past the rope per place [m], see `slide_force`; how |r'| changes with the place, over |r'| [1]; and
+# 1 / |r'|^2 [1/m^2], these two 0 in a fold so sharp that the way per place is held.
+AT, APART, SLOPE, INSIDE, SHARE, RATE, BEND, R, R1, R2, GRADIENT, PER_PLACE, STRETCHES, TURNS = (
     0,
     1,
     2,
@@ -26,8 +27,9 @@ AT, APART, SLOPE, INSIDE, SHARE, RATE, BEND, R, R1, R2, GRADIENT, PER_PLACE, STR
     25,
     37,
     38,
+    39,
 )
-WIDTH = 39
+WIDTH = 40
 LOST = 1  # fault
 FAULT, WHICH, ASKED = range(3)  # places in `Memory.tally`
 # Columns of `Memory.ends`, nodes counted from `Slides.first`: those between which there is rope to slide
