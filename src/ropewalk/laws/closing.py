@@ -34,13 +34,15 @@ def across(ca, cb, n, a, u):
 
 @small
 def passing(gap, over):
-    """Return G of a gap [m] where the normal turns by `over` = 1/r [1/m], and its slope [1/m]."""
+    """Return G of a gap [m] where the normal turns by `over` = 1/r [1/m], and its slope along r [1/m]."""
     even = EVEN / over
     far = max(gap, even)
     inner = max(1.0 - far * over, SHARP)
     most = math.sqrt(far * over * (1.0 + inner)) / inner
     if gap < even:
         return most * gap / even, most / even
+    if inner == SHARP:
+        return most, 0.0  # r - g is nothing, G as good as even
     return most, over / (inner * inner * most)
 
 

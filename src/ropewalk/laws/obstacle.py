@@ -115,7 +115,7 @@ class Memory(NamedTuple):
     books: Floats  # (k, BOOKS, n) see `contact_books`
     slip: Floats  # (k, WAYS, n) ways over each obstacle in the last step [m], see `contact_books`
     way: Floats  # (3, n) in the last step [m]
-    wheel: Floats  # (w, WIDTH) see `wheels.ANGLE`
+    wheel: Floats  # (w, WIDTH) see `wheel_rows`
     ties: Floats  # (w, ROWS, n) working space of wheels
     # (n,) which obstacle a node would have gone through in a step, from 1 on; from -1 down the segment after
     through: Ints

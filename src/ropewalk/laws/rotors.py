@@ -14,9 +14,9 @@ from __future__ import annotations
 
 import math
 
-from ropewalk.core.blocks import dot3, minus3, scale3
+from ropewalk.core.blocks import dot3, minus3, plus3, scale3
 from ropewalk.core.jit import kernel, small
-from ropewalk.laws.closing import closing
+from ropewalk.laws.closing import across, closing
 from ropewalk.laws.contact_frame import DAMP, GRIP, STIFF, cut, spring_pull, surface_at
 from ropewalk.laws.hardening import squeezed
 from ropewalk.laws.obstacle_pose import body_of, pose_of, probe_turned, rates_of, swept
@@ -43,23 +43,6 @@ FARTHEST = 0.25  # [rad] by which a guess differs from the one before
 def cross3(a, b):
     """Return the vector product."""
     return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
-
-
-@small
-def plus3(a, b):
-    """Return the vector a + b."""
-    return a[0] + b[0], a[1] + b[1], a[2] + b[2]
-
-
-@small
-def bent(ca, cb, n, a, d):
-    """Return H d, with H as `probe` has it."""
-    along, aside = dot3(n, d), dot3(a, d)
-    return (
-        ca * (d[0] - along * n[0] - aside * a[0]) + cb * aside * a[0],
-        ca * (d[1] - along * n[1] - aside * a[1]) + cb * aside * a[1],
-        ca * (d[2] - along * n[2] - aside * a[2]) + cb * aside * a[2],
-    )
 
 
 @small
@@ -111,8 +94,8 @@ def turning_torque(rate, x, v, obstacles, memory, o, now, keep):
         force = plus3(scale3(push, n), cut(q[0], q[1], q[2], mu * push))
         e = cross3(axis, arm)
         dx, dv = scale3(-h, e), scale3(-1.0, plus3(e, scale3(h, cross3(axis, u))))
-        dn = bent(ca, cb, n, a, dx)
-        uH = bent(ca, cb, n, a, u)
+        dn = across(ca, cb, n, a, dx)
+        uH = across(ca, cb, n, a, u)
         more = (
             by_gap * dot3(n, dx) + by_place * dot3(uH, dx) + by_speed * dot3(uH, dv)
         )  # of what may pass

@@ -373,7 +373,7 @@ def keep_wheels(obstacles, memory, dt):
             drag,
             weigh,
         )  # the mean ones, for BDF2's next step
-        wheel[PART] = 0.0
+        wheel[PART], wheel[LEAD] = 0.0, 0.0  # it is where it lies
 
 
 @kernel

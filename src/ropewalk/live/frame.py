@@ -80,7 +80,7 @@ class Picture(NamedTuple):
 
 
 def turns_of(wheels: Floats) -> dict[str, float]:
-    """Return how far obstacles have turned that turn freely, rows of `laws.wheels.RECORDED`, as scalars."""
+    """Return how far obstacles have turned that turn freely, rows of `wheel_rows.RECORDED`, as scalars."""
     return {name: float(angle) for name, angle in zip(TURNS, wheels[:, 0] % math.tau, strict=False)}
 
 

@@ -69,7 +69,7 @@ class Recording(NamedTuple):
     error_times: Floats  # (f, 2) ... and when [s]; NaN without a ledger
     joint_force: Floats  # (f, p, 3) force of a joint on each of its nodes [N]
     books: Floats  # (f, k, 5) works of every obstacle, then of ropes on ropes, see `laws.contact_books` [J]
-    wheel: Floats  # (f, w, 6) of obstacles that turn freely, see `laws.wheels.RECORDED`
+    wheel: Floats  # (f, w, 7) of obstacles that turn freely, see `wheel_rows.RECORDED`
 
     def part(self, start: int, stop: int) -> Recording:
         """Return the frames from `start` to `stop`, views."""

@@ -20,7 +20,7 @@ def surface_shapes(state: State) -> list[tuple[int, int]]:
 
 @part
 def record_turning(system, state, out):
-    """Write how what turns freely does so, (w, 6)."""
+    """Write how what turns freely does so, (w, 7)."""
     if system.rare is not None:
         record_wheels(system.node.obstacle.inertia, state.memory.obstacle.wheel, out)
 
