@@ -41,7 +41,9 @@ def started(model: Model) -> Model:
         return model
     run = model.scene.run
     if run.start != "at-rest":
-        return _remembering(with_bounds(with_links(model)))
+        found = _remembering(with_bounds(with_links(model)))
+        _load_wheels(found)
+        return found
     state = arrays.copy(model.state)
     rest = checked_shape(model)
     state.x[...] = rest.positions.T
@@ -58,10 +60,12 @@ def started(model: Model) -> Model:
 
 
 def _load_wheels(model: Model) -> None:
-    """Write the torques with which wheels start, on which ropes lie at rest as if they stood."""
+    """Write the torques with which wheels start, as methods take them that begin with an explicit stage."""
     table, state = model.system.node.obstacle, model.state
     memory = state.memory.obstacle
-    torques = rope_torques(table, memory, state.x)
+    if not len(table.inertia):
+        return
+    torques = rope_torques(table, memory, state.x, state.v)
     for row, w in enumerate(table.wheel):
         if w < 0:
             continue

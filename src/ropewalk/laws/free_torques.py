@@ -11,15 +11,16 @@ from ropewalk.laws.contact import contact_forces
 from ropewalk.laws.contact_frame import GRIP
 
 
-def rope_torques(obstacles: Any, memory: Any, x: Floats) -> Floats:
+def rope_torques(obstacles: Any, memory: Any, x: Floats, v: Floats) -> Floats:
     """Return the torque of the ropes on every obstacle as it starts [N m], (k,); 0 of those not free.
 
-    For nodes at rest at places (3, n) [m]: by friction alone on what is round.
+    For nodes at places with velocities (3, n) [m, m/s] and bodies at the rates that `memory` has: on what is
+    round by what friction remembers alone.
     """
     count, found = len(obstacles.kind), np.zeros(len(obstacles.kind))
     force = np.zeros((3 + 6 * count, x.shape[1]))
     if (obstacles.sweeps[obstacles.wheel >= 0] != 0).any():
-        contact_forces(x, np.zeros_like(x), obstacles, memory, np.zeros(2), force, 0, x.shape[1])
+        contact_forces(x, v, obstacles, memory, np.zeros(2), force, 0, x.shape[1])
     for row in np.flatnonzero(obstacles.wheel >= 0):
         arms = np.cross(obstacles.axle[row], x.T - obstacles.hub[row])
         own = memory.grip[row, :GRIP]

@@ -5,8 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
 from ropewalk.core.arrays import Floats
 from ropewalk.laws.free_torques import rope_torques
+from ropewalk.laws.wheel_rows import RATE
 from ropewalk.lowering import Model
 from ropewalk.words.prefixes import prefixed
 
@@ -40,10 +43,19 @@ class Pulley:
         return vars(self) | {"stands": self.stands}
 
 
+def _torques(table: Any, memory: Any, x: Floats) -> Floats:
+    """Return the torques of ropes at rest on bodies that stand, whatever the rate at which they start."""
+    rates = memory.wheel[:, RATE].copy()
+    memory.wheel[:, RATE] = 0.0
+    found = rope_torques(table, memory, x, np.zeros_like(x))
+    memory.wheel[:, RATE] = rates
+    return found
+
+
 def pulleys(model: Model, memory: Any, x: Floats) -> tuple[Pulley, ...]:
     """Return what turns every pulley at places (3, n) [m], with what `State.memory` carries there."""
     table, found = model.system.node.obstacle, []
-    torques = rope_torques(table, memory.obstacle, x) if len(table.inertia) else ()
+    torques = _torques(table, memory.obstacle, x) if len(table.inertia) else ()
     for row, w in enumerate(table.wheel):
         if w >= 0:
             name = model.scene.obstacles[row].name
