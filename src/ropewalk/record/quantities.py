@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -157,12 +157,17 @@ FRAMES_ONLY = 3  # until this one nothing was kept of the steps between frames
 SUMS_ONLY = 5  # until this one nothing of ropes on ropes but the sum of all contacts' forces
 IN_ONE = 6  # until this one the work of all obstacles was one number
 TOGETHER = 7  # until this one the force of obstacles was not apart from that of ropes
+WEIGHTLESS = 8  # until this one no weight turned what turns freely
+_OLD_UNITS = UNITS[:6]
 _OLD_TENSION = Quantity("tension", ("time", "segment"), "N", "elastic tension", "tension")
 
 
 def stored(layout: Layout, scene: Scene, version: int) -> tuple[Quantity, ...]:
     """Return the quantities in a run folder of a format."""
     now = recorded(layout, scene)
+    if version <= WEIGHTLESS:
+        old_units = ", ".join(_OLD_UNITS)
+        now = tuple(replace(q, unit=old_units) if q.name == PULLEYS else q for q in now)
     if version <= TOGETHER:
         now = tuple(q for q in now if q.name != OBSTACLE_FORCE)
     if version <= IN_ONE:
@@ -203,9 +208,11 @@ def recorded(layout: Layout, scene: Scene) -> tuple[Quantity, ...]:
     return tuple(quantity for quantity in QUANTITIES if quantity.name not in left_out)
 
 
-def sizes(layout: Layout) -> dict[str, int]:
-    """Return the length of every dimension but time."""
+def sizes(layout: Layout, version: int | None = None) -> dict[str, int]:
+    """Return the length of every dimension but time, in a folder of a format, else the present one."""
     found = {name: len(values) for name, values in labels(layout).items()}
+    if version is not None and version <= WEIGHTLESS:
+        found["motion"] = min(found["motion"], len(_OLD_UNITS))
     places = {"node": layout.nodes, "segment": layout.segments, "pair": slots(layout.segments)}
     return found | places
 

@@ -10,10 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ropewalk.core.arrays import Floats
+from ropewalk.laws.wheel_rows import RECORDED
 from ropewalk.lowering import Layout
 from ropewalk.record.errors import RunError
 from ropewalk.record.files import read_json, reading
-from ropewalk.record.quantities import BY_NAME, stored
+from ropewalk.record.quantities import BY_NAME, PULLEYS, stored
 from ropewalk.record.store import (
     CHECKED,
     LEADING,
@@ -52,7 +53,7 @@ class Stored:
         self.shown = self._frames  # frames that the store's own metadata tell of
         self.checked, self.sealed = version >= CHECKED, version >= SEALED
         quantities = stored(layout, scene, version)
-        specs = array_specs(quantities, layout, self._chunk, self.checked)
+        specs = array_specs(quantities, layout, self._chunk, version)
         self._specs = {spec.name: spec for spec in specs}
         for spec in specs:
             expected = spec.metadata(self._frames)
@@ -147,8 +148,10 @@ class Stored:
         return self._chunk
 
     def read(self, name: str, start: int = 0, stop: int | None = None) -> Floats:
-        """Return a quantity of some frames."""
+        """Return a quantity of some frames; in older folders no weight has turned a pulley."""
         array = self.read_raw(name, start, stop)
+        if name == PULLEYS and (missing := len(RECORDED) - array.shape[2]):
+            return np.pad(array, ((0, 0), (0, 0), (0, missing)))
         return array.transpose(0, 2, 1) if name in BY_NAME and BY_NAME[name].swapped else array
 
     def read_raw(self, name: str, start: int = 0, stop: int | None = None) -> Floats:

@@ -41,8 +41,8 @@ from ropewalk.simulation.block import Block
 if TYPE_CHECKING:
     from ropewalk.record.reader import Stored
 
-FORMAT = 8  # of the run folder
-READABLE = (2, 3, 4, 5, 6, 7, FORMAT)
+FORMAT = 9  # of the run folder
+READABLE = (2, 3, 4, 5, 6, 7, 8, FORMAT)
 CHECKED = 3  # from this format on every chunk has a checksum
 SEALED = 5  # from this one on the rest has, too
 ROOT = "zarr.json"
@@ -53,15 +53,15 @@ FILE_BYTES = 1_000_000  # of them, before compression
 
 
 def array_specs(
-    quantities: tuple[Quantity, ...], layout: Layout, chunk: int, checked: bool = True
+    quantities: tuple[Quantity, ...], layout: Layout, chunk: int, version: int = FORMAT
 ) -> list[ArraySpec]:
-    """Return the descriptions of the time coordinate and of the quantities, in order.
+    """Return the descriptions of the time coordinate and of the quantities in a format, in order.
 
     A file of a LARGE quantity holds one chunk of frames, that of a small one several.
     """
-    rows = (_frames(chunk, 8),)
+    rows, checked = (_frames(chunk, 8),), version >= CHECKED
     specs = [ArraySpec("time", ("time",), (0,), rows, "float64", dict(TIME), checked=checked)]
-    lengths = sizes(layout)
+    lengths = sizes(layout, version)
     for quantity in quantities:
         rest = tuple(lengths[dim] for dim in quantity.dims[1:])
         frames = chunk if quantity.field in LARGE else _frames(chunk, 8 * prod(rest))
