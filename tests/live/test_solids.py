@@ -137,7 +137,7 @@ def ways() -> list[dict[str, Any]]:
         where = Simulation(here).layout
         (one,) = obstacle_list(here, where)
         times = np.array([0.0, 0.3, 0.5, 0.9, 1.4, 2.0, 3.0])
-        places = obstacle_places(here, where, times)[:, 0]
+        places = obstacle_places(here, where, times, np.zeros((len(times), 1)))[:, 0]
         found.append({"motion": one["motion"], "center": one["center"],
                       "times": times.tolist(), "places": places.tolist()})  # fmt: skip
     return found

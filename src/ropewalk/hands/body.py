@@ -57,7 +57,8 @@ class ObstacleHandle:
         """Its velocity [m/s], (3,), a copy.
 
         Set it to move the obstacle from now on, whatever motion it had. Raises ValueError for anything but
-        three finite numbers, and for a speed at which it would jump over nodes within a step.
+        three finite numbers, for one that has a mass, and for a speed at which it would jump over nodes
+        within a step.
         """
         return self._now[3:].copy()
 
@@ -71,7 +72,7 @@ class ObstacleHandle:
         It arrives at the end of a step, with steps of one length. Whatever motion it had is forgotten.
 
         Raises ValueError for anything but three finite numbers, for a duration that is not positive and
-        finite, and for a speed at which it would jump over nodes within a step.
+        finite, for one that has a mass, and for a speed at which it would jump over nodes within a step.
         """
         way = three("position", position, "m") - self.position
         seconds, stop = self._whole(duration)
@@ -195,6 +196,9 @@ class ObstacleHandle:
 
     def _move(self, velocity: Floats, stop: float) -> None:
         speed, fastest = float(np.linalg.norm(velocity)), self.fastest
+        if (spin := self._body.spin) is not None and spin.mass is not None:
+            rule = "its weight turns it, and what moves its pivot would, too; no hand can move it"
+            raise ValueError(f"velocity: {speed:.4g} m/s - {rule}")
         if speed > fastest * (1.0 + _EVEN):
             step = self._simulation.clock[1]
             rule = f"in steps of {step:.3g} s it would jump over nodes; at most {fastest:.4g} m/s"

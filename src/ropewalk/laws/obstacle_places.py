@@ -56,7 +56,12 @@ def stays(obstacles: Obstacles, row: int) -> bool:
 
 def turn_of(obstacles: Obstacles, row: int, t: float) -> Floats:
     """Return by which rotation a surface has turned at `t` [s], (3, 3); what is round by none."""
-    pose = pose_of(obstacles, row, surface_at(obstacles, row, t)[6])
+    return rotation_by(obstacles, row, surface_at(obstacles, row, t)[6])
+
+
+def rotation_by(obstacles: Obstacles, row: int, angle: float) -> Floats:
+    """Return the rotation of a surface turned by an angle [rad], (3, 3); what is round by none."""
+    pose = pose_of(obstacles, row, angle)
     columns = [rotated(obstacles.axle[row], *pose, *one) for one in np.eye(3)]
     return np.array(columns).T
 
@@ -68,15 +73,22 @@ def moved_by(obstacles: Obstacles, row: int, t: float) -> Floats:
 
 def middle_at(obstacles: Obstacles, row: int, t: float) -> Floats:
     """Return where an obstacle's middle is at time `t` [s], (3,) [m]."""
+    return middle_turned(obstacles, row, t, surface_at(obstacles, row, t)[6])
+
+
+def middle_turned(obstacles: Obstacles, row: int, t: float, angle: float) -> Floats:
+    """Return where the middle of an obstacle turned by an angle [rad] is at time `t` [s], (3,) [m]."""
     arm = obstacles.center[row] - obstacles.hub[row]
-    found: Floats = (
-        obstacles.hub[row] + moved_by(obstacles, row, t) + turn_of(obstacles, row, t) @ arm
-    )
+    turned = rotation_by(obstacles, row, angle) @ arm
+    found: Floats = obstacles.hub[row] + moved_by(obstacles, row, t) + turned
     return found
 
 
 def turning_rate(obstacles: Obstacles, row: int) -> float:
-    """Return the largest rate at which an obstacle turns [rad/s]."""
+    """Return the largest rate at which an obstacle turns [rad/s]; a free one that sweeps, as it starts."""
+    w = obstacles.wheel[row]
+    if w >= 0 and obstacles.sweeps[row]:
+        return abs(float(obstacles.rate[w]))
     return abs(float(obstacles.spin[row, 0])) + largest_speed(obstacles.turns, row)
 
 

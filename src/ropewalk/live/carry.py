@@ -185,13 +185,15 @@ def _carry_clamp(old: Simulation, model: Model, row: int, was: int | None) -> No
 
 
 def _carry_memory(old: Simulation, made: Simulation, state: State, source: Floats) -> None:
-    """Keep what contacts hold, at nodes that are there still: nothing slips for an edit."""
+    """Keep what contacts hold at nodes that are there still, and how bodies turn: nothing slips or stops."""
     state.now[...] = old.arrays.now
     whole = source == np.floor(source)
     nodes = source[whole].astype(np.int64)
     if len(made.scene.obstacles) == len(old.scene.obstacles) > 0:
         grip = old.arrays.memory.obstacle.grip
         state.memory.obstacle.grip[:, :, whole] = grip[:, :, nodes]
+        if np.array_equal(old.system.node.obstacle.wheel, made.system.node.obstacle.wheel):
+            state.memory.obstacle.wheel[...] = old.arrays.memory.obstacle.wheel
         _fit_contacts(old, made, state, whole, nodes)
     if old.arrays.inner.shape == state.inner.shape:
         state.inner[...] = old.arrays.inner

@@ -8,6 +8,7 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats
 from ropewalk.lowering import Layout
+from ropewalk.record.obstacle_table import swings
 from ropewalk.record.quantities import (
     BY_NAME,
     joined,
@@ -117,7 +118,8 @@ def _obstacles(result: Result) -> dict[str, Any]:
     """Return where obstacles are, where any of them moves, and how far they have turned, where any turns."""
     bodies, found = result.scene.obstacles, dict[str, Any]()
     names = {"obstacles": ", ".join(body.name for body in bodies)}
-    if any(body.motion.kind != "fixed" for body in bodies):
+    moved = any(body.motion.kind != "fixed" for body in bodies)
+    if moved or swings(result.scene, result.layout):
         about = names | {"units": "m", "long_name": "middle of each obstacle, or a plane's point"}
         places = result.obstacle_positions()
         found["obstacle_position"] = (("time", "obstacle", "axis"), places, about)

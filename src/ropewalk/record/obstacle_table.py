@@ -9,7 +9,7 @@ import numpy as np
 from ropewalk.core.arrays import Floats
 from ropewalk.laws.contact_frame import surface_at
 from ropewalk.laws.obstacle import Obstacles, lower
-from ropewalk.laws.obstacle_places import moved_by
+from ropewalk.laws.obstacle_places import middle_turned
 from ropewalk.lowering import Layout
 from ropewalk.lowering.touching import at_rates
 from ropewalk.scene import Scene
@@ -44,11 +44,25 @@ def obstacle_angles(scene: Scene, where: Layout, times: Floats) -> Floats:
     return found
 
 
-def obstacle_places(scene: Scene, where: Layout, times: Floats) -> Floats:
-    """Return where the middles of all obstacles are at some times [s], (times, obstacles, 3) [m]."""
+def swings(scene: Scene, where: Layout) -> bool:
+    """Tell whether the middle of any obstacle goes about as it turns, its axle beside it."""
+    table = obstacle_table(scene, where)
+    if table is None:
+        return False
+    turn = np.array([body.spin is not None for body in scene.obstacles])
+    arms = np.cross(table.axle, table.center - table.hub)
+    return bool(arms[turn].any())
+
+
+def obstacle_places(scene: Scene, where: Layout, times: Floats, angles: Floats) -> Floats:
+    """Return where the middles of all obstacles are at some times [s], (times, obstacles, 3) [m].
+
+    `angles` (times, obstacles) is how far they have turned then [rad].
+    """
     found = np.zeros((len(times), len(scene.obstacles), 3))
     table = obstacle_table(scene, where)
     for row in range(len(scene.obstacles)):
         assert table is not None
-        found[:, row] = [table.center[row] + moved_by(table, row, float(t)) for t in times]
+        each = zip(times, angles[:, row], strict=True)
+        found[:, row] = [middle_turned(table, row, float(t), float(angle)) for t, angle in each]
     return found

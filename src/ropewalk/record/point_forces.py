@@ -95,9 +95,7 @@ class PointForces:
             known = ", ".join(names) or "(none)"
             raise KeyError(f"name one of the obstacles that turn freely, {known}, not {name!r}")
         columns = result.read("pulleys")[:, names.index(name)]
-        rows = np.zeros((len(PulleyMotion._fields), len(columns)))
-        rows[: columns.shape[1]] = columns.T  # runs of before had no weights
-        return PulleyMotion(*rows)
+        return PulleyMotion(*columns.T)
 
     @property
     def contact_work(self) -> Mapping[str, Mapping[str, Floats]]:
@@ -135,7 +133,8 @@ class PointForces:
         from ropewalk.record.obstacle_table import obstacle_places
 
         result = cast("Result", self)
-        return obstacle_places(result.scene, result.layout, result.time[frames])
+        times, angles = result.time[frames], self.obstacle_angles(frames)
+        return obstacle_places(result.scene, result.layout, times, angles)
 
     def obstacle_angles(self, frames: slice = slice(None)) -> Floats:
         """How far obstacles have turned about their axes at some frames [rad], (frames, obstacles)."""
