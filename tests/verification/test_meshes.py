@@ -145,7 +145,7 @@ def test_a_rope_falls_over_it_as_over_a_box(method: str) -> None:
     expected = rw.simulate(dropped(box, method=method, **more))
     found = rw.simulate(dropped(block(), method=method, **more))
     within = (
-        1e-9 if method == "esdirk3" else 1e-5
+        1e-9 if method == "esdirk3" else 5e-5
     )  # its tolerance: rounding decides where it cuts steps
     np.testing.assert_allclose(found.positions, expected.positions, atol=within)
     assert np.abs(expected.positions[-1, :, 2]).min() < 0.12  # it has come down on it

@@ -115,7 +115,7 @@ def test_a_blow_of_a_moving_bar_is_honest_energy() -> None:
 @pytest.mark.parametrize("speed", [0.0, 1000.0])
 def test_what_comes_too_fast_is_told_with_what_helps(speed: float) -> None:
     """A ball at 1 km/s into a rope: it said "slower anchors" where none moves, or is. The twin: a ball that
-    stands, and a rope that comes as fast: its segments of 100 mm are 353 long by then.
+    stands, and a rope that comes as fast.
     """
     points = [(0.1 * i - 0.5, 0.0, 0.5) for i in range(11)]
     thrown = (0.0, 0.0, -1000.0)
@@ -136,9 +136,6 @@ def test_what_comes_too_fast_is_told_with_what_helps(speed: float) -> None:
     assert ("a slower start" in said) == (speed == 0.0)
     assert "anchors" not in said
     assert "winches" not in said
-    assert ("more segments (at most 287 mm long, this one is 353), or a slower start" in said) == (
-        speed == 0.0
-    )
 
 
 @pytest.mark.parametrize("stretch", [1.0, 3.0])
