@@ -46,6 +46,7 @@ NEVER = {
 } | {(name, "kind") for name in ("Springs", "Material", "Plane", *CURVES)}
 NEVER |= {("Tie", "rope"), ("Tie", "node")}
 NEVER |= {("Spin", "free")}  # it goes with an inertia
+NEVER |= {("Spin", "center_of_mass")}  # it goes with a mass, of a body that turns freely
 SPRINGS = '{kind = "springs", spring_constant = 5.0, node_mass = 0.1, segment_length = 0.1}'
 MATERIAL = '{kind = "material", EA = 5.0, mass_per_length = 0.1}'
 WORDS = ["true", "false", "1.5", "0.3", "2", "1", "none", "[0.1, 0.2, -0.9]", "b", "right", "e"]
@@ -176,7 +177,7 @@ def test_only_what_a_parameter_changes_is_made() -> None:
     wanted = {
         EA: {"stiffness", "break stretch"},
         "rope.made_of.mass_per_length": {"masses", "break stretch"},
-        DOWN: {"break stretch", "obstacle"},  # obstacles bear what hangs on ropes
+        DOWN: {"break stretch", "obstacle", "slide"},  # they bear what hangs on ropes
         "run.duration": set(),
         "anchor.release_time": {"anchors", "starts", "kinks"},
         "rope.diameter": {"air"},
