@@ -80,6 +80,8 @@ class ViewServer:
         self.token = token or new_token()
         self._server: Any = None
         self._thread: threading.Thread | None = None
+        # Not the thread's own join: Python 3.11 takes a thread for ended once Ctrl-C interrupts that.
+        self._ended = threading.Event()
 
     def show(
         self,
@@ -189,7 +191,10 @@ class ViewServer:
                 self.socket.listen(QUEUE)  # in the system: these cost no descriptor
             await serving
 
-        asyncio.run(main())
+        try:
+            asyncio.run(main())
+        finally:
+            self._ended.set()
 
     @property
     def error(self) -> BaseException | None:
@@ -200,9 +205,9 @@ class ViewServer:
         """Wait so long; tell whether server and player still work."""
         if self._thread is None:
             return False
-        self._thread.join(seconds)
+        ended = self._ended.wait(seconds)
         playing = self.player is None or self.player.alive
-        return self._thread.is_alive() and playing
+        return not ended and playing
 
     def stop(self, text: str = "The server has ended.") -> None:
         """End: the player first, then the run is saved, the pages are told, the server ends."""
@@ -218,7 +223,7 @@ class ViewServer:
         if self._server is not None:
             self._server.should_exit = True
         if self._thread is not None:
-            self._thread.join(6.0)
+            self._ended.wait(6.0)
         with suppress(OSError):
             self.socket.close()
 

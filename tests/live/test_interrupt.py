@@ -1,0 +1,35 @@
+"""Ctrl-C while the main thread waits for the server: it is still waited for when it is told to end."""
+
+from __future__ import annotations
+
+import signal
+import threading
+import time
+from typing import Any
+
+import pytest
+
+from ropewalk.live.serve import ViewServer
+
+BUSY = 0.5  # [s] that the server has no time to look whether it should end
+
+
+@pytest.mark.skipif(not hasattr(signal, "pthread_kill"), reason="a signal to one thread")
+def test_a_server_whose_wait_was_interrupted_ends_before_its_socket_is_closed(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    failures: list[Any] = []
+    monkeypatch.setattr(threading, "excepthook", failures.append)
+    server = ViewServer(port=0)
+    server.start()
+    here = threading.main_thread().ident
+    threading.Timer(0.2, signal.pthread_kill, [here, signal.SIGINT]).start()
+    with pytest.raises(KeyboardInterrupt):
+        while server.wait(10.0):
+            pass
+    assert server.wait(0.0)
+    server.hub._call(time.sleep, BUSY)
+    server.stop()
+    assert not server.wait(0.0)
+    time.sleep(0.2)  # for what a server that goes on would say
+    assert failures == []
