@@ -11,10 +11,21 @@ from ropewalk.core.network import Network, gather, solve_gathered
 from ropewalk.core.ordering import ask_for, begin_groups, order_groups
 from ropewalk.core.saddle import dense_saddle
 from ropewalk.laws.pairs.distance import NEVER, comes_to, nearest, relative_way
-from ropewalk.laws.pairs.force import pair_energy, pair_forces, squeeze
+from ropewalk.laws.pairs.force import depth_at, pair_energy, pair_forces, squeeze
 from ropewalk.laws.pairs.pair_tangent import couple_pairs
 from ropewalk.laws.pairs.search import list_near
-from ropewalk.laws.pairs.table import CONTACTS, MORE, NEAR, PUSH, SPRING, STIFF, STOP
+from ropewalk.laws.pairs.table import (
+    BRAKE,
+    CONTACTS,
+    LAYER,
+    MORE,
+    NEAR,
+    PUSH,
+    SPRING,
+    STIFF,
+    STOP,
+    apart,
+)
 from ropewalk.lowering import build
 from ropewalk.scene import Contact, Material, Points, Rope, RunSettings, Scene
 from unit.test_saddle import random_saddle
@@ -176,10 +187,30 @@ def orders(network: Network, pairs: Ints, count: int) -> bool:
     return bool(order_groups(network))
 
 
+def brake_within_skin(system: System, state: State) -> int:
+    """Give every contact a drag, and a depth of half its skin; return how many of them close."""
+    memory, table = state.memory.contact, system.node.contact
+    closing = 0
+    for row in range(int(memory.tally[CONTACTS])):
+        i, j = memory.pair[row]
+        size, grip = table.radius[i] + table.radius[j], memory.grip[row]
+        depth = depth_at(state.x, memory, row, i, j, size)
+        grip[MORE] += 0.5 * LAYER * size - depth
+        grip[BRAKE] = 50.0
+        rate = grip[:3] @ np.array(apart(state.v, memory.grip, row, i, j))
+        closing += rate < 0.0
+    return closing
+
+
+@pytest.mark.parametrize("brakes", [False, True])
 @pytest.mark.parametrize(("friction", "pull"), [(0.3, 3.0), (10.0, 0.01), (0.0, 0.0)])
-def test_the_tangent_is_the_derivative(friction: float, pull: float) -> None:
-    """Slipping, sticking and without friction, against central differences; in places and velocities."""
+def test_the_tangent_is_the_derivative(friction: float, pull: float, brakes: bool) -> None:
+    """Slipping, sticking and without friction, against central differences; in places and velocities.
+
+    As deep as random ropes lie, and within the skin, with the drag of those that close.
+    """
     system, state = pressed_tangle(friction, pull)
+    assert not brakes or brake_within_skin(system, state) > 0
     memory, n = state.memory.contact, state.x.shape[1]
     network = network_of(state, len(memory.pair))
     rows = int(memory.tally[CONTACTS])

@@ -24,6 +24,7 @@ from ropewalk.core.jit import kernel, small
 from ropewalk.laws.hardening import beyond
 from ropewalk.laws.pairs.table import (
     APART,
+    BRAKE,
     CONTACTS,
     LAYER,
     NORMAL,
@@ -68,11 +69,16 @@ def pull_of(grip, row, u, w, damping):
 
 @small
 def pressed(grip, row, u, w, soft, hard, stop, damping, size):
-    """Return R_n before it is cut [N], and its slope [N/m]."""
+    """Return R_n before it is cut [N], its slope [N/m], and what it loses with the gap's rate [N s/m]."""
     n0, n1, n2 = grip[row, NORMAL], grip[row, NORMAL + 1], grip[row, NORMAL + 2]
-    depth = depth_of(grip, row, u, size)
+    depth, rate = depth_of(grip, row, u, size), n0 * w[0] + n1 * w[1] + n2 * w[2]
     force, slope, _ = squeeze(depth, soft, hard, stop, LAYER * size)
-    return force - damping * (n0 * w[0] + n1 * w[1] + n2 * w[2]), slope
+    share = min(depth / (LAYER * size), 1.0)
+    drag = grip[row, BRAKE] * share
+    if rate < 0.0 and drag > damping:
+        slope -= grip[row, BRAKE] * rate / (LAYER * size) if share < 1.0 else 0.0
+        return force - drag * rate, slope, drag
+    return force - damping * rate, slope, damping
 
 
 @kernel
@@ -92,7 +98,7 @@ def add_pair_forces(x, v, table, memory, force):
         i, j = pair[row, 0], pair[row, 1]
         soft, hard, stop, damping, size = spring_of(table, memory.grip, row, i, j)
         u, w = apart(x, grip, row, i, j), apart(v, grip, row, i, j)
-        push, _ = pressed(grip, row, u, w, soft, hard, stop, damping, size)
+        push, _, _ = pressed(grip, row, u, w, soft, hard, stop, damping, size)
         if not push > 0.0:
             continue
         q = pull_of(grip, row, u, w, damping)

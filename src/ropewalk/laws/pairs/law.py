@@ -19,6 +19,7 @@ from ropewalk.core.ordering import ask_for
 from ropewalk.laws.node_law import NodeLaw, Rest
 from ropewalk.laws.obstacle import node_stiffness
 from ropewalk.laws.pairs.beside_slides import begin_inside, follow_slides, reach_ahead
+from ropewalk.laws.pairs.brake import brake_hits
 from ropewalk.laws.pairs.force import add_pair_forces, pair_energy, pair_forces, pair_rounding
 from ropewalk.laws.pairs.pair_books import book_pairs
 from ropewalk.laws.pairs.pair_memory import remember_pairs
@@ -237,8 +238,10 @@ def remember(table, state):
     """Keep what contacts carry at the state; return how many have closed."""
     memory, dt = state.memory.contact, state.now[0] - state.now[1]
     note_ropes(table, memory, state.stiffness)
+    solved = memory.tally[SEEN] == 1
     closed = remember_pairs(state.x, state.v, dt, table, memory, state.tied)
     follow_slides(state.x, table, memory, state.memory.slide, state.tied)
+    brake_hits(state.v, state.inverse_mass, table, memory, 0.0 if solved else dt)
     return closed
 
 

@@ -85,7 +85,7 @@ def hold(x, v, table, memory, row):
     i, j, grip = memory.pair[row, 0], memory.pair[row, 1], memory.grip
     soft, hard, stop, damping, size = spring_of(table, grip, row, i, j)
     u, w = apart(x, grip, row, i, j), apart(v, grip, row, i, j)
-    push, _ = pressed(grip, row, u, w, soft, hard, stop, damping, size)
+    push, _, _ = pressed(grip, row, u, w, soft, hard, stop, damping, size)
     closed = 1.0 if push > 0.0 and grip[row, PUSH] == 0.0 else 0.0
     push = max(push, 0.0)
     q = pull_of(grip, row, u, w, 0.0)

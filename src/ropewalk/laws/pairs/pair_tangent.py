@@ -34,11 +34,11 @@ def tangent_of(table, memory, row, x, v, weight_x, weight_v):
     grip, i, j = memory.grip, memory.pair[row, 0], memory.pair[row, 1]
     soft, hard, stop, damping, size = spring_of(table, grip, row, i, j)
     u, w = apart(x, grip, row, i, j), apart(v, grip, row, i, j)
-    push, slope = pressed(grip, row, u, w, soft, hard, stop, damping, size)
+    push, slope, drag = pressed(grip, row, u, w, soft, hard, stop, damping, size)
     if not push > 0.0:
         return ZERO9
     n = (grip[row, NORMAL], grip[row, NORMAL + 1], grip[row, NORMAL + 2])
-    drop = weight_x * slope + weight_v * damping
+    drop = weight_x * slope + weight_v * drag
     own = weight_x * grip[row, STIFF] + weight_v * damping
     q = pull_of(grip, row, u, w, damping)
     total = math.sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2])

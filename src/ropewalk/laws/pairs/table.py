@@ -21,8 +21,8 @@ WRONG = 0.03  # [1] by which a frozen contact may err, over the same sum
 # between the points [m] at the end of the last step, R_n then [N], the spring's stiffness [N/m], whether
 # the row is to go, by how much more it counts as pressed than its points say [m], whether it was found
 # on the way of the step in hand, the levers of both segments [1], see `apart`, and what of MORE is new in
-# this step [m].
-NORMAL, OWN, OTHER, SPRING, APART, PUSH, STIFF, GONE, MORE, FOUND, LEVER, EXTRA = (
+# this step [m], and the drag of what closes [N s/m], see `brake`.
+NORMAL, OWN, OTHER, SPRING, APART, PUSH, STIFF, GONE, MORE, FOUND, LEVER, EXTRA, BRAKE = (
     0,
     3,
     4,
@@ -35,8 +35,9 @@ NORMAL, OWN, OTHER, SPRING, APART, PUSH, STIFF, GONE, MORE, FOUND, LEVER, EXTRA 
     15,
     16,
     22,
+    23,
 )
-WIDTH = 23
+WIDTH = 24
 # Places in `Memory.tally`.
 CONTACTS, NEAR, ROUNDS, SEEN, REFUSED, FAULT, FIRST, SECOND, ASKED = range(9)
 PASSED, FULL, CROWDED = 1, 2, 3  # faults

@@ -1,0 +1,78 @@
+"""Ropes that strike ropes: what hits goes on with what is hit, at any speed."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+import ropewalk as rw
+from ropewalk.core.arrays import Floats
+from ropewalk.scene import Contact, Load, Material, Rope, RunSettings, Scene, Straight
+
+FRAMES = 240.0  # [1/s]
+GAP = 0.02  # [m]
+LEFT = 0.125  # [1] of the closing speed
+
+
+def link(name: str, start: Floats, end: Floats, speed: float, load: float) -> Rope:
+    """A link of 10 g that flies down at a speed, with loads on both its ends."""
+    return Rope(
+        name=name,
+        segments=1,
+        length=0.2,
+        diameter=0.01,
+        made_of=Material(EA=1e4, mass_per_length=0.05),
+        shape=Straight(start=tuple(start), end=tuple(end), velocity=(0, -speed, 0)),
+        loads=[Load(node=node, mass=load) for node in (0, 1)] if load else [],
+    )
+
+
+def left_after(method: str, step: float | str, speed: float, loads: tuple[float, float]) -> Floats:
+    """The mean velocities [m/s] of two crossed links across them after one has hit the other, (2,)."""
+    x, y, z = np.array((0.1, 0, 0)), np.array((0, GAP, 0)), np.array((0, 0, 0.1))
+    frames = round((GAP / speed + 0.03) * FRAMES)
+    settings: dict[str, Any] = {"method": method, "time_step": step}
+    run = RunSettings(**settings, duration=frames / FRAMES, frame_rate=FRAMES)
+    result = rw.simulate(
+        Scene(
+            ropes=[
+                link("still", -x, x, 0.0, loads[0]),
+                link("flies", y - z, y + z, speed, loads[1]),
+            ],
+            contact=Contact(friction=0.2),
+            gravity=(0, 0, 0),
+            run=run,
+        )
+    )
+    assert np.diff(result.energy["total"]).max() < 3e-3 * result.energy["total"][0]
+    assert result.work["contact"].max() <= 0.0
+    return np.array([result.rope(name).velocities[-1, :, 1].mean() for name in ("still", "flies")])
+
+
+METHODS = [
+    ("semi-implicit-euler", "auto"),
+    ("semi-implicit-euler", 1e-5),
+    ("verlet", "auto"),
+    ("rk4", "auto"),
+    ("sdirk2", 1e-3),
+]
+
+
+@pytest.mark.parametrize("loads", [(0.0, 0.0), (0.5, 0.0), (0.0, 0.5)])
+@pytest.mark.parametrize("speed", [1.0, 5.0, 20.0])
+@pytest.mark.parametrize(("method", "step"), METHODS)
+def test_a_link_goes_on_with_what_it_hits(
+    method: str, step: float | str, speed: float, loads: tuple[float, float]
+) -> None:
+    """With the velocity of both masses' centre, to an eighth of what it came with.
+
+    Without a drag explicit methods give back 0.57 to 0.95 of it, `sdirk2` a third of 1 m/s.
+    """
+    mass = 0.01 + 2.0 * np.array(loads)
+    velocities = left_after(method, step, speed, loads)
+    common = -speed * mass[1] / mass.sum()
+    assert mass @ velocities == pytest.approx(-speed * mass[1], rel=1e-9)
+    assert abs(velocities[1] - velocities[0]) < LEFT * speed
+    assert np.abs(velocities - common).max() < LEFT * speed
