@@ -1,4 +1,4 @@
-"""What stops ropes that strike each other, in the skin of their contact.
+"""What stops ropes that strike each other in explicit steps, in the skin of their contact.
 
 A contact of ropes begins close by, unlike one with an obstacle: on so short a way its damper takes little of
 a fast hit, and the stiffness below would give it back. So what closes at u meets a drag m u^2 / S besides,
@@ -6,7 +6,8 @@ m the mass that the contact's points move as, S a length of SOFT of the radii's 
 and what is left stores next to nothing. What closes slowly, under u of 2 S sqrt(k / m), does not see it.
 The drag is linear within a step, with the u at its start, and begins with the depth, without a jump. It takes
 u no quicker than the damper of a contact of ropes alone at its stiffest, for which explicit steps have room,
-and in one that is longer than they may be no more than AT_ONCE of it.
+and in one that is longer than they may be no more than AT_ONCE of it. Steps that are solved for have none:
+ropes that were thrown at each other at random then came so near that one run of 200 found no solution.
 """
 
 from __future__ import annotations
@@ -24,14 +25,15 @@ from ropewalk.laws.pairs.table import (
 )
 
 SOFT = 0.005  # [1] S over the sum of the radii
-AT_ONCE = 0.5  # [1] of the closing speed that an explicit step may take
+AT_ONCE = 0.5  # [1] of the closing speed that a step may take
+LEAST = 1e-300  # [s] not nothing, before the first step
 
 
 @kernel
 def brake_hits(v, inverse_mass, table, memory, dt):
     """Keep with what drag [N s/m] each contact meets what comes closer in the next step.
 
-    An explicit step is as long as the last, `dt` [s]; inf: none has been. Others: 0.
+    It is as long as the last, `dt` [s]; inf where steps are solved for: then there is none.
     """
     grip, mass = memory.grip, table.mass
     for row in range(memory.tally[CONTACTS]):
@@ -47,7 +49,6 @@ def brake_hits(v, inverse_mass, table, memory, dt):
         if closes > 0.0 and moves > 0.0:
             stop = 1.0 / (table.stop[i] + table.stop[j])
             most = 2.0 * HARD * (stop * (1.0 / mass[i] + 1.0 / mass[j])) ** 0.5
-            if dt > 0.0:
-                most = min(most, AT_ONCE / dt)
+            most = min(most, AT_ONCE / max(dt, LEAST))
             size = table.radius[i] + table.radius[j]
             grip[row, BRAKE] = min(closes / (SOFT * size), most) / moves

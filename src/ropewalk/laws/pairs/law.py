@@ -241,7 +241,7 @@ def remember(table, state):
     solved = memory.tally[SEEN] == 1
     closed = remember_pairs(state.x, state.v, dt, table, memory, state.tied)
     follow_slides(state.x, table, memory, state.memory.slide, state.tied)
-    brake_hits(state.v, state.inverse_mass, table, memory, 0.0 if solved else dt)
+    brake_hits(state.v, state.inverse_mass, table, memory, math.inf if solved else dt)
     return closed
 
 
