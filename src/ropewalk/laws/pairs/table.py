@@ -41,6 +41,7 @@ WIDTH = 24
 # Places in `Memory.tally`.
 CONTACTS, NEAR, ROUNDS, SEEN, REFUSED, FAULT, FIRST, SECOND, ASKED = range(9)
 PASSED, FULL, CROWDED = 1, 2, 3  # faults
+GIVEN = 3  # in `Memory.books`: what contacts have got as they came to count as pressed more, or less [J]
 # Columns of `Pairs.inside`: a segment near a node that slides, the slide, first and last segment of its line,
 # so many segments of that on each side of the node that this one lies in, the node, and the line's node from
 # which places count.
@@ -79,7 +80,7 @@ class Memory(NamedTuple):
     order: Ints  # (s,) segments along an axis
     rope: Ints  # (s,) as in `Pairs`, -1 as well where one has parted
     way: Floats  # (3, n) in the last step [m]
-    books: Floats  # (3,) works so far: what pressed, what rubbed, the method's share [J]
+    books: Floats  # (4,) works so far: what pressed, what rubbed, the method's share, see GIVEN [J]
     inside: Ints  # (p, 2) first and last segment of the line that each row of `Pairs.inside` does not touch
 
 
