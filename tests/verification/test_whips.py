@@ -45,3 +45,20 @@ def test_no_step_makes_up_energy(method: str, segments: int) -> None:
         assert -0.2 * WEIGHT_TIMES_LENGTH < energy[-1] < -0.1 * WEIGHT_TIMES_LENGTH
         iterations = simulation._engine._scratch.stage.report[SOLVES] / (RATE * SECONDS)
         assert iterations < {50: 15.0, 100: 15.0, 300: 30.0}[segments]
+
+
+@pytest.mark.parametrize(("method", "most"), [("sdirk2", 16.0), ("esdirk3", 19.0)])
+def test_windows_take_few_solves_in_the_whips_of_a_long_rope(method: str, most: float) -> None:
+    """1000 segments, six starts a turn apart, from the second second on.
+
+    Measured 12.6 and 14.8 Newton steps a step, 22.5 and 26.4 where all nodes are solved for in each.
+    """
+    taken = []
+    for start in range(6):
+        simulation = Simulation(dropped(1000, method, TURN * start), ledger=False)
+        simulation.advance_frames(RATE)
+        report = simulation._engine._scratch.stage.report
+        before = report[SOLVES]
+        simulation.advance_frames(RATE * (SECONDS - 1))
+        taken.append((report[SOLVES] - before) / (RATE * (SECONDS - 1)))
+    assert np.mean(taken) < most

@@ -148,7 +148,7 @@ class Engine:
         self.state, here = pooled(model.state) if room is None else room
         self.walk = adaptive.no_walk()
         if plan.tolerance is None or plan.longest is None:
-            self._scratch = self._method.make_scratch(self.state)
+            self._scratch = self._method.make_scratch(self.system, self.state)
         else:
             limits = plan.tolerance, plan.longest
             self._scratch = adaptive.adapt(self.system, self.state, here, *limits)

@@ -103,7 +103,7 @@ def adapt(
     """
     (begin, first), (ahead, second) = pooled(shown), pooled(shown)
     walk = Walk(first, second, here.copy(), make_control())
-    solver = make_implicit_scratch(shown, ESDIRK3)
+    solver = make_implicit_scratch(system, shown, ESDIRK3)
     solver.stage.saddle.band.frozen[0] = 1
     limits = np.array([tolerance, longest])
     breaks = break_times(system)

@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ropewalk.core.arrays import Floats, Forces, State, blank
+from ropewalk.core.arrays import Floats, Forces, State, System, blank
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.status import HIT, OK, UNSOLVED
 from ropewalk.laws.anchors import move_anchors, place_stage
@@ -48,15 +48,17 @@ from ropewalk.methods.scratch import (
     clear,
     clear_forces,
     clear_row,
+    half_way,
     make_sums,
     make_turning,
     put,
     put_forces,
     put_row,
 )
-from ropewalk.methods.stage import SPLITS, TIME, Stage, make_stage, solve_stage
+from ropewalk.methods.stage import SPLITS, TIME, Stage, make_stage
 from ropewalk.methods.tableaus import BDF2, DIRK, GENERALIZED_ALPHA, SDIRK2, Tableau
 from ropewalk.methods.wheel_ties import aim_all, has_wheels
+from ropewalk.methods.window import Windows, make_windows, solve_stage
 
 MOST_HALVINGS = 12
 SMALLEST_PART = 0.5**MOST_HALVINGS  # [1] of a step
@@ -67,6 +69,7 @@ class ImplicitScratch(NamedTuple):
     """Working arrays of the implicit methods."""
 
     stage: Stage
+    windows: Windows | None
     u: Floats  # (stages, 3, n) velocities of the stages
     k: Floats  # (stages, 3, n) accelerations of the stages
     rates: Floats  # (stages, s) of what segments remember [1/s]; (stages, 0) without
@@ -83,13 +86,15 @@ class ImplicitScratch(NamedTuple):
     rescue: Tableau  # of the method that takes the parts of a step without solution
 
 
-def make_implicit_scratch(state: State, tableau: Tableau) -> ImplicitScratch:
+def make_implicit_scratch(system: System, state: State, tableau: Tableau) -> ImplicitScratch:
     """Return working arrays that fit `state` and the method."""
     rigid = bool(np.isinf(state.stiffness).any()) or state.forces.limiter.size > 0
     stages = tableau.stages if not rigid else tableaus.ESDIRK3.stages
     most = max(stages, SDIRK2.stages)
+    stage = make_stage(state)
     return ImplicitScratch(
-        stage=make_stage(state),
+        stage=stage,
+        windows=make_windows(system, state, stage),
         u=np.zeros((most, *state.x.shape)),
         k=np.zeros((most, *state.x.shape)),
         rates=np.zeros((most, state.inner.shape[1])),
@@ -105,19 +110,6 @@ def make_implicit_scratch(state: State, tableau: Tableau) -> ImplicitScratch:
         pull=np.zeros((2, state.rest_length.shape[0])),
         rescue=tableaus.IMPLICIT_EULER,
     )
-
-
-@kernel
-def half_way(x0, v0, x1, v1, inverse_mass, middle, drift):
-    """Write mean velocity and displacement of the step; copy its end to the free nodes."""
-    for k in range(3):
-        xa, va, xb, vb, mid, moved = x0[k], v0[k], x1[k], v1[k], middle[k], drift[k]
-        for i in range(inverse_mass.shape[0]):
-            mid[i] = 0.5 * (va[i] + vb[i])
-            moved[i] = xb[i] - xa[i]
-            if inverse_mass[i] > 0.0:
-                xa[i] = xb[i]
-                va[i] = vb[i]
 
 
 @part
@@ -249,7 +241,7 @@ def take_step(system, state, scratch, t, after, dt, ledger, level, kind, A, b, c
                 wind_to(system, state, time, scratch.turning)
             if attempt == 1:
                 clear_row(stage.tension)
-            status = solve_stage(system, state, stage, c1, c2)
+            status = solve_stage(system, state, stage, scratch.windows, c1, c2)
             if status == OK:
                 break
         if status != OK:

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ropewalk.core.arrays import Floats, State
+from ropewalk.core.arrays import Floats, State, System
 from ropewalk.methods import (
     adaptive,
     characteristic,
@@ -56,10 +56,10 @@ class Method(NamedTuple):
             return tableaus.generalized_alpha(spectral_radius)
         return self.tableau
 
-    def make_scratch(self, state: State) -> Any:
+    def make_scratch(self, system: System, state: State) -> Any:
         """Return working arrays that fit `state`."""
         if self.implicit:
-            return implicit.make_implicit_scratch(state, self.tableau)
+            return implicit.make_implicit_scratch(system, state, self.tableau)
         return make_scratch(state)
 
 

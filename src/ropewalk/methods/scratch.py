@@ -207,3 +207,16 @@ def axpy(base, factor, values, result, lo=0, hi=ALL):
 def _axpy(base, factor, values, result):
     for i in range(result.shape[0]):
         result[i] = base[i] + factor * values[i]
+
+
+@kernel
+def half_way(x0, v0, x1, v1, inverse_mass, middle, drift):
+    """Write mean velocity and displacement of the step; copy its end to the free nodes."""
+    for k in range(3):
+        xa, va, xb, vb, mid, moved = x0[k], v0[k], x1[k], v1[k], middle[k], drift[k]
+        for i in range(inverse_mass.shape[0]):
+            mid[i] = 0.5 * (va[i] + vb[i])
+            moved[i] = xb[i] - xa[i]
+            if inverse_mass[i] > 0.0:
+                xa[i] = xb[i]
+                va[i] = vb[i]

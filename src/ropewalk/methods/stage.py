@@ -57,10 +57,18 @@ CAREFUL_LATE, CAREFUL_MEMORY = (
     1,
 )  # the same with bending, bounds or contacts: folded rods are lost else
 WARY = 3  # iterations that hold compression back after an exact one that failed
+AIDED_ITERATIONS = 20  # where windows of the rope are solved first, see `window`
+FAR = 1e-5  # [1] part of the largest force and length that is left: with less no window is worth it
+SHARE = 1e-3  # [1] of the merit's largest density: nodes with less at the ends are in no window
 MOST_LEAPS = 12  # steps that are taken whatever the merit, out of its local minima
 
 # Places in `Stage.report`; from HISTORY on the merit before each iteration [J].
-ITERATIONS, RESIDUAL, NODE, SCALE, MISFIT, SOLVES, SPLITS, TIME, ROUNDING, HISTORY = range(10)
+ITERATIONS, RESIDUAL, NODE, SCALE, MISFIT, SOLVES, SPLITS, TIME, ROUNDING = range(9)
+# Of a solve that has paused: the nodes that are to be solved first, and where it goes on from.
+FIRST, LAST, EXACT, WARINESS, HELD_BACK, FAILED, LEAPS, LEAP, MERIT, HISTORY = range(9, 19)
+# How a solve begins, or goes on: with or without the aid that it has paused for.
+BEGIN, AIDED, UNAIDED = range(3)
+PAUSED = -1  # beside OK and UNSOLVED
 
 
 class Segments(NamedTuple):
@@ -246,6 +254,27 @@ def shorter_part(size, trial, merit):
     return min(max(best, 0.1 * size), 0.5 * size)
 
 
+@kernel
+def most_dense(force, misfit, mass, weight, time):
+    """Return the nodes between which the merit lies dense, (first, last); `time` is c1 c2 [s^2].
+
+    A node counts as what it adds to the merit, with half of what its segments do.
+    """
+    largest, first, last = 0.0, 0, -1
+    for again in range(2):
+        beside = 0.0
+        for i in range(mass.shape[0]):
+            square = force[0, i] ** 2 + force[1, i] ** 2 + force[2, i] ** 2
+            after = weight[i] * misfit[i] ** 2 if i < misfit.shape[0] else 0.0
+            density = time * square / mass[i] if square > 0.0 else 0.0
+            density, beside = density + 0.5 * (beside + after), after
+            if again == 0:
+                largest = max(largest, density)
+            elif density > SHARE * largest:
+                first, last = first if last >= 0 else i, i
+    return first, last
+
+
 @part
 def is_smooth(system):
     """Tell whether stretch, air and ground are all there is: a line search that looks back pays then."""
@@ -254,21 +283,44 @@ def is_smooth(system):
 
 
 @kernel
-def solve_stage(system, state, stage, c1, c2):
+def finish(v_known, a, free, c2, v):
+    """Let momentum have the last word: V follows from the forces, so that works add up exactly.
+
+    X stays, where lengths and bends are those that were solved for.
+    """
+    for k in range(3):
+        v0, ak, vk = v_known[k], a[k], v[k]
+        for i in range(free.shape[0]):
+            if free[i] != 0.0:
+                vk[i] = v0[i] + c2 * ak[i]
+
+
+@kernel
+def newton(system, state, stage, c1, c2, tight, window, aid):
     """Solve the stage from the guess in `x`, `v`, `tension`; held nodes are in place already.
 
-    `c1` and `c2` [s], `x_known` and `v_known` say what the stage is. Returns OK or UNSOLVED; `report` says
-    how it went.
+    `c1` and `c2` [s], `x_known` and `v_known` say what the stage is; `tight` [1] is the force residual over
+    the largest force, when solved. Returns OK or UNSOLVED, and PAUSED where up to `window` nodes, from
+    report[FIRST] to report[LAST], would better be solved by themselves. It goes on then, by `aid`: BEGIN,
+    AIDED or UNAIDED. `report` says how it went.
     """
     saddle, segments, report = stage.saddle, stage.segments, stage.report
     x, v, tension, known = stage.x, stage.v, stage.tension, stage.v_known
     mass, free = state.mass, saddle.free
-    begin(mass, state.inverse_mass, state.stiffness, segments, saddle, 1.0 / (c1 * c2))
-    begin_inner(system, state, segments, c2)
+    if aid == BEGIN:
+        begin(mass, state.inverse_mass, state.stiffness, segments, saddle, 1.0 / (c1 * c2))
+        begin_inner(system, state, segments, c2)
     merit, size, exact, wary, held_back, failed = np.inf, 0.0, False, 0, 0, False
-    iteration, leaps, leap, bar, first = 0, 0, False, np.inf, 0
+    iteration, leaps, leap, bar, first, whole = 0, 0, False, np.inf, 0, False
+    if aid != BEGIN:
+        iteration, leaps, leap = int(report[ITERATIONS]), int(report[LEAPS]), report[LEAP] == 1.0
+        exact, wary, held_back = report[EXACT] == 1.0, int(report[WARINESS]), int(report[HELD_BACK])
+        first, merit = iteration, 0.0
+        if aid == UNAIDED:
+            failed, merit = report[FAILED] == 1.0, report[MERIT]
     calm, touching, last = not has_bending(system), couples(system), np.inf
     most = TOUCHING_ITERATIONS if touching and calm else MOST_ITERATIONS
+    most = AIDED_ITERATIONS if window > 0 else most
     late, memory = (LATE, MEMORY) if is_smooth(system) else (CAREFUL_LATE, CAREFUL_MEMORY)
     while True:
         evaluate_stage(system, state, x, v, tension, segments, saddle, stage.forces)
@@ -290,13 +342,21 @@ def solve_stage(system, state, stage, c1, c2):
         largest_misfit(x, tension, state.rest_length, stage.forces.friction, saddle, report)
         report[ROUNDING] = rounding(system, state, stage)
         report[ITERATIONS], report[HISTORY + iteration] = iteration, trial
-        if is_solved(report, TOUCHING if touching else TIGHT):
+        if is_solved(report, TOUCHING if touching else tight):
             break
         if touching:
             enough = TOUCHING_AT_MOST if iteration == most else LOOSE
             if (iteration == most or report[RESIDUAL] > 0.5 * last) and is_solved(report, enough):
                 break
             last = report[RESIDUAL]
+        if window > 0 and whole and not is_close(report, FAR):
+            weight = segments.weight
+            start, end = most_dense(saddle.force, saddle.misfit, mass, weight, c1 * c2)
+            if end - start < window:
+                report[FIRST], report[LAST], report[LEAPS], report[LEAP] = start, end, leaps, leap
+                report[EXACT], report[WARINESS], report[HELD_BACK] = exact, wary, held_back
+                report[FAILED], report[MERIT] = failed, merit
+                return PAUSED
         stuck = failed and not exact
         if stuck or iteration == most:
             report[ROUNDING] += motion_rounding(v, known, mass, free, state.damping_vector, c2)
@@ -327,19 +387,6 @@ def solve_stage(system, state, stage, c1, c2):
         first = iteration + 1 if leap else first
         merit = np.inf if leap else trial
         bar = np.inf if leap else largest_merit(report, first, iteration, memory)
-        size, failed, iteration = 1.0, False, iteration + 1
+        size, failed, whole, iteration = 1.0, False, True, iteration + 1
     finish(known, stage.a, free, c2, v)
     return OK
-
-
-@kernel
-def finish(v_known, a, free, c2, v):
-    """Let momentum have the last word: V follows from the forces, so that works add up exactly.
-
-    X stays, where lengths and bends are those that were solved for.
-    """
-    for k in range(3):
-        v0, ak, vk = v_known[k], a[k], v[k]
-        for i in range(free.shape[0]):
-            if free[i] != 0.0:
-                vk[i] = v0[i] + c2 * ak[i]
