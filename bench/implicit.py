@@ -6,7 +6,7 @@ from bench.clock import take_turns
 from bench.row import Row
 from ropewalk import Anchor, Material, Rope, RunSettings, Scene, Simulation
 from ropewalk.methods.recording import make_recording
-from ropewalk.methods.stage import SOLVES
+from ropewalk.methods.stage_report import SOLVES
 from ropewalk.scene import Straight
 
 STEP = 1.0 / 60.0

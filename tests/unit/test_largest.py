@@ -7,17 +7,8 @@ import pytest
 
 from ropewalk.core.saddle import Saddle, make_saddle
 from ropewalk.methods.rounding import EPSILON
-from ropewalk.methods.stage import (
-    HISTORY,
-    MISFIT,
-    NODE,
-    RESIDUAL,
-    SCALE,
-    TIGHT,
-    find_worst,
-    largest_force,
-    largest_misfit,
-)
+from ropewalk.methods.stage import find_worst, largest_force, largest_misfit
+from ropewalk.methods.stage_report import HISTORY, MISFIT, NODE, RESIDUAL, SCALE, TIGHT
 
 NODES, C2 = 37, 0.005
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from ropewalk.core.status import OK
-from ropewalk.methods.stage import SOLVES, most_dense
+from ropewalk.methods.stage_report import SOLVES, most_dense
 from ropewalk.methods.window import LARGE, SMALL, make_windows, solve_stage
 from ropewalk.scene import Air, Anchor, Material, Rope, RunSettings, Scene, Straight
 from ropewalk.simulation import Simulation

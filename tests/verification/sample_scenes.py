@@ -13,7 +13,7 @@ import numpy as np
 from ropewalk.lowering import build
 from ropewalk.methods.recording import remembering, work_names
 from ropewalk.methods.registry import METHODS
-from ropewalk.methods.stage import HISTORY, ITERATIONS
+from ropewalk.methods.stage_report import HISTORY, ITERATIONS
 from ropewalk.record.simulate import simulate_in_memory
 from ropewalk.scene import Anchor, Rope, RunSettings, Scene, SceneError, Springs, Straight
 from ropewalk.scene.motions import Velocity

@@ -11,7 +11,7 @@ import pytest
 from ropewalk.core.status import OK, UNSOLVED
 from ropewalk.methods.recording import LAWS
 from ropewalk.methods.registry import METHODS
-from ropewalk.methods.stage import HISTORY, ITERATIONS
+from ropewalk.methods.stage_report import HISTORY, ITERATIONS
 from ropewalk.scene import (
     Anchor,
     Ground,

@@ -13,7 +13,7 @@ import pytest
 from ropewalk.core.status import OK
 from ropewalk.methods.implicit import MOST_HALVINGS, take_step
 from ropewalk.methods.recording import bends, work_names
-from ropewalk.methods.stage import SPLITS
+from ropewalk.methods.stage_report import SPLITS
 from ropewalk.methods.tableaus import DIRK
 from ropewalk.scene import (
     Anchor,

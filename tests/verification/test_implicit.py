@@ -14,7 +14,7 @@ from ropewalk.analysis.stability import stability
 from ropewalk.core.status import BROKEN, OK, UNSOLVED
 from ropewalk.engine.unsolved import describe
 from ropewalk.methods.characteristic import growth
-from ropewalk.methods.stage import (
+from ropewalk.methods.stage_report import (
     HISTORY,
     ITERATIONS,
     MISFIT,

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from ropewalk.methods.gain import MOST
-from ropewalk.methods.stage import SOLVES
+from ropewalk.methods.stage_report import SOLVES
 from ropewalk.scene import Anchor, Material, Rope, RunSettings, Scene, Straight
 from ropewalk.simulation import Simulation
 

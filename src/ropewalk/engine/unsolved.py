@@ -14,7 +14,8 @@ from ropewalk.lowering.link_lengths import has_links, reaches
 from ropewalk.methods import adaptive
 from ropewalk.methods.controller import END, SHORTEST_STEP
 from ropewalk.methods.implicit import MOST_HALVINGS, SMALLEST_PART
-from ropewalk.methods.stage import MISFIT, NODE, RESIDUAL, ROUNDING, SCALE, TIGHT, TIME, Stage
+from ropewalk.methods.stage import Stage
+from ropewalk.methods.stage_report import MISFIT, NODE, RESIDUAL, ROUNDING, SCALE, TIGHT, TIME
 
 # Stable at any step by linear theory, but what a stiff rope's slack and taut segments feed into the fast
 # modes stays in them, and grows.

@@ -55,7 +55,8 @@ from ropewalk.methods.scratch import (
     put_forces,
     put_row,
 )
-from ropewalk.methods.stage import SPLITS, TIME, Stage, make_stage
+from ropewalk.methods.stage import Stage, make_stage
+from ropewalk.methods.stage_report import SPLITS, TIME
 from ropewalk.methods.tableaus import BDF2, DIRK, GENERALIZED_ALPHA, SDIRK2, Tableau
 from ropewalk.methods.wheel_ties import aim_all, has_wheels
 from ropewalk.methods.window import Windows, make_windows, solve_stage

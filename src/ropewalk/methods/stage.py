@@ -25,7 +25,6 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats, Forces, State, blank
 from ropewalk.core.jit import kernel, part
-from ropewalk.core.largest import order, ordered
 from ropewalk.core.saddle import Saddle, make_saddle
 from ropewalk.core.status import OK, UNSOLVED
 from ropewalk.laws.couplings import couples
@@ -36,11 +35,29 @@ from ropewalk.laws.stage_forces import evaluate_stage, mark_stage
 from ropewalk.laws.table import accelerate
 from ropewalk.methods.model_slope import follow_model
 from ropewalk.methods.newton_step import newton_step
-from ropewalk.methods.rounding import EPSILON, motion_rounding, rounding
+from ropewalk.methods.rounding import motion_rounding, rounding
+from ropewalk.methods.stage_report import (
+    BEGIN,
+    HISTORY,
+    ITERATIONS,
+    PAUSED,
+    RESIDUAL,
+    ROUNDING,
+    SOLVES,
+    TIGHT,
+    find_worst,
+    is_close,
+    is_solved,
+    keep_course,
+    largest_force,
+    largest_merit,
+    largest_misfit,
+    needs_window,
+    take_course,
+)
 
 MOST_ITERATIONS = 60
 DECIDING = 8  # iterations that may still change what rubs and what touches
-TIGHT = 1e-12  # [1] force residual over the largest force, when solved
 LOOSE = 1e-8  # [1] the same, where rounding stops the descent
 # The same where ropes touch each other, and as they are taken after the last iteration.
 TOUCHING, TOUCHING_AT_MOST = 1e-10, 1e-6
@@ -58,17 +75,7 @@ CAREFUL_LATE, CAREFUL_MEMORY = (
 )  # the same with bending, bounds or contacts: folded rods are lost else
 WARY = 3  # iterations that hold compression back after an exact one that failed
 AIDED_ITERATIONS = 20  # where windows of the rope are solved first, see `window`
-FAR = 1e-5  # [1] part of the largest force and length that is left: with less no window is worth it
-SHARE = 1e-3  # [1] of the merit's largest density: nodes with less at the ends are in no window
 MOST_LEAPS = 12  # steps that are taken whatever the merit, out of its local minima
-
-# Places in `Stage.report`; from HISTORY on the merit before each iteration [J].
-ITERATIONS, RESIDUAL, NODE, SCALE, MISFIT, SOLVES, SPLITS, TIME, ROUNDING = range(9)
-# Of a solve that has paused: the nodes that are to be solved first, and where it goes on from.
-FIRST, LAST, EXACT, WARINESS, HELD_BACK, FAILED, LEAPS, LEAP, MERIT, HISTORY = range(9, 19)
-# How a solve begins, or goes on: with or without the aid that it has paused for.
-BEGIN, AIDED, UNAIDED = range(3)
-PAUSED = -1  # beside OK and UNSOLVED
 
 
 class Segments(NamedTuple):
@@ -154,71 +161,6 @@ def misfit_merit(misfit, weight):
 
 
 @kernel
-def largest_force(v, known, mass, free, gravity, c2, force, report):
-    """Note the largest residual [N], and the largest force of inertia and weight [N]."""
-    worst, scale, over = 0, 0, 1.0 / c2
-    pull = max(abs(gravity[0]), abs(gravity[1]), abs(gravity[2]))
-    v0, v1, v2, k0, k1, k2 = v[0], v[1], v[2], known[0], known[1], known[2]
-    f0, f1, f2 = force[0], force[1], force[2]
-    for i in range(mass.shape[0]):
-        rate = abs(v0[i] - k0[i]) + abs(v1[i] - k1[i]) + abs(v2[i] - k2[i])
-        heavy = mass[i] * free[i]
-        scale = max(scale, order(heavy * (over * rate)), order(heavy * pull))
-        worst = max(worst, order(abs(f0[i])), order(abs(f1[i])), order(abs(f2[i])))
-    report[RESIDUAL], report[SCALE] = ordered(worst), ordered(scale)
-
-
-@kernel
-def find_worst(force, report):
-    """Note the node with the largest residual."""
-    worst = order(report[RESIDUAL])
-    for i in range(force.shape[1]):
-        size = max(order(abs(force[0, i])), order(abs(force[1, i])), order(abs(force[2, i])))
-        if size >= worst:
-            report[NODE] = i
-            return
-
-
-@kernel
-def largest_misfit(x, tension, rest_length, friction, saddle, report):
-    """Put tensions and friction into the force scale; note the largest misfit over what is allowed."""
-    most, worst = order(report[SCALE]), 0
-    x0, x1, x2, e, g = x[0], x[1], x[2], saddle.compliance, saddle.misfit
-    r0, r1, r2 = friction[0], friction[1], friction[2]
-    for j in range(tension.shape[0]):
-        rub = max(order(abs(r0[j + 1])), order(abs(r1[j + 1])), order(abs(r2[j + 1])))
-        most = max(most, order(abs(tension[j])), rub)
-    scale = ordered(most)
-    for j in range(tension.shape[0]):
-        size = max(order(abs(x0[j])), order(abs(x1[j])), order(abs(x2[j])), order(rest_length[j]))
-        allowed = TIGHT * scale * e[j] + 1e-13 * rest_length[j]
-        worst = max(worst, order(abs(g[j]) / (allowed + 8.0 * EPSILON * ordered(size) + 1e-300)))
-    report[SCALE], report[MISFIT] = scale, ordered(worst)
-
-
-@kernel
-def is_solved(report, tolerance):
-    """Tell whether the forces balance to `tolerance` [1], or to rounding, and the lengths fit."""
-    bound = tolerance * report[SCALE] + report[ROUNDING] + 1e-300
-    return report[RESIDUAL] <= bound and report[MISFIT] <= tolerance / TIGHT
-
-
-@kernel
-def is_close(report, part):
-    """Tell whether the solution is near: so large a part is left of forces and lengths at most [1]."""
-    return report[RESIDUAL] <= part * report[SCALE] and report[MISFIT] <= part / TIGHT
-
-
-@kernel
-def largest_merit(report, first, iteration, memory):
-    """Return the largest of the last `memory` merits, back to that of iteration `first` at most [J]."""
-    largest = 0.0
-    for k in range(max(first, iteration - memory + 1), iteration + 1):
-        largest = max(largest, report[HISTORY + k])
-    return largest
-
-
-@kernel
 def move(part_of_step, c1, stage_x, stage_v, tension, saddle):
     """Go a part of the Newton step, in positions, velocities and tensions."""
     over, free, pulled = part_of_step / c1, saddle.free, saddle.pulled
@@ -254,27 +196,6 @@ def shorter_part(size, trial, merit):
     return min(max(best, 0.1 * size), 0.5 * size)
 
 
-@kernel
-def most_dense(force, misfit, mass, weight, time):
-    """Return the nodes between which the merit lies dense, (first, last); `time` is c1 c2 [s^2].
-
-    A node counts as what it adds to the merit, with half of what its segments do.
-    """
-    largest, first, last = 0.0, 0, -1
-    for again in range(2):
-        beside = 0.0
-        for i in range(mass.shape[0]):
-            square = force[0, i] ** 2 + force[1, i] ** 2 + force[2, i] ** 2
-            after = weight[i] * misfit[i] ** 2 if i < misfit.shape[0] else 0.0
-            density = time * square / mass[i] if square > 0.0 else 0.0
-            density, beside = density + 0.5 * (beside + after), after
-            if again == 0:
-                largest = max(largest, density)
-            elif density > SHARE * largest:
-                first, last = first if last >= 0 else i, i
-    return first, last
-
-
 @part
 def is_smooth(system):
     """Tell whether stretch, air and ground are all there is: a line search that looks back pays then."""
@@ -295,29 +216,29 @@ def finish(v_known, a, free, c2, v):
                 vk[i] = v0[i] + c2 * ak[i]
 
 
+@part
+def begin_solve(system, state, stage, c1, c2):
+    """Write what stays the same during a solve."""
+    k, segments, saddle = state.stiffness, stage.segments, stage.saddle
+    begin(state.mass, state.inverse_mass, k, segments, saddle, 1.0 / (c1 * c2))
+    begin_inner(system, state, segments, c2)
+
+
 @kernel
 def newton(system, state, stage, c1, c2, tight, window, aid):
     """Solve the stage from the guess in `x`, `v`, `tension`; held nodes are in place already.
 
-    `c1` and `c2` [s], `x_known` and `v_known` say what the stage is; `tight` [1] is the force residual over
-    the largest force, when solved. Returns OK or UNSOLVED, and PAUSED where up to `window` nodes, from
-    report[FIRST] to report[LAST], would better be solved by themselves. It goes on then, by `aid`: BEGIN,
-    AIDED or UNAIDED. `report` says how it went.
+    `c1` and `c2` [s], `x_known` and `v_known` say what the stage is, `tight` [1] is the force residual over
+    the largest force, when solved. Returns OK, UNSOLVED, or PAUSED where up to `window` nodes would better
+    be solved by themselves, see `stage_report`, which has what `aid` is; then it goes on from there.
     """
     saddle, segments, report = stage.saddle, stage.segments, stage.report
     x, v, tension, known = stage.x, stage.v, stage.tension, stage.v_known
     mass, free = state.mass, saddle.free
     if aid == BEGIN:
-        begin(mass, state.inverse_mass, state.stiffness, segments, saddle, 1.0 / (c1 * c2))
-        begin_inner(system, state, segments, c2)
-    merit, size, exact, wary, held_back, failed = np.inf, 0.0, False, 0, 0, False
-    iteration, leaps, leap, bar, first, whole = 0, 0, False, np.inf, 0, False
-    if aid != BEGIN:
-        iteration, leaps, leap = int(report[ITERATIONS]), int(report[LEAPS]), report[LEAP] == 1.0
-        exact, wary, held_back = report[EXACT] == 1.0, int(report[WARINESS]), int(report[HELD_BACK])
-        first, merit = iteration, 0.0
-        if aid == UNAIDED:
-            failed, merit = report[FAILED] == 1.0, report[MERIT]
+        begin_solve(system, state, stage, c1, c2)
+    iteration, merit, exact, wary, held_back, failed, leaps, leap = take_course(report, aid)
+    size, bar, first, whole = 0.0, np.inf, iteration, False
     calm, touching, last = not has_bending(system), couples(system), np.inf
     most = TOUCHING_ITERATIONS if touching and calm else MOST_ITERATIONS
     most = AIDED_ITERATIONS if window > 0 else most
@@ -328,11 +249,10 @@ def newton(system, state, stage, c1, c2, tight, window, aid):
         trial = balance(stage.a, v, known, mass, free, c1, c2, saddle.force)
         trial += misfit_merit(saddle.misfit, segments.weight)
         if not touching and size > 0.0 and not trial <= (1.0 - DESCENT * size) * bar:
-            shorter = shorter_part(size, trial, merit)
-            failed = shorter < SHORTEST
-            shorter = 0.0 if failed else shorter
-            move(shorter - size, c1, x, v, tension, saddle)
-            size = shorter
+            before, size = size, shorter_part(size, trial, merit)
+            failed = size < SHORTEST
+            size = 0.0 if failed else size
+            move(size - before, c1, x, v, tension, saddle)
             continue
         open_marks = iteration < DECIDING and saddle.band.frozen[0] == 0
         if open_marks and mark_stage(system, x, saddle) > 0.0:
@@ -349,14 +269,9 @@ def newton(system, state, stage, c1, c2, tight, window, aid):
             if (iteration == most or report[RESIDUAL] > 0.5 * last) and is_solved(report, enough):
                 break
             last = report[RESIDUAL]
-        if window > 0 and whole and not is_close(report, FAR):
-            weight = segments.weight
-            start, end = most_dense(saddle.force, saddle.misfit, mass, weight, c1 * c2)
-            if end - start < window:
-                report[FIRST], report[LAST], report[LEAPS], report[LEAP] = start, end, leaps, leap
-                report[EXACT], report[WARINESS], report[HELD_BACK] = exact, wary, held_back
-                report[FAILED], report[MERIT] = failed, merit
-                return PAUSED
+        if window > 0 and whole and needs_window(stage, mass, c1 * c2, window):
+            keep_course(report, merit, exact, wary, held_back, failed, leaps, leap)
+            return PAUSED
         stuck = failed and not exact
         if stuck or iteration == most:
             report[ROUNDING] += motion_rounding(v, known, mass, free, state.damping_vector, c2)

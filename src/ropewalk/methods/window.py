@@ -15,19 +15,8 @@ import numpy as np
 from ropewalk.core.arrays import TENSION_ONLY, Floats, State, System
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.status import OK
-from ropewalk.methods.stage import (
-    AIDED,
-    BEGIN,
-    FIRST,
-    LAST,
-    PAUSED,
-    SOLVES,
-    TIGHT,
-    UNAIDED,
-    Stage,
-    make_stage,
-    newton,
-)
+from ropewalk.methods.stage import Stage, make_stage, newton
+from ropewalk.methods.stage_report import AIDED, BEGIN, FIRST, LAST, PAUSED, SOLVES, TIGHT, UNAIDED
 
 SMALL, LARGE = 64, 256  # nodes of a window
 TIMES = 4  # [1] ropes are longer than a window by this factor at least
