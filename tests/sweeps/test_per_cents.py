@@ -5,12 +5,15 @@ from __future__ import annotations
 import re
 from typing import Any
 
+import numpy as np
 import pytest
 
 import ropewalk as rw
 from ropewalk.record.errors import InputError
 from ropewalk.scene import SceneError
 from ropewalk.scene.presets import preset
+from ropewalk.sweeps.designs import spread_over
+from ropewalk.sweeps.parameters import make_parameters
 from ropewalk.sweeps.per_cents import with_ranges
 from ropewalk.sweeps.spread_text import parse_uncertain
 from sweeps.scenes import swing
@@ -82,3 +85,20 @@ def test_per_cents_on_the_command_line(text: str) -> None:
 def test_refusals_name_their_own_option(text: str) -> None:
     with pytest.raises(InputError, match="^--uncertain: "):
         parse_uncertain(text)
+
+
+def test_ranges_of_whole_numbers_have_their_whole_numbers_alone() -> None:
+    """Ten per cent of four segments is 3.6 to 4.4, which is four; it was three and four."""
+    scene = swing()
+    spreads = with_ranges(scene, {"rope.segments": "10%"})
+    (found,) = make_parameters(scene, spreads)
+    assert found.spread == (4, 4)
+    (found,) = make_parameters(scene, {"rope.segments": (6.3, 9.0)})
+    assert found.spread == (7, 9)
+    drawn = spread_over(found, np.linspace(0.0, 1.0, 3001))
+    assert [np.mean(drawn == count) for count in (7, 8, 9)] == pytest.approx([1 / 3] * 3, abs=1e-3)
+
+
+def test_a_range_without_a_whole_number_is_refused() -> None:
+    with pytest.raises(SceneError, match="has no whole number, which is needed there; 7 and 8 are"):
+        make_parameters(swing(), {"rope.segments": (7.2, 7.8)})

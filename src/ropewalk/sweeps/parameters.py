@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import re
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
@@ -115,6 +116,8 @@ def make_parameters(scene: Scene, vary: Any) -> tuple[Parameter, ...]:
             if values is not None and field.annotation is not str:
                 values = _numbers_in_texts(values)
             kind = _kind(path, values, spread, field.annotation is int)
+            if kind == INT and isinstance(spread, tuple):
+                spread = _whole_range(path, *spread)
             if values is not None:
                 values = tuple(as_kind(value, kind) for value in values)
         except SceneError as error:
@@ -253,6 +256,16 @@ def _distribution(path: str, what: Any) -> Any:
         )
         raise SceneError([Fault(path, NO_VALUE, rule)])
     return found
+
+
+def _whole_range(path: str, low: float, high: float) -> tuple[int, int]:
+    """Return the least and the largest whole number of a range. Raises SceneError where it has none."""
+    least, largest = math.ceil(low), math.floor(high)
+    if least > largest:
+        beside = f"{math.floor(low)} and {math.ceil(high)} are next to it"
+        rule = f"has no whole number, which is needed there; {beside}"
+        raise SceneError([Fault(path, [low, high], rule)])
+    return least, largest
 
 
 def _numbers_in_texts(values: tuple[Any, ...]) -> tuple[Any, ...]:
