@@ -96,3 +96,18 @@ def test_quoted_results_of_variants_hold(name: str, changes: list[str], number: 
     result = rw.simulate(apply_overrides(preset(name), changes))
     found = result.table["largest tension [N]"] / 1e3
     assert found == pytest.approx(float(number), abs=rounding(number))
+
+
+def test_the_stiff_webbing_has_the_pretension_that_is_told() -> None:
+    """Without a walker to speak of, at the same length."""
+    told = re.search(r"([\d.]+) times the pretension", part(sections()["highline"], "Your own job"))
+    assert told
+    soft, stiff = (
+        rw.equilibrium(
+            apply_overrides(
+                preset("highline"), [f"rope.made_of.library={webbing}", "rope.load.mass=0.001"]
+            )
+        ).table["largest tension [N]"]
+        for webbing in ("webbing-soft", "webbing-stiff")
+    )
+    assert stiff / soft == pytest.approx(float(told[1]), abs=rounding(told[1]))
