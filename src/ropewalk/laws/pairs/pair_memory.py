@@ -13,7 +13,7 @@ import math
 
 from ropewalk.core.jit import kernel, small
 from ropewalk.laws.pairs.distance import NEVER, comes_to, nearest, relative_way
-from ropewalk.laws.pairs.force import depth_at, pair_energy, pressed, pull_of, squeeze
+from ropewalk.laws.pairs.force import depth_at, pressed, pull_of, squeeze, squeezed
 from ropewalk.laws.pairs.search import find_near, freeze, new_row, normal_at, owns, row_of
 from ropewalk.laws.pairs.table import (
     APART,
@@ -45,13 +45,18 @@ from ropewalk.laws.pairs.table import (
     apart,
     between,
     depth_of,
+    load_at,
     spring_of,
 )
 from ropewalk.laws.pairs.way import HALF, begin_contact, fits
 
 FADES = 0.03  # [s]
-EVENS = 0.2  # [s] the same of what is at rest
+EVENS = 0.2  # [s] the same of what is at rest, at least
+SLOWLY = (
+    2.0  # [1] times mass over damping: a load that swings on its contact would be driven by less
+)
 SLOW = 0.2  # [1/s] sliding over the radii's sum: quicker is not at rest
+STEADY = 0.01  # [1/s] the same of coming nearer and going
 HEAVY = 4.0  # [1] force over that of the skin from which on ropes are left as deep as they are
 THIN = 0.005  # [1] over the same sum: so deep ropes at rest may be beside what squeezes them
 EVEN = 0.0025  # [1] over the same sum: what may be left
@@ -120,12 +125,16 @@ def slips(memory, row, friction):
 
 @small
 def stillness(v, memory, row, n, push, light, size):
-    """Return 1 where a contact is at rest, less where it slides or is heavily loaded, down to 0."""
+    """Return 1 where a contact is at rest, less where it slides or is heavily loaded, down to 0.
+
+    And the same of what comes nearer or goes: that neither evens out nor fades, or it would swing for ever.
+    """
     w = apart(v, memory.grip, row, memory.pair[row, 0], memory.pair[row, 1])
     along = n[0] * w[0] + n[1] * w[1] + n[2] * w[2]
     square = w[0] ** 2 + w[1] ** 2 + w[2] ** 2 - along**2
-    slow = 2.0 - 2.0 * math.sqrt(max(square, 0.0)) / (SLOW * size)
-    return min(max(slow, 0.0), 1.0) * min(max(2.0 - push / (HEAVY * light), 0.0), 1.0)
+    slow = min(max(2.0 - 2.0 * math.sqrt(max(square, 0.0)) / (SLOW * size), 0.0), 1.0)
+    steady = min(max(2.0 - abs(along) / (STEADY * size), 0.0), 1.0)
+    return slow * min(max(2.0 - push / (HEAVY * light), 0.0), 1.0), steady
 
 
 @kernel
@@ -255,37 +264,43 @@ def pass_on(x, table, memory):
 
 @kernel
 def even_out(x, v, dt, table, memory, row):
-    """Let a contact's offset fade, or at rest go to where ropes are about as deep as hard ones."""
+    """Let a contact's offset fade, or at rest go to where ropes are about as deep as hard ones.
+
+    It goes there in a time in which what hangs on the contact has long stopped to swing on it.
+    """
     i, j, grip = memory.pair[row, 0], memory.pair[row, 1], memory.grip
-    soft, hard, _, _, size = spring_of(table, grip, row, i, j)
-    push, still = grip[row, PUSH], 0.0
-    over = size - nearest(x, x, 0.0, i, j)[2] - min(push / soft, THIN * size + push / hard)
-    # a compliance of the user's has no skin: it means that depth; without friction nothing is at rest.
-    # one that its plane says is open may be pressed in truth
-    if (push > 0.0 or over > 0.0) and hard > soft and table.friction[0] > 0.0:
+    soft, hard, _, damping, size = spring_of(table, grip, row, i, j)
+    push, still, steady, over = grip[row, PUSH], 0.0, 0.0, 0.0
+    # a compliance of the user's has no skin: it means that depth; without friction nothing is at rest
+    if hard > soft and table.friction[0] > 0.0:
         n = (grip[row, NORMAL], grip[row, NORMAL + 1], grip[row, NORMAL + 2])
-        still = stillness(v, memory, row, n, push, soft * LAYER * size, size)
+        still, steady = stillness(v, memory, row, n, push, soft * LAYER * size, size)
+    if still > 0.0:
+        over = size - nearest(x, x, 0.0, i, j)[2] - min(push / soft, THIN * size + push / hard)
+        # one that its plane says is open may be pressed in truth
+        still = still if push > 0.0 or over > 0.0 else 0.0
     grip[row, MORE] *= still + (1.0 - still) * math.exp(-dt / FADES)
-    if still == 0.0:
-        return
     left = abs(over) - EVEN * size
-    if left > 0.0:  # else those that share a load pass it to each other for long
+    if still > 0.0 and left > 0.0:  # else those that share a load pass it to each other for long
         if still < 1.0:  # what fades at the same time is not to come and go
             over = math.copysign(left, over)
-        most = QUICKEST * size * dt
-        rise = min(max((1.0 - math.exp(-dt / EVENS)) * over, -most), most)
-        more = grip[row, MORE] + still * rise
+        heavy = max(load_at(table, i, grip[row, OWN]), load_at(table, j, grip[row, OTHER]))
+        most, time = QUICKEST * size * dt, max(EVENS, SLOWLY * heavy / damping)
+        rise = min(max((1.0 - math.exp(-dt / time)) * over, -most), most)
+        more = grip[row, MORE] + still * steady * rise
         grip[row, MORE] = min(max(more, -WRONG * size), (WRONG + LAYER) * size)
 
 
 @kernel
 def fade(x, v, dt, table, memory):
     """Let contacts come back to the depth that their points say, or that ropes at rest have."""
-    memory.books[GIVEN] -= pair_energy(x, table, memory)
+    grip = memory.grip
     for row in range(memory.tally[CONTACTS]):
+        before, stored = grip[row, MORE], squeezed(x, table, memory, row)
         even_out(x, v, dt, table, memory, row)
-        memory.grip[row, EXTRA] = 0.0
-    memory.books[GIVEN] += pair_energy(x, table, memory)
+        grip[row, EXTRA] = 0.0
+        if grip[row, MORE] != before:
+            memory.books[GIVEN] += squeezed(x, table, memory, row) - stored
 
 
 @kernel

@@ -91,8 +91,13 @@ def mass_at(table, i, s):
     It is no more than what the point moves as, 1 / sum(c^2 / m), c its shares in the nodes of masses m.
     """
     near, far = table.mass[i] + table.load[i], table.mass[i] + table.load[i + 1]
-    moves = 1.0 / ((1.0 - s) ** 2 / near + s**2 / far)
-    return min((1.0 - s) * near + s * far, moves)
+    return min(load_at(table, i, s), 1.0 / ((1.0 - s) ** 2 / near + s**2 / far))
+
+
+@small
+def load_at(table, i, s):
+    """Return the mass of a segment's two nodes with their loads, each by its share in a point [kg]."""
+    return table.mass[i] + (1.0 - s) * table.load[i] + s * table.load[i + 1]
 
 
 @small
