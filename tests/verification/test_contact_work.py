@@ -158,11 +158,7 @@ def test_ropes_that_move_by_themselves_share_a_surface() -> None:
 
 
 def test_ropes_on_ropes_have_entries_of_their_own() -> None:
-    """Friction only takes, and they add up; a clap makes nothing of 1 % of what it takes.
-
-    What lies evens out, by 0.05 d in a second at most: in a step the motor is the force times that, and no
-    more than twice as much in a skin that is pressed by half of the step's change or more.
-    """
+    """Friction only takes, and they add up; a clap makes nothing of 1 % of what it takes."""
     scene = crossing()
     result = rw.simulate(scene.replace(run=scene.run.replace(duration=0.5)))
     entries = result.contact_work["ropes on ropes"]
@@ -170,13 +166,7 @@ def test_ropes_on_ropes_have_entries_of_their_own() -> None:
     assert np.diff(entries["friction"]).max() <= 1e-15
     assert float(entries["friction"][-1]) < 0.0
     assert np.diff(entries["normal"]).max() < -0.01 * float(entries["normal"][-1])
-    table = result.to_pandas("rope_contacts")
-    force = table.groupby("time [s]")["normal force [N]"].sum()
-    force = force.reindex(result.time[1:], fill_value=0.0).to_numpy()
-    rises = np.abs(np.diff(entries["motor"]))
-    assert (rises <= 2.0 * force * 0.05 * 0.01 / 60.0).all()
-    assert rises.max() > 1e-6  # else nothing would be shown
-    assert np.abs(entries["motor"]).max() < -0.002 * float(entries["normal"][-1])
+    assert not entries["motor"].any()
 
 
 def test_they_are_in_table_dataset_and_file(tmp_path: Path) -> None:

@@ -230,7 +230,8 @@ def newton(system, state, stage, c1, c2, tight, window, aid):
 
     `c1` and `c2` [s], `x_known` and `v_known` say what the stage is, `tight` [1] is the force residual over
     the largest force, when solved. Returns OK, UNSOLVED, or PAUSED where up to `window` nodes would better
-    be solved by themselves, see `stage_report`, which has what `aid` is; then it goes on from there.
+    be solved by themselves, see `stage_report`, which has what `aid` is; then it goes on from there. Below 0
+    it has had its windows.
     """
     saddle, segments, report = stage.saddle, stage.segments, stage.report
     x, v, tension, known = stage.x, stage.v, stage.tension, stage.v_known
@@ -241,7 +242,7 @@ def newton(system, state, stage, c1, c2, tight, window, aid):
     size, bar, first, whole = 0.0, np.inf, iteration, False
     calm, touching, last = not has_bending(system), couples(system), np.inf
     most = TOUCHING_ITERATIONS if touching and calm else MOST_ITERATIONS
-    most = AIDED_ITERATIONS if window > 0 else most
+    most = AIDED_ITERATIONS if window != 0 else most
     late, memory = (LATE, MEMORY) if is_smooth(system) else (CAREFUL_LATE, CAREFUL_MEMORY)
     while True:
         evaluate_stage(system, state, x, v, tension, segments, saddle, stage.forces)
@@ -269,7 +270,7 @@ def newton(system, state, stage, c1, c2, tight, window, aid):
             if (iteration == most or report[RESIDUAL] > 0.5 * last) and is_solved(report, enough):
                 break
             last = report[RESIDUAL]
-        if window > 0 and whole and needs_window(stage, mass, c1 * c2, window):
+        if whole and iteration < most and needs_window(stage, mass, c1 * c2, window):
             keep_course(report, merit, exact, wary, held_back, failed, leaps, leap)
             return PAUSED
         stuck = failed and not exact

@@ -114,7 +114,7 @@ def most_dense(force, misfit, mass, weight, time):
 def needs_window(stage, mass, time, most):
     """Tell whether up to `most` nodes would better be solved by themselves, and note them."""
     report, saddle = stage.report, stage.saddle
-    if is_close(report, FAR):
+    if most <= 0 or is_close(report, FAR):
         return False
     first, last = most_dense(saddle.force, saddle.misfit, mass, stage.segments.weight, time)
     report[FIRST], report[LAST] = first, last

@@ -20,7 +20,7 @@ from ropewalk.methods.stage_report import AIDED, BEGIN, FIRST, LAST, PAUSED, SOL
 
 SMALL, LARGE = 64, 256  # nodes of a window
 TIMES = 4  # [1] ropes are longer than a window by this factor at least
-MOST_AIDS = 6  # in a solve of a stage
+MOST_AIDS = 4  # in a solve of a stage
 MARGIN = 10  # nodes on either side of those that are far from the solution
 LOCALLY = 1e-6  # [1] force residual over the largest force, when a window is solved
 
@@ -62,7 +62,7 @@ def _rubs_where_taut(system: System, state: State) -> bool:
 def _make(system: System, state: State, nodes: int) -> Window:
     forces, row, sums = state.forces, np.zeros((3, nodes)), np.zeros((3, nodes + 1))
     own = state._replace(
-        x=row,
+        x=row.copy(),
         mass=np.zeros(nodes),
         inverse_mass=np.zeros(nodes),
         tension=np.zeros(nodes - 1),
@@ -71,7 +71,7 @@ def _make(system: System, state: State, nodes: int) -> Window:
         damping_vector=np.zeros(nodes - 1),
         damping_axial=np.zeros(nodes - 1),
         forces=forces._replace(
-            elastic=sums, friction=sums, applied=row, node=_nowhere(forces.node)
+            elastic=sums, friction=sums.copy(), applied=row, node=_nowhere(forces.node)
         ),
     )
     floor = system.slack_floor
@@ -156,7 +156,7 @@ def solve_stage(system, state, stage, windows, c1, c2):
     """Solve the stage as `stage.newton` does, with windows where that pauses; return OK or UNSOLVED."""
     most, aid, aids = widest(windows, state), BEGIN, 0
     while True:
-        window = most if aids < MOST_AIDS else 0
+        window = most if aids < MOST_AIDS else -most
         status = newton(system, state, stage, c1, c2, TIGHT, window, aid)
         if windows is None or status != PAUSED:
             return status

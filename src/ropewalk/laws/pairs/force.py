@@ -125,21 +125,15 @@ def depth_at(x, memory, row, i, j, size):
     return depth_of(grip, row, between(x, i, j, grip[row, OWN], grip[row, OTHER]), size)
 
 
-@small
-def squeezed(x, table, memory, row):
-    """Return what a contact has stored where it is pressed in [J]."""
-    i, j = memory.pair[row, 0], memory.pair[row, 1]
-    soft, hard, stop, _, size = spring_of(table, memory.grip, row, i, j)
-    depth = depth_at(x, memory, row, i, j, size)
-    return squeeze(depth, soft, hard, stop, LAYER * size)[2] if depth > 0.0 else 0.0
-
-
 @kernel
 def pair_energy(x, table, memory):
     """Return what contacts have stored where they are pressed in [J]."""
     total = 0.0
     for row in range(memory.tally[CONTACTS]):
-        total += squeezed(x, table, memory, row)
+        i, j = memory.pair[row, 0], memory.pair[row, 1]
+        soft, hard, stop, _, size = spring_of(table, memory.grip, row, i, j)
+        depth = depth_at(x, memory, row, i, j, size)
+        total += squeeze(depth, soft, hard, stop, LAYER * size)[2] if depth > 0.0 else 0.0
     return total
 
 

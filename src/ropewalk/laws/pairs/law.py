@@ -181,7 +181,7 @@ def memory(table: Pairs, x: Floats, stiffness: Floats) -> Memory:
         order=np.arange(s),
         rope=np.full(s, -1, np.int64),
         way=np.zeros((3, x.shape[1] if s else 0)),
-        books=np.zeros(4 if s else 0),
+        books=np.zeros(3 if s else 0),
         inside=np.zeros((len(table.inside), 2), np.int64),
     )
     if s:

@@ -13,7 +13,7 @@ import math
 
 from ropewalk.core.jit import kernel, small
 from ropewalk.laws.pairs.distance import NEVER, comes_to, nearest, relative_way
-from ropewalk.laws.pairs.force import depth_at, pressed, pull_of, squeeze, squeezed
+from ropewalk.laws.pairs.force import depth_at, pressed, pull_of, squeeze
 from ropewalk.laws.pairs.search import find_near, freeze, new_row, normal_at, owns, row_of
 from ropewalk.laws.pairs.table import (
     APART,
@@ -23,7 +23,6 @@ from ropewalk.laws.pairs.table import (
     FIRST,
     FOUND,
     FULL,
-    GIVEN,
     GONE,
     LAYER,
     MORE,
@@ -45,22 +44,11 @@ from ropewalk.laws.pairs.table import (
     apart,
     between,
     depth_of,
-    load_at,
     spring_of,
 )
 from ropewalk.laws.pairs.way import HALF, begin_contact, fits
 
 FADES = 0.03  # [s]
-EVENS = 0.2  # [s] the same of what is at rest, at least
-SLOWLY = (
-    2.0  # [1] times mass over damping: a load that swings on its contact would be driven by less
-)
-SLOW = 0.2  # [1/s] sliding over the radii's sum: quicker is not at rest
-STEADY = 0.01  # [1/s] the same of coming nearer and going
-HEAVY = 4.0  # [1] force over that of the skin from which on ropes are left as deep as they are
-THIN = 0.005  # [1] over the same sum: so deep ropes at rest may be beside what squeezes them
-EVEN = 0.0025  # [1] over the same sum: what may be left
-QUICKEST = 0.05  # [1/s] over the same sum: of the way apart
 TURNED = 5e-5  # [1] less than the cosine of a hundredth: so little no plane is led
 AT_LIMIT = 1.0 - 1e-9  # [1] of what friction can carry counts as all of it
 
@@ -121,20 +109,6 @@ def slips(memory, row, friction):
     for k in range(3):
         square += grip[row, SPRING + k] ** 2
     return grip[row, PUSH] > 0.0 and math.sqrt(square) >= AT_LIMIT * friction * grip[row, PUSH]
-
-
-@small
-def stillness(v, memory, row, n, push, light, size):
-    """Return 1 where a contact is at rest, less where it slides or is heavily loaded, down to 0.
-
-    And the same of what comes nearer or goes: that neither evens out nor fades, or it would swing for ever.
-    """
-    w = apart(v, memory.grip, row, memory.pair[row, 0], memory.pair[row, 1])
-    along = n[0] * w[0] + n[1] * w[1] + n[2] * w[2]
-    square = w[0] ** 2 + w[1] ** 2 + w[2] ** 2 - along**2
-    slow = min(max(2.0 - 2.0 * math.sqrt(max(square, 0.0)) / (SLOW * size), 0.0), 1.0)
-    steady = min(max(2.0 - abs(along) / (STEADY * size), 0.0), 1.0)
-    return slow * min(max(2.0 - push / (HEAVY * light), 0.0), 1.0), steady
 
 
 @kernel
@@ -263,44 +237,12 @@ def pass_on(x, table, memory):
 
 
 @kernel
-def even_out(x, v, dt, table, memory, row):
-    """Let a contact's offset fade, or at rest go to where ropes are about as deep as hard ones.
-
-    It goes there in a time in which what hangs on the contact has long stopped to swing on it.
-    """
-    i, j, grip = memory.pair[row, 0], memory.pair[row, 1], memory.grip
-    soft, hard, _, damping, size = spring_of(table, grip, row, i, j)
-    push, still, steady, over = grip[row, PUSH], 0.0, 0.0, 0.0
-    # a compliance of the user's has no skin: it means that depth; without friction nothing is at rest
-    if hard > soft and table.friction[0] > 0.0:
-        n = (grip[row, NORMAL], grip[row, NORMAL + 1], grip[row, NORMAL + 2])
-        still, steady = stillness(v, memory, row, n, push, soft * LAYER * size, size)
-    if still > 0.0:
-        over = size - nearest(x, x, 0.0, i, j)[2] - min(push / soft, THIN * size + push / hard)
-        # one that its plane says is open may be pressed in truth
-        still = still if push > 0.0 or over > 0.0 else 0.0
-    grip[row, MORE] *= still + (1.0 - still) * math.exp(-dt / FADES)
-    left = abs(over) - EVEN * size
-    if still > 0.0 and left > 0.0:  # else those that share a load pass it to each other for long
-        if still < 1.0:  # what fades at the same time is not to come and go
-            over = math.copysign(left, over)
-        heavy = max(load_at(table, i, grip[row, OWN]), load_at(table, j, grip[row, OTHER]))
-        most, time = QUICKEST * size * dt, max(EVENS, SLOWLY * heavy / damping)
-        rise = min(max((1.0 - math.exp(-dt / time)) * over, -most), most)
-        more = grip[row, MORE] + still * steady * rise
-        grip[row, MORE] = min(max(more, -WRONG * size), (WRONG + LAYER) * size)
-
-
-@kernel
-def fade(x, v, dt, table, memory):
-    """Let contacts come back to the depth that their points say, or that ropes at rest have."""
-    grip = memory.grip
+def fade(memory, dt):
+    """Let contacts come back to the depth that their points say, in a time of FADES."""
+    share = math.exp(-dt / FADES)
     for row in range(memory.tally[CONTACTS]):
-        before, stored = grip[row, MORE], squeezed(x, table, memory, row)
-        even_out(x, v, dt, table, memory, row)
-        grip[row, EXTRA] = 0.0
-        if grip[row, MORE] != before:
-            memory.books[GIVEN] += squeezed(x, table, memory, row) - stored
+        memory.grip[row, MORE] *= share
+        memory.grip[row, EXTRA] = 0.0
 
 
 @kernel
@@ -362,7 +304,7 @@ def remember_pairs(x, v, dt, table, memory, tied):
     pass_on(x, table, memory)
     list_new(x, table, memory, tied)
     drop_gone(memory)
-    fade(x, v, dt, table, memory)
+    fade(memory, dt)
     for k in range(3):
         for i in range(x.shape[1]):
             place[k, i] = x[k, i]

@@ -41,7 +41,6 @@ WIDTH = 24
 # Places in `Memory.tally`.
 CONTACTS, NEAR, ROUNDS, SEEN, REFUSED, FAULT, FIRST, SECOND, ASKED = range(9)
 PASSED, FULL, CROWDED = 1, 2, 3  # faults
-GIVEN = 3  # in `Memory.books`: what contacts have got as they came to count as pressed more, or less [J]
 # Columns of `Pairs.inside`: a segment near a node that slides, the slide, first and last segment of its line,
 # so many segments of that on each side of the node that this one lies in, the node, and the line's node from
 # which places count.
@@ -80,7 +79,7 @@ class Memory(NamedTuple):
     order: Ints  # (s,) segments along an axis
     rope: Ints  # (s,) as in `Pairs`, -1 as well where one has parted
     way: Floats  # (3, n) in the last step [m]
-    books: Floats  # (4,) works so far: what pressed, what rubbed, the method's share, see GIVEN [J]
+    books: Floats  # (3,) works so far: what pressed, what rubbed, the method's share [J]
     inside: Ints  # (p, 2) first and last segment of the line that each row of `Pairs.inside` does not touch
 
 
@@ -91,13 +90,8 @@ def mass_at(table, i, s):
     It is no more than what the point moves as, 1 / sum(c^2 / m), c its shares in the nodes of masses m.
     """
     near, far = table.mass[i] + table.load[i], table.mass[i] + table.load[i + 1]
-    return min(load_at(table, i, s), 1.0 / ((1.0 - s) ** 2 / near + s**2 / far))
-
-
-@small
-def load_at(table, i, s):
-    """Return the mass of a segment's two nodes with their loads, each by its share in a point [kg]."""
-    return table.mass[i] + (1.0 - s) * table.load[i] + s * table.load[i + 1]
+    moves = 1.0 / ((1.0 - s) ** 2 / near + s**2 / far)
+    return min((1.0 - s) * near + s * far, moves)
 
 
 @small
