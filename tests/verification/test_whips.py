@@ -47,11 +47,12 @@ def test_no_step_makes_up_energy(method: str, segments: int) -> None:
         assert iterations < {50: 15.0, 100: 15.0, 300: 30.0}[segments]
 
 
-@pytest.mark.parametrize(("method", "most"), [("sdirk2", 16.0), ("esdirk3", 19.0)])
+@pytest.mark.parametrize(("method", "most"), [("sdirk2", 14.5), ("esdirk3", 17.5)])
 def test_windows_take_few_solves_in_the_whips_of_a_long_rope(method: str, most: float) -> None:
     """1000 segments, six starts a turn apart, from the second second on.
 
-    Measured 12.6 and 14.8 Newton steps a step, 22.5 and 26.4 where all nodes are solved for in each.
+    Measured 12.9 and 14.1 Newton steps a step, other six 12.2 to 12.8 and 13.5 to 15.9; 24 and 26 where all
+    nodes are solved for in each.
     """
     taken = []
     for start in range(6):
