@@ -229,8 +229,8 @@ def newton(system, state, stage, c1, c2, tight, window, aid):
     """Solve the stage from the guess in `x`, `v`, `tension`; held nodes are in place already.
 
     `c1` and `c2` [s], `x_known` and `v_known` say what the stage is, `tight` [1] is the force residual over
-    the largest force, when solved. Returns OK, UNSOLVED, or PAUSED where up to `window` nodes (below 0: it has
-    had its windows) would better be solved by themselves; then it goes on by `aid`, see `stage_report`.
+    the largest force, when solved. Returns OK, UNSOLVED, or PAUSED where up to `window` nodes (below 0: it
+    has had them) would better be solved by themselves; then it goes on by `aid`, see `stage_report`.
     """
     saddle, segments, report = stage.saddle, stage.segments, stage.report
     x, v, tension, known = stage.x, stage.v, stage.tension, stage.v_known
