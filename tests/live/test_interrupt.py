@@ -22,10 +22,14 @@ def test_a_server_whose_wait_was_interrupted_ends_before_its_socket_is_closed(
     monkeypatch.setattr(threading, "excepthook", failures.append)
     server = ViewServer(port=0)
     server.start()
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)  # it may be ignored
     here = threading.main_thread().ident
     threading.Timer(0.2, signal.pthread_kill, [here, signal.SIGINT]).start()
-    with pytest.raises(KeyboardInterrupt):
-        server.wait(10.0)
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            server.wait(10.0)
+    finally:
+        signal.signal(signal.SIGINT, before)
     assert server.wait(0.0)
     server.hub._call(time.sleep, BUSY)
     server.stop()
