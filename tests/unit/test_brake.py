@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -12,35 +14,28 @@ from ropewalk.laws.pairs.table import BRAKE, CONTACTS
 from ropewalk.lowering import build
 from ropewalk.scene import Contact, Load, Material, Rope, RunSettings, Scene, Straight
 
-THICK = 0.01
+THICK = 0.01  # [m]
 NEAR = 1.0 + 0.09  # so many diameters apart the links begin: within the reach of contacts
 STEP = 2e-6  # [s], within the bound of explicit steps
 STUFF = Material(EA=1e4, mass_per_length=0.05)
 
 
+def link(name: str, shape: Straight, **more: Any) -> Rope:
+    """Return a link of 20 cm."""
+    return Rope(
+        name=name, segments=1, length=0.2, diameter=THICK, made_of=STUFF, shape=shape, **more
+    )
+
+
 def crossing(speed: float, load: float, aside: float) -> tuple[System, State]:
     """Two links, of which one comes down on the other beside both their middles."""
-    still = Rope(
-        name="still",
-        segments=1,
-        length=0.2,
-        diameter=THICK,
-        made_of=STUFF,
-        shape=Straight(start=(-0.1 - aside, 0, 0), end=(0.1 - aside, 0, 0)),
+    still = link(
+        "still",
+        Straight(start=(-0.1 - aside, 0, 0), end=(0.1 - aside, 0, 0)),
         loads=[Load(node=1, mass=load)] if load else [],
     )
-    flies = Rope(
-        name="flies",
-        segments=1,
-        length=0.2,
-        diameter=THICK,
-        made_of=STUFF,
-        shape=Straight(
-            start=(0, NEAR * THICK, -0.1 + aside),
-            end=(0, NEAR * THICK, 0.1 + aside),
-            velocity=(0, -speed, 0),
-        ),
-    )
+    start, end = (0, NEAR * THICK, -0.1 + aside), (0, NEAR * THICK, 0.1 + aside)
+    flies = link("flies", Straight(start=start, end=end, velocity=(0, -speed, 0)))
     run = RunSettings(method="semi-implicit-euler", time_step=STEP, duration=0.1)
     model = build(
         Scene(ropes=[still, flies], contact=Contact(friction=0.0), gravity=(0, 0, 0), run=run),
