@@ -8,9 +8,10 @@ import numpy as np
 import pytest
 
 from ropewalk.core.arrays import Floats, State, System
+from ropewalk.laws.pairs.brake import ALL_BUT, SLOW, SOFT
 from ropewalk.laws.pairs.force import pair_forces
 from ropewalk.laws.pairs.law import CONTACT
-from ropewalk.laws.pairs.table import BRAKE, CONTACTS
+from ropewalk.laws.pairs.table import BRAKE, CONTACTS, PUSH, SEEN
 from ropewalk.lowering import build
 from ropewalk.scene import Contact, Load, Material, Rope, RunSettings, Scene, Straight
 
@@ -103,3 +104,34 @@ def test_an_explicit_step_takes_no_more_than_half() -> None:
         CONTACT.remember(system.node.contact, state)
         together = 1.0 / (0.25 * state.inverse_mass.sum())
         assert state.memory.contact.grip[0, BRAKE] == pytest.approx(0.5 * together / step)
+
+
+@pytest.mark.parametrize(("step", "most"), [(1e-3, ALL_BUT / 1e-3), (1e-6, np.inf)])
+def test_a_step_that_is_solved_for_takes_what_the_step_before_allows(
+    step: float, most: float
+) -> None:
+    """m u^2 / S, but no quicker than so many times in a step."""
+    system, state = crossing(20.0, 0.0, 0.0)
+    state.now[:] = step, 0.0
+    state.memory.contact.tally[SEEN] = 1
+    CONTACT.remember(system.node.contact, state)
+    together = 1.0 / (0.25 * state.inverse_mass.sum())
+    rate = min(20.0 / (SOFT * THICK), most)
+    assert state.memory.contact.grip[0, BRAKE] == pytest.approx(rate * together)
+
+
+@pytest.mark.parametrize("way", [0.5, 2.0])
+def test_what_is_stopped_in_a_step_too_long_to_follow_counts_as_hit(way: float) -> None:
+    """From a way of SLOW of the radii's sum on; not where nothing pressed in the step, nor what parts."""
+    system, state = crossing(20.0, 0.0, 0.0)
+    table, memory = system.node.contact, state.memory.contact
+    state.now[:] = 1e-3, 0.0
+    memory.tally[SEEN] = 1
+    CONTACT.remember(table, state)
+    memory.grip[0, PUSH] = 1.0
+    step, force = way * SLOW * THICK / 20.0, np.ones((6, state.x.shape[1]))
+    hit = CONTACT.hits(table, state, force, step, state.x, state.v)
+    assert (hit > 0.0) == (way > 1.0)
+    assert CONTACT.hits(table, state, 0.0 * force, step, state.x, state.v) == 0.0
+    state.v[...] *= -1.0
+    assert CONTACT.hits(table, state, force, step, state.x, state.v) == 0.0

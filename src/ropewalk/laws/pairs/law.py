@@ -241,7 +241,7 @@ def remember(table, state):
     solved = memory.tally[SEEN] == 1
     closed = remember_pairs(state.x, state.v, dt, table, memory, state.tied)
     follow_slides(state.x, table, memory, state.memory.slide, state.tied)
-    brake_hits(state.v, state.inverse_mass, table, memory, math.inf if solved else dt)
+    brake_hits(state.v, state.inverse_mass, table, memory, dt, solved)
     return closed
 
 
@@ -254,7 +254,7 @@ def book(table, state, force, middle, dt):
 @part
 def hits(table, state, force, dt, x, v):
     """Return how quickly a contact stops ropes that closes on the way from the state to `x` and `v` [1/s]."""
-    return quickest_closing(x, v, table, state.memory.contact)
+    return quickest_closing(state.v, x, v, force, dt, table, state.memory.contact)
 
 
 @part
