@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import pytest
+from numba.core.compiler import Flags
+from numba.core.targetconfig import TargetConfig
 
 from ropewalk.core.compiler import entry
 from ropewalk.core.jit import OPTIONS, kernel, part
+from ropewalk.core.passes import Options
 
 
 @part
@@ -90,3 +93,24 @@ def test_a_kernel_serves_python_and_kernels() -> None:
     (inner,) = called.inner.overloads.values()
     assert inner.library.get_pointer_to_function(inner.fndesc.llvm_cpython_wrapper_name) == 0
     assert called(5) == 4
+
+
+def larger(a, b):
+    return max(a, b) + min(a, b)
+
+
+@pytest.mark.parametrize("shared", [True, False])
+def test_kernels_with_equal_options_compare_none(monkeypatch, shared) -> None:
+    """The second one finds what `max` is by the options of the first; the twin with its own compares them."""
+    compared, equal = [], TargetConfig.__eq__
+
+    def compare(one, other):
+        compared.append(one)
+        return equal(one, other)
+
+    monkeypatch.setattr(TargetConfig, "__eq__", compare)
+    if not shared:
+        monkeypatch.setattr(Options, "copy", lambda self: Flags(self))
+    for _ in range(2):
+        assert entry(larger, OPTIONS)(2.0, 3.0) == 5.0
+    assert (compared == []) == shared

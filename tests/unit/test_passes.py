@@ -72,3 +72,26 @@ def test_every_variable_gets_one_value_as_numba_gives_it(function) -> None:
     rewrite_once(ours.blocks)
     assert told(ours.blocks) == told(ssa.reconstruct_ssa(theirs).blocks)
     assert told(ours.blocks) != before
+
+
+def test_kernels_with_equal_options_share_them() -> None:
+    """What numba looks things up by is one object; it stays as it was, and other options have another."""
+    from numba.core.compiler import Flags
+
+    from ropewalk.core.passes import Options
+
+    def made(error_model: str) -> Any:
+        given = Flags()
+        given.error_model = error_model
+        return Options(given)
+
+    one, same, other = made("numpy"), made("numpy"), made("python")
+    kept = one.copy()
+    assert kept is same.copy()
+    assert kept is not other.copy()
+    assert kept.values() == one.values() != other.values()
+    assert kept.get_mangle_string() == same.copy().get_mangle_string()
+    one.error_model = "python"
+    assert one.copy() is other.copy()
+    assert kept is same.copy()
+    assert kept.error_model == same.error_model

@@ -19,11 +19,21 @@ from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler import CompilerBase, CompileResult, DefaultPassBuilder
 from numba.core.compiler_machinery import FunctionPass, register_pass
 from numba.core.registry import CPUDispatcher
-from numba.core.typed_passes import NativeLowering, NopythonRewrites, NopythonTypeInference
-from numba.core.untyped_passes import MakeFunctionToJitFunction, ReconstructSSA
+from numba.core.typed_passes import (
+    InlineOverloads,
+    IRLegalization,
+    NativeLowering,
+    NopythonRewrites,
+    NopythonTypeInference,
+)
+from numba.core.untyped_passes import (
+    InlineClosureLikes,
+    MakeFunctionToJitFunction,
+    ReconstructSSA,
+)
 
 from ropewalk.core.inlining import InlineParts
-from ropewalk.core.passes import AssignOnce, InferTypes
+from ropewalk.core.passes import AssignOnce, InferTypes, Options
 from ropewalk.core.pointed import pointed
 from ropewalk.core.values import LowerValues
 
@@ -80,17 +90,24 @@ _OURS = {
 }
 
 
+# Passes for what kernels have not: functions in functions, overloads to be put in, arrays and strings that
+# are made, and counts of references that fall where a variable is used for the last time.
+_IDLE = {InlineClosureLikes, InlineOverloads, NopythonRewrites, IRLegalization}
+
+
 class Compiler(CompilerBase):
     """numba's own passes and ours."""
+
+    def __init__(self, *args: Any) -> None:
+        *before, flags, names = args
+        super().__init__(*before, Options(flags), names)
 
     def define_pipelines(self) -> list[Any]:
         manager = DefaultPassBuilder.define_nopython_pipeline(self.state)
         manager.add_pass_after(InlineParts, MakeFunctionToJitFunction)
         manager.add_pass_after(_ForwardCopies, ReconstructSSA)
         manager.passes = [
-            (_OURS.get(step, step), about)
-            for step, about in manager.passes
-            if step is not NopythonRewrites  # of arrays that kernels do not make, and of strings
+            (_OURS.get(step, step), about) for step, about in manager.passes if step not in _IDLE
         ]
         manager.finalize()
         return [manager]
@@ -112,7 +129,18 @@ class _NoEnvironments:
         """Do nothing: the variable is nowhere in memory."""
 
 
-class InnerLibrary(JITCodeLibrary):
+class _Library(JITCodeLibrary):
+    """LLVM's code of a function; its passes go over what is defined, numba's over what is only named, too."""
+
+    def _optimize_functions(self, module: Any) -> None:
+        module.data_layout = self._codegen._data_layout
+        manager, builder = self._codegen._function_pass_manager()
+        for function in module.functions:
+            if not function.is_declaration:
+                manager.run(function, builder)
+
+
+class InnerLibrary(_Library):
     """The LLVM code of an inner function and of all that it calls, neither optimised nor emitted."""
 
     @property
@@ -144,7 +172,7 @@ class InnerLibrary(JITCodeLibrary):
         return library
 
 
-class EntryLibrary(JITCodeLibrary):
+class EntryLibrary(_Library):
     """The LLVM code of an entry and of all that it calls, as machine code.
 
     Loops are vectorised as numba does it, but neither interleaved nor unrolled by the number of turns that a

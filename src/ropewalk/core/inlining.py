@@ -19,7 +19,6 @@ from numba.core.compiler import StateDict, _CompileStatus
 from numba.core.compiler_machinery import FunctionPass, PassManager, register_pass
 from numba.core.inline_closurecall import _get_callee_args, _replace_args_with, _replace_returns
 from numba.core.ir_utils import build_definitions, simplify_CFG
-from numba.core.postproc import PostProcessor
 
 _READ: dict[FunctionType, Any] = {}  # parts, as numba reads them
 
@@ -252,5 +251,4 @@ class InlineParts(FunctionPass):
             func_ir.blocks = simplify_CFG(func_ir.blocks)
             ir_utils._the_max_label.update(max(func_ir.blocks))
             func_ir._definitions = build_definitions(func_ir.blocks)
-            PostProcessor(func_ir).run()
         return count > 0

@@ -12,8 +12,9 @@ from typing import Any
 
 from numba.core import errors, ir_utils, ssa, typeinfer
 from numba.core.analysis import compute_cfg_from_blocks
+from numba.core.compiler import Flags
 from numba.core.compiler_machinery import FunctionPass, register_pass
-from numba.core.postproc import PostProcessor
+from numba.core.transforms import canonicalize_cfg
 
 
 def rewrite_once(blocks: dict[int, Any]) -> None:
@@ -52,7 +53,7 @@ class AssignOnce(FunctionPass):
         func_ir = state.func_ir
         rewrite_once(func_ir.blocks)
         func_ir._definitions = ir_utils.build_definitions(func_ir.blocks)
-        PostProcessor(func_ir).run()
+        func_ir.blocks = canonicalize_cfg(func_ir.blocks)
         return True
 
 
@@ -102,7 +103,7 @@ class _Inferer(typeinfer.TypeInferer):
         self.typevars.asked = {}
 
 
-@register_pass(mutates_CFG=True, analysis_only=False)
+@register_pass(mutates_CFG=False, analysis_only=False)
 class InferTypes(FunctionPass):
     """Find the type of every variable."""
 
@@ -127,3 +128,29 @@ class InferTypes(FunctionPass):
             state.typemap, state.return_type, state.calltypes = inferer.unify()
         state.typing_errors = []
         return True
+
+
+class _Shared(Flags):
+    """Options that are the same as others only if they are these."""
+
+    __hash__ = object.__hash__
+    __eq__ = object.__eq__
+
+
+_SHARED: list[_Shared] = []
+
+
+class Options(Flags):
+    """What a kernel is compiled with. All kernels with equal options look things up by the same ones.
+
+    numba remembers by them what `max` is for two floats, and compared all thirty with each kernel's for
+    each call of any function.
+    """
+
+    def copy(self) -> Any:
+        """Return what numba looks things up by, and changes nothing of."""
+        for one in _SHARED:
+            if one.values() == self.values():
+                return one
+        _SHARED.append(_Shared(self))
+        return _SHARED[-1]

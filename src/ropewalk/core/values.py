@@ -142,7 +142,7 @@ def _is_idle(value: Any, uses: dict[int, int]) -> bool:
     return isinstance(value, on_tuples) and uses.get(id(value), 0) == 0
 
 
-@register_pass(mutates_CFG=True, analysis_only=False)
+@register_pass(mutates_CFG=False, analysis_only=False)
 class LowerValues(NativeLowering):
     """Lower with variables as values."""
 

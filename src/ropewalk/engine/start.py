@@ -120,7 +120,8 @@ def set_first_reactions(system: System, state: State) -> None:
     for p, i in enumerate(joints.member):
         push = state.mass[i] * state.acceleration[:, i] - _total_force(system, state, i)
         state.joint_force[p] = push
-    start_clamps(system, state)
+    if len(state.moment):  # else it would be compiled for nothing
+        start_clamps(system, state)
 
 
 def _total_force(system: System, state: State, i: int) -> Floats:

@@ -153,7 +153,8 @@ def memory(table: Slides, x: Floats, stiffness: Floats) -> Memory:
     off = np.full(k, math.inf)
     work = np.zeros((k, 4), np.int64), np.zeros((k, WIDTH))
     found = Memory(grip, *work, tally, ends, off, np.zeros((k, 3)))
-    remember_slides(x, table, found)
+    if k > 0:  # else it would be compiled for nothing
+        remember_slides(x, table, found)
     return found
 
 
