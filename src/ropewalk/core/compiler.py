@@ -99,8 +99,8 @@ class Compiler(CompilerBase):
     """numba's own passes and ours."""
 
     def __init__(self, *args: Any) -> None:
-        *before, flags, names = args
-        super().__init__(*before, Options(flags), names)
+        super().__init__(*args)
+        self.state.flags = Options(self.state.flags)
 
     def define_pipelines(self) -> list[Any]:
         manager = DefaultPassBuilder.define_nopython_pipeline(self.state)
