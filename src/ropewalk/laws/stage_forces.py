@@ -84,20 +84,30 @@ def evaluate_stage(system, state, x, v, tension, work, saddle, forces):
 
 
 @part
-def mark_stage(system, x, saddle):
+def mark_stage(system, x, work, saddle):
     """Mark what rubs, and what laws of nodes act on, at the iterate; return how many marks changed."""
     changed = 0.0
     if system.flags[TENSION_ONLY] == 1:
-        changed += mark_taut(system.slack_floor, saddle.carries, saddle.band.rubs)
+        floor, rubs = system.slack_floor, saddle.band.rubs
+        changed += mark_taut(floor, work.stretch, work.soft, saddle.carries, rubs)
     return changed + mark_nodes(system, x, saddle.band)
 
 
 @kernel
-def mark_taut(floor, carries, rubs):
-    """Mark the segments with friction: all but slack tension-only ones; return how many changed."""
+def mark_taut(floor, stretch, soft, carries, rubs):
+    """Mark the segments with friction: all but slack tension-only ones; return how many changed.
+
+    What gives is taut where it is longer than at rest. That is the same as to carry at the solution, but on
+    the way to it a segment lets go as soon as its tension is a little off what its length asks for: the
+    more readily the shorter the step.
+    """
     changed = 0.0
     for j in range(rubs.shape[0]):
-        on = 1.0 if floor[j] != 0.0 else carries[j]
+        on = 1.0
+        if floor[j] == 0.0:
+            on = carries[j]
+            if soft[j] > 0.0:
+                on = 1.0 if stretch[j] > 0.0 else 0.0
         changed += abs(on - rubs[j])
         rubs[j] = on
     return changed

@@ -255,7 +255,7 @@ def newton(system, state, stage, c1, c2, tight, window, aid):
             move(size - before, c1, x, v, tension, saddle)
             continue
         open_marks = iteration < DECIDING and saddle.band.frozen[0] == 0
-        if open_marks and mark_stage(system, x, saddle) > 0.0:
+        if open_marks and mark_stage(system, x, segments, saddle) > 0.0:
             size = 0.0
             continue
         largest_force(v, known, mass, free, system.gravity, c2, saddle.force, report)
