@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
 import ropewalk as rw
 from ropewalk.laws.obstacle import node_stiffness
@@ -14,7 +16,7 @@ from ropewalk.laws.slides.sliding import SINK
 from ropewalk.laws.slides.table import APART
 from ropewalk.lowering import build
 from ropewalk.scene import Slack, Straight
-from ropewalk.statics import checked_shape
+from ropewalk.statics import Statics, checked_shape
 
 g = 9.81
 LOAD, LENGTH, SEGMENTS = 100.0, 11.0, 20
@@ -167,3 +169,65 @@ def test_it_stores_what_the_load_puts_in() -> None:
     stored = slide_energy(x, made.system.node.slide, found.memory.slide)
     (seat,) = found.seats
     assert stored == pytest.approx(0.5 * seat.force**2 / stiffness(scene)[0], rel=1e-6)
+
+
+SOFT, HEAVY = 2e4, 400.0  # [N, kg]: a line that its load stretches by 17 %
+
+
+def soft_rest(segments: int, **slide: float) -> Statics:
+    """The rest of a heavy load in the middle of a soft line that weighs nothing, nearly."""
+    scene = light_wire(EA=SOFT, load=HEAVY, slide=slide)
+    wire = scene.ropes[0]
+    light = wire.made_of.replace(mass_per_length=1e-3)
+    return checked_shape(
+        scene.replace(ropes=[wire.replace(segments=segments, made_of=light), scene.ropes[1]])
+    )
+
+
+def exact_drop(force: float) -> float:
+    """Of the middle of a weightless line of Hooke's law below its ends [m]: 2 T sin a = F."""
+    half = 5.4
+
+    def left(drop: float) -> float:
+        side = math.hypot(half, drop)
+        return 2.0 * SOFT * (2.0 * side / LENGTH - 1.0) * drop / side - force
+
+    return float(brentq(left, 1.1, 20.0))  # from where it is taut on
+
+
+@pytest.mark.parametrize("stiff", [False, True])
+def test_on_a_soft_line_a_load_comes_to_the_closed_form_with_finer_segments(stiff: bool) -> None:
+    """What it is off by, its corner and its spring, falls as 1 / n: extrapolated it is right to 1 mm."""
+    heights = {}
+    for n in (40, 80):
+        found = soft_rest(n, **({"compliance": 1e-9} if stiff else {}))
+        assert found.solved
+        heights[n] = float(found.positions[n + 1, 2])
+    drop = exact_drop(found.seats[0].force)
+    assert abs(heights[80] + drop) < abs(heights[40] + drop)
+    assert 2.0 * heights[80] - heights[40] == pytest.approx(-drop, abs=1e-3)
+
+
+def test_what_is_told_of_a_soft_line_is_how_much_lower_its_load_hangs() -> None:
+    """By the slide's spring: as soft as a segment, F h / EA, m / (m + m') of that with the nodes' masses. The
+    twin is the same line with a slide that does not give; a stiff line has nothing to tell.
+    """
+    soft, firm = soft_rest(40), soft_rest(40, compliance=1e-9)
+    (seat,), (held,) = soft.seats, firm.seats
+    lower = float(firm.positions[41, 2] - soft.positions[41, 2])
+    assert seat.off == pytest.approx(lower, rel=0.01)
+    assert seat.off == pytest.approx(seat.force * LENGTH / 40 / SOFT, rel=0.01)
+    assert seat.off > 0.15 * LENGTH / 40
+    assert f"{seat.off:.3g} m off it" in str(seat)
+    assert "off it" not in str(held)
+    (told,) = told_of(light_wire(EA=SOFT, load=HEAVY))
+    assert "110 mm off rope 'wire', 20 % of a segment" in told
+    enough = float(told.split("at most ")[1].split()[0])
+    assert not told_of(light_wire(EA=SOFT, load=HEAVY, slide={"compliance": enough}))
+    assert off_the_line(light_wire(EA=SOFT, load=HEAVY, slide={"compliance": enough})) < 0.01 * H
+    assert not told_of(light_wire())
+
+
+def told_of(scene: rw.Scene) -> list[str]:
+    """What `check` says of slides."""
+    return [line for line in rw.check(scene, measure=False).warnings if line.startswith("slide ")]

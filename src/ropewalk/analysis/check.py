@@ -18,6 +18,7 @@ from ropewalk.analysis.obstacle_notes import obstacle_warnings
 from ropewalk.analysis.plan_notes import plan_notes
 from ropewalk.analysis.rest_notes import limiter_warnings, may_say_nothing, rest_warnings
 from ropewalk.analysis.rope_check import RopeCheck, rope_check
+from ropewalk.analysis.slide_notes import slide_warnings
 from ropewalk.analysis.stability import Stability, milliseconds, rounded_down, stability
 from ropewalk.analysis.strains import (
     breaking_warnings,
@@ -263,7 +264,7 @@ def _warnings(
     warnings += pressed_at_start(model, statics, ropes)
     warnings += limiter_warnings(model, statics) + rest_warnings(model, statics)
     warnings += bending_warnings(model) + obstacle_warnings(model, statics)
-    warnings += knot_warnings(model.scene)
+    warnings += slide_warnings(model) + knot_warnings(model.scene)
     return warnings + plan_notes(model) + unit_slips(model)
 
 

@@ -275,7 +275,7 @@ def _node_tables(scene: Scene, layout: Layout, keep: Pieces) -> Any:
     each = zip(scene.ropes, layout.ropes, strict=True)
     inputs["parts"] = tuple((rope.strength, passing(rope, span)) for rope, span in each)
     if scene.obstacles or scene.slides or scene.contact is not None:  # what only they ask for
-        inputs |= {"ropes": scene.ropes, "whole": _tied_masses(scene)}
+        inputs |= {"ropes": scene.ropes, "whole": tied_masses(scene)}
         inputs |= {"joints": scene.joints, "slides": scene.slides, "winches": scene.winches}
     return NodeTables(
         *(
@@ -285,7 +285,7 @@ def _node_tables(scene: Scene, layout: Layout, keep: Pieces) -> Any:
     )
 
 
-def _tied_masses(scene: Scene) -> tuple[float, ...]:
+def tied_masses(scene: Scene) -> tuple[float, ...]:
     """Return for every rope the mass of all that joints tie together with it, itself included [kg]."""
     found = [rope.total_mass for rope in scene.ropes]
     for group in tied_ropes(scene.ropes, scene.joints):

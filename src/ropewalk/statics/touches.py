@@ -21,6 +21,7 @@ from ropewalk.words.prefixes import prefixed
 
 _ROUNDING = 1e-6  # of a tension [1]
 _CENT = 100.0
+OFF = 0.01  # of a segment: what hangs farther off its rope is told [1]
 
 
 @dataclass(frozen=True)
@@ -84,6 +85,13 @@ class Seat:
     force: float  # across the rope [N]
     along: float  # what friction and brake carry [N], positive away from the rope's start
     most: float  # ... and could carry [N]
+    off: float  # from the rope's curve to the node, as its spring yields [m]
+    segment: float  # unstretched length of the rope's segments [m]
+
+    @property
+    def hangs_off(self) -> bool:
+        """Whether it is noticeably off its rope."""
+        return self.off > OFF * self.segment
 
     @property
     def use(self) -> float:
@@ -93,6 +101,8 @@ class Seat:
     def __str__(self) -> str:
         said = f"slide {self.slide!r} rests at {self.at:.5g} m of rope {self.on!r}"
         said += f", {prefixed(self.force, 'N', 4)} across it"
+        if self.hangs_off:
+            said += f", {prefixed(self.off, 'm', 3)} off it"
         if self.most == 0.0:
             return said
         carried, most = prefixed(abs(self.along), "N", 4), prefixed(self.most, "N", 4)
@@ -164,6 +174,8 @@ def seats(model: Model, memory: Any, x: Floats) -> tuple[Seat, ...]:
                 force=float(table.stiffness[row] * sight[APART]),
                 along=float(memory.slide.grip[row, HELD]),
                 most=float(bound_of(table, memory.slide.sight, row)),
+                off=float(sight[APART]),
+                segment=float(table.length[row]),
             )
         )
     return tuple(found)

@@ -67,7 +67,7 @@ def lower(
     """
     numbers = {rope.name: number for number, rope in enumerate(ropes)}
     rows = []
-    pulls = _pulls(slides or (), layout, ropes, whole, gravity)
+    pulls = known_pulls(slides or (), layout, ropes, whole, gravity)
     for slide, pull in zip(slides or (), pulls, strict=True):
         own, other = numbers[slide.rope], numbers[slide.on]
         rope, line, span = ropes[own], ropes[other], layout.ropes[other]
@@ -93,7 +93,7 @@ def lower(
     return Slides(**made, winch=np.ascontiguousarray(columns[12:].T).astype(np.int64))
 
 
-def _pulls(
+def known_pulls(
     slides: Sequence[Slide],
     layout: Layout,
     ropes: Sequence[Rope],
