@@ -10,7 +10,7 @@ from ropewalk.core import arrays
 from ropewalk.core.arrays import Floats, State, System
 from ropewalk.laws.clamps import start_clamps
 from ropewalk.laws.free_torques import rope_torques
-from ropewalk.laws.wheel_rows import PULL, RATE, TORQUE, WEIGHED
+from ropewalk.laws.wheel_rows import ANGLE, PULL, RATE, TORQUE, WEIGHED
 from ropewalk.lowering import Model
 from ropewalk.lowering.elastic_tables import let_relax
 from ropewalk.lowering.limiter_bounds import with_bounds
@@ -54,6 +54,7 @@ def started(model: Model) -> Model:
         memory = found.state.memory.obstacle
         rates = memory.wheel.copy()
         arrays.assign(found.state.memory, rest.memory)
+        rates[:, ANGLE] = rest.memory.obstacle.wheel[:, ANGLE]
         memory.wheel[...] = rates
         _load_wheels(found)
     return found
@@ -69,7 +70,8 @@ def _load_wheels(model: Model) -> None:
     for row, w in enumerate(table.wheel):
         if w < 0:
             continue
-        drive, rate, weigh = float(torques[row]), memory.wheel[w, RATE], table.weight[w, 0]
+        drive, rate, angle = float(torques[row]), memory.wheel[w, RATE], memory.wheel[w, ANGLE]
+        weigh = table.weight[w, 0] * np.cos(angle) + table.weight[w, 1] * np.sin(angle)
         most = table.bearing[w]
         drag = -most * np.sign(rate) if rate else -float(np.clip(drive + weigh, -most, most))
         memory.wheel[w, TORQUE], memory.wheel[w, WEIGHED] = drive, weigh

@@ -25,14 +25,13 @@ from typing import Any
 import numpy as np
 
 from ropewalk.core import arrays
-from ropewalk.core.arrays import BENDING, Floats, System
+from ropewalk.core.arrays import BENDING, Floats
 from ropewalk.core.band_lu import solve_band
-from ropewalk.laws.acting import at_rest, relaxed
+from ropewalk.laws.acting import at_rest
 from ropewalk.laws.clamps import start_clamps
 from ropewalk.laws.contact import remember_contacts
 from ropewalk.laws.node_law import Rest
 from ropewalk.laws.obstacle_places import depths
-from ropewalk.laws.obstacle_places import standing as still
 from ropewalk.laws.others import other_forces, other_stiffness
 from ropewalk.laws.pulls import pulls_of_laws
 from ropewalk.laws.slides.table import Slides
@@ -40,6 +39,7 @@ from ropewalk.laws.tangent import law_band
 from ropewalk.lowering import Model, Span
 from ropewalk.lowering.elastic_tables import put_tension, put_under_tension
 from ropewalk.statics.coupled import Couplings, Entries
+from ropewalk.statics.standing import standing
 from ropewalk.statics.tied import points, solve_tied, together
 
 _TINY = 1e-300
@@ -48,20 +48,11 @@ _ROUNDING = 1e-13  # ... or this share of the largest tension [1]
 _YIELD = 1e-9  # compliance of rigid links within a Newton step, in the model's units [1]
 
 
-def standing(system: System) -> System:
-    """Return a system whose obstacles stay where they start, and whose laws remember nothing that fades."""
-    system = relaxed(system)
-    table = system.node.obstacle
-    if not table.spin.size:
-        return system
-    return system._replace(node=system.node._replace(obstacle=still(table)))
-
-
 class Balance:
     """The equations of rest of one model, in units of its own weight and segments."""
 
     def __init__(self, model: Model) -> None:
-        self.system = standing(model.system)
+        self.system = standing(model.system, model.state.memory)
         self.state = state = arrays.copy(model.state)
         state.v[...] = 0.0
         self.nodes = state.mass.size

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from ropewalk.core.arrays import Floats
+from ropewalk.laws.contact_frame import PUSH
 from ropewalk.laws.free_torques import rope_torques
-from ropewalk.laws.wheel_rows import RATE
+from ropewalk.laws.wheel_rows import ANGLE, RATE
 from ropewalk.lowering import Model
 from ropewalk.words.prefixes import prefixed
 
@@ -24,16 +26,22 @@ class Pulley:
     torque: float  # of the ropes about its axis, and of its own weight [N m]
     bearing: float  # what its bearing holds [N m]
     weighs: bool = False  # whether its own weight turns it, too
+    angle: float = 0.0  # by which it is turned from how it is drawn [rad]
+    close: float = 0.0  # torque that is none beside all that turns it one way or the other [N m]
 
     @property
     def stands(self) -> bool:
         """Whether its bearing holds it: else this is no rest but the start of a motion."""
-        return abs(self.torque) <= (1.0 + _ROUNDING) * self.bearing
+        return abs(self.torque) <= (1.0 + _ROUNDING) * self.bearing + self.close
 
     def __str__(self) -> str:
         turn, most = prefixed(abs(self.torque), "N m", 4), prefixed(self.bearing, "N m", 4)
         by = "ropes and its weight" if self.weighs else "ropes"
         said = f"pulley {self.obstacle!r}: {by} turn it with {turn}, its bearing holds {most}"
+        if self.angle != 0.0:
+            rests = f"rests turned by {math.degrees(self.angle):.4g} degrees from how it is drawn"
+            held = f"; its bearing carries {turn} of at most {most}" if self.bearing > 0.0 else ""
+            return f"pulley {self.obstacle!r} {rests}, where {by} balance{held}"
         if self.stands:
             return said
         return f"{said}: it is held still here, and turns when it is let go"
@@ -59,6 +67,12 @@ def pulleys(model: Model, memory: Any, x: Floats) -> tuple[Pulley, ...]:
     for row, w in enumerate(table.wheel):
         if w >= 0:
             name = model.scene.obstacles[row].name
-            weight, bearing = float(table.weight[w, 0]), float(table.bearing[w])
-            found.append(Pulley(name, float(torques[row]) + weight, bearing, weight != 0.0))
+            angle, bearing = float(memory.obstacle.wheel[w, ANGLE]), float(table.bearing[w])
+            p, q = map(float, table.weight[w])
+            weight = p * math.cos(angle) + q * math.sin(angle)
+            push = np.maximum(memory.obstacle.grip[row, PUSH], 0.0)
+            arms = np.linalg.norm(np.cross(table.axle[row], x.T - table.hub[row]), axis=1)
+            close = _ROUNDING * (math.hypot(p, q) + float(push @ arms))
+            torque = float(torques[row]) + weight
+            found.append(Pulley(name, torque, bearing, p != 0.0 or q != 0.0, angle, close))
     return tuple(found)

@@ -19,6 +19,7 @@ from ropewalk.lowering.touching import Contacts
 from ropewalk.scene import Scene
 from ropewalk.scene.obstacles import thinnest
 from ropewalk.statics.balance import Balance
+from ropewalk.statics.balanced import turned_to_rest
 from ropewalk.statics.creep import creep
 from ropewalk.statics.hung import hung
 from ropewalk.statics.newton import Found, settle
@@ -117,6 +118,8 @@ def static_shape(source: Scene | Model, *, strict: bool = True) -> Statics:
     Raises SceneError for rigid links that do not reach, NoRest when Newton's method finds no shape.
     """
     model = source if isinstance(source, Model) else build(source)
+    if strict:
+        model = turned_to_rest(model, _looked_at)
     balance = Balance(model)
     unseen = balance.coupled.acts and not strict
     left = [rope.name for rope in model.layout.ropes] if unseen else undetermined_ropes(model)
@@ -126,6 +129,17 @@ def static_shape(source: Scene | Model, *, strict: bool = True) -> Statics:
     if strict and not found.at_rest:
         raise NoRest(_complaint(model, balance, found))
     return _statics(model, balance, found, left, unseen=unseen)
+
+
+def _looked_at(model: Model) -> tuple[Floats, tuple[Pulley, ...]] | None:
+    """Return the places of ropes at rest (3, n) [m] with bodies as they are turned, and what turns those."""
+    balance = Balance(model)
+    for name in undetermined_ropes(model):
+        balance.leave_out(model.layout.span(name))
+    found = _find(model, balance, patient=True)
+    if not found.at_rest:
+        return None
+    return found.x, pulleys(model, balance.state.memory, found.x)
 
 
 def checked_shape(source: Scene | Model) -> Statics:

@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 
 from ropewalk.core.arrays import Floats, Ints
-from ropewalk.laws.obstacle_places import standing
 from ropewalk.lowering import Model, Span
 from ropewalk.lowering.touching import SLIPS, Contacts, contacts_at, turns
+from ropewalk.statics.standing import standing_obstacles
 from ropewalk.words.prefixes import prefixed
 
 MANY = (
@@ -126,7 +126,7 @@ def wraps(
     table = model.system.node.obstacle
     if not len(table.kind):
         return (), contacts_at(table, x, np.zeros_like(x), np.zeros_like(x), state.stiffness)
-    table = standing(table)
+    table = standing_obstacles(table, state.memory.obstacle)
     contacts = contacts_at(table, x, np.zeros_like(x), force, state.stiffness)
     found = []
     for rope in model.layout.ropes:

@@ -16,7 +16,6 @@ from ropewalk.display import cells
 from ropewalk.laws.acting import at_rest, relaxed
 from ropewalk.laws.contact_frame import GRIP
 from ropewalk.laws.node_law import Rest
-from ropewalk.laws.obstacle_rows import sweeps
 from ropewalk.lowering import Layout, Model, build
 from ropewalk.lowering.elastic_tables import put_tension
 from ropewalk.lowering.limiter_bounds import beyond_bounds
@@ -27,8 +26,8 @@ from ropewalk.scene import Scene, SceneError
 from ropewalk.scene.faults import NO_VALUE, Fault
 from ropewalk.scene.obstacles import is_free
 from ropewalk.statics import Statics, checked_shape
-from ropewalk.statics.balance import standing
 from ropewalk.statics.coupled import NoRoom
+from ropewalk.statics.standing import standing
 from ropewalk.vibration.bumps import bump_notes
 from ropewalk.vibration.drawing import ModePlots
 from ropewalk.vibration.flexibility import NoModes
@@ -145,12 +144,6 @@ def modes(source: Scene | Model, about: About = "equilibrium", count: int = 10) 
             "with it modes are about the equilibrium, in which contacts are known; leave out spin"
         )
         raise SceneError([Fault(f"obstacle[{wheels[0]}].spin.free", True, rule)])
-    if levers := [row for row in wheels if sweeps(model.scene.obstacles[row])]:
-        rule = (
-            "is not round about its axis: modes know of free bodies that ropes turn by friction alone; "
-            "leave out spin, so that it is held"
-        )
-        raise SceneError([Fault(f"obstacle[{levers[0]}].spin.free", True, rule)])
     built = model
     x, tension, model = shape_about(model, about)
     _refuse_bounds(model, x, about)
@@ -263,7 +256,7 @@ def _held_by_contacts(model: Model, statics: Statics, x: Floats) -> Model:
     free = contacts.use >= SLIPS
     memory.obstacle.grip[contacts.obstacle[free], GRIP, contacts.node[free]] = 0.0
     arrays.assign(state.memory, memory)
-    return replace(model, system=standing(model.system), state=state)
+    return replace(model, system=standing(model.system, memory), state=state)
 
 
 def _held_tension(model: Model) -> Floats:

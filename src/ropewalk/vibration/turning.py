@@ -2,7 +2,7 @@
 
 A wheel that turns by an angle u / R takes its surface along by u d at a node, d = (axis x arm) / R. Of a
 node that sticks there the friction spring, k P with P = I - n n^T, is stretched by what the node moves
-beyond that, and the force f that it has at rest turns with the wheel:
+beyond that, and the force f that it has at rest turns with the wheel (others: `levers`):
 
     -df = k P (dx - u d) - (axis x f) u / R,    the wheel's force on u = the same, transposed,
 
@@ -19,11 +19,13 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats, Ints
 from ropewalk.laws.contact_frame import DAMP, GRIP, PUSH, STIFF
+from ropewalk.laws.free_torques import rope_torques
 from ropewalk.laws.obstacle import Memory, Obstacles
-from ropewalk.laws.obstacle_places import moved_by, surface_near
+from ropewalk.laws.obstacle_places import moved_by, reach_of, surface_near
 from ropewalk.lowering import Model
 from ropewalk.scene import SceneError
 from ropewalk.scene.faults import Fault
+from ropewalk.vibration.levers import Lever, depends_on_angle, lever_of, weight_torque
 from ropewalk.vibration.linear import Linear
 
 _TURNED = 1e-3  # of the largest tension times the radius: a torque beyond the bearing's [1]
@@ -42,6 +44,11 @@ def with_wheels(linear: Linear, model: Model, memory: Memory, x: Floats, tension
     """
     table = model.system.node.obstacle
     for row, w in enumerate(table.wheel):
+        if w >= 0 and depends_on_angle(table, row):
+            _refuse_driven(model, memory, x, w, tension)
+            if table.bearing[w] == 0.0:
+                linear = _with_lever(linear, table, lever_of(table, memory, row, x), w)
+            continue
         nodes = np.flatnonzero((memory.grip[row, PUSH] > 0.0) & (memory.grip[row, GRIP] > 0.0))
         nodes = nodes[linear.follows[nodes] >= 0]
         if w < 0 or not nodes.size:
@@ -63,6 +70,37 @@ def with_wheels(linear: Linear, model: Model, memory: Memory, x: Floats, tension
                 linear, table, memory, row, nodes, arms, round_ / radius, force, radius
             )
     return linear
+
+
+def _refuse_driven(model: Model, memory: Memory, x: Floats, w: int, tension: Floats) -> None:
+    """Raise SceneError for a body whose torque depends on its angle and that is not at rest."""
+    table = model.system.node.obstacle
+    row = int(np.flatnonzero(table.wheel == w)[0])
+    ropes = float(rope_torques(table, memory, x, np.zeros_like(x))[row])
+    weight, _ = weight_torque(table, memory, row)
+    most = reach_of(table, row) * float(tension.max(initial=0.0)) + float(
+        np.hypot(*table.weight[w])
+    )
+    if abs(ropes + weight) - float(table.bearing[w]) > _TURNED * most:
+        rule = (
+            f"is turned with {abs(ropes + weight):.3g} N m and held by its bearing with "
+            f"{table.bearing[w]:.3g}, and no angle was found at which it rests: modes are about a rest; "
+            "balance what turns it, or leave out spin"
+        )
+        raise SceneError([Fault(f"obstacle[{row}].spin.free", True, rule)])
+
+
+def _with_lever(linear: Linear, table: Obstacles, lever: Lever, w: int) -> Linear:
+    """Return the same with one body more whose torque depends on its angle."""
+    moves = linear.follows[lever.nodes] >= 0
+    columns = (3 * linear.follows[lever.nodes[moves]][:, None] + np.arange(3)).ravel()
+    return replace(
+        linear,
+        mass=np.append(linear.mass, float(table.inertia[w]) / lever.radius**2),
+        other=_bordered(linear.other, columns, lever.stiff[moves], lever.corner),
+        friction=_bordered(linear.friction, columns, lever.viscous[moves], lever.drag),
+        lengths=_wider(linear.lengths),
+    )
 
 
 def _with_wheel(
