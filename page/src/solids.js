@@ -12,7 +12,7 @@ import { dot, length, minus, plus, times, vector } from "./view/vector.js";
 const ROOM = 1.3; // radii of the scene: what of a large body is farther away need not be in the picture
 const NEAR = 0.6; // of the ropes' extent: a body that is farther from them need not, either
 const BESIDE = 0.25; // of it, up to which a body that goes on beyond the ropes is shown
-const WHEELS = ["turn0", "turn1", "turn2", "turn3"]; // scalars of a frame
+const WHEEL = /^turn\d+$/; // scalars of a frame, in their order
 const LEVEL = 0.9999; // cosine of the tilt up to which a plane is a floor
 
 export class Solids {
@@ -85,7 +85,10 @@ export class Solids {
   told() {
     const { frame, layout } = this.viewport.session;
     const part = frame?.parts[0];
-    return layout && part ? WHEELS.map((name) => scalar(layout, part, name)) : [];
+    if (!layout || !part) return [];
+    return layout.scalars
+      .filter((name) => WHEEL.test(name))
+      .map((name) => scalar(layout, part, name));
   }
 
   /** How far each has turned [rad]. */

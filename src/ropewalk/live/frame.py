@@ -18,7 +18,7 @@ MAGIC = 0x46505752
 HEADER = struct.Struct("<IIIIddfffI")
 PLAYING, BROKEN, SLOW, GRABBED, END = 1, 2, 4, 8, 16
 #: How far the first obstacles that turn freely have turned [rad]: less than a whole turn.
-TURNS = ("turn0", "turn1", "turn2", "turn3")
+TURNS = tuple(f"turn{number}" for number in range(16))
 SCALARS = (
     "time", "dt", "kinetic", "gravity", "elastic", "lost", "put_in", "energy_error", "tension_low",
     "tension_high", "tension_max", "strain_max", "speed_high", "low", "high", "touching",
