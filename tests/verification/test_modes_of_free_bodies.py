@@ -59,3 +59,30 @@ def test_modes_are_about_the_angle_of_rest() -> None:
 def test_what_is_drawn_is_no_rest_for_it() -> None:
     with pytest.raises(SceneError, match="about the equilibrium"):
         rw.modes(hanging(), about="start")
+
+
+def test_its_turning_is_told_as_its_own() -> None:
+    """Where no rope is near none moves; on a rope it takes that along. The twins are the rope's own modes."""
+    found = rw.modes(hanging(), count=4)
+    wanted = math.sqrt(MASS * g * OFF / INERTIA) / (2.0 * math.pi)
+    own = int(np.abs(found.frequencies - wanted).argmin())
+    motion = found.motions[own]
+    assert (motion.name, motion.rope) == ("turns", "plank")
+    assert motion.turning == pytest.approx(1.0, abs=1e-9)
+    assert np.abs(found.shapes[own]).max() < 1e-6
+    for i in set(range(4)) - {own}:
+        assert found.motions[i].name != "turns"
+        assert np.linalg.norm(found.shapes[i], axis=1).max() == pytest.approx(1.0)
+        assert found.motions[i].turning < 1e-9
+    lies = rw.modes(scene(plank((OFF, 0.0, 0.0))), count=1)
+    parts = lies.motions[0]
+    assert parts.name == "turns"
+    assert 0.5 < np.linalg.norm(lies.shapes[0], axis=1).max() <= 1.0
+    assert parts.along + parts.in_plane + parts.out_of_plane + parts.turning == pytest.approx(1.0)
+
+
+def test_of_an_unstable_rest_it_grows() -> None:
+    found = rw.modes(scene(plank((0.0, 0.0, OFF)), place=5.0), count=1)
+    rate = math.sqrt(MASS * g * OFF / INERTIA)
+    assert found.decay_rates[0] == pytest.approx(-rate, rel=1e-6)
+    assert found.motions[0].name == "turns"

@@ -3,14 +3,20 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 import pytest
 
 import ropewalk as rw
+from ropewalk.core import arrays
+from ropewalk.laws.wheel_rows import ANGLE
+from ropewalk.lowering import Model, build
 from ropewalk.scene import Box, Material, Spin, Straight
 from ropewalk.statics import Statics, checked_shape
+from ropewalk.statics.passing import passes
+from ropewalk.statics.pulleys import Pulley
 
 g, MASS, OFF, LEAN = 9.81, 0.5, 0.1, 0.6
 
@@ -127,3 +133,64 @@ def test_what_has_no_rest_is_left_as_it_is_drawn() -> None:
     assert not told.stands
     assert told.angle == 0.0
     assert told.torque == pytest.approx(0.2 * g * 0.2, rel=0.01)
+
+
+def lever(place: float = 0.8, height: float = -0.1, **spin: Any) -> rw.Scene:
+    """One metre to its tip and 10 mm thick: a turn of 0.05 rad takes it past a rope of 10 mm."""
+    turns = Spin(
+        free=True, inertia=0.1875, mass=MASS, center_of_mass=(0.5, 0.0, 0.0), viscous=2.0, **spin
+    )
+    body = Box(
+        name="plank", center=(0, 0, 0), half_sizes=(1.0, 0.15, 0.005), edge_radius=0.00125,
+        axis=(0, 1, 0), spin=turns,
+    )  # fmt: skip
+    return scene(body, place=place, height=height)
+
+
+def test_a_thin_lever_is_not_turned_through_a_rope() -> None:
+    """Where a damped run ends, and not where it would hang without a rope."""
+    (found,) = checked_shape(lever()).pulleys
+    assert found.stands
+    run = {"duration": 3.0, "time_step": 5e-3, "frame_rate": 20.0, "method": "implicit-euler"}
+    result = rw.simulate(lever().replace(run=rw.RunSettings(**run)))
+    assert np.ptp(result.pulley("plank").angle[-5:]) < 1e-4
+    assert found.angle == pytest.approx(float(result.pulley("plank").angle[-1]), abs=2e-4)
+    (alone,) = checked_shape(lever(place=5.0)).pulleys
+    assert alone.angle == pytest.approx(0.5 * math.pi, abs=1e-6)
+
+
+def test_what_is_past_a_rope_that_it_bore_is_told() -> None:
+    """Both ways; the twin is turned as far with the rope beneath it all the while."""
+    model = build(lever(height=-0.0101))
+
+    def turned(angle: float, height: float) -> Model:
+        state = arrays.copy(model.state)
+        state.memory.obstacle.wheel[0, ANGLE] = angle
+        state.x[2] = height
+        return replace(model, state=state)
+
+    assert passes(turned(0.0, -0.01), turned(0.05, -0.01), 0)
+    assert passes(turned(0.0, 0.01), turned(-0.05, 0.01), 0)
+    assert not passes(turned(0.0, -0.01), turned(0.05, -0.0502), 0)
+
+
+def test_an_unstable_rest_is_told() -> None:
+    """With its mass straight above; the twins hang, stand with friction in the bearing, or are just off."""
+    (above,) = checked_shape(scene(plank((0.0, 0.0, OFF)), place=5.0)).pulleys
+    assert above.stands
+    assert above.tips
+    assert "does not stay there if it is pushed" in str(above)
+    (below,) = checked_shape(scene(plank((0.0, 0.0, -OFF)), place=5.0)).pulleys
+    (rubs,) = checked_shape(scene(plank((0.0, 0.0, OFF), bearing=0.01), place=5.0)).pulleys
+    (off,) = checked_shape(scene(plank((1e-3, 0.0, OFF)), place=5.0)).pulleys
+    for twin in (below, rubs, off):
+        assert twin.stands
+        assert not twin.tips
+        assert "pushed" not in str(twin)
+
+
+def test_only_what_stands_is_said_to_rest() -> None:
+    turned = Pulley("plank", 1.0, 0.1, angle=0.3)
+    assert "rests" not in str(turned)
+    assert "turns when it is let go" in str(turned)
+    assert "rests turned by" in str(replace(turned, torque=0.1))

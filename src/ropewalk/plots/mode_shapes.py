@@ -98,4 +98,6 @@ def _draw(axes: Axes, modes: Modes, sight: Sight, number: int) -> None:
     words = f"{motion.name}, {motion.half_waves} half wave" + (
         "s" if motion.half_waves != 1 else ""
     )
+    if motion.name == "turns":
+        words = f"{motion.rope} turns"
     axes.text(0.0, 1.0, words, transform=axes.transAxes, fontsize=7.5, color=EARTH, va="bottom")

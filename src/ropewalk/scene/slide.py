@@ -57,7 +57,7 @@ class Slide(Model):
     )
     compliance: Number | None = positive(
         "How far it comes off the rope's middle per force; by default 0.5 % of a segment under the weight "
-        "that hangs on it, more where its load stretches the rope by about as much or more, "
+        "that hangs on it, more where that is more than about a percent of the line's EA, "
         "less where contacts of both ropes are stiffer",
         "m/N",
         default=None,

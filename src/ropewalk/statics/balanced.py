@@ -1,9 +1,10 @@
 """Free bodies whose torque depends on their angle, at rest: turned until their bearings hold them.
 
 That is what is not round about its axis, and what has a mass off it. From how it is drawn a body is turned
-the way it is driven, the ropes at rest at each angle, as if it were let go slowly, until it is driven no
-more; the angle is then found between the last two (regula falsi with halved ends, the Illinois method).
-Contacts begin anew at each angle: with friction it is one rest of many. Bodies take turns.
+the way it is driven, the ropes at rest at each angle, until it is driven no more; the angle is then found
+between the last two (regula falsi with halved ends, the Illinois method). No step takes a surface
+past a node (`passing`). Contacts begin anew at each angle, as if the body slid under the ropes: with
+friction it is one rest of many. Bodies take turns.
 Source: Dowell & Jarratt 1971, BIT 11:168.
 """
 
@@ -19,10 +20,15 @@ from ropewalk.core import arrays
 from ropewalk.core.arrays import Floats
 from ropewalk.laws.wheel_rows import ANGLE
 from ropewalk.lowering import Model
+from ropewalk.statics.passing import clear_turn, passes
 from ropewalk.statics.pulleys import Pulley
 
 _STEP, _LEAST = 0.05, 1e-4  # [rad] by which a body is turned at a time
-_FARTHEST = 2.0 * math.pi
+_FARTHEST, _STEPS = 2.0 * math.pi, 400  # how far, and by how many rests
+_ASIDE, _SURE = (
+    1e-3,
+    10.0,
+)  # turn [rad] that tells whether a body tips; torque over what is none [1]
 _ROOT, _ROUNDS = 80, 50  # looks between two angles, and turns of all bodies
 _CLOSE = 1e-9  # of the torque at first [1]
 
@@ -63,6 +69,24 @@ def _at(model: Model, w: int, angle: float, x: Floats) -> Model:
     return replace(model, state=state)
 
 
+def tipping(model: Model, solve: Solve) -> frozenset[int]:
+    """Return the free bodies that stand, but that a turn by a thousandth either way drives farther on."""
+    wheels = [w for w in range(len(model.system.node.obstacle.inertia)) if _depends(model, w)]
+    begun = solve(model) if wheels else None
+    if begun is None:
+        return frozenset()
+    found = set[int]()
+    for w in wheels:
+        body = begun[1][w]
+        if not body.stands or body.bearing > 0.0:
+            continue
+        for side in (1.0, -1.0):
+            there = solve(_at(model, w, body.angle + side * _ASIDE, begun[0]))
+            if there is not None and side * there[1][w].torque > _SURE * there[1][w].close:
+                found.add(w)
+    return frozenset(found)
+
+
 def _turned(model: Model, w: int, solve: Solve) -> Model | None:
     """Return the model with one body where its bearing holds it; itself where it does, None for no angle."""
     first = float(model.state.memory.obstacle.wheel[w, ANGLE])
@@ -73,32 +97,40 @@ def _turned(model: Model, w: int, solve: Solve) -> Model | None:
     if at_first.stands:
         return model
     side = math.copysign(1.0, at_first.torque)
+    row = int(np.flatnonzero(model.system.node.obstacle.wheel == w)[0])
 
     def driven(angle: float, x: Floats) -> tuple[float, Floats] | None:
         """How much more drives it that way than its bearing holds [N m], and the places there."""
         found = solve(_at(model, w, angle, x))
-        if found is None:
+        if found is None or passes(_at(model, w, low, x), _at(model, w, angle, found[0]), row):
             return None
         return side * found[1][w].torque - at_first.bearing, found[0]
 
-    low, over, x, step = first, side * at_first.torque - at_first.bearing, begun[0], _STEP
+    low, over, x, most = first, side * at_first.torque - at_first.bearing, begun[0], _STEP
     high, under = low, over
-    while under > 0.0:
+    for _ in range(_STEPS):
+        step = min(most, clear_turn(_at(model, w, low, x), row))
+        if step < _LEAST:
+            return None
         found = driven(low + side * step, x)
         if found is None:
-            step *= 0.5
-            if step < _LEAST:
-                return None
+            most = 0.5 * step
             continue
         high, under = low + side * step, found[0]
-        if under > 0.0:
-            low, over, x = high, under, found[1]
+        if under <= 0.0:
+            break
+        low, over, x = high, under, found[1]
         if abs(low - first) > _FARTHEST:
             return None
-    angle = _root(
-        lambda one: driven(one, x), (low, over), (high, under), _CLOSE * (over + abs(under))
-    )
-    return None if angle is None else _at(model, w, angle, x)
+    if under > 0.0:
+        return None
+    close = _CLOSE * (over + abs(under))
+    angle = _root(lambda one: driven(one, x), (low, over), (high, under), close)
+    if angle is None:
+        return None
+    there = _at(model, w, angle, x)
+    held = solve(there)  # not where a contact that ends lets the torque jump
+    return there if held is not None and held[1][w].stands else None
 
 
 def _root(

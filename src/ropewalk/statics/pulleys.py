@@ -28,6 +28,7 @@ class Pulley:
     weighs: bool = False  # whether its own weight turns it, too
     angle: float = 0.0  # by which it is turned from how it is drawn [rad]
     close: float = 0.0  # torque that is none beside all that turns it one way or the other [N m]
+    tips: bool = False  # whether it stands, but turns on from there once it is pushed
 
     @property
     def stands(self) -> bool:
@@ -38,13 +39,13 @@ class Pulley:
         turn, most = prefixed(abs(self.torque), "N m", 4), prefixed(self.bearing, "N m", 4)
         by = "ropes and its weight" if self.weighs else "ropes"
         said = f"pulley {self.obstacle!r}: {by} turn it with {turn}, its bearing holds {most}"
+        if not self.stands:
+            return f"{said}: it is held still here, and turns when it is let go"
         if self.angle != 0.0:
             rests = f"rests turned by {math.degrees(self.angle):.4g} degrees from how it is drawn"
             held = f"; its bearing carries {turn} of at most {most}" if self.bearing > 0.0 else ""
-            return f"pulley {self.obstacle!r} {rests}, where {by} balance{held}"
-        if self.stands:
-            return said
-        return f"{said}: it is held still here, and turns when it is let go"
+            said = f"pulley {self.obstacle!r} {rests}, where {by} balance{held}"
+        return f"{said}; it does not stay there if it is pushed" if self.tips else said
 
     def as_dict(self) -> dict[str, Any]:
         """Plain values, with whether it stands."""

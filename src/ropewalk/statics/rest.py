@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -19,7 +19,7 @@ from ropewalk.lowering.touching import Contacts
 from ropewalk.scene import Scene
 from ropewalk.scene.obstacles import thinnest
 from ropewalk.statics.balance import Balance
-from ropewalk.statics.balanced import turned_to_rest
+from ropewalk.statics.balanced import tipping, turned_to_rest
 from ropewalk.statics.creep import creep
 from ropewalk.statics.hung import hung
 from ropewalk.statics.newton import Found, settle
@@ -128,7 +128,10 @@ def static_shape(source: Scene | Model, *, strict: bool = True) -> Statics:
     found = _find(model, balance, patient=strict)
     if strict and not found.at_rest:
         raise NoRest(_complaint(model, balance, found))
-    return _statics(model, balance, found, left, unseen=unseen)
+    rest = _statics(model, balance, found, left, unseen=unseen)
+    tips = tipping(model, _looked_at) if strict else frozenset()
+    bodies = tuple(replace(body, tips=w in tips) for w, body in enumerate(rest.pulleys))
+    return replace(rest, pulleys=bodies) if tips else rest
 
 
 def _looked_at(model: Model) -> tuple[Floats, tuple[Pulley, ...]] | None:

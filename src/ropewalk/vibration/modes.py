@@ -31,8 +31,8 @@ from ropewalk.statics.standing import standing
 from ropewalk.vibration.bumps import bump_notes
 from ropewalk.vibration.drawing import ModePlots
 from ropewalk.vibration.flexibility import NoModes
-from ropewalk.vibration.linear import linearise
-from ropewalk.vibration.motion import Motion, motions, plane_normal
+from ropewalk.vibration.linear import Linear, linearise
+from ropewalk.vibration.motion import TURNS, Motion, motions, plane_normal, turnings
 from ropewalk.vibration.solve import Complex, highest, solve, untangle
 from ropewalk.vibration.turning import with_wheels
 
@@ -50,7 +50,8 @@ class Modes:
     about: str  # "equilibrium" or "start"
     positions: Floats  # (n, 3) the shape they are about [m]
     eigenvalues: Complex  # (m,) l of u ~ exp(l t) [1/s], imaginary part not negative
-    shapes: Complex  # (m, n, 3) displacements, the largest of a mode 1 and real
+    # (m, n, 3) displacements, the largest of a mode 1 and real; where a body turns, it or a rope
+    shapes: Complex
     motions: tuple[Motion, ...]  # what moves how
 
     @property
@@ -144,13 +145,13 @@ def modes(source: Scene | Model, about: About = "equilibrium", count: int = 10) 
             "with it modes are about the equilibrium, in which contacts are known; leave out spin"
         )
         raise SceneError([Fault(f"obstacle[{wheels[0]}].spin.free", True, rule)])
-    built = model
+    built, names = model, tuple[str, ...]()
     x, tension, model = shape_about(model, about)
     _refuse_bounds(model, x, about)
     try:
         linear = linearise(replace(model, system=relaxed(model.system)), x, tension)
         if wheels:
-            linear = with_wheels(linear, built, model.state.memory.obstacle, x, tension)
+            linear, names = with_wheels(linear, built, model.state.memory.obstacle, x, tension)
     except NoRoom as error:
         raise NoModes(str(error)) from None
     if linear.loose:
@@ -160,24 +161,50 @@ def modes(source: Scene | Model, about: About = "equilibrium", count: int = 10) 
         values, flat = solve(linear, count + more)
     except NoModes as error:
         raise NoModes(f"{error}{_on_a_bump(model)}") from None
-    normal = plane_normal(model, x)
-    places = 3 * linear.nodes.size  # the rest are wheels
-    flat = untangle(
-        values, flat[:, :places], linear.mass[:places], np.tile(normal, linear.nodes.size)
-    )
-    values, flat = values[:count], flat[:count]
-    shapes = np.zeros((len(values), x.shape[1], 3), dtype=complex)
-    free = linear.follows >= 0
-    shapes[:, free] = flat.reshape(len(values), linear.nodes.size, 3)[:, linear.follows[free]]
+    flat = _untangled(values, flat, linear, plane_normal(model, x))[:count]
+    shapes, found = _told(model, x, linear, flat, names)
     return Modes(
         scene=model.scene,
         layout=model.layout,
         about=about,
         positions=np.ascontiguousarray(x.T),
-        eigenvalues=values,
-        shapes=_scaled(shapes),
-        motions=motions(model, x, _scaled(shapes), normal),
+        eigenvalues=values[:count],
+        shapes=shapes,
+        motions=found,
     )
+
+
+def _told(
+    model: Model, x: Floats, linear: Linear, flat: Complex, names: tuple[str, ...]
+) -> tuple[Complex, tuple[Motion, ...]]:
+    """Return the shapes (m, n, 3) of modes (m, 3 f + b) of f nodes and b bodies, scaled, and what each is."""
+    places, free = 3 * linear.nodes.size, linear.follows >= 0
+    shapes = np.zeros((len(flat), x.shape[1], 3), dtype=complex)
+    shapes[:, free] = flat[:, :places].reshape(len(flat), -1, 3)[:, linear.follows[free]]
+    scaled = _scaled(shapes)
+    found = motions(model, x, scaled, plane_normal(model, x))
+    if not names:
+        return scaled, found
+    energy = linear.mass * np.abs(flat) ** 2
+    found = turnings(found, energy[:, places:], energy[:, :places].sum(axis=1), names)
+    for i, turn in enumerate(flat[:, places:]):
+        if found[i].name == TURNS:
+            lead = turn[int(np.argmax(np.abs(turn)))]
+            largest = max(abs(lead), float(np.sqrt((np.abs(shapes[i]) ** 2).sum(axis=1)).max()))
+            scaled[i] = shapes[i] * (abs(lead) / lead / largest)
+    return scaled, found
+
+
+def _untangled(values: Complex, flat: Any, linear: Linear, normal: Floats) -> Complex:
+    """Untangle the shapes (m, 3 f + b) of f nodes and b bodies: these are like nodes that move to no side."""
+    nodes, places = linear.nodes.size, 3 * linear.nodes.size
+    turns = np.zeros((len(flat), flat.shape[1] - places, 3), dtype=flat.dtype)
+    turns[:, :, 0] = flat[:, places:]
+    mass = np.append(linear.mass[:places], np.repeat(linear.mass[places:], 3))
+    aside = np.append(np.tile(normal, nodes), np.zeros(turns[0].size))
+    shapes = np.hstack([flat[:, :places], turns.reshape(len(flat), -1)])
+    found = untangle(values, shapes, mass, aside)
+    return np.hstack([found[:, :places], found[:, places::3]])
 
 
 def _on_a_bump(model: Model) -> str:

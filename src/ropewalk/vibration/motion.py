@@ -1,4 +1,7 @@
-"""What a mode is: which rope moves, along itself or sideways, in the plane of its sag or out of it."""
+"""What a mode is: which rope moves, along itself or sideways, in the plane of its sag or out of it.
+
+Or which body turns.
+"""
 
 from __future__ import annotations
 
@@ -12,6 +15,8 @@ from ropewalk.lowering import Model, Span
 from ropewalk.words.annotations import unquoted
 
 Complex = NDArray[np.complex128]
+TURNS = "turns"
+_MOST = 0.5  # of the kinetic energy in the turning of bodies: the mode is theirs [1]
 _SEEN = 0.05  # of the largest displacement: what counts as a motion of its own [1]
 _STRAIGHT = 1e-8  # of the extent: a shape narrower than this is a straight line [1]
 
@@ -20,12 +25,13 @@ _STRAIGHT = 1e-8  # of the extent: a shape narrower than this is a straight line
 class Motion(NamedTuple):
     """One mode in words; the shares are of its kinetic energy and add up to 1."""
 
-    name: str  # "along", "in plane", "out of plane", "sideways"
-    rope: str  # the rope that moves most
+    name: str  # "along", "in plane", "out of plane", "sideways", of a body "turns"
+    rope: str  # the rope that moves most, or the body that turns
     half_waves: int  # of the leading part of the motion
     along: float
     in_plane: float
     out_of_plane: float
+    turning: float = 0.0  # of bodies that turn freely
 
 
 def plane_normal(model: Model, x: Floats) -> Floats:
@@ -72,6 +78,29 @@ def motions(model: Model, x: Floats, shapes: Complex, normal: Floats) -> tuple[M
         waves = _half_waves(parts[lead], rope)
         found.append(Motion(name, rope.name, waves, *(float(share) for share in shares)))
     return tuple(found)
+
+
+def turnings(
+    found: tuple[Motion, ...], energy: Floats, ropes: Floats, names: tuple[str, ...]
+) -> tuple[Motion, ...]:
+    """Return the same with the turning of bodies, whose motion a mode is that has most of its energy there.
+
+    Args:
+        found: of ropes alone.
+        energy: of every body's turning, (m, b), in any unit.
+        ropes: of the ropes, (m,), in the same unit.
+        names: of the bodies.
+    """
+    told = []
+    for motion, own, rest in zip(found, energy, ropes, strict=True):
+        share = float(own.sum()) / (float(own.sum() + rest) or 1.0)
+        left = 1.0 - share
+        parts = (left * motion.along, left * motion.in_plane, left * motion.out_of_plane, share)
+        what = motion.name, motion.rope, motion.half_waves
+        if share > _MOST:
+            what = TURNS, names[int(np.argmax(own))], 0
+        told.append(Motion(*what, *parts))
+    return tuple(told)
 
 
 def _tangents(model: Model, x: Floats) -> Floats:

@@ -31,8 +31,12 @@ from ropewalk.vibration.linear import Linear
 _TURNED = 1e-3  # of the largest tension times the radius: a torque beyond the bearing's [1]
 
 
-def with_wheels(linear: Linear, model: Model, memory: Memory, x: Floats, tension: Floats) -> Linear:
+def with_wheels(
+    linear: Linear, model: Model, memory: Memory, x: Floats, tension: Floats
+) -> tuple[Linear, tuple[str, ...]]:
     """Return a model linearised about places (3, n) [m] with the turning of its wheels at the unknowns' end.
+
+    And the names of those that turn, in order.
 
     Args:
         linear: with wheels that stand.
@@ -42,12 +46,14 @@ def with_wheels(linear: Linear, model: Model, memory: Memory, x: Floats, tension
 
     Raises SceneError for a wheel that is not at rest there.
     """
-    table = model.system.node.obstacle
+    table, names = model.system.node.obstacle, list[str]()
     for row, w in enumerate(table.wheel):
+        name = model.scene.obstacles[row].name
         if w >= 0 and depends_on_angle(table, row):
             _refuse_driven(model, memory, x, w, tension)
             if table.bearing[w] == 0.0:
                 linear = _with_lever(linear, table, lever_of(table, memory, row, x), w)
+                names.append(name)
             continue
         nodes = np.flatnonzero((memory.grip[row, PUSH] > 0.0) & (memory.grip[row, GRIP] > 0.0))
         nodes = nodes[linear.follows[nodes] >= 0]
@@ -69,7 +75,8 @@ def with_wheels(linear: Linear, model: Model, memory: Memory, x: Floats, tension
             linear = _with_wheel(
                 linear, table, memory, row, nodes, arms, round_ / radius, force, radius
             )
-    return linear
+            names.append(name)
+    return linear, tuple(names)
 
 
 def _refuse_driven(model: Model, memory: Memory, x: Floats, w: int, tension: Floats) -> None:

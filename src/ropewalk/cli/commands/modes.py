@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -96,12 +96,18 @@ def _print(found: Modes) -> None:
             f"{row['frequency [Hz]']:.6g} Hz",
             f"{row['damping ratio [1]']:.4g}",
             _decay(row["decay rate [1/s]"]),
-            f"{row['motion']}, {row['half waves']}",
+            _motion(row),
         )
         rows.append((*cells, row["rope"]) if several else cells)
     columns = ("mode", "frequency", "damping ratio", "falls to 1/e in", "motion, half waves")
     title = f"{found.scene.name}: modes about its {found.about}"
     print_table((*columns, "rope") if several else columns, rows, title=title, right=range(4))
+
+
+def _motion(row: dict[str, Any]) -> str:
+    if row["motion"] == "turns":
+        return f"{row['rope']} turns"
+    return f"{row['motion']}, {row['half waves']}"
 
 
 def _decay(rate: float) -> str:
