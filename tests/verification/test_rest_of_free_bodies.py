@@ -142,19 +142,22 @@ def lever(place: float = 0.8, height: float = -0.1, **spin: Any) -> rw.Scene:
     )
     body = Box(
         name="plank", center=(0, 0, 0), half_sizes=(1.0, 0.15, 0.005), edge_radius=0.00125,
-        axis=(0, 1, 0), spin=turns,
+        axis=(0, 1, 0), spin=turns, friction=0.0,
     )  # fmt: skip
-    return scene(body, place=place, height=height)
+    found = scene(body, place=place, height=height)
+    return found.replace(
+        ropes=[found.ropes[0].replace(segments=40)]
+    )  # the lever goes between no two
 
 
 def test_a_thin_lever_is_not_turned_through_a_rope() -> None:
     """Where a damped run ends, and not where it would hang without a rope."""
     (found,) = checked_shape(lever()).pulleys
     assert found.stands
-    run = {"duration": 3.0, "time_step": 5e-3, "frame_rate": 20.0, "method": "implicit-euler"}
+    run = {"duration": 1.6, "time_step": 5e-3, "frame_rate": 20.0, "method": "implicit-euler"}
     result = rw.simulate(lever().replace(run=rw.RunSettings(**run)))
     assert np.ptp(result.pulley("plank").angle[-5:]) < 1e-4
-    assert found.angle == pytest.approx(float(result.pulley("plank").angle[-1]), abs=2e-4)
+    assert found.angle == pytest.approx(float(result.pulley("plank").angle[-1]), abs=2e-5)
     (alone,) = checked_shape(lever(place=5.0)).pulleys
     assert alone.angle == pytest.approx(0.5 * math.pi, abs=1e-6)
 
