@@ -99,11 +99,12 @@ def test_being_struck_makes_up_no_energy() -> None:
         assert result.status == "finished"
         assert total[0] == pytest.approx(0.2)  # [J]
         risen = total - np.minimum.accumulate(total)
-        assert risen.max() < 0.05 * total[0]  # what contacts had stored, and give back
+        assert risen.max() < 1e-3 * total[0]  # what contacts had stored, and give back
+        assert result.energy_error.max() < 1e-6 * total[0]
         assert float(result.work["contact"][-1]) < -0.1 * total[0]  # they have struck
         assert result.table["largest balance residual [J]"] < 1e-12
         errs.append(result.table["largest energy error [J]"])
-    assert errs[0] < 0.01 * total[0]
+    assert errs[0] < 0.02 * total[0]  # all of it lost
     assert errs[1] < 0.5 * errs[0]
 
 

@@ -116,6 +116,31 @@ def test_so_it_does_by_steps_that_are_solved_for(
 
 
 @pytest.mark.parametrize(
+    ("loads", "held"),
+    [
+        ((0.0, 0.0), False),
+        ((0.5, 0.5), False),
+        ((0.0, 0.0), True),
+        ((0.0, 0.5), True),
+        ((0.0, 10.0), True),
+    ],
+)
+@pytest.mark.parametrize("speed", [1.0, 5.0, 20.0])
+def test_so_it_does_by_steps_that_follow_their_error(
+    speed: float, loads: tuple[float, float], held: bool
+) -> None:
+    """To a twentieth: steps in which one is found to touch on the way are cut, too, and have the drag.
+
+    With neither 0.0 to 0.43 of it came back, and up to 12 % of the energy was stored between two frames.
+    """
+    velocities = left_after("adaptive", None, speed, loads, held)
+    assert abs(velocities[1] - velocities[0]) < 2.0 * SOLVED_LEFT * speed
+    mass = 0.01 + 2.0 * np.array(loads)
+    if not held:
+        assert mass @ velocities == pytest.approx(-speed * mass[1], rel=1e-9)
+
+
+@pytest.mark.parametrize(
     ("method", "many"), [("semi-implicit-euler", 18), ("verlet", 8), ("rk4", 18)]
 )
 def test_a_heavy_link_that_falls_flat_on_many_gets_no_energy(method: str, many: int) -> None:

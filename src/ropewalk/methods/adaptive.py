@@ -23,7 +23,6 @@ from ropewalk.laws.anchors import release_anchors
 from ropewalk.laws.bounds import is_stopped, time_to_bounds
 from ropewalk.laws.contact_frame import STOPS
 from ropewalk.laws.links import hold_links, note_reactions
-from ropewalk.laws.nodes import hits
 from ropewalk.laws.rare import acts_after, parts, winds
 from ropewalk.laws.winch import end_turns, plan_turns, wind_to
 from ropewalk.methods.controller import (
@@ -59,6 +58,7 @@ from ropewalk.methods.loop import close_frame, prepare_links
 from ropewalk.methods.partings import part_ropes
 from ropewalk.methods.scratch import put_row
 from ropewalk.methods.stage import Stage
+from ropewalk.methods.stage_report import QUICK
 from ropewalk.methods.tableaus import ESDIRK3
 from ropewalk.methods.verdict import note_changes
 from ropewalk.methods.watch import close_interval, open_interval, watch
@@ -177,7 +177,7 @@ def try_step(system, state, before, scratch, t, after, dt, ledger, tableau):
         return UNSOLVED_SHARE * dt, 0
     if is_stopped(system, before, solver.mean, dt):
         return land(system, state, before, scratch, t, after, dt, ledger)
-    quick = hits(system, before, solver.mean.node, dt, state.x, state.v)
+    quick = solver.stage.report[QUICK]
     if quick * dt > 1.5 * STOPS and dt > EVENT_STEP:
         return max(0.5 * dt, STOPS / quick, EVENT_STEP), -1
     b, other = tableau.b, tableau.embedded

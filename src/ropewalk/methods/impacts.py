@@ -5,16 +5,21 @@ from __future__ import annotations
 from ropewalk.core.jit import part
 from ropewalk.laws.bounds import is_stopped
 from ropewalk.laws.nodes import hits
+from ropewalk.methods.stage_report import QUICK
 from ropewalk.methods.tableaus import DIRK
 
 
 @part
 def is_struck(system, state, stage, forces, dt):
-    """Tell whether something is stopped at once in a step under these `forces`, by a bound or a contact."""
-    if is_stopped(system, state, forces, dt):
-        return True
+    """Tell whether something is stopped at once in a step under these `forces`, by a bound or a contact.
+
+    Notes how quickly a contact does it: for methods that shorten steps, to which it is none of their business
+    here.
+    """
+    quick = hits(system, state, forces.node, dt, stage.x, stage.v)
+    stage.report[QUICK] = quick
     free = stage.saddle.band.frozen[0] == 0
-    return free and hits(system, state, forces.node, dt, stage.x, stage.v) > 0.0
+    return is_stopped(system, state, forces, dt) or (free and quick > 0.0)
 
 
 @part

@@ -185,7 +185,8 @@ def end_stages(system, state, scratch, t, after, dt, level, kind, A, b, struck):
     free = stage.saddle.band.frozen[0] == 0 and not is_soft(kind, A)
     if watch and free and struck:
         return HIT
-    met = meet_on_way(system, state, stage.x)
+    shortens = stage.saddle.band.frozen[0] == 1
+    met = meet_on_way(system, state, stage.x, dt if shortens else np.inf)
     if met != FINE:
         return HIT if met == AGAIN else UNSOLVED
     if kind == BDF2:

@@ -8,7 +8,8 @@ The drag is linear within a step, with the u at its start, and begins with the d
 explicit steps it takes u no quicker than the damper of a contact of ropes alone at its stiffest, for which
 they have room, and all contacts of a segment together take no more than AT_ONCE of it in a step. Steps that
 are solved for have room for any; there it leaves 1 / (1 + ALL_BUT) of u in a step as long as the last, so
-that it weakens as a step is halved. A step too long to follow how it stops something counts as a hit.
+that it weakens as a step is halved, and the step itself, for a contact found on its way, where the method
+shortens steps for what they hit. A step too long to follow how it stops something counts as a hit.
 """
 
 from __future__ import annotations
@@ -17,6 +18,7 @@ from ropewalk.core.jit import kernel, small
 from ropewalk.laws.pairs.table import (
     BRAKE,
     CONTACTS,
+    FOUND,
     HARD,
     NORMAL,
     OTHER,
@@ -41,18 +43,43 @@ def closing(v, grip, row, i, j):
 
 
 @small
-def stops_at_once(v, force, dt, memory, row, i, j, size):
-    """Tell whether a contact's drag stops what closes at v faster than a step of `dt` [s] can follow.
+def stopping(v, force, dt, memory, row, i, j, size):
+    """Return how quickly a contact's drag stops what closes at v [1/s]; 0 where a step can follow.
 
-    `force` (3, n) [N] is that of all contacts in the step.
+    The step is `dt` [s] long, `force` (3, n) [N] that of all contacts in it.
     """
     grip = memory.grip
-    if not (grip[row, BRAKE] > 0.0 and dt * closing(v, grip, row, i, j) > SLOW * size):
-        return False
+    closes = closing(v, grip, row, i, j)
+    if not (grip[row, BRAKE] > 0.0 and dt * closes > SLOW * size):
+        return 0.0
     for k in range(3):
         if force[k, i] != 0.0 or force[k, i + 1] != 0.0:
-            return True
-    return False
+            return closes / (SOFT * size)
+    return 0.0
+
+
+@small
+def brake_contact(v, inverse_mass, table, memory, row, most):
+    """Keep what drag [N s/m] a contact has for what comes closer; return its rate, `most` at most [1/s]."""
+    i, j, grip = memory.pair[row, 0], memory.pair[row, 1], memory.grip
+    closes, moves = closing(v, grip, row, i, j), 0.0
+    for a in range(4):
+        node = i + a if a < 2 else j + a - 2
+        moves += share_of(grip, row, a) ** 2 * inverse_mass[node]
+    grip[row, BRAKE] = 0.0
+    if not (closes > 0.0 and moves > 0.0):
+        return 0.0
+    rate = min(closes / (SOFT * (table.radius[i] + table.radius[j])), most)
+    grip[row, BRAKE] = rate / moves
+    return rate
+
+
+@kernel
+def brake_found(v, inverse_mass, table, memory, dt):
+    """Keep the same of contacts that were found on the way of a step of `dt` [s], which is solved again."""
+    for row in range(memory.tally[CONTACTS]):
+        if memory.grip[row, FOUND] > 0.0:
+            brake_contact(v, inverse_mass, table, memory, row, ALL_BUT / dt)
 
 
 @kernel
@@ -66,20 +93,13 @@ def brake_hits(v, inverse_mass, table, memory, dt, solved):
         box[i, 0] = 0.0
     for row in range(memory.tally[CONTACTS]):
         i, j = memory.pair[row, 0], memory.pair[row, 1]
-        closes, moves = closing(v, grip, row, i, j), 0.0
-        for a in range(4):
-            node = i + a if a < 2 else j + a - 2
-            moves += share_of(grip, row, a) ** 2 * inverse_mass[node]
-        grip[row, BRAKE] = 0.0
-        if closes > 0.0 and moves > 0.0:
-            size, most = table.radius[i] + table.radius[j], ALL_BUT / max(dt, LEAST)
-            if not solved:
-                stop = 1.0 / (table.stop[i] + table.stop[j])
-                most = 2.0 * HARD * (stop * (1.0 / mass[i] + 1.0 / mass[j])) ** 0.5
-                most = min(most, AT_ONCE / max(dt, LEAST))
-            rate = min(closes / (SOFT * size), most)
-            grip[row, BRAKE] = rate / moves
-            box[i, 0], box[j, 0] = box[i, 0] + dt * rate, box[j, 0] + dt * rate
+        most = ALL_BUT / max(dt, LEAST)
+        if not solved:
+            stop = 1.0 / (table.stop[i] + table.stop[j])
+            most = 2.0 * HARD * (stop * (1.0 / mass[i] + 1.0 / mass[j])) ** 0.5
+            most = min(most, AT_ONCE / max(dt, LEAST))
+        rate = brake_contact(v, inverse_mass, table, memory, row, most)
+        box[i, 0], box[j, 0] = box[i, 0] + dt * rate, box[j, 0] + dt * rate
     if solved:
         return
     for row in range(memory.tally[CONTACTS]):

@@ -19,7 +19,7 @@ from ropewalk.core.ordering import ask_for
 from ropewalk.laws.node_law import NodeLaw, Rest
 from ropewalk.laws.obstacle import node_stiffness
 from ropewalk.laws.pairs.beside_slides import begin_inside, follow_slides, reach_ahead
-from ropewalk.laws.pairs.brake import brake_hits
+from ropewalk.laws.pairs.brake import brake_found, brake_hits
 from ropewalk.laws.pairs.force import add_pair_forces, pair_energy, pair_forces, pair_rounding
 from ropewalk.laws.pairs.pair_books import book_pairs
 from ropewalk.laws.pairs.pair_memory import remember_pairs
@@ -258,12 +258,15 @@ def hits(table, state, force, dt, x, v):
 
 
 @part
-def meet(table, state, x):
+def meet(table, state, x, dt):
     """Tell whether the way from the state to `x` may stand, see `way`."""
     memory = state.memory.contact
     if reach_ahead(x, table, memory, state.memory.slide, state.tied):
         return AGAIN
-    return meet_pairs(state.x, x, table, memory, state.tied)
+    met = meet_pairs(state.x, x, table, memory, state.tied)
+    if met == AGAIN and dt < math.inf:
+        brake_found(state.v, state.inverse_mass, table, memory, dt)
+    return met
 
 
 @part

@@ -10,7 +10,7 @@ line moves through another in a step that stands, whatever the solver did.
 from __future__ import annotations
 
 from ropewalk.core.jit import kernel, small
-from ropewalk.laws.pairs.brake import stops_at_once
+from ropewalk.laws.pairs.brake import stopping
 from ropewalk.laws.pairs.distance import NEVER, comes_to, nearest, relative_way
 from ropewalk.laws.pairs.force import pressed
 from ropewalk.laws.pairs.search import find_near, freeze, new_row, normal_at, owns, row_of
@@ -225,10 +225,10 @@ def quickest_closing(v0, x, v, force, dt, table, memory):
     for row in range(memory.tally[CONTACTS]):
         i, j = memory.pair[row, 0], memory.pair[row, 1]
         soft, hard, stop, damping, size = spring_of(table, grip, row, i, j)
-        hit = stops_at_once(v0, force, dt, memory, row, i, j, size)
-        if not hit and not grip[row, PUSH] > 0.0:
+        quickest = max(quickest, stopping(v0, force, dt, memory, row, i, j, size))
+        if not grip[row, PUSH] > 0.0:
             s, t = grip[row, OWN], grip[row, OTHER]
             u, w = between(x, i, j, s, t), between(v, i, j, s, t)
-            hit = pressed(grip, row, u, w, soft, hard, stop, damping, size)[0] > 0.0
-        quickest = max(quickest, soft / damping) if hit else quickest
+            push = pressed(grip, row, u, w, soft, hard, stop, damping, size)[0]
+            quickest = max(quickest, soft / damping) if push > 0.0 else quickest
     return quickest
