@@ -207,7 +207,8 @@ def brake_within_skin(system: System, state: State) -> int:
 def test_the_tangent_is_the_derivative(friction: float, pull: float, brakes: bool) -> None:
     """Slipping, sticking and without friction, against central differences; in places and velocities.
 
-    As deep as random ropes lie, and within the skin, with the drag of those that close.
+    As deep as random ropes lie, and within the skin, with the drag of those that close: which rises with the
+    depth, so that what sticks is not symmetric either.
     """
     system, state = pressed_tangle(friction, pull)
     assert not brakes or brake_within_skin(system, state) > 0
@@ -215,7 +216,7 @@ def test_the_tangent_is_the_derivative(friction: float, pull: float, brakes: boo
     network = network_of(state, len(memory.pair))
     rows = int(memory.tally[CONTACTS])
     assert orders(network, memory.pair, rows)
-    slips = False
+    skew = False
     for weight_x, weight_v in ((1.0, 0.0), (0.0, 1.0)):
         for part in (network.diagonal, network.upper, network.lower):
             part[...] = 0.0
@@ -232,8 +233,8 @@ def test_the_tangent_is_the_derivative(friction: float, pull: float, brakes: boo
                 expected[:, 3 * i + k] = -(ends[0] - ends[1]) / (2.0 * step)
         assert np.abs(expected).max() > 0.0
         assert np.abs(found - expected).max() < 1e-5 * np.abs(expected).max()
-        slips = slips or np.abs(found - found.T).max() > 1e-3 * np.abs(found).max()
-    assert slips == (friction == 0.3)
+        skew = skew or np.abs(found - found.T).max() > 1e-3 * np.abs(found).max()
+    assert skew == (friction == 0.3 or (brakes and friction > 0.0))
 
 
 def test_what_ropes_do_to_each_other_adds_up_to_nothing() -> None:

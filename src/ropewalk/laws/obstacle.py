@@ -78,7 +78,8 @@ class Obstacles(NamedTuple):
     axis: Floats  # (k, 3) unit vector; the normal of a plane
     axle: Floats  # (k, 3) unit vector about which it turns: of what is round its axis
     hub: Floats  # (k, 3) at time zero a point of the axle [m]: of most the middle
-    sweeps: Ints  # (k,) whether turning moves the surface: it is not round about the axle
+    # (k,) whether turning moves the surface, as it is not round about the axle, or its weight's lever
+    sweeps: Ints
     # (k, 4 or more) radius, half length; of a ring that of the circle and of the bar; of a box without its
     # edges half sizes, then the edges' radius [m], then the direction of its first edge [1], its third being
     # along the axis; of a half-pipe its radius [m], then the direction to which it is open, across the axis
@@ -159,13 +160,16 @@ def lower(
             finite = np.where(np.isfinite(most), most, RIGID * stiffness[row])
             hard[row] = np.maximum(finite - stiffness[row], 0.0)
     centers, hubs, motion = _wherever(bodies, places)
+    wheels = wheel_columns(bodies, -gravity * np.array(up, dtype=np.float64))
+    levers = [w >= 0 and wheels["weight"][w].any() for w in wheels["wheel"]]
     return Obstacles(
         kind=np.array([KINDS[body.kind] for body in bodies], dtype=np.int64),
         center=centers,
         axis=np.array([place[1] for place in places], dtype=np.float64).reshape(count, 3),
         axle=np.array([axle_of(body) for body in bodies], dtype=np.float64).reshape(count, 3),
         hub=hubs,
-        sweeps=np.array([sweeps(body) for body in bodies], dtype=np.int64),
+        sweeps=np.array([*map(sweeps, bodies)], dtype=bool).astype(np.int64)
+        | np.array(levers, dtype=bool),
         size=size_rows([place[2] for place in places]),
         thin=np.array([half_thickness(body) for body in bodies], dtype=np.float64),
         friction=np.array([body.friction for body in bodies], dtype=np.float64),
@@ -177,7 +181,7 @@ def lower(
         thickness=thickness,
         hard=hard,
         diameter=diameter,
-        **wheel_columns(bodies, -gravity * np.array(up, dtype=np.float64)),
+        **wheels,
     )
 
 

@@ -13,8 +13,7 @@ from ropewalk.methods.tableaus import DIRK
 def is_struck(system, state, stage, forces, dt):
     """Tell whether something is stopped at once in a step under these `forces`, by a bound or a contact.
 
-    Notes how quickly a contact does it: for methods that shorten steps, to which it is none of their business
-    here.
+    Notes how quickly a contact does it, for the method that shortens steps: there it does not count here.
     """
     quick = hits(system, state, forces.node, dt, stage.x, stage.v)
     stage.report[QUICK] = quick

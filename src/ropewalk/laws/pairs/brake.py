@@ -8,8 +8,10 @@ The drag is linear within a step, with the u at its start, and begins with the d
 explicit steps it takes u no quicker than the damper of a contact of ropes alone at its stiffest, for which
 they have room, and all contacts of a segment together take no more than AT_ONCE of it in a step. Steps that
 are solved for have room for any; there it leaves 1 / (1 + ALL_BUT) of u in a step as long as the last, so
-that it weakens as a step is halved, and the step itself, for a contact found on its way, where the method
-shortens steps for what they hit. A step too long to follow how it stops something counts as a hit.
+that in the first part of one that is halved it weakens. A contact found on the way of a step has none in it,
+but where the method shortens steps for what they hit: there at ALL_BUT over that step. A step too long to
+follow how it stops something counts as a hit. What slides as it hits meets the same drag across, up to mu
+times what presses: friction takes mu times the impulse, or all.
 """
 
 from __future__ import annotations
@@ -46,7 +48,8 @@ def closing(v, grip, row, i, j):
 def stopping(v, force, dt, memory, row, i, j, size):
     """Return how quickly a contact's drag stops what closes at v [1/s]; 0 where a step can follow.
 
-    The step is `dt` [s] long, `force` (3, n) [N] that of all contacts in it.
+    The step is `dt` [s] long, `force` (3, n) [N] that of all contacts in it: where there is none at the
+    segment's ends it has not been hit yet.
     """
     grip = memory.grip
     closes = closing(v, grip, row, i, j)
@@ -89,19 +92,19 @@ def brake_hits(v, inverse_mass, table, memory, dt, solved):
     It is as long as the last, `dt` [s]; `solved` where it is solved for.
     """
     grip, mass, box = memory.grip, table.mass, memory.box
+    if solved:
+        for row in range(memory.tally[CONTACTS]):
+            brake_contact(v, inverse_mass, table, memory, row, ALL_BUT / max(dt, LEAST))
+        return
     for i in range(box.shape[0]):  # in which the search has no more to do
         box[i, 0] = 0.0
     for row in range(memory.tally[CONTACTS]):
         i, j = memory.pair[row, 0], memory.pair[row, 1]
-        most = ALL_BUT / max(dt, LEAST)
-        if not solved:
-            stop = 1.0 / (table.stop[i] + table.stop[j])
-            most = 2.0 * HARD * (stop * (1.0 / mass[i] + 1.0 / mass[j])) ** 0.5
-            most = min(most, AT_ONCE / max(dt, LEAST))
+        stop = 1.0 / (table.stop[i] + table.stop[j])
+        most = 2.0 * HARD * (stop * (1.0 / mass[i] + 1.0 / mass[j])) ** 0.5
+        most = min(most, AT_ONCE / max(dt, LEAST))
         rate = brake_contact(v, inverse_mass, table, memory, row, most)
         box[i, 0], box[j, 0] = box[i, 0] + dt * rate, box[j, 0] + dt * rate
-    if solved:
-        return
     for row in range(memory.tally[CONTACTS]):
         i, j = memory.pair[row, 0], memory.pair[row, 1]
         grip[row, BRAKE] *= AT_ONCE / max(AT_ONCE, box[i, 0], box[j, 0])

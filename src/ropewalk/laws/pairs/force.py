@@ -5,13 +5,14 @@ of the radii, g = n.u - d - e (e fades, see `pair_memory`), P = I - n n^T, D wha
 surfaces (`table.apart`) has changed by since the last accepted step, D' its rate, and R' the friction
 spring's force then,
     R_n = max(0, R(-g) - c n.u')                       it presses
-    q   = P (R' - k_t D) - c P D'
+    q   = P (R' - k_t D) - c_t P D'
     R_t = q            where |q| <= mu R_n             it sticks
           mu R_n q/|q| elsewhere                       it slips
 on segment i, and the opposite on j, shared among their nodes as the points and `apart` have it. R is k
 times the depth in a skin of LAYER d, gets as stiff as the rope is across from 2 LAYER d on, and STOP times
 that from 3 to 5 LAYER d: what is thrown against it stops. The damper grows with k_t, so that an impact does
-not bounce back whole.
+not bounce back whole. Where what closes meets the drag of `brake` and that is more, it is c, and c_t as long
+as it lasts: else c.
 Sources: Cundall & Strack 1979, Geotechnique 29:47 (friction with memory); Simo & Hughes, Computational
 Inelasticity, 1998, ch. 2 (return mapping).
 """
@@ -57,7 +58,7 @@ def squeeze(depth, soft, hard, stop, layer):
 
 @small
 def pull_of(grip, row, u, w, damping):
-    """Return P (R' - k_t D) - c P u' [N], see above."""
+    """Return P (R' - k_t D) - c_t P D' [N], see above."""
     n0, n1, n2 = grip[row, NORMAL], grip[row, NORMAL + 1], grip[row, NORMAL + 2]
     k = grip[row, STIFF]
     q0 = grip[row, SPRING] - k * (u[0] - grip[row, APART]) - damping * w[0]
@@ -68,16 +69,24 @@ def pull_of(grip, row, u, w, damping):
 
 
 @small
+def drag_of(grip, row, depth, damping, size):
+    """Return a contact's drag at a `depth` [N s/m], its damper at least, and the slope of it [N s/m^2]."""
+    share = min(depth / (LAYER * size), 1.0)
+    drag = grip[row, BRAKE] * share
+    if not drag > damping:
+        return damping, 0.0
+    return drag, grip[row, BRAKE] / (LAYER * size) if share < 1.0 else 0.0
+
+
+@small
 def pressed(grip, row, u, w, soft, hard, stop, damping, size):
     """Return R_n before it is cut [N], its slope [N/m], and what it loses with the gap's rate [N s/m]."""
     n0, n1, n2 = grip[row, NORMAL], grip[row, NORMAL + 1], grip[row, NORMAL + 2]
     depth, rate = depth_of(grip, row, u, size), n0 * w[0] + n1 * w[1] + n2 * w[2]
     force, slope, _ = squeeze(depth, soft, hard, stop, LAYER * size)
-    share = min(depth / (LAYER * size), 1.0)
-    drag = grip[row, BRAKE] * share
-    if rate < 0.0 and drag > damping:
-        slope -= grip[row, BRAKE] * rate / (LAYER * size) if share < 1.0 else 0.0
-        return force - drag * rate, slope, drag
+    drag, steep = drag_of(grip, row, depth, damping, size)
+    if rate < 0.0:
+        return force - drag * rate, slope - steep * rate, drag
     return force - damping * rate, slope, damping
 
 
@@ -101,7 +110,8 @@ def add_pair_forces(x, v, table, memory, force):
         push, _, _ = pressed(grip, row, u, w, soft, hard, stop, damping, size)
         if not push > 0.0:
             continue
-        q = pull_of(grip, row, u, w, damping)
+        drag, _ = drag_of(grip, row, depth_of(grip, row, u, size), damping, size)
+        q = pull_of(grip, row, u, w, drag)
         total = math.sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2])
         bound = table.friction[0] * push
         share = bound / total if total > bound else 1.0

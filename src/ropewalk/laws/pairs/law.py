@@ -253,7 +253,7 @@ def book(table, state, force, middle, dt):
 
 @part
 def hits(table, state, force, dt, x, v):
-    """Return how quickly a contact stops ropes that closes on the way from the state to `x` and `v` [1/s]."""
+    """Return how quickly contacts stop what they hit in a step from the state to `x` and `v` [1/s]."""
     return quickest_closing(state.v, x, v, force, dt, table, state.memory.contact)
 
 

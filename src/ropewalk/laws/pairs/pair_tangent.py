@@ -2,8 +2,9 @@
 
 With b = mu R_n, q before it is cut, s = q/|q| and z the change of the vector between the surfaces,
     -dR_n = (R' n + c n) . dz                           of a contact that presses
-    -dR   = n (-dR_n) + (k_t + c) P dz                                      where it sticks
-            n (-dR_n) + (b/|q|) (k_t + c) (P - s s^T) dz + mu s (-dR_n)     where it slips
+    -dR   = n (-dR_n) + (k_t + c_t) P dz                                      where it sticks
+            n (-dR_n) + (b/|q|) (k_t + c_t) (P - s s^T) dz + mu s (-dR_n)     where it slips
+and what c_t grows by with the depth, times (P - s s^T) D', less, where it is that of a drag.
 A node whose part of that vector is M = w I + l n^T, w its share and l its lever, gets M^T dR.
 The last term makes it unsymmetric; without it Newton's method takes two to three times the iterations.
 """
@@ -15,13 +16,14 @@ import math
 from ropewalk.core.blocks import ZERO9, apply, apply_left, dot3, less_product, scale3, scale9
 from ropewalk.core.jit import kernel, small
 from ropewalk.core.network import add_block, put_pair
-from ropewalk.laws.pairs.force import pressed, pull_of
+from ropewalk.laws.pairs.force import drag_of, pressed, pull_of
 from ropewalk.laws.pairs.table import (
     ASKED,
     CONTACTS,
     NORMAL,
     STIFF,
     apart,
+    depth_of,
     lever_of,
     share_of,
     spring_of,
@@ -39,8 +41,9 @@ def tangent_of(table, memory, row, x, v, weight_x, weight_v):
         return ZERO9
     n = (grip[row, NORMAL], grip[row, NORMAL + 1], grip[row, NORMAL + 2])
     drop = weight_x * slope + weight_v * drag
-    own = weight_x * grip[row, STIFF] + weight_v * damping
-    q = pull_of(grip, row, u, w, damping)
+    across, steep = drag_of(grip, row, depth_of(grip, row, u, size), damping, size)
+    own = weight_x * grip[row, STIFF] + weight_v * across
+    q = pull_of(grip, row, u, w, across)
     total = math.sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2])
     bound = table.friction[0] * push
     share, more, over = 1.0, 0.0, 0.0
@@ -48,10 +51,12 @@ def tangent_of(table, memory, row, x, v, weight_x, weight_v):
         share, more, over = bound / total, table.friction[0] * drop, 1.0 / total
     s0, s1, s2 = over * q[0], over * q[1], over * q[2]
     side, ahead = share * own, -share * own
+    rise, slide = dot3(n, w), s0 * w[0] + s1 * w[1] + s2 * w[2]
+    steep *= share * weight_x
     a0, a1, a2 = (
-        (drop - side) * n[0] + more * s0,
-        (drop - side) * n[1] + more * s1,
-        (drop - side) * n[2] + more * s2,
+        (drop - side) * n[0] + more * s0 - steep * (w[0] - rise * n[0] - slide * s0),
+        (drop - side) * n[1] + more * s1 - steep * (w[1] - rise * n[1] - slide * s1),
+        (drop - side) * n[2] + more * s2 - steep * (w[2] - rise * n[2] - slide * s2),
     )
     return (
         a0 * n[0] + ahead * s0 * s0 + side,
