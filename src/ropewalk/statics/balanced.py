@@ -29,6 +29,7 @@ _ASIDE, _SURE = (
     1e-3,
     10.0,
 )  # turn [rad] that tells whether a body tips; torque over what is none [1]
+_MISSES = 2  # steps without a rest after which there is none: each takes long
 _ROOT, _ROUNDS = 80, 50  # looks between two angles, and turns of all bodies
 _CLOSE = 1e-9  # of the torque at first [1]
 
@@ -107,14 +108,14 @@ def _turned(model: Model, w: int, solve: Solve) -> Model | None:
         return side * found[1][w].torque - at_first.bearing, found[0]
 
     low, over, x, most = first, side * at_first.torque - at_first.bearing, begun[0], _STEP
-    high, under = low, over
+    high, under, misses = low, over, 0
     for _ in range(_STEPS):
         step = min(most, clear_turn(_at(model, w, low, x), row))
-        if step < _LEAST:
+        if step < _LEAST or misses > _MISSES:
             return None
         found = driven(low + side * step, x)
         if found is None:
-            most = 0.5 * step
+            most, misses = 0.5 * step, misses + 1
             continue
         high, under = low + side * step, found[0]
         if under <= 0.0:
