@@ -25,10 +25,8 @@ from ropewalk.statics.pulleys import Pulley
 
 _STEP, _LEAST = 0.05, 1e-4  # [rad] by which a body is turned at a time
 _FARTHEST, _STEPS = 2.0 * math.pi, 400  # how far, and by how many rests
-_ASIDE, _SURE = (
-    1e-3,
-    10.0,
-)  # turn [rad] that tells whether a body tips; torque over what is none [1]
+_ASIDE = 1e-3  # turn that tells whether a body tips [rad]
+_SURE = 10.0  # torque that drives it then, over what counts as none [1]
 _MISSES = 2  # steps without a rest after which there is none: each takes long
 _ROOT, _ROUNDS = 80, 50  # looks between two angles, and turns of all bodies
 _CLOSE = 1e-9  # of the torque at first [1]
