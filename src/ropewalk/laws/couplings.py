@@ -166,7 +166,7 @@ def work_on_nodes(force, v0, v1, dt):
 
 
 @part
-def _nothing_met(system, state, x, dt):
+def _nothing_met(system, state, x):
     return FINE
 
 
@@ -174,20 +174,17 @@ def _meeting(law: NodeLaw, k: int, rest: Any) -> Any:
     meet = law.meet
 
     @part
-    def _meet(system, state, x, dt):
-        found = rest(system, state, x, dt)
+    def _meet(system, state, x):
+        found = rest(system, state, x)
         if acts(system, k):
-            found = max(found, meet(system.node[k], state, x, dt))
+            found = max(found, meet(system.node[k], state, x))
         return found
 
     return _meet
 
 
 meet_on_way = fold(_meeting, _nothing_met, "meet")
-"""meet_on_way(system, state, x, dt): tell whether a step from the state to there may stand.
-
-`dt` [s] is its length where the method shortens steps for what they hit, else inf.
-"""
+"""meet_on_way(system, state, x): tell whether a step from the state to there may stand."""
 
 
 def _meeting_coupled(law: NodeLaw, k: int, rest: Any) -> Any:
@@ -195,10 +192,31 @@ def _meeting_coupled(law: NodeLaw, k: int, rest: Any) -> Any:
 
 
 meet_couplings = fold(_meeting_coupled, _nothing_met, "couple")
-"""meet_couplings(system, state, x, dt): the same of laws between nodes that are no neighbours alone."""
+"""meet_couplings(system, state, x): the same of laws between nodes that are no neighbours alone."""
 
 remember_couplings = fold(remembering, nothing_to_remember, "couple")
 """remember_couplings(system, state): let these laws keep what they carry; return what they have hit."""
+
+
+@part
+def _nothing_braced(system, state, dt):
+    pass
+
+
+def _bracing(law: NodeLaw, k: int, rest: Any) -> Any:
+    brace = law.brace
+
+    @part
+    def _brace(system, state, dt):
+        if acts(system, k):
+            brace(system.node[k], state, dt)
+        rest(system, state, dt)
+
+    return _brace
+
+
+brace_couplings = fold(_bracing, _nothing_braced, "brace")
+"""brace_couplings(system, state, dt): let these laws get ready for what a step of `dt` [s] may hit."""
 
 
 @part

@@ -109,10 +109,12 @@ class NodeLaw(NamedTuple):
     along: Any = (
         None  # part (table, state, x, v, d, weight_x, weight_v): d . K d of it [N m], d (3, n) [m]
     )
-    # part (table, state, x, dt): whether a step from the state to there may stand: 0, is to be solved again
-    # with what was found on its way: 1, or to be halved: 2; dt is its length [s] where the method shortens
-    # steps for what they hit, else inf
+    # part (table, state, x): whether a step from the state to there may stand: 0, is to be solved again
+    # with what was found on its way: 1, or to be halved: 2
     meet: Any = None
+    # part (table, state, dt): get ready for what a step of `dt` [s] may hit, of a method that shortens them
+    # for that
+    brace: Any = None
     fault: Any = None  # part (table, state): not 0 where the run cannot go on
     wound: Any = None  # part (table, state, winches): nodes have gone on to drums, or come off
     parted: Any = None  # part (table, state, segment, time): a segment has parted, at `time` [s]

@@ -308,7 +308,7 @@ def find_swerves(x, v, y, inverse_mass, obstacles, wheels, through, now):
 
 
 @part
-def meet(obstacles, state, x, dt):
+def meet(obstacles, state, x):
     """Tell whether the way from the state to `x` may stand, see `obstacle_way`."""
     memory = state.memory.obstacle
     grip, wheels, through = memory.grip, memory.wheel, memory.through

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 from ropewalk.core.blocks import ZERO9, store9
 from ropewalk.core.jit import kernel
 from ropewalk.laws.couplings import (
@@ -63,4 +61,4 @@ def keep_couplings(system, state):
 @kernel
 def meet_others(system, state, x):
     """Tell whether a way from the state to places (3, n) may stand, see `couplings`."""
-    return meet_couplings(system, state, x, math.inf)
+    return meet_couplings(system, state, x)

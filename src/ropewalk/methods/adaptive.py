@@ -179,7 +179,7 @@ def try_step(system, state, before, scratch, t, after, dt, ledger, tableau):
         return land(system, state, before, scratch, t, after, dt, ledger)
     quick = solver.stage.report[QUICK]
     if quick * dt > 1.5 * STOPS and dt > EVENT_STEP:
-        return max(0.5 * dt, STOPS / quick, EVENT_STEP), -1
+        return max(0.5 * dt, STOPS / quick, EVENT_STEP), 0
     b, other = tableau.b, tableau.embedded
     largest_error(solver.u, b, other, dt, state.inverse_mass, control)
     largest_inner_error(solver.rates, b, other, dt, state.rest_length, control)

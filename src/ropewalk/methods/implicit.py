@@ -20,7 +20,7 @@ from ropewalk.core.arrays import Floats, Forces, State, System, blank
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.status import HIT, OK, UNSOLVED
 from ropewalk.laws.anchors import move_anchors, place_stage
-from ropewalk.laws.couplings import AGAIN, FINE, couples, meet_on_way
+from ropewalk.laws.couplings import AGAIN, FINE, brace_couplings, couples, meet_on_way
 from ropewalk.laws.elastic import CHANGE
 from ropewalk.laws.inner import (
     end_inner,
@@ -185,8 +185,7 @@ def end_stages(system, state, scratch, t, after, dt, level, kind, A, b, struck):
     free = stage.saddle.band.frozen[0] == 0 and not is_soft(kind, A)
     if watch and free and struck:
         return HIT
-    shortens = stage.saddle.band.frozen[0] == 1
-    met = meet_on_way(system, state, stage.x, dt if shortens else np.inf)
+    met = meet_on_way(system, state, stage.x)
     if met != FINE:
         return HIT if met == AGAIN else UNSOLVED
     if kind == BDF2:
@@ -197,6 +196,16 @@ def end_stages(system, state, scratch, t, after, dt, level, kind, A, b, struck):
     return OK
 
 
+@part
+def begin_step(system, state, stage, mean, dt, warm):
+    """Get ready for a step of `dt` [s]; `warm` as in `take_step`."""
+    clear_forces(system, mean)
+    if not warm:
+        put_row(state.tension, stage.tension)
+    if stage.saddle.band.frozen[0] == 1:  # of a method that shortens steps for what they hit
+        brace_couplings(system, state, dt)
+
+
 @kernel
 def take_step(system, state, scratch, t, after, dt, ledger, level, kind, A, b, c, numbers, warm):
     """Take one step from time `t` [s]; return OK, or UNSOLVED or HIT with the state as it was.
@@ -205,9 +214,7 @@ def take_step(system, state, scratch, t, after, dt, ledger, level, kind, A, b, c
     that hits something is told. `warm` begins with the last solution of the same step.
     """
     stage, mean, watch = scratch.stage, scratch.mean, level < MOST_HALVINGS
-    clear_forces(system, mean)
-    if not warm:
-        put_row(state.tension, stage.tension)
+    begin_step(system, state, stage, mean, dt, warm)
     for s in range(b.shape[0] if kind == DIRK else 1):
         if has_wheels(system):
             aim_all(system, state, kind, A, b, s, dt)

@@ -201,7 +201,7 @@ def _untangled(values: Complex, flat: Any, linear: Linear, normal: Floats) -> Co
     turns = np.zeros((len(flat), flat.shape[1] - places, 3), dtype=flat.dtype)
     turns[:, :, 0] = flat[:, places:]
     mass = np.append(linear.mass[:places], np.repeat(linear.mass[places:], 3))
-    aside = np.append(np.tile(normal, nodes), np.zeros(turns[0].size))
+    aside = np.append(np.tile(normal, nodes), np.zeros(3 * turns.shape[1]))
     shapes = np.hstack([flat[:, :places], turns.reshape(len(flat), -1)])
     found = untangle(values, shapes, mass, aside)
     return np.hstack([found[:, :places], found[:, places::3]])

@@ -8,10 +8,11 @@ The drag is linear within a step, with the u at its start, and begins with the d
 explicit steps it takes u no quicker than the damper of a contact of ropes alone at its stiffest, for which
 they have room, and all contacts of a segment together take no more than AT_ONCE of it in a step. Steps that
 are solved for have room for any; there it leaves 1 / (1 + ALL_BUT) of u in a step as long as the last, so
-that in the first part of one that is halved it weakens. A contact found on the way of a step has none in it,
-but where the method shortens steps for what they hit: there at ALL_BUT over that step. A step too long to
-follow how it stops something counts as a hit. What slides as it hits meets the same drag across, up to mu
-times what presses: friction takes mu times the impulse, or all.
+that in the first part of one that is halved it weakens. A contact found on the way of a step has none in it.
+Where the method shortens steps for what they hit, ALL_BUT is over that very step, and each open contact has
+its drag from the points that it has by then. A step too long to follow how it stops something counts as a
+hit. What slides as it hits meets the same drag across, up to mu times what presses: friction takes mu times
+the impulse, or all.
 """
 
 from __future__ import annotations
@@ -20,11 +21,11 @@ from ropewalk.core.jit import kernel, small
 from ropewalk.laws.pairs.table import (
     BRAKE,
     CONTACTS,
-    FOUND,
     HARD,
     NORMAL,
     OTHER,
     OWN,
+    PUSH,
     between,
     share_of,
 )
@@ -78,10 +79,13 @@ def brake_contact(v, inverse_mass, table, memory, row, most):
 
 
 @kernel
-def brake_found(v, inverse_mass, table, memory, dt):
-    """Keep the same of contacts that were found on the way of a step of `dt` [s], which is solved again."""
+def brake_open(v, inverse_mass, table, memory, dt):
+    """Keep the same of contacts that are open where a step of `dt` [s] begins, as their points are now.
+
+    Those that were found on its way are among them, and those that turned on it.
+    """
     for row in range(memory.tally[CONTACTS]):
-        if memory.grip[row, FOUND] > 0.0:
+        if not memory.grip[row, PUSH] > 0.0:
             brake_contact(v, inverse_mass, table, memory, row, ALL_BUT / dt)
 
 

@@ -19,7 +19,7 @@ from ropewalk.core.ordering import ask_for
 from ropewalk.laws.node_law import NodeLaw, Rest
 from ropewalk.laws.obstacle import node_stiffness
 from ropewalk.laws.pairs.beside_slides import begin_inside, follow_slides, reach_ahead
-from ropewalk.laws.pairs.brake import brake_found, brake_hits
+from ropewalk.laws.pairs.brake import brake_hits, brake_open
 from ropewalk.laws.pairs.force import pair_energy, pair_forces, pair_rounding, told_pair_forces
 from ropewalk.laws.pairs.pair_books import book_pairs
 from ropewalk.laws.pairs.pair_memory import remember_pairs
@@ -259,15 +259,18 @@ def hits(table, state, force, dt, x, v):
 
 
 @part
-def meet(table, state, x, dt):
+def meet(table, state, x):
     """Tell whether the way from the state to `x` may stand, see `way`."""
     memory = state.memory.contact
     if reach_ahead(x, table, memory, state.memory.slide, state.tied):
         return AGAIN
-    met = meet_pairs(state.x, x, table, memory, state.tied)
-    if met == AGAIN and dt < math.inf:
-        brake_found(state.v, state.inverse_mass, table, memory, dt)
-    return met
+    return meet_pairs(state.x, x, table, memory, state.tied)
+
+
+@part
+def brace(table, state, dt):
+    """Let open contacts have the drag that stops what they meet in a step of `dt` [s], see `brake`."""
+    brake_open(state.v, state.inverse_mass, table, state.memory.contact, dt)
 
 
 @part
@@ -367,6 +370,7 @@ CONTACT = NodeLaw(
     couple=couple,
     along=along,
     meet=meet,
+    brace=brace,
     fault=fault,
     wound=wound,
 )
