@@ -202,7 +202,7 @@ def _untangled(values: Complex, flat: Any, linear: Linear, normal: Floats) -> Co
     turns[:, :, 0] = flat[:, places:]
     mass = np.append(linear.mass[:places], np.repeat(linear.mass[places:], 3))
     aside = np.append(np.tile(normal, nodes), np.zeros(3 * turns.shape[1]))
-    shapes = np.hstack([flat[:, :places], turns.reshape(len(flat), -1)])
+    shapes = np.hstack([flat[:, :places], turns.reshape(len(flat), 3 * turns.shape[1])])
     found = untangle(values, shapes, mass, aside)
     return np.hstack([found[:, :places], found[:, places::3]])
 
