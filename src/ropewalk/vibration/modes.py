@@ -180,7 +180,9 @@ def _told(
     """Return the shapes (m, n, 3) of modes (m, 3 f + b) of f nodes and b bodies, scaled, and what each is."""
     places, free = 3 * linear.nodes.size, linear.follows >= 0
     shapes = np.zeros((len(flat), x.shape[1], 3), dtype=complex)
-    shapes[:, free] = flat[:, :places].reshape(len(flat), -1, 3)[:, linear.follows[free]]
+    shapes[:, free] = flat[:, :places].reshape(len(flat), linear.nodes.size, 3)[
+        :, linear.follows[free]
+    ]
     scaled = _scaled(shapes)
     found = motions(model, x, scaled, plane_normal(model, x))
     if not names:
