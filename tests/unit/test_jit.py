@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import math
+
+import numpy as np
 import pytest
 from numba.core.compiler import Flags
 from numba.core.targetconfig import TargetConfig
+from numba.core.typeinfer import TypeInferer
 
-from ropewalk.core.compiler import entry
-from ropewalk.core.jit import OPTIONS, kernel, part
+from ropewalk.core.compiler import EntryLibrary, entry
+from ropewalk.core.jit import OPTIONS, PLAIN, kernel, part
 from ropewalk.core.passes import Options
 
 
@@ -89,7 +93,7 @@ def test_a_kernel_serves_python_and_kernels() -> None:
     called = entry(one_behind.py_func, OPTIONS)
     caller = entry(lambda n: called(n) + 1, OPTIONS)
     assert caller(5) == 5
-    assert caller.inner.signatures == called.signatures == []
+    assert called.signatures == []
     (inner,) = called.inner.overloads.values()
     assert inner.library.get_pointer_to_function(inner.fndesc.llvm_cpython_wrapper_name) == 0
     assert called(5) == 4
@@ -114,3 +118,66 @@ def test_kernels_with_equal_options_compare_none(monkeypatch, shared) -> None:
     for _ in range(2):
         assert entry(larger, OPTIONS)(2.0, 3.0) == 5.0
     assert (compared == []) == shared
+
+
+def roots(numbers):
+    """Return a sum of square roots."""
+    total = 0.0
+    for i in range(numbers.shape[0]):
+        total += math.sqrt(numbers[i])
+    return total
+
+
+def both(count):
+    """Return an entry that is called seldom and one that is not, of which each calls the same function."""
+    called = entry(roots, OPTIONS)
+
+    def caller(numbers):
+        return called(numbers) + count
+
+    return [entry(caller, OPTIONS, seldom=seldom) for seldom in (True, False)]
+
+
+def shared_names(entries) -> list[set[str]]:
+    """Return what each entry lets others link, but the function that Python calls."""
+    found = []
+    for one in entries:
+        (made,) = one.overloads.values()
+        functions = [
+            each for each in made.library._final_module.functions if not each.is_declaration
+        ]
+        names = {each.name for each in functions if each.linkage.name != "internal"}
+        found.append(names - {made.fndesc.llvm_cpython_wrapper_name})
+    return found
+
+
+@pytest.mark.skipif(PLAIN, reason="there is no machine code")
+def test_entries_share_no_machine_code(monkeypatch) -> None:
+    """What is compiled for the seldom call is not what the other one is linked to; numba's own way is."""
+    numbers = np.random.default_rng(3).random(1000)
+    entries = both(1)
+    assert entries[0](numbers) == entries[1](numbers) == roots(numbers) + 1
+    assert shared_names(entries) == [set(), set()]
+    monkeypatch.setattr(EntryLibrary, "_keep_to_itself", lambda self: None)
+    twins = both(2)
+    assert twins[0](numbers) == twins[1](numbers)
+    assert all(shared_names(twins))
+
+
+@pytest.mark.skipif(PLAIN, reason="there is no machine code")
+def test_numba_is_asked_once_what_a_sum_is(monkeypatch) -> None:
+    """The second kernel asks for nothing that the first one did; with other types it asks anew."""
+    asked = []
+    ask = TypeInferer.resolve_call
+
+    def note(self, function, args, named):
+        asked.append((str(function), *map(str, args)))
+        return ask(self, function, args, named)
+
+    monkeypatch.setattr(TypeInferer, "resolve_call", note)
+    assert entry(lambda a, b: (a + b) * a, OPTIONS)(2.0, 3.0) == 10.0
+    asked.clear()
+    assert entry(lambda a, b: (a * b) + a, OPTIONS)(2.0, 3.0) == 8.0
+    assert not asked
+    assert entry(lambda a, b: (a * b) + a, OPTIONS)(2.0, 3) == 8.0
+    assert asked

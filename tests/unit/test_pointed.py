@@ -132,6 +132,26 @@ def test_a_tuple_with_new_arrays_is_read_anew() -> None:
         assert np.array_equal(out, expected(value))
 
 
+@kernel
+def add_numbers(inner, out):
+    """Read two numbers that stand in a tuple."""
+    out[0] = inner.numbers + inner.count
+
+
+@pytest.mark.parametrize("kind", [np.int8, np.int32, np.uint16, np.int64, np.float32, np.float64])
+def test_numbers_of_every_length_are_what_they_are(kind: Any) -> None:
+    for value in (kind(101), kind(-7) if np.issubdtype(kind, np.signedinteger) else kind(7)):
+        out = np.zeros(1)
+        add_numbers(Inner(value, 3), out)
+        assert out[0] == value + 3.0
+
+
+@pytest.mark.skipif(PLAIN, reason="Python has numbers of any length")
+def test_a_number_that_is_too_long_is_refused() -> None:
+    with pytest.raises(OverflowError):
+        add_numbers(Inner(np.uint64(2**64 - 1), 3), np.zeros(1))
+
+
 @pytest.mark.skipif(PLAIN, reason="without types nothing is refused")
 def test_other_types_are_compiled_for() -> None:
     value = outer(np.arange(24).reshape(4, 6), np.arange(4, dtype=np.int64))

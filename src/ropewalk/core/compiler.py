@@ -11,6 +11,7 @@ from __future__ import annotations
 import gc
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from functools import cache
 from typing import Any
 
 import llvmlite.binding as llvm
@@ -18,6 +19,7 @@ from numba.core import config, ir, ir_utils, sigutils, types
 from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler import CompilerBase, CompileResult, DefaultPassBuilder
 from numba.core.compiler_machinery import FunctionPass, register_pass
+from numba.core.dispatcher import _FunctionCompiler
 from numba.core.registry import CPUDispatcher
 from numba.core.typed_passes import (
     InlineOverloads,
@@ -140,6 +142,15 @@ class _Library(JITCodeLibrary):
                 manager.run(function, builder)
 
 
+@cache
+def _quick_machine(codegen: Any) -> Any:
+    """Return what makes machine code in little time; of bits that are the same, as no sum is reordered."""
+    target = llvm.Target.from_triple(llvm.get_process_triple())
+    options = {"opt": 0, "features": codegen._tm_features}
+    codegen._customize_tm_options(options)
+    return target.create_target_machine(**options)
+
+
 class InnerLibrary(_Library):
     """The LLVM code of an inner function and of all that it calls, neither optimised nor emitted."""
 
@@ -178,29 +189,45 @@ class EntryLibrary(_Library):
     Loops are vectorised as numba does it, but neither interleaved nor unrolled by the number of turns that a
     run brings: LLVM took half its time for the copies, and steps are as fast to 2 %. Short loops of known
     length are unrolled before, function by function.
+
+    Its functions are its own. As numba links them, a process takes the first of its libraries that has
+    a function of a name for all others that call it.
     """
+
+    def __init__(self, codegen: Any, name: str, wrapper: str, *, seldom: bool) -> None:
+        super().__init__(codegen, name)
+        self._wrapper, self._seldom = wrapper, seldom
+        self.enable_object_caching()
 
     def _optimize_final_module(self) -> None:
         codegen, module = self._codegen, self._final_module
         cheap, builder = codegen._module_pass_manager(opt=0, loop_vectorize=False, cost="cheap")
         cheap.run(module, builder)
+        if not self._seldom:
+            self._optimize_loops()
+        self._keep_to_itself()
+
+    def _keep_to_itself(self) -> None:
+        """Let no other library link what Python does not call."""
+        for function in self._final_module.functions:
+            if not function.is_declaration and function.name != self._wrapper:
+                function.linkage = llvm.Linkage.internal
+
+    def _finalize_final_module(self) -> None:
+        if self._seldom:
+            self._compiled_object = _quick_machine(self._codegen).emit_object(self._final_module)
+        made = self._compiled_object
+        super()._finalize_final_module()
+        self._compiled_object = made or self._compiled_object  # numba forgets what it was given
+
+    def _optimize_loops(self) -> None:
         chosen: Any = config  # numba sets its options at run time
         options = llvm.create_pipeline_tuning_options(int(chosen.OPT))
         options.loop_vectorization = bool(chosen.LOOP_VECTORIZE)
         options.slp_vectorization = bool(chosen.SLP_VECTORIZE)
         options.loop_interleaving = options.loop_unrolling = False
-        builder = llvm.create_pass_builder(codegen._tm, options)
-        builder.getModulePassManager().run(module, builder)
-
-
-class EntryCompiler(Compiler):
-    """Compiles into an `EntryLibrary`."""
-
-    def define_pipelines(self) -> list[Any]:
-        state = self.state
-        state.library = EntryLibrary(state.targetctx.codegen(), state.func_id.func_qualname)
-        state.library.enable_object_caching()
-        return super().define_pipelines()
+        builder = llvm.create_pass_builder(self._codegen._tm, options)
+        builder.getModulePassManager().run(self._final_module, builder)
 
 
 class InnerCompiler(Compiler):
@@ -253,6 +280,31 @@ def rebuild_inner(target_context: Any, parts: tuple[Any, ...]) -> Any:
     )
 
 
+class _EntryCompiler(_FunctionCompiler):
+    """Compiles entries: the inner function and a wrapper that Python calls."""
+
+    entry: Entry
+
+    def _compile_core(self, args: Any, return_type: Any) -> Any:
+        self.entry.inner.compile(args)
+        inner: Any = self.entry.inner.overloads[args]
+        context, names, environment = inner.target_context, inner.fndesc, inner.environment
+        library = EntryLibrary(
+            context.codegen(),
+            inner.library.name,
+            names.llvm_cpython_wrapper_name,
+            seldom=self.entry.seldom,
+        )
+        library.add_linking_library(inner.library)
+        context.create_cpython_wrapper(library, names, environment, None, release_gil=True)
+        return inner._replace(
+            library=library,
+            entry_point=context.get_executable(library, names, environment),
+            type_annotation="",
+            metadata={},
+        )
+
+
 @contextmanager
 def _no_collections() -> Iterator[None]:
     """Keep Python from looking for cycles among the compiler's objects, a seventh of its time."""
@@ -270,6 +322,7 @@ class Entry(CPUDispatcher):
     """A kernel as Python calls it; kernels that call it link in its `inner` function."""
 
     inner: Any  # the dispatcher of the inner function
+    seldom: bool  # Python calls it so seldom that its machine code need not be fast
     _types_active_call: Any  # numba's: keeps the types of arguments alive
 
     def get_call_template(self, args: Any, kws: Any) -> Any:
@@ -302,10 +355,22 @@ class Entry(CPUDispatcher):
         return found
 
 
-def entry(function: Callable[..., Any], options: dict[str, Any], inner: Any = InnerCompiler) -> Any:
+def entry(
+    function: Callable[..., Any],
+    options: dict[str, Any],
+    inner: Any = InnerCompiler,
+    *,
+    seldom: bool = False,
+) -> Any:
     """Return the kernel `function`, an `Entry`, with the compiler of its inner function; without caches."""
     options = options | {"nopython": True}
-    found = Entry(py_func=function, targetoptions=options, pipeline_class=EntryCompiler)
+    found = Entry(py_func=function, targetoptions=options)
+    found.seldom = seldom
+    before = found._compiler
+    found._compiler = _EntryCompiler(
+        function, before.targetdescr, options, before.locals, before.pipeline_class
+    )
+    found._compiler.entry = found
     options = options | {"no_cpython_wrapper": True}
     found.inner = CPUDispatcher(function, targetoptions=options, pipeline_class=inner)
     return found

@@ -21,7 +21,7 @@ OPTIONS: dict[str, Any] = {
 }
 
 
-def kernel(function: Callable[..., Any]) -> Any:
+def kernel(function: Callable[..., Any], *, seldom: bool = False) -> Any:
     """Compile `function` on its first call; keep the machine code on disk for the next process.
 
     No fast-math: the same inputs give the same bits. Division by zero gives inf, never an exception.
@@ -31,10 +31,18 @@ def kernel(function: Callable[..., Any]) -> Any:
     """
     if PLAIN:
         return function
-    compiled = entry(function, OPTIONS)
+    compiled = entry(function, OPTIONS, seldom=seldom)
     compiled._cache = KernelCache(function)
     compiled.inner._cache = InnerCache(function)
     return compiled
+
+
+def seldom(function: Callable[..., Any]) -> Any:
+    """As `kernel`, for what Python calls a few times in a run: that call is compiled sooner and runs slower.
+
+    Kernels that call it get it as fast as any.
+    """
+    return kernel(function, seldom=True)
 
 
 def part(function: Callable[..., Any]) -> Any:

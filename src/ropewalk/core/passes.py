@@ -7,10 +7,11 @@ no type changes any more.
 
 from __future__ import annotations
 
+import operator
 from collections import defaultdict
 from typing import Any
 
-from numba.core import errors, ir_utils, ssa, typeinfer
+from numba.core import errors, ir_utils, ssa, typeinfer, types
 from numba.core.analysis import compute_cfg_from_blocks
 from numba.core.compiler import Flags
 from numba.core.compiler_machinery import FunctionPass, register_pass
@@ -93,14 +94,35 @@ class _Constraints(typeinfer.ConstraintNetwork):
         return found
 
 
-class _Inferer(typeinfer.TypeInferer):
-    """Infers types with both."""
+_PLAIN = types.Number, types.Boolean, types.Array, types.SliceType
+_CALLS: dict[Any, Any] = {}  # what numba's own functions return for plain arguments
 
-    def __init__(self, context: Any, func_ir: Any, warnings: Any) -> None:
+
+class _Inferer(typeinfer.TypeInferer):
+    """Infers types with both, and asks numba once what the sum of two floats is."""
+
+    def __init__(self, context: Any, func_ir: Any, warnings: Any, options: Any) -> None:
         super().__init__(context, func_ir, warnings)
+        self._options = options
         self.typevars, self.constraints = _Types(), _Constraints()
         self.typevars.set_context(context)
         self.typevars.asked = {}
+
+    def resolve_call(self, fnty: Any, pos_args: Any, kw_args: Any) -> Any:
+        """Return the signature of a call."""
+        known = isinstance(fnty, types.Function) or type(fnty) is type(operator.add)
+        if not known or kw_args or not all(map(_is_plain, pos_args)):
+            return super().resolve_call(fnty, pos_args, kw_args)
+        key = self.context, self._options, fnty, tuple(pos_args)
+        if key not in _CALLS:
+            _CALLS[key] = super().resolve_call(fnty, pos_args, kw_args)
+        return _CALLS[key]
+
+
+def _is_plain(kind: Any) -> bool:
+    if isinstance(kind, types.BaseTuple):
+        return all(map(_is_plain, kind.types))
+    return isinstance(kind, _PLAIN)
 
 
 @register_pass(mutates_CFG=False, analysis_only=False)
@@ -116,7 +138,7 @@ class InferTypes(FunctionPass):
         func_ir, context = state.func_ir, state.typingctx
         known: Any = errors  # numba's types know no fixer
         warnings = known.WarningsFixer(errors.NumbaWarning)
-        inferer = _Inferer(context, func_ir, warnings)
+        inferer = _Inferer(context, func_ir, warnings, state.flags.copy())
         active = context.callstack.register(
             state.targetctx.target, inferer, state.func_id, state.args
         )

@@ -2,12 +2,15 @@
 
 numba hands a named tuple over by its members: a step took a thousand arguments, and every entry code to
 take them out of Python's tuples. Here a call from Python writes the members of a tuple, and of those in it,
-into one block on the stack. Kernels get its address and load what they use.
+into one block of words on the stack. Kernels get its address and load what they use. What writes it is one
+loop that goes by a table of the members: written out for each of them, it was most of an entry's code.
 """
 
 from __future__ import annotations
 
 import hashlib
+from functools import cache
+from itertools import accumulate
 from typing import Any
 
 from llvmlite import ir as llvm
@@ -18,6 +21,9 @@ from numba.core.imputils import lower_builtin, lower_getattr_generic
 from numba.core.pythonapi import NativeValue, unbox
 
 from ropewalk.core.elements import make_array
+
+_WORD, _HALF = llvm.IntType(64), llvm.IntType(32)
+_DATA, _SHAPE = 4, 5  # words before them in numba's array
 
 
 class Pointed(types.NamedTuple):
@@ -45,13 +51,19 @@ def pointed(kind: Any) -> Any:
     return kind
 
 
-def _block(dmm: Any, kind: Pointed) -> Any:
-    """Return LLVM's type of the members in memory."""
-    return llvm.LiteralStructType([_stored(dmm, item) for item in kind.types])
+@cache
+def _places(kind: Any) -> tuple[int, ...]:
+    """Return the word of a block at which each member of a tuple begins, and that after the last."""
+    return tuple(accumulate((_words(item) for item in kind.types), initial=0))
 
 
-def _stored(dmm: Any, kind: Any) -> Any:
-    return _block(dmm, kind) if isinstance(kind, Pointed) else dmm.lookup(kind).get_data_type()
+def _words(kind: Any) -> int:
+    """Return how many words of a block a value takes."""
+    if isinstance(kind, types.BaseTuple):
+        return _places(kind)[-1]
+    if isinstance(kind, types.Array):
+        return _SHAPE + 2 * kind.ndim
+    return 0 if isinstance(kind, types.NoneType) else 1
 
 
 @register_default(Pointed)
@@ -59,7 +71,7 @@ class _Address(PrimitiveModel):
     """A pointed tuple is its address."""
 
     def __init__(self, dmm: Any, kind: Pointed) -> None:
-        super().__init__(dmm, kind, _block(dmm, kind).as_pointer())
+        super().__init__(dmm, kind, _WORD.as_pointer())
 
 
 @lower_getattr_generic(Pointed)
@@ -96,11 +108,12 @@ def _member(context: Any, builder: Any, kind: Pointed, value: Any, index: int) -
 
 
 def _load_member(context: Any, builder: Any, kind: Pointed, value: Any, index: int) -> Any:
-    return _load(context, builder, kind.types[index], _place(builder, value, index))
+    place = _place(builder, value, _places(kind)[index])
+    return _load(context, builder, kind.types[index], place)
 
 
-def _place(builder: Any, address: Any, *at: int) -> Any:
-    return cgutils.gep_inbounds(builder, address, 0, *at)
+def _place(builder: Any, address: Any, word: int) -> Any:
+    return builder.gep(address, [_HALF(word)], inbounds=True)
 
 
 def _load(context: Any, builder: Any, kind: Any, address: Any) -> Any:
@@ -111,24 +124,29 @@ def _load(context: Any, builder: Any, kind: Any, address: Any) -> Any:
         return context.get_dummy_value()
     model = context.data_model_manager[kind]
     if isinstance(kind, types.Array):
-        places = (model.get_field_position(name) for name in ("data", "shape", "strides"))
-        data, *rest = (_place(builder, address, place) for place in places)
-        shape, strides = (
-            [_word(builder, _place(builder, row, i)) for i in range(kind.ndim)] for row in rest
-        )
-        known = None if kind.layout == "C" else strides
-        return make_array(context, builder, kind, _word(builder, data), shape, known)
+        data = context.get_data_type(kind.dtype).as_pointer()
+        shape = [_word(builder, _place(builder, address, _SHAPE + i)) for i in range(kind.ndim)]
+        strides = None
+        if kind.layout != "C":
+            first = _SHAPE + kind.ndim
+            strides = [
+                _word(builder, _place(builder, address, first + i)) for i in range(kind.ndim)
+            ]
+        place = builder.bitcast(_place(builder, address, _DATA), data.as_pointer())
+        return make_array(context, builder, kind, _word(builder, place), shape, strides)
     if isinstance(kind, types.BaseTuple):
         each: Any = kind
         found = llvm.Constant(model.get_value_type(), None)
-        for i, item in enumerate(each.types):
-            value = _load(context, builder, item, _place(builder, address, i))
+        for i, (item, word) in enumerate(zip(each.types, _places(kind), strict=False)):
+            value = _load(context, builder, item, _place(builder, address, word))
             found = builder.insert_value(found, value, i)
         return found
-    word = _word(builder, address)
     if isinstance(kind, types.Boolean):  # numba's own way has branches, where no block may end
+        word = _word(builder, address)
         return builder.icmp_unsigned("!=", word, word.type(0))
-    return model.from_data(builder, word)
+    stored = _stored(kind)
+    place = builder.bitcast(address, context.get_data_type(stored).as_pointer())
+    return context.cast(builder, _word(builder, place), stored, kind)
 
 
 def _word(builder: Any, address: Any) -> Any:
@@ -138,29 +156,101 @@ def _word(builder: Any, address: Any) -> Any:
     return found
 
 
-def _write(c: Any, kind: Any, obj: Any, address: Any) -> Any:
-    """Write a Python value into its place in a block; return whether it could not be read."""
-    builder = c.builder
-    if isinstance(kind, types.NoneType):
-        return cgutils.false_bit
-    if isinstance(kind, types.Array):
-        adapt = c.pyapi.numba_array_adaptor
-        return cgutils.is_not_null(builder, adapt(obj, builder.bitcast(address, c.pyapi.voidptr)))
-    if isinstance(kind, types.BaseTuple):
-        each: Any = kind
-        failed = cgutils.false_bit
-        for i, item in enumerate(each.types):
-            value = c.pyapi.tuple_getitem(obj, i)
-            failed = builder.or_(failed, _write(c, item, value, _place(builder, address, i)))
-        return failed
-    native = c.unbox(kind, obj)
-    model = c.context.data_model_manager[kind]
-    builder.store(model.as_data(builder, native.value), address)
-    return native.is_error
+_SCALARS = types.float64, types.int64, types.boolean
+_FAMILIES = types.Float, types.Integer, types.Boolean
+_NONE, _TUPLE, _ARRAY, _SCALAR = range(4)
+
+
+def _stored(kind: Any) -> Any:
+    """Return as what a number is in a block."""
+    for stored, family in zip(_SCALARS, _FAMILIES, strict=True):
+        if isinstance(kind, family):
+            return stored
+    raise NotImplementedError(f"a member of a tuple for kernels: {kind}")
+
+
+def _table(kind: Any, word: int = 0) -> list[int]:
+    """Return what `_filler` goes by: the number of members, for each what it is and where, and their tables.
+
+    Where is the word of the block, for a tuple the place of its table from this one on.
+    """
+    rows: list[int] = []
+    after: list[int] = []
+    for item, place in zip(kind.types, _places(kind), strict=False):
+        if isinstance(item, types.NoneType):
+            rows += [_NONE, 0]
+        elif isinstance(item, types.BaseTuple):
+            rows += [_TUPLE, 1 + 2 * len(kind.types) + len(after)]
+            after += _table(item, word + place)
+        elif isinstance(item, types.Array):
+            rows += [_ARRAY, word + place]
+        else:
+            rows += [_SCALAR + _SCALARS.index(_stored(item)), word + place]
+    return [len(kind.types), *rows, *after]
+
+
+def _filler(c: Any) -> Any:
+    """Return the function of a module that writes a tuple into a block, and returns whether it failed."""
+    module, pyapi = c.builder.module, c.pyapi
+    name = "ropewalk.fill"
+    if name in module.globals:
+        return module.globals[name]
+    flag, table, block = llvm.IntType(1), _HALF.as_pointer(), _WORD.as_pointer()
+    fill = llvm.Function(module, llvm.FunctionType(flag, [pyapi.pyobj, table, block]), name)
+    fill.linkage = "internal"
+    builder = llvm.IRBuilder(fill.append_basic_block())
+    pyapi = c.context.get_python_api(builder)
+    own = c._replace(builder=builder, pyapi=pyapi)
+    obj, rows, block = fill.args
+    failed = cgutils.alloca_once_value(builder, cgutils.false_bit)
+    take = llvm.FunctionType(pyapi.pyobj, [pyapi.pyobj, pyapi.py_ssize_t])
+    take = cgutils.get_or_insert_function(module, take, "PyTuple_GetItem")
+
+    def note(bad: Any) -> None:
+        builder.store(builder.or_(builder.load(failed), bad), failed)
+
+    with cgutils.for_range(builder, builder.load(rows), intp=_HALF) as loop:
+        row = builder.gep(rows, [builder.add(builder.shl(loop.index, _HALF(1)), _HALF(1))])
+        what, where = builder.load(row), builder.load(builder.gep(row, [_HALF(1)]))
+        item = builder.call(take, [obj, builder.sext(loop.index, pyapi.py_ssize_t)])
+        place = builder.gep(block, [where])
+        after = builder.append_basic_block()
+        switch = builder.switch(what, after)
+
+        def case(number: int) -> None:
+            one = builder.append_basic_block()
+            switch.add_case(number, one)
+            builder.position_at_end(one)
+
+        case(_TUPLE)
+        note(builder.call(fill, [item, builder.gep(rows, [where]), block]))
+        builder.branch(after)
+        case(_ARRAY)
+        adapted = pyapi.numba_array_adaptor(item, builder.bitcast(place, pyapi.voidptr))
+        note(cgutils.is_not_null(builder, adapted))
+        builder.branch(after)
+        for number, kind in enumerate(_SCALARS, start=_SCALAR):
+            case(number)
+            native = own.unbox(kind, item)
+            word = native.value
+            word = (
+                builder.zext(word, _WORD) if kind == types.boolean else builder.bitcast(word, _WORD)
+            )
+            builder.store(word, place)
+            note(native.is_error)
+            builder.branch(after)
+        builder.position_at_end(after)
+    builder.ret(builder.load(failed))
+    return fill
 
 
 @unbox(Pointed)
 def _unbox(kind: Pointed, obj: Any, c: Any) -> Any:
     """Write a block for one call: what calls the kernel keeps the arrays."""
-    address = cgutils.alloca_once(c.builder, _block(c.context.data_model_manager, kind))
-    return NativeValue(address, is_error=_write(c, kind, obj, address))
+    builder = c.builder
+    with builder.goto_entry_block():
+        address = builder.alloca(_WORD, _words(kind))
+    numbers = llvm.Constant(llvm.ArrayType(_HALF, len(table := _table(kind))), table)
+    table = cgutils.global_constant(builder.module, f"{kind.name}.members", numbers)
+    args = obj, builder.bitcast(table, _HALF.as_pointer()), address
+    return NativeValue(address, is_error=builder.call(_filler(c), args))

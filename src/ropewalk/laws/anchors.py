@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 
-from ropewalk.core.jit import kernel, part
+from ropewalk.core.jit import kernel, part, seldom
 from ropewalk.core.ranges import ALL
 from ropewalk.laws.clamps import close_clamps, let_bend, turn_clamps
 from ropewalk.laws.joint_forces import write_joint_forces
@@ -63,7 +63,7 @@ def anchor_target(system, state, row, t, ahead, x, v):
         hold_up(system, x, v)
 
 
-@kernel
+@seldom
 def anchor_places(system, state, row, times, x, v, places):
     """Write where anchor `row` is at these times [s], (t, 3) [m], and its last place and velocity."""
     for index in range(times.shape[0]):

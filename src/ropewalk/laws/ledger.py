@@ -10,7 +10,7 @@ The sums run per segment and per node, so that the loops vectorise and the sums 
 from __future__ import annotations
 
 from ropewalk.core.arrays import APPLIED
-from ropewalk.core.jit import kernel, part
+from ropewalk.core.jit import kernel, part, seldom
 from ropewalk.core.ranges import ALL, rows
 from ropewalk.laws.booking import book_nodes
 from ropewalk.laws.nodes import on_channels
@@ -100,7 +100,7 @@ def kinetic_energy(v, mass):
     return total
 
 
-@kernel
+@seldom
 def gravity_energy(x, mass, gravity):
     """Return the potential energy of weight [J], zero at the origin."""
     total = 0.0

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ropewalk.core.arrays import Floats, State
-from ropewalk.core.jit import kernel, part
+from ropewalk.core.jit import kernel, part, seldom
 from ropewalk.core.ranges import rows
 from ropewalk.laws.clamps import bent_energy
 from ropewalk.laws.elastic import solved_laws
@@ -296,7 +296,7 @@ def add_bounds(limiter, solved, limited, elastic, tension):
         tension[j] += limited[j]
 
 
-@kernel
+@seldom
 def record_frame(system, state, ledger, sums, frame, out):
     """Write the state and all that follows from it as frame `frame`; works only with `ledger`."""
     put(state.x, out.x[frame])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ropewalk.core.jit import kernel, part
+from ropewalk.core.jit import part, seldom
 from ropewalk.core.ranges import ALL
 from ropewalk.laws.rare import winds
 from ropewalk.methods.errors import keep_error, set_zero
@@ -19,7 +19,7 @@ from ropewalk.methods.peaks import (
 from ropewalk.methods.recording import carried_tension, record_elastic
 
 
-@kernel
+@seldom
 def watch(system, state, pull, sums, t):
     """Look at the state of time `t` [s]. `pull` (2, s) and `sums` are working space."""
     if not wanted(state):
@@ -47,7 +47,7 @@ def open_interval(system, state, pull, sums, t):
         watch(system, state, pull, sums, t)
 
 
-@kernel
+@seldom
 def begin_interval(system, state, pull, sums, t, ledger):
     """As `open_interval`, for the host, at the very start; with a `ledger` of energy errors, too."""
     if wanted(state):
