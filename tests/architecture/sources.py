@@ -18,7 +18,13 @@ def is_kernel(function: ast.FunctionDef | ast.AsyncFunctionDef) -> bool:
     """Tell whether the function is compiled, with arguments of its decorator or without."""
     for decorator in function.decorator_list:
         target = decorator.func if isinstance(decorator, ast.Call) else decorator
-        if isinstance(target, ast.Name) and target.id in ("kernel", "seldom", "part", "small", "apart"):
+        if isinstance(target, ast.Name) and target.id in (
+            "kernel",
+            "seldom",
+            "part",
+            "small",
+            "apart",
+        ):
             return True
     return False
 
