@@ -288,14 +288,15 @@ class _EntryCompiler(_FunctionCompiler):
     def _compile_core(self, args: Any, return_type: Any) -> Any:
         self.entry.inner.compile(args)
         inner: Any = self.entry.inner.overloads[args]
+        code = inner._asdict()["library"]
         context, names, environment = inner.target_context, inner.fndesc, inner.environment
         library = EntryLibrary(
             context.codegen(),
-            inner.library.name,
+            code.name,
             names.llvm_cpython_wrapper_name,
             seldom=self.entry.seldom,
         )
-        library.add_linking_library(inner.library)
+        library.add_linking_library(code)
         context.create_cpython_wrapper(library, names, environment, None, release_gil=True)
         return inner._replace(
             library=library,
