@@ -143,7 +143,7 @@ def shared_names(entries) -> list[set[str]]:
     found = []
     for one in entries:
         (made,) = one.overloads.values()
-        code = made._asdict()["library"]
+        code = made.library
         functions = [each for each in code._final_module.functions if not each.is_declaration]
         names = {each.name for each in functions if each.linkage.name != "internal"}
         found.append(names - {made.fndesc.llvm_cpython_wrapper_name})

@@ -288,7 +288,7 @@ class _EntryCompiler(_FunctionCompiler):
     def _compile_core(self, args: Any, return_type: Any) -> Any:
         self.entry.inner.compile(args)
         inner: Any = self.entry.inner.overloads[args]
-        code = inner._asdict()["library"]
+        code = inner.library
         context, names, environment = inner.target_context, inner.fndesc, inner.environment
         library = EntryLibrary(
             context.codegen(),
