@@ -19,7 +19,7 @@ from numba.core import config, ir, ir_utils, sigutils, types
 from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler import CompilerBase, CompileResult, DefaultPassBuilder
 from numba.core.compiler_machinery import FunctionPass, register_pass
-from numba.core.dispatcher import _FunctionCompiler
+from numba.core.dispatcher import _FunctionCompiler  # type: ignore[attr-defined]
 from numba.core.registry import CPUDispatcher
 from numba.core.typed_passes import (
     InlineOverloads,
@@ -280,10 +280,10 @@ def rebuild_inner(target_context: Any, parts: tuple[Any, ...]) -> Any:
     )
 
 
-class _EntryCompiler(_FunctionCompiler):
+class _EntryCompiler(_FunctionCompiler):  # type: ignore[misc]
     """Compiles entries: the inner function and a wrapper that Python calls."""
 
-    entry: Entry
+    entry: Any  # the `Entry`
 
     def _compile_core(self, args: Any, return_type: Any) -> Any:
         self.entry.inner.compile(args)
@@ -324,6 +324,7 @@ class Entry(CPUDispatcher):
 
     inner: Any  # the dispatcher of the inner function
     seldom: bool  # Python calls it so seldom that its machine code need not be fast
+    _compiler: Any  # numba's: compiles for types
     _types_active_call: Any  # numba's: keeps the types of arguments alive
 
     def get_call_template(self, args: Any, kws: Any) -> Any:

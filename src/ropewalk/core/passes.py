@@ -120,8 +120,9 @@ class _Inferer(typeinfer.TypeInferer):
 
 
 def _is_plain(kind: Any) -> bool:
+    members: Any = kind
     if isinstance(kind, types.BaseTuple):
-        return all(map(_is_plain, kind.types))
+        return all(map(_is_plain, members))
     return isinstance(kind, _PLAIN)
 
 

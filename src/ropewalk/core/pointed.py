@@ -156,8 +156,8 @@ def _word(builder: Any, address: Any) -> Any:
     return found
 
 
-_SCALARS = types.float64, types.int64, types.boolean
-_FAMILIES = types.Float, types.Integer, types.Boolean
+_SCALARS: Any = types.float64, types.int64, types.boolean
+_FAMILIES: Any = types.Float, types.Integer, types.Boolean
 _NONE, _TUPLE, _ARRAY, _SCALAR = range(4)
 
 
