@@ -1,9 +1,9 @@
 """The force of contacts of segments: as that of obstacles, between two points of ropes.
 
 With u the vector from a point of segment j to one of segment i, both frozen like the normal n, d the sum
-of the radii, g = n.u - d - e (one part of e fades, see `pair_memory`, one lifts what rests, see `lift`),
-P = I - n n^T, D what the vector between the surfaces (`table.apart`) has changed by since the last accepted
-step, D' its rate, and R' the friction spring's force then,
+of the radii, g = n.u - d - e (e fades, see `pair_memory`), P = I - n n^T, D what the vector between the
+surfaces (`table.apart`) has changed by since the last accepted step, D' its rate, and R' the friction
+spring's force then,
     R_n = max(0, R(-g) - c n.u')                       it presses
     q   = P (R' - k_t D) - c_t P D'
     R_t = q            where |q| <= mu R_n             it sticks
@@ -24,12 +24,10 @@ import math
 from ropewalk.core.jit import kernel, small
 from ropewalk.laws.hardening import beyond
 from ropewalk.laws.pairs.table import (
-    ACTED,
     APART,
     BRAKE,
     CONTACTS,
     LAYER,
-    LIFT,
     NORMAL,
     OTHER,
     OWN,
@@ -138,31 +136,14 @@ def depth_at(x, memory, row, i, j, size):
 
 
 @kernel
-def told_pair_forces(x, v, table, memory, force):
-    """Add the force of all contacts as it was at the end of the last step, (3, n): with its offsets."""
-    grip, last = memory.grip, memory.tally[CONTACTS]
-    for row in range(last):
-        grip[row, ACTED], grip[row, LIFT] = grip[row, LIFT], grip[row, ACTED]
-    add_pair_forces(x, v, table, memory, force)
-    for row in range(last):
-        grip[row, ACTED], grip[row, LIFT] = grip[row, LIFT], grip[row, ACTED]
-
-
-@small
-def squeezed(x, table, memory, row):
-    """Return what a contact has stored where it is pressed in [J]."""
-    i, j = memory.pair[row, 0], memory.pair[row, 1]
-    soft, hard, stop, _, size = spring_of(table, memory.grip, row, i, j)
-    depth = depth_at(x, memory, row, i, j, size)
-    return squeeze(depth, soft, hard, stop, LAYER * size)[2] if depth > 0.0 else 0.0
-
-
-@kernel
 def pair_energy(x, table, memory):
     """Return what contacts have stored where they are pressed in [J]."""
     total = 0.0
     for row in range(memory.tally[CONTACTS]):
-        total += squeezed(x, table, memory, row)
+        i, j = memory.pair[row, 0], memory.pair[row, 1]
+        soft, hard, stop, _, size = spring_of(table, memory.grip, row, i, j)
+        depth = depth_at(x, memory, row, i, j, size)
+        total += squeeze(depth, soft, hard, stop, LAYER * size)[2] if depth > 0.0 else 0.0
     return total
 
 

@@ -20,7 +20,7 @@ from ropewalk.laws.node_law import NodeLaw, Rest
 from ropewalk.laws.obstacle import node_stiffness
 from ropewalk.laws.pairs.beside_slides import begin_inside, follow_slides, reach_ahead
 from ropewalk.laws.pairs.brake import brake_hits, brake_open
-from ropewalk.laws.pairs.force import pair_energy, pair_forces, pair_rounding, told_pair_forces
+from ropewalk.laws.pairs.force import add_pair_forces, pair_energy, pair_forces, pair_rounding
 from ropewalk.laws.pairs.pair_books import book_pairs
 from ropewalk.laws.pairs.pair_memory import remember_pairs
 from ropewalk.laws.pairs.pair_tangent import along_pairs, couple_pairs
@@ -30,7 +30,6 @@ from ropewalk.laws.pairs.table import (
     CONTACTS,
     CROWDED,
     FAULT,
-    GIVEN,
     HARD,
     LEAN,
     SEEN,
@@ -182,7 +181,7 @@ def memory(table: Pairs, x: Floats, stiffness: Floats) -> Memory:
         order=np.arange(s),
         rope=np.full(s, -1, np.int64),
         way=np.zeros((3, x.shape[1] if s else 0)),
-        books=np.zeros(4 if s else 0),
+        books=np.zeros(3 if s else 0),
         inside=np.zeros((len(table.inside), 2), np.int64),
     )
     if s:
@@ -288,7 +287,7 @@ def fault(table, state):
 @part
 def touch(table, state, force):
     """Add the force of all contacts at the state itself [N], (3, n)."""
-    told_pair_forces(state.x, state.v, table, state.memory.contact, force)
+    add_pair_forces(state.x, state.v, table, state.memory.contact, force)
 
 
 @part
@@ -301,12 +300,6 @@ def rounding(table, state, x):
 def energy(table, state, x):
     """Return what contacts have stored [J]."""
     return pair_energy(x, table, state.memory.contact)
-
-
-@part
-def given(table, state, x):
-    """Return what lifting ropes out of each other has given so far [J]."""
-    return max(state.memory.contact.books[GIVEN], 0.0)
 
 
 def at_rest(table: Pairs) -> Rest:
@@ -361,7 +354,6 @@ CONTACT = NodeLaw(
     touch=touch,
     rounding=rounding,
     energy=energy,
-    given=given,
     at_rest=at_rest,
     bears=touched,
     cases=cases,

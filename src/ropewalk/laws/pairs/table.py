@@ -21,9 +21,7 @@ WRONG = 0.03  # [1] by which a frozen contact may err, over the same sum
 # between the points [m] at the end of the last step, R_n then [N], the spring's stiffness [N/m], whether
 # the row is to go, by how much more it counts as pressed than its points say [m], whether it was found
 # on the way of the step in hand, the levers of both segments [1], see `apart`, and what of MORE is new in
-# this step [m], the drag of what closes [N s/m], see `brake`, and of what is lifted at rest, see `lift`: by
-# how much more it counts as pressed [m], all ways up so far [m], for how long it has rested [s], whether it
-# rises, LIFT as it was in the last step, and how deep the ropes are in each other [m].
+# this step [m], and the drag of what closes [N s/m], see `brake`.
 NORMAL, OWN, OTHER, SPRING, APART, PUSH, STIFF, GONE, MORE, FOUND, LEVER, EXTRA, BRAKE = (
     0,
     3,
@@ -39,12 +37,10 @@ NORMAL, OWN, OTHER, SPRING, APART, PUSH, STIFF, GONE, MORE, FOUND, LEVER, EXTRA,
     22,
     23,
 )
-LIFT, LIFTED, RESTED, RISES, ACTED, DEPTH = range(24, 30)
-WIDTH = 30
+WIDTH = 24
 # Places in `Memory.tally`.
 CONTACTS, NEAR, ROUNDS, SEEN, REFUSED, FAULT, FIRST, SECOND, ASKED = range(9)
 PASSED, FULL, CROWDED = 1, 2, 3  # faults
-GIVEN = 3  # in `Memory.books`: what contacts have got as they were lifted, less what they lost [J]
 # Columns of `Pairs.inside`: a segment near a node that slides, the slide, first and last segment of its line,
 # so many segments of that on each side of the node that this one lies in, the node, and the line's node from
 # which places count.
@@ -83,7 +79,7 @@ class Memory(NamedTuple):
     order: Ints  # (s,) segments along an axis
     rope: Ints  # (s,) as in `Pairs`, -1 as well where one has parted
     way: Floats  # (3, n) in the last step [m]
-    books: Floats  # (4,) works so far: what pressed, what rubbed, the method's share, see GIVEN [J]
+    books: Floats  # (3,) works so far: what pressed, what rubbed, the method's share [J]
     inside: Ints  # (p, 2) first and last segment of the line that each row of `Pairs.inside` does not touch
 
 
@@ -127,8 +123,7 @@ def spring_of(table, grip, row, i, j):
 def depth_of(grip, row, u, size):
     """Return how deep a contact counts as pressed [m]; negative where it is open."""
     n0, n1, n2 = grip[row, NORMAL], grip[row, NORMAL + 1], grip[row, NORMAL + 2]
-    more = grip[row, MORE] + grip[row, LIFT]
-    return size + more - (n0 * u[0] + n1 * u[1] + n2 * u[2])
+    return size + grip[row, MORE] - (n0 * u[0] + n1 * u[1] + n2 * u[2])
 
 
 @small

@@ -22,7 +22,6 @@ from ropewalk.laws.pairs.table import (
     FIRST,
     FOUND,
     FULL,
-    LIFT,
     MORE,
     NEAR,
     NORMAL,
@@ -58,7 +57,6 @@ def begin_contact(x, table, memory, row, before):
 
     It was pressed by `before` [m] and counts as pressed so still: its force does not jump. One that was open
     begins with none. The difference is held to WRONG: what counts as open for long would be pressed through.
-    What it was lifted by at rest it stays, as far as it is needed for that.
     """
     i, j, grip = memory.pair[row, 0], memory.pair[row, 1], memory.grip
     u = apart(x, grip, row, i, j)
@@ -66,10 +64,7 @@ def begin_contact(x, table, memory, row, before):
     soft, _, _, _, size = spring_of(table, grip, row, i, j)
     grip[row, STIFF] = max(grip[row, STIFF], soft)
     grip[row, MORE] = 0.0
-    before, lifted = max(before, 0.0), grip[row, LIFT]
-    grip[row, LIFT] = 0.0
-    grip[row, LIFT] = min(lifted, max(before - depth_of(grip, row, u, size), 0.0))
-    more = before - max(depth_of(grip, row, u, size), 0.0)
+    more = max(before, 0.0) - max(depth_of(grip, row, u, size), 0.0)
     grip[row, MORE] = min(max(more, -WRONG * size), WRONG * size)
 
 
