@@ -18,6 +18,7 @@ from ropewalk.scene import (
     Rope,
     RunSettings,
     Scene,
+    SceneError,
     Straight,
 )
 
@@ -101,6 +102,58 @@ def test_ropes_that_are_thrown_at_each_other_stop_each_other(method: str) -> Non
 @pytest.mark.parametrize("method", ["implicit-euler", "sdirk2", "bdf2", "esdirk3"])
 def test_many_ropes_that_are_thrown_at_each_other_stop_each_other(method: str) -> None:
     check_meetings(range(24, 224), method)
+
+
+def throw(seed: int) -> Scene:
+    """Two or three short ropes above each other, some with loads, which fly at the lowest at 1 to 40 m/s."""
+    random = np.random.default_rng([seed, 30])
+    count = int(random.integers(2, 4))
+    EA, damping = float(10 ** random.uniform(3, 5)), float(random.choice([0.0, 0.5]))
+    stuff = Material(EA=EA, mass_per_length=0.05, axial_damping=damping)
+    speed, ropes, anchors = float(10 ** random.uniform(0, 1.3)), [], []
+    for k in range(count):
+        segments = int(random.integers(1, 5))
+        along = random.normal(size=3)
+        along /= np.linalg.norm(along)
+        middle = np.array([0, 0, 0.03 * k + random.uniform(0, 0.02)])
+        middle += random.normal(size=3) * [0.02, 0.02, 0]
+        along[2] *= 0.1
+        half = 0.025 * segments * along / np.linalg.norm(along)
+        velocity = np.array((0, 0, -speed * k)) + random.normal(size=3) * 0.2 * speed * (k > 0)
+        heavy = random.random() < 0.3
+        loads = [Load(node=0, mass=float(10 ** random.uniform(-2, 0)))] if heavy else []
+        shape = Straight(
+            start=tuple(middle - half), end=tuple(middle + half), velocity=tuple(velocity)
+        )
+        made = {"segments": segments, "length": 0.05 * segments, "diameter": 0.01}
+        ropes.append(Rope(name=f"r{k}", made_of=stuff, shape=shape, loads=loads, **made))
+        if k == 0 and random.random() < 0.5:
+            anchors = [Anchor(rope="r0", node=node) for node in (0, -1)]
+    run = RunSettings(method="adaptive", duration=0.15 / speed, frame_rate=400.0 * speed)
+    friction = float(random.choice([0, 0.2, 0.5]))
+    contact = Contact(friction=friction)
+    return Scene(ropes=ropes, anchors=anchors, contact=contact, gravity=(0, 0, 0), run=run)
+
+
+def test_what_turns_about_what_it_hits_gets_no_energy() -> None:
+    """Of ropes that are thrown at random: a contact's points may be elsewhere after a step.
+
+    It was pressed far deeper there than its plane had seen, and gave back what nobody had given: up to 0.31
+    of the first energy (of seeds 151 and 210).
+    """
+    run = 0
+    for seed in (*range(140, 160), *range(180, 215), *range(236, 244)):
+        try:
+            result = rw.simulate(throw(seed))
+        except SceneError:  # drawn through each other
+            continue
+        run += 1
+        energy, work = result.energy["total"], result.work["contact"]
+        assert result.status == "finished", seed
+        assert (energy - np.minimum.accumulate(energy)).max() < 0.08 * energy[0], seed
+        assert work.max() < 1e-9 * energy[0], seed
+        assert result.table["largest balance residual [J]"] < 1e-9 * energy[0], seed
+    assert run > 55
 
 
 @pytest.mark.parametrize("method", ["sdirk2", "rk4"])

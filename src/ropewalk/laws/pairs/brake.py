@@ -9,8 +9,8 @@ explicit steps it takes u no quicker than the damper of a contact of ropes alone
 they have room, and all contacts of a segment together take no more than AT_ONCE of it in a step. Steps that
 are solved for have room for any; there it leaves 1 / (1 + ALL_BUT) of u in a step as long as the last, so
 that in the first part of one that is halved it weakens. A contact found on the way of a step has none in it.
-Where the method shortens steps for what they hit, ALL_BUT is over that very step, and each open contact has
-its drag from the points that it has by then. A step too long to follow how it stops something counts as a
+Where the method shortens steps for what they hit, ALL_BUT is over that very step, and each contact has its
+drag from the points that it has by then. A step too long to follow how it stops something counts as a
 hit. What slides as it hits meets the same drag across, up to mu times what presses: friction takes mu times
 the impulse, or all.
 """
@@ -25,7 +25,6 @@ from ropewalk.laws.pairs.table import (
     NORMAL,
     OTHER,
     OWN,
-    PUSH,
     between,
     share_of,
 )
@@ -79,14 +78,13 @@ def brake_contact(v, inverse_mass, table, memory, row, most):
 
 
 @kernel
-def brake_open(v, inverse_mass, table, memory, dt):
-    """Keep the same of contacts that are open where a step of `dt` [s] begins, as their points are now.
+def brake_again(v, inverse_mass, table, memory, dt):
+    """Keep the same for a try of a step of `dt` [s], which is solved for, of all contacts as they are now.
 
     Those that were found on its way are among them, and those that turned on it.
     """
     for row in range(memory.tally[CONTACTS]):
-        if not memory.grip[row, PUSH] > 0.0:
-            brake_contact(v, inverse_mass, table, memory, row, ALL_BUT / dt)
+        brake_contact(v, inverse_mass, table, memory, row, ALL_BUT / dt)
 
 
 @kernel

@@ -19,7 +19,7 @@ from ropewalk.core.ordering import ask_for
 from ropewalk.laws.node_law import NodeLaw, Rest
 from ropewalk.laws.obstacle import node_stiffness
 from ropewalk.laws.pairs.beside_slides import begin_inside, follow_slides, reach_ahead
-from ropewalk.laws.pairs.brake import brake_hits, brake_open
+from ropewalk.laws.pairs.brake import brake_again, brake_hits
 from ropewalk.laws.pairs.force import add_pair_forces, pair_energy, pair_forces, pair_rounding
 from ropewalk.laws.pairs.pair_books import book_pairs
 from ropewalk.laws.pairs.pair_memory import remember_pairs
@@ -268,8 +268,8 @@ def meet(table, state, x):
 
 @part
 def brace(table, state, dt):
-    """Let open contacts have the drag that stops what they meet in a step of `dt` [s], see `brake`."""
-    brake_open(state.v, state.inverse_mass, table, state.memory.contact, dt)
+    """Let contacts have the drag that stops what they meet in a step of `dt` [s], see `brake`."""
+    brake_again(state.v, state.inverse_mass, table, state.memory.contact, dt)
 
 
 @part

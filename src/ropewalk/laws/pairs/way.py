@@ -22,6 +22,7 @@ from ropewalk.laws.pairs.table import (
     FIRST,
     FOUND,
     FULL,
+    LAYER,
     MORE,
     NEAR,
     NORMAL,
@@ -133,6 +134,20 @@ def turn_contact(x, y, table, memory, row, hit, end):
 
 
 @kernel
+def leaps(y, table, memory, tied, row, end, way, size):
+    """Tell whether a contact would count as pressed far deeper, once its points are found anew at y.
+
+    Its plane has seen nothing of it, and what it would have stored nobody has given. Not on the shortest way.
+    """
+    i, j, grip = memory.pair[row, 0], memory.pair[row, 1], memory.grip
+    deep = size - end[2] - WRONG * size
+    if not (way > WRONG * size and deep > LAYER * size):
+        return False
+    counted = depth_of(grip, row, between(y, i, j, grip[row, OWN], grip[row, OTHER]), size)
+    return deep > counted and owns(y, y, 0.0, table, memory, tied, i, j, end[0], end[1])
+
+
+@kernel
 def press_more(memory, row, size):
     """Let a contact count as deeper that is as deep as may be, but counts as less; return whether it did."""
     grip = memory.grip
@@ -199,8 +214,9 @@ def meet_pairs(x, y, table, memory, tied):
                 changed = turn_contact(x, y, table, memory, row, hit, end)
         if too_deep and changed == 0 and row >= 0:
             changed = press_more(memory, row, size)
+        leap = changed == 0 and row >= 0 and leaps(y, table, memory, tied, row, end, way, size)
         more += changed
-        if through or too_deep:
+        if through or too_deep or leap:
             bad += 1
             refuse(memory, i, j)
     if count[FAULT] == FULL or (bad > 0 and more == 0) or count[ROUNDS] >= MOST_ROUNDS:
