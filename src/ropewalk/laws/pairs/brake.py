@@ -19,8 +19,10 @@ from __future__ import annotations
 
 from ropewalk.core.jit import kernel, small
 from ropewalk.laws.pairs.table import (
+    APART,
     BRAKE,
     CONTACTS,
+    DEEPEST,
     HARD,
     NORMAL,
     OTHER,
@@ -32,6 +34,8 @@ from ropewalk.laws.pairs.table import (
 SOFT = 0.005  # [1] S over the sum of the radii
 AT_ONCE = 0.5  # [1] of the closing speed that a step may take
 ALL_BUT = 20.0  # [1] the drag's rate times a step that is solved for, at most
+OF_ROOM = 0.2  # [1] S over what a contact may still be pressed, at most
+CLOSEST = 1e-4  # [1] S over the sum of the radii, at least
 SLOW = 2.0 * SOFT  # [1] of the radii's sum: what closes by less in a step is followed
 LEAST = 1e-300  # [s] not nothing, before the first step
 
@@ -62,6 +66,15 @@ def stopping(v, force, dt, memory, row, i, j, size):
 
 
 @small
+def stop_within(grip, row, size):
+    """Return the length S for a contact [m]: a part of what it may still be pressed, where that is less."""
+    near = 0.0
+    for k in range(3):
+        near += grip[row, NORMAL + k] * grip[row, APART + k]
+    return min(SOFT * size, max(OF_ROOM * (near - DEEPEST * size), CLOSEST * size))
+
+
+@small
 def brake_contact(v, inverse_mass, table, memory, row, most):
     """Keep what drag [N s/m] a contact has for what comes closer; return its rate, `most` at most [1/s]."""
     i, j, grip = memory.pair[row, 0], memory.pair[row, 1], memory.grip
@@ -72,7 +85,7 @@ def brake_contact(v, inverse_mass, table, memory, row, most):
     grip[row, BRAKE] = 0.0
     if not (closes > 0.0 and moves > 0.0):
         return 0.0
-    rate = min(closes / (SOFT * (table.radius[i] + table.radius[j])), most)
+    rate = min(closes / stop_within(grip, row, table.radius[i] + table.radius[j]), most)
     grip[row, BRAKE] = rate / moves
     return rate
 

@@ -16,6 +16,7 @@ LAYER = 0.02  # [1] soft skin of a contact, over the same sum
 STOP = 200.0  # [1] stiffness of one pressed through, over that of one pressed far
 HARD = 0.3  # [1] damping ratio of contacts pressed beyond their skin
 LEAN = 0.75  # [1] least square of the cosine between a segment and the plane of a contact, for its lever
+DEEPEST = 0.9  # [1] least distance after a step over the same sum, but of what was nearer already
 WRONG = 0.03  # [1] by which a frozen contact may err, over the same sum
 # Columns of `Memory.grip`: normal, points of both segments, the friction spring's force [N] and the vector
 # between the points [m] at the end of the last step, R_n then [N], the spring's stiffness [N/m], whether

@@ -17,6 +17,7 @@ from ropewalk.laws.pairs.search import find_near, freeze, new_row, normal_at, ow
 from ropewalk.laws.pairs.table import (
     APART,
     CONTACTS,
+    DEEPEST,
     EXTRA,
     FAULT,
     FIRST,
@@ -44,7 +45,6 @@ from ropewalk.laws.pairs.table import (
 FINE, AGAIN, HALVE = range(3)  # see `laws.couplings`
 MOST_ROUNDS = 6  # solutions of one step
 WARY_ROUNDS = 3  # of which so many for the sake of normals alone
-DEEPEST = 0.9  # [1] distance over the radii's sum
 GIVES = 1.0 - 1e-9  # [1] to which the distance of a pair pressed deeper may shrink: rounding
 HALF = 0.5
 MORE_AT_ONCE = (
