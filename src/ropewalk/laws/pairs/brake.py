@@ -2,8 +2,8 @@
 
 A contact of ropes begins close by, unlike one with an obstacle: on so short a way its damper takes little of
 a fast hit, and the stiffness below would give it back. So what closes at u meets a drag m u^2 / S besides,
-m the mass that the contact's points move as, S a length of SOFT of the radii's sum: u falls by exp(-1) in S,
-and what is left stores next to nothing. What closes slowly, under u of 2 S sqrt(k / m), does not see it.
+m the mass that the contact's points move as, S a length of SOFT of the radii's sum, or OF_ROOM of what it may
+still be pressed: u falls by exp(-1) in S, and what is left stores next to nothing. What closes slowly, under u of 2 S sqrt(k / m), does not see it.
 The drag is linear within a step, with the u at its start, and begins with the depth, without a jump. In
 explicit steps it takes u no quicker than the damper of a contact of ropes alone at its stiffest, for which
 they have room, and all contacts of a segment together take no more than AT_ONCE of it in a step. Steps that
