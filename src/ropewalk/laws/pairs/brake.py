@@ -1,18 +1,18 @@
 """What stops ropes that strike each other, in the skin of their contact.
 
 A contact of ropes begins close by, unlike one with an obstacle: on so short a way its damper takes little of
-a fast hit, and the stiffness below would give it back. So what closes at u meets a drag m u^2 / S besides,
-m the mass that the contact's points move as, S a length of SOFT of the radii's sum, or OF_ROOM of what it may
-still be pressed: u falls by exp(-1) in S, and what is left stores next to nothing. What closes slowly, under u of 2 S sqrt(k / m), does not see it.
-The drag is linear within a step, with the u at its start, and begins with the depth, without a jump. In
-explicit steps it takes u no quicker than the damper of a contact of ropes alone at its stiffest, for which
-they have room, and all contacts of a segment together take no more than AT_ONCE of it in a step. Steps that
-are solved for have room for any; there it leaves 1 / (1 + ALL_BUT) of u in a step as long as the last, so
-that in the first part of one that is halved it weakens. A contact found on the way of a step has none in it.
-Where the method shortens steps for what they hit, ALL_BUT is over that very step, and each contact has its
-drag from the points that it has by then. A step too long to follow how it stops something counts as a
-hit. What slides as it hits meets the same drag across, up to mu times what presses: friction takes mu times
-the impulse, or all.
+a fast hit, and the stiffness below would give it back. So what closes at u meets a drag m u^2 / S besides, m
+the mass that the contact's points move as, S a length of SOFT of the radii's sum, or OF_ROOM of what it may
+still be pressed: u falls by exp(-1) in S, and what is left stores next to nothing. What closes slowly, under
+u of 2 S sqrt(k / m), does not see it. The drag is linear within a step, with the u at its start, and begins
+with the depth, without a jump. In explicit steps it takes u no quicker than the damper of a contact of ropes
+alone at its stiffest, for which they have room, and all contacts of a segment together take no more than
+AT_ONCE of it in a step. Steps that are solved for have room for any; there it leaves 1 / (1 + ALL_BUT) of u
+in a step as long as the last, so that in the first part of one that is halved it weakens. A contact found on
+the way of a step has none in it. Where the method shortens steps for what they hit, ALL_BUT is over that
+very step, and each contact has its drag from the points that it has by then. A step too long to follow how
+it stops something counts as a hit. What slides as it hits meets the same drag across, up to mu times what
+presses: friction takes mu times the impulse, or all.
 """
 
 from __future__ import annotations
