@@ -189,7 +189,7 @@ def test_so_it_does_where_another_end_comes_closer_on_the_way(speed: float, rise
 
 
 def test_steps_that_hit_again_and_again_begin_short() -> None:
-    """Ropes that fall flat on ropes: fewer tries are refused than stand, where it was ten to one."""
+    """Ropes that fall flat on ropes: at most three tries are refused for two that stand, not ten for one."""
     made = {
         "segments": 3,
         "length": 0.3,
