@@ -10,6 +10,7 @@ from numba.core.compiler import Flags
 from numba.core.targetconfig import TargetConfig
 from numba.core.typeinfer import TypeInferer
 
+from ropewalk.core import passes
 from ropewalk.core.compiler import EntryLibrary, entry
 from ropewalk.core.jit import OPTIONS, PLAIN, kernel, part
 from ropewalk.core.passes import Options
@@ -174,6 +175,7 @@ def test_numba_is_asked_once_what_a_sum_is(monkeypatch) -> None:
         return ask(self, function, args, named)
 
     monkeypatch.setattr(TypeInferer, "resolve_call", note)
+    monkeypatch.setattr(passes, "_CALLS", {})
     assert entry(lambda a, b: (a + b) * a, OPTIONS)(2.0, 3.0) == 10.0
     asked.clear()
     assert entry(lambda a, b: (a * b) + a, OPTIONS)(2.0, 3.0) == 8.0

@@ -195,10 +195,10 @@ def test_a_step_reaches_as_far_as_the_slide_goes() -> None:
     assert not reach_ahead(end, table, memory, slide, state.tied)  # there was none to be given up
     assert memory.inside[0, 0] == first
     assert memory.inside[0, 1] == last_of(table, 0, 20.2 + 0.35 / 0.1)
-    assert meet_pairs(state.x, end, table, memory, state.tied) == FINE
+    assert meet_pairs(state.x, end, table, memory, state.tied, 0.01) == FINE
     memory.inside[0] = first, last
     memory.origin[0, 0] = math.inf
-    assert meet_pairs(state.x, end, table, memory, state.tied) != FINE
+    assert meet_pairs(state.x, end, table, memory, state.tied, 0.01) != FINE
     assert memory.tally[0] > 0
     assert reach_ahead(end, table, memory, slide, state.tied)
     assert memory.tally[0] == 0

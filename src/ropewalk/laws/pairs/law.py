@@ -263,7 +263,7 @@ def meet(table, state, x):
     memory = state.memory.contact
     if reach_ahead(x, table, memory, state.memory.slide, state.tied):
         return AGAIN
-    return meet_pairs(state.x, x, table, memory, state.tied)
+    return meet_pairs(state.x, x, table, memory, state.tied, state.now[0] - state.now[1])
 
 
 @part

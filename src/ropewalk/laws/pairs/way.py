@@ -47,6 +47,7 @@ MOST_ROUNDS = 6  # solutions of one step
 WARY_ROUNDS = 3  # of which so many for the sake of normals alone
 GIVES = 1.0 - 1e-9  # [1] to which the distance of a pair pressed deeper may shrink: rounding
 HALF = 0.5
+SHORT = 5e-5  # [s] steps so short are not halved for what their contacts have not seen
 MORE_AT_ONCE = (
     0.005  # [1] by so much of the radii's sum a contact presses more that counted too little
 )
@@ -137,7 +138,7 @@ def turn_contact(x, y, table, memory, row, hit, end):
 def leaps(y, table, memory, tied, row, end, way, size):
     """Tell whether a contact would count as pressed far deeper, once its points are found anew at y.
 
-    Its plane has seen nothing of it, and what it would have stored nobody has given. Not on the shortest way.
+    Its plane has seen nothing of it, and what it would have stored nobody has given.
     """
     i, j, grip = memory.pair[row, 0], memory.pair[row, 1], memory.grip
     deep = size - end[2] - WRONG * size
@@ -176,8 +177,8 @@ def refuse(memory, i, j):
 
 
 @kernel
-def meet_pairs(x, y, table, memory, tied):
-    """Look at the way from x to y: return FINE, AGAIN where contacts have changed, or HALVE."""
+def meet_pairs(x, y, table, memory, tied, dt):
+    """Look at the way from x to y, in `dt` [s]: return FINE, AGAIN where contacts have changed, or HALVE."""
     count = memory.tally
     if not find_near(x, y, table, memory, tied):
         return HALVE
@@ -214,7 +215,8 @@ def meet_pairs(x, y, table, memory, tied):
                 changed = turn_contact(x, y, table, memory, row, hit, end)
         if too_deep and changed == 0 and row >= 0:
             changed = press_more(memory, row, size)
-        leap = changed == 0 and row >= 0 and leaps(y, table, memory, tied, row, end, way, size)
+        leap = dt > SHORT and changed == 0 and row >= 0
+        leap = leap and leaps(y, table, memory, tied, row, end, way, size)
         more += changed
         if through or too_deep or leap:
             bad += 1
