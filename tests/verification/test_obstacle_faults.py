@@ -150,7 +150,7 @@ def test_a_segment_is_measured_as_it_is(stretch: float) -> None:
     bar = Capsule(start=(0, -1, -1), end=(0, 1, -1), radius=0.009)
     model = build(Scene(ropes=[rope], obstacles=[bar]))
     which = np.array([-1, 0, 0])
-    _, helps = passing(which, model.state, model.layout, model.scene)
+    _, helps = passing(which, model.state, model.layout, model.scene, ("a shorter time_step",))
     told = "more segments (at most 14 mm long, this one is 30)"  # and nothing moves that could be slower
     assert helps == (told if stretch > 1.0 else "a shorter time_step")
 
@@ -175,8 +175,8 @@ def test_ropes_that_obstacles_press_together_are_told_of_them(
     )
     bar = Capsule(start=(0, -1, -1), end=(0, 1, -1), radius=0.1, **moves)
     model = build(Scene(ropes=[rope], obstacles=[bar], contact=Contact()))
-    assert refused_pair(model.state, model.layout, model.scene) == ""
+    assert refused_pair(model.state, model.layout, model.scene, model.plan) == ""
     model.state.memory.contact.tally[REFUSED] = 1
-    told = refused_pair(model.state, model.layout, model.scene)
+    told = refused_pair(model.state, model.layout, model.scene, model.plan)
     assert "would come too near to each other" in told
     assert ("slower obstacles" in told) is named

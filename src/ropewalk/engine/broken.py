@@ -6,9 +6,9 @@ import numpy as np
 
 from ropewalk.core.arrays import State, System
 from ropewalk.core.status import HONEST, TAKEN, ZERO
-from ropewalk.engine.too_near import fault_of
+from ropewalk.engine.too_near import fault_of, finer, one_of
 from ropewalk.laws.slides.sliding import lost
-from ropewalk.lowering import Layout
+from ropewalk.lowering import Layout, Plan
 from ropewalk.methods.verdict import energy_now
 from ropewalk.scene import Scene
 
@@ -19,7 +19,7 @@ ACCOUNTED = "its energy is accounted for"
 _DOUBT = 1.5  # [1] energy over what was there to turn over that is called made up
 
 
-def off_rope(state: State, layout: Layout, system: System) -> str:
+def off_rope(state: State, layout: Layout, system: System, plan: Plan) -> str:
     """Say which node has come off the rope that it slides along; "" where none has."""
     row = lost(state)
     if row is None:
@@ -29,19 +29,19 @@ def off_rope(state: State, layout: Layout, system: System) -> str:
     line, _ = layout.rope_of(int(table.first[row]))
     return (
         f"node {node} of rope {rope!r} has been pulled off rope {line!r}, along which it slides, by more "
-        "than half a segment of it: take a shorter time_step, or a stiffer slide (its compliance)"
+        f"than half a segment of it: take {one_of(*finer(plan), 'a stiffer slide (its compliance)')}"
     )
 
 
-def reason(system: System, state: State, layout: Layout, scene: Scene) -> str:
+def reason(system: System, state: State, layout: Layout, scene: Scene, plan: Plan) -> str:
     """Say what `methods.verdict` found wrong with a state."""
     bad = np.flatnonzero(~(np.isfinite(state.x) & np.isfinite(state.v)).all(axis=0))
     if bad.size:
         rope, node = layout.rope_of(int(bad[0]))
         return f"node {node} of rope {rope!r} has no finite place or speed any more"
-    if fault := fault_of(state, layout, scene):
+    if fault := fault_of(state, layout, scene, plan):
         return fault
-    if fault := off_rope(state, layout, system):
+    if fault := off_rope(state, layout, system, plan):
         return fault
     size = np.sqrt((np.diff(state.x, axis=1) ** 2).sum(axis=0))
     live = (state.rest_length > 0.0) & (state.stiffness > 0.0)

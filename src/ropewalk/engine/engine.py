@@ -236,7 +236,8 @@ class Engine:
             now[0], now[2] = unsolved.standing(clock, self._scratch)
             return Moved(status, good, taken, self._fall(status, why))
         if status == BROKEN:
-            why = broken.reason(self.system, self.state, self.model.layout, self.model.scene)
+            model = self.model
+            why = broken.reason(self.system, self.state, model.layout, model.scene, model.plan)
             return Moved(status, good, taken, self._fall(status, why))
         return Moved(status, good, taken)
 

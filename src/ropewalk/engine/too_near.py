@@ -9,11 +9,31 @@ from ropewalk.laws.obstacle import radius_of
 from ropewalk.laws.obstacle_rows import half_thickness
 from ropewalk.laws.obstacle_way import LONG
 from ropewalk.laws.pairs.table import CONTACTS, CROWDED, FAULT, FIRST, PASSED, REFUSED, SECOND
-from ropewalk.lowering import Layout
+from ropewalk.lowering import Layout, Plan
+from ropewalk.methods.registry import METHODS
 from ropewalk.scene import Obstacle, Scene
 from ropewalk.scene.obstacles import name_of
 
-SHORTER = "a shorter time_step"
+_FINER = 0.1  # [1] of the longest step that `adaptive` took
+
+
+def finer(plan: Plan, longest: float = 0.0) -> tuple[str, ...]:
+    """Name what lets a method look closer, as things to try: its step, or its tolerance.
+
+    `longest` [s] is the longest step that `adaptive` took; for it a time_step is the longest it may take.
+    """
+    if plan.tolerance is None:
+        return (f"a time_step below {1e3 * plan.dt:.3g} ms",)
+    most = f" of {1e3 * _FINER * longest:.1g} ms or less" if longest > 0.0 else ""
+    return (
+        f"a tolerance below {1e3 * plan.tolerance:.3g} mm",
+        f"a shorter longest step (a time_step{most})",
+    )
+
+
+def _watched(plan: Plan) -> tuple[str, ...]:
+    """Name a method that sees to it that nothing passes, where this one does not."""
+    return () if METHODS[plan.method].implicit else ("implicit-euler",)
 
 
 def pair_of(state: State, layout: Layout) -> str:
@@ -43,16 +63,19 @@ def _turned(body: Obstacle) -> bool:
     return body.spin is not None and not body.spin.free
 
 
-def _one_of(*helps: str) -> str:
+def one_of(*helps: str) -> str:
     """Return things to try in a row."""
     first = ", ".join(helps[:-1])
     return f"{first}, or {helps[-1]}" if first else helps[-1]
 
 
-def passing(which: Ints, state: State, layout: Layout, scene: Scene) -> tuple[str, str]:
+def passing(
+    which: Ints, state: State, layout: Layout, scene: Scene, closer: tuple[str, ...]
+) -> tuple[str, str]:
     """Say what goes through which obstacle, and what helps in this scene; "" twice where nothing does.
 
-    `which` is `Memory.through` of the obstacles, or its `fault`.
+    `which` is `Memory.through` of the obstacles, or its `fault`; `closer` is what lets the method look
+    closer, see `finer`.
     """
     found = np.flatnonzero(which)
     if not found.size:
@@ -66,7 +89,7 @@ def passing(which: Ints, state: State, layout: Layout, scene: Scene) -> tuple[st
         what = (
             f"node {node} of rope {rope!r} would go through obstacle {name!r}, or too deep into it"
         )
-        return what, _one_of(SHORTER, *slower, "a stiffer contact (its compliance)")
+        return what, one_of(*closer, *slower, "a stiffer contact (its compliance)")
     made = next(one for one in scene.ropes if one.name == rope)
     short = LONG * (half_thickness(body) + radius_of(made))
     what = (
@@ -75,28 +98,28 @@ def passing(which: Ints, state: State, layout: Layout, scene: Scene) -> tuple[st
     )
     long = float(np.linalg.norm(state.x[:, index + 1] - state.x[:, index]))
     if long <= short:  # that is not it: something comes too fast
-        return what, _one_of(SHORTER, *slower)
+        return what, one_of(*closer, *slower)
     more = f"more segments (at most {1e3 * short:.3g} mm long, this one is {1e3 * long:.3g})"
     if made.segment_length <= short:  # it is this long because it is stretched
-        return what, _one_of(more, *slower)
+        return what, one_of(more, *slower)
     led = any(one.motion.kind != "fixed" for one in (body, *scene.anchors))
-    return what, _one_of(more, *(["another way for what is led"] if led else []))
+    return what, one_of(more, *(["another way for what is led"] if led else []))
 
 
-def fault_of(state: State, layout: Layout, scene: Scene) -> str:
+def fault_of(state: State, layout: Layout, scene: Scene, plan: Plan) -> str:
     """Say what is wrong with the contacts; "" for nothing."""
-    through, helps = passing(state.memory.obstacle.fault, state, layout, scene)
+    closer = *_watched(plan), *finer(plan)
+    through, helps = passing(state.memory.obstacle.fault, state, layout, scene, closer)
     if through:
-        gone = through.replace("would go", "has gone")
-        return f"{gone}: take implicit-euler, {helps}"
+        return f"{through.replace('would go', 'has gone')}: take {helps}"
     count = state.memory.contact.tally
     if not count.size or count[FAULT] == 0:
         return ""
     if count[FAULT] == PASSED:
         return (
             f"{pair_of(state, layout)} came nearer to each other in a step than half the sum of "
-            "their radii, or half as near as they were, and may have passed through each other: take a "
-            "shorter time_step, or implicit-euler, which sees to it that nothing passes"
+            "their radii, or half as near as they were, and may have passed through each other: take "
+            f"{one_of(*closer, *_slower(scene))}"
         )
     if count[FAULT] == CROWDED:
         return (
@@ -110,17 +133,22 @@ def fault_of(state: State, layout: Layout, scene: Scene) -> str:
     )
 
 
-def refused_pair(state: State, layout: Layout, scene: Scene) -> str:
-    """Say between whom the last step was not let pass; "" where that was not why it ended."""
-    count = state.memory.contact.tally
-    if fault := fault_of(state, layout, scene):
+def refused_pair(
+    state: State, layout: Layout, scene: Scene, plan: Plan, longest: float = 0.0
+) -> str:
+    """Say between whom the last step was not let pass; "" where that was not why it ended.
+
+    `longest` [s] as in `finer`.
+    """
+    count, closer = state.memory.contact.tally, finer(plan, longest)
+    if fault := fault_of(state, layout, scene, plan):
         return fault
-    through, helps = passing(state.memory.obstacle.through, state, layout, scene)
+    through, helps = passing(state.memory.obstacle.through, state, layout, scene, closer)
     if through:
         return f"{through}. Try {helps}"
     if not count.size or count[REFUSED] == 0:
         return ""
-    helps = _one_of(SHORTER, *_slower(scene), "a stiffer contact (contact.compliance)")
+    helps = one_of(*closer, *_slower(scene), "a stiffer contact (contact.compliance)")
     return (
         f"{pair_of(state, layout)} would come too near to each other, or pass through each other. "
         f"Try {helps}"

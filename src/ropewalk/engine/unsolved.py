@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 
 from ropewalk.core.arrays import State
-from ropewalk.engine.too_near import refused_pair
+from ropewalk.engine.too_near import finer, one_of, refused_pair
 from ropewalk.lowering import Layout, Model
 from ropewalk.lowering.link_lengths import has_links, reaches
 from ropewalk.methods import adaptive
-from ropewalk.methods.controller import END, SHORTEST_STEP
+from ropewalk.methods.controller import END, LONGEST, SHORTEST_STEP
 from ropewalk.methods.implicit import MOST_HALVINGS, SMALLEST_PART
 from ropewalk.methods.stage import Stage
 from ropewalk.methods.stage_report import MISFIT, NODE, RESIDUAL, ROUNDING, SCALE, TIGHT, TIME
@@ -48,12 +48,11 @@ def describe(model: Model, state: State, clock: Clock, scratch: Any) -> str:
     plan, layout, limiter = model.plan, model.layout, model.scene.limiter
     longest = limiter.max_stretch if limiter else math.inf
     if plan.tolerance is not None:
-        refused = refused_pair(state, layout, model.scene)
-        return _describe_shortest(layout, state, plan.tolerance, longest, scratch, refused)
+        return _describe_shortest(model, state, plan.tolerance, longest, scratch)
     start, dt, done = clock
     time = float(scratch.stage.report[TIME])
     step = done + max(1, math.ceil((time - start) / dt - done - 1e-9))
-    refused = refused_pair(state, layout, model.scene)
+    refused = refused_pair(state, layout, model.scene, plan)
     text = (
         f"{plan.method} found no solution of step {step} at t = {time:.6g} s, not even in "
         f"parts of {dt * SMALLEST_PART:.2g} s: {refused or _what_is_left(layout, state, scratch.stage)}"
@@ -98,25 +97,24 @@ def _what_is_left(layout: Layout, state: State, stage: Stage) -> str:
 
 
 def _describe_shortest(
-    layout: Layout, state: State, tolerance: float, longest: float, scratch: Any, refused: str
+    model: Model, state: State, tolerance: float, longest: float, scratch: Any
 ) -> str:
-    """Say where the adaptive method found no step short enough, and what to try.
-
-    `refused` is why contacts let none stand, if they do not.
-    """
+    """Say where the adaptive method found no step short enough, and what to try."""
     time, node, error = adaptive.failure(scratch)
-    if refused:
-        return f"adaptive needs steps below {SHORTEST_STEP:g} s at t = {time:.6g} s: {refused}"
+    layout, taken = model.layout, float(scratch.walk.control[LONGEST])
+    text = f"adaptive needs steps below {SHORTEST_STEP:g} s at t = {time:.6g} s"
+    if refused := refused_pair(state, layout, model.scene, model.plan, taken):
+        return f"{text}: {refused}"
     if not math.isfinite(error):
-        why = _what_is_left(layout, state, scratch.stage)
+        why, helps = _what_is_left(layout, state, scratch.stage), finer(model.plan, taken)
     else:
         rope, index = layout.rope_of(node)
         why = f"at node {index} of rope {rope!r} "
         why += f"its estimated error is {error:.3g} m, more than {tolerance:g} m"
-    text = f"adaptive needs steps below {SHORTEST_STEP:g} s at t = {time:.6g} s: {why}"
+        helps = ("a larger tolerance",)
     if too_far := _too_far(layout, state, longest, scratch):
-        return f"{text}: {too_far}"
+        return f"{text}: {why}: {too_far}"
     return (
-        f"{text}. Try a larger tolerance; look for anchors that jump or move apart, and for nodes thrown or "
-        "pressed together."
+        f"{text}: {why}. Try {one_of(*helps)}; look for anchors that jump or move apart, and for nodes "
+        "thrown or pressed together."
     )
