@@ -24,7 +24,7 @@ from ropewalk.core.blocks import (
     scale3,
     subtract,
 )
-from ropewalk.core.jit import kernel, small
+from ropewalk.core.jit import deferred, kernel, small
 
 
 @small
@@ -70,7 +70,7 @@ def keep_far(saddle, i, z2, t2):
     factor[i, 9], factor[i, 10], factor[i, 11] = t2
 
 
-@kernel
+@deferred()
 def band_sweep(saddle):
     """Solve the equations; the solution is in `moved` and `pulled`, not finite where there is none."""
     band, force, z = saddle.band, saddle.force, saddle.moved

@@ -15,7 +15,7 @@ from functools import cache
 from typing import Any
 
 import llvmlite.binding as llvm
-from numba.core import config, ir, ir_utils, sigutils, types
+from numba.core import config, ir, ir_utils, sigutils, types, typing
 from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler import CompilerBase, CompileResult, DefaultPassBuilder
 from numba.core.compiler_machinery import FunctionPass, register_pass
@@ -34,6 +34,7 @@ from numba.core.untyped_passes import (
     ReconstructSSA,
 )
 
+from ropewalk.core.deferred import calls_of, raise_late
 from ropewalk.core.inlining import InlineParts
 from ropewalk.core.passes import AssignOnce, InferTypes, Options
 from ropewalk.core.pointed import pointed
@@ -194,9 +195,9 @@ class EntryLibrary(_Library):
     a function of a name for all others that call it.
     """
 
-    def __init__(self, codegen: Any, name: str, wrapper: str, *, seldom: bool) -> None:
+    def __init__(self, codegen: Any, name: str, shown: set[str], *, seldom: bool) -> None:
         super().__init__(codegen, name)
-        self._wrapper, self._seldom = wrapper, seldom
+        self._shown, self._seldom = shown, seldom
         self.enable_object_caching()
 
     def _optimize_final_module(self) -> None:
@@ -208,9 +209,9 @@ class EntryLibrary(_Library):
         self._keep_to_itself()
 
     def _keep_to_itself(self) -> None:
-        """Let no other library link what Python does not call."""
+        """Let no other library link what neither Python nor a kernel calls by its address."""
         for function in self._final_module.functions:
-            if not function.is_declaration and function.name != self._wrapper:
+            if not function.is_declaration and function.name not in self._shown:
                 function.linkage = llvm.Linkage.internal
 
     def _finalize_final_module(self) -> None:
@@ -290,12 +291,10 @@ class _EntryCompiler(_FunctionCompiler):  # type: ignore[misc]
         inner: Any = self.entry.inner.overloads[args]
         code = inner.library
         context, names, environment = inner.target_context, inner.fndesc, inner.environment
-        library = EntryLibrary(
-            context.codegen(),
-            code.name,
-            names.llvm_cpython_wrapper_name,
-            seldom=self.entry.seldom,
-        )
+        shown = {names.llvm_cpython_wrapper_name}
+        if isinstance(self.entry, Deferred):
+            shown.add(names.llvm_func_name)
+        library = EntryLibrary(context.codegen(), code.name, shown, seldom=self.entry.seldom)
         library.add_linking_library(code)
         context.create_cpython_wrapper(library, names, environment, None, release_gil=True)
         return inner._replace(
@@ -327,6 +326,13 @@ class Entry(CPUDispatcher):
     _compiler: Any  # numba's: compiles for types
     _types_active_call: Any  # numba's: keeps the types of arguments alive
 
+    def __call__(self, *args: Any, **named: Any) -> Any:
+        """Call the kernel, and raise what it could not."""
+        try:
+            return super().__call__(*args, **named)
+        finally:
+            raise_late()
+
     def get_call_template(self, args: Any, kws: Any) -> Any:
         """Return what the types of a call from another kernel follow from.
 
@@ -357,16 +363,61 @@ class Entry(CPUDispatcher):
         return found
 
 
+class Deferred(Entry):
+    """A kernel that is compiled when another one first calls it, and that others call by its address."""
+
+    returns: Any  # the type of what it returns
+    _calls: dict[Any, Any]
+
+    def compile(self, sig: Any) -> Any:
+        """Compile for a signature and return what Python calls."""
+        found = super().compile(sig)
+        for one in self.overloads.values():
+            if one.signature.return_type != self.returns:
+                name, what = self.py_func.__qualname__, one.signature.return_type
+                raise TypeError(f"{name} returns {what}, and is said to return {self.returns}")
+        return found
+
+    def get_call_template(self, args: Any, kws: Any) -> Any:
+        """Return what the types of a call from another kernel follow from: no code."""
+        plain = tuple(types.unliteral(one) for one in args)
+        pysig, folded = self._compiler.fold_argument_types(plain, kws)
+        signature = typing.signature(self.returns, *folded)
+        name = self.py_func.__name__
+        made: Any = typing
+        return (
+            made.make_concrete_template(name, key=name, signatures=[signature]),
+            pysig,
+            folded,
+            {},
+        )
+
+    def get_overload(self, sig: Any) -> Any:
+        """Return what another kernel calls."""
+        args, _ = sigutils.normalize_signature(sig)
+        if args not in self._calls:
+            self._calls[args] = calls_of(self, args)
+        return self._calls[args]
+
+
+def deferred(function: Callable[..., Any], options: dict[str, Any], returns: Any) -> Any:
+    """Return the kernel `function`, a `Deferred`; without caches."""
+    found = entry(function, options, kind=Deferred)
+    found.returns, found._calls = returns, {}
+    return found
+
+
 def entry(
     function: Callable[..., Any],
     options: dict[str, Any],
     inner: Any = InnerCompiler,
     *,
+    kind: type[Entry] = Entry,
     seldom: bool = False,
 ) -> Any:
     """Return the kernel `function`, an `Entry`, with the compiler of its inner function; without caches."""
     options = options | {"nopython": True}
-    found = Entry(py_func=function, targetoptions=options)
+    found: Any = kind(py_func=function, targetoptions=options)
     found.seldom = seldom
     before = found._compiler
     found._compiler = _EntryCompiler(

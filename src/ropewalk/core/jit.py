@@ -6,9 +6,11 @@ from collections.abc import Callable
 from typing import Any
 
 import numba
+from numba.core import types
 
 from ropewalk.core.cache import InnerCache, KernelCache
 from ropewalk.core.compiler import ApartCompiler, Compiler, entry
+from ropewalk.core.compiler import deferred as make_deferred
 
 PLAIN = bool(getattr(numba.config, "DISABLE_JIT", 0))  # numba sets its options at run time
 
@@ -35,6 +37,24 @@ def kernel(function: Callable[..., Any], *, seldom: bool = False) -> Any:
     compiled._cache = KernelCache(function)
     compiled.inner._cache = InnerCache(function)
     return compiled
+
+
+def deferred(returns: str = "none") -> Callable[[Callable[..., Any]], Any]:
+    """As `kernel`, for what only some scenes call: compiled, apart from its callers, at its first call.
+
+    `returns` is numba's name of the type of what it returns, as no caller looks into it. Nor does LLVM: this
+    is for pieces that take longer than a call.
+    """
+
+    def decorate(function: Callable[..., Any]) -> Any:
+        if PLAIN:
+            return function
+        compiled = make_deferred(function, OPTIONS, getattr(types, returns))
+        compiled._cache = KernelCache(function)
+        compiled.inner._cache = InnerCache(function)
+        return compiled
+
+    return decorate
 
 
 def seldom(function: Callable[..., Any]) -> Any:

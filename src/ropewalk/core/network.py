@@ -35,7 +35,7 @@ from ropewalk.core.blocks import (
     subtract,
     triangles,
 )
-from ropewalk.core.jit import kernel, small
+from ropewalk.core.jit import deferred, kernel, small
 from ropewalk.core.ordering import ITSELF, NOWHERE
 
 SOFTEST = 1e-9  # [1] least compliance over that of the lighter node's inertia
@@ -113,7 +113,7 @@ def put_pair(network, p, q, block, up, low):
         add_block(network.lower, block, second)
 
 
-@kernel
+@deferred()
 def gather(saddle, network):
     """Write blocks and right sides of the points from the equations of nodes and segments."""
     number, band, force, right = network.number, saddle.band, saddle.force, network.right
@@ -201,7 +201,7 @@ def solve_network(saddle):
     solve_gathered(saddle)
 
 
-@kernel
+@deferred()
 def solve_gathered(saddle):
     """As `solve_network`, with blocks and right sides in the network."""
     network = saddle.network

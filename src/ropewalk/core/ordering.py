@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 
-from ropewalk.core.jit import kernel, small
+from ropewalk.core.jit import deferred, kernel, small
 
 NOWHERE, ITSELF = (
     -1,
@@ -59,7 +59,7 @@ def begin_groups(network):
     network.room.asked_count[0] = 0
 
 
-@kernel
+@deferred("int64")
 def ask_for(network, group, count):
     """Add `count` groups to the list, (m, 2) or (m, 4); return the row of the first of them."""
     room = network.room
@@ -210,7 +210,7 @@ def block_of(network, p, q):
     return low
 
 
-@kernel
+@deferred("boolean")
 def order_groups(network):
     """Find order and blocks of a network with the groups asked for coupled; return whether they fit."""
     room = network.room

@@ -26,6 +26,14 @@ _WORD, _HALF = llvm.IntType(64), llvm.IntType(32)
 _DATA, _SHAPE = 4, 5  # words before them in numba's array
 
 
+_KNOWN: dict[str, Any] = {}
+
+
+def known(name: str) -> Any:
+    """Return the type of this name that Python has called a kernel with."""
+    return _KNOWN[name]
+
+
 class Pointed(types.NamedTuple):
     """The type of a named tuple that kernels get by its address."""
 
@@ -47,7 +55,10 @@ def pointed(kind: Any) -> Any:
         each: Any = kind
         items = tuple(pointed(item) for item in each.types)
         named = isinstance(kind, types.BaseNamedTuple)
-        return Pointed(items, each.instance_class) if named else types.BaseTuple.from_types(items)
+        if not named:
+            return types.BaseTuple.from_types(items)
+        found = Pointed(items, each.instance_class)
+        return _KNOWN.setdefault(found.name, found)
     return kind
 
 

@@ -13,7 +13,7 @@ from types import ModuleType
 from typing import Any
 
 from ropewalk.core import leaning, symmetric
-from ropewalk.core.jit import kernel, part
+from ropewalk.core.jit import deferred, part
 from ropewalk.core.twin import first, second, twin
 
 
@@ -144,7 +144,7 @@ _both_leaning, _middle_leaning, _go_back_leaning = (
 )
 
 
-@kernel
+@deferred()
 def sweep(saddle):
     """Solve the equations; the solution is in `moved` and `pulled`, not finite where there is none."""
     middle = saddle.free.shape[0] // 2
@@ -153,7 +153,7 @@ def sweep(saddle):
     _go_back(saddle, middle)
 
 
-@kernel
+@deferred()
 def leaning_sweep(saddle):
     """As `sweep`, with `lean` and the blocks on the band's diagonal."""
     middle = saddle.free.shape[0] // 2

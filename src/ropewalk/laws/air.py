@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from ropewalk.core.arrays import Floats
-from ropewalk.core.jit import kernel, part
+from ropewalk.core.jit import deferred, part
 from ropewalk.laws.air_drag import linear_drag, quadratic_line_drag, quadratic_node_drag
 from ropewalk.laws.air_tangent import (
     line_drag_tangent,
@@ -99,7 +99,7 @@ def add_diagonal(air, weight_v, free, diagonal):
     add_drag(air.node_drag, weight_v, free, diagonal)
 
 
-@kernel
+@deferred()
 def add_drag(node_drag, weight_v, free, diagonal):
     """Add `weight_v` times the linear drag of every free node, (n,)."""
     for i in range(diagonal.shape[0]):
@@ -112,7 +112,7 @@ def power(air, state, x):
     return wind_power(x, state.stiffness, air)
 
 
-@kernel
+@deferred("float64")
 def wind_power(x, stiffness, air):
     """Return the most that the wind can put in per time [W]."""
     wind = math.sqrt(air.wind[0] ** 2 + air.wind[1] ** 2 + air.wind[2] ** 2)

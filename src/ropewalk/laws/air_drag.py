@@ -13,11 +13,11 @@ from __future__ import annotations
 
 import math
 
-from ropewalk.core.jit import kernel
+from ropewalk.core.jit import deferred
 from ropewalk.core.ranges import ALL, rows
 
 
-@kernel
+@deferred()
 def linear_drag(v, node_drag, wind, force, lo=0, hi=ALL):
     """Write the linear drag of every node [N], (3, n)."""
     v0, v1, v2 = rows(v, lo, hi)
@@ -30,7 +30,7 @@ def linear_drag(v, node_drag, wind, force, lo=0, hi=ALL):
         f2[i] = -node_drag[i] * (v2[i] - wz)
 
 
-@kernel
+@deferred()
 def quadratic_node_drag(v, coefficient, wind, force, lo=0, hi=ALL):
     """Add the isotropic quadratic drag of every node [N], (3, n)."""
     v0, v1, v2 = rows(v, lo, hi)
@@ -45,7 +45,7 @@ def quadratic_node_drag(v, coefficient, wind, force, lo=0, hi=ALL):
         f2[i] -= drag * uz
 
 
-@kernel
+@deferred()
 def quadratic_line_drag(x, v, stiffness, normal, tangential, wind, force, lo=0, hi=ALL):
     """Add the drag of every segment, half to each end [N], (3, n); one without `stiffness` is no rope."""
     for j in range(lo, min(hi, normal.shape[0])):

@@ -14,10 +14,10 @@ from __future__ import annotations
 
 import math
 
-from ropewalk.core.jit import kernel
+from ropewalk.core.jit import deferred, kernel
 
 
-@kernel
+@deferred()
 def linear_drag_tangent(node_drag, weight_v, band):
     """Add `weight_v` times the linear drag of every node."""
     for i in range(node_drag.shape[0]):
@@ -27,7 +27,7 @@ def linear_drag_tangent(node_drag, weight_v, band):
         band.diagonal[i, 8] += c
 
 
-@kernel
+@deferred()
 def quadratic_node_tangent(v, coefficient, wind, weight_v, band):
     """Add `weight_v` times the derivatives of the quadratic drag of every node."""
     for i in range(coefficient.shape[0]):
@@ -59,7 +59,7 @@ def add_middle(band, j, k, m, by_place, by_speed):
     band.upper1[j, at] += half + by_place
 
 
-@kernel
+@deferred()
 def line_drag_tangent(x, v, stiffness, normal, tangential, wind, weight_x, weight_v, band):
     """Add the derivatives of the drag of every segment."""
     for j in range(normal.shape[0]):

@@ -23,7 +23,7 @@ from __future__ import annotations
 
 import math
 
-from ropewalk.core.jit import kernel, part
+from ropewalk.core.jit import deferred, kernel, part
 
 FOLD = 0.5  # [1] 1 + cos(120 degrees)
 PRESSED = 0.5  # [1] of the rest length
@@ -87,7 +87,7 @@ def pulls(B, ax, ay, az, bx, by, bz, kx, ky, kz):
     )
 
 
-@kernel
+@deferred()
 def bending_forces(x, rest_length, stiffness, natural, force):
     """Write the bending force of every segment [N], (3, n + 1)."""
     x0, x1, x2 = x[0], x[1], x[2]
@@ -165,7 +165,7 @@ def drags(D, ax, ay, az, own_a, bx, by, bz, own_b, ux, uy, uz, wx, wy, wz):
     return -dx, -dy, -dz, dx, dy, dz
 
 
-@kernel
+@deferred()
 def bending_friction(x, v, rest_length, damping, friction):
     """Add the friction of every bend to the segments' friction [N], (3, n + 1)."""
     f0, f1, f2 = friction[0], friction[1], friction[2]

@@ -28,7 +28,7 @@ from ropewalk.core.blocks import (
     subtract,
     transpose,
 )
-from ropewalk.core.jit import kernel, part, small
+from ropewalk.core.jit import deferred, part, small
 from ropewalk.laws.bending import FOLD, STRAIGHT, across, bend, slope_of, tangent, value_of
 
 
@@ -134,7 +134,7 @@ def put_on(blocks, i, m):
         blocks[i, k] += m[k]
 
 
-@kernel
+@deferred()
 def bending_tangent(
     x, v, rest_length, stiffness, damping, natural, weight_x, weight_v, definite, band
 ):
@@ -241,7 +241,7 @@ def drag_rate(t, over, own, o, p, u, turned, scale, first, second, change):
     )
 
 
-@kernel
+@deferred()
 def clamp_tangent(x, v, rest_length, state, bending, weight_x, weight_v, definite, band):
     """Add the derivatives of all half cells at clamps."""
     for row in range(state.held.shape[0]):

@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import math
 
-from ropewalk.core.jit import kernel, part
+from ropewalk.core.jit import deferred, kernel, part
 from ropewalk.laws.bending import across, bending_energy, drags, pulls, stored, tangent
 from ropewalk.laws.rare import has_clamps
 
@@ -26,7 +26,7 @@ def clamp_angle(turn, row, t):
     return turn[row, 0] * min(max(t - turn[row, 1], 0.0), turn[row, 2] - turn[row, 1])
 
 
-@kernel
+@deferred()
 def point_clamps(held, clamped, first, axis, turn, t, direction, spin):
     """Write the direction [1] and the angular velocity [rad/s] of every clamp at time `t`, (a, 3)."""
     for row in range(clamped.shape[0]):
@@ -51,7 +51,7 @@ def clamp_rate(turn, row, t):
     return turn[row, 0] if turn[row, 1] <= t < turn[row, 2] else 0.0
 
 
-@kernel
+@deferred("int64")
 def spins_jump(held, clamped, axis, turn, t, spin):
     """Return how many numbers of `spin`, (a, 3), are not those just after time `t` [s]."""
     jumps = 0
@@ -89,7 +89,7 @@ def half_cell(x, v, rest_length, j, side, row, bending, direction, spin):
     return px, py, pz, fx, fy, fz
 
 
-@kernel
+@deferred()
 def clamp_forces(x, v, rest_length, held, node, bending, direction, spin, elastic, friction):
     """Add the forces of all half cells to the segments' elastic bending and friction [N], (3, n + 1)."""
     for row in range(held.shape[0]):
@@ -136,7 +136,7 @@ def clamp_energy(x, rest_length, held, node, bending, direction):
     return total
 
 
-@kernel
+@deferred()
 def clamp_moments(x, v, rest_length, held, node, bending, direction, spin, moment):
     """Write every clamp's moment on the rope [N m], (a, 6): elastic part, then friction's."""
     for row in range(held.shape[0]):
@@ -207,7 +207,7 @@ def close_clamps(system, state, t, dt):
             state.most[row] = max(state.most[row], done)
 
 
-@kernel
+@deferred()
 def book_turns(bending, moment, held, t, dt, work):
     """Add half of what the present moments do during the turn of the step that ends at `t` [J]."""
     for row in range(held.shape[0]):
@@ -217,7 +217,7 @@ def book_turns(bending, moment, held, t, dt, work):
                 work[row] += 0.5 * turned * bending.axis[row, k] * moment[row, k]
 
 
-@kernel
+@deferred("float64")
 def bent_energy(system, state, x):
     """Return the energy of all bends and half cells at places `x` (3, n) [J], clamps as they are now."""
     total = bending_energy(x, state.rest_length, state.bending_stiffness, system.bending.natural)
@@ -239,7 +239,7 @@ def start_clamps(system, state):
     measure_clamps(system, state)
 
 
-@kernel
+@deferred()
 def let_bend(system, state, row):
     """Turn the half cells of a clamp that is let go into a bend; what they stored more is its work."""
     i = state.anchor_node[row]

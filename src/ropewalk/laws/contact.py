@@ -23,7 +23,7 @@ from __future__ import annotations
 
 import math
 
-from ropewalk.core.jit import kernel, small
+from ropewalk.core.jit import deferred, kernel, small
 from ropewalk.laws.closing import closing
 from ropewalk.laws.contact_books import PRESSED, RUBBED, note_way, put_apart
 from ropewalk.laws.contact_frame import (
@@ -42,7 +42,7 @@ from ropewalk.laws.wheel_rows import surface_now, surface_then
 from ropewalk.laws.wheels import find_rates, keep_wheels, turned
 
 
-@kernel
+@deferred()
 def contact_forces(x, v, obstacles, memory, now, force, lo, hi):
     """Write the force of all obstacles on nodes `lo` to `hi - 1` [N], (3, n).
 
@@ -92,7 +92,7 @@ def contact_forces(x, v, obstacles, memory, now, force, lo, hi):
                 put_apart(force, o, i, push, nx, ny, nz, sx, sy, sz)
 
 
-@kernel
+@deferred("float64")
 def remember_contacts(x, v, obstacles, memory, now, stiffness):
     """Keep what the contacts carry at `x` and `v`, the places, and the coefficients of friction there.
 
@@ -172,7 +172,7 @@ def push_on(obstacles, o, i, gap, rise):
     return squeezed(obstacles, o, i, depth)[0] - along_surface(obstacles, o, i, depth)[1] * rise
 
 
-@kernel
+@deferred("float64")
 def quickest_impact(state, force, dt, obstacles, memory):
     """Return how quickly a surface stops nodes in a step of `dt` [s] that begins at `state` [1/s]; 0: none.
 
@@ -229,7 +229,7 @@ def on_polygon(friction, turn):
     return math.tanh(0.5 * friction * turn) / math.tan(0.5 * turn)
 
 
-@kernel
+@deferred("float64")
 def contact_energy(x, obstacles, memory, now):
     """Return what the obstacles' surfaces have stored where they are pressed in [J]."""
     total = 0.0
@@ -243,7 +243,7 @@ def contact_energy(x, obstacles, memory, now):
     return total
 
 
-@kernel
+@deferred("float64")
 def contact_given(memory):
     """Return what moving and turning surfaces have given to ropes so far [J], never less."""
     total = 0.0
@@ -252,7 +252,7 @@ def contact_given(memory):
     return total
 
 
-@kernel
+@deferred("float64")
 def contact_rounding(x, obstacles):
     """Return what rounding of the places does to the forces of contacts [N]."""
     size, most = 0.0, 0.0

@@ -14,7 +14,7 @@ and a mean speed for a way. With it the entries add up to the ledger's to roundi
 
 from __future__ import annotations
 
-from ropewalk.core.jit import kernel
+from ropewalk.core.jit import deferred, kernel
 from ropewalk.laws.contact_frame import carried
 
 # Rows of `Memory.books`: works so far [J], what is stored now [J], and the gap now [m].
@@ -53,7 +53,7 @@ def note_way(obstacles, memory, o, i, now, then, angle, x, y, z, gap, n0, n1, n2
     books[GAP, i] = gap
 
 
-@kernel
+@deferred()
 def book_contacts(memory, force, middle, dt):
     """Book a step's works: of its mean forces, `middle` the mean of the speeds at its ends, (3, n)."""
     way = memory.way
@@ -75,7 +75,7 @@ def book_contacts(memory, force, middle, dt):
             books[METHOD, i] += whole - press - rub - motor
 
 
-@kernel
+@deferred()
 def record_books(books, out):
     """Write the entries of every obstacle, (k, 5) [J]; see ENTRIES."""
     for o in range(books.shape[0]):

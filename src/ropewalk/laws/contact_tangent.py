@@ -14,7 +14,7 @@ from __future__ import annotations
 import math
 
 from ropewalk.core.blocks import load9, subtract
-from ropewalk.core.jit import kernel
+from ropewalk.core.jit import deferred, kernel
 from ropewalk.laws.closing import across, closing
 from ropewalk.laws.contact_frame import DAMP, GRIP, STIFF, spring_pull
 from ropewalk.laws.hardening import squeezed
@@ -23,7 +23,7 @@ from ropewalk.laws.wheel_rows import surface_then
 from ropewalk.laws.wheels import begin_ties, find_rates, turned, write_row
 
 
-@kernel
+@deferred()
 def contact_tangent(x, v, obstacles, memory, now, weight_x, weight_v, band):
     """Add -(weight_x dR/dx + weight_v dR/dv) of all contacts to the band's diagonal."""
     diagonal, place = band.diagonal, memory.place

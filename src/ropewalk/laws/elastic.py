@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from ropewalk.core.jit import kernel, part, small
+from ropewalk.core.jit import deferred, kernel, part, small
 from ropewalk.core.peaks import greater, lesser
 from ropewalk.core.ranges import ALL
 from ropewalk.laws.elastic_law import ElasticLaw
@@ -103,7 +103,7 @@ def stored_by(elastic, inner, j, length, k, floor, strain):
     return k * length * length * energy
 
 
-@kernel
+@deferred()
 def law_forces(x, rest_length, stiffness, floor, elastic, inner, out, lo=0, hi=ALL):
     """Write the elastic force of every segment with a law [N], (3, n + 1)."""
     for j in range(lo, min(hi, rest_length.shape[0])):
@@ -116,7 +116,7 @@ def law_forces(x, rest_length, stiffness, floor, elastic, inner, out, lo=0, hi=A
             out[k, j + 1] = over * (x[k, j + 1] - x[k, j])
 
 
-@kernel
+@deferred()
 def law_tensions(x, rest_length, stiffness, floor, elastic, inner, tension):
     """Write the elastic tension of every segment with a law [N], (s,)."""
     for j in range(rest_length.shape[0]):
@@ -125,7 +125,7 @@ def law_tensions(x, rest_length, stiffness, floor, elastic, inner, tension):
             tension[j] = max(pull, floor[j])
 
 
-@kernel
+@deferred("float64")
 def law_energy(x, rest_length, stiffness, floor, elastic, inner):
     """Return the elastic energy of all segments [J], with a law or without; see `elastic_energy`."""
     total = 0.0
@@ -139,7 +139,7 @@ def law_energy(x, rest_length, stiffness, floor, elastic, inner):
     return total
 
 
-@kernel
+@deferred()
 def hold_secants(tension, rest_length, stiffness, elastic, work):
     """Write what a segment with a law gives over its tension [m/N], (s,), beyond its length without.
 
@@ -193,7 +193,7 @@ def law_tangent(x, rest_length, stiffness, floor, elastic, weight, clamp, band):
         add_line(band, j, tx, ty, tz, weight * across, weight * along)
 
 
-@kernel
+@deferred()
 def keep_laws(state, floor, elastic, high, low, lo, hi):
     """As `methods.peaks.keep_tension`, of segments with a law or without."""
     x, v = state.x, state.v
@@ -208,7 +208,7 @@ def keep_laws(state, floor, elastic, high, low, lo, hi):
         high[j], low[j] = greater(new, high[j]), lesser(new, low[j])
 
 
-@kernel
+@deferred()
 def settle_laws(peaks, rest_length, stiffness, floor, vector, axial, elastic, inner):
     """As `methods.peaks.settle`, of segments with a law or without; those that remember are looked at."""
     for j in range(rest_length.shape[0]):
@@ -225,7 +225,7 @@ def settle_laws(peaks, rest_length, stiffness, floor, vector, axial, elastic, in
             peaks.tension_low[j] = min(peaks.tension_low[j], low)
 
 
-@kernel
+@deferred("float64")
 def solved_laws(x, rest_length, stiffness, floor, elastic, inner, solved, near, tension):
     """As `methods.recording.record_tension`, of segments with a law or without.
 

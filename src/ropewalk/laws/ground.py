@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from ropewalk.core.arrays import Floats
-from ropewalk.core.jit import kernel, part, small
+from ropewalk.core.jit import deferred, kernel, part, small
 from ropewalk.core.ranges import ALL, rows
 from ropewalk.laws.events import end_of_crossing
 from ropewalk.laws.node_law import NodeLaw, Rest, always
@@ -109,7 +109,7 @@ def energy(ground, state, x):
     return ground_energy(x, ground)
 
 
-@kernel
+@deferred()
 def ground_forces(x, v, ground, force, lo=0, hi=ALL):
     """Write the force of the ground on every node [N], (3, n)."""
     ux, uy, uz = ground.up[0], ground.up[1], ground.up[2]
@@ -128,7 +128,7 @@ def ground_forces(x, v, ground, force, lo=0, hi=ALL):
         f2[i] = push * uz - slide * (v2[i] - rise * uz)
 
 
-@kernel
+@deferred()
 def damp_ground(x, v, mass, ground, force, lo=0, hi=ALL):
     """Add the damper's force on every node below the ground's height [N], (3, n)."""
     ux, uy, uz = ground.up[0], ground.up[1], ground.up[2]
@@ -146,7 +146,7 @@ def damp_ground(x, v, mass, ground, force, lo=0, hi=ALL):
             f2[i] += push * uz
 
 
-@kernel
+@deferred()
 def damp_marked_ground(x, v, mass, ground, touches, force):
     """Add the damper's force on the nodes that are marked [N], (3, n)."""
     ux, uy, uz = ground.up[0], ground.up[1], ground.up[2]
@@ -167,7 +167,7 @@ def damper(ground, mass, depth, rise):
     return -min(c * rise, ground.repulsion * depth)
 
 
-@kernel
+@deferred()
 def marked_ground_forces(x, v, ground, touches, frozen, force):
     """Write the force of the ground on every node [N], (3, n), friction on those marked only.
 
@@ -186,7 +186,7 @@ def marked_ground_forces(x, v, ground, touches, frozen, force):
         force[2, i] = push * uz - slide * (v[2, i] - rise * uz)
 
 
-@kernel
+@deferred("float64")
 def mark_touching(x, ground, touches):
     """Write 1 for every node below the ground's height, else 0, (n,); return how many changed."""
     ux, uy, uz = ground.up[0], ground.up[1], ground.up[2]
@@ -199,7 +199,7 @@ def mark_touching(x, ground, touches):
     return changed
 
 
-@kernel
+@deferred()
 def ground_tangent(x, v, mass, ground, touches, weight_x, weight_v, band):
     """Add the derivatives of the ground's force on the nodes marked in `touches`, (n,).
 
@@ -245,7 +245,7 @@ def ground_crossings(x0, v0, x1, v1, inverse_mass, ground, dt, tolerance):
     return end, changes
 
 
-@kernel
+@deferred("float64")
 def ground_energy(x, ground):
     """Return the energy of the ground's springs [J]."""
     ux, uy, uz = ground.up[0], ground.up[1], ground.up[2]

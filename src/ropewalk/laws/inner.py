@@ -16,7 +16,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from ropewalk.core.jit import kernel, part, small
+from ropewalk.core.jit import deferred, kernel, part, small
 from ropewalk.laws.bounds import within
 from ropewalk.laws.elastic import CHANGE, FIRST, NOW, RATE, asking, held_strain, strain_of
 from ropewalk.laws.elastic_law import ElasticLaw
@@ -111,7 +111,7 @@ def remembers(elastic, stiffness, j):
 # -- explicit methods --------------------------------------------------------------------------
 
 
-@kernel
+@deferred()
 def strains(elastic, stiffness, rest_length, floor, x, inner, out):
     """Write the strain of what the segments are made of at places `x`, (s,) [1]."""
     for j in range(out.shape[0]):
@@ -120,7 +120,7 @@ def strains(elastic, stiffness, rest_length, floor, x, inner, out):
             out[j] = held_strain(elastic, j, floor[j], strain, inner[j])
 
 
-@kernel
+@deferred()
 def rates(elastic, stiffness, strain, inner, out):
     """Write d' of every segment, (s,) [1/s]; `out` may be `strain`."""
     for j in range(out.shape[0]):
@@ -155,7 +155,7 @@ def relax(system, state, dt, ledger):
         book_heat(system, state, dt)
 
 
-@kernel
+@deferred()
 def relax_through(elastic, stiffness, rest_length, floor, x, inner, dt):
     """Move d, the strain being linear in time; twice, as the strain of a slack one follows it."""
     for j in range(inner.shape[1]):
@@ -170,7 +170,7 @@ def relax_through(elastic, stiffness, rest_length, floor, x, inner, dt):
         inner[NOW, j], inner[CHANGE, j] = now, now - before
 
 
-@kernel
+@deferred()
 def book_heat(system, state, dt):
     """Book what was lost in a step of `dt` [s], from the change of d in it."""
     elastic, inner, work = system.elastic, state.inner, state.work
@@ -180,7 +180,7 @@ def book_heat(system, state, dt):
         work.elastic[j] += heat
 
 
-@kernel
+@deferred("float64")
 def heat(elastic, stiffness, rest_length, change, dt):
     """Return what all segments lose in a step of `dt` [J]; `change` (s,) of their d in it [1]."""
     total = 0.0
@@ -247,7 +247,7 @@ def begin_inner(system, state, work, c):
         _begin(system.elastic, state.stiffness, work.known, work.free, c)
 
 
-@kernel
+@deferred()
 def _begin(elastic, stiffness, known, free, c):
     for j in range(free.shape[0]):
         free[j] = 0.0
@@ -263,7 +263,7 @@ def end_inner(system, state, work, tension, c, out):
         _end(system.elastic, bounds, k, state.rest_length, floor, work, tension, c, out)
 
 
-@kernel
+@deferred()
 def _end(elastic, limiter, stiffness, rest_length, floor, work, tension, c, out):
     for j in range(out.shape[0]):
         out[j] = 0.0

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import math
 
-from ropewalk.core.jit import kernel, part
+from ropewalk.core.jit import deferred, kernel, part
 from ropewalk.core.status import TAKEN
 from ropewalk.laws.clamps import bent_energy
 from ropewalk.laws.elastic import stored_energy
@@ -37,7 +37,7 @@ SINGULAR = 1e-10  # [1] a pivot this small, over its diagonal, is none
 BOTH = 2.0  # marks a segment of one length only
 
 
-@kernel
+@deferred()
 def limit_stretch(system, state, work, dt, ledger):
     """Bring every segment's stretch within bounds, stop it there, and book what that costs.
 

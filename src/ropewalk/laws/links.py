@@ -21,7 +21,7 @@ import math
 import numpy as np
 
 from ropewalk.core.band import clear_band
-from ropewalk.core.jit import kernel, part
+from ropewalk.core.jit import deferred, kernel, part
 from ropewalk.core.network import SOFTEST, solve_network
 from ropewalk.laws.anchors import anchor_target
 from ropewalk.laws.elastic import tensions
@@ -122,7 +122,7 @@ def note_reactions(system, state, t, saddle):
         follow(member, first, last, i, state.acceleration)
 
 
-@kernel
+@deferred("int64")
 def mark_links(x, rest_length, stiffness, floor, saddle):
     """Write directions (3, s), 1 / r and what carries (s,); return the number of rigid links."""
     direction, over, carries, count = saddle.direction, saddle.compliance, saddle.carries, 0
@@ -138,7 +138,7 @@ def mark_links(x, rest_length, stiffness, floor, saddle):
     return count
 
 
-@kernel
+@deferred("int64")
 def mark_bounds(rest_length, stiffness, limiter, saddle):
     """Mark the segments that are at a bound; return how many. Those that leave it are beyond it at once.
 
@@ -161,7 +161,7 @@ def mark_bounds(rest_length, stiffness, limiter, saddle):
     return count
 
 
-@kernel
+@deferred()
 def clear_links(stiffness, tension, elastic):
     """Set tension and force of all rigid links to zero."""
     for j in range(stiffness.shape[0]):
@@ -170,7 +170,7 @@ def clear_links(stiffness, tension, elastic):
             elastic[0, j + 1], elastic[1, j + 1], elastic[2, j + 1] = 0.0, 0.0, 0.0
 
 
-@kernel
+@deferred()
 def gather_links(v, a, inverse_mass, saddle):
     """Write diagonal, off-diagonal and right side (s,) of the equations of the links that carry."""
     t, over, carries = saddle.direction, saddle.compliance, saddle.carries
@@ -193,7 +193,7 @@ def gather_links(v, a, inverse_mass, saddle):
             upper[j] = -inverse_mass[j + 1] * turn
 
 
-@kernel
+@deferred()
 def solve_links(diagonal, upper, right):
     """Solve the symmetric tridiagonal equations in place (Thomas); the solution is in `right`."""
     last = right.shape[0] - 1
@@ -207,7 +207,7 @@ def solve_links(diagonal, upper, right):
         right[j] = (right[j] - upper[j] * right[j + 1]) / diagonal[j]
 
 
-@kernel
+@deferred()
 def solve_tied_links(mass, inverse_mass, saddle):
     """Solve those of ropes that are tied, from the right sides in `misfit`; the solution is there, too.
 
@@ -257,7 +257,7 @@ def network_of_links(mass, inverse_mass, saddle):
         saddle.compliance[j] = SOFTEST / min(mass[j], mass[j + 1])
 
 
-@kernel
+@deferred("int64")
 def drop_pushing(tension, floor, carries):
     """Let go of tension-only links that would push, and of bounds that would pull; return how many."""
     dropped = 0
@@ -269,7 +269,7 @@ def drop_pushing(tension, floor, carries):
     return dropped
 
 
-@kernel
+@deferred()
 def clear_bounds(limiter):
     """Set the forces of all bounds to zero, (3, n + 1)."""
     for k in range(3):
@@ -277,7 +277,7 @@ def clear_bounds(limiter):
             limiter[k, j] = 0.0
 
 
-@kernel
+@deferred()
 def pull_bounds(found, carries, direction, tension, limiter):
     """Put what the bounds hold into the limiter's channel (3, n + 1) [N], and add it to the tensions."""
     for j in range(found.shape[0]):
@@ -288,7 +288,7 @@ def pull_bounds(found, carries, direction, tension, limiter):
             limiter[k, j + 1] = extra * direction[k, j]
 
 
-@kernel
+@deferred()
 def pull_links(found, carries, direction, tension, elastic):
     """Put the tensions of the links that carry into the state and its forces."""
     for j in range(found.shape[0]):

@@ -22,7 +22,7 @@ from __future__ import annotations
 
 import math
 
-from ropewalk.core.jit import kernel, part, small
+from ropewalk.core.jit import deferred, kernel, part, small
 from ropewalk.laws.contact_frame import PUSH, STILL
 from ropewalk.laws.obstacle_pose import body_of, drawn_place, pose_of
 from ropewalk.laws.obstacle_shapes import MESH, PLANE, probe
@@ -168,7 +168,7 @@ def _may_reach(obstacles, o, i, a, b, p, q):
     return gap_at(obstacles, o, middle) - thickness <= 0.5 * length + math.sqrt(far)
 
 
-@kernel
+@deferred("int64")
 def find_sweep(x, y, inverse_mass, stiffness, obstacles, wheels, through, now):
     """Note for a segment's first node which obstacle it comes to lie across from x to y, from -1 down.
 
@@ -194,7 +194,7 @@ def find_sweep(x, y, inverse_mass, stiffness, obstacles, wheels, through, now):
     return count
 
 
-@kernel
+@deferred("int64")
 def find_pass(x, y, inverse_mass, obstacles, grip, wheels, through, now):
     """Note for every node that is not held which obstacle it goes through from x to y, from 1 on.
 
@@ -252,7 +252,7 @@ def dips(obstacles, o, i, p, q):
     return False
 
 
-@kernel
+@deferred("int64")
 def find_missed(x, y, inverse_mass, obstacles, grip, wheels, through, now):
     """Note which obstacle a node has hit from x to y, see `find_pass`, and no force has seen it."""
     count = 0
@@ -286,7 +286,7 @@ def swerves(obstacles, o, i, p, f, q):
     return ax * bx + ay * by + az * bz < SWERVE
 
 
-@kernel
+@deferred("int64")
 def find_swerves(x, v, y, inverse_mass, obstacles, wheels, through, now):
     """Note which obstacle a node has hit from x to y, with v at x, and gone far round, see `find_pass`."""
     count, dt = 0, now[0] - now[1]

@@ -18,7 +18,7 @@ from __future__ import annotations
 
 import math
 
-from ropewalk.core.jit import kernel
+from ropewalk.core.jit import deferred, kernel
 from ropewalk.laws.closing import closing
 from ropewalk.laws.contact_frame import DAMP, GRIP, STIFF, cut, surface_at
 from ropewalk.laws.hardening import squeezed
@@ -277,7 +277,7 @@ def write_row(obstacles, memory, o, i, arm, n, push, pull, bound, block, weight_
         ties[ROW + r, i] = change - weight_x * turn[r]
 
 
-@kernel
+@deferred()
 def aim_wheels(wheel, A, b, s, dt):
     """Write what is known of all wheels in stage `s` of a DIRK step of `dt` [s]."""
     for w in range(wheel.shape[0]):
@@ -297,14 +297,14 @@ def aim_wheels(wheel, A, b, s, dt):
             one[LEAD] += dt * A[s, r] * one[STAGES + 2 * r]
 
 
-@kernel
+@deferred()
 def know_rates(inertia, wheel):
     """Make rates of what `aim_wheels` has left as changes of angular momentum."""
     for w in range(wheel.shape[0]):
         wheel[w, KNOWN] = wheel[w, RATE] + wheel[w, KNOWN] / inertia[w]
 
 
-@kernel
+@deferred()
 def aim_wheels_bdf2(wheel, dt):
     """Write what is known of all wheels in a step of BDF2 of `dt` [s]."""
     for w in range(wheel.shape[0]):
@@ -315,7 +315,7 @@ def aim_wheels_bdf2(wheel, dt):
         one[MEAN_WEIGH] = one[STAGES + 2] / 3.0
 
 
-@kernel
+@deferred()
 def end_aim(wheel, s, last):
     """Keep a stage that is solved; its torques count in the mean, but those of the last one, yet to come."""
     for w in range(wheel.shape[0]):
@@ -376,7 +376,7 @@ def keep_wheels(obstacles, memory, dt):
         wheel[PART], wheel[LEAD] = 0.0, 0.0  # it is where it lies
 
 
-@kernel
+@deferred()
 def record_wheels(inertia, wheel, out):
     """Write what is recorded of wheels, see `wheel_rows.RECORDED`, (w, 7)."""
     for w in range(out.shape[0]):

@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ropewalk.core.arrays import State, System
-from ropewalk.core.jit import kernel, part
+from ropewalk.core.jit import deferred, kernel, part
 from ropewalk.laws.couplings import wind_couplings
 from ropewalk.laws.elastic import length_slope, stored_energy
 from ropewalk.laws.joints import is_tied
@@ -47,7 +47,7 @@ def joined(system: System, state: State) -> NDArray[np.bool_]:
     return found
 
 
-@kernel
+@deferred()
 def run_winches(system, state, t, dt, turning):
     """Turn all winches by one step that starts at `t` [s], after it, and book their work.
 
@@ -64,7 +64,7 @@ def run_winches(system, state, t, dt, turning):
     _book(system, state, kinetic, potential)
 
 
-@kernel
+@deferred("boolean")
 def plan_turns(system, state, t, dt, turning):
     """Write what every winch is to wind in the step of `dt` from `t` [s], (w, 7), see BEGIN.
 
@@ -81,7 +81,7 @@ def plan_turns(system, state, t, dt, turning):
     return changed
 
 
-@kernel
+@deferred()
 def wind_to(system, state, time, turning):
     """Give the working segments the rest lengths that they have at `time` [s] of the planned step."""
     winches = system.winches
@@ -104,7 +104,7 @@ def winding(turning):
     return busy
 
 
-@kernel
+@deferred()
 def book_begin(system, state, x, end, turning):
     """Note how long the working segments are, nodes at `x` (3, n); leave the rest lengths of `end` [s]."""
     for row in range(turning.shape[0]):
@@ -112,7 +112,7 @@ def book_begin(system, state, x, end, turning):
     wind_to(system, state, end, turning)
 
 
-@kernel
+@deferred()
 def book_end(system, state, x, begin, end, turning):
     """Book the work of the lengths that change from `begin` to `end` [s], the nodes at `x` (3, n) at the end.
 
@@ -131,7 +131,7 @@ def book_end(system, state, x, begin, end, turning):
     wind_to(system, state, end, turning)
 
 
-@kernel
+@deferred()
 def end_turns(system, state, turning):
     """End a step in which `wind_to` has wound: masses, and the nodes at the drums; book their work."""
     if not winds(system, state):
@@ -144,7 +144,7 @@ def end_turns(system, state, turning):
     _book(system, state, kinetic, potential)
 
 
-@kernel
+@deferred()
 def cut_short(system, state, t, turning):
     """End the turns of a step that came no farther than to `t` [s]."""
     wind_to(system, state, t, turning)

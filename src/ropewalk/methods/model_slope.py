@@ -15,7 +15,7 @@ from __future__ import annotations
 import math
 
 from ropewalk.core.band import clear_band
-from ropewalk.core.jit import kernel, part
+from ropewalk.core.jit import deferred, kernel, part
 from ropewalk.laws.couplings import along_couplings
 from ropewalk.laws.nodes import marked_node_forces, node_tangents
 from ropewalk.laws.table import accelerate
@@ -102,7 +102,7 @@ def slope_after(system, state, stage, way, c1, known):
     return power_along(stage.a, state.mass, saddle.moved) - known
 
 
-@kernel
+@deferred("float64")
 def follow_model(system, state, stage, c1, exact):
     """Go along the Newton step; return the part of it that was gone, tensions included.
 

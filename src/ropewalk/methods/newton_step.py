@@ -7,7 +7,7 @@ import numpy as np
 from ropewalk.core.arrays import AXIAL
 from ropewalk.core.band import clear_diagonal
 from ropewalk.core.band_sweep import band_sweep
-from ropewalk.core.jit import kernel, part
+from ropewalk.core.jit import deferred, kernel, part
 from ropewalk.core.network import gather, soften, solve_gathered
 from ropewalk.core.sweep import leaning_sweep, sweep
 from ropewalk.laws.couplings import add_couplings, couples, order_couplings
@@ -82,7 +82,7 @@ def solve_assembled(system, state, stage, c1, coupled):
         band_sweep(saddle)
 
 
-@kernel
+@deferred()
 def solve_wheels(system, state, stage, c1, coupled):
     """Solve the assembled equations for the columns of all wheels, see `wheel_ties`."""
     saddle, wheel, ties = stage.saddle, state.memory.obstacle.wheel, state.memory.obstacle.ties

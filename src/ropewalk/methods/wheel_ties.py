@@ -5,7 +5,7 @@ With A z = f solved, and y = A^-1 u, the solution of (A - u r / s) z = f is z + 
 
 from __future__ import annotations
 
-from ropewalk.core.jit import kernel, part
+from ropewalk.core.jit import deferred, kernel, part
 from ropewalk.laws.wheel_rows import COLUMN, KEPT, MOVED, PULLED, ROW, TIE
 from ropewalk.laws.wheels import aim_wheels, aim_wheels_bdf2, know_rates
 from ropewalk.methods.tableaus import DIRK
@@ -75,7 +75,7 @@ def between(ties, other):
     return total
 
 
-@kernel
+@deferred()
 def tie_wheels(wheel, ties, saddle):
     """Put into the solution, once those for all columns are kept, that nodes turn the wheels."""
     for w in range(wheel.shape[0]):

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ropewalk.core.arrays import TENSION_ONLY, Floats, State, System
-from ropewalk.core.jit import kernel, part
+from ropewalk.core.jit import deferred, kernel, part
 from ropewalk.core.status import OK
 from ropewalk.methods.stage import Stage, make_stage, newton
 from ropewalk.methods.stage_report import AIDED, BEGIN, FIRST, LAST, PAUSED, SOLVES, TIGHT, UNAIDED
@@ -151,7 +151,7 @@ def widest(windows, state):
     return (LARGE if fits(windows.large, state) else SMALL) - 2 * MARGIN
 
 
-@kernel
+@deferred("int64")
 def solve_stage(system, state, stage, windows, c1, c2):
     """Solve the stage as `stage.newton` does, with windows where that pauses; return OK or UNSOLVED."""
     most, aid, aids = widest(windows, state), BEGIN, 0

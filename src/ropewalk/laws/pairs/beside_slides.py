@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 
-from ropewalk.core.jit import kernel, small
+from ropewalk.core.jit import deferred, kernel, small
 from ropewalk.laws.pairs.distance import nearest
 from ropewalk.laws.pairs.pair_memory import drop_gone
 from ropewalk.laws.pairs.search import NOWHERE, are_neighbours
@@ -114,7 +114,7 @@ def let_in(table, memory, tied):
     return gone
 
 
-@kernel
+@deferred()
 def follow_slides(x, table, memory, slide, tied):
     """Let the intervals follow the slides, whose memory is `slide`, to places (3, n) [m]."""
     changed = False
@@ -126,7 +126,7 @@ def follow_slides(x, table, memory, slide, tied):
         let_in(table, memory, tied)
 
 
-@kernel
+@deferred("boolean")
 def reach_ahead(y, table, memory, slide, tied):
     """Let the intervals reach to where a step ends, y (3, n) [m]; tell whether contacts are given up.
 

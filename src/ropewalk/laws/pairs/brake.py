@@ -17,7 +17,7 @@ presses: friction takes mu times the impulse, or all.
 
 from __future__ import annotations
 
-from ropewalk.core.jit import kernel, small
+from ropewalk.core.jit import deferred, small
 from ropewalk.laws.pairs.table import (
     APART,
     BRAKE,
@@ -90,7 +90,7 @@ def brake_contact(v, inverse_mass, table, memory, row, most):
     return rate
 
 
-@kernel
+@deferred()
 def brake_again(v, inverse_mass, table, memory, dt):
     """Keep the same for a try of a step of `dt` [s], which is solved for, of all contacts as they are now.
 
@@ -100,7 +100,7 @@ def brake_again(v, inverse_mass, table, memory, dt):
         brake_contact(v, inverse_mass, table, memory, row, ALL_BUT / dt)
 
 
-@kernel
+@deferred()
 def brake_hits(v, inverse_mass, table, memory, dt, solved):
     """Keep with what drag [N s/m] each contact meets what comes closer in the next step.
 

@@ -21,7 +21,7 @@ from __future__ import annotations
 
 import math
 
-from ropewalk.core.jit import kernel, small
+from ropewalk.core.jit import deferred, small
 from ropewalk.laws.hardening import beyond
 from ropewalk.laws.pairs.table import (
     APART,
@@ -90,7 +90,7 @@ def pressed(grip, row, u, w, soft, hard, stop, damping, size):
     return force - damping * rate, slope, damping
 
 
-@kernel
+@deferred()
 def pair_forces(x, v, table, memory, force, lo, hi):
     """Write the force of all contacts on every node [N], (3, n), and what of it rubs, the next 3 rows."""
     for row in range(force.shape[0]):
@@ -99,7 +99,7 @@ def pair_forces(x, v, table, memory, force, lo, hi):
     add_pair_forces(x, v, table, memory, force)
 
 
-@kernel
+@deferred()
 def add_pair_forces(x, v, table, memory, force):
     """Add the force of all contacts on every node [N], (3, n), and what of it rubs where there are rows."""
     pair, grip, rubs = memory.pair, memory.grip, force.shape[0] > 3
@@ -135,7 +135,7 @@ def depth_at(x, memory, row, i, j, size):
     return depth_of(grip, row, between(x, i, j, grip[row, OWN], grip[row, OTHER]), size)
 
 
-@kernel
+@deferred("float64")
 def pair_energy(x, table, memory):
     """Return what contacts have stored where they are pressed in [J]."""
     total = 0.0
@@ -147,7 +147,7 @@ def pair_energy(x, table, memory):
     return total
 
 
-@kernel
+@deferred("float64")
 def pair_rounding(x, table, memory):
     """Return what rounding of the places does to the forces of contacts [N]."""
     size, most = 0.0, 0.0

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from ropewalk.core.jit import kernel
+from ropewalk.core.jit import deferred, kernel
 from ropewalk.laws.pairs.force import pair_energy
 from ropewalk.laws.pairs.table import CONTACTS, SPRING, STIFF
 
 
-@kernel
+@deferred()
 def book_pairs(memory, force, middle, dt):
     """Book a step's works: of its mean forces, `middle` the mean of the speeds at its ends, (3, n)."""
     way, books = memory.way, memory.books
@@ -34,7 +34,7 @@ def rubbed_energy(memory):
     return total
 
 
-@kernel
+@deferred()
 def record_pair_books(x, table, memory, out):
     """Write the entries of all ropes on ropes, (5,) [J]; see `contact_books.ENTRIES`."""
     pressed, rubbed = pair_energy(x, table, memory), rubbed_energy(memory)

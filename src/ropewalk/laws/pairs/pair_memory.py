@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 
-from ropewalk.core.jit import kernel, small
+from ropewalk.core.jit import deferred, kernel, small
 from ropewalk.laws.pairs.distance import NEVER, comes_to, nearest, relative_way
 from ropewalk.laws.pairs.force import depth_at, pressed, pull_of, squeeze
 from ropewalk.laws.pairs.search import find_near, freeze, new_row, normal_at, owns, row_of
@@ -282,7 +282,7 @@ def drop_gone(memory):
     memory.tally[CONTACTS] = kept
 
 
-@kernel
+@deferred("float64")
 def remember_pairs(x, v, dt, table, memory, tied):
     """Keep what contacts carry at `x` and `v`, a time `dt` [s] after the last, and find who touches there.
 

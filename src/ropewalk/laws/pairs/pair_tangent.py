@@ -14,7 +14,7 @@ from __future__ import annotations
 import math
 
 from ropewalk.core.blocks import ZERO9, apply, apply_left, dot3, less_product, scale3, scale9
-from ropewalk.core.jit import kernel, small
+from ropewalk.core.jit import deferred, small
 from ropewalk.core.network import add_block, put_pair
 from ropewalk.laws.pairs.force import drag_of, pressed, pull_of
 from ropewalk.laws.pairs.table import (
@@ -87,7 +87,7 @@ def between_nodes(m, grip, row, a, b):
     return less_product(less_product(scale9(wa * wb, m), column, n), scale3(-wb, n), left)
 
 
-@kernel
+@deferred()
 def couple_pairs(x, v, table, memory, weight_x, weight_v, network):
     """Add -(weight_x dR/dx + weight_v dR/dv) of all contacts to the network's blocks."""
     number, grip, first = network.number, memory.grip, memory.tally[ASKED]
@@ -106,7 +106,7 @@ def couple_pairs(x, v, table, memory, weight_x, weight_v, network):
                 at += 1
 
 
-@kernel
+@deferred("float64")
 def along_pairs(x, v, d, table, memory, weight_x, weight_v):
     """Return d . K d of the same matrix [N m], for a direction (3, n) [m]."""
     total = 0.0

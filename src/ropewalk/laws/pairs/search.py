@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 
-from ropewalk.core.jit import kernel, small
+from ropewalk.core.jit import deferred, kernel, small
 from ropewalk.laws.pairs.distance import on_way, product
 from ropewalk.laws.pairs.table import CONTACTS, LEAN, LEVER, NEAR, NORMAL, OTHER, OWN, REACH, WIDTH
 
@@ -128,7 +128,7 @@ def find_near(x, y, table, memory, tied):
     return list_near(x, y, table, memory, tied)
 
 
-@kernel
+@deferred()
 def note_ropes(table, memory, stiffness):
     """Note which segments are rope, and have not parted; where that has changed lists are made anew."""
     changed = 0

@@ -9,7 +9,7 @@ line moves through another in a step that stands, whatever the solver did.
 
 from __future__ import annotations
 
-from ropewalk.core.jit import kernel, small
+from ropewalk.core.jit import deferred, kernel, small
 from ropewalk.laws.pairs.brake import stopping
 from ropewalk.laws.pairs.distance import NEVER, comes_to, nearest, relative_way
 from ropewalk.laws.pairs.force import pressed
@@ -176,7 +176,7 @@ def refuse(memory, i, j):
     memory.tally[FIRST], memory.tally[SECOND] = i, j
 
 
-@kernel
+@deferred("int64")
 def meet_pairs(x, y, table, memory, tied, dt):
     """Look at the way from x to y, in `dt` [s]: return FINE, AGAIN where contacts have changed, or HALVE."""
     count = memory.tally
@@ -232,7 +232,7 @@ def meet_pairs(x, y, table, memory, tied, dt):
     return FINE
 
 
-@kernel
+@deferred("float64")
 def quickest_closing(v0, x, v, force, dt, table, memory):
     """Return how quickly contacts stop what they hit in a step of `dt` [s] [1/s]; 0: none does.
 

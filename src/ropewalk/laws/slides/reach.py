@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ropewalk.core.arrays import Floats, Ints
-from ropewalk.core.jit import kernel
+from ropewalk.core.jit import deferred, kernel
 from ropewalk.laws.slides.rail import nearest_place
 from ropewalk.laws.slides.table import DRUM, ENDS, HIGH, HIGHEST, LOOSE, LOW, LOWEST, PLACE
 
@@ -74,7 +74,7 @@ def follow_drums(table, memory, exits, held, anchors):
                 memory.ends[row, DRUM + side] = exits[winch] if held[anchors[winch]] == 1 else -1
 
 
-@kernel
+@deferred()
 def part_line(table, memory, segment, time):
     """Leave every slide the part of its rope that it is on, where `segment` (its first node) has parted.
 

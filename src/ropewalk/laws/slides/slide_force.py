@@ -28,7 +28,7 @@ from __future__ import annotations
 
 import math
 
-from ropewalk.core.jit import kernel, small
+from ropewalk.core.jit import deferred, kernel, small
 from ropewalk.laws.slides.rail import look
 from ropewalk.laws.slides.stops import move_stops, to_drum
 from ropewalk.laws.slides.table import (
@@ -114,7 +114,7 @@ def stop_forces(x, table, memory, row, force):
             force[2, drum] -= push * c
 
 
-@kernel
+@deferred()
 def slide_forces(x, v, table, memory, force, lo, hi):
     """Write the force of all slides on every node [N], (3, n)."""
     for i in range(lo, min(hi, x.shape[1])):
@@ -139,7 +139,7 @@ def add_slide_forces(x, v, table, memory, force):
                 force[k, i] += push * sight[row, R + k] + along * sight[row, GRADIENT + 3 * m + k]
 
 
-@kernel
+@deferred("float64")
 def slide_energy(x, table, memory):
     """Return what slides have stored, their friction springs included [J]."""
     total = 0.0
@@ -157,7 +157,7 @@ def slide_energy(x, table, memory):
     return total
 
 
-@kernel
+@deferred("int64")
 def remember_slides(x, table, memory):
     """Keep where slides are and what their friction carries; return the first that is off its rope, or -1."""
     lost = -1
@@ -175,7 +175,7 @@ def remember_slides(x, table, memory):
     return lost
 
 
-@kernel
+@deferred("boolean")
 def let_run_off(memory, time):
     """Let go what is beyond a broken end at `time` [s]; tell whether anything is."""
     found = False

@@ -13,7 +13,7 @@ which an anchor holds.
 
 from __future__ import annotations
 
-from ropewalk.core.jit import kernel, small
+from ropewalk.core.jit import deferred, kernel, small
 from ropewalk.core.network import add_block, put_pair
 from ropewalk.laws.slides.rail import look
 from ropewalk.laws.slides.slide_force import cut, on_rope, rubbing
@@ -121,7 +121,7 @@ def stop_block(x, table, memory, row, weight_x):
     return a, b, c, b, d, e, c, e, f
 
 
-@kernel
+@deferred()
 def couple_slides(x, v, table, memory, weight_x, weight_v, network):
     """Add -(weight_x df/dx + weight_v df/dv) of all slides to the network's blocks."""
     number, sight, group, first = network.number, memory.sight, memory.group, memory.tally[ASKED]
@@ -144,7 +144,7 @@ def couple_slides(x, v, table, memory, weight_x, weight_v, network):
                 at += 1
 
 
-@kernel
+@deferred("float64")
 def along_slides(x, v, d, table, memory, weight_x, weight_v):
     """Return d . K d of the same matrix [N m], for a direction (3, n) [m]."""
     total = 0.0
