@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from ropewalk.core.jit import deferred, kernel, part
+from ropewalk.core.jit import kernel, part, seldom
 from ropewalk.core.status import OK
 from ropewalk.laws.anchors import release_anchors
 from ropewalk.laws.elastic import RATE, tensions
@@ -25,7 +25,7 @@ from ropewalk.methods.verdict import judge, note_changes, note_energy
 from ropewalk.methods.watch import close_interval, open_interval, watch
 
 
-@deferred()
+@seldom
 def prepare(system, state):
     """Evaluate all forces and accelerations at the state itself; what a method kept is void."""
     state.now[0] = state.now[1]
@@ -39,7 +39,7 @@ def prepare(system, state):
     state.past[0] = 0.0
 
 
-@deferred()
+@seldom
 def prepare_links(system, state, t, saddle):
     """As `prepare`, and hold the lengths of rigid links at time `t` [s]; `saddle` lends its arrays."""
     prepare(system, state)

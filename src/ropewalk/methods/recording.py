@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ropewalk.core.arrays import Floats, State
-from ropewalk.core.jit import deferred, kernel, part
+from ropewalk.core.jit import kernel, part, seldom
 from ropewalk.core.ranges import rows
 from ropewalk.laws.clamps import bent_energy
 from ropewalk.laws.elastic import solved_laws
@@ -296,7 +296,7 @@ def add_bounds(limiter, solved, limited, elastic, tension):
         tension[j] += limited[j]
 
 
-@deferred()
+@seldom
 def record_frame(system, state, ledger, sums, frame, out):
     """Write the state and all that follows from it as frame `frame`; works only with `ledger`."""
     put(state.x, out.x[frame])
@@ -360,7 +360,7 @@ def _recording(law: NodeLaw, k: int, rest: Any) -> Any:
 _record_node_works = fold(_recording, _no_works, "lower")
 
 
-@deferred()
+@kernel
 def record_works(system, work, sums, total, jump):
     """Write the work done since the start [J], by law and then by anchor, and what came as a jump."""
     total[ELASTIC] = add_up(work.elastic, sums)

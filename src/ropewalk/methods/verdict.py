@@ -12,7 +12,7 @@ again. What changes between two calls (a kick, a force) counts as given.
 from __future__ import annotations
 
 from ropewalk.core.arrays import APPLIED
-from ropewalk.core.jit import deferred, kernel, part
+from ropewalk.core.jit import kernel, part, seldom
 from ropewalk.core.status import BROKEN, HONEST, LAST, MADE_UP, OK, SEEN, TAKEN, ZERO
 from ropewalk.laws.clamps import bent_energy
 from ropewalk.laws.couplings import any_fault
@@ -24,7 +24,7 @@ from ropewalk.laws.rare import has_bending
 LARGEST = 1e154  # [m] the square of a longer one is infinite
 
 
-@deferred("float64")
+@seldom
 def energy_now(system, state):
     """Return the energy of all ropes [J], that of laws of nodes and of applied forces included."""
     total = kinetic_energy(state.v, state.mass)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ropewalk.core.jit import deferred, part, seldom
+from ropewalk.core.jit import part, seldom
 from ropewalk.core.ranges import ALL
 from ropewalk.laws.rare import winds
 from ropewalk.methods.errors import keep_error, set_zero
@@ -19,7 +19,7 @@ from ropewalk.methods.peaks import (
 from ropewalk.methods.recording import carried_tension, record_elastic
 
 
-@deferred()
+@seldom
 def watch(system, state, pull, sums, t):
     """Look at the state of time `t` [s]. `pull` (2, s) and `sums` are working space."""
     if not wanted(state):
