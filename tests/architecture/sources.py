@@ -20,6 +20,7 @@ def is_kernel(function: ast.FunctionDef | ast.AsyncFunctionDef) -> bool:
         target = decorator.func if isinstance(decorator, ast.Call) else decorator
         if isinstance(target, ast.Name) and target.id in (
             "kernel",
+            "deferred",
             "seldom",
             "part",
             "small",

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import time
-
 from ropewalk.core.cache import is_compiled
+from ropewalk.core.deferred import clock
 from ropewalk.lowering import Model
 from ropewalk.methods.registry import METHODS
 from ropewalk.simulation import Broken, Simulation
@@ -63,9 +62,9 @@ def seconds_per_step(model: Model, measure: bool = True) -> tuple[float, bool]:
     count = max(1, min(int(_SAMPLE / typical), 2000, model.plan.steps))
     try:
         simulation.step(dt)
-        start = time.perf_counter()
+        start = clock()
         simulation.step(count * dt)
-        spent = time.perf_counter() - start
+        spent = clock() - start
     except Broken:
         return typical, False
     return spent / count, True

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import math
-import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from typing import TYPE_CHECKING, Any
 
 from ropewalk.cli.console import load_tables, tell
@@ -39,24 +38,33 @@ def tell_compiling(method: str, scene: Scene, *, live: bool = False) -> None:
 
 
 @contextmanager
-def telling_of_compiling() -> Iterator[None]:
-    """Say so, once, when machine code has to be made."""
+def listening_to_compiling(tell: Callable[[str], None]) -> Iterator[None]:
+    """Call `tell` with the name of every kernel of which machine code has to be made."""
     from numba.core import event
 
-    class Teller(event.Listener):
-        told = False
+    class Listener(event.Listener):
+        def on_start(self, event: Any) -> None:
+            tell(event.data["dispatcher"].py_func.__name__)
 
-        def on_start(self, _: object) -> None:
-            if not self.told:
-                self.told = True
-                tell(
-                    "compiling: the first time on this machine takes a minute or two, later ones none"
-                )
-
-        def on_end(self, _: object) -> None:
+        def on_end(self, event: Any) -> None:
             pass
 
-    with event.install_listener("numba:compile", Teller()):
+    with event.install_listener("numba:compile", Listener()):
+        yield
+
+
+@contextmanager
+def telling_of_compiling() -> Iterator[None]:
+    """Say so, once, when machine code has to be made."""
+    told: set[str] = set()
+
+    def tell_once(_: str) -> None:
+        text = "compiling: the first time on this machine takes a minute or two, later ones none"
+        if text not in told:
+            told.add(text)
+            tell(text)
+
+    with listening_to_compiling(tell_once):
         yield
 
 
@@ -93,14 +101,21 @@ class RunProgress:
     """
 
     def __init__(self, scene: Scene, *, quiet: bool = False) -> None:
+        from ropewalk.core.deferred import clock
+
         self._bar = Bar(scene.name, shown=not quiet)
-        self._begun = time.perf_counter()
+        self._held = ExitStack()
+        self._clock = clock
+        self._begun = clock()
         self._first = 0.0  # energy error of the first frame [J]
         self._from: float | None = None  # simulated time where this part of the run began [s]
 
     def __enter__(self) -> RunProgress:
         load_tables()
-        self._bar.__enter__()
+        self._held.enter_context(self._bar)
+        self._held.enter_context(
+            listening_to_compiling(lambda name: self._bar.say(f"compiling {name}"))
+        )
         return self
 
     def __call__(self, done: int, planned: int, block: Block) -> None:
@@ -113,13 +128,13 @@ class RunProgress:
             self._from = now - frame * block.frames
             self._first = energy_error(block.head(1))
             self._bar.begin(done - block.frames, planned)
-        spent = time.perf_counter() - self._begun
+        spent = self._clock() - self._begun
         speed = (now - self._from) / spent if spent > 0.0 else math.inf
         drift = energy_error(block) - self._first
         self._bar.show(done, planned, facts_of(now, frame * planned, speed, drift))
 
     def __exit__(self, *error: Any) -> None:
-        self._bar.__exit__(*error)
+        self._held.__exit__(*error)
 
 
 @contextmanager

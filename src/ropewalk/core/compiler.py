@@ -372,7 +372,8 @@ class Deferred(Entry):
     def compile(self, sig: Any) -> Any:
         """Compile for a signature and return what Python calls."""
         found = super().compile(sig)
-        for one in self.overloads.values():
+        compiled: Any = self.overloads
+        for one in compiled.values():
             if one.signature.return_type != self.returns:
                 name, what = self.py_func.__qualname__, one.signature.return_type
                 raise TypeError(f"{name} returns {what}, and is said to return {self.returns}")
@@ -382,15 +383,10 @@ class Deferred(Entry):
         """Return what the types of a call from another kernel follow from: no code."""
         plain = tuple(types.unliteral(one) for one in args)
         pysig, folded = self._compiler.fold_argument_types(plain, kws)
-        signature = typing.signature(self.returns, *folded)
-        name = self.py_func.__name__
-        made: Any = typing
-        return (
-            made.make_concrete_template(name, key=name, signatures=[signature]),
-            pysig,
-            folded,
-            {},
-        )
+        made: Any = typing  # of which numba's types know no functions
+        name, signature = self.py_func.__name__, made.signature(self.returns, *folded)
+        template = made.make_concrete_template(name, key=name, signatures=[signature])
+        return template, pysig, folded, {}
 
     def get_overload(self, sig: Any) -> Any:
         """Return what another kernel calls."""
@@ -401,7 +397,9 @@ class Deferred(Entry):
 
 
 def deferred(function: Callable[..., Any], options: dict[str, Any], returns: Any) -> Any:
-    """Return the kernel `function`, a `Deferred`; without caches."""
+    """Return the kernel `function`, a `Deferred`; without caches. Raises TypeError for one inside another."""
+    if "<locals>" in function.__qualname__:
+        raise TypeError(f"{function.__qualname__}: no module has it under its name, to find it by")
     found = entry(function, options, kind=Deferred)
     found.returns, found._calls = returns, {}
     return found

@@ -12,22 +12,23 @@ import hashlib
 import importlib
 import io
 import pickle
+import signal
 import threading
-from collections.abc import Callable, Sequence
+import time
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from typing import Any
 
 import llvmlite.binding as llvm
 from llvmlite import ir
-from numba.core import cgutils, typing
+from numba.core import cgutils
 from numba.core.callconv import RETCODE_EXC
+from numba.core.typing import signature  # type: ignore[attr-defined]
 
 from ropewalk.core.pointed import Pointed, known
 
 _ASK = "ropewalk_address_of"
 _BYTES, _LENGTH = ir.IntType(8).as_pointer(), ir.IntType(64)
-
-listeners: list[Callable[[str], None]] = []
-"""Called with the name of a deferred kernel before it is made ready."""
 
 
 class _Pickler(pickle.Pickler):
@@ -53,8 +54,46 @@ def _word_for(entry: Any, args: tuple[Any, ...]) -> bytes:
 
 # -- when a kernel is called ---------------------------------------------------------------
 
+
+class _Waits:
+    """How long kernels have waited for others, in whatever threads."""
+
+    def __init__(self) -> None:
+        self._lock, self._waiting, self._since, self._before = threading.Lock(), 0, 0.0, 0.0
+
+    @contextmanager
+    def wait(self) -> Iterator[None]:
+        """Count the time inside."""
+        self._count(1)
+        try:
+            yield
+        finally:
+            self._count(-1)
+
+    def _count(self, more: int) -> None:
+        with self._lock:
+            now = time.perf_counter()
+            if self._waiting == 0:
+                self._since = now
+            self._waiting += more
+            if self._waiting == 0:
+                self._before += now - self._since
+
+    def clock(self) -> float:
+        """Return the time without them [s]."""
+        with self._lock:
+            now = self._since if self._waiting else time.perf_counter()
+            return now - self._before
+
+
+_waits = _Waits()
+clock = _waits.clock
+"""clock(): the wall time without what was spent on making deferred kernels ready [s]."""
+
 _addresses: dict[bytes, int] = {}
-_late = threading.local()  # `error`: what could not be raised while a kernel ran
+_late = (
+    threading.local()
+)  # what could not be raised while a kernel ran: `error`, `pressed` for Ctrl-C
 
 
 def _make_ready(word: bytes) -> None:
@@ -62,40 +101,38 @@ def _make_ready(word: bytes) -> None:
     entry = importlib.import_module(module)
     for part in name.split("."):
         entry = getattr(entry, part)
-    for listener in listeners:
-        listener(name)
     entry.compile(args)
     result = entry.overloads[args]
     _addresses[word] = result.library.get_pointer_to_function(result.fndesc.llvm_func_name)
 
 
+@contextmanager
+def _undisturbed() -> Iterator[None]:
+    """Keep Ctrl-C back, which cannot pass through a kernel: `raise_late` has it raised."""
+    before = signal.getsignal(signal.SIGINT)
+    if threading.current_thread() is not threading.main_thread() or not callable(before):
+        yield
+        return
+
+    def note(*_: Any) -> None:
+        _late.pressed = True
+
+    signal.signal(signal.SIGINT, note)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
+
+
 def _answer(start: int, length: int) -> int:
-    """Return the address of a kernel, 0 where it cannot be compiled.
-
-    In a thread of its own: nothing raised here, nor by Ctrl-C, can pass through the kernel that asks.
-    """
+    """Return the address of a kernel, 0 where it cannot be compiled."""
     word = ctypes.string_at(start, length)
-    if word in _addresses:
-        return _addresses[word]
-    done = threading.Event()
-
-    def work() -> None:
+    if word not in _addresses:
         try:
-            _make_ready(word)
-        except BaseException as error:
-            failed.append(error)
-        finally:
-            done.set()
-
-    failed: list[BaseException] = []
-    threading.Thread(target=work, name="compiling").start()
-    while not done.is_set():
-        try:
-            done.wait()
+            with _undisturbed(), _waits.wait():
+                _make_ready(word)
         except BaseException as error:
             _late.error = error
-    if failed:
-        _late.error = failed[0]
     return _addresses.get(word, 0)
 
 
@@ -105,10 +142,14 @@ llvm.add_symbol(_ASK, ctypes.cast(_callback, ctypes.c_void_p).value)
 
 def raise_late() -> None:
     """Raise what came up while a kernel ran that has returned."""
-    error = getattr(_late, "error", None)
+    found = vars(_late)
+    if not found:
+        return
+    error, pressed = found.pop("error", None), found.pop("pressed", False)
+    if pressed:
+        signal.raise_signal(signal.SIGINT)
     if error is not None:
-        del _late.error
-        raise error
+        raise error from None
 
 
 # -- how a call is compiled ------------------------------------------------------------------
@@ -120,19 +161,19 @@ class _Call:
     libs = ()
 
     def __init__(self, entry: Any, args: tuple[Any, ...]) -> None:
-        self.signature = typing.signature(entry.returns, *args)
+        self.signature = signature(entry.returns, *args)
         self._word = _word_for(entry, args)
         code = hashlib.sha1(self._word).hexdigest()[:12]
         self._name = f"ropewalk.deferred.{entry.py_func.__name__}.{code}"
 
-    def __call__(self, context: Any, builder: Any, signature: Any, args: Sequence[Any]) -> Any:
+    def __call__(self, context: Any, builder: Any, called: Any, args: Sequence[Any]) -> Any:
         convention = context.call_conv
-        kind = convention.get_function_type(signature.return_type, signature.args)
+        kind = convention.get_function_type(called.return_type, called.args)
         stub = cgutils.get_or_insert_function(builder.module, kind, self._name)
         if stub.is_declaration:
             self._fill(stub)
         status, found = convention.call_function(
-            builder, stub, signature.return_type, signature.args, args
+            builder, stub, called.return_type, called.args, args
         )
         with cgutils.if_unlikely(builder, status.is_error):
             convention.return_status_propagate(builder, status)

@@ -78,6 +78,11 @@ class Bar:
             text = self._fitting(facts)
             self._bar.update(self._task, completed=done, total=planned, facts=text)
 
+    def say(self, text: str) -> None:
+        """Show a text in place of the facts, until the next ones."""
+        if self._bar is not None:
+            self._bar.update(self._task, facts=self._fitting([text]))
+
     def tell(self, text: str) -> None:
         """Print a line above the bar."""
         if self._bar is not None:

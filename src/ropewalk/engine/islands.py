@@ -18,12 +18,12 @@ from concurrent.futures import ThreadPoolExecutor, wait
 from contextlib import contextmanager
 from dataclasses import replace
 from threading import local
-from time import perf_counter
 
 import numpy as np
 
 from ropewalk.core import arrays
 from ropewalk.core.arrays import APPLIED, Floats, Ints, flatten, pooled
+from ropewalk.core.deferred import clock
 from ropewalk.core.peaks import Peaks
 from ropewalk.core.status import BROKEN, OK, PAUSED
 from ropewalk.engine.engine import (
@@ -301,7 +301,7 @@ class Islands:
         self, now: Floats, frames: int, out: Recording, stop: bool, asked: Asked
     ) -> list[Moved]:
         """Move every island from the same time and collect what they record."""
-        begun, rows = perf_counter(), min(frames, len(out.x))
+        begun, rows = clock(), min(frames, len(out.x))
         lengths = out.rest_length.shape[1] > 0
         outs = self._nothing
         if rows:
@@ -324,7 +324,7 @@ class Islands:
         else:
             done = [go(k) for k in range(len(self.engines))]
         if frames:
-            self._seconds = (perf_counter() - begun) / frames
+            self._seconds = (clock() - begun) / frames
         good = min(rows, min(moved.good for moved in done)) if stop else rows
         if not rows:
             return done

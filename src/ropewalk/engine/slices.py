@@ -6,10 +6,10 @@ So no call may last long. Where a call ends changes no bit: a kernel takes step 
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
+from ropewalk.core.deferred import clock
 from ropewalk.core.status import OK, PAUSED
 from ropewalk.methods.recording import Recording
 
@@ -34,7 +34,7 @@ class Slices:
         nodes: int,
         cost: float,
         fixed: bool = True,
-        clock: Callable[[], float] = time.perf_counter,
+        clock: Callable[[], float] = clock,
         span: float = SLICE,
     ) -> None:
         """Begin with a guess for steps of so many nodes; `cost` of a step in force evaluations.

@@ -108,8 +108,9 @@ def _show(server: Any, session: Any, folder: Path | None, go_on: bool, playing: 
     """Make a session what a server broadcasts."""
     from ropewalk.live.broadcast import Broadcast
     from ropewalk.live.keeper import Keeper
+    from ropewalk.simulation.warming import warm_up
 
-    session.main.simulation.advance_frames(0)  # compiles before anybody waits for a frame
+    warm_up(session.main.simulation)
     broadcast = Broadcast(session, playing=playing)
     keeper = Keeper(session, folder, go_on=go_on) if folder is not None else None
     if keeper is not None:

@@ -16,6 +16,7 @@ from ropewalk.live.parameters import refusal
 from ropewalk.live.reading import read_apart
 from ropewalk.live.session import Session
 from ropewalk.live.sources import Start
+from ropewalk.simulation.warming import warm_up
 
 
 class Opened(NamedTuple):
@@ -66,5 +67,5 @@ class Opening:
 
 def _open(command: SceneCommand, start: Start) -> Session:
     made = opened(Session, command, start, read_apart)
-    made.main.simulation.advance_frames(0)  # compiles before anybody waits for a frame
+    warm_up(made.main.simulation)
     return made

@@ -14,6 +14,7 @@ from itertools import cycle
 from pathlib import Path
 from types import FrameType, TracebackType
 
+from ropewalk.core.deferred import clock
 from ropewalk.core.status import OK
 from ropewalk.engine.engine import counts
 from ropewalk.engine.slices import NODE_STEP
@@ -52,7 +53,7 @@ class Recorder:
     facts: Facts
     runner: Runner
     commit_seconds: float = COMMIT_SECONDS
-    begun: float = field(default_factory=time.perf_counter)
+    begun: float = field(default_factory=clock)
     earlier: float = 0.0  # wall time of former parts of this run [s]
     last_commit: float = field(default_factory=time.perf_counter)
     commit_cost: float = 0.0
@@ -113,7 +114,7 @@ class Recorder:
 
     def _checkpoint(self, frames: int) -> Checkpoint:
         """Return what it takes to go on from here, where `frames` frames have been recorded."""
-        seconds = self.earlier + time.perf_counter() - self.begun
+        seconds = self.earlier + clock() - self.begun
         return Checkpoint(self.simulation.state, frames, source_hash(), seconds, self.runner.ends)
 
     def _commit(self, status: str, made: Checkpoint) -> None:
@@ -178,7 +179,7 @@ def finish(recorder: Recorder, progress: Progress | None) -> Result:
     """Record to the end and close the folder, whose lock is held. Raises RunError."""
     folder = recorder.folder
     recorder.simulation.advance_frames(0)  # compiles outside the clock
-    recorder.begun = recorder.last_commit = time.perf_counter()
+    recorder.begun, recorder.last_commit = clock(), time.perf_counter()
     try:
         status = recorder.record(progress)
         if recorder.runner.beyond is not None:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import math
-import time
 import warnings
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
@@ -12,6 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ropewalk.api import SceneLike, as_scene
+from ropewalk.core.deferred import clock
 from ropewalk.record.errors import RunError
 from ropewalk.record.facts import provenance
 from ropewalk.record.files import writing
@@ -245,15 +245,15 @@ def _first_runs(recipe: Recipe, design: Design, batch: int | None) -> _First:
     batcher = batcher_of(json.dumps(recipe.plain()))
     columns = next(design.pieces())[: len(design.parameters)]
     rows = rows_of([column[:_MOST_MEASURED] for column in columns])[: batch or None]
-    begun = time.perf_counter()
+    begun = clock()
     made, spent = batcher.make(rows[:1]), []
-    alone = time.perf_counter() - begun
-    begun = time.perf_counter()
+    alone = clock() - begun
+    begun = clock()
     for row in rows[1:]:
-        before = time.perf_counter()
+        before = clock()
         made.append(batcher.make([row]))
-        spent.append(time.perf_counter() - before)
-        if time.perf_counter() - begun > _MEASURED:
+        spent.append(clock() - before)
+        if clock() - begun > _MEASURED:
             break
     return _First(made, sum(spent) / len(spent) if spent else alone)
 
@@ -319,9 +319,9 @@ def _make(
             seconds = begun.first.seconds
         left = [n for n in range(plan.batches) if n not in begun.done]
         if begun.first is None and on is None:  # what is gone on with: how long will it take?
-            before = time.perf_counter()
+            before = clock()
             engines.make_here(sink, iter(left[:1]), told)
-            seconds = (time.perf_counter() - before) / plan.batch
+            seconds = (clock() - before) / plan.batch
             left = left[1:]
         work = seconds * plan.batch * len(left)
         folder = sink.folder if isinstance(sink, SweepFolder) else None
