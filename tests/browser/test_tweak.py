@@ -269,7 +269,7 @@ def test_a_change_makes_no_jump_while_it_runs(open_window: Open, serve: Serve) -
         _change(window, name, "number")
         time = window.ask("r.time")
         window.until(f"r.time > {time} + 0.2")
-    assert window.ask("r.way") > 0.1
+    assert window.ask("r.way") > 1e-2  # it moves: by how much depends on when the changes come
     assert window.ask("r.jump") < 1e-3  # no way but what its speed makes, however few frames came
 
 

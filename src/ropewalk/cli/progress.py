@@ -30,7 +30,7 @@ def tell_compiling(method: str, scene: Scene, *, live: bool = False) -> None:
 
     rare = 1 if live else rare_of(scene)  # a live scene may get any law
     if method in METHODS and not is_compiled(method, rare):
-        which = f"{method} with all laws" if rare else method
+        which = f"{method} with rarer laws" if rare else method
         tell(
             f"compiling {which}: the first run on this machine takes a minute or two, "
             "later ones begin at once"
