@@ -206,6 +206,46 @@ def test_threads_ask_at_once() -> None:
     assert len(shared.signatures) == 1
 
 
+EARLY = """
+import os, signal, threading
+import numpy as np
+from ropewalk.core.jit import deferred, kernel
+from numba.core import types
+signal.signal(signal.SIGINT, signal.default_int_handler)
+
+@deferred()
+def late(out):
+    out[0] = 1.0
+
+@kernel
+def busy(out, turns):
+    for i in range(turns):
+        out[1] = out[1] * 0.5 + i
+    late(out)
+    out[2] = 2.0
+
+if __name__ != "__main__":
+    out = np.zeros(3)
+    busy.compile((types.float64[::1], types.int64))
+    threading.Timer(0.2, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+    try:
+        busy(out, 300_000_000)
+    except KeyboardInterrupt:
+        print("raised", out[0], out[2])
+"""
+
+
+def test_ctrl_c_before_it_is_asked_for_waits_for_the_kernel(tmp_path: Path) -> None:
+    """Python then raises before anything can catch it, and what the callback returns is lost."""
+    (tmp_path / "early.py").write_text(EARLY)
+    own = os.environ | {"ROPEWALK_CACHE_DIR": str(tmp_path / "cache")}
+    own["PYTHONPATH"] = os.pathsep.join([str(tmp_path), *sys.path])
+    said = subprocess.run(
+        [sys.executable, "-c", "import early"], env=own, check=True, capture_output=True, text=True
+    )
+    assert said.stdout.split() == ["raised", "1.0", "2.0"]
+
+
 MODULE = """
 import sys
 from collections import namedtuple

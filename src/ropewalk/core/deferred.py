@@ -13,6 +13,7 @@ import importlib
 import io
 import pickle
 import signal
+import sys
 import threading
 import time
 from collections.abc import Iterator, Sequence
@@ -21,13 +22,14 @@ from typing import Any
 
 import llvmlite.binding as llvm
 from llvmlite import ir
-from numba.core import cgutils
+from numba.core import cgutils, types
 from numba.core.callconv import RETCODE_EXC
 from numba.core.typing import signature  # type: ignore[attr-defined]
 
 from ropewalk.core.pointed import Pointed, known
 
 _ASK = "ropewalk_address_of"
+_FAILED = 1  # no address
 _BYTES, _LENGTH = ir.IntType(8).as_pointer(), ir.IntType(64)
 
 
@@ -36,6 +38,14 @@ class _Pickler(pickle.Pickler):
 
     def persistent_id(self, obj: Any) -> Any:
         return obj.name if isinstance(obj, Pointed) else None
+
+    def reducer_override(self, obj: Any) -> Any:
+        """Leave out a type's number, another one in each process."""
+        if not isinstance(obj, types.Type):
+            return NotImplemented
+        reduced: Any = obj.__reduce__()
+        function, (make, args, state) = reduced
+        return function, (make, args, {k: v for k, v in state.items() if k != "_code"})
 
 
 class _Unpickler(pickle.Unpickler):
@@ -55,40 +65,23 @@ def _word_for(entry: Any, args: tuple[Any, ...]) -> bytes:
 # -- when a kernel is called ---------------------------------------------------------------
 
 
-class _Waits:
-    """How long kernels have waited for others, in whatever threads."""
-
-    def __init__(self) -> None:
-        self._lock, self._waiting, self._since, self._before = threading.Lock(), 0, 0.0, 0.0
-
-    @contextmanager
-    def wait(self) -> Iterator[None]:
-        """Count the time inside."""
-        self._count(1)
-        try:
-            yield
-        finally:
-            self._count(-1)
-
-    def _count(self, more: int) -> None:
-        with self._lock:
-            now = time.perf_counter()
-            if self._waiting == 0:
-                self._since = now
-            self._waiting += more
-            if self._waiting == 0:
-                self._before += now - self._since
-
-    def clock(self) -> float:
-        """Return the time without them [s]."""
-        with self._lock:
-            now = self._since if self._waiting else time.perf_counter()
-            return now - self._before
+_own = threading.local()  # `waited`: for deferred kernels, in this thread [s]
 
 
-_waits = _Waits()
-clock = _waits.clock
-"""clock(): the wall time without what was spent on making deferred kernels ready [s]."""
+def waited() -> float:
+    """Return how long this thread has waited for deferred kernels so far [s]."""
+    return getattr(_own, "waited", 0.0)
+
+
+def wait_too(seconds: float) -> None:
+    """Count, for this thread, what those have waited that it waited for [s]."""
+    _own.waited = waited() + seconds
+
+
+def clock() -> float:
+    """Return the wall time without what this thread has waited for deferred kernels [s]."""
+    return time.perf_counter() - waited()
+
 
 _addresses: dict[bytes, int] = {}
 _late = (
@@ -115,6 +108,8 @@ def _undisturbed() -> Iterator[None]:
         return
 
     def note(*_: Any) -> None:
+        if not getattr(_late, "pressed", False):
+            print("interrupted: ends when this step's kernels are compiled", file=sys.stderr)
         _late.pressed = True
 
     signal.signal(signal.SIGINT, note)
@@ -124,19 +119,35 @@ def _undisturbed() -> Iterator[None]:
         signal.signal(signal.SIGINT, before)
 
 
-def _answer(start: int, length: int) -> int:
-    """Return the address of a kernel, 0 where it cannot be compiled."""
-    word = ctypes.string_at(start, length)
-    if word not in _addresses:
-        try:
-            with _undisturbed(), _waits.wait():
-                _make_ready(word)
-        except BaseException as error:
-            _late.error = error
-    return _addresses.get(word, 0)
+def _answer(start: int, length: int, place: int, again: int) -> None:
+    """Write the address of a kernel to a place, FAILED where it cannot be compiled.
+
+    Where nothing is written it is asked again: a signal's handler has raised where nothing here could catch
+    it, and ctypes has dropped that.
+    """
+    if again:
+        _late.pressed = True
+    word, found = ctypes.string_at(start, length), _FAILED
+    try:
+        if word not in _addresses:
+            began = time.perf_counter()
+            try:
+                with _undisturbed():
+                    _make_ready(word)
+            finally:
+                wait_too(time.perf_counter() - began)
+        found = _addresses[word]
+    except KeyboardInterrupt:
+        _late.pressed = True
+        return
+    except BaseException as error:
+        _late.error = error
+    ctypes.c_uint64.from_address(place).value = found
 
 
-_callback = ctypes.CFUNCTYPE(ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int64)(_answer)
+_callback = ctypes.CFUNCTYPE(
+    None, ctypes.c_void_p, ctypes.c_int64, ctypes.c_void_p, ctypes.c_int64
+)(_answer)
 llvm.add_symbol(_ASK, ctypes.cast(_callback, ctypes.c_void_p).value)
 
 
@@ -148,6 +159,8 @@ def raise_late() -> None:
     error, pressed = found.pop("error", None), found.pop("pressed", False)
     if pressed:
         signal.raise_signal(signal.SIGINT)
+        if not callable(signal.getsignal(signal.SIGINT)):
+            raise KeyboardInterrupt  # it was another signal
     if error is not None:
         raise error from None
 
@@ -188,22 +201,34 @@ class _Call:
         slot.linkage, slot.initializer = "internal", null
         text = cgutils.make_bytearray(self._word)
         word = cgutils.global_constant(module, f"{self._name}.word", text)
-        begin, ask, failed, go = (stub.append_basic_block() for _ in range(4))
+        begin, ask, told, keep, failed, go = (stub.append_basic_block() for _ in range(6))
         builder = ir.IRBuilder(begin)
+        answer = builder.alloca(_BYTES)
+        builder.store(null, answer)
         there = builder.load(slot)
         builder.cbranch(builder.icmp_unsigned("==", there, null), ask, go)
         builder.position_at_end(ask)
-        asking = ir.FunctionType(_BYTES, [_BYTES, _LENGTH])
+        again = builder.phi(_LENGTH)
+        again.add_incoming(_LENGTH(0), begin)
+        again.add_incoming(_LENGTH(1), ask)
+        asking = ir.FunctionType(ir.VoidType(), [_BYTES, _LENGTH, _BYTES, _LENGTH])
         asked = cgutils.get_or_insert_function(module, asking, _ASK)
-        found = builder.call(asked, [builder.bitcast(word, _BYTES), _LENGTH(len(self._word))])
+        text, place = builder.bitcast(word, _BYTES), builder.bitcast(answer, _BYTES)
+        builder.call(asked, [text, _LENGTH(len(self._word)), place, again])
+        found = builder.load(answer)
+        builder.cbranch(builder.icmp_unsigned("==", found, null), ask, told)
+        builder.position_at_end(told)
+        bad = ir.Constant(_LENGTH, _FAILED).inttoptr(_BYTES)
+        builder.cbranch(builder.icmp_unsigned("==", found, bad), failed, keep)
+        builder.position_at_end(keep)
         builder.store(found, slot)
-        builder.cbranch(builder.icmp_unsigned("==", found, null), failed, go)
+        builder.branch(go)
         builder.position_at_end(failed)
         builder.ret(RETCODE_EXC)
         builder.position_at_end(go)
         address = builder.phi(_BYTES)
         address.add_incoming(there, begin)
-        address.add_incoming(found, ask)
+        address.add_incoming(found, keep)
         kernel = builder.bitcast(address, stub.type)
         builder.ret(builder.call(kernel, stub.args, tail=True))
 

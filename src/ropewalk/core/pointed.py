@@ -40,7 +40,8 @@ class Pointed(types.NamedTuple):
     def __init__(self, kinds: tuple[Any, ...], instance_class: type) -> None:
         super().__init__(kinds, instance_class)
         # It is a part of the names of functions: short, for there are two hundred members.
-        members = hashlib.sha1(self.name.encode()).hexdigest()[:12]
+        own = f"{instance_class.__module__}.{instance_class.__qualname__} {self.name}"
+        members = hashlib.sha1(own.encode()).hexdigest()[:12]
         self.name = f"{instance_class.__name__}_{members}"
 
     @property

@@ -23,7 +23,7 @@ import numpy as np
 
 from ropewalk.core import arrays
 from ropewalk.core.arrays import APPLIED, Floats, Ints, flatten, pooled
-from ropewalk.core.deferred import clock
+from ropewalk.core.deferred import clock, wait_too, waited
 from ropewalk.core.peaks import Peaks
 from ropewalk.core.status import BROKEN, OK, PAUSED
 from ropewalk.engine.engine import (
@@ -338,14 +338,17 @@ class Islands:
             self._beside = ThreadPoolExecutor(threads, thread_name_prefix="islands")
         parts = np.array_split(np.arange(len(self.engines)), min(4 * threads, len(self.engines)))
 
-        def go_through(part: Ints) -> list[Moved]:
-            return [go(int(k)) for k in part]
+        def go_through(part: Ints) -> tuple[list[Moved], float]:
+            before = waited()
+            return [go(int(k)) for k in part], waited() - before
 
         jobs = [self._beside.submit(go_through, part) for part in parts]
         try:
-            return [moved for job in jobs for moved in job.result()]
+            found = [job.result() for job in jobs]
         finally:
             wait(jobs)
+        wait_too(max(seconds for _, seconds in found))
+        return [moved for some, _ in found for moved in some]
 
 
 def _go(

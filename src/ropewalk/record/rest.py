@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import time
 from dataclasses import replace
 
 import numpy as np
 
 from ropewalk.core import arrays
+from ropewalk.core.deferred import clock
 from ropewalk.core.status import OK
 from ropewalk.laws.clamps import start_clamps
 from ropewalk.lowering import Model, build
@@ -37,9 +37,9 @@ def rest_result(source: Scene | Model) -> Result:
 def rest_and_result(source: Scene | Model) -> tuple[Statics, Result]:
     """Return the equilibrium of a scene, and the same as `rest_result` does. Raises as that."""
     model = source if isinstance(source, Model) else build(source)
-    begun = time.perf_counter()
+    begun = clock()
     statics = checked_shape(model)
-    return statics, as_result(model, statics, time.perf_counter() - begun)
+    return statics, as_result(model, statics, clock() - begun)
 
 
 def as_result(model: Model, statics: Statics, seconds: float) -> Result:

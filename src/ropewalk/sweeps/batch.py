@@ -168,7 +168,8 @@ class Batcher:
         if self.recipe.what == REST:
             rest_result(model)
         else:
-            Simulation(model).advance_steps(1)
+            with np.errstate(all="ignore"):
+                Simulation(model).advance_steps(1)
 
     def scene(self, row: Sequence[Any]) -> Scene:
         """Return the scene of these values. Raises SceneError."""

@@ -200,9 +200,8 @@ def _shapes(
         result, frames = rest_result(model), 1
     else:
         simulation = Simulation(model)
-        simulation.advance_frames(
-            0
-        )  # has its kernels compiled, before there are workers that would
+        with np.errstate(all="ignore"):
+            simulation.advance_steps(1)  # compiles its kernels, before there are workers that would
         names = tuple(q.name for q in recorded(model.layout, model.scene))
         source = Memory([simulation.recording()], names)
         result = Result(simulation.scene, model.layout, source, Facts(model.plan))
