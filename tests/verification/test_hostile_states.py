@@ -129,7 +129,9 @@ def test_a_stiff_rod_s_step_that_makes_up_energy_is_taken_in_parts(
     before = one.recording().recording.energy[0].sum()
     arrays = one.system, one.arrays, one._engine._scratch
     assert (
-        take_step(*arrays, 0.0, step, step, True, MOST_HALVINGS, DIRK, A, b, c, numbers, False)
+        take_step(
+            *arrays, 0.0, step, step, True, MOST_HALVINGS, DIRK, A, b, c, numbers, False, step
+        )
         == OK
     )
     assert one.recording().recording.energy[0].sum() > 5.0 * before

@@ -199,7 +199,7 @@ remember_couplings = fold(remembering, nothing_to_remember, "couple")
 
 
 @part
-def _nothing_braced(system, state, dt):
+def _nothing_braced(system, state, dt, every):
     pass
 
 
@@ -207,16 +207,19 @@ def _bracing(law: NodeLaw, k: int, rest: Any) -> Any:
     brace = law.brace
 
     @part
-    def _brace(system, state, dt):
+    def _brace(system, state, dt, every):
         if acts(system, k):
-            brace(system.node[k], state, dt)
-        rest(system, state, dt)
+            brace(system.node[k], state, dt, every)
+        rest(system, state, dt, every)
 
     return _brace
 
 
 brace_couplings = fold(_bracing, _nothing_braced, "brace")
-"""brace_couplings(system, state, dt): let these laws get ready for what a step of `dt` [s] may hit."""
+"""brace_couplings(system, state, dt, every): let these laws get ready for what a step of `dt` [s] may hit.
+
+What is new to it, or `every` one.
+"""
 
 
 @part

@@ -112,8 +112,8 @@ class NodeLaw(NamedTuple):
     # part (table, state, x): whether a step from the state to there may stand: 0, is to be solved again
     # with what was found on its way: 1, or to be halved: 2
     meet: Any = None
-    # part (table, state, dt): get ready for what a step of `dt` [s] may hit, of a method that shortens them
-    # for that
+    # part (table, state, dt, every): get ready for what a step of `dt` [s] may hit: with what is new to it,
+    # or, for a method that shortens steps for that, with `every` one
     brace: Any = None
     fault: Any = None  # part (table, state): not 0 where the run cannot go on
     wound: Any = None  # part (table, state, winches): nodes have gone on to drums, or come off

@@ -161,6 +161,7 @@ def try_once(system, state, solver, t, after, dt, ledger, tableau):
             tableau.c,
             tableau.numbers,
             False,
+            dt,
         )
     if status != OK and winds(system, state):
         wind_to(system, state, t, solver.turning)

@@ -197,24 +197,27 @@ def end_stages(system, state, scratch, t, after, dt, level, kind, A, b, struck):
 
 
 @part
-def begin_step(system, state, stage, mean, dt, warm):
-    """Get ready for a step of `dt` [s]; `warm` as in `take_step`."""
+def begin_step(system, state, stage, mean, dt, last, warm):
+    """Get ready for a step of `dt` [s]; `last` and `warm` as in `take_step`."""
     clear_forces(system, mean)
     if not warm:
         put_row(state.tension, stage.tension)
-    if stage.saddle.band.frozen[0] == 1:  # of a method that shortens steps for what they hit
-        brace_couplings(system, state, dt)
+    shortens = stage.saddle.band.frozen[0] == 1  # for what they hit
+    brace_couplings(system, state, dt if shortens else last, shortens)
 
 
 @kernel
-def take_step(system, state, scratch, t, after, dt, ledger, level, kind, A, b, c, numbers, warm):
+def take_step(
+    system, state, scratch, t, after, dt, ledger, level, kind, A, b, c, numbers, warm, last
+):
     """Take one step from time `t` [s]; return OK, or UNSOLVED or HIT with the state as it was.
 
     It is one of 2^level parts. But for the smallest, one that makes up energy counts as unsolved, and one
-    that hits something is told. `warm` begins with the last solution of the same step.
+    that hits something is told. `warm` begins with the last solution of the same step. `last` [s] is the
+    length of the part before, in the first that of the whole.
     """
     stage, mean, watch = scratch.stage, scratch.mean, level < MOST_HALVINGS
-    begin_step(system, state, stage, mean, dt, warm)
+    begin_step(system, state, stage, mean, dt, last, warm)
     for s in range(b.shape[0] if kind == DIRK else 1):
         if has_wheels(system):
             aim_all(system, state, kind, A, b, s, dt)
@@ -330,13 +333,13 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
     `need` of them, and where the longer one fails it takes twice as many the next time. One that hits
     something, and the next, are taken by implicit Euler.
     """
-    kind, A, b, c = tableau.kind, tableau.A, tableau.b, tableau.c
+    kind, A, b, c, numbers = tableau.kind, tableau.A, tableau.b, tableau.c, tableau.numbers
     if not follows(dt, state.held, state.winch_exit, state.past) and kind == BDF2:
         kind = DIRK
         if A[0, 0] == 0.0:  # it begins with the forces at the start; those kept are means
             prepare_links(system, state, t, scratch.stage.saddle)
             state.past[0] = dt
-    level, place, run, need, climbed = 0, 0, 0, FEWEST_PARTS, False
+    level, place, run, need, climbed, last = 0, 0, 0, FEWEST_PARTS, False, dt
     fixed = scratch.stage.saddle.band.frozen[0] == 0
     status = HIT if fixed and state.jolt[0] > 0.0 and not is_soft(kind, A) else OK
     while True:
@@ -348,22 +351,10 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
         begin = t + place * h
         end = after if place + 1 == 2**level else begin + h
         status = take_step(
-            system,
-            state,
-            scratch,
-            begin,
-            end,
-            h,
-            ledger,
-            level,
-            kind,
-            A,
-            b,
-            c,
-            tableau.numbers,
-            warm,
+            system, state, scratch, begin, end, h, ledger, level, kind, A, b, c, numbers, warm, last
         )
         if status == OK:
+            last = h
             if level == 0:
                 break
             scratch.stage.report[SPLITS] += 1.0

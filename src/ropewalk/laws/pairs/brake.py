@@ -8,25 +8,29 @@ u of 2 S sqrt(k / m), does not see it. The drag is linear within a step, with th
 with the depth, without a jump. In explicit steps it takes u no quicker than the damper of a contact of ropes
 alone at its stiffest, for which they have room, and all contacts of a segment together take no more than
 AT_ONCE of it in a step. Steps that are solved for have room for any; there it leaves 1 / (1 + ALL_BUT) of u
-in a step as long as the last, so that in the first part of one that is halved it weakens. A contact found on
-the way of a step has none in it. Where the method shortens steps for what they hit, ALL_BUT is over that
-very step, and each contact has its drag from the points that it has by then. A step too long to follow how
-it stops something counts as a hit. What slides as it hits meets the same drag across, up to mu times what
-presses: friction takes mu times the impulse, or all.
+in a step as long as the last, so that in the first part of one that is halved it weakens. A contact that is
+found on the way of a step has none in it; one that turns has its drag anew, as the first step of a run has.
+Where the method shortens steps for what they hit, ALL_BUT is over that very step, and each contact has its
+drag from the points that it has by then. A step too long to follow how it stops something counts as a hit.
+What slides as it hits meets the same drag across, up to mu times what presses: friction takes mu times the
+impulse, or all.
 """
 
 from __future__ import annotations
 
 from ropewalk.core.jit import deferred, small
+from ropewalk.laws.pairs.distance import nearest
 from ropewalk.laws.pairs.table import (
     APART,
     BRAKE,
     CONTACTS,
     DEEPEST,
     HARD,
+    NEW,
     NORMAL,
     OTHER,
     OWN,
+    WRONG,
     between,
     share_of,
 )
@@ -66,16 +70,21 @@ def stopping(v, force, dt, memory, row, i, j, size):
 
 
 @small
-def stop_within(grip, row, size):
-    """Return the length S for a contact [m]: a part of what it may still be pressed, where that is less."""
+def stop_within(x, grip, row, i, j, size):
+    """Return the length S for a contact [m]: a part of what it may still be pressed, where that is less.
+
+    How near its segments are its plane knows to WRONG.
+    """
     near = 0.0
     for k in range(3):
         near += grip[row, NORMAL + k] * grip[row, APART + k]
+    if near < (DEEPEST + WRONG + SOFT / OF_ROOM) * size:
+        near = min(near, nearest(x, x, 0.0, i, j)[2])
     return min(SOFT * size, max(OF_ROOM * (near - DEEPEST * size), CLOSEST * size))
 
 
 @small
-def brake_contact(v, inverse_mass, table, memory, row, most):
+def brake_contact(x, v, inverse_mass, table, memory, row, most):
     """Keep what drag [N s/m] a contact has for what comes closer; return its rate, `most` at most [1/s]."""
     i, j, grip = memory.pair[row, 0], memory.pair[row, 1], memory.grip
     closes, moves = closing(v, grip, row, i, j), 0.0
@@ -85,23 +94,24 @@ def brake_contact(v, inverse_mass, table, memory, row, most):
     grip[row, BRAKE] = 0.0
     if not (closes > 0.0 and moves > 0.0):
         return 0.0
-    rate = min(closes / stop_within(grip, row, table.radius[i] + table.radius[j]), most)
+    rate = min(closes / stop_within(x, grip, row, i, j, table.radius[i] + table.radius[j]), most)
     grip[row, BRAKE] = rate / moves
     return rate
 
 
 @deferred()
-def brake_again(v, inverse_mass, table, memory, dt):
-    """Keep the same for a try of a step of `dt` [s], which is solved for, of all contacts as they are now.
+def brake_again(x, v, inverse_mass, table, memory, dt, every):
+    """Keep the same for a step of `dt` [s], which is solved for, of contacts as they are now.
 
-    Those that were found on its way are among them, and those that turned on it.
+    Of those that are NEW to it, at the start of a run or turned on the way; of all where `every` is set.
     """
     for row in range(memory.tally[CONTACTS]):
-        brake_contact(v, inverse_mass, table, memory, row, ALL_BUT / dt)
+        if every or memory.grip[row, BRAKE] == NEW:
+            brake_contact(x, v, inverse_mass, table, memory, row, ALL_BUT / dt)
 
 
 @deferred()
-def brake_hits(v, inverse_mass, table, memory, dt, solved):
+def brake_hits(x, v, inverse_mass, table, memory, dt, solved):
     """Keep with what drag [N s/m] each contact meets what comes closer in the next step.
 
     It is as long as the last, `dt` [s]; `solved` where it is solved for.
@@ -109,7 +119,7 @@ def brake_hits(v, inverse_mass, table, memory, dt, solved):
     grip, mass, box = memory.grip, table.mass, memory.box
     if solved:
         for row in range(memory.tally[CONTACTS]):
-            brake_contact(v, inverse_mass, table, memory, row, ALL_BUT / max(dt, LEAST))
+            brake_contact(x, v, inverse_mass, table, memory, row, ALL_BUT / max(dt, LEAST))
         return
     for i in range(box.shape[0]):  # in which the search has no more to do
         box[i, 0] = 0.0
@@ -118,7 +128,7 @@ def brake_hits(v, inverse_mass, table, memory, dt, solved):
         stop = 1.0 / (table.stop[i] + table.stop[j])
         most = 2.0 * HARD * (stop * (1.0 / mass[i] + 1.0 / mass[j])) ** 0.5
         most = min(most, AT_ONCE / max(dt, LEAST))
-        rate = brake_contact(v, inverse_mass, table, memory, row, most)
+        rate = brake_contact(x, v, inverse_mass, table, memory, row, most)
         box[i, 0], box[j, 0] = box[i, 0] + dt * rate, box[j, 0] + dt * rate
     for row in range(memory.tally[CONTACTS]):
         i, j = memory.pair[row, 0], memory.pair[row, 1]

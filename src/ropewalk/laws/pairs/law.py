@@ -27,11 +27,13 @@ from ropewalk.laws.pairs.pair_tangent import along_pairs, couple_pairs
 from ropewalk.laws.pairs.search import note_ropes
 from ropewalk.laws.pairs.table import (
     ASKED,
+    BRAKE,
     CONTACTS,
     CROWDED,
     FAULT,
     HARD,
     LEAN,
+    NEW,
     SEEN,
     STOP,
     WIDTH,
@@ -190,6 +192,7 @@ def memory(table: Pairs, x: Floats, stiffness: Floats) -> Memory:
         found.tally[SEEN] = 1
         tied = np.ones(int(table.joint.max(initial=-1)) + 1, np.int64)
         remember_pairs(x, np.zeros_like(x), 0.0, table, found, tied)
+        found.grip[:, BRAKE] = NEW
     return found
 
 
@@ -241,7 +244,7 @@ def remember(table, state):
     solved = memory.tally[SEEN] == 1
     closed = remember_pairs(state.x, state.v, dt, table, memory, state.tied)
     follow_slides(state.x, table, memory, state.memory.slide, state.tied)
-    brake_hits(state.v, state.inverse_mass, table, memory, dt, solved)
+    brake_hits(state.x, state.v, state.inverse_mass, table, memory, dt, solved)
     return closed
 
 
@@ -267,9 +270,9 @@ def meet(table, state, x):
 
 
 @part
-def brace(table, state, dt):
+def brace(table, state, dt, every):
     """Let contacts have the drag that stops what they meet in a step of `dt` [s], see `brake`."""
-    brake_again(state.v, state.inverse_mass, table, state.memory.contact, dt)
+    brake_again(state.x, state.v, state.inverse_mass, table, state.memory.contact, dt, every)
 
 
 @part

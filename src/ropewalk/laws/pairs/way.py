@@ -16,6 +16,7 @@ from ropewalk.laws.pairs.force import pressed
 from ropewalk.laws.pairs.search import find_near, freeze, new_row, normal_at, owns, row_of
 from ropewalk.laws.pairs.table import (
     APART,
+    BRAKE,
     CONTACTS,
     DEEPEST,
     EXTRA,
@@ -26,6 +27,7 @@ from ropewalk.laws.pairs.table import (
     LAYER,
     MORE,
     NEAR,
+    NEW,
     NORMAL,
     OTHER,
     OWN,
@@ -131,6 +133,7 @@ def turn_contact(x, y, table, memory, row, hit, end):
         return 0
     freeze(x, y, share, table, memory, row, s, t)
     begin_contact(x, table, memory, row, before)
+    grip[row, BRAKE] = NEW  # it closes otherwise than it did
     return 1
 
 
