@@ -17,6 +17,7 @@ from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor, wait
 from contextlib import contextmanager
 from dataclasses import replace
+from itertools import chain
 from threading import local
 
 import numpy as np
@@ -26,6 +27,7 @@ from ropewalk.core.arrays import APPLIED, Floats, Ints, flatten, pooled
 from ropewalk.core.deferred import clock, wait_too, waited
 from ropewalk.core.peaks import Peaks
 from ropewalk.core.status import BROKEN, OK, PAUSED
+from ropewalk.engine.abreast import Crew, Mate, crews_of, go_abreast
 from ropewalk.engine.engine import (
     Asked,
     Controls,
@@ -120,6 +122,7 @@ class Islands:
         self._nothing = [make_recording(state, 0, False) for state in states]
         self._gather()
         self.model = replace(model, state=self.state, started=True)
+        self._mates = [Mate(engine) for engine in self.engines]
         self._slices = [engine.make_slices() for engine in self.engines]
         self._ended = np.zeros(len(self.engines))  # 1: it stays as it is
         self._seconds, self._ledger = 0.0, ledger
@@ -313,16 +316,22 @@ class Islands:
             ]
         slices = self._slices
 
-        def go(k: int) -> Moved:
-            if self._ended[k]:
-                return Moved(OK, frames, 0)
-            return _go(self.engines[k], slices[k], now.copy(), frames, outs[k], stop, asked)
+        def go(crew: Crew) -> list[Moved]:
+            first = crew.numbers[0]
+            if self._ended[first]:
+                return [Moved(OK, frames, 0)]
+            how = slices[first], now.copy(), frames
+            if crew.abreast:
+                mates, rooms = zip(*((self._mates[k], outs[k]) for k in crew.numbers), strict=True)
+                return go_abreast(mates, *how, rooms, stop, asked)
+            return [_go(self.engines[first], *how, outs[first], stop, asked)]
 
         alone = threads == 1 or getattr(_here, "alone", False)
-        if not alone and self._seconds * frames > LONG:
-            done = self._go_beside(go)
-        else:
-            done = [go(k) for k in range(len(self.engines))]
+        crews = crews_of(self._mates, self._ended)
+        beside = not alone and self._seconds * frames > LONG
+        parts = self._go_beside(go, crews) if beside else [go(crew) for crew in crews]
+        found = dict(zip((k for crew in crews for k in crew.numbers), chain(*parts), strict=True))
+        done = [found[k] for k in range(len(self.engines))]
         if frames:
             self._seconds = (clock() - begun) / frames
         good = min(rows, min(moved.good for moved in done)) if stop else rows
@@ -332,15 +341,15 @@ class Islands:
         collect(out, good, self.state, list(zip(self.shares, states, outs, strict=True)))
         return done
 
-    def _go_beside(self, go: Callable[[int], Moved]) -> list[Moved]:
+    def _go_beside(self, go: Callable[[Crew], list[Moved]], crews: list[Crew]) -> list[list[Moved]]:
         """Let threads move the islands, each a run of neighbours; wait for all, whatever is raised."""
         if self._beside is None:
             self._beside = ThreadPoolExecutor(threads, thread_name_prefix="islands")
-        parts = np.array_split(np.arange(len(self.engines)), min(4 * threads, len(self.engines)))
+        parts = np.array_split(np.arange(len(crews)), min(4 * threads, len(crews)))
 
-        def go_through(part: Ints) -> tuple[list[Moved], float]:
+        def go_through(part: Ints) -> tuple[list[list[Moved]], float]:
             before = waited()
-            return [go(int(k)) for k in part], waited() - before
+            return [go(crews[k]) for k in part], waited() - before
 
         jobs = [self._beside.submit(go_through, part) for part in parts]
         try:
