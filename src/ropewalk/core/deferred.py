@@ -16,9 +16,9 @@ import signal
 import sys
 import threading
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
-from typing import Any
+from typing import Any, TypeVar
 
 import llvmlite.binding as llvm
 from llvmlite import ir
@@ -28,6 +28,7 @@ from numba.core.typing import signature  # type: ignore[attr-defined]
 
 from ropewalk.core.pointed import Pointed, known
 
+T, R = TypeVar("T"), TypeVar("R")
 _ASK = "ropewalk_address_of"
 _FAILED = 1  # no address
 _BYTES, _LENGTH = ir.IntType(8).as_pointer(), ir.IntType(64)
@@ -76,6 +77,12 @@ def waited() -> float:
 def wait_too(seconds: float) -> None:
     """Count, for this thread, what those have waited that it waited for [s]."""
     _own.waited = waited() + seconds
+
+
+def each(go: Callable[[T], R], items: Iterable[T]) -> tuple[list[R], float]:
+    """Return what `go` returns of each, and how long this thread has waited for deferred kernels [s]."""
+    before = waited()
+    return [go(one) for one in items], waited() - before
 
 
 def clock() -> float:

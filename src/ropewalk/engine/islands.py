@@ -23,8 +23,8 @@ from threading import local
 import numpy as np
 
 from ropewalk.core import arrays
-from ropewalk.core.arrays import APPLIED, Floats, Ints, flatten, pooled
-from ropewalk.core.deferred import clock, wait_too, waited
+from ropewalk.core.arrays import APPLIED, Floats, flatten, pooled
+from ropewalk.core.deferred import clock, each, wait_too
 from ropewalk.core.peaks import Peaks
 from ropewalk.core.status import BROKEN, OK, PAUSED
 from ropewalk.engine.abreast import Crew, Mate, crews_of, go_abreast
@@ -347,17 +347,14 @@ class Islands:
             self._beside = ThreadPoolExecutor(threads, thread_name_prefix="islands")
         parts = np.array_split(np.arange(len(crews)), min(4 * threads, len(crews)))
 
-        def go_through(part: Ints) -> tuple[list[list[Moved]], float]:
-            before = waited()
-            return [go(crews[k]) for k in part], waited() - before
-
-        jobs = [self._beside.submit(go_through, part) for part in parts]
+        jobs = [self._beside.submit(each, go, [crews[k] for k in part]) for part in parts]
         try:
             found = [job.result() for job in jobs]
         finally:
             wait(jobs)
-        wait_too(max(seconds for _, seconds in found))
-        return [moved for some, _ in found for moved in some]
+        moved, seconds = zip(*found, strict=True)
+        wait_too(max(seconds))
+        return list(chain(*moved))
 
 
 def _go(
