@@ -28,7 +28,8 @@ from numba.core.typing import signature  # type: ignore[attr-defined]
 
 from ropewalk.core.pointed import Pointed, known
 
-T, R = TypeVar("T"), TypeVar("R")
+T = TypeVar("T")
+R = TypeVar("R")
 _ASK = "ropewalk_address_of"
 _FAILED = 1  # no address
 _BYTES, _LENGTH = ir.IntType(8).as_pointer(), ir.IntType(64)
