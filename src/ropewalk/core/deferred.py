@@ -66,7 +66,6 @@ def _word_for(entry: Any, args: tuple[Any, ...]) -> bytes:
 
 # -- when a kernel is called ---------------------------------------------------------------
 
-
 _own = threading.local()  # `waited`: for deferred kernels, in this thread [s]
 
 
@@ -92,9 +91,7 @@ def clock() -> float:
 
 
 _addresses: dict[bytes, int] = {}
-_late = (
-    threading.local()
-)  # what could not be raised while a kernel ran: `error`, `pressed` for Ctrl-C
+_late = threading.local()  # what could not be raised in a kernel: `error`, `pressed` (Ctrl-C)
 
 
 def _make_ready(word: bytes) -> None:
