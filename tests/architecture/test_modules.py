@@ -56,6 +56,7 @@ def circle(graph: dict[str, set[str]]) -> list[str]:
 
 #: Modules that look others up by name, in texts that no linter reads, and why.
 BY_NAME = {
+    "core.deferred": "a kernel that another one calls is found by its name",
     "library.entry": "an entry makes materials and ropes, models of the room above",
     "methods.implicit_methods": "a method has a file of its own name",
     "record.drawing": "a result draws itself: figures stand above results",

@@ -11,12 +11,9 @@ from __future__ import annotations
 import gc
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from functools import cache
 from typing import Any
 
-import llvmlite.binding as llvm
-from numba.core import config, ir, ir_utils, sigutils, types, typing
-from numba.core.codegen import JITCodeLibrary
+from numba.core import ir, ir_utils, sigutils, types, typing
 from numba.core.compiler import CompilerBase, CompileResult, DefaultPassBuilder
 from numba.core.compiler_machinery import FunctionPass, register_pass
 from numba.core.dispatcher import _FunctionCompiler  # type: ignore[attr-defined]
@@ -36,6 +33,7 @@ from numba.core.untyped_passes import (
 
 from ropewalk.core.deferred import calls_of, raise_late
 from ropewalk.core.inlining import InlineParts
+from ropewalk.core.libraries import EntryLibrary, InnerLibrary
 from ropewalk.core.passes import AssignOnce, InferTypes, Options
 from ropewalk.core.pointed import pointed
 from ropewalk.core.values import LowerValues
@@ -114,121 +112,6 @@ class Compiler(CompilerBase):
         ]
         manager.finalize()
         return [manager]
-
-
-class _NoEnvironments:
-    """A code generator that is told nothing of the Python objects of a function without machine code.
-
-    They are what a function needs in order to raise or print, which kernels do not.
-    """
-
-    def __init__(self, codegen: Any) -> None:
-        self._codegen = codegen
-
-    def __getattr__(self, name: str) -> Any:
-        return getattr(self._codegen, name)
-
-    def set_env(self, name: str, environment: Any) -> None:
-        """Do nothing: the variable is nowhere in memory."""
-
-
-class _Library(JITCodeLibrary):
-    """LLVM's code of a function; its passes go over what is defined, numba's over what is only named, too."""
-
-    def _optimize_functions(self, module: Any) -> None:
-        module.data_layout = self._codegen._data_layout
-        manager, builder = self._codegen._function_pass_manager()
-        for function in module.functions:
-            if not function.is_declaration:
-                manager.run(function, builder)
-
-
-@cache
-def _quick_machine(codegen: Any) -> Any:
-    """Return what makes machine code in little time; of bits that are the same, as no sum is reordered."""
-    target = llvm.Target.from_triple(llvm.get_process_triple())
-    options = {"opt": 0, "features": codegen._tm_features}
-    codegen._customize_tm_options(options)
-    return target.create_target_machine(**options)
-
-
-class InnerLibrary(_Library):
-    """The LLVM code of an inner function and of all that it calls, neither optimised nor emitted."""
-
-    @property
-    def codegen(self) -> Any:
-        return _NoEnvironments(self._codegen)
-
-    def _optimize_final_module(self) -> None:
-        """Leave it to the entry."""
-
-    def _finalize_final_module(self) -> None:
-        self._finalized = True
-
-    def get_pointer_to_function(self, name: str) -> int:
-        """Return no address: there is no machine code."""
-        self._ensure_finalized()
-        return 0
-
-    def reduced(self) -> tuple[str, bytes]:
-        """Return what `of` makes it from again."""
-        return self.name, self._get_module_for_linking().as_bitcode()
-
-    @classmethod
-    def of(cls, codegen: Any, reduced: tuple[str, bytes]) -> InnerLibrary:
-        """Return the library that was `reduced`."""
-        name, bitcode = reduced
-        library = cls(codegen, name)
-        library._final_module = llvm.parse_bitcode(bitcode)
-        library._finalized = True
-        return library
-
-
-class EntryLibrary(_Library):
-    """The LLVM code of an entry and of all that it calls, as machine code.
-
-    Loops are vectorised as numba does it, but neither interleaved nor unrolled by the number of turns that a
-    run brings: LLVM took half its time for the copies, and steps are as fast to 2 %. Short loops of known
-    length are unrolled before, function by function.
-
-    Its functions are its own. As numba links them, a process takes the first of its libraries that has
-    a function of a name for all others that call it.
-    """
-
-    def __init__(self, codegen: Any, name: str, shown: set[str], *, seldom: bool) -> None:
-        super().__init__(codegen, name)
-        self._shown, self._seldom = shown, seldom
-        self.enable_object_caching()
-
-    def _optimize_final_module(self) -> None:
-        codegen, module = self._codegen, self._final_module
-        cheap, builder = codegen._module_pass_manager(opt=0, loop_vectorize=False, cost="cheap")
-        cheap.run(module, builder)
-        if not self._seldom:
-            self._optimize_loops()
-        self._keep_to_itself()
-
-    def _keep_to_itself(self) -> None:
-        """Let no other library link what neither Python nor a kernel calls by its address."""
-        for function in self._final_module.functions:
-            if not function.is_declaration and function.name not in self._shown:
-                function.linkage = llvm.Linkage.internal
-
-    def _finalize_final_module(self) -> None:
-        if self._seldom:
-            self._compiled_object = _quick_machine(self._codegen).emit_object(self._final_module)
-        made = self._compiled_object
-        super()._finalize_final_module()
-        self._compiled_object = made or self._compiled_object  # numba forgets what it was given
-
-    def _optimize_loops(self) -> None:
-        chosen: Any = config  # numba sets its options at run time
-        options = llvm.create_pipeline_tuning_options(int(chosen.OPT))
-        options.loop_vectorization = bool(chosen.LOOP_VECTORIZE)
-        options.slp_vectorization = bool(chosen.SLP_VECTORIZE)
-        options.loop_interleaving = options.loop_unrolling = False
-        builder = llvm.create_pass_builder(self._codegen._tm, options)
-        builder.getModulePassManager().run(self._final_module, builder)
 
 
 class InnerCompiler(Compiler):

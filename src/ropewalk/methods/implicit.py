@@ -212,6 +212,17 @@ def begin_step(system, state, stage, mean, dt, last, warm):
     brace_couplings(system, state, dt if shortens else last, shortens)
 
 
+@part
+def take_beginning(system, state, scratch, weight, s):
+    """Make the step's beginning its stage `s`."""
+    put(state.v, scratch.u[s])
+    put(state.acceleration, scratch.k[s])
+    if has_inner(system, state):
+        write_rates(system, state, state.x, scratch.rates[s])
+    put(state.acceleration, scratch.stage.a)
+    add_forces(system, state.forces, weight, scratch.mean)
+
+
 @kernel
 def take_step(
     system, state, scratch, t, after, dt, ledger, level, kind, A, b, c, numbers, warm, last
@@ -228,12 +239,7 @@ def take_step(
         if has_wheels(system):
             aim_all(system, state, kind, A, b, s, dt)
         if kind == DIRK and A[s, s] == 0.0:
-            put(state.v, scratch.u[s])
-            put(state.acceleration, scratch.k[s])
-            if has_inner(system, state):
-                write_rates(system, state, state.x, scratch.rates[s])
-            put(state.acceleration, stage.a)
-            add_forces(system, state.forces, b[s], mean)
+            take_beginning(system, state, scratch, b[s], s)
             continue
         share = c[s]
         if kind == DIRK:
