@@ -199,7 +199,7 @@ remember_couplings = fold(remembering, nothing_to_remember, "couple")
 
 
 @part
-def _nothing_braced(system, state, dt, every):
+def _nothing_braced(system, state, dt, all_anew):
     pass
 
 
@@ -207,18 +207,18 @@ def _bracing(law: NodeLaw, k: int, rest: Any) -> Any:
     brace = law.brace
 
     @part
-    def _brace(system, state, dt, every):
+    def _brace(system, state, dt, all_anew):
         if acts(system, k):
-            brace(system.node[k], state, dt, every)
-        rest(system, state, dt, every)
+            brace(system.node[k], state, dt, all_anew)
+        rest(system, state, dt, all_anew)
 
     return _brace
 
 
 brace_couplings = fold(_bracing, _nothing_braced, "brace")
-"""brace_couplings(system, state, dt, every): let these laws get ready for what a step of `dt` [s] may hit.
+"""brace_couplings(system, state, dt, all_anew): let these laws get ready for what a step of `dt` [s] may hit.
 
-What is new to it, or `every` one.
+What is new to it, or with `all_anew` all.
 """
 
 

@@ -9,7 +9,7 @@ with the depth, without a jump. In explicit steps it takes u no quicker than the
 alone at its stiffest, for which they have room, and all contacts of a segment together take no more than
 AT_ONCE of it in a step. Steps that are solved for have room for any; there it leaves 1 / (1 + ALL_BUT) of u
 in a step as long as the last, so that in the first part of one that is halved it weakens. A contact that is
-found on the way of a step has none in it; one that turns has its drag anew, as the first step of a run has.
+found on the way of a step has none in it; one that turns has its drag anew, as all have in a first step that is solved for.
 Where the method shortens steps for what they hit, ALL_BUT is over that very step, and each contact has its
 drag from the points that it has by then. A step too long to follow how it stops something counts as a hit.
 What slides as it hits meets the same drag across, up to mu times what presses: friction takes mu times the
@@ -100,13 +100,13 @@ def brake_contact(x, v, inverse_mass, table, memory, row, most):
 
 
 @deferred()
-def brake_again(x, v, inverse_mass, table, memory, dt, every):
+def brake_again(x, v, inverse_mass, table, memory, dt, all_anew):
     """Keep the same for a step of `dt` [s], which is solved for, of contacts as they are now.
 
-    Of those that are NEW to it, at the start of a run or turned on the way; of all where `every` is set.
+    Of those that are NEW to it, at the start of a run or turned on the way; of all where `all_anew` is set.
     """
     for row in range(memory.tally[CONTACTS]):
-        if every or memory.grip[row, BRAKE] == NEW:
+        if all_anew or memory.grip[row, BRAKE] == NEW:
             brake_contact(x, v, inverse_mass, table, memory, row, ALL_BUT / dt)
 
 

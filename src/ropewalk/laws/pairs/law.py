@@ -270,9 +270,9 @@ def meet(table, state, x):
 
 
 @part
-def brace(table, state, dt, every):
+def brace(table, state, dt, all_anew):
     """Let contacts have the drag that stops what they meet in a step of `dt` [s], see `brake`."""
-    brake_again(state.x, state.v, state.inverse_mass, table, state.memory.contact, dt, every)
+    brake_again(state.x, state.v, state.inverse_mass, table, state.memory.contact, dt, all_anew)
 
 
 @part
