@@ -204,21 +204,6 @@ class Engine:
         elastic = 0.5 * state.stiffness * state.rest_length**2
         return pull * float(state.rest_length.sum()) + 1e-6 * float(elastic[gives].sum())
 
-    @property
-    def scratch(self) -> Any:
-        """What the method needs besides the state."""
-        return self._scratch
-
-    @property
-    def tableau(self) -> Any:
-        """The method's coefficients."""
-        return self._tableau
-
-    def is_plain(self) -> bool:
-        """Tell whether springs, vector friction, weight and anchors are all that acts."""
-        alone = self.system.rare is None and self._extras is None
-        return alone and self._method.fixed and not self.system.flags.any()
-
     # -- moving on -----------------------------------------------------------------------
 
     def call(
@@ -245,10 +230,6 @@ class Engine:
         taken = int(now[3]) * good if fixed else most - int(self._scratch.strides[0])
         if not fixed:
             self.crawl.note(taken, float(self.walk.control[END]))
-        return self.moved(status, good, taken, now)
-
-    def moved(self, status: int, good: int, taken: int, now: Floats) -> Moved:
-        """Return how far a call has come that ended so; bring the clock to where the state stands."""
         if status == UNSOLVED:
             clock = float(now[0]), float(now[1]), int(now[2])
             why = unsolved.describe(self.model, self.state, clock, self._scratch)

@@ -17,7 +17,6 @@ from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor, wait
 from contextlib import contextmanager
 from dataclasses import replace
-from itertools import chain
 from threading import local
 
 import numpy as np
@@ -27,7 +26,6 @@ from ropewalk.core.arrays import APPLIED, Floats, flatten, pooled
 from ropewalk.core.deferred import clock, each, wait_too
 from ropewalk.core.peaks import Peaks
 from ropewalk.core.status import BROKEN, OK, PAUSED
-from ropewalk.engine.abreast import Crew, Mate, crews_of, go_abreast
 from ropewalk.engine.engine import (
     Asked,
     Controls,
@@ -122,7 +120,6 @@ class Islands:
         self._nothing = [make_recording(state, 0, False) for state in states]
         self._gather()
         self.model = replace(model, state=self.state, started=True)
-        self._mates = [Mate(engine) for engine in self.engines]
         self._slices = [engine.make_slices() for engine in self.engines]
         self._ended = np.zeros(len(self.engines))  # 1: it stays as it is
         self._seconds, self._ledger = 0.0, ledger
@@ -316,22 +313,16 @@ class Islands:
             ]
         slices = self._slices
 
-        def go(crew: Crew) -> list[Moved]:
-            first = crew.numbers[0]
-            if self._ended[first]:
-                return [Moved(OK, frames, 0)]
-            how = slices[first], now.copy(), frames
-            if crew.abreast:
-                mates, rooms = zip(*((self._mates[k], outs[k]) for k in crew.numbers), strict=True)
-                return go_abreast(mates, *how, rooms, stop, asked)
-            return [_go(self.engines[first], *how, outs[first], stop, asked)]
+        def go(k: int) -> Moved:
+            if self._ended[k]:
+                return Moved(OK, frames, 0)
+            return _go(self.engines[k], slices[k], now.copy(), frames, outs[k], stop, asked)
 
         alone = threads == 1 or getattr(_here, "alone", False)
-        crews = crews_of(self._mates, self._ended)
-        beside = not alone and self._seconds * frames > LONG
-        parts = self._go_beside(go, crews) if beside else [go(crew) for crew in crews]
-        found = dict(zip((k for crew in crews for k in crew.numbers), chain(*parts), strict=True))
-        done = [found[k] for k in range(len(self.engines))]
+        if not alone and self._seconds * frames > LONG:
+            done = self._go_beside(go)
+        else:
+            done = [go(k) for k in range(len(self.engines))]
         if frames:
             self._seconds = (clock() - begun) / frames
         good = min(rows, min(moved.good for moved in done)) if stop else rows
@@ -341,14 +332,16 @@ class Islands:
         collect(out, good, self.state, list(zip(self.shares, states, outs, strict=True)))
         return done
 
-    def _go_beside(self, go: Callable[[Crew], list[Moved]], crews: list[Crew]) -> list[list[Moved]]:
+    def _go_beside(self, go: Callable[[int], Moved]) -> list[Moved]:
         """Let threads move the islands, each a run of neighbours; wait for all, whatever is raised."""
         if self._beside is None:
             self._beside = ThreadPoolExecutor(threads, thread_name_prefix="islands")
-        parts = np.array_split(np.arange(len(crews)), min(4 * threads, len(crews)))
+        parts = np.array_split(np.arange(len(self.engines)), min(4 * threads, len(self.engines)))
 
-        jobs = [self._beside.submit(each, go, [crews[k] for k in part]) for part in parts]
-        try:
+        jobs: list[Any] = []
+        try:  # from the first one on, they move the islands
+            for part in parts:
+                jobs.append(self._beside.submit(each, go, part.tolist()))
             found = [job.result() for job in jobs]
         finally:
             wait(jobs)
