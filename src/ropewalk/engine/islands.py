@@ -14,9 +14,10 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator
-from concurrent.futures import ThreadPoolExecutor, wait
+from concurrent.futures import Future, ThreadPoolExecutor, wait
 from contextlib import contextmanager
 from dataclasses import replace
+from itertools import chain
 from threading import local
 
 import numpy as np
@@ -338,10 +339,9 @@ class Islands:
             self._beside = ThreadPoolExecutor(threads, thread_name_prefix="islands")
         parts = np.array_split(np.arange(len(self.engines)), min(4 * threads, len(self.engines)))
 
-        jobs: list[Any] = []
+        jobs: list[Future[tuple[list[Moved], float]]] = []
         try:  # from the first one on, they move the islands
-            for part in parts:
-                jobs.append(self._beside.submit(each, go, part.tolist()))
+            jobs.extend(self._beside.submit(each, go, part.tolist()) for part in parts)
             found = [job.result() for job in jobs]
         finally:
             wait(jobs)

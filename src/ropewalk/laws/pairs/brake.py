@@ -9,7 +9,8 @@ with the depth, without a jump. In explicit steps it takes u no quicker than the
 alone at its stiffest, for which they have room, and all contacts of a segment together take no more than
 AT_ONCE of it in a step. Steps that are solved for have room for any; there it leaves 1 / (1 + ALL_BUT) of u
 in a step as long as the last, so that in the first part of one that is halved it weakens. A contact that is
-found on the way of a step has none in it; one that turns has its drag anew, as all have in a first step that is solved for.
+found on the way of a step has none in it; one that turns has its drag anew, as all have in a first step that
+is solved for.
 Where the method shortens steps for what they hit, ALL_BUT is over that very step, and each contact has its
 drag from the points that it has by then. A step too long to follow how it stops something counts as a hit.
 What slides as it hits meets the same drag across, up to mu times what presses: friction takes mu times the
