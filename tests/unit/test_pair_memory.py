@@ -21,13 +21,13 @@ D = 0.01
 
 
 def crossed(at: float, *, speed: float = 0.0, free: bool = False, **contact: float) -> Scene:
-    """A rope of two segments along x, held everywhere, and a bar across it at x = `at` that presses by 0.8 %.
+    """A rope of two segments along x, held everywhere, and a bar across it at x = `at` that presses by 1 %.
 
     The bar's ends are held, and go down by `speed`, or `free`.
     """
     common = {"diameter": D, "made_of": Material(EA=1e4, mass_per_length=0.1)}
     down = {"velocity": (0.0, 0.0, -speed)}
-    bar = Straight(start=(at, -0.1, 0.992 * D), end=(at, 0.1, 0.992 * D))
+    bar = Straight(start=(at, -0.1, 0.99 * D), end=(at, 0.1, 0.99 * D))
     ropes = [
         Rope(
             name="a",

@@ -16,7 +16,7 @@ from ropewalk.laws.acting import acting
 from ropewalk.laws.couplings import FINE, HALVE
 from ropewalk.laws.others import coupled_tangent, keep_couplings, meet_others
 from ropewalk.laws.pairs.force import pair_rounding
-from ropewalk.laws.pairs.pairs_at_rest import leave, straighten
+from ropewalk.laws.pairs.pairs_at_rest import straighten
 from ropewalk.laws.pairs.table import CONTACTS, FAULT, PUSH, SPRING
 from ropewalk.laws.registry import NAMES
 from ropewalk.laws.slides.slide_force import bound_of
@@ -182,8 +182,6 @@ class Couplings:
         state.now[0], state.now[1] = (math.inf if at_last else _BEGINS), 0.0
         keep_couplings(self.system, state)
         state.now[:2] = 0.0
-        if self.touch:
-            leave(state.memory.contact)
 
     def straighten(self, x: Floats) -> None:
         """Give contacts points and normals as they are at places (3, n) [m]."""

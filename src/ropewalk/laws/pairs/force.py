@@ -1,9 +1,9 @@
 """The force of contacts of segments: as that of obstacles, between two points of ropes.
 
 With u the vector from a point of segment j to one of segment i, both frozen like the normal n, d the sum
-of the radii, g = n.u - d - e (one part of e fades, see `pair_memory`, one lifts what rests, see `lift`),
-P = I - n n^T, D what the vector between the surfaces (`table.apart`) has changed by since the last accepted
-step, D' its rate, and R' the friction spring's force then,
+of the radii, g = n.u - d - e (e fades, see `pair_memory`), P = I - n n^T, D what the vector between the
+surfaces (`table.apart`) has changed by since the last accepted step, D' its rate, and R' the friction
+spring's force then,
     R_n = max(0, R(-g) - c n.u')                       it presses
     q   = P (R' - k_t D) - c_t P D'
     R_t = q            where |q| <= mu R_n             it sticks

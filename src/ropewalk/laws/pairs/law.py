@@ -21,7 +21,6 @@ from ropewalk.laws.obstacle import node_stiffness
 from ropewalk.laws.pairs.beside_slides import begin_inside, follow_slides, reach_ahead
 from ropewalk.laws.pairs.brake import brake_again, brake_hits
 from ropewalk.laws.pairs.force import add_pair_forces, pair_energy, pair_forces, pair_rounding
-from ropewalk.laws.pairs.lift import raise_pairs
 from ropewalk.laws.pairs.pair_books import book_pairs
 from ropewalk.laws.pairs.pair_memory import remember_pairs
 from ropewalk.laws.pairs.pair_tangent import along_pairs, couple_pairs
@@ -32,7 +31,6 @@ from ropewalk.laws.pairs.table import (
     CONTACTS,
     CROWDED,
     FAULT,
-    GIVEN,
     HARD,
     LEAN,
     NEW,
@@ -83,7 +81,6 @@ def lower(
         stop=np.zeros(s),
         mass=np.zeros(s),
         load=np.zeros(layout.nodes if s else 0),
-        whole=np.zeros(s),
         rope=np.full(s, -1, np.int64),
         skip=np.ones(s, np.int64),
         joint=np.full((s, 2), -1, np.int64),
@@ -96,7 +93,6 @@ def lower(
     for number, (rope, span, mass) in enumerate(zip(ropes, layout.ropes, whole, strict=True)):
         here = slice(span.first, span.last)
         own, table.mass[here] = node_stiffness(rope, mass)
-        table.whole[here] = mass
         across = rope.segment_stiffness * rope.segment_length / rope.diameter
         far = max(own, across) if math.isfinite(across) else RIGID * own
         table.radius[here] = 0.5 * rope.diameter
@@ -187,7 +183,7 @@ def memory(table: Pairs, x: Floats, stiffness: Floats) -> Memory:
         order=np.arange(s),
         rope=np.full(s, -1, np.int64),
         way=np.zeros((3, x.shape[1] if s else 0)),
-        books=np.zeros(4 if s else 0),
+        books=np.zeros(3 if s else 0),
         inside=np.zeros((len(table.inside), 2), np.int64),
     )
     if s:
@@ -203,9 +199,7 @@ def memory(table: Pairs, x: Floats, stiffness: Floats) -> Memory:
 @part
 def force(table, state, x, v, force, lo, hi):
     """Write the force of all contacts on every node [N], (3, n)."""
-    memory = state.memory.contact
-    raise_pairs(memory, state.now[0] - state.now[1])
-    pair_forces(x, v, table, memory, force, lo, hi)
+    pair_forces(x, v, table, state.memory.contact, force, lo, hi)
 
 
 @part
@@ -311,12 +305,6 @@ def energy(table, state, x):
     return pair_energy(x, table, state.memory.contact)
 
 
-@part
-def given(table, state, x):
-    """Return what lifting ropes out of each other has given so far [J]."""
-    return max(state.memory.contact.books[GIVEN], 0.0)
-
-
 def at_rest(table: Pairs) -> Rest:
     """Ropes that lie on each other bear each other."""
     return Rest.BEARS
@@ -369,7 +357,6 @@ CONTACT = NodeLaw(
     touch=touch,
     rounding=rounding,
     energy=energy,
-    given=given,
     at_rest=at_rest,
     bears=touched,
     cases=cases,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ropewalk.core.jit import deferred, kernel
 from ropewalk.laws.pairs.force import pair_energy
-from ropewalk.laws.pairs.table import CONTACTS, GIVEN, SPRING, STIFF
+from ropewalk.laws.pairs.table import CONTACTS, SPRING, STIFF
 
 
 @deferred()
@@ -38,6 +38,5 @@ def rubbed_energy(memory):
 def record_pair_books(x, table, memory, out):
     """Write the entries of all ropes on ropes, (5,) [J]; see `contact_books.ENTRIES`."""
     pressed, rubbed = pair_energy(x, table, memory), rubbed_energy(memory)
-    given = memory.books[GIVEN]
-    out[0], out[1], out[2] = given, memory.books[0] + pressed - given, memory.books[1] + rubbed
+    out[0], out[1], out[2] = 0.0, memory.books[0] + pressed, memory.books[1] + rubbed
     out[3], out[4] = -pressed - rubbed, memory.books[2]

@@ -14,18 +14,15 @@ import math
 from ropewalk.core.jit import deferred, kernel, small
 from ropewalk.laws.pairs.distance import NEVER, comes_to, nearest, relative_way
 from ropewalk.laws.pairs.force import depth_at, pressed, pull_of, squeeze
-from ropewalk.laws.pairs.lift import climb_to, lift_pairs, slips, take_over
 from ropewalk.laws.pairs.search import find_near, freeze, new_row, normal_at, owns, row_of
 from ropewalk.laws.pairs.table import (
     APART,
     CONTACTS,
-    DEPTH,
     EXTRA,
     FAULT,
     FIRST,
     FOUND,
     FULL,
-    GIVEN,
     GONE,
     LAYER,
     MORE,
@@ -53,6 +50,7 @@ from ropewalk.laws.pairs.way import HALF, begin_contact, fits
 
 FADES = 0.03  # [s]
 TURNED = 5e-5  # [1] less than the cosine of a hundredth: so little no plane is led
+AT_LIMIT = 1.0 - 1e-9  # [1] of what friction can carry counts as all of it
 
 
 @kernel
@@ -102,6 +100,15 @@ def hold(x, v, table, memory, row):
         grip[row, SPRING + k] = share * q[k]
         grip[row, APART + k] = u[k]
     return closed
+
+
+@small
+def slips(memory, row, friction):
+    """Tell whether a contact that presses is at the limit of friction, or has none."""
+    grip, square = memory.grip, 0.0
+    for k in range(3):
+        square += grip[row, SPRING + k] ** 2
+    return grip[row, PUSH] > 0.0 and math.sqrt(square) >= AT_LIMIT * friction * grip[row, PUSH]
 
 
 @kernel
@@ -155,7 +162,6 @@ def refresh(x, y, table, memory, row, tied):
     i, j, grip = memory.pair[row, 0], memory.pair[row, 1], memory.grip
     size = table.radius[i] + table.radius[j]
     s, t, distance = nearest(x, x, 0.0, i, j)
-    grip[row, DEPTH] = size - distance
     if distance >= REACH * size or memory.rope[i] < 0 or memory.rope[j] < 0:
         grip[row, GONE] = 1.0
         return
@@ -205,7 +211,6 @@ def inherit(x, table, memory, row):
             if other < 0 or grip[other, GONE] != 1.0 or not grip[other, PUSH] > 0.0:
                 continue
             grip[row, PUSH] += grip[other, PUSH]
-            take_over(grip, row, other)
             grip[row, STIFF] = max(grip[row, STIFF], grip[other, STIFF])
             grip[other, PUSH] = 0.0
             for k in range(3):
@@ -294,15 +299,12 @@ def remember_pairs(x, v, dt, table, memory, tied):
             memory.way[k, i] = x[k, i] - place[k, i]
     run_on(x, v, dt, memory.rope, place)
     for row in range(count[CONTACTS]):
-        rose, push = climb_to(memory, row, dt), memory.grip[row, PUSH]
         closed += hold(x, v, table, memory, row)
-        memory.books[GIVEN] += 0.5 * rose * (push + memory.grip[row, PUSH])
         refresh(x, place, table, memory, row, tied)
     pass_on(x, table, memory)
     list_new(x, table, memory, tied)
     drop_gone(memory)
     fade(memory, dt)
-    lift_pairs(dt, table, memory)
     for k in range(3):
         for i in range(x.shape[1]):
             place[k, i] = x[k, i]

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import math
-
 from ropewalk.core.jit import kernel
 from ropewalk.laws.pairs.distance import nearest
 from ropewalk.laws.pairs.force import depth_at
 from ropewalk.laws.pairs.search import freeze, owns
-from ropewalk.laws.pairs.table import CONTACTS, LIFT, REACH, VAIN, WIDTH
+from ropewalk.laws.pairs.table import CONTACTS, REACH
 from ropewalk.laws.pairs.way import begin_contact
 
 
@@ -25,11 +23,3 @@ def straighten(x, table, memory, tied):
         if 0.0 < distance < REACH * size and owns(x, x, 0.0, table, memory, tied, i, j, s, t):
             freeze(x, x, 0.0, table, memory, row, s, t)
             begin_contact(x, table, memory, row, depth_at(x, memory, row, i, j, size))
-
-
-@kernel
-def leave(memory):
-    """Let no contact be lifted, see `lift`, until it has been open: a rest that is found stays one."""
-    for row in range(memory.tally[CONTACTS]):
-        for k in range(LIFT, WIDTH):
-            memory.grip[row, k] = math.inf if k == VAIN else 0.0

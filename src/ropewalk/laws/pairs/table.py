@@ -39,18 +39,10 @@ NORMAL, OWN, OTHER, SPRING, APART, PUSH, STIFF, GONE, MORE, FOUND, LEVER, EXTRA,
     23,
 )
 NEW = -1.0  # in BRAKE: not known yet
-# Of what is lifted at rest, see `lift`: by how much more it counts as pressed now, and did at the end of the
-# last step [m], how fast that grows in the step in hand [m/s], all ways up so far [m], for how long it has
-# rested [s], the force R_n of that rest [N], where it stands in being lifted, R_n, depth and offset as that
-# began, how often it was in vain, how far it slid in the last step [m], how deep the ropes are in each other
-# [m], whether it is near the limit of friction, and whether it is not to be joined by others that begin.
-LIFT, BASE, CLIMB, LIFTED, RESTED, HELD, MODE, BEGAN, BEGAN_AT, FLOOR = range(24, 34)
-VAIN, SLID, DEPTH, TIGHT, BUSY = range(34, 39)
-WIDTH = 39
+WIDTH = 24
 # Places in `Memory.tally`.
 CONTACTS, NEAR, ROUNDS, SEEN, REFUSED, FAULT, FIRST, SECOND, ASKED = range(9)
 PASSED, FULL, CROWDED = 1, 2, 3  # faults
-GIVEN = 3  # in `Memory.books`: what contacts have got as they were lifted, less what they lost [J]
 # Columns of `Pairs.inside`: a segment near a node that slides, the slide, first and last segment of its line,
 # so many segments of that on each side of the node that this one lies in, the node, and the line's node from
 # which places count.
@@ -69,7 +61,6 @@ class Pairs(NamedTuple):
     stop: Floats  # (s,) the same of one that is pressed through
     mass: Floats  # (s,) of a node [kg]
     load: Floats  # (n,) what nodes carry beside their rope [kg]
-    whole: Floats  # (s,) of the rope and all that is tied to it [kg]
     rope: Ints  # (s,) number of the rope, -1 between ropes
     skip: Ints  # (s,) so many segments beside it are its neighbours
     joint: Ints  # (s, 2) the joints near it, -1: none
@@ -90,7 +81,7 @@ class Memory(NamedTuple):
     order: Ints  # (s,) segments along an axis
     rope: Ints  # (s,) as in `Pairs`, -1 as well where one has parted
     way: Floats  # (3, n) in the last step [m]
-    books: Floats  # (4,) works so far: what pressed, what rubbed, the method's share, see GIVEN [J]
+    books: Floats  # (3,) works so far: what pressed, what rubbed, the method's share [J]
     inside: Ints  # (p, 2) first and last segment of the line that each row of `Pairs.inside` does not touch
 
 
@@ -134,8 +125,7 @@ def spring_of(table, grip, row, i, j):
 def depth_of(grip, row, u, size):
     """Return how deep a contact counts as pressed [m]; negative where it is open."""
     n0, n1, n2 = grip[row, NORMAL], grip[row, NORMAL + 1], grip[row, NORMAL + 2]
-    more = grip[row, MORE] + grip[row, LIFT]
-    return size + more - (n0 * u[0] + n1 * u[1] + n2 * u[2])
+    return size + grip[row, MORE] - (n0 * u[0] + n1 * u[1] + n2 * u[2])
 
 
 @small

@@ -16,7 +16,6 @@ from ropewalk.laws.pairs.force import pressed
 from ropewalk.laws.pairs.search import find_near, freeze, new_row, normal_at, owns, row_of
 from ropewalk.laws.pairs.table import (
     APART,
-    BASE,
     BRAKE,
     CONTACTS,
     DEEPEST,
@@ -26,7 +25,6 @@ from ropewalk.laws.pairs.table import (
     FOUND,
     FULL,
     LAYER,
-    LIFT,
     MORE,
     NEAR,
     NEW,
@@ -63,7 +61,6 @@ def begin_contact(x, table, memory, row, before):
 
     It was pressed by `before` [m] and counts as pressed so still: its force does not jump. One that was open
     begins with none. The difference is held to WRONG: what counts as open for long would be pressed through.
-    What it was lifted by at rest it stays, as far as it is needed for that.
     """
     i, j, grip = memory.pair[row, 0], memory.pair[row, 1], memory.grip
     u = apart(x, grip, row, i, j)
@@ -71,12 +68,7 @@ def begin_contact(x, table, memory, row, before):
     soft, _, _, _, size = spring_of(table, grip, row, i, j)
     grip[row, STIFF] = max(grip[row, STIFF], soft)
     grip[row, MORE] = 0.0
-    before, lifted = max(before, 0.0), grip[row, LIFT]
-    if lifted > 0.0:
-        grip[row, LIFT] = 0.0
-        lost = lifted - min(lifted, max(before - depth_of(grip, row, u, size), 0.0))
-        grip[row, LIFT], grip[row, BASE] = lifted - lost, max(grip[row, BASE] - lost, 0.0)
-    more = before - max(depth_of(grip, row, u, size), 0.0)
+    more = max(before, 0.0) - max(depth_of(grip, row, u, size), 0.0)
     grip[row, MORE] = min(max(more, -WRONG * size), WRONG * size)
 
 
@@ -90,7 +82,7 @@ def fits(x, y, share, memory, row, s, t, size, before):
     i, j = memory.pair[row, 0], memory.pair[row, 1]
     n = normal_at(x, y, share, memory, row, s, t)
     u = between(x, i, j, s, t)
-    depth = size + memory.grip[row, LIFT] - (n[0] * u[0] + n[1] * u[1] + n[2] * u[2])
+    depth = size - (n[0] * u[0] + n[1] * u[1] + n[2] * u[2])
     return abs(max(depth, 0.0) - max(before, 0.0)) <= WRONG * size
 
 
@@ -156,7 +148,6 @@ def leaps(y, table, memory, tied, row, end, way, size):
     if not (way > WRONG * size and deep > LAYER * size):
         return False
     counted = depth_of(grip, row, between(y, i, j, grip[row, OWN], grip[row, OTHER]), size)
-    counted -= grip[row, LIFT]
     return deep > counted and owns(y, y, 0.0, table, memory, tied, i, j, end[0], end[1])
 
 
