@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from ropewalk.core.arrays import Floats
-from ropewalk.core.jit import deferred, part
+from ropewalk.core.jit import deferred, kernel, part
 from ropewalk.laws.air_drag import linear_drag, quadratic_line_drag, quadratic_node_drag
 from ropewalk.laws.air_tangent import (
     line_drag_tangent,
@@ -99,7 +99,7 @@ def add_diagonal(air, weight_v, free, diagonal):
     add_drag(air.node_drag, weight_v, free, diagonal)
 
 
-@deferred()
+@kernel
 def add_drag(node_drag, weight_v, free, diagonal):
     """Add `weight_v` times the linear drag of every free node, (n,)."""
     for i in range(diagonal.shape[0]):

@@ -9,7 +9,7 @@ stay at one place to the last bit, and the joint does no work.
 
 from __future__ import annotations
 
-from ropewalk.core.jit import deferred, part
+from ropewalk.core.jit import deferred, kernel, part
 from ropewalk.laws.rare import are_tied
 
 
@@ -62,7 +62,7 @@ def share_motion(joints, tied, mass, inverse_mass, a):
             a[0, i], a[1, i], a[2, i] = p0, p1, p2
 
 
-@deferred()
+@kernel
 def follow(member, first, last, i, values):
     """Give the nodes of a joint what its node `i` has, (3, n)."""
     for p in range(first, last):
