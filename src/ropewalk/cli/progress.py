@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
@@ -56,15 +57,12 @@ def listening_to_compiling(tell: Callable[[str], None]) -> Iterator[None]:
 @contextmanager
 def telling_of_compiling() -> Iterator[None]:
     """Say so, once, when machine code has to be made."""
-    told: set[str] = set()
 
-    def tell_once(_: str) -> None:
-        text = "compiling: the first time on this machine takes a minute or two, later ones none"
-        if text not in told:
-            told.add(text)
-            tell(text)
+    @functools.cache
+    def tell_once() -> None:
+        tell("compiling: the first time on this machine takes a minute or two, later ones none")
 
-    with listening_to_compiling(tell_once):
+    with listening_to_compiling(lambda _: tell_once()):
         yield
 
 
