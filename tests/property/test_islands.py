@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import copy
+import pickle
 import sys
 from collections import Counter
 from collections.abc import Callable
@@ -12,6 +14,7 @@ import numpy as np
 import pytest
 from hypothesis import HealthCheck, Phase, assume, given, settings
 
+from ropewalk.core.arrays import flatten
 from ropewalk.engine import islands
 from ropewalk.engine.partition import partition
 from ropewalk.lowering import build
@@ -245,3 +248,67 @@ def test_no_line_of_building_runs_more_often_for_a_rope_among_many() -> None:
     lines(2, lambda scene: Simulation(build(scene)))  # what is done once
     assert steep(lambda scene: Simulation(build(scene))) == []
     assert steep(quadratic)  # such a line is seen
+
+
+def hung(method: str, ropes: int) -> Simulation:
+    """Cords of four segments that swing from one end each."""
+    made_of = Material(EA=1e3, mass_per_length=0.1)
+    shapes = [Slack(start=(0, k, 0), end=(0.3, k, 0)) for k in range(ropes)]
+    made = [
+        Rope(name=f"rope{k}", segments=4, length=0.4, made_of=made_of, shape=shape)
+        for k, shape in enumerate(shapes)
+    ]
+    anchors = [Anchor(name=f"end{k}", rope=f"rope{k}", node=0) for k in range(ropes)]
+    return Simulation(Scene(ropes=made, anchors=anchors, run={"method": method, "time_step": 1e-3}))
+
+
+def bits(simulation: Simulation) -> bytes:
+    state = simulation.state
+    return b"".join(part.tobytes() for part in (*flatten(state.state).values(), state.inner))
+
+
+@pytest.mark.parametrize("method", ["sdirk2", "adaptive", "verlet"])
+@pytest.mark.parametrize("ropes", [1, 2])
+def test_islands_go_back_to_time_zero(ropes: int, method: str) -> None:
+    """A model keeps the start, whatever its simulation does. Twin: where it stands is not the start."""
+    simulation = hung(method, ropes)
+    start = bits(simulation)
+    simulation.step(0.005)
+    stands = bits(simulation)
+    assert stands != start
+    other = Simulation(simulation.model)
+    assert bits(other) == start
+    other.step(0.002)
+    assert bits(simulation) == stands  # what the steps were looked at for, too
+    simulation.reset()
+    assert bits(simulation) == start
+
+
+@pytest.mark.parametrize("ropes", [1, 2])
+def test_a_force_on_an_island_takes_the_place_of_the_one_before(ropes: int) -> None:
+    simulation = hung("sdirk2", ropes)
+    for force in (2.0, 0.5):
+        simulation.apply_force(3, (force, 0.0, 0.0), "rope0")
+    assert simulation.applied_forces[3].tolist() == [0.5, 0.0, 0.0]
+    assert simulation.applied_forces.sum() == 0.5
+
+
+@pytest.mark.parametrize(
+    "again", [copy.copy, copy.deepcopy, lambda one: pickle.loads(pickle.dumps(one))]
+)
+@pytest.mark.parametrize(("method", "ropes"), [("sdirk2", 1), ("sdirk2", 2), ("verlet", 2)])
+def test_a_copy_goes_its_own_way_to_the_same_bits(
+    method: str, ropes: int, again: Callable[[Simulation], Simulation]
+) -> None:
+    simulation = hung(method, ropes)
+    simulation.step(0.003)
+    simulation.anchors["end0"].move_to((0.0, 0.0, 0.1))
+    stood = bits(simulation)
+    other = again(simulation)
+    assert bits(other) == stood
+    other.step(0.002)
+    assert bits(simulation) == stood
+    assert bits(other) != stood
+    simulation.step(0.002)
+    assert bits(other) == bits(simulation)
+    assert other.positions[0].tolist() == [0.0, 0.0, 0.1]

@@ -145,7 +145,7 @@ class Engine:
         self._tableau = self._method.coefficients(model.scene.run.spectral_radius, rigid)
         after = model.scene.winches or (limited and not self._method.implicit)
         self._extras = None if self.system.rare is None else int(bool(after))
-        self.state, here = pooled(model.state) if room is None else room
+        self.state, here = own_state(model) if room is None else room
         self.walk = adaptive.no_walk()
         if plan.tolerance is None or plan.longest is None:
             self._scratch = self._method.make_scratch(self.system, self.state)
@@ -269,6 +269,12 @@ class Engine:
         None: as an obstacle was.
         """
         self.walk.control[BEGUN:] = 0.0
+
+
+def own_state(model: Model) -> tuple[State, Floats]:
+    """Return what `pooled` does of a model's state, in arrays that the model does not have."""
+    state, pool = pooled(model.state)
+    return state._replace(peaks=arrays.copy(state.peaks)), pool
 
 
 def with_network(scratch: Any, network: Network) -> Any:

@@ -36,6 +36,7 @@ from ropewalk.engine.engine import (
     controlled,
     controls_of,
     never,
+    own_state,
 )
 from ropewalk.engine.partition import partition
 from ropewalk.engine.places import find_links, pool_size
@@ -100,7 +101,7 @@ class Islands:
         self.shares = shares_of(model, groups)
         whole = flatten(model.state)
         parts = [started(share.cut(model, whole)) for share in self.shares]
-        self.state, self._pool = pooled(model.state)
+        self.state, self._pool = own_state(model)
         self.controls = controls_of(model.system)
         self.system = controlled(model.system, self.controls)
         self._make_controls(parts)
@@ -120,7 +121,7 @@ class Islands:
         self._links = find_links((self.state, self._pool), self.shares, states, self._sea)
         self._nothing = [make_recording(state, 0, False) for state in states]
         self._gather()
-        self.model = replace(model, state=self.state, started=True)
+        self.model = replace(model, state=arrays.copy(self.state), started=True)
         self._slices = [engine.make_slices() for engine in self.engines]
         self._ended = np.zeros(len(self.engines))  # 1: it stays as it is
         self._seconds, self._ledger = 0.0, ledger

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -15,7 +15,7 @@ from ropewalk.lowering.joint_tables import tied_with
 from ropewalk.motions.registry import HAND
 
 if TYPE_CHECKING:
-    from ropewalk.engine.engine import Bodies
+    from ropewalk.engine.engine import Bodies, Fall
     from ropewalk.lowering import Layout, Model
     from ropewalk.simulation import Snapshot
     from ropewalk.simulation.block import Block
@@ -49,6 +49,7 @@ class Driven:
     _first: Snapshot | None  # the beginning, once `reset` was asked for
     failure: str
     reason: str
+    falls: tuple[Fall, ...]
 
     if TYPE_CHECKING:
 
@@ -83,6 +84,13 @@ class Driven:
         self._state.past[0] = 0.0  # a multistep method begins anew
         self._prepare()
         self._begin_anew(None)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Let a copy be a simulation of its own that stands where this one does; nobody watches it."""
+        goals = {row: replace(goal) for row, goal in self._goals.items()}
+        said = {"failure": self.failure, "reason": self.reason, "falls": self.falls}
+        own = {"_goals": goals, "_due": self._due, **said}
+        return _again, (type(self), self.model, self.ledger, self.apart, self.state, own)
 
     # -- forces --------------------------------------------------------------------------
 
@@ -225,6 +233,21 @@ class Driven:
                 self._turn(row, self.system.bending.axis[row].copy(), 0.0)
             self._begin_anew(row)
         self._goals.clear()
+
+
+def _again(
+    kind: type[Driven],
+    model: Model,
+    ledger: bool,
+    apart: bool,
+    state: Snapshot,
+    own: dict[str, Any],
+) -> Driven:
+    """Return a simulation of a model in a state, with what `own` says of it."""
+    made = kind(model, ledger=ledger, apart=apart)
+    made.restore(state)
+    vars(made).update(own)
+    return made
 
 
 def shortest_turn(old: Floats, new: Floats) -> tuple[Floats, float]:
