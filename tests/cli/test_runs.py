@@ -282,7 +282,7 @@ def test_the_first_run_says_that_it_compiles(
 ) -> None:
     from ropewalk.cli import progress
 
-    monkeypatch.setattr(progress, "is_compiled", lambda method, scene: False)
+    monkeypatch.setattr(progress, "is_compiled", lambda *_: False)
     done = ropewalk("run", scene)
     assert done.stderr.startswith("compiling semi-implicit-euler: the first run")
 

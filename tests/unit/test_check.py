@@ -193,7 +193,7 @@ def test_of_very_many_nodes_no_steps_are_run_for_the_estimate(
         raise AssertionError("a step was run")
 
     monkeypatch.setattr(Simulation, "step", refuse)
-    monkeypatch.setattr("ropewalk.analysis.cost.is_compiled", lambda *_: True)
+    monkeypatch.setattr("ropewalk.analysis.cost.are_compiled", lambda *_: True)
     made_of = Material(EA=1e7, mass_per_length=0.1)
     rope = Rope(segments=20_000, length=1000.0, made_of=made_of, shape=Slack(end=(900.0, 0, 0)))
     ends = [Anchor(node=0), Anchor(node=-1)]

@@ -53,4 +53,4 @@ def test_without_the_compiler_it_does_the_same() -> None:
     for lanes, compiled in zip(numbers.tolist(), found[0], strict=True):
         if np.isfinite(compiled).all() and 0.0 not in np.ravel(lanes):  # Python raises there
             plain = formula(*(Twin(*pair) for pair in lanes))  # type: ignore[no-untyped-call]
-            assert (plain.first, plain.second) == tuple(compiled)
+            assert plain.numbers == tuple(compiled)

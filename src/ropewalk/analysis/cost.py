@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from ropewalk.core.cache import is_compiled
 from ropewalk.core.deferred import clock
+from ropewalk.engine.crews import are_compiled
 from ropewalk.lowering import Model
 from ropewalk.methods.registry import METHODS
 from ropewalk.simulation import Broken, Simulation
@@ -54,7 +54,7 @@ def seconds_per_step(model: Model, measure: bool = True) -> tuple[float, bool]:
     if (
         model.layout.nodes > _AFFORDABLE
         or not measure
-        or not is_compiled(method.advance, model.system.rare)
+        or not are_compiled(method, model.system.rare, model.scene)
     ):
         return typical, False
     simulation = Simulation(model)

@@ -16,12 +16,12 @@ if TYPE_CHECKING:
     from ropewalk.simulation.block import Block
 
 
-def is_compiled(method: str, rare: int | None) -> bool:
-    """Whether the machine code of a variant of a method is there already, in this process or on disk."""
-    from ropewalk.core import cache
+def is_compiled(method: str, rare: int | None, scene: Scene) -> bool:
+    """Whether the machine code that moves a scene's ropes is there already, in this process or on disk."""
+    from ropewalk.engine.crews import are_compiled
     from ropewalk.methods.registry import METHODS
 
-    return cache.is_compiled(METHODS[method].advance, rare)
+    return are_compiled(METHODS[method], rare, scene)
 
 
 def tell_compiling(method: str, scene: Scene, *, live: bool = False) -> None:
@@ -30,7 +30,7 @@ def tell_compiling(method: str, scene: Scene, *, live: bool = False) -> None:
     from ropewalk.methods.registry import METHODS
 
     rare = 1 if live else rare_of(scene)  # a live scene may get any law
-    if method in METHODS and not is_compiled(method, rare):
+    if method in METHODS and not is_compiled(method, rare, scene):
         which = f"{method} with rarer laws" if rare else method
         tell(
             f"compiling {which}: the first run on this machine takes a minute or two, "

@@ -66,10 +66,10 @@ def pointed(kind: Any) -> Any:
 @cache
 def _places(kind: Any) -> tuple[int, ...]:
     """Return the word of a block at which each member of a tuple begins, and that after the last."""
-    return tuple(accumulate((_words(item) for item in kind.types), initial=0))
+    return tuple(accumulate((words_of(item) for item in kind.types), initial=0))
 
 
-def _words(kind: Any) -> int:
+def words_of(kind: Any) -> int:
     """Return how many words of a block a value takes."""
     if isinstance(kind, types.BaseTuple):
         return _places(kind)[-1]
@@ -261,7 +261,7 @@ def _unbox(kind: Pointed, obj: Any, c: Any) -> Any:
     """Write a block for one call: what calls the kernel keeps the arrays."""
     builder = c.builder
     with builder.goto_entry_block():
-        address = builder.alloca(_WORD, _words(kind))
+        address = builder.alloca(_WORD, words_of(kind))
     numbers = llvm.Constant(llvm.ArrayType(_HALF, len(table := _table(kind))), table)
     table = cgutils.global_constant(builder.module, f"{kind.name}.members", numbers)
     args = obj, builder.bitcast(table, _HALF.as_pointer()), address

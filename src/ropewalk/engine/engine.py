@@ -204,6 +204,27 @@ class Engine:
         elastic = 0.5 * state.stiffness * state.rest_length**2
         return pull * float(state.rest_length.sum()) + 1e-6 * float(elastic[gives].sum())
 
+    @property
+    def scratch(self) -> Any:
+        """What the method needs besides the state."""
+        return self._scratch
+
+    @property
+    def tableau(self) -> Any:
+        """The method's coefficients."""
+        return self._tableau
+
+    @property
+    def kernel(self) -> Any:
+        """The method's kernel."""
+        return self._method.advance
+
+    def is_plain(self) -> bool:
+        """Tell whether springs, vector friction, weight, anchors and hands are all that ever acts."""
+        alone = self.system.rare is None and self._extras is None
+        by_scene = self.model.system.flags.any()  # a hand's force comes and goes
+        return alone and self._method.fixed and not by_scene
+
     # -- moving on -----------------------------------------------------------------------
 
     def call(
@@ -230,6 +251,10 @@ class Engine:
         taken = int(now[3]) * good if fixed else most - int(self._scratch.strides[0])
         if not fixed:
             self.crawl.note(taken, float(self.walk.control[END]))
+        return self.moved(status, good, taken, now)
+
+    def moved(self, status: int, good: int, taken: int, now: Floats) -> Moved:
+        """Return how far a call has come that ended so; bring the clock to where the state stands."""
         if status == UNSOLVED:
             clock = float(now[0]), float(now[1]), int(now[2])
             why = unsolved.describe(self.model, self.state, clock, self._scratch)
@@ -255,9 +280,9 @@ class Engine:
     def show_peaks(self) -> None:
         """What was seen is in the state already."""
 
-    def make_slices(self) -> Slices:
-        """Return how to cut long calls."""
-        return Slices(self.model.layout.nodes, self._method.cost, self._method.fixed)
+    def make_slices(self, ropes: int = 1) -> Slices:
+        """Return how to cut long calls, which move so many such ropes."""
+        return Slices(ropes * self.model.layout.nodes, self._method.cost, self._method.fixed)
 
     def restore(self, inner: Floats, walk: Walk) -> None:
         """Go back to a walk; the state is the caller's."""

@@ -27,11 +27,12 @@ from ropewalk.core.arrays import APPLIED, Floats, flatten, pooled
 from ropewalk.core.deferred import clock, each, wait_too
 from ropewalk.core.peaks import Peaks
 from ropewalk.core.status import BROKEN, OK, PAUSED
+from ropewalk.engine.abreast import go_abreast
+from ropewalk.engine.crews import Crew, Crews, go_alone
 from ropewalk.engine.engine import (
     Asked,
     Controls,
     Engine,
-    Fall,
     Moved,
     controlled,
     controls_of,
@@ -41,7 +42,7 @@ from ropewalk.engine.engine import (
 from ropewalk.engine.partition import partition
 from ropewalk.engine.places import find_links, pool_size
 from ropewalk.engine.shares import collect, gather_peaks, held_frames, shares_of
-from ropewalk.engine.slices import Edges, Slices
+from ropewalk.engine.slices import Slices
 from ropewalk.engine.spare import Spare
 from ropewalk.engine.start import started
 from ropewalk.lowering import Model
@@ -122,7 +123,7 @@ class Islands:
         self._nothing = [make_recording(state, 0, False) for state in states]
         self._gather()
         self.model = replace(model, state=arrays.copy(self.state), started=True)
-        self._slices = [engine.make_slices() for engine in self.engines]
+        self._crews = Crews(self.engines)
         self._ended = np.zeros(len(self.engines))  # 1: it stays as it is
         self._seconds, self._ledger = 0.0, ledger
         self._beside: ThreadPoolExecutor | None = None
@@ -313,18 +314,23 @@ class Islands:
                 else make_recording(engine.state, rows, lengths)
                 for k, engine in enumerate(self.engines)
             ]
-        slices = self._slices
 
-        def go(k: int) -> Moved:
-            if self._ended[k]:
-                return Moved(OK, frames, 0)
-            return _go(self.engines[k], slices[k], now.copy(), frames, outs[k], stop, asked)
+        mates = self._crews.mates
+
+        def go(crew: Crew) -> list[Moved]:
+            first = crew.numbers[0]
+            if self._ended[first]:
+                return [Moved(OK, frames, 0)]
+            those, rooms = zip(*((mates[k], outs[k]) for k in crew.numbers), strict=True)
+            way = go_abreast if crew.abreast else go_alone
+            return way(those, self._crews.slices(crew), now.copy(), frames, rooms, stop, asked)
 
         alone = threads == 1 or getattr(_here, "alone", False)
-        if not alone and self._seconds * frames > LONG:
-            done = self._go_beside(go)
-        else:
-            done = [go(k) for k in range(len(self.engines))]
+        crews = self._crews.now(self._ended)
+        beside = not alone and self._seconds * frames > LONG
+        parts = self._go_beside(go, crews) if beside else [go(crew) for crew in crews]
+        found = dict(zip((k for crew in crews for k in crew.numbers), chain(*parts), strict=True))
+        done = [found[k] for k in range(len(self.engines))]
         if frames:
             self._seconds = (clock() - begun) / frames
         good = min(rows, min(moved.good for moved in done)) if stop else rows
@@ -334,48 +340,21 @@ class Islands:
         collect(out, good, self.state, list(zip(self.shares, states, outs, strict=True)))
         return done
 
-    def _go_beside(self, go: Callable[[int], Moved]) -> list[Moved]:
+    def _go_beside(self, go: Callable[[Crew], list[Moved]], crews: list[Crew]) -> list[list[Moved]]:
         """Let threads move the islands, each a run of neighbours; wait for all, whatever is raised."""
         if self._beside is None:
             self._beside = ThreadPoolExecutor(threads, thread_name_prefix="islands")
-        parts = np.array_split(np.arange(len(self.engines)), min(4 * threads, len(self.engines)))
+        parts = np.array_split(np.arange(len(crews)), min(4 * threads, len(crews)))
 
-        jobs: list[Future[tuple[list[Moved], float]]] = []
+        jobs: list[Future[tuple[list[list[Moved]], float]]] = []
         try:  # from the first one on, they move the islands
-            jobs.extend(self._beside.submit(each, go, part.tolist()) for part in parts)
+            jobs.extend(self._beside.submit(each, go, [crews[k] for k in part]) for part in parts)
             found = [job.result() for job in jobs]
         finally:
             wait(jobs)
         moved, seconds = zip(*found, strict=True)
         wait_too(max(seconds))
         return list(chain(*moved))
-
-
-def _go(
-    engine: Engine,
-    slices: Slices,
-    now: Floats,
-    frames: int,
-    out: Recording,
-    stop: bool,
-    asked: Asked,
-) -> Moved:
-    """Move one island by so many frames; PAUSED where it was asked to stop."""
-    falls: tuple[Fall, ...] = ()
-    begun, unfinished = now[4:]  # of the call for all islands
-
-    def call(
-        steps: int, count: int, found: Recording, halt: bool, edges: Edges
-    ) -> tuple[int, int, int]:
-        nonlocal falls
-        now[3:] = steps, begun or edges[0], unfinished or edges[1]
-        moved = engine.call(now, count, slices.most, found, halt)
-        falls = moved.falls
-        return moved.status, moved.good, moved.taken
-
-    slices.asked = asked
-    status, good = slices.run(call, lambda: lambda: None, int(now[3]), frames, out, stop)
-    return Moved(PAUSED if status == OK and good < frames else status, good, 0, falls)
 
 
 def size_of(peaks: Peaks) -> int:

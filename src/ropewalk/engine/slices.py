@@ -78,15 +78,18 @@ class Slices:
         begun = False
         while steps > self.most:
             taken = self.most
-            status, _ = self._timed(call, taken, 1, nothing, False, (begun, True))
+            status, done = self._timed(call, taken, 1, nothing, False, (begun, True))
             if status != OK:
                 return status, 0
             begun = True
             steps -= taken
-            if back is not None and self.is_asked():
+            if back is not None and (done == 0 or self.is_asked()):
                 back()
                 return OK, 0
-        return self._timed(call, steps, 1, out, stop, (begun, False))
+        status, done = self._timed(call, steps, 1, out, stop, (begun, False))
+        if back is not None and status == OK and done == 0:  # asked to stop within the call
+            back()
+        return status, done
 
     def _timed(
         self, call: Call, steps: int, frames: int, out: Recording, stop: bool, edges: Edges

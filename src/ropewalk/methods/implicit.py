@@ -47,16 +47,20 @@ from ropewalk.methods.scratch import (
     axpy,
     clear,
     clear_forces,
+    clear_parts,
     clear_row,
+    gather,
     half_way,
     make_sums,
     make_turning,
     put,
     put_forces,
     put_row,
+    settle_reaction,
 )
 from ropewalk.methods.stage import Stage, make_stage
 from ropewalk.methods.stage_report import SPLITS, TIME
+from ropewalk.methods.starts import Starts, make_starts, take_start
 from ropewalk.methods.tableaus import BDF2, DIRK, GENERALIZED_ALPHA, SDIRK2, Tableau
 from ropewalk.methods.wheel_ties import aim_all, has_wheels
 from ropewalk.methods.window import Windows, make_windows, solve_stage
@@ -84,6 +88,7 @@ class ImplicitScratch(NamedTuple):
     turning: Floats  # (w, 7) what winches wind in a step, see `laws.winch`
     sums: Floats
     pull: Floats  # (2, s) tensions, see `watch`
+    starts: Starts  # of the stages of a step that was looked at already
     rescue: Tableau  # of the method that takes the parts of a step without solution
 
 
@@ -109,6 +114,7 @@ def make_implicit_scratch(system: System, state: State, tableau: Tableau) -> Imp
         turning=make_turning(state),
         sums=make_sums(),
         pull=np.zeros((2, state.rest_length.shape[0])),
+        starts=make_starts(state, most),
         rescue=tableaus.IMPLICIT_EULER,
     )
 
@@ -259,6 +265,8 @@ def take_step(
                 wind_to(system, state, time, scratch.turning)
             if attempt == 1:
                 clear_row(stage.tension)
+            elif level == 0 and kind == DIRK:
+                take_start(scratch.starts, s, t, after, dt, stage)
             status = solve_stage(system, state, stage, scratch.windows, c1, c2)
             if status == OK:
                 break
@@ -304,31 +312,6 @@ def follows(dt, held, exits, past):
     same = past[0] == dt and past[1] == holding and past[2] == out
     past[0], past[1], past[2] = dt, holding, out
     return same
-
-
-@kernel
-def gather(reaction, share, total):
-    """Add a part's mean forces, (a, 3), times its share of the step."""
-    for row in range(total.shape[0]):
-        for k in range(3):
-            total[row, k] += share * reaction[row, k]
-
-
-@kernel
-def settle_reaction(total, reaction):
-    """Write the mean forces of a step taken in parts, and clear the sum."""
-    for row in range(total.shape[0]):
-        for k in range(3):
-            reaction[row, k] = total[row, k]
-    clear_parts(total)
-
-
-@kernel
-def clear_parts(total):
-    """Forget the forces of the parts of a step."""
-    for row in range(total.shape[0]):
-        for k in range(3):
-            total[row, k] = 0.0
 
 
 @part

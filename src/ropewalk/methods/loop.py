@@ -20,6 +20,7 @@ from ropewalk.methods.partings import part_ropes
 from ropewalk.methods.peaks import any_rubs, looks_at_all, wanted
 from ropewalk.methods.recording import record_frame
 from ropewalk.methods.scratch import clear
+from ropewalk.methods.starts import forget_starts
 from ropewalk.methods.tableaus import BDF2
 from ropewalk.methods.verdict import judge, note_changes, note_energy
 from ropewalk.methods.watch import close_interval, open_interval, watch
@@ -50,6 +51,7 @@ def prepare_links(system, state, t, saddle):
 def _prepare_solver(system, state, t, scratch):
     """Prepare for a method that solves."""
     prepare_links(system, state, t, scratch.stage.saddle)
+    forget_starts(scratch.starts)
 
 
 @part
@@ -115,6 +117,12 @@ def close_frame(system, state, ledger, time, stop_at_break, sums, frame, out):
     return judge(system, state, time)
 
 
+@kernel
+def first_row(clock):
+    """Return the row of the recording for the first frame, 0 unless the clock has it."""
+    return int(clock[6]) if clock.shape[0] > 6 else 0
+
+
 def _always(step: Any) -> Any:
     """Return a step without equations, which ends well, as one that says so."""
 
@@ -144,11 +152,11 @@ def make_advance(step: Any, *, carries: bool = False, solves: bool = False) -> A
         """Advance `frames` frames; return the status and the number of good frames.
 
         `clock` holds t0, dt, steps done and steps per frame: t = t0 + step dt, never a sum. Besides 1 where
-        the first frame is begun already, 1 where the last is not ended. `extras`: see `laws.rare.acts_after`.
+        the first frame is begun already, 1 where the last is not ended, and the first row of `out` if not 0.
         """
         dt, done, steps = clock[1], int(clock[2]), int(clock[3])
         point, speed, pull, sums = scratch.point, scratch.speed, scratch.pull, scratch.sums
-        rubs = any_rubs(state.damping_vector, state.damping_axial)
+        rubs, r = any_rubs(state.damping_vector, state.damping_axial), first_row(clock)
         note_changes(system, state)
         for frame in range(frames):
             t, parted = clock[0] + done * dt, False
@@ -186,7 +194,7 @@ def make_advance(step: Any, *, carries: bool = False, solves: bool = False) -> A
             watched = not parted and (solves or looks_at_all(system, extras))
             if not watched and (frame + 1 < frames or clock[5] == 0.0):
                 close_interval(system, state, pull, sums, after, after)
-            status = close_frame(system, state, ledger, after, stop_at_break, sums, frame, out)
+            status = close_frame(system, state, ledger, after, stop_at_break, sums, r + frame, out)
             if status != OK and stop_at_break:
                 return status, frame
         return OK, frames

@@ -220,3 +220,28 @@ def half_way(x0, v0, x1, v1, inverse_mass, middle, drift):
             if inverse_mass[i] > 0.0:
                 xa[i] = xb[i]
                 va[i] = vb[i]
+
+
+@kernel
+def gather(reaction, share, total):
+    """Add a part's mean forces, (a, 3), times its share of the step."""
+    for row in range(total.shape[0]):
+        for k in range(3):
+            total[row, k] += share * reaction[row, k]
+
+
+@kernel
+def settle_reaction(total, reaction):
+    """Write the mean forces of a step taken in parts, and clear the sum."""
+    for row in range(total.shape[0]):
+        for k in range(3):
+            reaction[row, k] = total[row, k]
+    clear_parts(total)
+
+
+@kernel
+def clear_parts(total):
+    """Forget the forces of the parts of a step."""
+    for row in range(total.shape[0]):
+        for k in range(3):
+            total[row, k] = 0.0
