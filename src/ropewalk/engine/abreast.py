@@ -32,6 +32,8 @@ class Outs:
 
     def part(self, first: int, last: int) -> Outs:
         """Return the buffers of frames `first` to `last - 1`."""
+        if (first, last) == (0, len(self.outs[0].x)):
+            return self
         return Outs([out.part(first, last) for out in self.outs])
 
 
@@ -85,12 +87,11 @@ def _call(
     for out in outs:
         recordings.append(Kept(out, size))
         size = len(recordings[-1].words)
-    kept = [(*mate.kept(), out) for mate, out in zip(mates, recordings, strict=True)]
-    like = kept[0]
-    if any(a.mark != b.mark for each in kept for a, b in zip(each, like, strict=True)):
+    if any(mate.types != mates[0].types for mate in mates) or len({o.mark for o in recordings}) > 1:
         raise RuntimeError("ropes side by side are not of one kind")
-    kept += [like] * (WIDTH - count)
-    ropes = np.array([[one.address for one in each] for each in kept]).T.copy()
+    places = [(*mate.addresses, out.address) for mate, out in zip(mates, recordings, strict=True)]
+    ropes = np.array(places + places[:1] * (WIDTH - count)).T.copy()
+    like = *mates[0].kept(), recordings[0]
     args = *(one.value for one in like), ropes, count, beside, now, frames, engine.ledger, stop
     advance_beside(*args, engine.tableau)
     moved = []

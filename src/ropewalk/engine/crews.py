@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Hashable, Sequence
+from functools import cached_property
 from typing import Any, NamedTuple
 
 from ropewalk.core.addresses import Kept
@@ -42,10 +43,15 @@ class Mate:
             self._kept = tuple(map(Kept, (engine.system, engine.state, scratch)))
         return self._kept
 
-    @property
+    @cached_property
     def types(self) -> tuple[int, ...]:
         """What the types of these are told apart by."""
         return tuple(one.mark for one in self.kept())
+
+    @cached_property
+    def addresses(self) -> tuple[int, ...]:
+        """Where these are."""
+        return tuple(one.address for one in self.kept())
 
 
 def _kind(engine: Engine) -> Hashable:

@@ -39,15 +39,16 @@ from ropewalk.engine.engine import (
     never,
     own_state,
 )
+from ropewalk.engine.frames import Frames, hold_frames
 from ropewalk.engine.partition import partition
 from ropewalk.engine.places import find_links, pool_size
-from ropewalk.engine.shares import collect, gather_peaks, held_frames, shares_of
+from ropewalk.engine.shares import gather_peaks, shares_of
 from ropewalk.engine.slices import Slices
 from ropewalk.engine.spare import Spare
 from ropewalk.engine.start import started
 from ropewalk.lowering import Model
 from ropewalk.methods.adaptive import Walk
-from ropewalk.methods.recording import Recording, make_recording
+from ropewalk.methods.recording import Recording
 from ropewalk.methods.registry import METHODS
 
 #: So many threads move islands side by side, where none is told to work alone (`one_after_another`).
@@ -120,7 +121,7 @@ class Islands:
             first += size
         states = [engine.state for engine in self.engines]
         self._links = find_links((self.state, self._pool), self.shares, states, self._sea)
-        self._nothing = [make_recording(state, 0, False) for state in states]
+        self._frames = Frames(self.shares, states, self.state)
         self._gather()
         self.model = replace(model, state=arrays.copy(self.state), started=True)
         self._crews = Crews(self.engines)
@@ -306,14 +307,11 @@ class Islands:
         """Move every island from the same time and collect what they record."""
         begun, rows = clock(), min(frames, len(out.x))
         lengths = out.rest_length.shape[1] > 0
-        outs = self._nothing
+        outs = self._frames.nothing
         if rows:
-            outs = [
-                held_frames(engine.system, engine.state, self._ledger, rows, lengths)
-                if self._ended[k]
-                else make_recording(engine.state, rows, lengths)
-                for k, engine in enumerate(self.engines)
-            ]
+            outs = self._frames.make(rows, lengths)
+            for k in np.flatnonzero(self._ended):
+                hold_frames(self.engines[k], outs[k], self._ledger)
 
         mates = self._crews.mates
 
@@ -336,8 +334,7 @@ class Islands:
         good = min(rows, min(moved.good for moved in done)) if stop else rows
         if not rows:
             return done
-        states = (engine.state for engine in self.engines)
-        collect(out, good, self.state, list(zip(self.shares, states, outs, strict=True)))
+        self._frames.collect(out, good)
         return done
 
     def _go_beside(self, go: Callable[[Crew], list[Moved]], crews: list[Crew]) -> list[list[Moved]]:

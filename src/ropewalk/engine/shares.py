@@ -9,22 +9,12 @@ from typing import Any
 
 import numpy as np
 
-from ropewalk.core.arrays import Floats, Ints, State, System, copy, flatten
-from ropewalk.core.peaks import EXTREMES, FORCE, LEAST_TENSION, LOWEST, PLACE, SINCE, UNTIL, VALUE
+from ropewalk.core.arrays import Floats, Ints, State, copy, flatten
+from ropewalk.core.peaks import EXTREMES, FORCE, LEAST_TENSION, LOWEST, PLACE, VALUE
 from ropewalk.laws.registry import NAMES
 from ropewalk.lowering import Model, Pieces, Span
 from ropewalk.lowering.layout import make_layout
 from ropewalk.lowering.system import make_tables
-from ropewalk.methods.recording import (
-    Recording,
-    bends,
-    energy_names,
-    make_recording,
-    record_frame,
-    remembering,
-    work_names,
-)
-from ropewalk.methods.scratch import make_sums
 from ropewalk.scene import Scene
 
 # What the last axis of an array of `State` counts, or the first of those by anchors and winches.
@@ -56,10 +46,6 @@ SEGMENTS_RECORDED = (
 PEAKS_OF_SEGMENTS = ("tension_high", "tension_low", "square_high", "square_low", "stretch")
 LINES = slice(0, FORCE)  # the extremes that a segment or node has ...
 HOLDERS = slice(FORCE, None)  # ... and those of an anchor
-ADDED = (
-    *("energy", "work", "jump", "momentum", "angular_momentum", "moment", "moment_high"),
-    *("error_range", "error_times", "books"),
-)
 NODES_RECORDED = ("x", "v", "speed_high", "lowest", "highest", "contact")
 INDICES = ("anchor_node", "winch_exit")  # hold indices of nodes
 _COUNTED = (NODES, SEGMENTS, BETWEEN, ANCHORS, WINCHES, JOINTS, POINTS)
@@ -203,94 +189,28 @@ def shares_of(model: Model, groups: list[list[int]]) -> list[Share]:
     return shares
 
 
-def collect(
-    out: Recording, frames: int, state: State, parts: list[tuple[Share, State, Recording]]
-) -> None:
-    """Write the first `frames` frames of all shares, each with its state, into those of the whole."""
-    for name in ADDED:
-        getattr(out, name)[:frames] = 0.0
-    ends = [there.last for share, _, _ in parts for there, _ in share.spans]
-    between = [end for end in ends if end < state.rest_length.size]
-    for name in SEGMENTS_RECORDED:
-        array = getattr(out, name)
-        if array.shape[1]:
-            array[:frames, between] = 0.0
-    names = _columns(state)
-    for share, own, found in parts:
-        _collect_lines(out, frames, share, found)
-        energies, works = _columns(own)
-        out.energy[:frames, [names[0].index(name) for name in energies]] += found.energy[:frames]
-        laws = [names[1].index(name) for name in works]
-        out.work[:frames, laws] += found.work[:frames, : len(works)]
-        out.work[:frames, len(names[1]) + share.anchors] = found.work[:frames, len(works) :]
-        out.reaction[:frames, share.anchors] = found.reaction[:frames]
-        out.joint_force[:frames, share.points] = found.joint_force[:frames]
-        if found.moment.shape[1]:
-            out.moment[:frames, share.anchors] = found.moment[:frames]
-        for name in ("reaction_high", "moment_high"):  # none where extremes are not wanted
-            if getattr(found, name).shape[1]:
-                getattr(out, name)[:frames, share.anchors] = getattr(found, name)[:frames]
-        if out.error_range.shape[1]:  # together they err by no more than this; when is not known
-            out.error_range[:frames] += found.error_range[:frames]
-            out.error_times[:frames] += found.error_times[:frames] if len(parts) == 1 else np.nan
-        for name in ("jump", "momentum", "angular_momentum", "books"):
-            getattr(out, name)[:frames] += getattr(found, name)[:frames]
-    if out.extremes.shape[1]:
-        rows = [
-            np.stack([f.extremes, f.extreme_places, f.extreme_since, f.extreme_until])[:, :frames]
-            for _, _, f in parts
-        ]
-        best = best_of([share for share, _, _ in parts], np.stack(rows))
-        out.extremes[:frames], out.extreme_places[:frames] = best[VALUE], best[PLACE]
-        out.extreme_since[:frames], out.extreme_until[:frames] = best[SINCE], best[UNTIL]
+def best_of(groups: list[tuple[list[Share], Floats]], order: Ints) -> Floats:
+    """Return the greatest and least of all shares, (4, ..., 8), of what groups of equal ones have found.
 
-
-#: What of an island that has ended is not known any more, once it has broken.
-GONE = (
-    *(
-        "v",
-        "tension",
-        "elastic_tension",
-        "tension_low",
-        "tension_high",
-        "stretch_high",
-        "speed_high",
-    ),
-    *("lowest", "highest", "reaction", "reaction_high", "moment", "moment_high", "contact"),
-    "joint_force",
-    *("extremes", "extreme_since", "extreme_until"),
-)
-
-
-def held_frames(
-    system: System, state: State, ledger: bool, frames: int, lengths: bool
-) -> Recording:
-    """Return frames, views, of an island that has ended: it lies where it broke, and all else is NaN.
-
-    But for what is added up over all ropes: there it counts as it was.
+    Each is (k, 4, ..., 8): VALUE, PLACE, SINCE and UNTIL of `core.peaks`, its EXTREMES last; places become
+    the whole's. `order` says which share each is, in the order of the groups: the first of equal ones counts.
     """
-    out = make_recording(state, 1, lengths)
-    record_frame(system, state, ledger, make_sums(), 0, out)
-    for name in GONE:
-        getattr(out, name)[...] = np.nan
-    out.extreme_places[...] = -1.0
-    return Recording(*(np.broadcast_to(array, (frames, *array.shape[1:])) for array in out))
-
-
-def best_of(shares: list[Share], found: Floats) -> Floats:
-    """Return the greatest and least of all shares, (4, ..., 8), of what each has `found`, (k, 4, ..., 8).
-
-    Rows are VALUE, PLACE, SINCE and UNTIL of `core.peaks`, columns its EXTREMES; places become the whole's.
-    """
-    values, places = found[:, VALUE], found[:, PLACE]
-    for share, place in zip(shares, places, strict=True):
-        for columns, rows in ((LINES, share.nodes), (HOLDERS, share.anchors)):
-            own = place[..., columns].astype(np.int64)
-            if len(rows):
-                place[..., columns] = np.where(own < 0, -1, rows[np.maximum(own, 0)])
+    for shares, found in groups:
+        places = found[:, PLACE]
+        for columns, rows in (
+            (LINES, [share.nodes for share in shares]),
+            (HOLDERS, [share.anchors for share in shares]),
+        ):
+            table = np.stack(rows)
+            if table.shape[1]:
+                own = places[..., columns].astype(np.int64)
+                at = np.maximum(own, 0).reshape(len(shares), -1)
+                whole = np.take_along_axis(table, at, axis=1).reshape(own.shape)
+                places[..., columns] = np.where(own < 0, -1, whole)
     sign = np.ones(len(EXTREMES))
     sign[[LEAST_TENSION, LOWEST]] = -1.0
-    which = np.argmax(np.where(places < 0.0, -np.inf, sign * values), axis=0)
+    found = np.concatenate([found for _, found in groups])[np.argsort(order)]
+    which = np.argmax(np.where(found[:, PLACE] < 0.0, -np.inf, sign * found[:, VALUE]), axis=0)
     best: Floats = np.take_along_axis(found, which[None, None], axis=0)[0]
     return best
 
@@ -308,24 +228,10 @@ def gather_peaks(shares: list[Share], own: list[State], whole: State) -> None:
         peaks.reaction[share.anchors] = state.peaks.reaction
         if state.peaks.moment.size:
             peaks.moment[share.anchors] = state.peaks.moment
-    peaks.found[:] = best_of(shares, np.stack([state.peaks.found for state in own]))
+    each = [
+        ([share], state.peaks.found[None].copy()) for share, state in zip(shares, own, strict=True)
+    ]
+    peaks.found[:] = best_of(each, np.arange(len(own)))
     peaks.looked[:] = own[0].peaks.looked
     peaks.error[:, 0] = sum(state.peaks.error[:, 0] for state in own)
     peaks.error[:, 1] = state.peaks.error[:, 1] if len(own) == 1 else np.nan
-
-
-def _columns(state: State) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """Return the columns of energies and of works of a state's recording."""
-    return energy_names(bends(state)), work_names(bends(state), remembering(state))
-
-
-def _collect_lines(out: Recording, frames: int, share: Share, found: Recording) -> None:
-    """Write what there is for every node and segment."""
-    for there, own in share.spans:
-        for names, last in (NODES_RECORDED, 1), (SEGMENTS_RECORDED, 0):
-            at = slice(there.first, there.last + last)
-            here = slice(own.first, own.last + last)
-            for name in names:
-                array = getattr(found, name)
-                if array.shape[1]:
-                    getattr(out, name)[:frames, ..., at] = array[:frames, ..., here]
