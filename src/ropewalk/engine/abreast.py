@@ -32,8 +32,8 @@ class Outs:
 
     def part(self, first: int, last: int) -> Outs:
         """Return the buffers of frames `first` to `last - 1`."""
-        if (first, last) == (0, len(self.outs[0].x)):
-            return self
+        if first == 0 and last >= len(self.outs[0].x):
+            return self  # at the same addresses
         return Outs([out.part(first, last) for out in self.outs])
 
 
@@ -82,16 +82,16 @@ def _call(
     if not hasattr(_here, "beside"):
         _here.beside = make_beside()
     beside, engine, count = _here.beside, mates[0].engine, len(mates)
-    size = 0
-    recordings = []
-    for out in outs:
-        recordings.append(Kept(out, size))
-        size = len(recordings[-1].words)
-    if any(mate.types != mates[0].types for mate in mates) or len({o.mark for o in recordings}) > 1:
+    recordings, size = list[tuple[Kept, int]](), 0
+    for mate, out in zip(mates, outs, strict=True):
+        recordings.append(mate.keep(out, size))
+        size = len(recordings[-1][0].words)
+    marks = {(*mate.types, out.mark) for mate, (out, _) in zip(mates, recordings, strict=True)}
+    if len(marks) > 1:
         raise RuntimeError("ropes side by side are not of one kind")
-    places = [(*mate.addresses, out.address) for mate, out in zip(mates, recordings, strict=True)]
+    places = [(*mate.addresses, at) for mate, (_, at) in zip(mates, recordings, strict=True)]
     ropes = np.array(places + places[:1] * (WIDTH - count)).T.copy()
-    like = *mates[0].kept(), recordings[0]
+    like = *mates[0].kept(), recordings[0][0]
     args = *(one.value for one in like), ropes, count, beside, now, frames, engine.ledger, stop
     advance_beside(*args, engine.tableau)
     moved = []

@@ -29,6 +29,7 @@ class Mate:
 
     def __init__(self, engine: Engine) -> None:
         self.engine, self._kept = engine, tuple[Kept, ...]()
+        self._out: tuple[Kept, int] | None = None  # what it recorded in last
         self.kind = _kind(engine)
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -42,6 +43,13 @@ class Mate:
             scratch = engine.scratch._replace(windows=None)
             self._kept = tuple(map(Kept, (engine.system, engine.state, scratch)))
         return self._kept
+
+    def keep(self, out: Recording, size: int) -> tuple[Kept, int]:
+        """Return what it records in by address, and that; `size` is how many words others have taken."""
+        if self._out is None or self._out[0].value is not out:
+            kept = Kept(out, size)
+            self._out = kept, kept.address
+        return self._out
 
     @cached_property
     def types(self) -> tuple[int, ...]:

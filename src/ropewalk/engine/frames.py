@@ -42,13 +42,17 @@ GONE = (
     *("extremes", "extreme_since", "extreme_until"),
 )
 
+_LENGTHS = Recording._fields.index("rest_length")
+Shapes = tuple[tuple[int, ...], ...]
+Columns = tuple[str, ...]
+
 
 class Group(NamedTuple):
     """Islands whose frames have the same shapes."""
 
     numbers: Ints  # (k,)
     shares: list[Share]
-    shapes: list[tuple[int, ...]]  # of a frame
+    shapes: Shapes  # of a frame
     anchors: Ints  # (k a,) rows in the whole
     points: Ints  # (k p,) rows in the whole
     energies: list[int]  # columns in the whole
@@ -63,19 +67,19 @@ class Frames:
         self.nothing = [make_recording(state, 0, False) for state in states]
         self._shares, self._whole = shares, whole
         names = _columns(whole)
-        kinds: dict[object, list[int]] = {}
+        kinds: dict[tuple[Shapes, Columns, Columns], list[int]] = {}
         for k, state in enumerate(states):
-            shapes = tuple(part.shape[1:] for part in make_recording(state, 0, True))
-            kinds.setdefault((shapes, _columns(state)), []).append(k)
+            own = [part.shape[1:] for part in self.nothing[k]]
+            own[_LENGTHS] = state.rest_length.shape
+            kinds.setdefault((tuple(own), *_columns(state)), []).append(k)
         self._groups = []
-        for numbers in kinds.values():
-            group, state = [shares[k] for k in numbers], states[numbers[0]]
-            energies, works = _columns(state)
+        for (shapes, energies, works), numbers in kinds.items():
+            group = [shares[k] for k in numbers]
             self._groups.append(
                 Group(
                     np.array(numbers),
                     group,
-                    [part.shape[1:] for part in make_recording(state, 0, True)],
+                    shapes,
                     np.concatenate([share.anchors for share in group]),
                     np.concatenate([share.points for share in group]),
                     [names[0].index(name) for name in energies],
@@ -84,21 +88,34 @@ class Frames:
             )
         self._order = np.concatenate([group.numbers for group in self._groups])
         self._laws = len(names[1])
+        self._size = 0, False  # frames of the last call, and whether with lengths
         self._made: list[Recording] = []  # of groups: (k, f, ...)
+        self._rooms: list[Recording] = []  # parts of these
 
     def make(self, frames: int, lengths: bool) -> list[Recording]:
-        """Return buffers of all islands; those of equal ones lie in one array for each quantity."""
-        found, self._made = list(self.nothing), []
+        """Return buffers of all islands; those of equal ones lie in one array for each quantity.
+
+        They are those of the last call, where these have so many frames: nobody else has them.
+        """
+        if (frames, lengths) == self._size:
+            for one in self._made:
+                for array in one[len(LARGE) :]:
+                    array[...] = 0.0
+            return self._rooms
+        made, rooms = list[Recording](), list(self.nothing)
         for group in self._groups:
             arrays = []
             for name, shape in zip(Recording._fields, group.shapes, strict=True):
                 empty = np.empty if name in LARGE else np.zeros
                 shape = (0,) if name == "rest_length" and not lengths else shape
                 arrays.append(empty((len(group.numbers), frames, *shape)))
-            self._made.append(Recording(*arrays))
+            made.append(Recording(*arrays))
             for place, k in enumerate(group.numbers):
-                found[k] = Recording(*(array[place] for array in arrays))
-        return found
+                rooms[k] = Recording(*(array[place] for array in arrays))
+        self._size = 0, False  # whatever is raised in between
+        self._made, self._rooms = made, rooms
+        self._size = frames, lengths
+        return self._rooms
 
     def collect(self, out: Recording, frames: int) -> None:
         """Write the first `frames` frames of all islands, as they were made last, into those of the whole."""
@@ -160,7 +177,7 @@ def _beside(found: Floats) -> Floats:
     return np.moveaxis(found, 0, 1).reshape(frames, k * own, *rest)
 
 
-def _columns(state: State) -> tuple[tuple[str, ...], tuple[str, ...]]:
+def _columns(state: State) -> tuple[Columns, Columns]:
     """Return the columns of energies and of works of a state's recording."""
     return energy_names(bends(state)), work_names(bends(state), remembering(state))
 
