@@ -107,11 +107,9 @@ def newton() -> list[float]:
 
 def refused() -> dict[str, str]:
     """What is said of what cannot be."""
-    wind = [Winch(rope="rope", end="start", speed=0.1)]
     stuff = {"EA": 100.0, "mass_per_length": 0.2, "relaxing_EA": 50.0, "relaxation_time": 0.1}
     both = rope(made_of={"kind": "material"} | stuff, length=1.0)
     asked: dict[str, dict[str, Any]] = {
-        "winch": {"anchors": [Anchor(name="drum", node=0)], "winches": wind},
         "two": {"ropes": [both]},
     }
     return {name: base.said_of(scene("verlet", 1e-3, **more)) for name, more in asked.items()}
@@ -139,7 +137,7 @@ def everything() -> dict[str, Any]:
         "newton": newton(),
         "hanging": hanging(),
         "bound": bound(),
-        "wound": wound(soft=Soft(arm=0.0)),
+        "wound": wound(),
         "wound without": wound(soft=None),
         "refused": refused(),
     }

@@ -17,7 +17,6 @@ APART = {
     ("rigid links", "winch"): "which a winch cannot wind segment by segment without a jolt",
     ("rigid links", "curve"): "leave it out with a curve",
     ("rigid links", "relaxation"): "nothing relaxes",
-    ("winch", "relaxation"): "with which a winch cannot wind it",
     ("winch", "bending"): "has bending stiffness",
     ("winch", "clamp"): "has bending stiffness",
 }

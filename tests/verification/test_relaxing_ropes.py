@@ -23,7 +23,6 @@ from ropewalk.scene import (
     Scene,
     SceneError,
     Straight,
-    Winch,
 )
 from ropewalk.scene.motions import Shake, Velocity
 from ropewalk.simulation import Simulation
@@ -290,8 +289,6 @@ def test_what_a_solid_cannot_be_is_told(fields: dict[str, Any], words: str) -> N
         stuff(**fields)
 
 
-def test_winch_and_lab_refuse_a_rope_that_relaxes() -> None:
-    with pytest.raises(SceneError, match="with which a winch cannot wind it"):
-        swing().replace(winches=[Winch(end="start", speed=1.0)])
+def test_the_lab_refuses_a_rope_that_relaxes() -> None:
     with pytest.raises(SceneError, match="the lab has no relaxation"):
         lab_scene(swing())

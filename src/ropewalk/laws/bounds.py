@@ -31,8 +31,10 @@ def own_pull(elastic, stiffness, length, floor, work, j, s):
     if elastic.time.shape[0] == 0 or elastic.of[j] < 0:
         pull = s / work.soft[j]
     else:
-        known = work.known[j] if work.known.shape[0] > 0 else 0.0
-        share, _, _ = pull_of(elastic, j, s / length[j], known, work.follow[0])
+        known, c = 0.0, 0.0
+        if work.start.shape[0] > 0:
+            known, c = work.start[j], work.follow[j]
+        share, _, _ = pull_of(elastic, j, s / length[j], known, c)
         pull = stiffness[j] * length[j] * share
     return max(pull, floor[j])
 

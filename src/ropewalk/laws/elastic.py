@@ -93,13 +93,19 @@ def held_strain(elastic, j, floor, strain, inner):
 @small
 def stored_by(elastic, inner, j, length, k, floor, strain):
     """Return what a segment with a law stores [J]; one that remembers does so while it is slack, too."""
-    known = 0.0
     if elastic.time[j] < math.inf:
-        known = inner[NOW, j]
-        strain = held_strain(elastic, j, floor, strain, known)
-    elif floor == 0.0 and strain < 0.0:
+        return stored_with(elastic, j, length, k, floor, strain, inner[NOW, j])
+    if floor == 0.0 and strain < 0.0:
         return 0.0
-    _, _, energy = pull_of(elastic, j, strain, known, 0.0)
+    _, _, energy = pull_of(elastic, j, strain, 0.0, 0.0)
+    return k * length * length * energy
+
+
+@small
+def stored_with(elastic, j, length, k, floor, strain, inner):
+    """Return what a segment that remembers `inner` stores [J]."""
+    strain = held_strain(elastic, j, floor, strain, inner)
+    _, _, energy = pull_of(elastic, j, strain, inner, 0.0)
     return k * length * length * energy
 
 
@@ -148,8 +154,10 @@ def hold_secants(tension, rest_length, stiffness, elastic, work):
     soft, remembers = work.soft, work.known.shape[0] > 0
     for j in range(tension.shape[0]):
         if elastic.of[j] >= 0 and stiffness[j] > 0.0:
-            product, known = stiffness[j] * rest_length[j], work.known[j] if remembers else 0.0
-            strain, slope = strain_of(elastic, j, tension[j] / product, known, work.follow[0])
+            product, known, c = stiffness[j] * rest_length[j], 0.0, 0.0
+            if remembers:
+                known, c = work.start[j], work.follow[j]
+            strain, slope = strain_of(elastic, j, tension[j] / product, known, c)
             if remembers:
                 strain -= work.free[j]
                 work.stretch[j] -= rest_length[j] * work.free[j]
@@ -264,7 +272,7 @@ def stored_energy(system, state, x, inner):
 def length_slope(system, state, j, r):
     """Return by how much more segment `j` stores with every metre of rest length, at length `r` [N].
 
-    Of V = EA L G(e) that is EA (G - (1 + e) g), e the strain. Laws that remember are not wound.
+    Of V = EA L G(e) that is EA (G - (1 + e) g), e the strain. For laws that remember see `fresh`.
     """
     length, k = state.rest_length[j], state.stiffness[j]
     strain = (r - length) / length

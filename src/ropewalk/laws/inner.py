@@ -13,15 +13,24 @@ strain that a step began with.
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 from ropewalk.core.jit import deferred, kernel, part, small
 from ropewalk.laws.bounds import within
 from ropewalk.laws.elastic import CHANGE, FIRST, NOW, RATE, asking, held_strain, strain_of
 from ropewalk.laws.elastic_law import ElasticLaw
+from ropewalk.laws.fresh import (
+    gained_by_mixing,
+    growing,
+    remembers,
+    thin_half,
+    thin_rates,
+    thin_solved,
+    thin_stage,
+    working_segment,
+)
 from ropewalk.laws.nodes import fold
-from ropewalk.laws.rare import has_inner
+from ropewalk.laws.rare import has_inner, winds
 from ropewalk.laws.registry import ELASTIC_LAWS
 from ropewalk.laws.stretch import stretched
 
@@ -102,12 +111,6 @@ def heat_of(elastic, stiffness, rest_length, change, j, dt):
     return stiffness[j] * rest_length[j] * rest_length[j] * _heat_of(elastic, j, change, dt)
 
 
-@small
-def remembers(elastic, stiffness, j):
-    """Tell whether segment `j` is there and has a law with a memory."""
-    return stiffness[j] > 0.0 and elastic.time[j] < math.inf
-
-
 # -- explicit methods --------------------------------------------------------------------------
 
 
@@ -134,6 +137,8 @@ def write_rates(system, state, x, out):
     elastic, k, inner = system.elastic, state.stiffness, state.inner[NOW]
     strains(elastic, k, state.rest_length, system.slack_floor, x, inner, out)
     rates(elastic, k, out, inner, out)
+    if winds(system, state):
+        thin_rates(system, state, out)
 
 
 @part
@@ -153,6 +158,29 @@ def relax(system, state, dt, ledger):
     )
     if ledger:
         book_heat(system, state, dt)
+
+
+@part
+def relax_while_winding(system, state, dt, ledger):
+    """As `relax`, where winches have turned in the step: half of what comes off them before, half after."""
+    winding = winds(system, state)
+    if winding:
+        for j in range(state.inner.shape[1]):
+            state.inner[CHANGE, j] = 0.0
+        thin_half(system, state, dt, False)
+    relax(system, state, dt, False)
+    if winding:
+        thin_half(system, state, dt, True)
+    if ledger:
+        book_step(system, state, dt)
+
+
+@part
+def book_step(system, state, dt):
+    """Book what was lost in a step of `dt` [s], in which winches may have turned."""
+    book_heat(system, state, dt)
+    if winds(system, state):
+        book_heat_at_drums(system, state, dt)
 
 
 @deferred()
@@ -189,6 +217,46 @@ def heat(elastic, stiffness, rest_length, change, dt):
     return total
 
 
+@deferred("float64")
+def heat_at_drums(system, state, inner, dt, back, row):
+    """Return how much more the segment at the drum of winch `row` loses in a step of `dt` [J] than of itself.
+
+    That is, than if its d changed by its law alone and its length was that of now. Rows of `inner` as at the
+    step's end, `back` [s] the time since its middle.
+    """
+    j = working_segment(system.winches, state.winch_exit, row)
+    total, fresh = growing(system.winches, state.winch_exit, row, state.winch_rate)
+    if total == 0.0 and fresh == 0.0:
+        return 0.0
+    k, lengths, change = state.stiffness, state.rest_length, inner[CHANGE, j]
+    mean = lengths[j] - back * total
+    moved = change + dt * fresh / mean * (inner[NOW, j] - 0.5 * change)
+    booked = heat_of(system.elastic, k, lengths, change, j, dt)
+    return heat_of(system.elastic, k, lengths, moved, j, dt) * mean / lengths[j] - booked
+
+
+@deferred("float64")
+def gained_at_drums(system, state, x, ends, dt):
+    """Return what a step gives to segments for what has come off drums [J], heat of it taken out.
+
+    Nodes at `x`, (3, n), rows of `State.inner` as at the step's end; rest lengths are the step's mean.
+    """
+    total = gained_by_mixing(system, state, x, ends, dt)
+    for row in range(state.winch_exit.shape[0]):
+        total -= heat_at_drums(system, state, ends, dt, 0.0, row)
+    return total
+
+
+@deferred()
+def book_heat_at_drums(system, state, dt):
+    """Book what the segments at drums have lost besides, rest lengths being those of the step's end."""
+    for row in range(state.winch_exit.shape[0]):
+        more = heat_at_drums(system, state, state.inner, dt, 0.5 * dt, row)
+        j = working_segment(system.winches, state.winch_exit, row)
+        state.work.friction[j] -= more
+        state.work.elastic[j] += more
+
+
 @kernel
 def next_stage(system, state, x, c, b, first):
     """Bring d to a stage of an explicit Runge-Kutta method, at places `x`.
@@ -213,7 +281,7 @@ def end_stages(system, state, dt, ledger):
     for j in range(inner.shape[1]):
         inner[NOW, j] = inner[FIRST, j] + inner[CHANGE, j]
     if ledger:
-        book_heat(system, state, dt)
+        book_step(system, state, dt)
 
 
 # -- implicit methods --------------------------------------------------------------------------
@@ -243,37 +311,42 @@ def know_stages(state, table, s, dt, known_rates, known):
 def begin_inner(system, state, work, c):
     """Write what stays the same of segments that remember while a stage is solved, d = d^ + c d'."""
     if has_inner(system, state):
-        work.follow[0] = c
-        _begin(system.elastic, state.stiffness, work.known, work.free, c)
+        for j in range(work.start.shape[0]):
+            work.start[j], work.follow[j] = work.known[j], c
+        if winds(system, state):
+            thin_stage(system, state, work.start, work.follow)
+        _begin(system.elastic, state.stiffness, work)
 
 
 @deferred()
-def _begin(elastic, stiffness, known, free, c):
-    for j in range(free.shape[0]):
-        free[j] = 0.0
+def _begin(elastic, stiffness, work):
+    for j in range(work.free.shape[0]):
+        work.free[j] = 0.0
         if remembers(elastic, stiffness, j):
-            free[j], _ = strain_of(elastic, j, 0.0, known[j], c)
+            work.free[j], _ = strain_of(elastic, j, 0.0, work.start[j], work.follow[j])
 
 
 @part
-def end_inner(system, state, work, tension, c, out):
+def end_inner(system, state, work, tension, out):
     """Write d' of a stage that is solved, from its tensions, (s,) [1/s]."""
     if has_inner(system, state):
         k, floor, bounds = state.stiffness, system.slack_floor, system.limiter
-        _end(system.elastic, bounds, k, state.rest_length, floor, work, tension, c, out)
+        _end(system.elastic, bounds, k, state.rest_length, floor, work, tension, out)
+        if winds(system, state):
+            thin_solved(system, state, work.start, work.follow, out)
 
 
 @deferred()
-def _end(elastic, limiter, stiffness, rest_length, floor, work, tension, c, out):
+def _end(elastic, limiter, stiffness, rest_length, floor, work, tension, out):
     for j in range(out.shape[0]):
         out[j] = 0.0
         if remembers(elastic, stiffness, j):
             pull = tension[j] / (stiffness[j] * rest_length[j])
-            strain, _ = strain_of(elastic, j, pull, work.known[j], c)
+            strain, _ = strain_of(elastic, j, pull, work.start[j], work.follow[j])
             if limiter.active == 1:  # its share of the tension stretches nothing
                 strain = within(limiter, strain)
                 strain = max(strain, work.free[j]) if floor[j] == 0.0 else strain
-            out[j] = rate_of(elastic, j, strain, work.known[j], c)
+            out[j] = rate_of(elastic, j, strain, work.start[j], work.follow[j])
 
 
 @part
@@ -309,4 +382,4 @@ def take_ends(system, state, ends, dt, ledger):
             for row in range(ends.shape[0]):
                 state.inner[row, j] = ends[row, j]
         if ledger:
-            book_heat(system, state, dt)
+            book_step(system, state, dt)

@@ -21,11 +21,19 @@ from numpy.typing import NDArray
 from ropewalk.core.arrays import State, System
 from ropewalk.core.jit import deferred, kernel, part
 from ropewalk.laws.couplings import wind_couplings
-from ropewalk.laws.elastic import length_slope, stored_energy
+from ropewalk.laws.elastic import CHANGE, NOW, length_slope, stored_energy
+from ropewalk.laws.fresh import (
+    book_wound,
+    mix_in,
+    mix_segments,
+    remembers,
+    split_memory,
+    working_segment,
+)
 from ropewalk.laws.joints import is_tied
 from ropewalk.laws.ledger import gravity_energy, kinetic_energy
 from ropewalk.laws.parting import has_parted
-from ropewalk.laws.rare import parts, winds
+from ropewalk.laws.rare import has_inner, parts, winds
 from ropewalk.laws.stretch import stretched
 
 SPLIT = 1.6  # [1] times the nominal segment length
@@ -58,6 +66,9 @@ def run_winches(system, state, t, dt, turning):
     kinetic, potential = kinetic_energy(state.v, state.mass), _potential(system, state)
     for row in range(state.winch_exit.shape[0]):
         plan_turn(system, state, row, t, dt, turning)
+        if has_inner(system, state):
+            j = working_segment(system.winches, state.winch_exit, row)
+            mix_in(system, state, j, turning[row, WOUND] + turning[row, BACK])
         _end_turn(system, state, row, turning)
         turning[row, WOUND] = 0.0
     wind_couplings(system, state)
@@ -86,9 +97,9 @@ def wind_to(system, state, time, turning):
     """Give the working segments the rest lengths that they have at `time` [s] of the planned step."""
     winches = system.winches
     for row in range(turning.shape[0]):
-        working, change = _working(winches, state, row), 0.0
+        working, change = working_segment(winches, state.winch_exit, row), 0.0
         for other in range(turning.shape[0]):  # both ends of a rope may work on one segment
-            if _working(winches, state, other) == working:
+            if working_segment(winches, state.winch_exit, other) == working:
                 change += turning[other, WOUND] + turning[other, BACK]
         if change != 0.0:
             share = (time - turning[row, BEGIN]) / turning[row, STEP]
@@ -108,7 +119,7 @@ def winding(turning):
 def book_begin(system, state, x, end, turning):
     """Note how long the working segments are, nodes at `x` (3, n); leave the rest lengths of `end` [s]."""
     for row in range(turning.shape[0]):
-        turning[row, REACH] = stretched(x, _working(system.winches, state, row))
+        turning[row, REACH] = stretched(x, working_segment(system.winches, state.winch_exit, row))
     wind_to(system, state, end, turning)
 
 
@@ -124,10 +135,28 @@ def book_end(system, state, x, begin, end, turning):
         return
     wind_to(system, state, 0.5 * (begin + end), turning)
     for row in range(turning.shape[0]):
-        working = _working(system.winches, state, row)
+        working = working_segment(system.winches, state.winch_exit, row)
         reach = 0.5 * (turning[row, REACH] + stretched(x, working))
+        if has_inner(system, state) and remembers(system.elastic, state.stiffness, working):
+            turning[row, REACH] = reach  # for `book_memory`
+            continue
         wound = (turning[row, WOUND] + turning[row, BACK]) * (end - begin) / turning[row, STEP]
         state.work.winch[1] += wound * length_slope(system, state, working, reach)
+    wind_to(system, state, end, turning)
+
+
+@deferred()
+def book_memory(system, state, begin, end, turning):
+    """As `book_end`, after it, of working segments that remember: what they do at the end is known."""
+    if not winding(turning):
+        return
+    wind_to(system, state, 0.5 * (begin + end), turning)
+    for row in range(turning.shape[0]):
+        j = working_segment(system.winches, state.winch_exit, row)
+        if remembers(system.elastic, state.stiffness, j):
+            mean = state.inner[NOW, j] - 0.5 * state.inner[CHANGE, j]
+            wound = (turning[row, WOUND] + turning[row, BACK]) * (end - begin) / turning[row, STEP]
+            book_wound(system, state, j, turning[row, REACH], mean, wound)
     wind_to(system, state, end, turning)
 
 
@@ -173,13 +202,6 @@ def _potential(system, state):
     return gravity_energy(state.x, state.mass, system.gravity) + stored
 
 
-@kernel
-def _working(winches, state, row):
-    """Return the segment next to the drum."""
-    drum = state.winch_exit[row]
-    return drum if winches.step[row] > 0 else drum - 1
-
-
 @part
 def stays_off(system, state, node):
     """Tell whether a node cannot come on to a drum: one that is held, or tied."""
@@ -190,7 +212,7 @@ def stays_off(system, state, node):
 def plan_turn(system, state, row, t, dt, turning):
     """Write what winch `row` is to wind in the step of `dt` from `t` [s], and the rate of that."""
     winches = system.winches
-    drum, working = state.winch_exit[row], _working(winches, state, row)
+    drum, working = state.winch_exit[row], working_segment(winches, state.winch_exit, row)
     nominal, length = winches.segment[row], state.rest_length[working]
     low = min(winches.first[row], winches.last[row])
     high = max(winches.first[row], winches.last[row])
@@ -232,7 +254,7 @@ def plan_turn(system, state, row, t, dt, turning):
 def _end_turn(system, state, row, turning):
     """Give the working segment its length and masses; split or merge it where it is due."""
     winches = system.winches
-    drum, working = state.winch_exit[row], _working(winches, state, row)
+    drum, working = state.winch_exit[row], working_segment(winches, state.winch_exit, row)
     nominal = winches.segment[row]
     outer = drum + winches.step[row]
     wound, back, length = turning[row, WOUND], turning[row, BACK], state.rest_length[working]
@@ -245,13 +267,13 @@ def _end_turn(system, state, row, turning):
         set_segment(winches, state, row, working, length)
     if turning[row, TURNS] == 1.0:
         if length > SPLIT * nominal and drum != winches.first[row]:
-            split(winches, state, row, drum, working, length)
+            split(system, state, row, drum, working, length)
         elif (
             length < MERGE * nominal
             and outer != winches.last[row]
             and not stays_off(system, state, outer)
         ):
-            merge(winches, state, row, drum, working, length)
+            merge(system, state, row, drum, working, length)
     follow_drum(winches, state, row)
 
 
@@ -287,12 +309,13 @@ def set_segment(winches, state, row, segment, length):
 
 
 @kernel
-def split(winches, state, row, drum, working, length):
+def split(system, state, row, drum, working, length):
     """Let the node on the drum go, where both halves keep strain and rate of strain.
 
     The next one becomes the exit. What grows is the half at the drum alone, so that the node goes nearly as
     fast as the one ahead.
     """
+    winches = system.winches
     state.past[0] = 0.0  # a multistep method knows nothing of the node's past
     side = winches.step[row]
     nominal, line = winches.segment[row], winches.line[row]
@@ -312,13 +335,16 @@ def split(winches, state, row, drum, working, length):
     add_mass(state, outer, -0.5 * line * rest)
     set_segment(winches, state, row, working, nominal)
     set_segment(winches, state, row, working - side, rest)
+    if has_inner(system, state):
+        split_memory(state, working, working - side)
     state.winch_exit[row] = inner
     state.anchor_node[winches.anchor[row]] = inner
 
 
 @kernel
-def merge(winches, state, row, drum, working, length):
+def merge(system, state, row, drum, working, length):
     """Take the next node on to the drum; keep the working segment's tension."""
+    winches = system.winches
     state.past[0] = 0.0
     side = winches.step[row]
     outer = drum + side
@@ -331,6 +357,8 @@ def merge(winches, state, row, drum, working, length):
     stretched, merged = math.sqrt(stretched), math.sqrt(merged)
     both = length + state.rest_length[following]
     kept = merged * length / stretched if stretched > length else both
+    if has_inner(system, state) and remembers(system.elastic, state.stiffness, working):
+        kept = mix_segments(system, state, working, following, merged)
     kept = max(kept, MERGE * winches.segment[row])  # a fold must not make it short and stiff
     state.winch_debt[row] += both - kept
     state.mass[outer] += state.mass[drum] - 0.5 * winches.line[row] * length

@@ -48,7 +48,7 @@ def build(scene: Scene, pieces: Pieces | None = None, *, drawn: bool = True) -> 
     system, state = make_tables(scene, layout, keep, drawn=drawn)
     refuse_obstacles(scene, system, state, layout, drawn=drawn)
     refuse_contact(scene, system, state, layout, drawn=drawn)
-    refuse_segments(scene, system, layout)
+    refuse_segments(scene)
     plan = make_plan(scene, system, state)
     refuse_fast(scene, system, plan.dt if plan.longest is None else plan.longest)
     zero = -float(system.gravity @ (state.x * state.mass).sum(axis=1))

@@ -1,22 +1,18 @@
 """Scenes with laws of segments that cannot be run.
 
-Two elastic laws at once; or a winch, which knows segments by nominal length.
+Two elastic laws at once; or a winch and a law of segments, whose table knows them by nominal length.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-import numpy as np
-
-from ropewalk.core.arrays import Elastic, System
 from ropewalk.laws.registry import ELASTIC_LAWS, SEGMENT_LAWS
-from ropewalk.lowering.layout import Layout, Span
 from ropewalk.scene import Rope, Scene, SceneError
 from ropewalk.scene.faults import NO_VALUE, Fault
 
 
-def refuse_segments(scene: Scene, system: System, layout: Layout) -> None:
+def refuse_segments(scene: Scene) -> None:
     """Raise SceneError for two elastic laws of a rope, and a winch that does not know them."""
     faults = []
     for i, rope in enumerate(scene.ropes):
@@ -31,7 +27,7 @@ def refuse_segments(scene: Scene, system: System, layout: Layout) -> None:
             faults.append(Fault(f"rope[{i}]", NO_VALUE, rule))
     for winch in scene.winches:
         rope = scene.rope_named(winch.rope)
-        for name in _unwindable(rope, system.elastic, layout.span(rope.name)):
+        for name in _unwindable(rope):
             rule = f"has {name}, with which a winch cannot wind it: leave out one of them"
             faults.append(Fault("rope", rope.name, rule))
     if faults:
@@ -43,10 +39,8 @@ def _elastic(rope: Rope) -> list[str]:
     return [law.name for law in ELASTIC_LAWS if law.says(rope) is not None]
 
 
-def _unwindable(rope: Rope, elastic: Elastic, span: Span) -> Iterator[str]:
+def _unwindable(rope: Rope) -> Iterator[str]:
     """Yield the laws of a rope whose tables or memory know its segments by their nominal length."""
     for law in SEGMENT_LAWS:
         if getattr(rope, law.section, None) is not None:
             yield law.section
-    if np.isfinite(elastic.time[span.first : span.last]).any():
-        yield from _elastic(rope)

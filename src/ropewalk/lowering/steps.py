@@ -23,6 +23,7 @@ import numpy as np
 
 from ropewalk.core.arrays import State, System
 from ropewalk.laws.acting import acting
+from ropewalk.laws.winch import MERGE
 from ropewalk.lowering.apart import recoil_of_releases
 from ropewalk.lowering.bounce import Bounce, bounce_of, largest_bounce_step
 from ropewalk.lowering.chains import (
@@ -100,6 +101,12 @@ def step_cases(system: System, state: State, duration: float) -> Cases:
                 where = "" if name == FREE else f", {name}"
                 bounces[f"where segments go slack and taut{where}"] = bounce
     relaxation = float(system.elastic.time.min(initial=math.inf))
+    if math.isfinite(
+        relaxation
+    ):  # what comes off drums changes a segment as fast as it does its length
+        winches = system.winches
+        paid = np.maximum(winches.speed, 0.0) / (MERGE * winches.segment)
+        relaxation = 1.0 / (1.0 / relaxation + float(paid.max(initial=0.0)))
     return Cases(with_cases(system, free), bounces, duration, relaxation)
 
 

@@ -19,9 +19,9 @@ from ropewalk.core.jit import kernel, part
 from ropewalk.laws.clamps import bent_energy
 from ropewalk.laws.couplings import coupled_energy, coupled_work, couples
 from ropewalk.laws.elastic import CHANGE, stored_energy
-from ropewalk.laws.inner import heat
+from ropewalk.laws.inner import gained_at_drums, heat
 from ropewalk.laws.ledger import kinetic_energy
-from ropewalk.laws.rare import has_bending, has_inner, limits
+from ropewalk.laws.rare import has_bending, has_inner, limits, winds
 
 # Of kinetic and stored energy, and of weight times length [1]: a whole step; twice as much each time that it
 # is halved, as what is hard to solve must end somewhere; any part.
@@ -45,6 +45,8 @@ def makes_up_energy(system, state, stage, ends, mean, dt, most):
     work = taken(mean.elastic, state.v, stage.v, dt)
     if has_inner(system, state):
         work -= heat(system.elastic, state.stiffness, state.rest_length, ends[CHANGE], dt)
+        if winds(system, state):
+            work += gained_at_drums(system, state, stage.x, ends, dt)
     if has_bending(system):
         before += bent_energy(system, state, state.x)
         after += bent_energy(system, state, stage.x)

@@ -35,7 +35,7 @@ from ropewalk.laws.ledger import account
 from ropewalk.laws.rare import has_bending, has_inner, winds
 from ropewalk.laws.table import accelerate
 from ropewalk.laws.wheels import aim_no_wheels, end_aim
-from ropewalk.laws.winch import book_begin, book_end, cut_short, wind_to
+from ropewalk.laws.winch import book_begin, book_end, book_memory, cut_short, wind_to
 from ropewalk.methods import tableaus
 from ropewalk.methods.gain import makes_up_energy, most_of
 from ropewalk.methods.generalized_alpha import end_alpha, prepare_alpha
@@ -152,8 +152,7 @@ def end_dirk(state, scratch, A, b, dt):
 
     Returns whether it is the last stage.
     """
-    stage, last = scratch.stage, b.shape[0] - 1
-    same = True
+    stage, last, same = scratch.stage, b.shape[0] - 1, True
     for r in range(b.shape[0]):
         same = same and A[last, r] == b[r]
     if not same:
@@ -213,11 +212,13 @@ def begin_step(system, state, stage, mean, dt, last, warm):
 
 
 @part
-def take_beginning(system, state, scratch, weight, s):
-    """Make the step's beginning its stage `s`."""
+def take_beginning(system, state, scratch, t, weight, s):
+    """Make the step's beginning at `t` [s] its stage `s`."""
     put(state.v, scratch.u[s])
     put(state.acceleration, scratch.k[s])
     if has_inner(system, state):
+        if winds(system, state):
+            wind_to(system, state, t, scratch.turning)  # a try before may have left others
         write_rates(system, state, state.x, scratch.rates[s])
     put(state.acceleration, scratch.stage.a)
     add_forces(system, state.forces, weight, scratch.mean)
@@ -239,7 +240,7 @@ def take_step(
         if has_wheels(system):
             aim_all(system, state, kind, A, b, s, dt)
         if kind == DIRK and A[s, s] == 0.0:
-            take_beginning(system, state, scratch, b[s], s)
+            take_beginning(system, state, scratch, t, b[s], s)
             continue
         share = c[s]
         if kind == DIRK:
@@ -273,7 +274,7 @@ def take_step(
         if status != OK:
             stage.report[TIME] = time
             return UNSOLVED
-        end_inner(system, state, stage.segments, stage.tension, c2, scratch.rates[s])
+        end_inner(system, state, stage.segments, stage.tension, scratch.rates[s])
         if has_wheels(system):
             end_aim(state.memory.obstacle.wheel, s, kind != DIRK or s == b.shape[0] - 1)
         if kind == DIRK:
@@ -299,6 +300,8 @@ def take_step(
     if ledger:
         account(system, state, mean, middle, dt)
     take_ends(system, state, scratch.ends, dt, ledger)
+    if winds(system, state) and has_inner(system, state):
+        book_memory(system, state, t, after, scratch.turning)
     put_row(stage.tension, state.tension)
     return OK
 

@@ -15,7 +15,7 @@ from ropewalk.laws.inner import end_stages, next_stage
 from ropewalk.laws.ledger import account
 from ropewalk.laws.rare import has_inner, winds
 from ropewalk.laws.table import accelerate, evaluate
-from ropewalk.laws.winch import book_begin, book_end, wind_to
+from ropewalk.laws.winch import book_begin, book_end, book_memory, wind_to
 from ropewalk.methods.loop import make_advance
 from ropewalk.methods.scratch import add, add_forces, axpy, clear, clear_forces, put
 
@@ -66,6 +66,8 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
         account(system, state, mean, middle, dt)
     if has_inner(system, state):
         end_stages(system, state, dt, ledger)
+        if winds(system, state):
+            book_memory(system, state, t, after, scratch.turning)
 
 
 advance = make_advance(step)

@@ -79,7 +79,7 @@ MOST_LEAPS = 12  # steps that are taken whatever the merit, out of its local min
 
 
 class Segments(NamedTuple):
-    """What a stage knows of its segments, (s,) each but the last."""
+    """What a stage knows of its segments, (s,) each."""
 
     alive: Floats  # 1, or 0 between ropes and on a drum
     soft: Floats  # compliance 1/k [m/N]; 0 where not alive
@@ -87,9 +87,10 @@ class Segments(NamedTuple):
     stretch: Floats  # r - L [m]
     over: Floats  # 1 / r [1/m], 0 where the ends coincide
     tangent: Floats  # tangent compliance of segments with an elastic law [m/N]
-    known: Floats  # d^ of what segments remember [1]; (0,) without, as the next one
+    known: Floats  # d^ of what segments remember, d being d^ + c d' [1]; (0,) without, as the next ones
     free: Floats  # strain without tension [1]
-    follow: Floats  # (1,) c [s], d being d^ + c d'
+    start: Floats  # the d^ that laws are asked for [1]: another at drums, see `laws.fresh`
+    follow: Floats  # the c that they are asked for [s]
 
 
 class Stage(NamedTuple):
@@ -113,7 +114,7 @@ def make_stage(state: State) -> Stage:
     x, v, x_known, v_known, a = (np.zeros_like(state.x) for _ in range(5))
     forces = blank(state.forces)._replace(applied=state.forces.applied)
     inner = state.inner.shape[1]
-    sizes = (*(6 * (s,)), inner, inner, 1)
+    sizes = (*(6 * (s,)), *(4 * (inner,)))
     segments = Segments(*(np.zeros(size) for size in sizes))
     saddle = make_saddle(state.x.shape[1], state.bending_stiffness.shape[0] > 0, len(NODE_LAWS))
     known, report = (x_known, v_known), np.zeros(HISTORY + MOST_ITERATIONS + 1)

@@ -10,11 +10,11 @@ from __future__ import annotations
 
 from ropewalk.core.jit import part
 from ropewalk.laws.anchors import move_anchors, place_stage
-from ropewalk.laws.inner import note_strains, relax
+from ropewalk.laws.inner import note_strains, relax_while_winding
 from ropewalk.laws.ledger import account
 from ropewalk.laws.rare import has_inner, winds
 from ropewalk.laws.table import accelerate, evaluate
-from ropewalk.laws.winch import book_begin, book_end
+from ropewalk.laws.winch import book_begin, book_end, book_memory
 from ropewalk.methods.loop import make_advance
 from ropewalk.methods.scratch import add, add_forces, axpy, clear_forces, put
 
@@ -36,7 +36,7 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
     add(a, 0.5 * dt * dt, x)
     place_stage(system, state, after, dt, x, predicted, scratch.point, scratch.speed)
     if has_inner(system, state):
-        relax(system, state, dt, ledger)
+        relax_while_winding(system, state, dt, ledger)
     evaluate(system, state, x, predicted, state.forces)
     accelerate(system, state, state.forces, a)
     add_forces(system, state.forces, 0.5, mean)
@@ -46,6 +46,8 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
     move_anchors(system, state, mean, after, dt, middle, scratch.point, scratch.speed)
     if winds(system, state):
         book_end(system, state, x, t, after, scratch.turning)
+        if has_inner(system, state):
+            book_memory(system, state, t, after, scratch.turning)
     if ledger:
         account(system, state, mean, middle, dt)
 

@@ -227,9 +227,6 @@ def _winch_lengths(winch: Winch, rope: Rope) -> Iterator[Fault]:
             "give it a finite stiffness: implicit methods take any, such as EA = 1e9, at the same cost"
         )
         yield Fault("rope", rope.name, rule)
-    if rope.relaxes:
-        rule = "relaxes (relaxing_EA), with which a winch cannot wind it: leave out relaxing_EA, or the winch"
-        yield Fault("rope", rope.name, rule)
     if rope.bending_stiffness > 0.0:
         rule = "has bending stiffness (EI), with which a winch cannot wind it: leave out EI, or the winch"
         yield Fault("rope", rope.name, rule)
