@@ -22,6 +22,7 @@ def is_kernel(function: ast.FunctionDef | ast.AsyncFunctionDef) -> bool:
             "kernel",
             "deferred",
             "seldom",
+            "shared",
             "part",
             "small",
             "apart",

@@ -74,6 +74,37 @@ def test_every_variable_gets_one_value_as_numba_gives_it(function) -> None:
     assert told(ours.blocks) != before
 
 
+@pytest.mark.parametrize("function", [behind, on_one_way, nested])
+def test_phis_become_assignments_as_numba_strips_them(function) -> None:
+    from numba.core import compiler
+    from numba.core.typed_passes import PreLowerStripPhis
+
+    from ropewalk.core.passes import rewrite_once, strip_phis
+
+    theirs, ours = compiler.run_frontend(function), compiler.run_frontend(function)
+    rewrite_once(theirs.blocks)
+    rewrite_once(ours.blocks)
+    before = told(ours.blocks)
+    assert "phi(" in before
+    assert told(strip_phis(ours.blocks)) == told(
+        PreLowerStripPhis()._strip_phi_nodes(theirs).blocks
+    )
+    assert told(ours.blocks) == before
+
+
+def test_an_error_in_a_pass_names_it() -> None:
+    import numba
+
+    from ropewalk.core.jit import kernel
+
+    @kernel
+    def adds_a_word(x):
+        return x + "m"
+
+    with pytest.raises(numba.core.errors.TypingError, match=r"Failed in nopython .*step: "):
+        adds_a_word(1.0)
+
+
 def test_kernels_with_equal_options_share_them() -> None:
     """What numba looks things up by is one object; it stays as it was, and other options have another."""
     from numba.core.compiler import Flags

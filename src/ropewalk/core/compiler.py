@@ -18,23 +18,13 @@ from numba.core.compiler import CompilerBase, CompileResult, DefaultPassBuilder
 from numba.core.compiler_machinery import FunctionPass, register_pass
 from numba.core.dispatcher import _FunctionCompiler  # type: ignore[attr-defined]
 from numba.core.registry import CPUDispatcher
-from numba.core.typed_passes import (
-    InlineOverloads,
-    IRLegalization,
-    NativeLowering,
-    NopythonRewrites,
-    NopythonTypeInference,
-)
-from numba.core.untyped_passes import (
-    InlineClosureLikes,
-    MakeFunctionToJitFunction,
-    ReconstructSSA,
-)
+from numba.core.typed_passes import NativeLowering, NopythonTypeInference, PreLowerStripPhis
+from numba.core.untyped_passes import MakeFunctionToJitFunction, ReconstructSSA
 
 from ropewalk.core.deferred import calls_of, raise_late
 from ropewalk.core.inlining import InlineParts
 from ropewalk.core.libraries import EntryLibrary, InnerLibrary
-from ropewalk.core.passes import AssignOnce, InferTypes, Options
+from ropewalk.core.passes import AssignOnce, InferTypes, Options, Passes, StripPhis
 from ropewalk.core.pointed import pointed
 from ropewalk.core.values import LowerValues
 
@@ -85,15 +75,32 @@ class _ForwardCopies(FunctionPass):
 
 
 _OURS = {
+    MakeFunctionToJitFunction: InlineParts,
     ReconstructSSA: AssignOnce,
     NopythonTypeInference: InferTypes,
+    PreLowerStripPhis: StripPhis,
     NativeLowering: LowerValues,
 }
 
 
-# Passes for what kernels have not: functions in functions, overloads to be put in, arrays and strings that
-# are made, and counts of references that fall where a variable is used for the last time.
-_IDLE = {InlineClosureLikes, InlineOverloads, NopythonRewrites, IRLegalization}
+# Passes for what kernels have not: functions in functions, overloads to be put in, `with`, errors with values
+# of their own, literal arguments, arrays and strings that are made, and counts of references that fall where
+# a variable is used for the last time; and for what nobody reads, types in the text of the program.
+_IDLE = {
+    "AnnotateTypes",
+    "DumpParforDiagnostics",
+    "FindLiterallyCalls",
+    "InlineClosureLikes",
+    "InlineInlinables",
+    "InlineOverloads",
+    "IRLegalization",
+    "IRProcessing",
+    "LiteralPropagationSubPipelinePass",
+    "LiteralUnroll",
+    "NopythonRewrites",
+    "RewriteDynamicRaises",
+    "WithLifting",
+}
 
 
 class Compiler(CompilerBase):
@@ -104,12 +111,12 @@ class Compiler(CompilerBase):
         self.state.flags = Options(self.state.flags)
 
     def define_pipelines(self) -> list[Any]:
-        manager = DefaultPassBuilder.define_nopython_pipeline(self.state)
-        manager.add_pass_after(InlineParts, MakeFunctionToJitFunction)
-        manager.add_pass_after(_ForwardCopies, ReconstructSSA)
-        manager.passes = [
-            (_OURS.get(step, step), about) for step, about in manager.passes if step not in _IDLE
-        ]
+        theirs = DefaultPassBuilder.define_nopython_pipeline(self.state)
+        manager = Passes(theirs.pipeline_name)
+        for step, about in theirs.passes:
+            if step.__name__ not in _IDLE:
+                manager.add_pass(_OURS.get(step, step), about)
+        manager.add_pass_after(_ForwardCopies, AssignOnce)
         manager.finalize()
         return [manager]
 
@@ -121,6 +128,15 @@ class InnerCompiler(Compiler):
         state = self.state
         state.library = InnerLibrary(state.targetctx.codegen(), state.func_id.func_qualname)
         return super().define_pipelines()
+
+
+class SharedCompiler(InnerCompiler):
+    """Tells LLVM to keep the function one: it is called, not put into its callers."""
+
+    def define_pipelines(self) -> list[Any]:
+        passes = super().define_pipelines()
+        self.state.library.is_shared = True
+        return passes
 
 
 class ApartCompiler(InnerCompiler):

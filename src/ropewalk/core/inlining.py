@@ -16,9 +16,11 @@ from typing import Any, NamedTuple
 from numba.core import bytecode, ir, ir_utils, types, untyped_passes
 from numba.core.analysis import compute_cfg_from_blocks
 from numba.core.compiler import StateDict, _CompileStatus
-from numba.core.compiler_machinery import FunctionPass, PassManager, register_pass
+from numba.core.compiler_machinery import FunctionPass, register_pass
 from numba.core.inline_closurecall import _get_callee_args, _replace_args_with, _replace_returns
 from numba.core.ir_utils import build_definitions, simplify_CFG
+
+from ropewalk.core.passes import Passes
 
 _READ: dict[FunctionType, Any] = {}  # parts, as numba reads them
 
@@ -136,11 +138,10 @@ def _read(function: FunctionType, state: Any) -> Any:
         own.metadata, own.locals = {}, {}
         untyped_passes.ExtractByteCode().run_pass(own)
         own.args = len(own.func_id.pysig.parameters) * (types.pyobject,)
-        manager = PassManager("part")
+        manager = Passes("part")
         for step in (
             untyped_passes.TranslateByteCode,
             untyped_passes.FixupArgs,
-            untyped_passes.IRProcessing,
             untyped_passes.RewriteSemanticConstants,
             untyped_passes.GenericRewrites,
         ):

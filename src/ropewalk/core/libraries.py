@@ -49,6 +49,8 @@ def _quick_machine(codegen: Any) -> Any:
 class InnerLibrary(_Library):
     """The LLVM code of an inner function and of all that it calls, neither optimised nor emitted."""
 
+    is_shared = False  # one function for all calls
+
     @property
     def codegen(self) -> Any:
         return _NoEnvironments(self._codegen)

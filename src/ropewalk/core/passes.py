@@ -1,21 +1,46 @@
 """Passes of numba without what they do again and again: the same code, in a fraction of the time.
 
 Kernels are functions of some thousand statements, as all parts are put into them. numba rewrites all of
-a function for every variable that is given several values, and asks every statement for its types until
-no type changes any more.
+a function for every variable that is given several values, asks every statement for its types until
+no type changes any more, and finds out after every pass where each variable is used for the last time.
 """
 
 from __future__ import annotations
 
 import operator
 from collections import defaultdict
+from collections.abc import Iterator
 from typing import Any
 
-from numba.core import errors, ir_utils, ssa, typeinfer, types
+from numba.core import errors, ir, ir_utils, ssa, typeinfer, types
 from numba.core.analysis import compute_cfg_from_blocks
 from numba.core.compiler import Flags
-from numba.core.compiler_machinery import FunctionPass, register_pass
+from numba.core.compiler_machinery import (
+    FunctionPass,
+    PassManager,
+    _pass_registry,
+    register_pass,
+)
 from numba.core.transforms import canonicalize_cfg
+
+
+class Passes(PassManager):
+    """Runs passes, and keeps no account of where variables live: kernels delete none, and never yield."""
+
+    def run(self, state: Any) -> None:
+        """Run all passes on a function. Raises NumbaError with the name of the one that failed."""
+        for step, about in self.passes:
+            known = _pass_registry.get(step)
+            known.pass_inst.analysis = self._analysis
+            try:
+                for part in ("run_initialization", "run_pass", "run_finalizer"):
+                    getattr(known.pass_inst, part)(state)
+            except errors.NumbaError as error:
+                raise self._patch_error(
+                    f"Failed in {self.pipeline_name} (step: {about})", error
+                ) from error
+            if known.mutates_CFG:
+                state.func_ir.blocks = canonicalize_cfg(state.func_ir.blocks)
 
 
 def rewrite_once(blocks: dict[int, Any]) -> None:
@@ -55,6 +80,69 @@ class AssignOnce(FunctionPass):
         rewrite_once(func_ir.blocks)
         func_ir._definitions = ir_utils.build_definitions(func_ir.blocks)
         func_ir.blocks = canonicalize_cfg(func_ir.blocks)
+        return True
+
+
+def strip_phis(blocks: dict[int, Any]) -> dict[int, Any]:
+    """Return blocks in which what a phi chooses from is assigned where it comes from.
+
+    As early as can be: after the last value that it is given there.
+    """
+    chosen: dict[int, list[tuple[Any, Any]]] = defaultdict(list)
+    found = {label: block.copy() for label, block in blocks.items()}
+    for block in found.values():
+        phis = {id(one): one for one in block.body if _is_phi(one)}
+        for one in phis.values():
+            for label, value in zip(
+                one.value.incoming_blocks, one.value.incoming_values, strict=True
+            ):
+                chosen[label].append((one.target, value))
+        block.body = [one for one in block.body if id(one) not in phis]
+    for label, block in found.items():
+        if chosen[label]:
+            block.body = list(_with_choices(block.body, chosen[label]))
+    return found
+
+
+def _is_phi(one: Any) -> bool:
+    value = one.value if isinstance(one, ir.Assign) else None
+    return isinstance(value, ir.Expr) and value.op == "phi"
+
+
+def _with_choices(body: list[Any], chosen: list[tuple[Any, Any]]) -> Iterator[Any]:
+    """Yield statements, and after the last value of each chosen variable what is assigned it."""
+    last = {one.target.name: id(one) for one in body if isinstance(one, ir.Assign)}
+    following: dict[int, list[Any]] = defaultdict(list)
+    for target, value in chosen:
+        if value is ir.UNDEFINED:
+            value = ir.Expr.null(loc=target.loc)
+        one = ir.Assign(target=target, value=value, loc=value.loc)
+        at = last.get(value.name, 0) if isinstance(value, ir.Var) else 0
+        following[at].insert(0, one)
+        last[target.name] = id(one)
+
+    def shown(statements: list[Any]) -> Iterator[Any]:
+        for one in statements:
+            yield one
+            yield from shown(following.get(id(one), []))
+
+    yield from shown(following.get(0, []))
+    yield from shown(body)
+
+
+@register_pass(mutates_CFG=False, analysis_only=False)
+class StripPhis(FunctionPass):
+    """Assign what phis choose from, as LLVM's are others."""
+
+    _name = "ropewalk_strip_phis"
+
+    def __init__(self) -> None:
+        FunctionPass.__init__(self)
+
+    def run_pass(self, state: Any) -> bool:
+        func_ir = state.func_ir
+        func_ir.blocks = strip_phis(func_ir.blocks)
+        func_ir._definitions = ir_utils.build_definitions(func_ir.blocks)
         return True
 
 

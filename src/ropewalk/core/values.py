@@ -18,6 +18,8 @@ from numba.core.typed_passes import NativeLowering
 
 from ropewalk.core.elements import View, is_plain, make_array
 
+_OPERATORS: dict[Any, Any] = {}  # what they return, and how that is computed
+
 
 class _Builder(IRBuilder):  # type: ignore[misc]
     """Takes a field out of an aggregate where it was put in, and knows what of tuples is loaded already."""
@@ -47,6 +49,8 @@ class _Lower(Lower):
     def setup_function(self, fndesc: Any) -> None:
         """Begin a function."""
         super().setup_function(fndesc)
+        if getattr(self.library, "is_shared", False):
+            self.function.attributes.add("noinline")
         self.builder = _Builder(self.entry_block)
         self.call_helper = self.call_conv.init_call_helper(self.builder)
 
@@ -73,6 +77,23 @@ class _Lower(Lower):
                 labels[0] in dominators[label] and labels[0] < label for label in used.get(name, ())
             )
         }
+
+    def lower_binop(self, resty: Any, expr: Any, op: Any) -> Any:
+        """Put two values together; numba is asked once for each operator and types how."""
+        if expr.static_lhs is not ir.UNDEFINED or expr.static_rhs is not ir.UNDEFINED:
+            return super().lower_binop(resty, expr, op)
+        context, args = self.context, self.fndesc.calltypes[expr].args
+        if (context, op, args) not in _OPERATORS:
+            function = context.typing_context.resolve_value_type(op)
+            signature = function.get_call_type(context.typing_context, args, {})
+            _OPERATORS[context, op, args] = signature, context.get_function(function, signature)
+        signature, compute = _OPERATORS[context, op, args]
+        values = [
+            context.cast(self.builder, self.loadvar(one.name), self.typeof(one.name), kind)
+            for one, kind in zip((expr.lhs, expr.rhs), args, strict=True)
+        ]
+        found = compute(self.builder, values)
+        return context.cast(self.builder, found, signature.return_type, resty)
 
     def lower_getitem(self, resty: Any, expr: Any, value: Any, index: Any, signature: Any) -> Any:
         """Take an element, a row or a range out of an array."""

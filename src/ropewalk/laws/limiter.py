@@ -20,7 +20,7 @@ from ropewalk.laws.clamps import bent_energy
 from ropewalk.laws.elastic import stored_energy
 from ropewalk.laws.joints import tied_to
 from ropewalk.laws.ledger import gravity_energy, kinetic_energy
-from ropewalk.laws.rare import are_tied, has_bending, limits
+from ropewalk.laws.rare import are_tied, has_bending
 from ropewalk.laws.tied_limiter import (
     IMPULSE,
     MOTION,
@@ -44,8 +44,6 @@ def limit_stretch(system, state, work, dt, ledger):
     `work` is (11, n): unit vectors, diagonal, upper diagonal, right side of the segments' equations, bound,
     and what `tied_limiter` needs.
     """
-    if not limits(system):
-        return
     if not reaches_bound(system.limiter, state):
         clear_pulls(state.limited)
         return

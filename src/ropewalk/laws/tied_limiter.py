@@ -10,7 +10,7 @@ Source: Hestenes & Stiefel 1952, J. Res. Natl. Bur. Stand. 49:409.
 
 from __future__ import annotations
 
-from ropewalk.core.jit import kernel, small
+from ropewalk.core.jit import deferred, kernel, small
 from ropewalk.laws.joints import follow, share_motion
 
 # Rows of `work` besides those of `limiter`: residual, search direction, its product; motion of the nodes.
@@ -19,7 +19,7 @@ CLOSE = 1e-24  # [1] of the squares of the rates: what is left of them
 MORE = 20  # iterations beyond as many as there are segments at bounds
 
 
-@kernel
+@deferred()
 def solve_tied(joints, state, work):
     """Write the impulses [N s] that stop the segments at a bound, row 5 of `work`; the others get none."""
     v, count, left = state.v, 0, 0.0
@@ -63,7 +63,7 @@ def _multiply(joints, state, work):
     return total
 
 
-@kernel
+@deferred()
 def move_tied(joints, state, work, row):
     """Write the changes of velocity by the impulses in a row of `work`, (3, n) from its row MOTION on."""
     inverse_mass, segments = state.inverse_mass, state.rest_length.shape[0]
@@ -77,7 +77,7 @@ def move_tied(joints, state, work, row):
     share_motion(joints, state.tied, state.mass, inverse_mass, motion)
 
 
-@kernel
+@deferred()
 def add_joint_forces(joints, state, work, dt):
     """Add what joints do to their nodes, for these go on as one, to their mean forces, (p, 3) [N].
 

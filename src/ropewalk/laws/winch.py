@@ -33,7 +33,7 @@ from ropewalk.laws.fresh import (
 from ropewalk.laws.joints import is_tied
 from ropewalk.laws.ledger import gravity_energy, kinetic_energy
 from ropewalk.laws.parting import has_parted
-from ropewalk.laws.rare import has_inner, parts, winds
+from ropewalk.laws.rare import has_inner, parts
 from ropewalk.laws.stretch import stretched
 
 SPLIT = 1.6  # [1] times the nominal segment length
@@ -61,8 +61,6 @@ def run_winches(system, state, t, dt, turning):
 
     `turning` is working space, as of `plan_turns`.
     """
-    if not winds(system, state):
-        return
     kinetic, potential = kinetic_energy(state.v, state.mass), _potential(system, state)
     for row in range(state.winch_exit.shape[0]):
         plan_turn(system, state, row, t, dt, turning)
@@ -163,8 +161,6 @@ def book_memory(system, state, begin, end, turning):
 @deferred()
 def end_turns(system, state, turning):
     """End a step in which `wind_to` has wound: masses, and the nodes at the drums; book their work."""
-    if not winds(system, state):
-        return
     kinetic, potential = kinetic_energy(state.v, state.mass), _potential(system, state)
     wind_to(system, state, turning[0, BEGIN], turning)  # then one winch after the other
     for row in range(state.winch_exit.shape[0]):

@@ -256,7 +256,7 @@ def stride(system, scratch, extras, ledger, tableau):
         else:
             control[WISH], retried, cut = again, True, False
         dt = again
-    if acts_after(extras):
+    if winds(system, state):
         end_turns(system, state, solver.turning)
     if acts_after(extras) or changes > 0:
         prepare_links(system, state, end, solver.stage.saddle)
@@ -299,7 +299,8 @@ def go_to(system, state, scratch, extras, time, ledger, tableau):
     if status != OK:
         walk.control[ERROR] = np.inf
     if acts_after(extras):
-        end_turns(system, state, scratch.solver.turning)
+        if winds(system, state):
+            end_turns(system, state, scratch.solver.turning)
         prepare_links(system, state, time, scratch.stage.saddle)
     return status
 

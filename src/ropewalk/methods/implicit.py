@@ -17,7 +17,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ropewalk.core.arrays import Floats, Forces, State, System, blank
-from ropewalk.core.jit import kernel, part
+from ropewalk.core.jit import deferred, kernel, part
 from ropewalk.core.status import HIT, OK, UNSOLVED
 from ropewalk.laws.anchors import move_anchors, place_stage
 from ropewalk.laws.couplings import AGAIN, FINE, brace_couplings, couples, meet_on_way
@@ -224,7 +224,7 @@ def take_beginning(system, state, scratch, t, weight, s):
     add_forces(system, state.forces, weight, scratch.mean)
 
 
-@kernel
+@deferred("int64")
 def take_step(
     system, state, scratch, t, after, dt, ledger, level, kind, A, b, c, numbers, warm, last
 ):

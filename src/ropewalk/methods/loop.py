@@ -11,7 +11,7 @@ from ropewalk.laws.elastic import RATE, tensions
 from ropewalk.laws.inner import write_rates
 from ropewalk.laws.limiter import limit_stretch
 from ropewalk.laws.links import hold_links
-from ropewalk.laws.rare import acts_after, has_inner, limits, parts
+from ropewalk.laws.rare import acts_after, has_inner, limits, parts, winds
 from ropewalk.laws.table import accelerate, evaluate
 from ropewalk.laws.winch import end_turns, plan_turns
 from ropewalk.methods.errors import look_at_step
@@ -89,14 +89,17 @@ def _renew_other(system, state, t, scratch, tableau):
 @part
 def _wind(system, state, scratch, t, dt, ledger):
     """End the turns of winches; a method that solves has the limiter in its equations."""
-    end_turns(system, state, scratch.turning)
+    if winds(system, state):
+        end_turns(system, state, scratch.turning)
 
 
 @part
 def _wind_and_limit(system, state, scratch, t, dt, ledger):
     """End the turns of winches, and let the limiter act on the end of a step."""
-    end_turns(system, state, scratch.turning)
-    limit_stretch(system, state, scratch.limiter, dt, ledger)
+    if winds(system, state):
+        end_turns(system, state, scratch.turning)
+    if limits(system):
+        limit_stretch(system, state, scratch.limiter, dt, ledger)
 
 
 _SOLVER = _prepare_solver, _renew_solver, _wind
@@ -169,8 +172,8 @@ def make_advance(step: Any, *, carries: bool = False, solves: bool = False) -> A
                 while begin < after:  # once, but for kinks
                     anew = release_anchors(system, state, begin, near(begin, dt))
                     h, end, to, jumps = next_piece(system, state, t, begin, after, dt, point, speed)
-                    if acts_after(extras) and plan_turns(system, state, begin, h, scratch.turning):
-                        anew = True
+                    if winds(system, state):
+                        anew = plan_turns(system, state, begin, h, scratch.turning) or anew
                     if (anew or jumps > 0) and carries:
                         begin_anew(system, state, begin, scratch)
                     status = take(system, state, scratch, begin, end, h, ledger, tableau)

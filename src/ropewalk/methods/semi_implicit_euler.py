@@ -8,7 +8,7 @@ Source: Hairer, Lubich & Wanner, Geometric Numerical Integration, I.1.2.
 from __future__ import annotations
 
 from ropewalk.core.arrays import Forces
-from ropewalk.core.jit import kernel, part, small
+from ropewalk.core.jit import deferred, kernel, part, small
 from ropewalk.core.ranges import rows
 from ropewalk.laws.anchors import move_anchors
 from ropewalk.laws.inner import note_strains, relax
@@ -90,6 +90,23 @@ def prepare(state, scratch):
     look_ahead(state, scratch.over, scratch.about)
 
 
+@deferred()
+def swing_under_springs(system, state, about, over, heights_at, dt, looks, lo, hi):
+    """Move nodes under springs, friction and weight alone, without a ledger; see `step`."""
+    x, v, elastic = state.x, state.v, state.forces.elastic
+    rubs, quick = about[0] == 1.0, about[1] == 1.0
+    if looks and (quick or not rubs):
+        height = heights(x, system.up, heights_at, lo, hi)
+        add_up_and_look(system, state, x, v, elastic, rubs, over, height, lo, hi)
+        keep_last(state, height, hi)
+    else:
+        if looks:
+            keep_nodes(system, state, lo, hi)
+            keep_springs(system, state, rubs, lo, hi)
+        add_up_springs(system, state, x, v, elastic, lo, hi)
+    swing(x, v, elastic, None, state.inverse_mass, system.gravity, dt, None, lo, hi)
+
+
 @part
 def step(system, state, scratch, t, after, dt, ledger, tableau, lo, hi):
     """Advance nodes `lo` to `hi - 1` by one step of `dt` from time `t` [s].
@@ -104,18 +121,11 @@ def step(system, state, scratch, t, after, dt, ledger, tableau, lo, hi):
     plain, looks = has_plain_forces(system), wanted(state) and not adds_to_springs(system, state)
     if has_inner(system, state):
         note_strains(system, state)
-    rubs, quick = scratch.about[0] == 1.0, scratch.about[1] == 1.0
+    rubs = scratch.about[0] == 1.0
     if plain and not ledger and has_plain_springs(system, state):
-        if looks and (quick or not rubs):
-            height = heights(x, system.up, scratch.dx[0], lo, hi)
-            add_up_and_look(system, state, x, v, elastic, rubs, scratch.over, height, lo, hi)
-            keep_last(state, height, hi)
-        else:
-            if looks:
-                keep_nodes(system, state, lo, hi)
-                keep_springs(system, state, rubs, lo, hi)
-            add_up_springs(system, state, x, v, elastic, lo, hi)
-        swing(x, v, elastic, None, w, g, dt, None, lo, hi)
+        swing_under_springs(
+            system, state, scratch.about, scratch.over, scratch.dx[0], dt, looks, lo, hi
+        )
         friction = scratch.mean.friction  # zero
     else:
         if looks:

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
+from ropewalk.core.jit import part
 from ropewalk.core.status import OK
 from ropewalk.laws.anchors import release_anchors
 from ropewalk.laws.limiter import limit_stretch
-from ropewalk.laws.rare import acts_after, parts
+from ropewalk.laws.rare import acts_after, limits, parts, winds
 from ropewalk.laws.table import reaches_neighbours_only
 from ropewalk.laws.winch import run_winches
 from ropewalk.methods.errors import keep_step_error
@@ -18,6 +19,15 @@ from ropewalk.methods.verdict import note_changes
 from ropewalk.methods.watch import close_interval, open_interval, watch
 
 TILE = 1024  # nodes; about 250 kB of all their arrays
+
+
+@part
+def _act_after(system, state, scratch, t, dt, ledger):
+    """Turn winches and let the limiter act on the end of a step from `t` [s]."""
+    if winds(system, state):
+        run_winches(system, state, t, dt, scratch.turning)
+    if limits(system):
+        limit_stretch(system, state, scratch.limiter, dt, ledger)
 
 
 def make_tiled_advance(step: Any, before: Any) -> Any:
@@ -57,8 +67,7 @@ def make_tiled_advance(step: Any, before: Any) -> Any:
                         release_anchors(system, state, t, 1e-6 * dt, lo, hi)
                         step(system, state, scratch, t, after, dt, ledger, tableau, lo, hi)
                         if acts_after(extras):
-                            run_winches(system, state, t, dt, scratch.turning)
-                            limit_stretch(system, state, scratch.limiter, dt, ledger)
+                            _act_after(system, state, scratch, t, dt, ledger)
                         if watches:
                             watch(system, state, pull, sums, after)
                         elif errs:
