@@ -276,9 +276,7 @@ def half_cell_tangent(x, v, rest_length, at, state, bending, weight_x, weight_v,
     dt = across(u[0], u[1], u[2], tx, ty, tz, over, own)
     change = turned[0] * tx + turned[1] * ty + turned[2] * tz
     change += d[0] * dt[0] + d[1] * dt[1] + d[2] * dt[2]
-    share = bending.clamp_length[row] / rest_length[j]
-    B = weight_x * share * bending.clamp_stiffness[row, side]
-    D = share * bending.clamp_damping[row, side]
+    B, D = weight_x * bending.clamp_stiffness[row, side], bending.clamp_damping[row, side]
     sign = -1.0 if side == 0 else 1.0  # tau = n . (d x t), or n . (t x d) before the node
     nx = sign * bending.clamp_natural[row, 3 * side]
     ny = sign * bending.clamp_natural[row, 3 * side + 1]

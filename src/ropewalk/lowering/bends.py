@@ -48,9 +48,8 @@ def bends(system: System, state: State) -> tuple[Floats, Floats]:
             first, second = pair if side == 0 else pair[::-1]
             natural = table.clamp_natural[row, 3 * side : 3 * side + 3]
             stiff, rough = _factors(first[None], second[None], natural[None])
-            share = table.clamp_length[row] / state.rest_length[j] if over[j] else 0.0
-            springs[j] += share * table.clamp_stiffness[row, side] * stiff[0] * over[j]
-            rubbing[j] += share * table.clamp_damping[row, side] * rough[0] * over[j]
+            springs[j] += table.clamp_stiffness[row, side] * stiff[0] * over[j]
+            rubbing[j] += table.clamp_damping[row, side] * rough[0] * over[j]
     return springs, rubbing
 
 
