@@ -33,7 +33,11 @@ def kernel(function: Callable[..., Any], *, seldom: bool = False) -> Any:
     """
     if PLAIN:
         return function
-    compiled = entry(function, OPTIONS, seldom=seldom)
+    return _cached(entry(function, OPTIONS, seldom=seldom), function)
+
+
+def _cached(compiled: Any, function: Callable[..., Any]) -> Any:
+    """Return a kernel that keeps its machine code, and that of its inner function, on disk."""
     compiled._cache = KernelCache(function)
     compiled.inner._cache = InnerCache(function)
     return compiled
@@ -49,10 +53,7 @@ def deferred(returns: str = "none") -> Callable[[Callable[..., Any]], Any]:
     def decorate(function: Callable[..., Any]) -> Any:
         if PLAIN:
             return function
-        compiled = make_deferred(function, OPTIONS, getattr(types, returns))
-        compiled._cache = KernelCache(function)
-        compiled.inner._cache = InnerCache(function)
-        return compiled
+        return _cached(make_deferred(function, OPTIONS, getattr(types, returns)), function)
 
     return decorate
 
@@ -70,12 +71,7 @@ def shared(function: Callable[..., Any]) -> Any:
 
     LLVM puts a short loop into all that call it, and takes most of its time to make each of the copies wide.
     """
-    if PLAIN:
-        return function
-    compiled = entry(function, OPTIONS, SharedCompiler)
-    compiled._cache = KernelCache(function)
-    compiled.inner._cache = InnerCache(function)
-    return compiled
+    return function if PLAIN else _cached(entry(function, OPTIONS, SharedCompiler), function)
 
 
 def part(function: Callable[..., Any]) -> Any:
