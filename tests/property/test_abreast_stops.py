@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from threading import Condition, Event, Thread
+from time import sleep
 from typing import Any
 from unittest import mock
 
@@ -9,7 +11,9 @@ import pytest
 
 from property.test_abreast import ropes_of
 from property.test_abreast_runs import compiled, numbers, told
-from ropewalk.engine import abreast
+from ropewalk.engine import abreast, islands
+from ropewalk.engine.abreast import go_abreast
+from ropewalk.engine.gate import Gate
 from ropewalk.engine.islands import Islands
 from ropewalk.engine.slices import Slices
 from ropewalk.lowering import build
@@ -87,3 +91,64 @@ def test_a_call_that_stops_in_a_frames_last_cut_is_taken_back() -> None:
             0,
             *((1, [], 3) if stops is None else (0, [1], stops)),
         )
+
+
+@compiled
+def test_ctrl_c_as_threads_begin_leaves_no_rope_on_its_way() -> None:
+    """It comes when a thread runs that nobody has been told of, and that then moves ropes."""
+    scene = ropes_of(20, 40, 4, "sdirk2")
+    simulation, twin = Simulation(scene), Simulation(scene)
+    expected = [told(twin.advance_frames(1)), told(twin.advance_frames(3)), numbers(twin)]
+    found = [told(simulation.advance_frames(1))]
+    stood, true, begun, moved = numbers(simulation), Thread.start, Event(), Event()
+
+    def start(self: Thread) -> None:
+        true(self)
+        assert begun.wait(60.0)
+        raise KeyboardInterrupt
+
+    def go_slowly(*args: Any) -> Any:
+        begun.set()
+        sleep(0.2)  # so that the exception is there before a rope moves
+        done = go_abreast(*args)
+        moved.set()
+        return done
+
+    with (
+        mock.patch.multiple(islands, threads=2, LONG=-1.0, go_abreast=go_slowly),
+        mock.patch.object(Thread, "start", start),
+        pytest.raises(KeyboardInterrupt),
+    ):
+        simulation.advance_frames(3)
+    assert moved.wait(60.0)
+    assert numbers(simulation) == stood
+    found += [told(simulation.advance_frames(3)), numbers(simulation)]
+    assert found == expected
+
+
+def test_a_gate_that_closes_waits_for_all_that_runs_and_lets_nothing_begin() -> None:
+    gate, on, ends = Gate(), Event(), []
+
+    def work() -> str:
+        on.set()
+        sleep(0.05)
+        ends.append("work")
+        return "done"
+
+    thread = Thread(target=gate.run, args=(work,))
+    thread.start()
+    assert on.wait(60.0)
+    presses = iter((KeyboardInterrupt(), None))
+
+    def wait_for(ready: Any) -> bool:
+        came = next(presses, None)
+        if came is not None:
+            raise came
+        return Condition.wait_for(gate._changed, ready)
+
+    with mock.patch.object(gate._changed, "wait_for", wait_for), pytest.raises(KeyboardInterrupt):
+        gate.close()
+    assert ends == ["work"]
+    assert gate.run(work) is None
+    assert ends == ["work"]
+    thread.join()

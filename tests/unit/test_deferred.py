@@ -294,3 +294,15 @@ def test_the_next_process_finds_it_on_disk(tmp_path: Path) -> None:
         for _ in range(2)
     ]
     assert said == [["first", "top"], []]
+
+
+def test_what_is_not_counted_is_not_on_the_clock(monkeypatch: pytest.MonkeyPatch) -> None:
+    now = [10.0]
+    monkeypatch.setattr(deferred.time, "perf_counter", lambda: now[0])
+    begun = deferred.clock()
+    with deferred.uncounted():
+        now[0] += 5.0
+        with deferred.uncounted():
+            now[0] += 2.0
+    now[0] += 1.0
+    assert deferred.clock() - begun == pytest.approx(1.0)

@@ -79,6 +79,16 @@ def wait_too(seconds: float) -> None:
     _own.waited = waited() + seconds
 
 
+@contextmanager
+def uncounted() -> Iterator[None]:
+    """Count what is done inside as waited for, by this thread."""
+    begun = clock()
+    try:
+        yield
+    finally:
+        wait_too(clock() - begun)
+
+
 def each(go: Callable[[T], R], items: Iterable[T]) -> tuple[list[R], float]:
     """Return what `go` returns of each, and how long this thread has waited for deferred kernels [s]."""
     before = waited()

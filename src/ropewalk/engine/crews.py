@@ -7,6 +7,8 @@ from collections.abc import Hashable, Sequence
 from functools import cached_property
 from typing import Any, NamedTuple
 
+import numpy as np
+
 from ropewalk.core.addresses import Kept
 from ropewalk.core.arrays import Floats
 from ropewalk.core.cache import is_compiled
@@ -175,5 +177,13 @@ def _ways(method: Method, rare: int | None, scene: Scene) -> tuple[bool, bool]:
 def _is_plain(rope: Rope) -> bool:
     made_of = rope.made_of
     rubs = made_of.friction == "axial" and rope.segment_friction > 0.0 and not rope.rigid
-    pushed = rope.forces or rope.submerged_weight is not None
+    pushed = rope.submerged_weight is not None or _is_pushed(rope)
     return not (made_of.tension_only or rubs or pushed)
+
+
+def _is_pushed(rope: Rope) -> bool:
+    """Tell whether constant forces act on a node: they may be zero, or cancel."""
+    total = np.zeros((rope.nodes, 3))
+    for force in rope.forces:
+        total[rope.node_index(force.node)] += force.force
+    return bool(total.any())

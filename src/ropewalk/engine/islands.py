@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator
-from concurrent.futures import Future, ThreadPoolExecutor, wait
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from dataclasses import replace
 from itertools import chain
@@ -40,6 +40,7 @@ from ropewalk.engine.engine import (
     own_state,
 )
 from ropewalk.engine.frames import Frames, hold_frames
+from ropewalk.engine.gate import Gate
 from ropewalk.engine.partition import partition
 from ropewalk.engine.places import find_links, pool_size
 from ropewalk.engine.shares import gather_peaks, shares_of
@@ -343,12 +344,14 @@ class Islands:
             self._beside = ThreadPoolExecutor(threads, thread_name_prefix="islands")
         parts = np.array_split(np.arange(len(crews)), min(4 * threads, len(crews)))
 
-        jobs: list[Future[tuple[list[list[Moved]], float]]] = []
+        gate = Gate()
         try:  # from the first one on, they move the islands
-            jobs.extend(self._beside.submit(each, go, [crews[k] for k in part]) for part in parts)
-            found = [job.result() for job in jobs]
+            jobs = [
+                self._beside.submit(gate.run, each, go, [crews[k] for k in part]) for part in parts
+            ]
+            found = [one for one in (job.result() for job in jobs) if one is not None]
         finally:
-            wait(jobs)
+            gate.close()
         moved, seconds = zip(*found, strict=True)
         wait_too(max(seconds))
         return list(chain(*moved))

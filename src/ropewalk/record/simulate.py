@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from ropewalk.core.deferred import clock
+from ropewalk.core.deferred import clock, uncounted
 from ropewalk.core.status import OK, UNSOLVED
 from ropewalk.engine.spare import Spare
 from ropewalk.lowering import Model
@@ -110,6 +110,8 @@ class Runner:
         first, new = not self.ends, []
         for number, fall in enumerate(falls):
             alone = simulation.alone(fall.island)
+            if alone is not simulation:
+                _warm(alone)
             alone.reason = fall.why
             if fall.status == UNSOLVED:
                 why = fall.why
@@ -151,6 +153,14 @@ class Runner:
             return event
         went_on = self._keep_going or any(end.frames < frames for end in self.ends)
         return event | ({"event": "ended"} if went_on else {"diagnosis": self.diagnosis})
+
+
+def _warm(simulation: Simulation) -> None:
+    """Have compiled, outside the clock, what moves a rope by itself that has moved abreast."""
+    here = simulation.state
+    with uncounted():
+        simulation.advance_frames(0)
+    simulation.restore(here)
 
 
 def simulate_in_memory(
