@@ -22,7 +22,6 @@ def is_kernel(function: ast.FunctionDef | ast.AsyncFunctionDef) -> bool:
             "kernel",
             "deferred",
             "seldom",
-            "shared",
             "part",
             "small",
             "apart",

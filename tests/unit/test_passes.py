@@ -105,6 +105,58 @@ def test_an_error_in_a_pass_names_it() -> None:
         adds_a_word(1.0)
 
 
+def test_a_kernel_that_deletes_a_variable_is_refused() -> None:
+    import numba
+
+    from ropewalk.core.jit import kernel, part
+
+    @part
+    def forgets(x):
+        y = x + 1.0
+        del y
+        return x
+
+    @kernel
+    def asks(x):
+        return forgets(x)
+
+    for one in (kernel(forgets.py_func), asks):
+        with pytest.raises(numba.core.errors.CompilerError, match="del found"):
+            one(1.0)
+
+
+def test_a_loop_that_is_called_in_many_places_is_kept_whole() -> None:
+    """One that is called in few is not, nor what has no loop, nor what asks for copies."""
+    import llvmlite.binding as llvm
+
+    from ropewalk.core.libraries import _COPIES, _PLACES, _keep_whole
+
+    long = "\n".join(f"  %x{i} = add i64 %n, {i}" for i in range(_COPIES // _PLACES + 1))
+    loop = f"define void @NAME(i64 %n) MORE {{\nentry:\n  br label %again\nagain:\n{long}\n"
+    loop += (
+        "  %on = icmp eq i64 %n, 0\n  br i1 %on, label %again, label %out\nout:\n  ret void\n}\n"
+    )
+    straight = f"define void @straight(i64 %n) {{\nentry:\n{long}\n  ret void\n}}\n"
+    calls = "".join(
+        f"  call void @{name}(i64 {k})\n"
+        for name, places in (
+            ("often", _PLACES),
+            ("copied", _PLACES),
+            ("straight", _PLACES),
+            ("few", 2),
+        )
+        for k in range(places)
+    )
+    code = loop.replace("NAME", "often").replace("MORE", "")
+    code += loop.replace("NAME", "few").replace("MORE", "")
+    code += loop.replace("NAME", "copied").replace("MORE", "alwaysinline")
+    code += straight + f"define void @all() {{\n{calls}  ret void\n}}\n"
+    module = llvm.parse_assembly(code)
+    _keep_whole(module)
+    found = {one.name for one in module.functions if any(b"noinline" in k for k in one.attributes)}
+    assert found == {"often"}
+
+
 def test_kernels_with_equal_options_share_them() -> None:
     """What numba looks things up by is one object; it stays as it was, and other options have another."""
     from numba.core.compiler import Flags

@@ -130,15 +130,6 @@ class InnerCompiler(Compiler):
         return super().define_pipelines()
 
 
-class SharedCompiler(InnerCompiler):
-    """Tells LLVM to keep the function one: it is called, not put into its callers."""
-
-    def define_pipelines(self) -> list[Any]:
-        passes = super().define_pipelines()
-        self.state.library.is_shared = True
-        return passes
-
-
 class ApartCompiler(InnerCompiler):
     """Promises LLVM that what is written through one argument is read through no other.
 

@@ -9,7 +9,7 @@ import numba
 from numba.core import types
 
 from ropewalk.core.cache import InnerCache, KernelCache
-from ropewalk.core.compiler import ApartCompiler, Compiler, SharedCompiler, entry
+from ropewalk.core.compiler import ApartCompiler, Compiler, entry
 from ropewalk.core.compiler import deferred as make_deferred
 
 PLAIN = bool(getattr(numba.config, "DISABLE_JIT", 0))  # numba sets its options at run time
@@ -64,14 +64,6 @@ def seldom(function: Callable[..., Any]) -> Any:
     Kernels that call it get it as fast as any.
     """
     return kernel(function, seldom=True)
-
-
-def shared(function: Callable[..., Any]) -> Any:
-    """As `kernel`, for loops over whole arrays that a kernel calls in many places: LLVM keeps one of it.
-
-    LLVM puts a short loop into all that call it, and takes most of its time to make each of the copies wide.
-    """
-    return function if PLAIN else _cached(entry(function, OPTIONS, SharedCompiler), function)
 
 
 def part(function: Callable[..., Any]) -> Any:

@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import re
+from collections import Counter
 from functools import cache
 from typing import Any
 
 import llvmlite.binding as llvm
 from numba.core import config
 from numba.core.codegen import JITCodeLibrary
+
+_NAME = re.compile(r'@"?([^"( ]+)"?\(')
+_LABEL = re.compile(r'label %"?([^", ]+)"?')
 
 
 class _NoEnvironments:
@@ -46,10 +51,54 @@ def _quick_machine(codegen: Any) -> Any:
     return target.create_target_machine(**options)
 
 
+_PLACES, _COPIES = 8, 700  # calls of a function, and the instructions of so many copies of it
+
+
+class _Seen:
+    """What is in a function, by its text."""
+
+    def __init__(self) -> None:
+        self.instructions = 0
+        self.loops = False
+        self._labels: set[str] = set()
+
+    def read(self, line: str) -> None:
+        """Take a line: a label, an instruction, or a jump back."""
+        if line.startswith("  "):
+            self.instructions += 1
+            if line.startswith("  br "):
+                self.loops = self.loops or not self._labels.isdisjoint(_LABEL.findall(line))
+        elif ":" in line:
+            self._labels.add(line.partition(":")[0].strip('"'))
+
+
+def _keep_whole(module: Any) -> None:
+    """Have loops that are called in many places called, and not put into each of them.
+
+    LLVM takes most of its time to make the copies wide, each with its own checks of overlap: of what
+    copies and adds arrays a step of an implicit method has forty.
+    """
+    seen: dict[str, _Seen] = {}
+    calls: Counter[str] = Counter()
+    here = _Seen()
+    for line in str(module).splitlines():
+        if line.startswith("define"):
+            here = seen.setdefault(_NAME.findall(line)[0], _Seen())
+        here.read(line)
+        if " call " in line:
+            calls.update(_NAME.findall(line)[:1])
+    for name, places in calls.items():
+        found = seen.get(name)
+        if found is None or not found.loops or places < _PLACES:
+            continue
+        function = module.get_function(name)
+        asked_for = any(b"alwaysinline" in kinds for kinds in function.attributes)
+        if places * found.instructions >= _COPIES and not asked_for:
+            function.add_function_attribute("noinline")
+
+
 class InnerLibrary(_Library):
     """The LLVM code of an inner function and of all that it calls, neither optimised nor emitted."""
-
-    is_shared = False  # one function for all calls
 
     @property
     def codegen(self) -> Any:
@@ -98,6 +147,7 @@ class EntryLibrary(_Library):
 
     def _optimize_final_module(self) -> None:
         codegen, module = self._codegen, self._final_module
+        _keep_whole(module)
         cheap, builder = codegen._module_pass_manager(opt=0, loop_vectorize=False, cost="cheap")
         cheap.run(module, builder)
         if not self._seldom:

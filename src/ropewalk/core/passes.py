@@ -22,6 +22,7 @@ from numba.core.compiler_machinery import (
     register_pass,
 )
 from numba.core.transforms import canonicalize_cfg
+from numba.core.untyped_passes import TranslateByteCode
 
 
 class Passes(PassManager):
@@ -39,6 +40,8 @@ class Passes(PassManager):
                 raise self._patch_error(
                     f"Failed in {self.pipeline_name} (step: {about})", error
                 ) from error
+            if step is TranslateByteCode:
+                ir_utils.enforce_no_dels(state.func_ir)
             if known.mutates_CFG:
                 state.func_ir.blocks = canonicalize_cfg(state.func_ir.blocks)
 

@@ -18,8 +18,6 @@ from numba.core.typed_passes import NativeLowering
 
 from ropewalk.core.elements import View, is_plain, make_array
 
-_OPERATORS: dict[Any, Any] = {}  # what they return, and how that is computed
-
 
 class _Builder(IRBuilder):  # type: ignore[misc]
     """Takes a field out of an aggregate where it was put in, and knows what of tuples is loaded already."""
@@ -49,8 +47,7 @@ class _Lower(Lower):
     def setup_function(self, fndesc: Any) -> None:
         """Begin a function."""
         super().setup_function(fndesc)
-        if getattr(self.library, "is_shared", False):
-            self.function.attributes.add("noinline")
+        self._operators: dict[Any, Any] = {}  # what they return, and how that is computed
         self.builder = _Builder(self.entry_block)
         self.call_helper = self.call_conv.init_call_helper(self.builder)
 
@@ -79,15 +76,15 @@ class _Lower(Lower):
         }
 
     def lower_binop(self, resty: Any, expr: Any, op: Any) -> Any:
-        """Put two values together; numba is asked once for each operator and types how."""
+        """Put two values together; numba is asked how, once in a function for each operator and types."""
         if expr.static_lhs is not ir.UNDEFINED or expr.static_rhs is not ir.UNDEFINED:
             return super().lower_binop(resty, expr, op)
         context, args = self.context, self.fndesc.calltypes[expr].args
-        if (context, op, args) not in _OPERATORS:
+        if (op, args) not in self._operators:
             function = context.typing_context.resolve_value_type(op)
             signature = function.get_call_type(context.typing_context, args, {})
-            _OPERATORS[context, op, args] = signature, context.get_function(function, signature)
-        signature, compute = _OPERATORS[context, op, args]
+            self._operators[op, args] = signature, context.get_function(function, signature)
+        signature, compute = self._operators[op, args]
         values = [
             context.cast(self.builder, self.loadvar(one.name), self.typeof(one.name), kind)
             for one, kind in zip((expr.lhs, expr.rhs), args, strict=True)

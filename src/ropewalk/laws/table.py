@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ropewalk.core.arrays import APPLIED, AXIAL, TENSION_ONLY
-from ropewalk.core.jit import part, shared
+from ropewalk.core.jit import kernel, part
 from ropewalk.core.ranges import ALL, rows
 from ropewalk.laws.bending import bending_forces, bending_friction
 from ropewalk.laws.clamps import clamp_forces
@@ -80,7 +80,7 @@ def evaluate_bending(system, state, x, v, forces):
         )
 
 
-@shared
+@kernel
 def add_over_mass(force, inverse_mass, a, lo, hi):
     """Add force over mass of every node, (3, n)."""
     inverse_mass = inverse_mass[lo:hi]
@@ -122,7 +122,7 @@ def accelerate(system, state, forces, a, lo=0, hi=ALL):
     tie(system, state, a)
 
 
-@shared
+@kernel
 def weigh_segments(elastic, friction, inverse_mass, gravity, a, lo, hi):
     """Write gravity plus the segments' forces over mass, (3, n)."""
     inverse_mass = inverse_mass[lo:hi]
@@ -141,7 +141,7 @@ def _weigh(e, c, inverse_mass, g, a):
         a[i] = (e[i + 1] + c[i + 1] - (e[i] + c[i])) * inverse_mass[i] + free
 
 
-@shared
+@kernel
 def add_segments_over_mass(force, inverse_mass, a):
     """Add the force of the segments over mass of every node, (3, n); `force` is (3, n + 1)."""
     for k in range(3):

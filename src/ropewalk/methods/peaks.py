@@ -13,7 +13,7 @@ import math
 
 import numpy as np
 
-from ropewalk.core.jit import kernel, part, shared, small
+from ropewalk.core.jit import kernel, part, small
 from ropewalk.core.peaks import (
     FORCE,
     GREATEST,
@@ -249,7 +249,7 @@ def keep_stretch(x, rest_length, kept):
         kept[j] = new if new > kept[j] else kept[j]
 
 
-@shared
+@kernel
 def settle(peaks, rest_length, stiffness, floor, vector, axial):
     """Take tension and stretch from the squares of the lengths that were kept."""
     for j in range(rest_length.shape[0]):
@@ -268,7 +268,7 @@ def settle(peaks, rest_length, stiffness, floor, vector, axial):
             peaks.tension_low[j] = min(peaks.tension_low[j], low)
 
 
-@shared
+@kernel
 def search(values, sign, which, found, since, until):
     """Note the farthest finite one of `values` (m,) with its time [s] if it is beyond the best so far."""
     best, more = sign * found[VALUE, which], 0
@@ -283,7 +283,7 @@ def search(values, sign, which, found, since, until):
             found[SINCE, which], found[UNTIL, which] = since, until
 
 
-@shared
+@kernel
 def search_live(values, rest_length, stiffness, sign, which, found, since, until):
     """As `search`, over real segments only: not between two ropes, nor on a drum."""
     best, more = sign * found[VALUE, which], 0

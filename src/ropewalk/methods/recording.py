@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ropewalk.core.arrays import Floats, State
-from ropewalk.core.jit import kernel, part, seldom, shared
+from ropewalk.core.jit import kernel, part, seldom
 from ropewalk.core.ranges import rows
 from ropewalk.laws.clamps import bent_energy
 from ropewalk.laws.elastic import solved_laws
@@ -134,7 +134,7 @@ SOLVED = 1e-13  # [1] length error of a segment that is as long as its tension m
 ROUNDING = 2e-15  # [1] ... and this share of its place
 
 
-@shared
+@kernel
 def add_up(values, sums):
     """Sum an array in LANES lanes: the loop vectorises, and the order is the same at every call."""
     clear_row(sums)
@@ -150,7 +150,7 @@ def _add_lanes(values, lo, hi, sums):
         sums[i] += values[i]
 
 
-@shared
+@kernel
 def total_of(sums, which):
     """Return the total of the lanes of sum `which`, adding halves to halves."""
     lanes = sums[which * LANES : (which + 1) * LANES]
@@ -192,7 +192,7 @@ def _add_motion(x, v, mass, gravity, lo, hi, sums):
         sums[7 * LANES + i] += m * (a * q - b * p)
 
 
-@shared
+@kernel
 def record_tension(x, rest_length, stiffness, floor, solved, sums, tension):
     """Write every segment's elastic tension [N], (s,); return their energy [J]. See `laws.stretch`.
 

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ropewalk.core.arrays import APPLIED, Floats, Forces, State, blank
-from ropewalk.core.jit import kernel, part, shared
+from ropewalk.core.jit import kernel, part
 from ropewalk.core.ranges import ALL, rows
 from ropewalk.laws.nodes import on_channels
 from ropewalk.laws.rare import has_bending, limits
@@ -58,7 +58,7 @@ def make_sums() -> Floats:
     return np.zeros(SUMS * LANES)
 
 
-@shared
+@kernel
 def add(values, weight, total):
     """Add weight * values to `total`, arrays of equal shape (3, m)."""
     for k in range(3):
@@ -67,7 +67,7 @@ def add(values, weight, total):
             row[i] += weight * more[i]
 
 
-@shared
+@kernel
 def clear(values):
     """Set an array (3, m) to zero."""
     for k in range(3):
@@ -76,21 +76,21 @@ def clear(values):
             row[i] = 0.0
 
 
-@shared
+@kernel
 def clear_row(row):
     """Set an array (m,) to zero."""
     for i in range(row.shape[0]):
         row[i] = 0.0
 
 
-@shared
+@kernel
 def put_row(source, result):
     """Copy one array (m,) into another."""
     for j in range(result.shape[0]):
         result[j] = source[j]
 
 
-@shared
+@kernel
 def put(source, result):
     """Copy an array (3, m) into another."""
     _put(source[0], result[0])
@@ -104,7 +104,7 @@ def _put(source, result):
         result[i] = source[i]
 
 
-@shared
+@kernel
 def add_rows(values, weight, total):
     """Add weight * values to `total`, arrays of equal shape."""
     for k in range(values.shape[0]):
@@ -192,7 +192,7 @@ def _push(x, v, a, dt):
         x[i] += dt * new
 
 
-@shared
+@kernel
 def axpy(base, factor, values, result, lo=0, hi=ALL):
     """Write base + factor * values, arrays (3, n)."""
     b0, b1, b2 = rows(base, lo, hi)
