@@ -89,7 +89,7 @@ def book_growth(system, state, friction, dt, lo, hi):
                 pull += friction[k, j + 1] * (x[k, j + 1] - x[k, j])
             wound = dt * state.winch_rate[row] / L[j] * pull
             state.work.friction[j] += wound
-            state.work.winch[1] -= wound
+            state.work.winch[0] -= wound
 
 
 @kernel

@@ -51,7 +51,7 @@ class Recording(NamedTuple):
     rest_length: Floats  # (f, s) [m]; (f, 0) where none changes
     energy: Floats  # (f, 3 or 4) kinetic, gravity, elastic and, where there is any, bending [J]
     work: Floats  # (f, 8 or more + a) work by law, see `work_names`, then by anchor [J]
-    jump: Floats  # (f, 2) kinetic energy put in by limiter and winch [J]
+    jump: Floats  # (f, 2) kinetic energy put in by limiter and winch, with friction at the drum [J]
     reaction: Floats  # (f, a, 3) [N]
     momentum: Floats  # (f, 3) [kg m/s]
     angular_momentum: Floats  # (f, 3) about the origin [kg m^2/s]
