@@ -190,7 +190,7 @@ def test_every_part_of_the_starter_can_be_switched_on() -> None:
     assert text.index("[[obstacle]]") < text.index("[ground]")  # the one that sticks comes first
     assert loads(text.replace(*parts["obstacle"])).obstacles[0].kind == "plane"
     _, springs = parts.pop("rope.made_of")
-    part, clamp = parts.pop("anchor.clamp")  # holds only what resists bending, which no winch winds
+    part, clamp = parts.pop("anchor.clamp")  # holds only what resists bending
     assert loads(text.replace("# EI =", "EI =").replace(part, clamp)).anchors[0].clamp is not None
     for part, switched in parts.values():
         assert "# release_time" not in switched

@@ -70,9 +70,11 @@ def test_a_clamp_goes_through_toml() -> None:
         ),
         (
             lambda: Scene(
-                ropes=rope(), anchors=Anchor(node=0), winches=Winch(end="start", speed=1.0)
+                ropes=rope(curvature=(0.0, 2.0, 0.0)),
+                anchors=Anchor(node=0),
+                winches=Winch(end="start", speed=1.0),
             ),
-            r"winch\[0\].rope.* has bending stiffness \(EI\), with which a winch cannot wind it",
+            r"winch\[0\].rope.* is curved by itself \(curvature\), with which a winch cannot wind it",
         ),
     ],
 )

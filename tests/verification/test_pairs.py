@@ -17,8 +17,6 @@ APART = {
     ("rigid links", "winch"): "which a winch cannot wind segment by segment without a jolt",
     ("rigid links", "curve"): "leave it out with a curve",
     ("rigid links", "relaxation"): "nothing relaxes",
-    ("winch", "bending"): "has bending stiffness",
-    ("winch", "clamp"): "has bending stiffness",
 }
 #: What changes nothing beside another feature, which has it already: the second of each.
 IDLE = {"clamp": "bending", "rigid links": "limiter"}

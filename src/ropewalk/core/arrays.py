@@ -78,6 +78,7 @@ class Bending(NamedTuple):
     clamp_stiffness: Floats  # (a, 2) of the half cells before and after the node [N m]
     clamp_damping: Floats  # (a, 2) [N m s]
     clamp_natural: Floats  # (a, 6) [1]
+    clamp_length: Floats  # (a,) length of a segment that these are for [m]
     direction: Floats  # (a, 3) unit vector at time zero
     axis: Floats  # (a, 3) unit vector about which it turns
     turn: Floats  # (a, 3) rate [rad/s], start [s], stop [s]

@@ -10,8 +10,9 @@ A force per segment: what node j gets from segment j, and node j + 1 with the op
 e_j the vector along the segment, so that it adds no force and (with k0 = 0) no torque to the rope.
     dU/da = 4 B q' b,  q(chi) = 1 / chi,  chi = 1 + a . b    (|kb|^2 = 8 q - 4)
 Friction (Kelvin-Voigt): R = D |kb|'^2 / 2, D = damping / l: it acts on the rate at which the bend grows,
-not on a bend whose plane turns, so that it leaves rigid rotation alone. At a straight node, which has no
-plane, it acts on the whole rate of kb.
+not on a bend whose plane turns, so that it leaves rigid rotation alone. A straight node has no plane: there it
+acts on the whole rate of kb, and below |kb| = s = STRAIGHT on both, 1 - kb^2 / s^2 of the one and kb^2 / s^2 of
+the other, which rounding would turn anyhow.
 
 Two departures keep it finite. Beyond a turn of 120 degrees q goes on along its tangent, so that a fold
 stores 14 B instead of infinity. A segment of length r shorter than half its rest length, b, has
@@ -27,7 +28,7 @@ from ropewalk.core.jit import deferred, kernel, part
 
 FOLD = 0.5  # [1] 1 + cos(120 degrees)
 PRESSED = 0.5  # [1] of the rest length
-STRAIGHT = 1e-8  # [1] |kb| below which a node has no plane of bending
+STRAIGHT = 1e-5  # [1] |kb| below which a node has less of a plane of bending the straighter it is
 
 
 @part
@@ -156,13 +157,15 @@ def bending_energy(x, rest_length, stiffness, natural):
 def drags(D, ax, ay, az, own_a, bx, by, bz, own_b, ux, uy, uz, wx, wy, wz):
     """Return dR/da' and dR/db' of one node [N m], neither projected; (u, w) = (a', b') [1/s]."""
     chi, square = bend(ax, ay, az, own_a, bx, by, bz, own_b)
-    if square > STRAIGHT * STRAIGHT:
-        rate = (ux * bx + uy * by + uz * bz) + (ax * wx + ay * wy + az * wz)
-        slope = 4.0 * slope_of(chi)
-        pull = D * slope * slope * rate / square
-        return pull * bx, pull * by, pull * bz, pull * ax, pull * ay, pull * az
+    rate = (ux * bx + uy * by + uz * bz) + (ax * wx + ay * wy + az * wz)
+    slope = 4.0 * slope_of(chi)
+    pull = D * slope * slope * rate / max(square, STRAIGHT * STRAIGHT)
+    px, py, pz, qx, qy, qz = pull * bx, pull * by, pull * bz, pull * ax, pull * ay, pull * az
+    if square >= STRAIGHT * STRAIGHT:
+        return px, py, pz, qx, qy, qz
+    D *= 1.0 - square / (STRAIGHT * STRAIGHT)
     dx, dy, dz = D * (wx - ux), D * (wy - uy), D * (wz - uz)
-    return -dx, -dy, -dz, dx, dy, dz
+    return px - dx, py - dy, pz - dz, qx + dx, qy + dy, qz + dz
 
 
 @deferred()

@@ -216,8 +216,11 @@ def difference(v, j):
 
 @part
 def drag_parts(D, weight_x, weight_v, chi, square, change):
-    """Return a node's friction's parts of F' and F'', and s' and s'' of s = |kb|, 0 where straight."""
-    if not square > STRAIGHT * STRAIGHT:
+    """Return a node's friction's parts of F' and F'', and s' and s'' of s = |kb|, 0 where straight.
+
+    Nearly straight nodes count as straight: exact where a bend keeps its plane.
+    """
+    if not square >= STRAIGHT * STRAIGHT:
         return -weight_v * D, 0.0, 0.0, 0.0
     s = math.sqrt(square)
     first = 4.0 * slope_of(chi) / s
@@ -276,7 +279,9 @@ def half_cell_tangent(x, v, rest_length, at, state, bending, weight_x, weight_v,
     dt = across(u[0], u[1], u[2], tx, ty, tz, over, own)
     change = turned[0] * tx + turned[1] * ty + turned[2] * tz
     change += d[0] * dt[0] + d[1] * dt[1] + d[2] * dt[2]
-    B, D = weight_x * bending.clamp_stiffness[row, side], bending.clamp_damping[row, side]
+    share = bending.clamp_length[row] / rest_length[j]
+    B = weight_x * share * bending.clamp_stiffness[row, side]
+    D = share * bending.clamp_damping[row, side]
     sign = -1.0 if side == 0 else 1.0  # tau = n . (d x t), or n . (t x d) before the node
     nx = sign * bending.clamp_natural[row, 3 * side]
     ny = sign * bending.clamp_natural[row, 3 * side + 1]

@@ -66,7 +66,8 @@ def spins_jump(held, clamped, axis, turn, t, spin):
 @part
 def half_cell(x, v, rest_length, j, side, row, bending, direction, spin):
     """Return a half cell's elastic force and friction on the first node of its segment `j` [N]."""
-    B, D = bending.clamp_stiffness[row, side], bending.clamp_damping[row, side]
+    share = bending.clamp_length[row] / rest_length[j]  # a winch changes lengths
+    B, D = share * bending.clamp_stiffness[row, side], share * bending.clamp_damping[row, side]
     dx, dy, dz = direction[row, 0], direction[row, 1], direction[row, 2]
     sx, sy, sz = spin[row, 0], spin[row, 1], spin[row, 2]
     rx, ry, rz = sy * dz - sz * dy, sz * dx - sx * dz, sx * dy - sy * dx
@@ -125,7 +126,7 @@ def clamp_energy(x, rest_length, held, node, bending, direction):
             tx, ty, tz, _, own = tangent(
                 x[0, j + 1] - x[0, j], x[1, j + 1] - x[1, j], x[2, j + 1] - x[2, j], rest_length[j]
             )
-            B = bending.clamp_stiffness[row, side]
+            B = bending.clamp_stiffness[row, side] * bending.clamp_length[row] / rest_length[j]
             kx = bending.clamp_natural[row, 3 * side]
             ky = bending.clamp_natural[row, 3 * side + 1]
             kz = bending.clamp_natural[row, 3 * side + 2]

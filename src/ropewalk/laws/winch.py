@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 
 from ropewalk.core.arrays import State, System
 from ropewalk.core.jit import deferred, kernel, part
+from ropewalk.laws.clamps import bent_energy, turn_clamps
 from ropewalk.laws.couplings import wind_couplings
 from ropewalk.laws.elastic import CHANGE, NOW, length_slope, stored_energy
 from ropewalk.laws.fresh import (
@@ -33,8 +34,9 @@ from ropewalk.laws.fresh import (
 from ropewalk.laws.joints import is_tied
 from ropewalk.laws.ledger import gravity_energy, kinetic_energy
 from ropewalk.laws.parting import has_parted
-from ropewalk.laws.rare import has_inner, parts
+from ropewalk.laws.rare import has_bending, has_inner, parts
 from ropewalk.laws.stretch import stretched
+from ropewalk.laws.wound_bends import put_on_beam, set_bends
 
 SPLIT = 1.6  # [1] times the nominal segment length
 MERGE = 0.4
@@ -102,6 +104,8 @@ def wind_to(system, state, time, turning):
         if change != 0.0:
             share = (time - turning[row, BEGIN]) / turning[row, STEP]
             set_segment(winches, state, row, working, turning[row, LENGTH] + share * change)
+            if has_bending(system):
+                set_bends(system, state, row)
 
 
 @kernel
@@ -114,11 +118,27 @@ def winding(turning):
 
 
 @deferred()
-def book_begin(system, state, x, end, turning):
-    """Note how long the working segments are, nodes at `x` (3, n); leave the rest lengths of `end` [s]."""
+def book_begin(system, state, x, begin, end, turning):
+    """Note how long the working segments are, nodes at `x` (3, n); leave the rest lengths of `end` [s].
+
+    Half of the work on bends is that of the lengths' change from `begin` [s] on at these places.
+    """
+    if has_bending(system) and winding(turning):
+        turn_clamps(system, state, begin)
+        _book_bends(system, state, x, begin, end, turning)
+        turn_clamps(system, state, end)
     for row in range(turning.shape[0]):
         turning[row, REACH] = stretched(x, working_segment(system.winches, state.winch_exit, row))
     wind_to(system, state, end, turning)
+
+
+@part
+def _book_bends(system, state, x, begin, end, turning):
+    """Book half of what bends store more at places `x` with the lengths of `end` than of `begin` [s]."""
+    wind_to(system, state, begin, turning)
+    stored = bent_energy(system, state, x)
+    wind_to(system, state, end, turning)
+    state.work.winch[1] += 0.5 * (bent_energy(system, state, x) - stored)
 
 
 @deferred()
@@ -131,6 +151,8 @@ def book_end(system, state, x, begin, end, turning):
     """
     if not winding(turning):
         return
+    if has_bending(system):
+        _book_bends(system, state, x, begin, end, turning)
     wind_to(system, state, 0.5 * (begin + end), turning)
     for row in range(turning.shape[0]):
         working = working_segment(system.winches, state.winch_exit, row)
@@ -195,6 +217,8 @@ def _book(system, state, kinetic, potential):
 @kernel
 def _potential(system, state):
     stored = stored_energy(system, state, state.x, state.inner)
+    if has_bending(system):
+        stored += bent_energy(system, state, state.x)
     return gravity_energy(state.x, state.mass, system.gravity) + stored
 
 
@@ -271,6 +295,8 @@ def _end_turn(system, state, row, turning):
         ):
             merge(system, state, row, drum, working, length)
     follow_drum(winches, state, row)
+    if has_bending(system):
+        set_bends(system, state, row)
 
 
 @kernel
@@ -325,12 +351,16 @@ def split(system, state, row, drum, working, length):
         state.x[k, drum] += rest / length * way
         state.v[k, drum] += rest / length * (state.v[k, outer] - state.v[k, drum]) + grown * way
         state.acceleration[k, drum] = rest / length * state.acceleration[k, outer]
+    near = rest
+    if has_bending(system):
+        near = put_on_beam(system, state, row, length)
+        state.winch_debt[row] += rest - near
     state.mass[inner] = state.mass[drum] - 0.5 * line * nominal
     state.mass[drum] = 0.5 * line * length
     state.inverse_mass[drum] = 1.0 / state.mass[drum]
     add_mass(state, outer, -0.5 * line * rest)
     set_segment(winches, state, row, working, nominal)
-    set_segment(winches, state, row, working - side, rest)
+    set_segment(winches, state, row, working - side, near)
     if has_inner(system, state):
         split_memory(state, working, working - side)
     state.winch_exit[row] = inner

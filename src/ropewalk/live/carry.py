@@ -10,6 +10,7 @@ from ropewalk.laws.contact_frame import DAMP, STIFF
 from ropewalk.laws.pairs.law import memory as found_contacts
 from ropewalk.laws.pairs.search import NOWHERE
 from ropewalk.laws.slides.sliding import memory as place_slides
+from ropewalk.laws.wound_bends import set_all_bends
 from ropewalk.lowering import Model, build, with_all_laws
 from ropewalk.lowering.contact_checks import deepest, refuse_pressing
 from ropewalk.lowering.joint_tables import tied_with
@@ -46,6 +47,8 @@ def carry_over(old: Simulation, scene: Scene, source: Floats) -> Simulation:
         _carry_winches(old.arrays, state)
     gone = _carry_partings(old, state, source)
     kinds = _carry_anchors(old, model)
+    if scene.winches and state.bending_stiffness.size:
+        set_all_bends(model.system, state)
     if scene.contact is not None:
         found = found_contacts(model.system.node.contact, state.x, state.stiffness)
         assign(state.memory.contact, found)

@@ -18,7 +18,9 @@ def no_bending() -> Bending:
     zero, rows = np.zeros(0), np.zeros((0, 3))
     pairs, natural = np.zeros((0, 2)), np.zeros((0, 6))
     none = np.zeros(0, np.int64)
-    return Bending(zero, zero, np.zeros((3, 0)), none, pairs, pairs, natural, rows, rows, rows)
+    return Bending(
+        zero, zero, np.zeros((3, 0)), none, pairs, pairs, natural, zero, rows, rows, rows
+    )
 
 
 def add_bending(
@@ -39,6 +41,8 @@ def add_bending(
     )
     system.flags[BENDING] = 1
     free = np.ones(n)
+    for span in layout.ropes:  # nothing bends on a drum, nor where it leaves it
+        free[span.first : span.start + 1] = free[span.end : span.last + 1] = 0.0
     held = [row for row in range(count) if system.anchors.release[row] > 0.0]
     free[[layout.anchor_nodes[r] for r in held if system.bending.clamped[r]]] = 0.0
     state = state._replace(
@@ -70,7 +74,7 @@ def _bends(
     stiffness, damping, natural = np.zeros(n), np.zeros(n), np.zeros((3, n))
     for rope, span in zip(ropes, layout.ropes, strict=True):
         if rope is not None:
-            inner = slice(span.start + 1, span.end)
+            inner = slice(span.first + 1, span.last)  # on a drum, too
             stiffness[inner], damping[inner], curvature, length = rope
             natural[:, inner] = binormal(curvature, length)[:, None]
     return stiffness, damping, natural
@@ -90,12 +94,12 @@ def _clamps(anchors: tuple[Anchor, ...], ropes: tuple[Rope, ...]) -> tuple[np.nd
     """Return the clamps' tables in the order of `Bending`, one row per anchor with its rope."""
     a = len(anchors)
     clamped, stiffness, damping = np.zeros(a, np.int64), np.zeros((a, 2)), np.zeros((a, 2))
-    natural, turn = np.zeros((a, 6)), np.zeros((a, 3))
+    natural, turn, own = np.zeros((a, 6)), np.zeros((a, 3)), np.zeros(a)
     direction, axis = np.zeros((a, 3)), np.zeros((a, 3))
     for row, (anchor, rope) in enumerate(zip(anchors, ropes, strict=True)):
         if anchor.clamp is None:
             continue
-        clamped[row] = 1
+        clamped[row], own[row] = 1, rope.segment_length
         made_of, half = rope.made_of, 0.5 * rope.segment_length
         assert isinstance(made_of, Material)
         for side in _sides(rope, anchor):
@@ -104,7 +108,7 @@ def _clamps(anchors: tuple[Anchor, ...], ropes: tuple[Rope, ...]) -> tuple[np.nd
             natural[row, 3 * side : 3 * side + 3] = binormal(made_of.curvature, half)
         direction[row], axis[row] = _unit(anchor.clamp.direction), _unit(anchor.clamp.turn_axis)
         turn[row] = _turn(anchor.clamp)
-    return clamped, stiffness, damping, natural, direction, axis, turn
+    return clamped, stiffness, damping, natural, own, direction, axis, turn
 
 
 def _sides(rope: Rope, anchor: Anchor) -> list[int]:

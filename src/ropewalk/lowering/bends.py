@@ -15,8 +15,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from ropewalk.core.arrays import Floats, State, System
+from ropewalk.core.arrays import Floats, Ints, State, System
 from ropewalk.laws.bending import FOLD
+from ropewalk.laws.wound_bends import set_all_bends
 
 
 def bends(system: System, state: State) -> tuple[Floats, Floats]:
@@ -48,9 +49,38 @@ def bends(system: System, state: State) -> tuple[Floats, Floats]:
             first, second = pair if side == 0 else pair[::-1]
             natural = table.clamp_natural[row, 3 * side : 3 * side + 3]
             stiff, rough = _factors(first[None], second[None], natural[None])
-            springs[j] += table.clamp_stiffness[row, side] * stiff[0] * over[j]
-            rubbing[j] += table.clamp_damping[row, side] * rough[0] * over[j]
+            share = table.clamp_length[row] / state.rest_length[j] if over[j] else 0.0
+            springs[j] += share * table.clamp_stiffness[row, side] * stiff[0] * over[j]
+            rubbing[j] += share * table.clamp_damping[row, side] * rough[0] * over[j]
     return springs, rubbing
+
+
+def wound_bends(
+    system: System, state: State, lengths: Floats, exits: Ints
+) -> tuple[Floats, Floats]:
+    """As `bends`, where winches have given segments other rest lengths (s,) [m] and stand at `exits` (w,).
+
+    What is on a drum now will leave it straight.
+    """
+    if not system.bending.stiffness.size:
+        return bends(system, state)
+    x, anchors = state.x.copy(), state.anchor_node.copy()
+    for row, (first, last) in enumerate(zip(exits, state.winch_exit, strict=True)):
+        side = int(system.winches.step[row])
+        along = x[:, last + side] - x[:, last]
+        for node in range(int(last) - side, int(first) - side, -side):
+            x[:, node] = x[:, node + side] - along
+        anchors[system.winches.anchor[row]] = first
+    wound = state._replace(
+        x=x,
+        rest_length=lengths,
+        winch_exit=exits,
+        anchor_node=anchors,
+        bending_stiffness=state.bending_stiffness.copy(),
+        bending_damping=state.bending_damping.copy(),
+    )
+    set_all_bends(system, wound)
+    return bends(system, wound)
 
 
 def _factors(a: Floats, b: Floats, natural: Floats) -> tuple[Floats, Floats]:

@@ -6,13 +6,13 @@ import math
 
 import numpy as np
 
-from ropewalk.core.arrays import Floats, State, System
+from ropewalk.core.arrays import Floats, Ints, State, System
 from ropewalk.laws.acting import acting, flow
 from ropewalk.laws.obstacle_places import surface_speed
 from ropewalk.laws.registry import NODE_LAWS
 from ropewalk.laws.winch import MERGE, SPLIT
 from ropewalk.lowering.apart import recoil_of_releases
-from ropewalk.lowering.bends import bends
+from ropewalk.lowering.bends import bends, wound_bends
 from ropewalk.lowering.elastic_tables import softest
 from ropewalk.methods.bound import Chain
 from ropewalk.motions.rows import largest_speed
@@ -111,7 +111,10 @@ def _winch_case(base: Chain, system: System, state: State, row: int, share: floa
     vector[working] = winches.vector[row] / length
     axial[working] = winches.axial[row] / length
     mass[drum + side] += 0.5 * winches.line[row] * (length - state.rest_length[working])
-    return base._replace(mass=mass, stiffness=stiffness, damping_vector=vector, damping_axial=axial)
+    base = base._replace(mass=mass, stiffness=stiffness, damping_vector=vector, damping_axial=axial)
+    lengths = state.rest_length.copy()
+    lengths[working] = length
+    return _bent(base, system, state, lengths, state.winch_exit)
 
 
 def _reeled_in(base: Chain, system: System, state: State, row: int) -> Chain:
@@ -132,7 +135,11 @@ def _reeled_in(base: Chain, system: System, state: State, row: int) -> Chain:
     free, mass = base.free.copy(), base.mass.copy()
     free[drum] = False
     mass[last] += 0.5 * winches.line[row] * (length - winches.segment[row])
-    return base._replace(free=free, mass=mass, **arrays)
+    base = base._replace(free=free, mass=mass, **arrays)
+    lengths, exits = state.rest_length.copy(), state.winch_exit.copy()
+    lengths[min(winches.first[row], last) : max(winches.first[row], last)] = 0.0
+    lengths[segment], exits[row] = length, drum
+    return _bent(base, system, state, lengths, exits)
 
 
 def _paid_out(base: Chain, system: System, state: State) -> Chain:
@@ -145,6 +152,7 @@ def _paid_out(base: Chain, system: System, state: State) -> Chain:
         damping_axial=base.damping_axial.copy(),
         free=base.free.copy(),
     )
+    lengths = state.rest_length.copy()
     for row, drum in enumerate(state.winch_exit):
         side, first = int(winches.step[row]), int(winches.first[row])
         if first == drum:
@@ -153,6 +161,7 @@ def _paid_out(base: Chain, system: System, state: State) -> Chain:
         segments = np.minimum(nodes[:-1], nodes[1:])
         length = np.full(len(segments), winches.segment[row])
         length[0] *= MERGE
+        lengths[segments] = length
         chain.stiffness[segments] = winches.EA[row] / length
         chain.damping_vector[segments] = winches.vector[row] / length
         chain.damping_axial[segments] = winches.axial[row] / length
@@ -160,7 +169,13 @@ def _paid_out(base: Chain, system: System, state: State) -> Chain:
         chain.mass[nodes[1]] *= 0.5 * (1.0 + MERGE)
         chain.free[nodes] = True
         chain.free[first] = False
-    return chain
+    return _bent(chain, system, state, lengths, winches.first)
+
+
+def _bent(chain: Chain, system: System, state: State, lengths: Floats, exits: Ints) -> Chain:
+    """The chain with the bends of other rest lengths [m], drums at `exits` (w,)."""
+    bending, rubbing = wound_bends(system, state, lengths, exits)
+    return chain._replace(bending=bending, damping_bending=rubbing)
 
 
 def speed_scale(system: System, state: State) -> float:

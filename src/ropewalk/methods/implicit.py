@@ -290,7 +290,7 @@ def take_step(
             stage.report[TIME] = after
             return status
     if winds(system, state):
-        book_begin(system, state, state.x, after, scratch.turning)
+        book_begin(system, state, state.x, t, after, scratch.turning)
         book_end(system, state, stage.x, t, after, scratch.turning)
     middle = scratch.middle
     half_way(state.x, state.v, stage.x, stage.v, state.inverse_mass, middle, state.drift)

@@ -55,7 +55,7 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
         add(vs, b, dx)
         add(a, b, dv)
     if winds(system, state):
-        book_begin(system, state, state.x, after, scratch.turning)
+        book_begin(system, state, state.x, t, after, scratch.turning)
     add(dx, 1.0, state.x)
     axpy(state.v, 0.5, dv, middle)
     add(dv, 1.0, state.v)

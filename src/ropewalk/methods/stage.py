@@ -35,7 +35,7 @@ from ropewalk.laws.stage_forces import evaluate_stage, mark_stage
 from ropewalk.laws.table import accelerate
 from ropewalk.methods.model_slope import follow_model
 from ropewalk.methods.newton_step import newton_step
-from ropewalk.methods.rounding import motion_rounding, rounding
+from ropewalk.methods.rounding import rounding, rounding_at_last
 from ropewalk.methods.stage_report import (
     BEGIN,
     HISTORY,
@@ -275,7 +275,7 @@ def newton(system, state, stage, c1, c2, tight, window, aid):
             return PAUSED
         stuck = failed and not exact
         if stuck or iteration == most:
-            report[ROUNDING] += motion_rounding(v, known, mass, free, state.damping_vector, c2)
+            report[ROUNDING] += rounding_at_last(system, state, stage, c2)
             if is_solved(report, LOOSE if stuck else TIGHT):
                 break
         leaps, leap = leaps + (1 if stuck else 0), stuck or (leap and wary > 1)

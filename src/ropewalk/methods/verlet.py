@@ -31,7 +31,7 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
     put(a, old)
     axpy(v, dt, a, predicted)
     if winds(system, state):
-        book_begin(system, state, x, after, scratch.turning)
+        book_begin(system, state, x, t, after, scratch.turning)
     add(v, dt, x)
     add(a, 0.5 * dt * dt, x)
     place_stage(system, state, after, dt, x, predicted, scratch.point, scratch.speed)

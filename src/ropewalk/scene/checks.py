@@ -227,8 +227,8 @@ def _winch_lengths(winch: Winch, rope: Rope) -> Iterator[Fault]:
             "give it a finite stiffness: implicit methods take any, such as EA = 1e9, at the same cost"
         )
         yield Fault("rope", rope.name, rule)
-    if rope.bending_stiffness > 0.0:
-        rule = "has bending stiffness (EI), with which a winch cannot wind it: leave out EI, or the winch"
+    if rope.bending_stiffness > 0.0 and any(rope.made_of.curvature):
+        rule = "is curved by itself (curvature), with which a winch cannot wind it: leave out curvature"
         yield Fault("rope", rope.name, rule)
     if winch.min_length is not None and winch.min_length > length:
         rule = f"must be at most the rope's length at the start ({length:g} m)"
