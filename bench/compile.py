@@ -18,7 +18,10 @@ from statistics import mean
 
 from bench.row import Row
 
-LAWS = ("air", "ground")  # of nodes, that no other law names: without another one no step is compiled
+LAWS = (
+    "air",
+    "ground",
+)  # of nodes, that no other law names: without another one no step is compiled
 
 SCENE = """
 import sys
@@ -82,7 +85,8 @@ def seconds(method: str, laws: str = "plain", *, without: str = "") -> float:
     """Return the processor time of a run for one frame [s]. Without one law of nodes where one is named.
 
     `laws`: "plain" for preset r4; "full" for the variant that can have them all, of which it has a limiter;
-    "air" and "ground" for that with such a law besides; "all" for ropes that have bending, clamps, joints, a slide, an obstacle, contact, air, ground, strength.
+    "air" and "ground" for that with such a law besides; "all" for ropes that have bending, clamps, joints, a
+    slide, an obstacle, contact, air, ground, strength.
     """
     with tempfile.TemporaryDirectory() as folder:
         command = [sys.executable, "-c", SCENE, method, laws, without]

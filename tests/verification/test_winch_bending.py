@@ -23,7 +23,6 @@ from ropewalk.scene import (
     Winch,
 )
 
-
 G, LINE, START = 9.81, 0.00815, 0.1  # m/s^2, kg/m, s
 WEIGHT = LINE * G
 CLOSED = {"cantilever": 1 / 8, "hinged": 5 / 384, "propped": 1 / 184.6}  # times w L^4 / EI

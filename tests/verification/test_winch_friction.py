@@ -33,7 +33,7 @@ def paid_out(method: str, speed: float, damping: float = C) -> rw.Result:
 
 
 def integrals(result: rw.Result) -> tuple[float, float]:
-    """What friction takes, -int c L (d(r/L)/dt)^2 dt, and what it does along dr, of segments off the drum [J]."""
+    """What friction takes, -int c L (d(r/L)/dt)^2 dt, and what it does along dr, off the drum [J]."""
     x, L = np.asarray(result.positions), np.asarray(result.rest_length)
     off = L.min(axis=0) > 0.0
     L, r = L[:, off], np.linalg.norm(np.diff(x, axis=1), axis=-1)[:, off]
@@ -56,7 +56,7 @@ def test_friction_takes_what_the_rate_of_strain_takes(method: str, speed: float)
 
 @pytest.mark.parametrize("speed", [0.6, -0.6])
 def test_the_drum_is_pulled_by_friction_too(speed: float) -> None:
-    """The winch's work is that of the whole tension at the drum, less what the rope on it no longer stores."""
+    """The winch's work is that of the whole tension at the drum, less what the rope lets go of."""
     result = paid_out("rk4", speed)
     L = np.asarray(result.rest_length)
     working = int(np.argmax(np.abs(L[-1] - L[0])))

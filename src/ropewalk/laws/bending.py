@@ -10,9 +10,9 @@ A force per segment: what node j gets from segment j, and node j + 1 with the op
 e_j the vector along the segment, so that it adds no force and (with k0 = 0) no torque to the rope.
     dU/da = 4 B q' b,  q(chi) = 1 / chi,  chi = 1 + a . b    (|kb|^2 = 8 q - 4)
 Friction (Kelvin-Voigt): R = D |kb|'^2 / 2, D = damping / l: it acts on the rate at which the bend grows,
-not on a bend whose plane turns, so that it leaves rigid rotation alone. A straight node has no plane: there it
-acts on the whole rate of kb, and below |kb| = s = STRAIGHT on both, 1 - kb^2 / s^2 of the one and kb^2 / s^2 of
-the other, which rounding would turn anyhow.
+not on a bend whose plane turns, so that it leaves rigid rotation alone. A straight node has no plane: there
+it acts on the whole rate of kb. Below |kb| = s = STRAIGHT, where rounding turns the plane, it acts on both,
+kb^2 / s^2 of the one and the rest of the other.
 
 Two departures keep it finite. Beyond a turn of 120 degrees q goes on along its tangent, so that a fold
 stores 14 B instead of infinity. A segment of length r shorter than half its rest length, b, has

@@ -11,6 +11,7 @@ from ropewalk.scene.environment import Limiter
 from ropewalk.scene.faults import MISSING, NO_VALUE, Fault
 from ropewalk.scene.joint import Joint, Tie
 from ropewalk.scene.limits import MOST_ON_DRUM, MOST_SEGMENTS, MOST_TOLD
+from ropewalk.scene.material import Material
 from ropewalk.scene.rope import Rope, node_range
 from ropewalk.scene.shapes import Slack
 from ropewalk.scene.winch import Winch
@@ -227,7 +228,7 @@ def _winch_lengths(winch: Winch, rope: Rope) -> Iterator[Fault]:
             "give it a finite stiffness: implicit methods take any, such as EA = 1e9, at the same cost"
         )
         yield Fault("rope", rope.name, rule)
-    if rope.bending_stiffness > 0.0 and any(rope.made_of.curvature):
+    if isinstance(rope.made_of, Material) and any(rope.made_of.curvature):
         rule = "is curved by itself (curvature), with which a winch cannot wind it: leave out curvature"
         yield Fault("rope", rope.name, rule)
     if winch.min_length is not None and winch.min_length > length:
