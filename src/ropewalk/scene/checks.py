@@ -11,8 +11,7 @@ from ropewalk.scene.environment import Limiter
 from ropewalk.scene.faults import MISSING, NO_VALUE, Fault
 from ropewalk.scene.joint import Joint, Tie
 from ropewalk.scene.limits import MOST_ON_DRUM, MOST_SEGMENTS, MOST_TOLD
-from ropewalk.scene.material import Material
-from ropewalk.scene.rope import Rope, node_range
+from ropewalk.scene.rope import Material, Rope, node_range
 from ropewalk.scene.shapes import Slack
 from ropewalk.scene.winch import Winch
 from ropewalk.words.nearest import nearest
