@@ -341,7 +341,7 @@ def scenes(
         winches=[
             winch
             for rope in made
-            if not rope.rigid and rope.bending_stiffness == 0.0
+            if not rope.rigid and not any(getattr(rope.made_of, "curvature", ()))
             for winch in draw(winches(rope, held[rope.name]))
         ],
     )

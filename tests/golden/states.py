@@ -88,6 +88,11 @@ def laws() -> dict[str, dict[str, Any]]:
         "clamp": {"ropes": [bent], "anchors": [Anchor(name="near", node=0, clamp=clamp)]},
         "load": {"ropes": [rope(loads=[{"node": 4, "mass": 0.3}])]},
         "winch": {"winches": [Winch(name="drum", rope="rope", end="start", speed=2.0)]},
+        "wound-bends": {
+            "ropes": [bent],
+            "anchors": [Anchor(name="near", node=0, clamp=clamp)],
+            "winches": [Winch(name="drum", rope="rope", end="start", speed=2.0)],
+        },
         "two": {"ropes": [rope(), rope().replace(name="other")], "anchors": free},
     }
 

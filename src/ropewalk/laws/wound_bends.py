@@ -78,13 +78,15 @@ def set_bends(system, state, row):
 
 @kernel
 def set_all_bends(system, state):
-    """As `set_bends`, of all winches; nodes on drums have none. For the host."""
+    """As `set_bends`, of all winches, and all that their ropes have off drums. For the host."""
     for row in range(state.winch_exit.shape[0]):
-        i = system.winches.first[row]
-        while i != state.winch_exit[row]:
-            state.bending_stiffness[i] = 0.0
-            state.bending_damping[i] = 0.0
-            i += system.winches.step[row]
+        first, last = system.winches.first[row], system.winches.last[row]
+        for i in range(min(first, last) + 1, max(first, last)):
+            apart = min(state.rest_length[i - 1], state.rest_length[i]) <= 0.0  # on a drum, or parted
+            bends = not apart and not holds_direction(system, state, i)
+            state.bending_stiffness[i] = system.bending.stiffness[i] if bends else 0.0
+            state.bending_damping[i] = system.bending.damping[i] if bends else 0.0
+    for row in range(state.winch_exit.shape[0]):
         set_bends(system, state, row)
 
 

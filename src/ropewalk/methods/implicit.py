@@ -35,7 +35,8 @@ from ropewalk.laws.ledger import account
 from ropewalk.laws.rare import has_bending, has_inner, winds
 from ropewalk.laws.table import accelerate
 from ropewalk.laws.wheels import aim_no_wheels, end_aim
-from ropewalk.laws.winch import book_begin, book_end, book_memory, cut_short, wind_to
+from ropewalk.laws.winch import cut_short, wind_to
+from ropewalk.laws.winch_books import book_begin, book_end, book_memory
 from ropewalk.methods import tableaus
 from ropewalk.methods.gain import makes_up_energy, most_of
 from ropewalk.methods.generalized_alpha import end_alpha, prepare_alpha

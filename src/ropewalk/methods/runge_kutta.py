@@ -15,7 +15,8 @@ from ropewalk.laws.inner import end_stages, next_stage
 from ropewalk.laws.ledger import account
 from ropewalk.laws.rare import has_inner, winds
 from ropewalk.laws.table import accelerate, evaluate
-from ropewalk.laws.winch import book_begin, book_end, book_memory, wind_to
+from ropewalk.laws.winch import wind_to
+from ropewalk.laws.winch_books import book_begin, book_end, book_memory
 from ropewalk.methods.loop import make_advance
 from ropewalk.methods.scratch import add, add_forces, axpy, clear, clear_forces, put
 

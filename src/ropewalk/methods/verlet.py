@@ -14,7 +14,7 @@ from ropewalk.laws.inner import note_strains, relax_while_winding
 from ropewalk.laws.ledger import account
 from ropewalk.laws.rare import has_inner, winds
 from ropewalk.laws.table import accelerate, evaluate
-from ropewalk.laws.winch import book_begin, book_end, book_memory
+from ropewalk.laws.winch_books import book_begin, book_end, book_memory
 from ropewalk.methods.loop import make_advance
 from ropewalk.methods.scratch import add, add_forces, axpy, clear_forces, put
 
