@@ -33,8 +33,12 @@ def test_bends_at_a_drum_stay_as_they_are(clamped: bool, speed: float) -> None:
     old.step(0.3)
     assert old.arrays.winch_exit[0] != old.system.winches.first[0] or speed < 0
     assert not np.array_equal(old.arrays.bending_stiffness, begun)
-    new = carry_over(old, scene.replace(gravity=(0, 0, -1.0)), np.arange(old.arrays.x.shape[1]) + 0.0)
-    np.testing.assert_allclose(new.arrays.bending_stiffness, old.arrays.bending_stiffness, rtol=1e-12)
+    new = carry_over(
+        old, scene.replace(gravity=(0, 0, -1.0)), np.arange(old.arrays.x.shape[1]) + 0.0
+    )
+    np.testing.assert_allclose(
+        new.arrays.bending_stiffness, old.arrays.bending_stiffness, rtol=1e-12
+    )
     np.testing.assert_allclose(new.arrays.bending_damping, old.arrays.bending_damping, rtol=1e-12)
     same = carry_over(old, scene, np.arange(old.arrays.x.shape[1]) + 0.0)
     for one in (old, same):
