@@ -82,8 +82,10 @@ def set_all_bends(system, state):
     for row in range(state.winch_exit.shape[0]):
         first, last = system.winches.first[row], system.winches.last[row]
         for i in range(min(first, last) + 1, max(first, last)):
-            apart = min(state.rest_length[i - 1], state.rest_length[i]) <= 0.0  # on a drum, or parted
-            bends = not apart and not holds_direction(system, state, i)
+            gone = (
+                min(state.rest_length[i - 1], state.rest_length[i]) <= 0.0
+            )  # on a drum, or parted
+            bends = not gone and not holds_direction(system, state, i)
             state.bending_stiffness[i] = system.bending.stiffness[i] if bends else 0.0
             state.bending_damping[i] = system.bending.damping[i] if bends else 0.0
     for row in range(state.winch_exit.shape[0]):
