@@ -129,3 +129,20 @@ def gravity_energy(x, mass, gravity):
     for i in range(mass.shape[0]):
         total -= mass[i] * (gravity[0] * x[0, i] + gravity[1] * x[1, i] + gravity[2] * x[2, i])
     return total
+
+
+@kernel
+def wound_energy(system, state):
+    """Return the potential energy of the weight of rope that has gone on to drums since the start [J].
+
+    It counts where its drum is, zero at the origin; negative of rope that drums have paid out. With it rope
+    keeps its energy as it passes a drum, which `gravity_energy` of what is out does not.
+    """
+    total = 0.0
+    for row in range(state.winch_exit.shape[0]):
+        drum = state.winch_exit[row]
+        high = 0.0
+        for k in range(3):
+            high -= system.gravity[k] * state.x[k, drum]
+        total -= system.winches.line[row] * state.winch_paid[row] * high
+    return total

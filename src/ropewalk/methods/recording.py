@@ -13,6 +13,7 @@ from ropewalk.core.jit import kernel, part, seldom
 from ropewalk.core.ranges import rows
 from ropewalk.laws.clamps import bent_energy
 from ropewalk.laws.elastic import solved_laws
+from ropewalk.laws.ledger import wound_energy
 from ropewalk.laws.node_law import NodeLaw
 from ropewalk.laws.nodes import fold, touch_nodes
 from ropewalk.laws.parting import NAME as PARTING
@@ -319,6 +320,10 @@ def record_frame(system, state, ledger, sums, frame, out):
             out.joint_force[frame, row, k] = state.joint_force[row, k]
     p, spin = out.momentum[frame], out.angular_momentum[frame]
     record_motion(state.x, state.v, state.mass, system.gravity, sums, energy, p, spin)
+    wound = 0.0
+    if winds(system, state):
+        wound = wound_energy(system, state)
+        energy[1] += wound
     record_peaks(state.peaks, frame, out)
     record_turning(system, state, out.wheel[frame])
     if out.contact.shape[2] > 0:
@@ -326,6 +331,7 @@ def record_frame(system, state, ledger, sums, frame, out):
         touch_nodes(system, state, out.contact[frame])
     if ledger:
         record_works(system, state.work, sums, out.work[frame], out.jump[frame])
+        out.work[frame, WINCH] += wound
         record_surfaces(system, state, out.books[frame])
 
 

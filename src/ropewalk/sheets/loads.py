@@ -13,13 +13,13 @@ from ropewalk.record.moving_rows import moving_rows
 from ropewalk.record.tension_notes import tension_note
 from ropewalk.scene.guess import COMPUTE
 from ropewalk.sheets.content import Item, Section, Table, Text
+from ropewalk.statics.wraps import MANY
 from ropewalk.words.prefixes import prefixed
 
 if TYPE_CHECKING:
     from ropewalk.core.arrays import Floats
     from ropewalk.record.result import Result
-    from ropewalk.statics import RestSpan
-    from ropewalk.statics.touches import Seat
+    from ropewalk.statics import RestSpan, Statics
 
 _TITLES = {
     "greatest tension": ("largest tension", "N"),
@@ -74,9 +74,9 @@ def summary_section(
 
 
 def rest_section(
-    result: Result, spans: tuple[RestSpan, ...], seats: tuple[Seat, ...] = (), then: str = COMPUTE
+    result: Result, spans: tuple[RestSpan, ...], rest: Statics | None = None, then: str = COMPUTE
 ) -> Section:
-    """Return spans, tensions and anchor forces of an equilibrium, and where what slides rests."""
+    """Return spans, tensions and anchor forces of an equilibrium, and what `rest` says of its contacts."""
     rows = [
         (
             f"{span.rope}, nodes {span.first} to {span.last}",
@@ -90,12 +90,40 @@ def rest_section(
     head = ("span", "ends apart", "sag", "horizontal tension", "largest tension")
     items: list[Item] = [Table(head, rows)] if rows else []
     items += _anchor_table(result, result.reactions[0]) + _utilisation(result, then)
-    items += [Text(f"{str(seat).replace('slide', 'Slide', 1)}.") for seat in seats]
+    if rest is not None:
+        items += _contacts(rest)
+    if result.scene.limiter is not None and not all(rope.rigid for rope in result.scene.ropes):
+        items.append(Text("The limiter takes no part in rest."))
     wind = () if result.scene.air is None else result.scene.air.wind
     blows = f"in the wind of {math.hypot(*wind):.4g} m/s, " if any(wind) else ""
     about = f"This is rest {blows}with all anchors where they are at time zero."
     about += f" The forces balance to {result.residual:.1e} N on every node."
     return Section("At rest", (*items, Text(about)))
+
+
+def _contacts(rest: Statics) -> list[Item]:
+    """Say how ropes lie on obstacles and on each other, where what slides rests, and what turns pulleys."""
+    places = (*rest.wraps, *rest.touches, *rest.seats)
+    items: list[Item] = [Text(f"{_sentence(str(place))}.") for place in places]
+    items += [Text(f"{_sentence(str(one))}.", warning=not one.stands) for one in rest.pulleys]
+    return items + ([Text(f"{_sentence(MANY)}.")] if rest.by_friction else [])
+
+
+def _sentence(words: str) -> str:
+    return words[:1].upper() + words[1:]
+
+
+def loose_pulleys(rest: Statics) -> tuple[Item, ...]:
+    """Return what the summary says of pulleys that are held still at rest, and by nothing."""
+    held = [one.obstacle for one in rest.pulleys if not one.stands]
+    if not held:
+        return ()
+    names = ", ".join(map(repr, held))
+    said = (
+        f"At rest {names} {'is' if len(held) == 1 else 'are'} held still, which no bearing does: it is no "
+        "rest, and once that turns, anchors may carry more."
+    )
+    return (Text(said, warning=True),)
 
 
 def run_section(result: Result, then: str = COMPUTE) -> Section:

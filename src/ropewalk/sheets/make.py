@@ -18,7 +18,7 @@ from ropewalk.scene.as_given import as_given
 from ropewalk.scene.guess import COMPUTE
 from ropewalk.sheets.content import Item, Listing, Section, Table, Text, picture
 from ropewalk.sheets.document import Sheet
-from ropewalk.sheets.loads import rest_section, run_section, summary_section
+from ropewalk.sheets.loads import loose_pulleys, rest_section, run_section, summary_section
 from ropewalk.sheets.ropes import assumption_section, rope_section
 from ropewalk.sheets.stiffness_ends import SEE, at_ends, stiffness_ends
 from ropewalk.sheets.trust import convergence_section, method_section
@@ -63,7 +63,7 @@ def sheet(
         spread_parameters(made, uncertain)
     tell("at rest")
     again = SEE if convergence and at_ends(made) else COMPUTE
-    rest, at_rest = _rest(made, again, needed=not run)
+    rest, at_rest, held = _rest(made, again, needed=not run)
     result = rest
     if run:
         tell("the run")
@@ -71,7 +71,7 @@ def sheet(
     assert result is not None
     ran = result if run else None
     ends = stiffness_ends(made, rest, ran, tell) if convergence else None
-    sections = [summary_section(rest, ran, ends.summary if ends else (), again)]
+    sections = [summary_section(rest, ran, held + (ends.summary if ends else ()), again)]
     sections += [_drawing(rest or result), rope_section(made), *_given(file or scene, made, flags)]
     sections += [assumption_section(made), at_rest]
     if run:
@@ -87,16 +87,21 @@ def sheet(
     return Sheet(made.name, " ".join((made.description, lead)).strip(), tuple(sections), result)
 
 
-def _rest(scene: Scene, again: str, *, needed: bool) -> tuple[Result | None, Section]:
-    """Return the equilibrium and what is told of it; None where there is none, if that is not `needed`."""
+def _rest(
+    scene: Scene, again: str, *, needed: bool
+) -> tuple[Result | None, Section, tuple[Item, ...]]:
+    """Return the equilibrium, what is told of it, and what of that belongs in the summary.
+
+    None where there is none, if that is not `needed`.
+    """
     try:
         statics, rest = rest_and_result(scene)
     except (SceneError, NoRest) as error:
         if needed:
             raise
         reason = str(error).splitlines()[-1].strip()
-        return None, Section("At rest", (Text(f"There is no shape of rest: {reason}"),))
-    return rest, rest_section(rest, statics.spans, statics.seats, again)
+        return None, Section("At rest", (Text(f"There is no shape of rest: {reason}"),)), ()
+    return rest, rest_section(rest, statics.spans, statics, again), loose_pulleys(statics)
 
 
 def _drawing(result: Result) -> Section:

@@ -17,6 +17,8 @@ from ropewalk.scene.from_library import origin, origin_words
 from ropewalk.scene.guess import guesses_of
 from ropewalk.scene.obstacles import Obstacle
 from ropewalk.scene.slide import Slide
+from ropewalk.scene.spin import Spin
+from ropewalk.scene.winch import Winch
 from ropewalk.sheets.content import Item, Section, Table, Text
 from ropewalk.words.prefixes import prefixed
 
@@ -196,8 +198,11 @@ def assumption_section(scene: Scene) -> Section:
         _ground(scene),
         _anchors(scene),
         _joints(scene),
+        *map(_winch, scene.winches),
         *map(_slide, scene.slides),
         *map(_obstacle, scene.obstacles),
+        _touching(scene),
+        _parting(scene),
     ]
     if scene.limiter is not None:
         low, high = scene.limiter.min_stretch, scene.limiter.max_stretch
@@ -282,11 +287,54 @@ def _slide(slide: Slide) -> str:
     return f"{slide} Its coefficient of friction is {slide.friction:g}{brake}{place}."
 
 
+def _winch(winch: Winch) -> str:
+    low, high = winch.min_length, winch.max_length
+    least = f", to {low:g} m of rope at least" if low is not None else ""
+    most = f", to {high:g} m of rope at most" if high is not None else ""
+    return f"{str(winch).removesuffix('.')}{_times(winch)}{least}{most}."
+
+
+def _times(one: Winch | Spin) -> str:
+    until = f" until {one.stop:g} s" if math.isfinite(one.stop) else ""
+    return (f" from {one.start:g} s" if one.start else "") + until
+
+
 def _obstacle(body: Obstacle) -> str:
-    return (
+    touched = (
         f"Nodes of ropes touch the {body.kind} {body.name!r} with a coefficient of friction of "
-        f"{body.friction:g}."
+        f"{body.friction:g}"
     )
+    moves = [] if body.motion.kind == "fixed" else [f"moves ({body.motion.kind})"]
+    return f"{touched}{'; it ' if (moves := moves + _turns(body)) else ''}{' and '.join(moves)}."
+
+
+def _turns(body: Obstacle) -> list[str]:
+    """Say how an obstacle turns, or nothing of one that does not."""
+    spin = body.spin
+    if spin is None:
+        return []
+    if not spin.free:
+        by_table = spin.rate is None
+        return ["turns by a table" if by_table else f"turns at {spin.rate:g} rad/s{_times(spin)}"]
+    bearing = (
+        f", a bearing of {spin.bearing:g} N m" if spin.bearing else ", a bearing without friction"
+    )
+    viscous = f" and {spin.viscous:g} N m s" if spin.viscous else ""
+    return [f"turns freely, with a moment of inertia of {spin.inertia:g} kg m²{bearing}{viscous}"]
+
+
+def _touching(scene: Scene) -> str:
+    if scene.contact is None:
+        return ""
+    rubs = f"with a coefficient of friction of {scene.contact.friction:g}"
+    return f"Ropes touch each other and themselves {rubs}."
+
+
+def _parting(scene: Scene) -> str:
+    names = [rope.name for rope in scene.ropes if rope.made_of.parts]
+    if not names:
+        return ""
+    return f"{_do(names, 'parts', 'part')} where a segment carries more than the breaking load."
 
 
 def _anchors(scene: Scene) -> str:
@@ -295,8 +343,13 @@ def _anchors(scene: Scene) -> str:
     moving = [one.name for one in scene.anchors if one.motion.kind != "fixed"]
     released = [one.name for one in scene.anchors if one.release_time is not None]
     text = (
-        "Anchors do not give."
-        if not moving
-        else f"Anchors do not give; {', '.join(moving[:6])} move."
+        f"Anchors do not give; {_do(moving, 'moves', 'move')}."
+        if moving
+        else "Anchors do not give."
     )
-    return text + (f" {', '.join(released[:6])} let go." if released else "")
+    return text + (f" {_do(released, 'lets go', 'let go')}." if released else "")
+
+
+def _do(names: list[str], one: str, many: str) -> str:
+    more = f" and {len(names) - 6} more" if len(names) > 6 else ""
+    return f"{', '.join(names[:6])}{more} {one if len(names) == 1 else many}"
