@@ -14,6 +14,7 @@ import runs
 from ropewalk import equilibrium, plots
 from ropewalk.plots.energies import energy_curves
 from ropewalk.plots.sight import good_frames
+from ropewalk.plots.style import set_title
 from ropewalk.plots.tensions import colour_scale, thinned
 from ropewalk.record.simulate import simulate_in_memory
 from ropewalk.scene import Scene, apply_overrides
@@ -331,3 +332,14 @@ def test_figures_need_no_pyplot():
         "sys.exit('matplotlib.pyplot' in sys.modules)"
     )
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+def test_a_long_name_is_cut_and_what_is_shown_is_not():
+    """The figure of contacts of a scene with a long name did not say at which time: "contact at t =..."."""
+    for name in ("a $long$ name " * 20, "no end", "a: b: " * 30):
+        figure = Figure(figsize=(6.0, 4.0), layout="constrained")
+        set_title(figure, f"{name}: contact at t = 1.25 s", "")
+        title = figure._suptitle.get_text().strip()
+        assert title.endswith(": contact at t = 1.25 s")
+        assert len(title) <= 70
+        assert title.startswith(name.split(" ")[0])

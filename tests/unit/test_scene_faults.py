@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import pickle
 
+import numpy as np
 import pytest
 
 from ropewalk.scene import (
@@ -262,6 +263,12 @@ def test_one_fault_at_the_top(first: str, line: str) -> None:
     found = faults(f"{first}\n{ROPE}")
     assert len(found) == 1
     assert line in found[0]
+
+
+def test_numbers_of_numpy_are_told_as_numbers() -> None:
+    """It was told "np.float64(2e+16)"."""
+    with pytest.raises(SceneError, match=r"^EA: 2e\+16 - must be at most"):
+        Material(EA=np.float64(2e16), mass_per_length=0.1)
 
 
 def test_faults_between_ropes() -> None:

@@ -126,7 +126,7 @@ def set_title(figure: Figure, title: str, subtitle: str) -> None:
     width, height = figure.get_size_inches() * 72.0
     x, top = _EDGE / width, 1.0 - _EDGE / height
     letters = {size: int((width - 2 * _EDGE) / (0.56 * size)) for size in (_TITLE, _SUBTITLE)}
-    text = shorten(title, int(0.88 * letters[_TITLE])) + "\n"  # a line kept for the subtitle
+    text = _cut_name(title, int(0.88 * letters[_TITLE])) + "\n"  # a line kept for the subtitle
     figure.suptitle(text, x=x, ha="left", va="top", fontsize=_TITLE, fontweight="bold")
     figure.text(
         x,
@@ -137,6 +137,14 @@ def set_title(figure: Figure, title: str, subtitle: str) -> None:
         fontsize=_SUBTITLE,
         color=GREY,
     )
+
+
+def _cut_name(title: str, letters: int) -> str:
+    """Cut a title to so many letters: of "name: what is shown" the name."""
+    title = " ".join(title.split())
+    name, colon, what = title.rpartition(": ")
+    room = letters - len(escape(colon + what))
+    return shorten(name, room) + escape(colon + what) if room > 1 else shorten(title, letters)
 
 
 def set_note(figure: Figure, notes: list[str]) -> None:

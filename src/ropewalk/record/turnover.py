@@ -61,8 +61,9 @@ def share_turned(result: Result) -> float:
     works = {name: part[:good] for name, part in result.work.items()}
     touched = np.minimum(surfaces(works), surfaces(_without_motors(result, works)))
     turned, shares = largest_change(forms.values()), [0.0]
-    if turned <= _STILL * max(_largest(forms.values()), weight_times_length(result.scene)):
-        turned = 0.0
+    rounding = _STILL * max(_largest(forms.values()), weight_times_length(result.scene))
+    turned = 0.0 if turned <= rounding else turned
+    touched = np.where(touched > rounding, touched, 0.0)
     if carried := _carried(result, good):
         own = forms | {
             "kinetic": forms["kinetic"] - carried.kinetic,

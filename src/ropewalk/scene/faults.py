@@ -106,7 +106,7 @@ def _toml_like(value: object) -> str:
     if isinstance(value, int):
         return str(value) if abs(value) < 10**_LONGEST_VALUE else "a whole number of many digits"
     if isinstance(value, float):
-        return repr(value) if math.isfinite(value) else str(value)
+        return repr(float(value)) if math.isfinite(value) else str(value)  # not np.float64(1.0)
     if isinstance(value, (list, tuple)):
         items = [_toml_like(item) for item in value[:20]]
         return "[" + ", ".join(items) + (", ..." if len(value) > 20 else "") + "]"
