@@ -52,6 +52,15 @@ def test_what_per_cents_cannot_be(path: str, text: str, rule: str) -> None:
         with_ranges(preset("zip-line"), {path: text})
 
 
+def test_a_range_may_be_written_as_on_the_command_line() -> None:
+    """It was refused with the advice to give a range LOW..HIGH, which it was."""
+    given = {"rope.length": "150.0..150.5 m", EA: " 7e6..8e6 ", "duration": (1.0, 2.0)}
+    found = with_ranges(preset("zip-line"), given)
+    assert found == {"rope.length": ("150.0 m", "150.5 m"), EA: (7e6, 8e6), "duration": (1.0, 2.0)}
+    with pytest.raises(SceneError, match=r"length: \"150..x\" - a range is written LOW..HIGH"):
+        with_ranges(preset("zip-line"), {"rope.length": "150..x"})
+
+
 def test_per_cents_of_unlike_ropes_are_refused() -> None:
     with pytest.raises(SceneError, match="name one of them"):
         with_ranges(preset("three-leg-sling"), {"rope.length": "10%"})

@@ -1,4 +1,4 @@
-"""Per cents of what a scene has, as ranges: `10 %` of 200 kN is 180 to 220 kN."""
+"""Texts as ranges: `10 %` of what a scene has (of 200 kN 180 to 220 kN), and `29 m..31 m`."""
 
 from __future__ import annotations
 
@@ -6,10 +6,12 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
+from ropewalk.record.errors import InputError
 from ropewalk.scene import Scene, SceneError
 from ropewalk.scene.faults import Fault
 from ropewalk.scene.overrides import Places
 from ropewalk.scene.units import WrongUnit, in_unit
+from ropewalk.sweeps.spread_text import range_ends
 
 _RANGE = "give a range LOW..HIGH"
 
@@ -19,10 +21,11 @@ def with_ranges(scene: Scene, spreads: Any) -> Any:
 
     Args:
         scene: whose values they are per cents of.
-        spreads: mapping from paths to distributions, ranges (low, high) and per cents; others as they are.
+        spreads: mapping from paths to distributions, ranges (low, high) or "29..31 m", and per cents;
+            others as they are.
 
-    Raises SceneError for what is no per cent above 0 and up to 100, and for paths where no one number but
-    zero stands.
+    Raises SceneError for what is no range, nor a per cent above 0 and up to 100, and for paths where no one
+    number but zero stands.
     """
     if not isinstance(spreads, Mapping) or not any(isinstance(v, str) for v in spreads.values()):
         return spreads
@@ -40,7 +43,12 @@ def with_ranges(scene: Scene, spreads: Any) -> Any:
     return made
 
 
-def _range(scene: Scene, path: str, text: str) -> tuple[float, float]:
+def _range(scene: Scene, path: str, text: str) -> tuple[float, float] | tuple[str, str]:
+    if ".." in text:
+        try:
+            return range_ends(text)
+        except InputError as error:
+            raise SceneError([Fault(path, text, error.rule)]) from None
     share = in_unit(text.strip().removeprefix("±").strip(), "1") if "%" in text else None
     if share is None or isinstance(share, WrongUnit | str) or not 0.0 < share <= 1.0:
         rule = f"must be per cents above 0 and up to 100, such as 10 %; for anything else {_RANGE}"

@@ -65,12 +65,15 @@ def parse_values(what: str, text: str) -> Any:
     if found := _CALL.fullmatch(what):
         return _called(found[1], found[2], text)
     if ".." in what:
-        return _range(what, text)
+        return range_ends(what, text)
     return [_number(part) for part in _parts(what)]
 
 
-def _range(what: str, text: str) -> tuple[float, float] | tuple[str, str]:
-    """Return both ends, as numbers, or as texts with units: `11.9 m..12.1 m`, or `11.9..12.1 m`."""
+def range_ends(what: str, text: str = "") -> tuple[float, float] | tuple[str, str]:
+    """Return both ends, as numbers, or as texts with units: `11.9 m..12.1 m`, or `11.9..12.1 m`.
+
+    Raises InputError, for `text`, which says where it stands.
+    """
     low, _, high = what.partition("..")
     try:
         return float(low), float(high)

@@ -94,8 +94,8 @@ def uncertain(
 
     Args:
         scene: scene, preset's name, or scene file.
-        spreads: mapping from paths to frozen scipy.stats distributions, ranges (low, high), or per cents
-            such as "10 %": that far below and above the scene's value, evenly.
+        spreads: mapping from paths to frozen scipy.stats distributions, ranges (low, high) or "29..31 m",
+            or per cents such as "10 %": that far below and above the scene's value, evenly.
         samples: base samples, best a power of two. With SALib (`ropewalk[uncertain]`) there are
             `samples` times (parameters + 2) runs, from which come bands and Sobol indices; without it
             `samples` runs, and bands only.
