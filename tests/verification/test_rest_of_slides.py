@@ -14,7 +14,7 @@ from ropewalk.laws.slides.rail import look
 from ropewalk.laws.slides.table import AT, GRADIENT, PER_PLACE, R1
 from ropewalk.lowering import build
 from ropewalk.rigging.held_places import held_places, in_words
-from ropewalk.scene import Points, Slack, Straight
+from ropewalk.scene import Anchor, Load, Material, Points, Rope, Scene, Slack, Slide, Straight
 from ropewalk.simulation import Simulation
 from ropewalk.statics import checked_shape
 from ropewalk.statics.balance import Balance
@@ -275,3 +275,43 @@ def test_places_that_are_not_passed_unseen() -> None:
     balance = Balance(build(scene.replace(ropes=[forced, scene.ropes[1], rider], slides=slides)))
     bars = _bars(balance, balance.coupled.slide, 0)
     assert bars == pytest.approx([0, 40, 50, 60, 80, 3.9], abs=0.05)
+
+
+def tension_at_rest(length: float, segments: int) -> tuple[float, float]:
+    """The largest tension of a line over 10 m with 20 kg in its middle [N], and what its bend takes [m]."""
+    line = Rope(
+        name="line",
+        segments=segments,
+        length=length,
+        made_of=Material(EA=1e7, mass_per_length=1e-4),
+        shape=Slack(start=(0, 0, 0), end=(10, 0, 0)),
+    )
+    hook = Rope(
+        name="hook",
+        segments=1,
+        length=0.5,
+        made_of=Material(EA=1e6, mass_per_length=1e-4),
+        shape=Straight(start=(5, 0, -2), direction=(0, 0, -1)),
+        loads=[Load(node=-1, mass=20.0)],
+    )
+    scene = Scene(
+        ropes=[line, hook],
+        anchors=[Anchor(rope="line", node=0), Anchor(rope="line", node=-1)],
+        slides=[Slide(rope="hook", at=0.5 * length, friction=0.6)],
+        gravity=(0, 0, -9.81),
+    )
+    found = checked_shape(scene)
+    (seat,) = found.seats
+    assert seat.is_rounded == ("longer" in str(seat)) == (seat.rounded > 0.01 * length / segments)
+    return float(found.tension[:segments].max()), seat.rounded
+
+
+@pytest.mark.parametrize("segments", [10, 11, 21])
+@pytest.mark.parametrize("length", [10.2, 11.0])
+def test_it_is_told_how_much_rope_a_bend_takes(length: float, segments: int) -> None:
+    """A line that is given so much less pulls as two straight legs do; as it is it pulls 2 to 5 % less."""
+    slack = math.sqrt(0.25 * length**2 - 25.0)
+    exact = 20.0 * 9.81 * 0.25 * length / slack
+    read, taken = tension_at_rest(length, segments)
+    assert 0.94 < read / exact < 0.98
+    assert tension_at_rest(length - taken, segments)[0] == pytest.approx(exact, rel=7e-3)

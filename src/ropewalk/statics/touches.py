@@ -87,6 +87,14 @@ class Seat:
     most: float  # ... and could carry [N]
     off: float  # from the rope's curve to the node, as its spring yields [m]
     segment: float  # unstretched length of the rope's segments [m]
+    # What segments take of the bend there [m]: the rope's tension is that of one so much longer. A corner of
+    # the angle b that two segments share leaves h b^2 / 8 of the rope over.
+    rounded: float
+
+    @property
+    def is_rounded(self) -> bool:
+        """Whether segments are so long that the rope's tension is noticeably lower for it."""
+        return self.rounded > OFF * self.segment
 
     @property
     def hangs_off(self) -> bool:
@@ -103,6 +111,9 @@ class Seat:
         said += f", {prefixed(self.force, 'N', 4)} across it"
         if self.hangs_off:
             said += f", {prefixed(self.off, 'm', 3)} off it"
+        if self.is_rounded:
+            longer = prefixed(self.rounded, "m", 2)
+            said += f"; its bend there is spread over segments, so that it is pulled as if {longer} longer"
         if self.most == 0.0:
             return said
         carried, most = prefixed(abs(self.along), "N", 4), prefixed(self.most, "N", 4)
@@ -176,6 +187,18 @@ def seats(model: Model, memory: Any, x: Floats) -> tuple[Seat, ...]:
                 most=float(bound_of(table, memory.slide.sight, row)),
                 off=float(sight[APART]),
                 segment=float(table.length[row]),
+                rounded=_rounded(table, x, row),
             )
         )
     return tuple(found)
+
+
+def _rounded(table: Any, x: Floats, row: int) -> float:
+    """Return what segments take of the bend at a slide, nodes at `x` (3, n) [m], see `Seat`."""
+    first, last = int(table.first[row]), int(table.last[row])
+    line = x[:, first : last + 1]
+    ways, middles = np.diff(line, axis=1), 0.5 * (line[:, 1:] + line[:, :-1])
+    here = int(np.argmin(np.linalg.norm(middles - x[:, table.node[row], None], axis=0)))
+    a, b = ways[:, max(here - 2, 0)], ways[:, min(here + 2, last - first - 1)]
+    turn = math.atan2(float(np.linalg.norm(np.cross(a, b))), float(a @ b))
+    return 0.125 * float(table.length[row]) * turn**2
