@@ -90,11 +90,12 @@ class Seat:
     # What segments take of the bend there [m]: the rope's tension is that of one so much longer. A corner of
     # the angle b that two segments share leaves h b^2 / 8 of the rope over.
     rounded: float
+    spare: float  # by how much the rope is longer than its ends are apart [m]
 
     @property
     def is_rounded(self) -> bool:
-        """Whether segments are so long that the rope's tension is noticeably lower for it."""
-        return self.rounded > OFF * self.segment
+        """Whether segments are so long that the rope's tension is noticeably lower: by half of that share."""
+        return self.rounded > OFF * self.spare
 
     @property
     def hangs_off(self) -> bool:
@@ -188,6 +189,7 @@ def seats(model: Model, memory: Any, x: Floats) -> tuple[Seat, ...]:
                 off=float(sight[APART]),
                 segment=float(table.length[row]),
                 rounded=_rounded(table, x, row),
+                spare=_spare(x[:, int(table.first[row]) : int(table.last[row]) + 1]),
             )
         )
     return tuple(found)
@@ -202,3 +204,9 @@ def _rounded(table: Any, x: Floats, row: int) -> float:
     a, b = ways[:, max(here - 2, 0)], ways[:, min(here + 2, last - first - 1)]
     turn = math.atan2(float(np.linalg.norm(np.cross(a, b))), float(a @ b))
     return 0.125 * float(table.length[row]) * turn**2
+
+
+def _spare(line: Floats) -> float:
+    """Return by how much a rope of nodes at (3, n) [m] is longer than its ends are apart [m]."""
+    length = np.linalg.norm(np.diff(line, axis=1), axis=0).sum()
+    return float(length - np.linalg.norm(line[:, -1] - line[:, 0]))
