@@ -124,6 +124,16 @@ def test_info_has_quantiles_of_what_is_one_number_a_run(ropewalk: Call, tmp_path
         assert kept[f"reactions_max[{anchor}]"]["quantiles"][2] == median
 
 
+def test_numbers_of_a_sweep_with_broken_runs_say_whose_they_are(ropewalk: Call) -> None:
+    stiff = ("--vary", "rope.made_of.spring_constant=100,1e9", "--set", "run.duration=0.5")
+    done = ropewalk("sweep", "r8", *stiff, "--on", "here", "-o", "s")
+    assert "1 finished, 1 broke" in done.output
+    assert "those of the runs that ended well alone" in done.output
+    whole = ropewalk("sweep", "r8", "--vary", "rope.made_of.spring_constant=90,100", "--set",
+                     "run.duration=0.1", "--on", "here", "-o", "t")  # fmt: skip
+    assert "ended well alone" not in whole.output
+
+
 @pytest.mark.parametrize(
     ("words", "told"),
     [

@@ -13,6 +13,7 @@ import xarray as xr
 
 import ropewalk as rw
 from ropewalk.record.errors import InputError, RunError
+from ropewalk.sweeps.keep import DERIVED
 from sweeps.scenes import DOWN, EA, STIFF, alone, rigid, same, store_bytes, swing
 
 
@@ -360,3 +361,11 @@ def test_what_is_no_number_is_told_wherever_it_stands() -> None:
     for workers in (0, -2):
         with pytest.raises(InputError, match="workers"):
             rw.sweep(swing(0.02), {EA: [1e3]}, workers=workers, on="here")
+
+
+def test_a_sag_is_no_longer_than_its_rope() -> None:
+    """A rope that hangs almost plumb from one end has no line far above it, which it would lie below."""
+    result = rw.simulate(rw.preset("r2").replace(run={"duration": 2.0}))
+    drop = DERIVED["sag"].of(result)[:, 0]
+    longest = np.linalg.norm(np.diff(result.positions, axis=1), axis=2).sum(axis=1)
+    assert np.all(drop <= longest)

@@ -224,3 +224,29 @@ def test_frames_go_on_where_the_plan_stands() -> None:
     assert odd.frames_left == 97
     assert sum(block.frames for block in odd.frames()) == 97
     assert odd.time == pytest.approx(1.0033, abs=1e-12)
+
+
+def test_a_duration_of_single_precision_leaves_the_clock_in_double() -> None:
+    one, other = wound(), wound()
+    one.step(np.float32(0.01))
+    other.step(float(np.float32(0.01)))
+    for simulation in (one, other):
+        simulation.step(0.1)
+    assert type(one.time) is float
+    assert one.time == other.time
+    np.testing.assert_array_equal(one.positions, other.positions)
+
+
+def test_the_state_of_another_simulation_is_refused_before_anything_changes() -> None:
+    simulation, twin = wound(), wound()
+    simulation.step(0.1)
+    twin.restore(simulation.state)
+    np.testing.assert_array_equal(twin.positions, simulation.positions)
+    other = Simulation(
+        Scene(ropes=[Rope(segments=8, length=4.0, made_of=Material(EA=EA, mass_per_length=MU))],
+              anchors=[Anchor(node=0)])
+    )  # fmt: skip
+    before = other.positions.copy()
+    with pytest.raises(ValueError, match="9 nodes, 1 anchors and 0 winches"):
+        other.restore(simulation.state)
+    np.testing.assert_array_equal(other.positions, before)

@@ -9,7 +9,18 @@ import pytest
 
 from ropewalk.analysis.check import check
 from ropewalk.lowering import build
-from ropewalk.scene import Anchor, Ground, Load, Material, Rope, Scene, Slack, Springs, Straight
+from ropewalk.scene import (
+    Air,
+    Anchor,
+    Ground,
+    Load,
+    Material,
+    Rope,
+    Scene,
+    Slack,
+    Springs,
+    Straight,
+)
 from ropewalk.statics import Statics, rest, static_shape
 
 G = 9.81
@@ -318,3 +329,22 @@ def test_a_check_does_not_look_for_the_rest_of_very_many_nodes_on_the_ground(
     assert not found.statics.solved
     assert "the shape of rest was not looked for" in str(found)
     assert "weight alone" not in str(check(Scene(ropes=rope, anchors=held), measure=False))
+
+
+@pytest.mark.parametrize("wind", [0.0, 1.0])
+def test_a_sag_is_told_from_the_ends_where_the_line_between_them_is_nearly_upright(
+    wind: float,
+) -> None:
+    """What lies beside ends one above the other: the line, drawn on sideways, would come from far off.
+
+    In still air the lowest node is a quarter of a metre below the lower end, up to a segment of 75 mm.
+    """
+    wire = Material(EA=1e4, mass_per_length=0.1)
+    rope = Rope(segments=20, length=1.5, made_of=wire, shape=Slack(end=(0.01, 0.0, -1.0)))
+    held = [Anchor(node=0), Anchor(node=-1)]
+    air = Air(node_drag=0.1, wind=(wind, 0.0, 0.0))
+    (span,) = static_shape(Scene(ropes=rope, anchors=held, air=air)).spans
+    assert 0.0 <= span.rise < 1.0
+    assert 0.0 < span.sag < 1.25
+    if not wind:
+        assert span.sag > 1.25 - 0.075

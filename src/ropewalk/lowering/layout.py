@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from ropewalk.laws.acting import section_of
-from ropewalk.laws.parting import NAME as PARTING
 from ropewalk.laws.registry import NODE_LAWS
 from ropewalk.scene import Rope, Scene, Winch
 from ropewalk.scene.limits import MOST_ON_DRUM
@@ -73,7 +72,7 @@ class Layout:
     @property
     def touches(self) -> bool:
         """Whether ropes can touch anything whose force is recorded: obstacles, or each other."""
-        return bool(set(self.more) - {PARTING})
+        return bool(self.surfaces)
 
     @cached_property
     def _by_name(self) -> dict[str | None, Span]:

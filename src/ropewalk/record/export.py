@@ -42,10 +42,10 @@ def export(
 ) -> tuple[Path, ...]:
     """Write a result for other programs, in pieces; return the files to open.
 
-    csv and parquet make up to nine tables in the folder `out` (nodes, segments, anchors, joints, pulleys,
-    contacts, rope_contacts, wraps, run), or the file `out` itself where one table is asked for and `out`
-    ends in .csv or .parquet. npz makes the file `out`; vtk a folder with a .pvd for ParaView and one .vtp a
-    frame.
+    csv and parquet make up to ten tables in the folder `out` (nodes, segments, anchors, joints, pulleys,
+    contacts, rope_contacts, wraps, slides, run), or the file `out` itself where one table is asked for and
+    `out` ends in .csv or .parquet. npz makes the file `out`; vtk a folder with a .pvd for ParaView and one
+    .vtp a frame.
 
     Args:
         result: of a run in memory, or of a run folder: `Result.open(folder)`.

@@ -27,7 +27,16 @@ _CELL, _PLOTS, _SHARE, _VIEW = (
 )
 
 TableName = Literal[
-    "nodes", "segments", "anchors", "joints", "pulleys", "contacts", "rope_contacts", "wraps", "run"
+    "nodes",
+    "segments",
+    "anchors",
+    "joints",
+    "pulleys",
+    "contacts",
+    "rope_contacts",
+    "wraps",
+    "slides",
+    "run",
 ]
 
 
@@ -59,8 +68,8 @@ class Outlets:
         `nodes` (time, node, axis), `segments` (time, segment), `anchors` (time, anchor, axis), where there
         are anchors, `joints` (time, tie, axis), where there are joints, `pulleys` (time, pulley, motion),
         where obstacles turn freely, and `run` (time,) with a variable for each energy, work and component.
-        Where ropes touch something `contacts`, `rope_contacts` and
-        `wraps`, the tables of `to_pandas` with a dimension `row`. Units are in `attrs["units"]` of every
+        Where ropes touch something `contacts`, `rope_contacts` and `wraps`, and where something slides
+        `slides`, the tables of `to_pandas` with a dimension `row`. Units are in `attrs["units"]` of every
         variable. Each can be made into a table by `to_dataframe`.
         """
         from ropewalk.record.dataset import split_dataset
@@ -85,8 +94,9 @@ class Outlets:
                 torque [N m] of obstacles that turn freely), "contacts" (a row for every node on an obstacle
                 at each frame: forces [N], slip speed [m/s], whether it sticks or slips), "rope_contacts" (the
                 same for every two segments of ropes that press on each other), "wraps" (a row for every rope
-                on an obstacle at each frame: angle [rad], tensions before and after [N], their ratio) or
-                "run" (a row per frame: energies and works [J], momenta).
+                on an obstacle at each frame: angle [rad], tensions before and after [N], their ratio),
+                "slides" (a row for every slide at each frame: place [m], speed [m/s], load [N]) or "run" (a
+                row per frame: energies and works [J], momenta).
             nodes: only these nodes of every rope (negative: from its end), and the segments next to them.
             times: only the frames nearest to these times [s].
             every: only every so many frames.
@@ -114,10 +124,10 @@ class Outlets:
     ) -> tuple[Path, ...]:
         """Write the result for other programs, in pieces; return the files to open.
 
-        csv and parquet make up to nine tables in the folder `out` (nodes, segments, anchors, joints,
-        pulleys, contacts, rope_contacts, wraps, run), or the file `out` itself where one table is asked for
-        and `out` ends in .csv or .parquet. npz makes the file `out`; vtk a folder with a .pvd for ParaView
-        and one .vtp a frame.
+        csv and parquet make up to ten tables in the folder `out` (nodes, segments, anchors, joints,
+        pulleys, contacts, rope_contacts, wraps, slides, run), or the file `out` itself where one table is
+        asked for and `out` ends in .csv or .parquet. npz makes the file `out`; vtk a folder with a .pvd for
+        ParaView and one .vtp a frame.
 
         Args:
             to: csv, parquet, npz or vtk.

@@ -27,6 +27,8 @@ from ropewalk.record.quantities import (
 from ropewalk.record.rope_contact_table import HEADERS as ROPE_COLUMNS
 from ropewalk.record.rope_contact_table import rope_rows
 from ropewalk.record.selection import EXPORTED, Indices, Selection, select, take
+from ropewalk.record.slide_table import HEADERS as SLIDE_COLUMNS
+from ropewalk.record.slide_table import slide_rows
 from ropewalk.words.nearest import nearest
 
 if TYPE_CHECKING:
@@ -36,7 +38,7 @@ if TYPE_CHECKING:
 
 NAMES = (
     *("nodes", "segments", "anchors", "joints", "pulleys"),
-    *("contacts", "rope_contacts", "wraps", "run"),
+    *("contacts", "rope_contacts", "wraps", "slides", "run"),
 )
 Columns = list[NDArray[Any]]
 
@@ -56,7 +58,8 @@ def tables(result: Result, chosen: Selection, layout: str) -> list[Table]:
     nodes: positions and velocities; segments: tensions and unstretched length; anchors: reactions
     and moments; joints: their forces on each rope; pulleys: how they turn, and works; contacts: a row for
     each node on each obstacle; rope_contacts: one for each contact of two ropes; wraps: one for each rope on
-    each obstacle; run: energies, works, momentum, one row per frame in either layout.
+    each obstacle; slides: one for each slide; run: energies, works, momentum, one row per frame in either
+    layout.
     """
     ropes, numbers = _node_labels(result)
     at_nodes = [f"{ropes[i]}[{numbers[i]}]" for i in chosen.nodes]
@@ -111,6 +114,11 @@ _OF_NODES = (
     *("greatest_speed", "least_height", "greatest_height"),
 )
 _OF_CONTACTS = ("positions", "velocities", "contact_force")  # what they follow from
+_OF_SLIDES = (
+    "positions",
+    "velocities",
+    "tension",
+)  # the last, for a table of nodes alone stays alone
 _OF_SEGMENTS = (
     *("tension", "elastic_tension", "least_tension", "greatest_tension", "greatest_stretch"),
     "rest_length",
@@ -237,7 +245,7 @@ def _run_table(result: Result, chosen: Selection) -> Table | None:
 
 
 def contact_tables(result: Result, chosen: Selection) -> list[Table]:
-    """Return who touches what, in either layout a row for every contact at every frame."""
+    """Return who touches what and where it slides, in either layout a row for each at every frame."""
     asked = [q for q in chosen.quantities if q in result.source.names]
     on_obstacles = bool(result.scene.obstacles) and set(_OF_CONTACTS) <= set(asked)
     kinds: list[tuple[str, bool, Sequence[str], Callable[[Indices], Columns]]] = [
@@ -253,6 +261,12 @@ def contact_tables(result: Result, chosen: Selection) -> list[Table]:
             on_obstacles and "tension" in asked,
             WRAP_COLUMNS,
             lambda piece: wrap_rows(result, piece, chosen.nodes),
+        ),
+        (
+            "slides",
+            bool(result.scene.slides) and set(_OF_SLIDES) <= set(asked),
+            SLIDE_COLUMNS,
+            slide_rows(result, chosen.nodes),
         ),
     ]
     return [

@@ -174,7 +174,8 @@ class Simulation(Driven):
         return counts(self._engine.walk)
 
     def restore(self, snapshot: Snapshot) -> None:
-        """Go back (or forth) to a snapshot of this simulation; places still to go to are forgotten."""
+        """Go to a snapshot of this simulation; goals are forgotten. ValueError for one of another size."""
+        snapshot.must_fit(self._state, self._kinds, self._drive)
         self._goals.clear()
         arrays.assign(self._state, snapshot.state)
         self._start, self._dt, self._step = snapshot.start, snapshot.dt, snapshot.step
@@ -202,7 +203,7 @@ class Simulation(Driven):
         the step, or the part of it, without solution; `time` is the state's. ValueError for a
         duration that is not positive and finite.
         """
-        if duration is None or duration == self.plan.frame_interval:
+        if duration is None or (duration := float(duration)) == self.plan.frame_interval:
             count, dt = self.plan.steps_per_frame, self.plan.dt
         else:
             if not (math.isfinite(duration) and duration > 0.0):

@@ -22,3 +22,12 @@ class Snapshot(NamedTuple):
     clamp_turns: Floats  # (3, a, 3) direction, axis and turn of the clamps, see `arrays.Bending`
     bodies: Bodies  # how obstacles move, as hands have it
     inner: Floats  # (m,) what islands keep to themselves; (0,) where all is one
+
+    def must_fit(self, state: State, motion_kinds: Ints, winch_drive: Floats) -> None:
+        """Raise ValueError where it has not as many nodes, anchors and winches as a simulation."""
+        own = (self.state.x.shape[1], self.motion_kinds.size, self.winch_drive.shape[1])
+        here = (state.x.shape[1], motion_kinds.size, winch_drive.shape[1])
+        if own != here:
+            shown = "of {} nodes, {} anchors and {} winches"
+            rule = f"must be of this simulation, {shown.format(*here)}"
+            raise ValueError(f"snapshot: {shown.format(*own)} - {rule}")

@@ -104,7 +104,7 @@ def _measure(
     if across <= 1e-9 * float(np.linalg.norm(ends)):
         chord = np.full(heights.size, min(rise, 0.0))
     else:
-        chord = level @ level[-1] / across**2 * rise
+        chord = np.clip(level @ level[-1] / across**2, 0.0, 1.0) * rise  # beyond an end: that end
     steps = np.diff(points, axis=0)
     sizes = np.linalg.norm(steps, axis=1)
     flat = steps - np.outer(steps @ up, up)

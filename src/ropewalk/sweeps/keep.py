@@ -69,7 +69,11 @@ def _stretch(result: Result) -> Floats:
 
 
 def _sag(result: Result) -> Floats:
-    """Largest drop of each rope below the straight line between its ends, along gravity."""
+    """Largest drop of each rope below the straight line between its ends, along gravity.
+
+    What lies beyond an end, seen from above, is measured from that end: a line that is nearly upright
+    would come from far above.
+    """
     up = np.asarray(result.scene.up)
     found = np.zeros((result.frames, len(result.layout.ropes)))
     for column, span in enumerate(result.layout.ropes):
@@ -82,6 +86,7 @@ def _sag(result: Result) -> Floats:
         rise = heights[:, -1]
         upright = across2 <= 1e-18 * (from_first[:, -1] ** 2).sum(axis=1)
         share = np.einsum("fni,fi->fn", level, end) / np.where(upright, 1.0, across2)[:, None]
+        share = np.clip(share, 0.0, 1.0)
         chord = np.where(upright[:, None], np.minimum(rise, 0.0)[:, None], share * rise[:, None])
         found[:, column] = np.maximum((chord - heights).max(axis=1), 0.0)
     return found

@@ -38,7 +38,8 @@ _FLAGS = {
     multiple=True,
     metavar="NAME",
     help="positions, velocities, tension, elastic_tension, rest_length, energy, work, reactions, moments, "
-    "momentum or angular_momentum; can be given again. Default: all but momenta and rest_length.",
+    "joint_forces, pulleys, contact_force, contact_work, momentum, angular_momentum or another of those "
+    "recorded; can be given again. Default: all but momenta, rest_length, and places and times of extremes.",
 )
 @click.option(
     "--node",
@@ -75,8 +76,9 @@ def export(
 ) -> None:
     """Write the numbers of the run in DIR for other programs.
 
-    csv and parquet make tables (nodes, segments, anchors, joints, contacts, run), npz a NumPy file, vtk
-    a series that ParaView opens. Columns carry units.
+    csv and parquet make tables (nodes, segments, anchors, joints, pulleys, contacts, rope_contacts,
+    wraps, slides, run; those that the run has), npz a NumPy file, vtk a series that ParaView opens.
+    Columns carry units.
     """
     from ropewalk.record.errors import InputError
     from ropewalk.record.export import export as write

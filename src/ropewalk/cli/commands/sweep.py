@@ -186,6 +186,7 @@ def info_folder(folder: Path, *, as_json: bool, checked: bool = False) -> None:
     print_table(columns, [_kept(v) for v in found["kept"]], right=range(3, 8))
     causes = [(str(count), why) for why, count in found["causes"].items()]
     if causes:
+        say("the numbers of what was kept are those of the runs that ended well alone")
         print_table(("broken runs", "cause (# is a number that differs)"), causes)
     if found["damaged"]:
         warn(f"{len(found['damaged'])} stored batches are damaged; resume makes them again")
