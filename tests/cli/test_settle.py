@@ -28,6 +28,12 @@ def test_settle_prints_what_is_asked_for(ropewalk: Call, scene: Path) -> None:
     assert sorted(path.name for path in scene.parent.iterdir()) == ["scene.toml"]
 
 
+def test_forces_of_anchors_have_their_unit_in_kilonewtons_too(ropewalk: Call, scene: Path) -> None:
+    assert "anchor's force [N]" in ropewalk("settle", scene).stdout
+    heavy = ropewalk("settle", scene, "--set", "rope.made_of.node_mass=1000")
+    assert "anchor's force [kN]" in heavy.stdout
+
+
 def test_settle_json_meets_the_weight(ropewalk: Call, scene: Path) -> None:
     done = ropewalk("settle", scene, "--json", "--set", "rope.segments=10")
     found = json.loads(done.stdout)

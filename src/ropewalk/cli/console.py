@@ -92,7 +92,7 @@ def _drawn(
     )
     for i, name in enumerate(columns):
         number = i in aligned
-        table.add_column(name, justify="right" if number else "left", no_wrap=number)
+        table.add_column(Text(name), justify="right" if number else "left", no_wrap=number)
     for row in rows:
         table.add_row(*(Text(cell) for cell in row))
     page = console()

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 _COLUMNS = 3
 _MOST = 12
-_SWING = 0.12  # largest displacement drawn, over the shape's extent [1]
+_SWING = 0.12  # largest displacement drawn, over the extent of what is drawn [1]
 
 
 @styled
@@ -42,7 +42,10 @@ def mode_shapes(modes: Modes, *, most: int = _MOST) -> Figure:
         _draw(axes, modes, sight, number)
     about = f"about its {modes.about}; grey: the shape itself, colours: half a period apart"
     set_title(figure, f"{modes.scene.name}: modes", about)
-    notes = ["Displacements are drawn with one size for all; small motions are meant."]
+    notes = [
+        f"Displacements of 1 are drawn as {100.0 * _SWING:g} % of what is widest in each picture; small "
+        "motions are meant."
+    ]
     if modes.count > count:
         notes.append(f"The first {count} of {modes.count} modes.")
     set_note(figure, notes)
@@ -74,16 +77,17 @@ def _draw(axes: Axes, modes: Modes, sight: Sight, number: int) -> None:
     moved = sight.project(shape)
     aside = np.cross(sight.across, sight.up)
     hidden = float(np.abs(shape @ aside).max()) > float(np.abs(moved).max())
-    for span in modes.layout.ropes:
-        part = slice(span.start, span.end + 1)
+    parts = [slice(span.start, span.end + 1) for span in modes.layout.ropes]
+    if hidden:
+        arcs = [_arc(modes.positions[part]) for part in parts]
+        extent = max(float(arc[-1]) for arc in arcs) or 1.0
+    for k, part in enumerate(parts):
         if hidden:
-            steps = np.linalg.norm(np.diff(modes.positions[part], axis=0), axis=1)
-            arc = np.concatenate([[0.0], np.cumsum(steps)])
-            extent = float(arc[-1]) or 1.0
+            arc = arcs[k]
             flat = np.stack([arc, np.zeros_like(arc)], axis=1)
             moved = np.stack([np.zeros_like(arc), (shape @ aside)[part]], axis=1)
         base, push = (flat, moved) if hidden else (flat[part], moved[part])
-        size = _SWING * extent * (1.0 if not hidden else 1.6)
+        size = _SWING * extent
         axes.plot(*base.T, color=GREY, linewidth=0.9, zorder=1)
         for sign, colour, style in ((1.0, COLOURS[0], "-"), (-1.0, COLOURS[1], "--")):
             points = base + sign * size * push
@@ -101,3 +105,8 @@ def _draw(axes: Axes, modes: Modes, sight: Sight, number: int) -> None:
     if motion.name == "turns":
         words = f"{motion.rope} turns"
     axes.text(0.0, 1.0, words, transform=axes.transAxes, fontsize=7.5, color=EARTH, va="bottom")
+
+
+def _arc(points: Floats) -> Floats:
+    steps = np.linalg.norm(np.diff(points, axis=0), axis=1)
+    return np.concatenate([[0.0], np.cumsum(steps)])
