@@ -30,9 +30,10 @@ class Pair(NamedTuple):
     out: Any
 
 
-def fresh(function: Any, returns: str = "none") -> Any:
+def fresh(function: Any, returns: str = "none", count: int = 0) -> Any:
     """Return a deferred kernel that nothing keeps on disk."""
-    return compiler.deferred(function, OPTIONS, getattr(types, returns))
+    kind = getattr(types, returns)
+    return compiler.deferred(function, OPTIONS, types.UniTuple(kind, count) if count else kind)
 
 
 def _add(pair, factor, first=0):
@@ -131,6 +132,29 @@ def call_promises(pair):
 def test_what_returns_something_else_is_not_called() -> None:
     with pytest.raises(TypeError, match="promises returns float64, and is said to return int64"):
         call_promises(Pair(np.ones(1), np.zeros(1)))
+
+
+def _both_ends(pair):
+    return pair.numbers[0], pair.numbers[2]
+
+
+both_ends = fresh(_both_ends, "float64", 2)
+both_ends.py_func.__qualname__ = "both_ends"
+
+
+@kernel
+def between_ends(pair):
+    """Return how much more the last number is than the first."""
+    first, last = both_ends(pair)
+    return last - first
+
+
+def test_several_numbers_come_back() -> None:
+    assert between_ends(Pair(np.array([1.0, 2.0, 5.0]), np.zeros(1))) == 4.0
+
+
+def test_the_decorator_tells_how_many_come_back() -> None:
+    assert deferred("float64", 2)(_both_ends).returns == types.UniTuple(types.float64, 2)
 
 
 def test_a_function_in_a_function_is_refused() -> None:

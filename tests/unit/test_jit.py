@@ -182,3 +182,15 @@ def test_numba_is_asked_once_what_a_sum_is(monkeypatch) -> None:
     assert not asked
     assert entry(lambda a, b: (a * b) + a, OPTIONS)(2.0, 3) == 8.0
     assert asked
+
+
+@pytest.mark.skipif(PLAIN, reason="there is no machine code")
+@pytest.mark.parametrize("asked_for", [False, True])
+def test_a_kernel_takes_no_option_from_the_one_that_calls_it_first(asked_for: bool) -> None:
+    """Only what says so itself is put into its callers wherever it is called; numba hands that on."""
+    own = {"forceinline": asked_for}
+    called = entry(lambda a: a * a, OPTIONS | own)
+    calls = entry(lambda a: called(a) + 1.0, OPTIONS | {"forceinline": True})
+    assert calls(3.0) == 10.0
+    (found,) = called.inner.overloads.values()
+    assert found.fndesc.inline is asked_for

@@ -20,6 +20,7 @@ OPTIONS: dict[str, Any] = {
     "error_model": "numpy",
     "_nrt": False,
     "no_cfunc_wrapper": True,
+    "forceinline": False,  # else numba takes it from the kernel that a call is first met in
 }
 
 
@@ -43,17 +44,20 @@ def _cached(compiled: Any, function: Callable[..., Any]) -> Any:
     return compiled
 
 
-def deferred(returns: str = "none") -> Callable[[Callable[..., Any]], Any]:
+def deferred(returns: str = "none", count: int = 0) -> Callable[[Callable[..., Any]], Any]:
     """As `kernel`, for what only some scenes call: compiled, apart from its callers, at its first call.
 
-    `returns` is numba's name of the type of what it returns, as no caller looks into it. Nor does LLVM: this
-    is for pieces that take longer than a call.
+    `returns` is numba's name of the type of what it returns, as no caller looks into it; with `count` it is a
+    tuple of so many. Nor does LLVM: this is for pieces that take longer than a call.
     """
+    kind: Any = getattr(types, returns)
+    if count:
+        kind = types.UniTuple(kind, count)
 
     def decorate(function: Callable[..., Any]) -> Any:
         if PLAIN:
             return function
-        return _cached(make_deferred(function, OPTIONS, getattr(types, returns)), function)
+        return _cached(make_deferred(function, OPTIONS, kind), function)
 
     return decorate
 

@@ -14,7 +14,7 @@ from ropewalk.core.jit import kernel, small
 from ropewalk.laws.obstacle_shapes import probe
 
 
-@kernel
+@small
 def rotated(axis, c, s, x, y, z):
     """Return a vector turned about an axis by the angle of cosine `c` and sine `s`."""
     ex, ey, ez = axis[0], axis[1], axis[2]

@@ -10,13 +10,13 @@ from __future__ import annotations
 
 import math
 
-from ropewalk.core.jit import kernel
+from ropewalk.core.jit import kernel, small
 from ropewalk.laws.triangles import mesh_probe
 
 PLANE, SPHERE, CYLINDER, CAPSULE, BOX, TORUS, HALF_PIPE, MESH = range(8)
 
 
-@kernel
+@small
 def probe(kind, center, axis, size, x, y, z):
     """Return the distance of a point to a surface [m], negative inside, and n, a, c, c'.
 
@@ -65,7 +65,7 @@ def probe(kind, center, axis, size, x, y, z):
     return beyond, side * ex, side * ey, side * ez, 0.0, 0.0, 0.0, 0.0, 0.0
 
 
-@kernel
+@small
 def _over(rho):
     """Return 1 / rho, 0 on the axis."""
     return 1.0 / rho if rho > 0.0 else 0.0
@@ -82,7 +82,7 @@ def _across(ex, ey, ez):
     return x / size, y / size, z / size
 
 
-@kernel
+@small
 def _ball(px, py, pz, radius):
     """Return what `probe` does about a point."""
     d = math.sqrt(px * px + py * py + pz * pz)
@@ -91,7 +91,7 @@ def _ball(px, py, pz, radius):
     return d - radius, px / d, py / d, pz / d, 0.0, 0.0, 0.0, 1.0 / d, 0.0
 
 
-@kernel
+@small
 def _rim(out, far, d, radius, rho, ux, uy, uz, ex, ey, ez, wx, wy, wz):
     """Return what `probe` does about a circle: `out` of it, `far` along its axis, `d` from it."""
     if d == 0.0:
@@ -114,7 +114,7 @@ def _trough(rho, ux, uy, uz, ex, ey, ez, size):
     return size[0] - abs(beside), side * sx, side * sy, side * sz, 0.0, 0.0, 0.0, 0.0, 0.0
 
 
-@kernel
+@small
 def _box(px, py, pz, ex, ey, ez, size):
     """Return what `probe` does for a box, whose third edge is along its axis; see `obstacle.Obstacles`."""
     fx, fy, fz = size[4], size[5], size[6]
@@ -141,7 +141,7 @@ def _box(px, py, pz, ex, ey, ez, size):
     )
 
 
-@kernel
+@small
 def _upright_box(px, py, pz, hx, hy, hz, edge):
     """Return what `probe` does for a box along the axes; its half sizes are less the edges' radius."""
     sx, sy, sz = (

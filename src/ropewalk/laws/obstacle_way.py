@@ -71,24 +71,30 @@ def between(p, q, share):
     return rest * p[0] + share * q[0], rest * p[1] + share * q[1], rest * p[2] + share * q[2]
 
 
+@kernel
+def surface_near(obstacles, o, x, y, z):
+    """Return distance [m] and normal of the surface of obstacle o near a place in the body's frame."""
+    center, axis, size = obstacles.center[o], obstacles.axis[o], obstacles.size[o]
+    gap, nx, ny, nz, _, _, _, _, _ = probe(obstacles.kind[o], center, axis, size, x, y, z)
+    return gap, nx, ny, nz
+
+
 @small
 def gap_at(obstacles, o, p):
     """Return how far a place in the body's frame is from the surface of obstacle o [m]."""
-    center, axis, size = obstacles.center[o], obstacles.axis[o], obstacles.size[o]
-    return probe(obstacles.kind[o], center, axis, size, p[0], p[1], p[2])[0]
+    return surface_near(obstacles, o, p[0], p[1], p[2])[0]
 
 
 @kernel
 def inward(obstacles, o, thickness, p, q):
     """Return whether a point from p to q comes to the surface of obstacle o, and the normal where it does."""
-    kind, center, axis = obstacles.kind[o], obstacles.center[o], obstacles.axis[o]
-    size, thin = obstacles.size[o], obstacles.thin[o] + thickness
+    thin = obstacles.thin[o] + thickness
     dx, dy, dz = q[0] - p[0], q[1] - p[1], q[2] - p[2]
     way, share = math.sqrt(dx * dx + dy * dy + dz * dz), 0.0
     nx, ny, nz = 0.0, 0.0, 0.0
     for _ in range(TRIES):
         x, y, z = p[0] + share * dx, p[1] + share * dy, p[2] + share * dz
-        gap, nx, ny, nz, _, _, _, _, _ = probe(kind, center, axis, size, x, y, z)
+        gap, nx, ny, nz = surface_near(obstacles, o, x, y, z)
         gap -= thickness
         if gap <= 0.0:
             return True, nx, ny, nz
@@ -281,8 +287,7 @@ def swerves(obstacles, o, i, p, f, q):
     enters, ax, ay, az = inward(obstacles, o, thickness, p, f)
     if not enters or ax * dx + ay * dy + az * dz > -STILL * obstacles.diameter[i]:
         return False
-    center, axis, size = obstacles.center[o], obstacles.axis[o], obstacles.size[o]
-    _, bx, by, bz, _, _, _, _, _ = probe(obstacles.kind[o], center, axis, size, q[0], q[1], q[2])
+    _, bx, by, bz = surface_near(obstacles, o, q[0], q[1], q[2])
     return ax * bx + ay * by + az * bz < SWERVE
 
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 
-from ropewalk.core.jit import kernel
+from ropewalk.core.jit import deferred, small
 
 # A mesh as a row of numbers: how much it is rounded [m], how many boxes, where triangles and normals begin;
 # then the boxes: low and high corner [m], the box after all that are in it, its first triangle and how many
@@ -20,7 +20,7 @@ BOX_WIDTH, TRIANGLE_WIDTH, NORMAL_WIDTH = 9, 9, 21
 FACE, AB, BC, CA, A, B, C = range(7)
 
 
-@kernel
+@deferred("float64", 9)
 def mesh_probe(mesh, x, y, z):
     """Return what `obstacle_shapes.probe` does of a mesh; x, y, z in its own frame [m]."""
     triangle, feature, px, py, pz, square = nearest(mesh, x, y, z)
@@ -43,7 +43,7 @@ def mesh_probe(mesh, x, y, z):
     return gap, nx, ny, nz, ax / size, ay / size, az / size, over, 0.0
 
 
-@kernel
+@small
 def nearest(mesh, x, y, z):
     """Return the triangle, its feature, the place on it [m] and the squared distance [m^2]."""
     boxes, corners = int(mesh[BOXES]), int(mesh[TRIANGLES])
@@ -61,7 +61,7 @@ def nearest(mesh, x, y, z):
     return triangle, feature, px, py, pz, best
 
 
-@kernel
+@small
 def likely(mesh, x, y, z):
     """Return a box of triangles near a point: from it on most others are known to be farther."""
     box = 0
@@ -76,7 +76,7 @@ def likely(mesh, x, y, z):
     return box
 
 
-@kernel
+@small
 def to_box(mesh, at, x, y, z):
     """Return the squared distance to a box [m^2], 0 inside."""
     dx = max(mesh[at] - x, 0.0, x - mesh[at + 3])
@@ -85,7 +85,7 @@ def to_box(mesh, at, x, y, z):
     return dx * dx + dy * dy + dz * dz
 
 
-@kernel
+@small
 def to_middle(mesh, at, x, y, z):
     """Return the squared distance to the middle of a box [m^2]."""
     dx = 0.5 * (mesh[at] + mesh[at + 3]) - x
@@ -94,7 +94,7 @@ def to_middle(mesh, at, x, y, z):
     return dx * dx + dy * dy + dz * dz
 
 
-@kernel
+@small
 def in_box(mesh, corners, box, x, y, z):
     """Return what `nearest` does of the triangles right in a box; inf as the distance where it has none."""
     at = HEAD + BOX_WIDTH * box
@@ -108,7 +108,7 @@ def in_box(mesh, corners, box, x, y, z):
     return triangle, feature, px, py, pz, best
 
 
-@kernel
+@small
 def on_triangle(mesh, at, x, y, z):
     """Return the feature and the place [m] of a triangle that are nearest to a point."""
     ax, ay, az = mesh[at], mesh[at + 1], mesh[at + 2]

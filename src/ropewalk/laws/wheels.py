@@ -80,6 +80,13 @@ def turned(obstacles, memory, row, now):
 @kernel
 def find_rates(x, v, obstacles, memory, now):
     """Write the rates of all wheels for nodes at places `x` with velocities `v`, (3, n)."""
+    if obstacles.inertia.shape[0] > 0:
+        _find_rates(x, v, obstacles, memory, now)
+
+
+@deferred()
+def _find_rates(x, v, obstacles, memory, now):
+    """Do what `find_rates` does where there are wheels."""
     for o in range(obstacles.wheel.shape[0]):
         w = obstacles.wheel[o]
         if w < 0:
@@ -238,6 +245,13 @@ def _find_rate(x, v, obstacles, memory, o, now):
 @kernel
 def begin_ties(x, v, obstacles, memory, now):
     """Write for the rates found what ties the nodes on a wheel: u; z is to come, by `write_row`."""
+    if obstacles.inertia.shape[0] > 0:
+        _begin_ties(x, v, obstacles, memory, now)
+
+
+@deferred()
+def _begin_ties(x, v, obstacles, memory, now):
+    """Do what `begin_ties` does where there are wheels."""
     for o in range(obstacles.wheel.shape[0]):
         w = obstacles.wheel[o]
         if w < 0:
