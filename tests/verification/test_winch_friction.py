@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import ropewalk as rw
-from ropewalk.scene import Anchor, Load, Material, Rope, RunSettings, Scene, Winch
+from ropewalk.scene import Anchor, Load, Material, Rope, RunSettings, Scene, Straight, Winch
 
 C, SEGMENTS, LENGTH, TIME = 400.0, 6, 3.0, 0.03  # N s, 1, m, s
 STEPS = {"semi-implicit-euler": 2e-5, "rk4": 5e-5, "verlet": 5e-5, "esdirk3": 2e-4, "sdirk2": 2e-4}
@@ -70,3 +70,24 @@ def test_the_drum_is_pulled_by_friction_too(speed: float) -> None:
     spring = -speed * 2e4 * (strain + 0.5 * strain**2)  # the twin: without friction
     without = float((0.5 * (spring[1:] + spring[:-1]) * np.diff(t)).sum())
     assert abs(without - work) > 0.3 * abs(work)
+
+
+@pytest.mark.parametrize("ledger", [True, False])
+@pytest.mark.parametrize("method", sorted(STEPS))
+def test_what_friction_hauls_was_given_without_a_ledger_too(method: str, ledger: bool) -> None:
+    """A soft damped rope hauls a load: friction pulls, the spring is idle, and nothing has made up energy."""
+    rope = Rope(
+        segments=3,
+        length=1.5,
+        made_of=Material(EA=10.0, mass_per_length=0.1, axial_damping=100.0),
+        shape=Straight(start=(0, 0, 0), end=(1.5, 0, 0)),
+        loads=[Load(node=-1, mass=1.0)],
+    )
+    run = RunSettings(method=method, time_step=5e-5, duration=0.06, frame_rate=50.0)
+    winch = Winch(end="start", speed=-0.5, start=0.01)
+    scene = Scene(
+        ropes=[rope], anchors=[Anchor(node=0)], winches=[winch], gravity=(0, 0, 0), run=run
+    )
+    result = rw.simulate(scene, ledger=ledger)
+    assert result.status == "finished"
+    assert np.asarray(result.energy["kinetic"])[-1] > 100.0 * np.asarray(result.energy["elastic"])[-1]

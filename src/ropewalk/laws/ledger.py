@@ -15,7 +15,7 @@ from ropewalk.core.ranges import ALL, rows
 from ropewalk.laws.booking import book_nodes
 from ropewalk.laws.fresh import working_segment
 from ropewalk.laws.nodes import on_channels
-from ropewalk.laws.rare import has_bending, limits, winds
+from ropewalk.laws.rare import has_bending, limits
 
 
 @kernel
@@ -46,8 +46,6 @@ def account(system, state, forces, middle, dt, lo=0, hi=ALL):
     begin, end = max(lo - 1, 0), min(hi, state.mass.shape[0]) - 1
     add_segment_power(forces.elastic, middle, dt, work.elastic, begin, end)
     add_segment_power(forces.friction, middle, dt, work.friction, begin, end)
-    if winds(system, state):
-        book_growth(system, state, forces.friction, dt, begin, end)
     add_weight_power(state.mass, system.gravity, middle, dt, work.weight, lo, hi)
     if has_bending(system):
         add_segment_power(forces.bending, middle, dt, work.bending, begin, end)
@@ -74,16 +72,17 @@ def add_segment_power(force, middle, dt, work, lo=0, hi=ALL):
 
 
 @deferred()
-def book_growth(system, state, friction, dt, lo, hi):
+def book_growth(system, state, friction, dt, lo=0, hi=ALL):
     """Give the winches what the friction of their working segments, (3, n + 1), does as rope is wound.
 
     Friction follows r' - r L'/L, see `growth_friction`: by that it takes, and only takes; of the power
-    along r' the rest, f r L'/L, is the drum's. For segments `lo` to `hi - 1`.
+    along r' the rest, f r L'/L, is the drum's. For segments that end at nodes `lo` to `hi - 1`. Without a
+    ledger, too: the verdict knows by it what winches have given.
     """
     x, L = state.x, state.rest_length
     for row in range(state.winch_exit.shape[0]):
         j = working_segment(system.winches, state.winch_exit, row)
-        if lo <= j < hi:
+        if lo <= j + 1 < hi:
             pull = 0.0
             for k in range(3):
                 pull += friction[k, j + 1] * (x[k, j + 1] - x[k, j])

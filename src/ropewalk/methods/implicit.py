@@ -31,7 +31,7 @@ from ropewalk.laws.inner import (
     write_ends,
     write_rates,
 )
-from ropewalk.laws.ledger import account
+from ropewalk.laws.ledger import account, book_growth
 from ropewalk.laws.rare import has_bending, has_inner, winds
 from ropewalk.laws.table import accelerate
 from ropewalk.laws.wheels import aim_no_wheels, end_aim
@@ -298,6 +298,8 @@ def take_step(
     move_anchors(system, state, mean, after, dt, middle, scratch.point, scratch.speed)
     if struck:
         state.jolt[0] = 1.0
+    if winds(system, state):
+        book_growth(system, state, mean.friction, dt)
     if ledger:
         account(system, state, mean, middle, dt)
     take_ends(system, state, scratch.ends, dt, ledger)

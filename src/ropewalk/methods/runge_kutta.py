@@ -12,7 +12,7 @@ import numpy as np
 from ropewalk.core.jit import part
 from ropewalk.laws.anchors import move_anchors, place_stage
 from ropewalk.laws.inner import end_stages, next_stage
-from ropewalk.laws.ledger import account
+from ropewalk.laws.ledger import account, book_growth
 from ropewalk.laws.rare import has_inner, winds
 from ropewalk.laws.table import accelerate, evaluate
 from ropewalk.laws.winch import wind_to
@@ -63,6 +63,7 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
     move_anchors(system, state, mean, after, dt, middle, scratch.point, scratch.speed)
     if winds(system, state):
         book_end(system, state, state.x, t, after, scratch.turning)
+        book_growth(system, state, mean.friction, dt)
     if ledger:
         account(system, state, mean, middle, dt)
     if has_inner(system, state):

@@ -12,8 +12,8 @@ from ropewalk.core.jit import deferred, kernel, part, small
 from ropewalk.core.ranges import rows
 from ropewalk.laws.anchors import move_anchors
 from ropewalk.laws.inner import note_strains, relax
-from ropewalk.laws.ledger import account
-from ropewalk.laws.rare import has_inner
+from ropewalk.laws.ledger import account, book_growth
+from ropewalk.laws.rare import has_inner, winds
 from ropewalk.laws.table import (
     accelerate,
     add_up_and_look,
@@ -146,6 +146,8 @@ def step(system, state, scratch, t, after, dt, ledger, tableau, lo, hi):
     move_anchors(system, state, forces, after, dt, middle, point, speed, lo, hi)
     if looks:
         keep_anchors(system, state, lo, hi)
+    if winds(system, state):
+        book_growth(system, state, friction, dt, lo, hi)
     if ledger:
         account(system, state, forces, middle, dt, lo, hi)
     if has_inner(system, state):

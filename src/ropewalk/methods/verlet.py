@@ -11,7 +11,7 @@ from __future__ import annotations
 from ropewalk.core.jit import part
 from ropewalk.laws.anchors import move_anchors, place_stage
 from ropewalk.laws.inner import note_strains, relax_while_winding
-from ropewalk.laws.ledger import account
+from ropewalk.laws.ledger import account, book_growth
 from ropewalk.laws.rare import has_inner, winds
 from ropewalk.laws.table import accelerate, evaluate
 from ropewalk.laws.winch_books import book_begin, book_end, book_memory
@@ -46,6 +46,7 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
     move_anchors(system, state, mean, after, dt, middle, scratch.point, scratch.speed)
     if winds(system, state):
         book_end(system, state, x, t, after, scratch.turning)
+        book_growth(system, state, mean.friction, dt)
         if has_inner(system, state):
             book_memory(system, state, t, after, scratch.turning)
     if ledger:
