@@ -160,6 +160,25 @@ def test_predicted_steps_know_the_bends_at_the_drum(clamped: bool) -> None:
     assert (base.bending[:working] == 0.0).all()
 
 
+@pytest.mark.parametrize("end", ["start", "end"])
+def test_a_clamp_at_a_drum_that_lets_go_leaves_no_bend_there(end: str) -> None:
+    """Rope on the drum does not bend. The twin: a clamp further out does, and is so much stiffer."""
+
+    def springs(node: int, release: float | None) -> np.ndarray:
+        scene = beam("cantilever", 0.6, 0.4, 1.0, end)
+        drum = scene.anchors[0]
+        clamp = drum.replace(name="clamp", node=node, release_time=release)
+        anchors = [clamp] if scene.anchor_node(clamp) == scene.anchor_node(drum) else [drum, clamp]
+        model = build(scene.replace(anchors=anchors))
+        found: np.ndarray = bends(model.system, model.state)[0]
+        return found
+
+    for node in (0, 3) if end == "start" else (-1, 3):
+        held, lets_go = springs(node, None), springs(node, 0.2)
+        assert np.array_equal(held, lets_go) == (node != 3)
+        assert (lets_go >= held).all()
+
+
 @pytest.mark.parametrize("amplitude", [1e-4, 1e-6])
 def test_nearly_straight_ropes_with_friction_have_solutions(amplitude: float) -> None:
     """Bends of 1e-8 to 1e-5: rounding turns their plane. Shaken so a rope moves as the shake is large."""

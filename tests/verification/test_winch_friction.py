@@ -90,4 +90,6 @@ def test_what_friction_hauls_was_given_without_a_ledger_too(method: str, ledger:
     )
     result = rw.simulate(scene, ledger=ledger)
     assert result.status == "finished"
-    assert np.asarray(result.energy["kinetic"])[-1] > 100.0 * np.asarray(result.energy["elastic"])[-1]
+    assert (
+        np.asarray(result.energy["kinetic"])[-1] > 100.0 * np.asarray(result.energy["elastic"])[-1]
+    )

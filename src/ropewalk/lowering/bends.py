@@ -28,9 +28,12 @@ def bends(system: System, state: State) -> tuple[Floats, Floats]:
         return springs, rubbing
     stiffness, damping = state.bending_stiffness.copy(), state.bending_damping.copy()
     for row in np.flatnonzero(table.clamped):
-        if np.isfinite(system.anchors.release[row]):  # bends as any other node from then on
-            node = state.anchor_node[row]
-            stiffness[node], damping[node] = table.stiffness[node], table.damping[node]
+        node = state.anchor_node[row]
+        lasts = not np.isfinite(system.anchors.release[row])
+        if lasts or min(state.rest_length[node - 1 : node + 1], default=0.0) <= 0.0:  # or at a drum
+            continue
+        # bends as any other node from then on
+        stiffness[node], damping[node] = table.stiffness[node], table.damping[node]
     joints = np.flatnonzero(stiffness > 0.0)
     vectors = np.diff(state.x, axis=1)
     sizes = np.linalg.norm(vectors, axis=0)
