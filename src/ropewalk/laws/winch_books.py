@@ -62,7 +62,7 @@ def book_end(system, state, x, begin, end, turning):
 @deferred()
 def book_memory(system, state, begin, end, turning):
     """As `book_end`, after it, of working segments that remember: what they do at the end is known."""
-    if not winding(turning):
+    if not has_inner(system, state) or not winding(turning):
         return
     wind_to(system, state, 0.5 * (begin + end), turning)
     for row in range(turning.shape[0]):

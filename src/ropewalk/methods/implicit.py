@@ -298,12 +298,11 @@ def take_step(
     move_anchors(system, state, mean, after, dt, middle, scratch.point, scratch.speed)
     if struck:
         state.jolt[0] = 1.0
-    if winds(system, state):
-        book_growth(system, state, mean.friction, dt)
     if ledger:
         account(system, state, mean, middle, dt)
     take_ends(system, state, scratch.ends, dt, ledger)
-    if winds(system, state) and has_inner(system, state):
+    if winds(system, state):
+        book_growth(system, state, mean.friction, dt)
         book_memory(system, state, t, after, scratch.turning)
     put_row(stage.tension, state.tension)
     return OK

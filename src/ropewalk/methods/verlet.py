@@ -47,8 +47,7 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
     if winds(system, state):
         book_end(system, state, x, t, after, scratch.turning)
         book_growth(system, state, mean.friction, dt)
-        if has_inner(system, state):
-            book_memory(system, state, t, after, scratch.turning)
+        book_memory(system, state, t, after, scratch.turning)
     if ledger:
         account(system, state, mean, middle, dt)
 
