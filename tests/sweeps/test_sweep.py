@@ -369,3 +369,19 @@ def test_a_sag_is_no_longer_than_its_rope() -> None:
     drop = DERIVED["sag"].of(result)[:, 0]
     longest = np.linalg.norm(np.diff(result.positions, axis=1), axis=2).sum(axis=1)
     assert np.all(drop <= longest)
+
+
+def test_a_sweep_counts_what_parted() -> None:
+    """A string that is pulled by 1 % a hundredth of a second: the weak one parts, the strong one does not."""
+    weak = rw.Material(EA=1e4, mass_per_length=0.05, breaking_load=50.0, parts=True)
+    string = rw.Rope(segments=4, length=1.0, made_of=weak, shape={"kind": "straight"})
+    pulled = rw.Anchor(node=-1, motion={"kind": "velocity", "velocity": (1.0, 0.0, 0.0)})
+    scene = rw.Scene(
+        ropes=[string], anchors=[rw.Anchor(node=0), pulled],
+        run={"duration": 0.01, "time_step": 1e-4, "method": "semi-implicit-euler"},
+    )  # fmt: skip
+    loads = {"rope.made_of.breaking_load": [50.0, 1e4]}
+    ds = rw.sweep(scene, loads, keep=["segments_parted[-1]", "segments_parted"], on="here")
+    assert ds.segments_parted_last.values.tolist() == [1.0, 0.0]
+    assert ds.segments_parted.values[0, 0] == 0.0
+    assert np.all(np.diff(ds.segments_parted.values[0]) >= 0.0)

@@ -92,6 +92,11 @@ def _sag(result: Result) -> Floats:
     return found
 
 
+def _parted(result: Result) -> Floats:
+    times = [one.time for one in result.partings]
+    return np.searchsorted(times, result.time, side="right").astype(np.float64)
+
+
 DERIVED: dict[str, Derived] = {
     "speed": Derived(
         ("time", "node"), "m/s", "speed", lambda r: np.linalg.norm(r.velocities, axis=2)
@@ -105,6 +110,7 @@ DERIVED: dict[str, Derived] = {
     "energy_error": Derived(
         ("time",), "J", "energy that no law accounts for", lambda r: r.energy_error
     ),
+    "segments_parted": Derived(("time",), "1", "segments that have parted so far", _parted),
 }
 
 
