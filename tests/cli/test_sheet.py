@@ -40,7 +40,7 @@ def test_a_sheet_as_json(ropewalk: Any, job: str) -> None:
     found = json.loads(done.stdout)
     assert found["files"] == ["job-sheet.html"]
     assert found["sections"]["Ropes"]["tables"][0]["unstretched length"] == "3 m"
-    assert "Convergence" not in found["sections"]
+    assert "Not looked at" in found["sections"]["Convergence"]["texts"][0]
 
 
 def test_a_sheet_of_a_broken_run_is_written_and_told(

@@ -155,6 +155,12 @@ def test_an_energy_error_that_is_not_to_be_trusted_is_a_warning() -> None:
     assert "of the energy turned over" not in rows["largest energy error"]
 
 
+def test_a_sheet_says_that_convergence_was_not_looked_at() -> None:
+    made = rw.sheet(hung(), run=False, convergence=False)
+    assert "Not looked at" in words(made.section("Convergence"))
+    assert "Not looked at" not in words(rw.sheet(hung(), run=False).section("Convergence"))
+
+
 def test_a_variant_that_fails_is_a_warning_in_words_of_the_sheet(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

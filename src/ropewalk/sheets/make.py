@@ -21,7 +21,7 @@ from ropewalk.sheets.document import Sheet
 from ropewalk.sheets.loads import loose_pulleys, rest_section, run_section, summary_section
 from ropewalk.sheets.ropes import assumption_section, rope_section
 from ropewalk.sheets.stiffness_ends import SEE, at_ends, stiffness_ends
-from ropewalk.sheets.trust import convergence_section, method_section
+from ropewalk.sheets.trust import NOT_LOOKED_AT, convergence_section, method_section
 from ropewalk.statics import NoRest
 
 
@@ -76,8 +76,8 @@ def sheet(
     sections += [assumption_section(made), at_rest]
     if run:
         sections += [run_section(result, again), _courses(result), method_section(result)]
-    if convergence and not result.diagnosis:
-        sections.append(convergence_section(made, result, tell))
+    if not result.diagnosis:
+        sections.append(convergence_section(made, result, tell) if convergence else NOT_LOOKED_AT)
     sections += [ends.section] if ends else []
     if uncertain:
         tell("what is not known")

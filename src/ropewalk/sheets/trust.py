@@ -83,6 +83,17 @@ def rest_numbers(scene: Scene) -> dict[str, float]:
     }
 
 
+NOT_LOOKED_AT = Section(
+    "Convergence",
+    (
+        Text(
+            "Not looked at, as was asked: how far these numbers hang on segments and step is not known.",
+            warning=True,
+        ),
+    ),
+)
+
+
 def convergence_section(scene: Scene, result: Result, progress: Callable[[str], None]) -> Section:
     """Return how the numbers change with half the segments, and of a run with half the step."""
     at_rest = result.status == "at rest"
