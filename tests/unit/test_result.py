@@ -257,3 +257,10 @@ def test_completion_of_a_simulation_shows_what_users_have() -> None:
     assert not any(name.startswith("_") for name in shown)
     assert all(hasattr(simulation, name) for name in shown)
     assert {"arrays", "system", "take_in_hand", "watchers", "slices"} & set(shown) == set()
+
+
+def test_no_frame_is_nearest_to_no_time(result: Result) -> None:
+    assert result.frame_at(-1.0) == 0
+    assert result.frame_at(9.0) == result.frames - 1
+    with pytest.raises(ValueError, match="must be a number of seconds"):
+        result.frame_at(float("nan"))

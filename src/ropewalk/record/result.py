@@ -371,7 +371,9 @@ class Result(PointForces, Outlets):
         }
 
     def frame_at(self, time: float) -> int:
-        """Return the frame nearest to a time [s]."""
+        """Return the frame nearest to a time [s]; outside the first or last one. ValueError for NaN."""
+        if math.isnan(time):
+            raise ValueError(f"time: {time!r} - must be a number of seconds")
         return int(np.argmin(np.abs(self.time - time)))
 
     # -- in words -------------------------------------------------------------------------
