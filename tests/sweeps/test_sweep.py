@@ -385,3 +385,18 @@ def test_a_sweep_counts_what_parted() -> None:
     assert ds.segments_parted_last.values.tolist() == [1.0, 0.0]
     assert ds.segments_parted.values[0, 0] == 0.0
     assert np.all(np.diff(ds.segments_parted.values[0]) >= 0.0)
+
+
+def test_a_broken_run_is_marked_on_the_axis_where_no_value_is() -> None:
+    from ropewalk.plots.sweeps import _lines
+
+    x = np.array([1.0, 2.0])
+    data = xr.Dataset(
+        {"tension_max": ("EA", [5.0, np.nan]), "status": ("EA", ["finished", "broke"])},
+        {"EA": ("EA", x, {"path": EA})}, {"design": "grid"},
+    )  # fmt: skip
+    data.tension_max.attrs |= {"units": "N", "long_name": "largest tension"}
+    axes = _lines(data, "tension_max", "EA").axes[0]
+    (mark,) = [line for line in axes.lines if line.get_label() == "broken, no value"]
+    np.testing.assert_array_equal(np.asarray(mark.get_xydata()), [[2.0, 0.0]])
+    assert mark.get_transform() == axes.get_xaxis_transform()

@@ -182,11 +182,13 @@ def _is_broken(data: xr.Dataset) -> NDArray[np.bool_]:
 
 
 def _mark_broken(axes: Axes, x: Floats) -> None:
-    """Mark runs without a value at the foot of the axes."""
+    """Mark runs without a value on the axis itself: above it a mark would have one."""
     if len(x):
         foot = axes.get_xaxis_transform()
         style: dict[str, Any] = {"color": COLOURS[1], "linestyle": "none", "clip_on": False}
-        axes.plot(x, np.full(len(x), 0.02), marker="x", transform=foot, label="broken", **style)
+        axes.plot(
+            x, np.zeros(len(x)), marker="x", transform=foot, label="broken, no value", **style
+        )
         axes.legend()
 
 
