@@ -6,8 +6,9 @@ grows linearly from there, over segments of L and h, the turn is M / EI times
 which is h where L is. With one it is (L + h) / 2, and the half cell at the drum stands for L / 2. A node that
 comes off the drum is put on the beam that its segment was,
     w = c_d (s (L - s) / 2 - q) + c_o q,   q = s (L^2 - s^2) / (6 L),
-c_d and c_o the curvatures at the drum and at the node ahead, s the way from the drum: so moments stay. Where
-a node goes on to the drum they do by themselves.
+c_d and c_o the curvatures at the drum and at the node ahead, s the way from the drum: so moments stay at a
+hinge, and jump by about the segment times their slope at a clamp, whose half cell takes them for constant.
+Where a node goes on to the drum they do so by themselves.
 """
 
 from __future__ import annotations
@@ -39,11 +40,9 @@ def is_hinge(system, state, node):
 
 
 @small
-def stood_for(length, other, hinged):
-    """Return the length that a bend between `length` and `other` stands for [m], see the module."""
-    if hinged:
-        return (2.0 * length + other) * (length + other) / (6.0 * length)
-    return 0.5 * (length + other)
+def stood_for(length, other):
+    """Return what a bend between `length`, whose other end is hinged, and `other` stands for [m]."""
+    return (2.0 * length + other) * (length + other) / (6.0 * length)
 
 
 @kernel
@@ -57,10 +56,14 @@ def set_bend(system, state, nominal, i):
     before, after = state.rest_length[i - 1], state.rest_length[i]
     if min(before, after) <= 0.0:  # on the drum, or parted
         return
-    length = 0.5 * stood_for(before, after, is_hinge(system, state, i - 1))
-    length += 0.5 * stood_for(after, before, is_hinge(system, state, i + 1))
-    if is_hinge(system, state, i - 1) != is_hinge(system, state, i + 1):
-        length = 2.0 * length - 0.5 * (before + after)
+    one, other = is_hinge(system, state, i - 1), is_hinge(system, state, i + 1)
+    length = 0.5 * (before + after)
+    if one and other:
+        length = 0.5 * (stood_for(before, after) + stood_for(after, before))
+    elif one:
+        length = stood_for(before, after)
+    elif other:
+        length = stood_for(after, before)
     state.bending_stiffness[i] = full * nominal / length
     state.bending_damping[i] = system.bending.damping[i] * nominal / length
 
@@ -82,9 +85,8 @@ def set_all_bends(system, state):
     for row in range(state.winch_exit.shape[0]):
         first, last = system.winches.first[row], system.winches.last[row]
         for i in range(min(first, last) + 1, max(first, last)):
-            gone = (
-                min(state.rest_length[i - 1], state.rest_length[i]) <= 0.0
-            )  # on a drum, or parted
+            before, after = state.rest_length[i - 1], state.rest_length[i]
+            gone = min(before, after) <= 0.0  # on a drum, or parted
             bends = not gone and not holds_direction(system, state, i)
             state.bending_stiffness[i] = system.bending.stiffness[i] if bends else 0.0
             state.bending_damping[i] = system.bending.damping[i] if bends else 0.0
