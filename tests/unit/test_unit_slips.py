@@ -84,6 +84,7 @@ def test_strains_in_per_cent_are_a_slip() -> None:
         ({"breaking_load": 20e3}, ""),
         ({"breaking_load": 900.0, "EA": 75.0, "mass_per_length": 0.047}, ""),  # rubber
         ({"length": 30e3}, "30000 m of rope; lengths in millimetres?"),
+        ({"length": 2e3, "mass_per_length": 0.02}, ""),  # a tether of 5 mm
         (
             {"length": 0.03, "diameter": 0.012, "EA": 5e6, "mass_per_length": 0.5},
             "is not a rope's shape",

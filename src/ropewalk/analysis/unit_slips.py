@@ -314,8 +314,8 @@ def _size(path: str, rope: Rope, model: Model) -> list[str]:
         )
     if length > _LONGEST and np.any(model.system.gravity):
         found.append(f"{path}: {length:g} m of rope; lengths in millimetres?")
-    light = rope.own_mass / length < 0.05
-    if length > 500.0 and rope.segment_length >= 5.0 and light:
+    light = rope.own_mass / length < (0.05 if rope.made_of.kind == "springs" else 0.002)
+    if length > 500.0 and rope.segment_length >= 5.0 and light:  # a tether of 5 mm has some 20 g/m
         found.append(
             f"{path}: {length:g} m of rope of only {rope.own_mass:g} kg in segments of "
             f"{rope.segment_length:g} m; lengths in millimetres?"

@@ -16,7 +16,7 @@ from ropewalk.record.limiter_note import limiter_note
 from ropewalk.record.margins import margin_rows
 from ropewalk.record.moving_rows import moving_rows
 from ropewalk.record.parted import parting_rows
-from ropewalk.record.tension_notes import curve_note, push_note, tension_note
+from ropewalk.record.tension_notes import anchor_note, curve_note, push_note, tension_note
 from ropewalk.record.turnover import share_turned
 from ropewalk.words.prefixes import prefixed
 
@@ -157,6 +157,7 @@ def _told(result: Result, found: dict[str, Extreme]) -> dict[str, Any]:
         "greatest tension": tension_note(result, most),
         "least tension": push_note(result, least, most.value),
         "greatest stretch": curve_note(result, found["greatest stretch"]),
+        "greatest anchor force": anchor_note(result, found["greatest anchor force"], most),
     }
     for name, title in _titles(result).items():
         anchors = name in ("greatest anchor force", "greatest clamp moment")

@@ -1,4 +1,4 @@
-"""Sentences about a run's largest and least tension: peaks that steps hardly resolve, pushes."""
+"""Sentences about a run's largest and least tension and its anchors' forces: peaks, pushes, means."""
 
 from __future__ import annotations
 
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 JERK = 0.5  # [1] a tension that was less than this part of its peak one frame before it
 RESOLVED = 10.0  # [1] steps in which a wave goes through one segment: fewer blur a jerk
 _ROUNDING = 1e-6  # [1] of the largest tension: a smaller push is none
+_LESS = 0.002  # [1] of the largest tension: an anchor's force that is less by so much is told
 
 
 def tension_note(result: Result, peak: Extreme) -> str:
@@ -67,6 +68,34 @@ def push_note(result: Result, least: Extreme, largest: float) -> str:
     return (
         f"negative: a segment that is shortened pushes, its spring{rubs}, which a rope does not; "
         "tension_only = true lets it go slack"
+    )
+
+
+def anchor_note(result: Result, force: Extreme, tension: Extreme) -> str:
+    """Say so where the segment at a rope's end bore more than the largest force of the anchor there; else "".
+
+    What an anchor gives in a step is known from what the momentum lacks, so its force is the mean over the
+    step, while the tension is that of the step's end. An anchor below its rope bears half a segment's weight
+    less than the segment there; one that moves, or whose node is a joint or has a load, bears something else.
+    """
+    if result.status != FINISHED or not force.value > 0.0 or not tension.value > 0.0:
+        return ""
+    node = result.layout.anchor_nodes[force.place]
+    ends = [(span.first, span.first) for span in result.layout.ropes]
+    ends += [(span.last, span.last - 1) for span in result.layout.ropes]
+    moved = result.scene.anchors[force.place].motion.kind != "fixed"
+    if (node, tension.place) not in ends or node in result.layout.tied_nodes or moved:
+        return ""
+    rope, (_, number) = _rope_at(result, tension), result.layout.rope_of(node)
+    if any(one.node % rope.nodes == number for one in (*rope.loads, *rope.forces)):
+        return ""
+    weight = rope.own_mass / rope.segments * math.hypot(*result.scene.gravity)
+    less = tension.value - force.value
+    if not less > max(weight, _LESS * tension.value):
+        return ""
+    return (
+        f"the mean over a step; at the end of one the segment it holds bore {tension.value:.6g} N, "
+        f"{100.0 * less / force.value:.2g} % more: shorter steps bring the two together"
     )
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from ropewalk.record.extremes import UTILISATION, extremes, margin, place_of
 from ropewalk.record.margins import Margin, doubt_words
 from ropewalk.record.moving_rows import moving_rows
-from ropewalk.record.tension_notes import tension_note
+from ropewalk.record.tension_notes import anchor_note, tension_note
 from ropewalk.scene.guess import COMPUTE
 from ropewalk.sheets.content import Item, Section, Table, Text
 from ropewalk.statics.wraps import MANY
@@ -150,6 +150,8 @@ def run_section(result: Result, then: str = COMPUTE) -> Section:
     items.append(Table(("", "value", "where and when"), rows, numbers=False))
     if note := tension_note(result, found["greatest tension"]):
         items.append(Text(f"The largest tension: {note}.", warning=True))
+    if note := anchor_note(result, found["greatest anchor force"], found["greatest tension"]):
+        items.append(Text(f"The largest force on an anchor: {note}.", warning=True))
     items += _anchor_peaks(result) + _utilisation(result, then)
     return Section("The run", tuple(items))
 
