@@ -134,7 +134,7 @@ def test_what_is_not_measured_is_a_range_and_of_contact_nothing(
         assert not found.seconds_known
         assert found.as_dict()["estimated_seconds"] is None
     monkeypatch.setattr("ropewalk.analysis.check.seconds_per_step", lambda *_: (1e-3, True))
-    assert "in about 240 ms, at the pace of its first steps;" in str(check(preset("pulley")))
+    assert "in about 480 ms, at the pace of its first steps;" in str(check(preset("pulley")))
     assert "pace" not in check(preset("r4")).run_time
 
 
