@@ -26,6 +26,7 @@ from ropewalk.lowering import Model, build
 from ropewalk.lowering.contact_checks import refuse_untying
 from ropewalk.lowering.plan import divide
 from ropewalk.methods.recording import ENERGIES, Recording, make_recording, record_frame
+from ropewalk.methods.registry import METHODS
 from ropewalk.methods.scratch import make_sums
 from ropewalk.methods.watch import watch
 from ropewalk.scene import Scene
@@ -97,8 +98,7 @@ class Simulation(Driven):
         self.system, self._state = self._engine.system, self._engine.state
         self._kinds, self._drive, self._turns, self._bodies = self._engine.controls
         self._goals: dict[int, Goal] = {}
-        self._due = 0.0
-        self._first = None
+        self._due, self._first = 0.0, None
         self.ledger = ledger
         self.failure = ""  # set where an implicit method finds no solution of a step
         self.reason = ""  # set by a break: what is broken, and where
@@ -215,7 +215,8 @@ class Simulation(Driven):
         self._set_off(count * dt)
         status, _ = self._advance(count, 1, make_recording(self._state, 0, False))
         if status != OK:
-            text = f"the simulation broke before t = {self.time:g} s: {self.reason}"
+            steps = "" if METHODS[self.plan.method].implicit else "; check(scene) tells stable steps"
+            text = f"the simulation broke before t = {self.time:g} s: {self.reason}{steps}"
             raise Broken(self.failure or text)
         self._arrive()
         self._tell()
