@@ -133,10 +133,16 @@ if not TYPE_CHECKING:
 
     def __getattr__(name: str) -> object:
         if name not in _HOMES:
-            raise AttributeError(f"module 'ropewalk' has no attribute {name!r}")
+            raise AttributeError(f"module 'ropewalk' has no attribute {name!r}{_where(name)}")
         from ropewalk.words.annotations import unquoted
 
         return unquoted(getattr(import_module(f"ropewalk.{_HOMES[name]}"), name))
+
+
+def _where(name: str) -> str:
+    """Say where a name is that is looked for here; obstacles, shapes and motions are in `scene`."""
+    scene = None if name.startswith("_") else import_module("ropewalk.scene")
+    return f"; it is ropewalk.scene.{name}" if hasattr(scene, name) else ""
 
 
 def __dir__() -> list[str]:

@@ -61,6 +61,15 @@ def test_an_unknown_name_is_an_attribute_error() -> None:
         ropewalk.no_such_name  # noqa: B018 - the access is the test
 
 
+def test_a_name_of_a_scene_that_is_looked_for_here_is_told_where_it_is() -> None:
+    import ropewalk
+
+    with pytest.raises(AttributeError, match=r"it is ropewalk\.scene\.Cylinder$"):
+        ropewalk.Cylinder  # noqa: B018 - the access is the test
+    with pytest.raises(AttributeError, match=r"'Cylindre'$"):
+        ropewalk.Cylindre  # noqa: B018 - the access is the test
+
+
 def test_layers() -> None:
     done = subprocess.run(
         [str(Path(sys.executable).with_name("lint-imports")), "--no-logo", "--no-cache"],

@@ -87,7 +87,8 @@ def anchor_note(result: Result, force: Extreme, tension: Extreme) -> str:
     if (node, tension.place) not in ends or node in result.layout.tied_nodes or moved:
         return ""
     rope, (_, number) = _rope_at(result, tension), result.layout.rope_of(node)
-    if any(one.node % rope.nodes == number for one in (*rope.loads, *rope.forces)):
+    given = [one.node for one in rope.loads] + [one.node for one in rope.forces]
+    if number in [one % rope.nodes for one in given]:
         return ""
     weight = rope.own_mass / rope.segments * math.hypot(*result.scene.gravity)
     less = tension.value - force.value
