@@ -150,7 +150,9 @@ def test_the_reason_is_there() -> None:
     simulation = Simulation(scene)
     simulation.take_in_hand(0)
     simulation.anchors["anchor0"].velocity = (-3000.0, 0.0, 0.0)
-    with pytest.raises(Broken, match=r"segment 0 .* times its rest length; .* accounted for.*check"):
+    with pytest.raises(
+        Broken, match=r"segment 0 .* times its rest length; .* accounted for.*check"
+    ):
         go_on(simulation, 100, 1e-4)
 
 
