@@ -215,10 +215,8 @@ class Simulation(Driven):
         self._set_off(count * dt)
         status, _ = self._advance(count, 1, make_recording(self._state, 0, False))
         if status != OK:
-            steps = (
-                "" if METHODS[self.plan.method].implicit else "; check(scene) tells stable steps"
-            )
-            text = f"the simulation broke before t = {self.time:g} s: {self.reason}{steps}"
+            more = "" if METHODS[self.plan.method].implicit else "; check tells stable steps"
+            text = f"the simulation broke before t = {self.time:g} s: {self.reason}{more}"
             raise Broken(self.failure or text)
         self._arrive()
         self._tell()
