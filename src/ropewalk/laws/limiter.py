@@ -18,6 +18,7 @@ from ropewalk.core.jit import deferred, kernel, part
 from ropewalk.core.status import TAKEN
 from ropewalk.laws.clamps import bent_energy
 from ropewalk.laws.elastic import stored_energy
+from ropewalk.laws.fresh import working_segment
 from ropewalk.laws.joints import tied_to
 from ropewalk.laws.ledger import gravity_energy, kinetic_energy
 from ropewalk.laws.rare import are_tied, has_bending
@@ -234,6 +235,22 @@ def note_pulls(work, dt, limited):
     """Write the impulses as mean tensions of the step [N], (s,)."""
     for j in range(limited.shape[0]):
         limited[j] = work[5, j] / dt
+
+
+@kernel
+def note_bounds(system, state, limiter, tension, changed):
+    """Write what the bounds of a step that was solved held, beyond what they hold now [N], (s,).
+
+    `limiter` (3, n + 1) and `tension` (s,) [N] are those of the step's end. Where nodes of winches have
+    `changed` since, the segments at their drums are not the same ones.
+    """
+    for j in range(tension.shape[0]):
+        same = limiter[0, j + 1] != 0.0 or limiter[1, j + 1] != 0.0 or limiter[2, j + 1] != 0.0
+        if changed:
+            for row in range(state.winch_exit.shape[0]):
+                beside = abs(j - working_segment(system.winches, state.winch_exit, row)) <= 1
+                same = same and not beside
+        state.limited[j] = tension[j] - state.tension[j] if same else 0.0
 
 
 @kernel

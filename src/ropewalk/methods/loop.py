@@ -9,7 +9,7 @@ from ropewalk.core.status import OK
 from ropewalk.laws.anchors import release_anchors
 from ropewalk.laws.elastic import RATE, tensions
 from ropewalk.laws.inner import write_rates
-from ropewalk.laws.limiter import limit_stretch
+from ropewalk.laws.limiter import clear_pulls, limit_stretch, note_bounds
 from ropewalk.laws.links import hold_links
 from ropewalk.laws.rare import acts_after, has_inner, limits, parts, winds
 from ropewalk.laws.table import accelerate, evaluate
@@ -74,10 +74,17 @@ def _renew_solver(system, state, t, scratch, tableau):
     """Prepare for the step after winches have turned.
 
     What BDF2 keeps of the step before stays true; but where it is to begin anew, as a node has come off a
-    drum, the pull of bounds on the segment before that is not known yet.
+    drum, the pull of bounds on the segment before that is not known yet. What bounds have held in the step,
+    the impulses of impacts, is not among the forces that it goes on with, and is kept beside them.
     """
-    if tableau.kind != BDF2 or (limits(system) and state.past[2] != nodes_out(state.winch_exit)):
+    changed = state.past[2] != nodes_out(state.winch_exit)
+    if tableau.kind != BDF2 or (limits(system) and changed):
         prepare_links(system, state, t, scratch.stage.saddle)
+        if limits(system):
+            stage = scratch.stage
+            note_bounds(system, state, stage.forces.limiter, stage.tension, changed)
+    elif limits(system):
+        clear_pulls(state.limited)
 
 
 @part

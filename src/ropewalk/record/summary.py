@@ -12,6 +12,7 @@ from ropewalk.record.balances import energy_note
 from ropewalk.record.ends import shortly
 from ropewalk.record.extremes import SEEN, UTILISATION, Extreme, extremes, margin, place_of
 from ropewalk.record.facts import AT_REST, BROKE
+from ropewalk.record.hard_stops import hard_note
 from ropewalk.record.limiter_note import limiter_note
 from ropewalk.record.margins import margin_rows
 from ropewalk.record.moving_rows import moving_rows
@@ -153,11 +154,13 @@ def _told(result: Result, found: dict[str, Extreme]) -> dict[str, Any]:
     """Return the extremes with their places and times, those of anchors and clamps where there are any."""
     told: dict[str, Any] = {}
     most, least = found["greatest tension"], found["least tension"]
+    force = found["greatest anchor force"]
+    hard = hard_note(result, most, force)
     notes = {
         "greatest tension": tension_note(result, most),
         "least tension": push_note(result, least, most.value),
         "greatest stretch": curve_note(result, found["greatest stretch"]),
-        "greatest anchor force": anchor_note(result, found["greatest anchor force"], most),
+        "greatest anchor force": "" if hard else anchor_note(result, force, most),
     }
     for name, title in _titles(result).items():
         anchors = name in ("greatest anchor force", "greatest clamp moment")
@@ -166,7 +169,7 @@ def _told(result: Result, found: dict[str, Extreme]) -> dict[str, Any]:
             told[f"{title.partition(' [')[0]} at"] = place_of(result, name, found[name])
         if notes.get(name):
             told[f"about the {title.partition(' [')[0]}"] = notes[name]
-    return told
+    return told | ({"about hard stops": hard} if hard else {})
 
 
 def _titles(result: Result) -> dict[str, str]:

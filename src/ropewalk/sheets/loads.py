@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ropewalk.record.extremes import UTILISATION, extremes, margin, place_of
+from ropewalk.record.extremes import UTILISATION, Extreme, extremes, margin, place_of
+from ropewalk.record.hard_stops import hard_note
 from ropewalk.record.margins import Margin, doubt_words
 from ropewalk.record.moving_rows import moving_rows
 from ropewalk.record.tension_notes import anchor_note, tension_note
@@ -148,12 +149,23 @@ def run_section(result: Result, then: str = COMPUTE) -> Section:
     until = float(result.time[result.good_frames - 1])
     items.append(Text(f"Greatest and least values {how}, from 0 to {until:.6g} s."))
     items.append(Table(("", "value", "where and when"), rows, numbers=False))
-    if note := tension_note(result, found["greatest tension"]):
-        items.append(Text(f"The largest tension: {note}.", warning=True))
-    if note := anchor_note(result, found["greatest anchor force"], found["greatest tension"]):
-        items.append(Text(f"The largest force on an anchor: {note}.", warning=True))
+    items += _about_peaks(result, found)
     items += _anchor_peaks(result) + _utilisation(result, then)
     return Section("The run", tuple(items))
+
+
+def _about_peaks(result: Result, found: dict[str, Extreme]) -> list[Item]:
+    """Return what is to be said of the largest tension and anchor force of a run."""
+    most, force = found["greatest tension"], found["greatest anchor force"]
+    if hard := hard_note(result, most, force):
+        return [Text(f"Hard stops: {hard}.", warning=True)]
+    notes = {
+        "tension": tension_note(result, most),
+        "force on an anchor": anchor_note(result, force, most),
+    }
+    return [
+        Text(f"The largest {what}: {note}.", warning=True) for what, note in notes.items() if note
+    ]
 
 
 def _parted(result: Result) -> Text:
