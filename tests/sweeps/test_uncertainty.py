@@ -48,6 +48,36 @@ def test_bands_are_the_quantiles_of_the_distribution() -> None:
     assert row[1:3] == ("N", pytest.approx(NORMAL.ppf(0.05) * WEIGHT * 9.81, rel=5e-3))
 
 
+def test_bands_read_from_the_folder_are_those_that_were_told(tmp_path: Path) -> None:
+    """`info` took its quantiles of all runs: half of Saltelli's repeat values of the sample."""
+    from ropewalk.plots.sweeps import sweep as drawn
+
+    ask: dict[str, Any] = {"samples": 16, "on": "here", "progress": False, "store": tmp_path / "s"}
+    found = rw.uncertain(swing(0.02), {MASS: NORMAL, DOWN: GRAVITY}, seed=5, **ask)
+    facts = summary(SweepFolder.open(tmp_path / "s"))
+    (told,) = [kept["quantiles"] for kept in facts["kept"] if kept["name"] == "tension_max"]
+    assert told[1:4] == found.bands.tension_max.values.tolist()
+    every = found.runs.tension_max.values
+    assert [told[0], told[4]] == [every.min(), every.max()]
+    groups = 4 if find_spec("SALib") else 1
+    assert facts["runs"] == groups * facts["plain"] == groups * 16 == groups * found.sample
+    if groups > 1:
+        assert told[1:4] != np.quantile(every, [0.05, 0.5, 0.95]).tolist()
+    line = drawn(rw.sweep.open(tmp_path / "s"), "tension_max_time").axes[0].lines[0]
+    middle = found.bands.tension_max_time.sel(quantile=0.5)
+    np.testing.assert_array_equal(line.get_ydata(), middle)
+    assert f" of {found.sample} of them" in repr(found)
+
+
+def test_bands_of_few_runs_are_said_to_be_narrow() -> None:
+    """Of four even samples the quantiles 5 and 95 % are some 16 and 84 % of the spread."""
+    few, more = hanging({MASS: NORMAL}, 4), hanging({MASS: NORMAL}, 32)
+    assert "Bands of 4 runs are too narrow" in few.note
+    assert "too narrow" not in more.note
+    wide = scipy.stats.norm(0.1, 0.01).ppf(0.95) * WEIGHT * 9.81
+    assert float(few.bands.tension_max[2]) < 0.96 * wide < float(more.bands.tension_max[2])
+
+
 def exact_indices(one: tuple[float, float], other: tuple[float, float]) -> tuple[float, float]:
     """First and total index of one factor of a product, from mean and deviation of both factors."""
     (a, s), (b, t) = one, other

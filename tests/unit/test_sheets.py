@@ -5,9 +5,11 @@ from __future__ import annotations
 import hashlib
 import re
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
+import scipy.stats
 from matplotlib.figure import Figure
 from matplotlib.transforms import Bbox
 
@@ -270,6 +272,20 @@ def test_what_is_not_known_has_bands() -> None:
     assert "rope.length: 5.9 to 6.1" in words(section)
     assert any(row[0] == "tension_max" for row in table(section).rows)
     assert any(isinstance(item, Picture) for item in section.items)
+
+
+def test_what_is_not_known_can_be_computed_again() -> None:
+    """Its samples had a seed that nobody was told; a distribution by names read "norm()"."""
+    spread = scipy.stats.norm(loc=6.0, scale=0.1)
+    ask: dict[str, Any] = {"run": False, "convergence": False, "samples": 4}
+    made = rw.sheet(hung(), uncertain={"rope.length": spread}, **ask)
+    section = made.section("What is not known")
+    assert "norm(loc=6.0, scale=0.1)" in words(section)
+    assert "4 samples, seed 1" in words(section)
+    rows = {row[0]: row[1:4] for row in table(section).rows}
+    again = rw.uncertain(hung(), {"rope.length": spread}, samples=4, seed=1, what="rest")
+    told = {name: (low, middle, high) for name, _, low, middle, high in again.table()}
+    assert rows["tension_max"] == tuple(f"{value:.5g}" for value in told["tension_max"])
 
 
 def test_the_scene_at_its_end_is_the_scene(made: rw.Sheet) -> None:

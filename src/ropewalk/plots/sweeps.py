@@ -20,6 +20,7 @@ from ropewalk.plots.style import (
     set_title,
     styled,
 )
+from ropewalk.sweeps.designs import plain_rows
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -337,6 +338,8 @@ def _table(data: xr.Dataset, parameters: list[str]) -> xr.Dataset:
 
 def _band(data: xr.Dataset, name: str) -> Figure:
     """The median and the band that holds 90 % of the runs, against time."""
+    if "run" in data[name].dims:
+        data = data.isel(run=plain_rows(data.attrs["design"], len(_parameters(data))))
     parts = _parts(data, name)
     figure = new_figure(7.0, 4.2)
     axes = figure.subplots()

@@ -36,7 +36,8 @@ def uncertainty(found: Uncertainty) -> Figure:
     made = len(found.runs.run)
     title = str(found.runs.attrs.get("title", ""))
     set_title(figure, f"{title}: what is not known exactly", f"{made} runs, {found.broken} broken")
-    notes = ["Lines: median; bands: 5 % to 95 % of the runs."]
+    of = "the" if found.sample == made else f"{found.sample} of the"
+    notes = [f"Lines: median; bands: 5 % to 95 % of {of} runs."]
     if columns == 2:
         notes.append(
             "First Sobol index: share of the variance that would vanish if this value were known; total: "

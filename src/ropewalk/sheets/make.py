@@ -24,6 +24,8 @@ from ropewalk.sheets.stiffness_ends import SEE, at_ends, stiffness_ends
 from ropewalk.sheets.trust import NOT_LOOKED_AT, convergence_section, method_section
 from ropewalk.statics import NoRest
 
+_SEED = 1  # of the samples of what is not known: a sheet made again has the same numbers
+
 
 def sheet(
     scene: SceneLike,
@@ -135,16 +137,17 @@ def _courses(result: Result) -> Section:
 def _uncertain(scene: Scene, spreads: Mapping[str, Any], samples: int, what: str) -> Section:
     from ropewalk.sweeps.uncertainty import text_rows, uncertain
 
-    found = uncertain(scene, spreads, samples=samples, what=what)
+    found = uncertain(scene, spreads, samples=samples, what=what, seed=_SEED)
     head = ("result", "5 %", "50 %", "95 %", "unit", "follows (total Sobol index)")
     given = "; ".join(f"{path}: {_spread(value)}" for path, value in spreads.items())
+    made = f"{len(found.runs.run)} computations, {samples} samples, seed {_SEED}"
     items: list[Item] = [
-        Text(f"Not known exactly: {given}. {len(found.runs.run)} computations."),
+        Text(f"Not known exactly: {given}. {made}."),
         Table(head, text_rows(found), numbers=False),
         picture(found.plot(), "Bands of what is not known exactly"),
     ]
     if found.note:
-        items.append(Text(found.note, warning=found.broken > 0))
+        items.append(Text(found.note, warning=found.broken > 0 or found.few))
     return Section("What is not known", tuple(items))
 
 
@@ -155,8 +158,9 @@ def _spread(value: Any) -> str:
     if isinstance(value, tuple):
         low, high = (one if isinstance(one, str) else f"{one:.6g}" for one in value)
         return f"{low} to {high}"
-    name = getattr(getattr(value, "dist", None), "name", "")
-    return f"{name}{value.args}" if name else str(value)
+    from ropewalk.sweeps.parameters import spread_in_words
+
+    return spread_in_words(value)
 
 
 def _identity(scene: Scene, result: Result) -> Section:

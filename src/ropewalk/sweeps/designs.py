@@ -99,6 +99,14 @@ def saltelli(width: int, samples: int, seed: int | None) -> NDArray[np.float64]:
     return made
 
 
+def plain_rows(kind: str, width: int) -> slice:
+    """Return which runs are a sample of the spreads of `width` parameters, each value drawn once.
+
+    Of Saltelli's groups that is the first of each: the others repeat its values, some of them.
+    """
+    return slice(None, None, width + 2 if kind == SALTELLI else None)
+
+
 def make_design(
     parameters: tuple[Parameter, ...],
     samples: int | None,

@@ -68,7 +68,7 @@ class Parameter:
 def spread_in_words(spread: Any) -> str:
     """Return a distribution or a range as text: `norm(100000.0, 5000.0)`, `9.5 to 10.5`."""
     if isinstance(spread, tuple):
-        return f"{spread[0]:g} to {spread[1]:g}"
+        return f"{spread[0]:.12g} to {spread[1]:.12g}"
     if isinstance(spread, _Inverse):
         return repr(spread.distribution)
     words = [f"{value!r}" for value in getattr(spread, "args", ())]

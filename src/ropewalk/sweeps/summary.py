@@ -11,7 +11,9 @@ from numpy.typing import NDArray
 
 from ropewalk.sweeps.answer import stored
 from ropewalk.sweeps.batch import GOOD
+from ropewalk.sweeps.designs import plain_rows
 from ropewalk.sweeps.sweep_folder import SweepFolder
+from ropewalk.sweeps.sweep_plan import SweepPlan
 
 _MOST_NUMBERS = 10_000_000  # that quantiles are made of
 _NUMBER = re.compile(r"[-+]?\d+(\.\d+)?(e[-+]?\d+)?", re.IGNORECASE)
@@ -41,6 +43,7 @@ def summary(sweep: SweepFolder) -> dict[str, Any]:
         "seed": plan.seed,
         "runs": plan.runs,
         "done": sum(ended.values()),
+        "plain": len(range(plan.runs)[_plain(plan)]),
         "batches": plan.batches,
         "batches done": len(done),
         "damaged": damaged,
@@ -55,11 +58,12 @@ def summary(sweep: SweepFolder) -> dict[str, Any]:
 def _kept(sweep: SweepFolder, ranges: bool) -> list[dict[str, Any]]:
     """Return shape and unit of everything kept, and quantiles over the runs that ended well.
 
+    Least and largest are of all of them, what lies between of the plain sample, as the bands of `uncertain`.
     Of what is one number a run, anchor by anchor and rope by rope: mixed with places and times they would
     mean nothing. Without `ranges` no quantiles: they would read damaged batches.
     """
     data = stored(sweep) if ranges else None
-    found = []
+    found, plain = [], _plain(sweep.plan)
     for variable in sweep.plan.variables:
         about: dict[str, Any] = {
             "name": variable.name,
@@ -71,20 +75,26 @@ def _kept(sweep: SweepFolder, ranges: bool) -> list[dict[str, Any]]:
         if data is None or variable.numbers * sweep.plan.runs > _MOST_NUMBERS:
             found.append(about)
         elif not variable.dims:
-            found.append(about | _quantiles(data[variable.name].values))
+            found.append(about | _quantiles(data[variable.name].values, plain))
         elif variable.dims in (("anchor",), ("rope",)):
             (dim,) = variable.dims
             for place, label in enumerate(sweep.plan.coordinates[dim]["values"]):
                 part = data[variable.name].isel({dim: place})
                 one = {"name": f"{variable.name}[{label}]", "dims": [], "sizes": []}
-                found.append(about | one | _quantiles(part.values))
+                found.append(about | one | _quantiles(part.values, plain))
         else:
             found.append(about)
     return found
 
 
-def _quantiles(values: NDArray[np.float64]) -> dict[str, list[float]]:
+def _plain(plan: SweepPlan) -> slice:
+    return plain_rows(plan.design, len(plan.parameters))
+
+
+def _quantiles(values: NDArray[np.float64], plain: slice) -> dict[str, list[float]]:
     sound = values[np.isfinite(values)]
-    if not sound.size:
+    sample = values[plain][np.isfinite(values[plain])]
+    if not sample.size:
         return {}
-    return {"quantiles": np.quantile(sound, [0.0, 0.05, 0.5, 0.95, 1.0]).tolist()}
+    low, middle, high = np.quantile(sample, [0.05, 0.5, 0.95]).tolist()
+    return {"quantiles": [float(sound.min()), low, middle, high, float(sound.max())]}

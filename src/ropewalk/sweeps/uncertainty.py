@@ -17,7 +17,7 @@ from ropewalk.api import SceneLike, as_scene
 from ropewalk.scene import Scene, SceneError
 from ropewalk.scene.faults import NO_VALUE, Fault
 from ropewalk.sweeps.batch import GOOD
-from ropewalk.sweeps.designs import SALTELLI, Design
+from ropewalk.sweeps.designs import SALTELLI, Design, plain_rows
 from ropewalk.sweeps.many import make_runs, sweep
 from ropewalk.sweeps.parameters import Parameter, make_parameters
 from ropewalk.sweeps.per_cents import with_ranges
@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 QUANTILES = (0.05, 0.5, 0.95)
+_FEW = 20  # runs: of fewer, 5 % and 95 % lie between the two least and the two largest
 _SAME = 1e-9  # [1] of the largest result of its kind: what differs by less, by what solvers leave
 _STRAIN = (
     1e-5  # [1] whose tension is the least size of forces: by _SAME of it lengths are rounded off
@@ -40,7 +41,7 @@ class Uncertainty:
 
     Attributes:
         runs: the sweep's dataset, one row per run.
-        bands: quantiles 5, 50, 95 % of everything kept, along `quantile`.
+        bands: quantiles 5, 50, 95 % of everything kept, along `quantile`, over `sample`.
         sobol: Sobol indices [1] by kept scalar, `order` (first, total) and `parameter`, with the half
             width of their 95 % intervals; None without SALib or where too many runs broke.
         note: what a reader must know: broken runs, what is missing.
@@ -56,6 +57,16 @@ class Uncertainty:
         """Number of runs that did not end well; they are not in the bands."""
         return int(sum(status not in GOOD for status in self.runs.status.values.tolist()))
 
+    @property
+    def sample(self) -> int:
+        """Number of runs that the bands are of: those of the plain sample that ended well."""
+        return len(_plain(self.runs).run)
+
+    @property
+    def few(self) -> bool:
+        """Whether the bands are of too few runs to be as wide as they should."""
+        return self.sample < _FEW
+
     def plot(self) -> Any:
         """Draw the bands of tension, sag and anchor forces, and the Sobol indices; a Figure."""
         return import_module(_PLOTS).uncertainty(self)
@@ -69,7 +80,7 @@ class Uncertainty:
         return found
 
     def __repr__(self) -> str:
-        lines = [f"{len(self.runs.run)} runs; 5 %, 50 %, 95 %:"]
+        lines = [f"{len(self.runs.run)} runs; 5 %, 50 %, 95 % of {self.sample} of them:"]
         for name, unit, low, middle, high in self.table():
             lines.append(f"  {name}: {low:.5g}, {middle:.5g}, {high:.5g} {unit}")
         if self.sobol is not None:
@@ -121,10 +132,8 @@ def uncertain(
         return Uncertainty(runs, bands(runs), None, _note(runs, note))
     design = Design(SALTELLI, parameters, samples * (len(parameters) + 2), seed)
     runs = make_runs(loaded, design, kept, what=what, **options)
-    # The first of each group of D + 2 rows are the plain sample; the others repeat its values.
-    plain = runs.isel(run=slice(0, None, len(parameters) + 2))
     found, more = _indices(runs, parameters, samples, seed, _sizes(loaded))
-    return Uncertainty(runs, bands(plain), found, _note(runs, more))
+    return Uncertainty(runs, bands(runs), found, _note(runs, more))
 
 
 def spread_parameters(scene: Scene, spreads: Any) -> tuple[Any, tuple[Parameter, ...]]:
@@ -152,12 +161,17 @@ def _problem(parameters: Sequence[Parameter]) -> dict[str, Any]:
     return {"num_vars": len(names), "names": names, "bounds": [[0.0, 1.0]] * len(names)}
 
 
+def _plain(runs: xr.Dataset) -> xr.Dataset:
+    """Return the runs of the plain sample that ended well."""
+    width = sum("path" in runs[name].attrs for name in runs.coords)
+    plain = runs.isel(run=plain_rows(runs.attrs["design"], width))
+    return plain.isel(run=np.flatnonzero(np.isin(plain.status.values.tolist(), GOOD)))
+
+
 def bands(runs: xr.Dataset) -> xr.Dataset:
-    """Return the quantiles 5, 50, 95 % of everything kept, over the runs that ended well."""
-    good = np.isin(np.array(runs.status.values.tolist()), GOOD)
+    """Return the quantiles 5, 50, 95 % of everything kept, over the plain sample's runs that ended well."""
     names = [name for name in runs.data_vars if "keep" in runs[name].attrs]
-    picked = runs[names].isel(run=np.flatnonzero(good))
-    made = picked.quantile(QUANTILES, dim="run", keep_attrs=True)
+    made = _plain(runs)[names].quantile(QUANTILES, dim="run", keep_attrs=True)
     made["quantile"].attrs["long_name"] = "share of the runs below"
     return made
 
@@ -243,6 +257,11 @@ def _note(runs: xr.Dataset, more: str) -> str:
         told.append(
             f"{broken} of {len(runs.run)} runs broke ({share:.2g} %) and are not in the bands: they hold "
             "for the values that do not break."
+        )
+    if (sample := len(_plain(runs).run)) < _FEW:
+        told.append(
+            f"Bands of {sample} runs are too narrow: their 5 % and 95 % are hardly more than the least and "
+            "the largest that was met; take 64 samples or more."
         )
     return " ".join([*told, more] if more else told)
 

@@ -184,6 +184,11 @@ def info_folder(folder: Path, *, as_json: bool, checked: bool = False) -> None:
     print_table(("varied", "unit", "spread"), [_varied(p) for p in found["parameters"]])
     columns = ("kept", "unit", "shape", "least", "5 %", "median", "95 %", "largest")
     print_table(columns, [_kept(v) for v in found["kept"]], right=range(3, 8))
+    if found["plain"] < found["runs"]:
+        say(
+            f"5 %, median and 95 % are of {found['plain']} of the runs, which are a plain sample; "
+            "the others, for Sobol indices, repeat its values"
+        )
     causes = [(str(count), why) for why, count in found["causes"].items()]
     if causes:
         say("the numbers of what was kept are those of the runs that ended well alone")
