@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 
 from live.drive import do, r4, refused, slack_rope
 from ropewalk.live.describe import parameters
+from ropewalk.live.frozen import scene_now
 from ropewalk.live.parameters import PARAMETERS
 from ropewalk.live.session import Session
+from ropewalk.scene import SceneError
 from ropewalk.scene.presets import preset
 
 CHANGES = {
@@ -57,6 +61,59 @@ def test_a_change_takes_effect_without_a_jump(name: str) -> None:
     assert found == pytest.approx(CHANGES[name]) if name != "friction_form" else "axial"
     assert session.advance(9) == 0
     assert np.abs(session.main.simulation.positions - before).max() < 0.5  # m, in 1/60 s
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        {"kind": "set", "name": "mass", "value": 3.0},
+        {"kind": "set", "name": "gravity", "value": [1.0, -5.0, 0.5]},
+        {"kind": "cut", "segment": 9},
+        {"kind": "pin", "node": 11},
+        {"kind": "load", "node": 11, "mass": 1.0},
+    ],
+    ids=["mass", "gravity", "cut", "pin", "load"],
+)
+def test_a_scene_that_starts_at_rest_goes_on_where_it_stands(command: dict[str, Any]) -> None:
+    """It was put at rest anew by every change: a cut cable lay 17 m away at once."""
+    scene = slack_rope()
+    session = Session(scene.replace(run=scene.run.replace(start="at-rest")))
+    first = session.main.simulation.positions.copy()
+    session.main.kick(8, np.array([0.0, 2.0, 1.0]))
+    session.advance(250)
+    before = session.main.simulation
+    places, speeds = before.positions[:9].copy(), before.velocities[:9].copy()
+    assert np.abs(places - first[:9]).max() > 1e-3
+    do(session, **command)
+    after = session.main.simulation
+    assert np.array_equal(after.positions[:9], places)
+    assert np.array_equal(after.velocities[:9], speeds)
+    assert after.time == before.time
+    assert scene_now(session).run.start == "shape"
+    do(session, "reset", all=True)
+    assert np.array_equal(session.main.simulation.positions, first)
+    assert not session.main.simulation.velocities.any()
+    assert scene_now(session, fresh=True).run.start == "at-rest"
+
+
+def test_a_scene_that_starts_ringing_does_not_ring_again() -> None:
+    scene = slack_rope()
+    run = scene.run.replace(start="at-rest", ring={"mode": 1, "speed": 0.5})
+    session = Session(scene.replace(run=run))
+    assert np.abs(session.main.simulation.velocities).max() == pytest.approx(0.5)
+    session.advance(700)
+    before = session.main.simulation.velocities.copy()
+    do(session, "set", name="mass", value=2.5)
+    assert np.array_equal(session.main.simulation.velocities, before)
+
+
+def test_that_no_rest_is_found_is_refused_in_words() -> None:
+    """It was an error in Ropewalk itself."""
+    session = Session(preset("pulley"), "pulley")
+    do(session, "set", name="mass", value=1e9)
+    with pytest.raises(SceneError, match="no shape of rest was found"):
+        do(session, "reset")
+    do(session, "reset", all=True)
 
 
 def test_a_change_differs_from_no_change() -> None:

@@ -185,6 +185,10 @@ def test_what_a_large_scene_takes_long_for_is_done_beside_the_stage(
     broadcast = broadcasting(told, Session(slack_rope(MANY)), playing=True)
     assert not takes_long(parse({"type": "set", "name": "mass", "value": 1}), r4())
     assert takes_long(parse({"type": "set", "name": "method", "value": "rk4"}), r4())
+    rested = r4()
+    rested.loaded = rested.loaded.replace(**{"run.start": "at-rest"})
+    assert takes_long(parse({"type": "reset"}), rested)
+    assert not takes_long(parse({"type": "set", "name": "mass", "value": 1}), rested)
     apply = broadcast.session.apply
 
     def slowly(*args: Any) -> str:

@@ -57,10 +57,13 @@ def check_size(scene: Scene) -> None:
 
 
 def neutral(scene: Scene) -> Scene:
-    """Return the scene with straight shapes, for a simulation whose nodes have places already."""
+    """Return the scene with straight shapes, for a simulation whose nodes have places already.
+
+    It does not start at rest, nor ringing: what is made of it goes on where the simulation stands.
+    """
     shape = Straight(start=(0.0, 0.0, 0.0), end=(1.0, 0.0, 0.0))
     ropes = [rope.replace(shape=shape, kicks=()) for rope in scene.ropes]
-    return scene.replace(ropes=ropes)
+    return scene.replace(ropes=ropes, run=scene.run.replace(start="shape", ring=None))
 
 
 def same_nodes(layout: Layout) -> Floats:

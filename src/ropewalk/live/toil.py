@@ -31,7 +31,8 @@ def takes_long(command: Command, session: Session) -> bool:
     if command.type not in _BUILDING:
         return False
     nodes = sum(track.simulation.layout.nodes for track in session.tracks)
-    return nodes > MANY or _compiles(command) or session.loaded.run.start == "at-rest"
+    settles = command.type == "reset" and session.loaded.run.start == "at-rest"
+    return nodes > MANY or _compiles(command) or settles
 
 
 def _compiles(command: Command) -> bool:

@@ -25,9 +25,11 @@ from ropewalk.lowering import Plan, build, with_all_laws
 from ropewalk.lowering.joint_tables import tied_with
 from ropewalk.methods.partings import time_of_news
 from ropewalk.methods.recording import CONSERVATIVE, bends, work_names
-from ropewalk.scene import Scene
+from ropewalk.scene import Scene, SceneError
+from ropewalk.scene.faults import Fault
 from ropewalk.simulation import Simulation, Snapshot
 from ropewalk.simulation.block import Block
+from ropewalk.statics import NoRest
 
 LOSSES = ("friction", *(law.name for law in NODE_LAWS))
 # What may be changed while a winch works: it changes tables that all else is made of.
@@ -57,9 +59,13 @@ class Track:
     def __init__(self, scene: Scene, label: str = "", changes: Mapping[str, Any] | None = None):
         """Start a scene at time zero, its time step as it is planned now.
 
-        Raises SceneError when it cannot be planned.
+        Raises SceneError when it cannot be planned, or starts at rest and no rest is found.
         """
-        self._begin(Simulation(with_all_laws(build(scene))), label, changes or {})
+        try:
+            simulation = Simulation(with_all_laws(build(scene)))
+        except NoRest as error:
+            raise SceneError([Fault("run.start", scene.run.start, str(error))]) from None
+        self._begin(simulation, label, changes or {})
 
     @classmethod
     def of(cls, simulation: Simulation) -> Track:
