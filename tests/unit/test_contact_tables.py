@@ -12,7 +12,7 @@ import ropewalk as rw
 from ropewalk.record import contacts
 from ropewalk.record.export import export
 from ropewalk.record.quantities import TOGETHER, stored
-from ropewalk.scene import Scene, loads
+from ropewalk.scene import Cylinder, HalfPipe, Plane, Points, Polyline, Scene, loads
 
 g = 9.81
 
@@ -95,6 +95,70 @@ def test_a_wrap_has_its_angle_and_its_ratio() -> None:
     assert 0 < first < last < result.nodes - 1
     with pytest.raises(KeyError, match="name one of the obstacles drum"):
         result.wrap("post")
+
+
+def tackle() -> Scene:
+    """A rope over a bar, under a second one and over the first again, 1 kg and 1.3 kg at its ends."""
+    half = np.linspace(0.0, math.pi, 61)
+    c, s = 0.055 * np.cos(half), 0.055 * np.sin(half)
+    over, under = np.stack([-c, s], axis=1), np.stack([c, -0.4 - s], axis=1)
+    flat = np.vstack([[(-0.055, -0.6)], over, under, over, [(0.055, -0.6)]])
+    way = np.linspace(-0.03, 0.03, len(flat))
+    corners = [(float(x), float(y), float(z)) for (x, z), y in zip(flat, way, strict=True)]
+    rope = rw.Rope(
+        segments=160,
+        length=float(np.linalg.norm(np.diff(corners, axis=0), axis=1).sum()),
+        diameter=0.01,
+        made_of=rw.Material(EA=2e4, mass_per_length=0.01, axial_damping=20.0),
+        shape=Polyline(points=corners),
+        loads=[rw.Load(node=0, mass=1.0), rw.Load(node=-1, mass=1.3)],
+    )
+    bars = [
+        Cylinder(name=name, start=(0, -0.2, z), end=(0, 0.2, z), radius=0.05, friction=0.1)
+        for name, z in (("upper", 0.0), ("lower", -0.4))
+    ]
+    return Scene(ropes=[rope], obstacles=bars)
+
+
+def test_a_rope_twice_over_a_bar_has_two_wraps() -> None:
+    """Each with its own tensions and half a turn; what it turns by under the other bar is none of them."""
+    result = rw.equilibrium(tackle())
+    table = result.to_pandas("wraps").sort_values("first node")
+    table = table[table["angle [rad]"] > 0.1]  # the legs hang down beside the lower bar
+    assert list(table["obstacle"]) == ["upper", "lower", "upper"]
+    assert table["angle [rad]"].to_numpy() == pytest.approx(math.pi, rel=5e-3)
+    assert table["ratio at slip [1]"].to_numpy() == pytest.approx(math.exp(0.1 * math.pi), rel=2e-3)
+    assert (table["ratio [1]"] < table["ratio at slip [1]"]).all()
+    both = result.wrap("upper")
+    assert both.angle[0] == pytest.approx(2.0 * math.pi, rel=5e-3)
+    ends = both.before[0], both.after[0]
+    assert ends == (table["tension before [N]"].iloc[0], table["tension after [N]"].iloc[-1])
+    assert ends == pytest.approx((1.0 * g, 1.3 * g), rel=0.01)
+
+
+@pytest.mark.parametrize("where", ["trough", "floor"])
+def test_what_lies_in_a_trough_or_bent_on_a_floor_is_not_wrapped(where: str) -> None:
+    """A quarter of a circle, which a rope without weight would leave, or draw straight: it holds nothing."""
+    a = np.linspace(-0.25, 0.25, 21) * math.pi
+    if where == "trough":
+        body = HalfPipe(name=where, start=(0, -1, 0.5), end=(0, 1, 0.5), radius=0.5, friction=1.2)
+        places = np.stack([0.495 * np.sin(a), 0.0 * a, 0.5 - 0.495 * np.cos(a)], axis=1)
+    else:
+        body = Plane(name=where, friction=1.2)
+        places = np.stack([0.495 * np.sin(a), 0.495 * np.cos(a), 0.005 + 0.0 * a], axis=1)
+    made_of = rw.Material(EA=1e4, mass_per_length=0.1, axial_damping=5.0)
+    rope = rw.Rope(
+        segments=20,
+        length=float(np.linalg.norm(np.diff(places, axis=0), axis=1).sum()),
+        diameter=0.01,
+        made_of=made_of,
+        shape=Points(points=places.tolist()),
+    )
+    result = rw.equilibrium(Scene(ropes=[rope], obstacles=[body]))
+    (row,) = result.to_pandas("wraps").to_dict("records")
+    assert row["last node"] - row["first node"] == 20
+    assert row["angle [rad]"] == pytest.approx(0.0, abs=1e-3)
+    assert row["ratio at slip [1]"] == pytest.approx(1.0, abs=1e-3)
 
 
 def test_contacts_go_into_files(tmp_path: Path) -> None:
@@ -239,6 +303,7 @@ def test_of_several_obstacles_at_a_node_slipping_shows_first(
         node=np.array([2, 2, 5, 5]),
         normal=np.tile([0.0, 0.0, 1.0], (count, 1)),
         push=np.ones(count),
+        turn=np.zeros(count),
         rub=np.stack([slips, unknown, unknown, sticks]),
         friction=np.full(count, 0.3),
         slip=np.array([[1.0, 0, 0], *[[0.0, 0, 0]] * 3]),

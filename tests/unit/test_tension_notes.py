@@ -6,7 +6,7 @@ import pytest
 
 import ropewalk as rw
 from ropewalk.record.tension_notes import wave_time
-from ropewalk.scene import Straight
+from ropewalk.scene import Plane, Straight
 
 MEAN = "about the largest anchor force"
 JERK, PUSH = "about the largest tension", "about the least tension"
@@ -44,6 +44,22 @@ def test_smooth_runs_have_no_such_note(name: str) -> None:
 def test_a_peak_that_comes_smoothly_has_none_though_the_rope_goes_slack_after_it() -> None:
     """The chain's tension grows to its largest over its whole fall."""
     assert JERK not in rw.simulate(rw.preset("falling-chain")).table
+
+
+def test_a_chain_that_falls_free_carries_no_jerk_but_rounding() -> None:
+    """Onto a floor, link by link: nothing pulls, and what rounding leaves (1e-11 N) is no peak."""
+    made_of = rw.Material(EA=1e3, mass_per_length=0.5, axial_damping=0.05, tension_only=True)
+    chain = rw.Rope(
+        segments=50,
+        length=1.0,
+        diameter=0.005,
+        made_of=made_of,
+        shape=Straight(start=(0, 0, 1.0025), end=(0, 0, 0.0025)),
+    )
+    run = {"method": "esdirk3", "duration": 0.2, "frame_rate": 100, "time_step": 1e-3}
+    result = rw.simulate(rw.Scene(ropes=[chain], obstacles=[Plane()], run=run))
+    assert 0.0 < peak(result) < 1e-9
+    assert JERK not in result.table
 
 
 def test_a_negative_tension_says_what_pushes() -> None:

@@ -13,8 +13,8 @@ a surface on its own stays there.
 Sources: Cundall & Strack 1979, Geotechnique 29:47 (friction with memory); Simo & Hughes, Computational
 Inelasticity, 1998, ch. 2 (return mapping).
 
-Where nodes lie round a surface with the turning angle a each, a polygon's tensions grow by more than
-exp(mu a). So mu is replaced by
+Where nodes lie round a surface and turn towards it by the angle a each, a polygon's tensions grow by more
+than exp(mu a). So mu is replaced by
     tanh(mu a / 2) / tan(a / 2),
 with which two equal chords have exactly T2 / T1 = (1 + mu' tan(a/2)) / (1 - mu' tan(a/2)) = exp(mu a).
 """
@@ -206,7 +206,11 @@ def quickest_impact(state, force, dt, obstacles, memory):
 
 @kernel
 def turn_towards(x, i, nx, ny, nz, stiffness):
-    """Return the angle by which the rope turns at node `i` round a surface of this normal [rad]; else 0."""
+    """Return the angle by which the rope turns at node `i` towards a surface of this normal [rad]; else 0.
+
+    From how steeply the segment before it rises from the surface to how the one after it does: all of the
+    angle between them in a plane with the normal, nothing of it within the surface, as in a bight on a floor.
+    """
     if i == 0 or i == x.shape[1] - 1 or stiffness[i - 1] == 0.0 or stiffness[i] == 0.0:
         return 0.0
     ax, ay, az = x[0, i] - x[0, i - 1], x[1, i] - x[1, i - 1], x[2, i] - x[2, i - 1]
@@ -214,11 +218,9 @@ def turn_towards(x, i, nx, ny, nz, stiffness):
     a, b = math.sqrt(ax * ax + ay * ay + az * az), math.sqrt(bx * bx + by * by + bz * bz)
     if not (a > 0.0 and b > 0.0):
         return 0.0
-    towards = nx * (ax / a - bx / b) + ny * (ay / a - by / b) + nz * (az / a - bz / b)
-    if not towards > 0.0:
-        return 0.0
-    cx, cy, cz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
-    return math.atan2(math.sqrt(cx * cx + cy * cy + cz * cz), ax * bx + ay * by + az * bz)
+    before, after = (nx * ax + ny * ay + nz * az) / a, (nx * bx + ny * by + nz * bz) / b
+    before, after = min(max(before, -1.0), 1.0), min(max(after, -1.0), 1.0)
+    return max(math.asin(before) - math.asin(after), 0.0)
 
 
 @kernel

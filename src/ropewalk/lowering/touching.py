@@ -18,6 +18,8 @@ from ropewalk.laws.obstacle_pose import rates_of
 SLIPS = 0.99  # of what friction can carry: a contact that moves and carries more slips [1]
 STILL = 1e-6  # [m/s] a contact that moves less does not
 
+_Row = tuple[int, int, Floats, float, float, Floats, float]  # in the order that `_shared` reads
+
 
 class Contacts(NamedTuple):
     """Contacts at one time, one row each; c of them, by node."""
@@ -26,6 +28,7 @@ class Contacts(NamedTuple):
     node: Ints  # (c,) index of the arrays
     normal: Floats  # (c, 3) out of the obstacle [1]
     push: Floats  # (c,) R_n [N]
+    turn: Floats  # (c,) angle by which the rope turns there towards the obstacle [rad]
     rub: Floats  # (c, 3) R_t [N]
     friction: Floats  # (c,) coefficient with which the node acts as its arc [1]
     slip: Floats  # (c, 3) velocity of the node over the surface [m/s]
@@ -50,6 +53,16 @@ class Contacts(NamedTuple):
         return np.asarray(moves & ((self.use >= SLIPS) | (self.friction == 0.0)))
 
 
+def stretches(contacts: Contacts, rows: Ints) -> list[Ints]:
+    """Return rows of contacts of one rope with one obstacle in stretches of nodes side by side.
+
+    One node between two of them may be off.
+    """
+    if not rows.size:
+        return []
+    return list(np.split(rows, np.flatnonzero(np.diff(contacts.node[rows]) > 2) + 1))
+
+
 def turns(places: Floats) -> Floats:
     """Return the angle by which a line through places (n, 3) turns at every inner one [rad], (n - 2,)."""
     d = np.diff(places, axis=0)
@@ -66,7 +79,7 @@ def contacts_at(
     `force` (3, n) [N] is that of all obstacles on every node, `stiffness` (s,) that of the segments [N/m].
     Where a node touches several, each gets of the friction what its own could carry at most.
     """
-    rows: list[tuple[int, int, Floats, float, float, Floats]] = []
+    rows: list[_Row] = []
     now = [np.array(surface_at(table, o, t)) for o in range(len(table.kind))]
     for i in map(int, np.flatnonzero(np.any(force != 0.0, axis=0))):
         for o in range(len(table.kind)):
@@ -82,7 +95,7 @@ def contacts_at(
             turn = turn_towards(x, i, *direction, stiffness)
             friction = on_polygon(table.friction[o], turn)
             over = speed - np.cross(turning[0], place)
-            rows.append((o, i, normal, push, friction, over - normal * (normal @ over)))
+            rows.append((o, i, normal, push, friction, over - normal * (normal @ over), turn))
     return _shared(rows, force)
 
 
@@ -97,7 +110,7 @@ def at_rates(table: Obstacles, wheels: Floats, t: float) -> Obstacles:
     return table._replace(spin=spin, turns=turns, wheel=np.full_like(table.wheel, -1))
 
 
-def _shared(rows: list[tuple[int, int, Floats, float, float, Floats]], force: Floats) -> Contacts:
+def _shared(rows: list[_Row], force: Floats) -> Contacts:
     """Return the contacts with their friction, the rest of the force once all pushes are taken off."""
     count = len(rows)
     node = np.array([row[1] for row in rows], np.int64)
@@ -116,6 +129,7 @@ def _shared(rows: list[tuple[int, int, Floats, float, float, Floats]], force: Fl
         node=node,
         normal=normal,
         push=push,
+        turn=np.array([row[6] for row in rows], np.float64),
         rub=rub,
         friction=friction,
         slip=np.array([row[5] for row in rows]).reshape(count, 3),

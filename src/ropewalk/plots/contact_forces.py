@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -10,8 +9,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ropewalk.laws.obstacle_places import depths
-from ropewalk.lowering.touching import turns
+from ropewalk.lowering.touching import stretches
 from ropewalk.plots.sight import Floats, frame_at, good_frames
 from ropewalk.plots.style import (
     GREY,
@@ -25,7 +23,7 @@ from ropewalk.plots.style import (
     styled,
 )
 from ropewalk.plots.torn import broken_note
-from ropewalk.record.obstacle_table import obstacle_table, table_then
+from ropewalk.record.contacts import each_frame
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -44,7 +42,7 @@ class Coil:
     obstacle: str
     friction: float  # [1]
     first: int  # node of the rope
-    turned: Floats  # (k + 1,) angle of the rope up to each segment from the one before the wrap on [rad]
+    turned: Floats  # (k + 1,) angle round the bar up to each segment from the one before the wrap on [rad]
     tension: Floats  # (k + 1,) of these segments [N]
 
     @property
@@ -62,39 +60,27 @@ class Coil:
 
 
 def coils(result: Result, frame: int) -> list[Coil]:
-    """Return all wraps at a frame: where contact forces were recorded on at least three nodes in a row."""
-    table = obstacle_table(result.scene, result.layout)
-    force = result.contact_force
-    if table is None:
-        return []
-    places = result.positions[frame]
-    time = float(result.time[frame])
-    deep = depths(table_then(result, table, time), places.T, time)
-    touches = deep.max(axis=0) > -0.2 * table.thickness  # the others touch ropes
-    touches &= np.abs(force[frame]).sum(axis=1) > 0.0
-    touched = np.where(touches, deep.argmax(axis=0), -1)
+    """Return all wraps round bars at a frame, of at least three nodes; one between two may be off."""
     found = []
-    for span in result.layout.ropes:
-        x = places[span.start : span.end + 1]
-        pull = result.tension[frame][span.start : span.end]
-        bend = turns(x)
-        for body, first, last in _runs(touched[span.start : span.end + 1]):
-            first, last = max(first, 1), min(last, len(x) - 2)
-            obstacle = result.scene.obstacles[body]
-            if obstacle.kind not in _BARS or last - first + 1 < _FEWEST:
-                continue
-            turned = np.concatenate([[0.0], np.cumsum(bend[first - 1 : last])])
-            along = pull[first - 1 : last + 1]
-            found.append(Coil(span.name, obstacle.name, obstacle.friction, first, turned, along))
-    return found
-
-
-def _runs(values: np.ndarray) -> Iterator[tuple[int, int, int]]:
-    """Yield value, first and last place of runs of equal values that are not negative."""
-    edges = np.flatnonzero(np.diff(values)) + 1
-    for part in np.split(np.arange(len(values)), edges):
-        if len(part) and values[part[0]] >= 0:
-            yield int(values[part[0]]), int(part[0]), int(part[-1])
+    for _, contacts in each_frame(result, [frame]):
+        for span in result.layout.ropes:
+            own = (contacts.node >= span.start) & (contacts.node <= span.end)
+            pull = result.tension[frame][span.start : span.end]
+            for o, body in enumerate(result.scene.obstacles):
+                if body.kind not in _BARS:
+                    continue
+                for rows in stretches(contacts, np.flatnonzero(own & (contacts.obstacle == o))):
+                    nodes = contacts.node[rows] - span.start
+                    first, last = max(int(nodes[0]), 1), min(int(nodes[-1]), len(pull) - 1)
+                    if last - first + 1 < _FEWEST:
+                        continue
+                    bend = np.zeros(len(pull) + 1)
+                    bend[nodes] = contacts.turn[rows]
+                    turned = np.concatenate([[0.0], np.cumsum(bend[first : last + 1])])
+                    along = pull[first - 1 : last + 1]
+                    found.append(Coil(span.name, body.name, body.friction, first, turned, along))
+    ropes = [span.name for span in result.layout.ropes]
+    return sorted(found, key=lambda coil: (ropes.index(coil.rope), coil.first))
 
 
 @styled

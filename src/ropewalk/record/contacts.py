@@ -12,7 +12,7 @@ from ropewalk.core.arrays import Floats, Ints
 from ropewalk.laws.pairs.law import memory as pair_memory
 from ropewalk.laws.pairs.table import CONTACTS
 from ropewalk.lowering import Model, Span, build
-from ropewalk.lowering.touching import Contacts, at_rates, contacts_at, turns
+from ropewalk.lowering.touching import Contacts, at_rates, contacts_at, stretches
 from ropewalk.record.contact_modes import SLIPS, STICKS, UNKNOWN, WORDS
 from ropewalk.record.quantities import OBSTACLE_FORCE, PULLEYS
 from ropewalk.record.rope_contact_table import modes_on_ropes
@@ -26,11 +26,16 @@ RANK = np.array(
 
 
 class WrapHistory(NamedTuple):
-    """What a rope does on an obstacle in the course of a run, one row a frame."""
+    """What a rope does on an obstacle in the course of a run, one row a frame.
+
+    A rope may leave it and come back: the angle is that of all stretches on it, what the rope turns by
+    between them left out, and the tensions are those before the first and after the last of them. The table
+    ``wraps`` has each stretch on its own.
+    """
 
     time: Floats  # (frames,) [s]
     nodes: Ints  # (frames, 2) first and last node of the rope that touch; -1: none
-    angle: Floats  # (frames,) by which the rope turns there [rad]
+    angle: Floats  # (frames,) by which the rope turns there towards the obstacle [rad]
     before: Floats  # (frames,) tension of the segment before the first of them [N]
     after: Floats  # (frames,) ... after the last one [N]
 
@@ -86,24 +91,23 @@ def wrap_history(result: Result, rope: str | None, obstacle: str) -> WrapHistory
     count = result.frames
     nodes = np.full((count, 2), -1, np.int64)
     angle, before, after = np.zeros((3, count))
-    tension, places = result.tension, result.positions
+    tension = result.tension
     for frame, contacts in each_frame(result, range(count)):
-        touching = contacts.node[contacts.obstacle == o]
-        touching = touching[(touching >= span.start) & (touching <= span.end)]
+        own = (contacts.node >= span.start) & (contacts.node <= span.end)
+        touching = np.flatnonzero(own & (contacts.obstacle == o))
         if not touching.size:
             continue
-        lies = _lies(span, touching, places[frame], tension[frame])
+        lies = _lies(span, contacts, touching, tension[frame])
         nodes[frame], (angle[frame], before[frame], after[frame]) = lies[:2], lies[2:]
     return WrapHistory(np.asarray(result.time), nodes, angle, before, after)
 
 
 def _lies(
-    span: Span, touching: Ints, places: Floats, tension: Floats
+    span: Span, contacts: Contacts, rows: Ints, tension: Floats
 ) -> tuple[int, int, float, float, float]:
-    """Return first and last node of a rope that touch, the angle there, the tensions before and after."""
-    first, last = int(touching.min()), int(touching.max())
-    beyond = slice(max(first - 1, span.start), min(last + 1, span.end) + 1)
-    angle = float(turns(places[beyond]).sum())
+    """Return first and last node of rows of contacts, the angle there, the tensions before and after."""
+    first, last = int(contacts.node[rows].min()), int(contacts.node[rows].max())
+    angle = float(contacts.turn[rows].sum())
     before = float(tension[first - 1]) if first > span.start else 0.0
     after = float(tension[last]) if last < span.end else 0.0
     return first - span.start, last - span.start, angle, before, after
@@ -187,32 +191,32 @@ def rows(result: Result, frames: Iterable[int], nodes: Ints) -> list[NDArray[np.
 
 
 def wrap_rows(result: Result, frames: Iterable[int], wanted: Ints) -> list[NDArray[np.generic]]:
-    """Return the columns: a row for every rope with `wanted` nodes and obstacle that touch at a frame.
+    """Return the columns: a row for every stretch of a rope, of `wanted` nodes, on an obstacle at a frame.
 
-    Nodes are counted from the first that touches to the last, those between that do not touch included. The
-    ratio is that of the larger tension to the smaller one, NaN where that pulls nothing; at slip it is
+    The angle is that towards the obstacle: what turns within a floor, or lies in a trough, is not held by it.
+    The ratio is that of the larger tension to the smaller one, NaN where that pulls nothing; at slip it is
     exp(mu angle) for a rope without weight.
     """
     found: list[tuple[object, ...]] = []
-    tension, places = result.tension, result.positions
+    tension = result.tension
     for frame, contacts in each_frame(result, frames):
         power = (contacts.rub * contacts.slip).sum(axis=1)
         for span in result.layout.ropes:
             own = (contacts.node >= span.start) & (contacts.node <= span.end)
             own &= np.isin(contacts.node, wanted)
             for o in np.unique(contacts.obstacle[own]):
-                here = own & (contacts.obstacle == o)
                 body = result.scene.obstacles[o]
-                lies = _lies(span, contacts.node[here], places[frame], tension[frame])
-                _, _, angle, *both = lies
-                low, high = sorted(both)
-                found.append(
-                    (
-                        *(result.time[frame], span.name, body.name, *lies),
-                        *(high / low if low > 0.0 else np.nan, np.exp(body.friction * angle)),
-                        *(contacts.push[here].sum(), power[here].sum()),
+                for here in stretches(contacts, np.flatnonzero(own & (contacts.obstacle == o))):
+                    lies = _lies(span, contacts, here, tension[frame])
+                    _, _, angle, *both = lies
+                    low, high = sorted(both)
+                    found.append(
+                        (
+                            *(result.time[frame], span.name, body.name, *lies),
+                            *(high / low if low > 0.0 else np.nan, np.exp(body.friction * angle)),
+                            *(contacts.push[here].sum(), power[here].sum()),
+                        )
                     )
-                )
     columns = list(zip(*found, strict=True)) or [()] * len(WRAP_COLUMNS)
     words = ("rope", "obstacle")
     return [

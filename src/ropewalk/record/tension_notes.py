@@ -20,6 +20,7 @@ JERK = 0.5  # [1] a tension that was less than this part of its peak one frame b
 RESOLVED = 10.0  # [1] steps in which a wave goes through one segment: fewer blur a jerk
 _ROUNDING = 1e-6  # [1] of the largest tension: a smaller push is none
 _LESS = 0.002  # [1] of the largest tension: an anchor's force that is less by so much is told
+_SLACK = 1e-12  # [1] a strain of less is rounding of places
 
 
 def tension_note(result: Result, peak: Extreme) -> str:
@@ -35,9 +36,12 @@ def tension_note(result: Result, peak: Extreme) -> str:
         return ""
     if not peak.value > 0.0 or not math.isfinite(peak.value):
         return ""
-    through = wave_time(_rope_at(result, peak))
+    rope = _rope_at(result, peak)
+    through = wave_time(rope)
     frame = int(np.searchsorted(result.time, peak.until))
     if not 0 < frame < result.frames or not 0.0 < through < RESOLVED * plan.dt:
+        return ""
+    if peak.value < _SLACK * rope.segment_stiffness * rope.segment_length:
         return ""
     before = float(result.read("tension", frame - 1, frame)[0, peak.place])
     if not before < JERK * peak.value:

@@ -10,7 +10,7 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats, Ints
 from ropewalk.lowering import Model, Span
-from ropewalk.lowering.touching import SLIPS, Contacts, contacts_at, turns
+from ropewalk.lowering.touching import SLIPS, Contacts, contacts_at, stretches
 from ropewalk.statics.standing import standing_obstacles
 from ropewalk.words.prefixes import prefixed
 
@@ -32,7 +32,7 @@ class Wrap:
     first: int  # node of the rope
     last: int
     force: float  # sum of the normal forces [N]
-    angle: float  # by which the rope turns there [rad]
+    angle: float  # by which the rope turns there towards the obstacle [rad]
     before: float  # tension of the segment before the first node [N]; 0 at the rope's end
     after: float  # ... after the last node
     # Least and largest tension that friction holds after it with the one before as it is [N], or before it
@@ -132,16 +132,9 @@ def wraps(
     for rope in model.layout.ropes:
         for o in range(len(table.kind)):
             own = (contacts.node >= rope.start) & (contacts.node <= rope.end)
-            runs = _runs(contacts, np.flatnonzero(own & (contacts.obstacle == o)))
+            runs = stretches(contacts, np.flatnonzero(own & (contacts.obstacle == o)))
             found += [_wrap(model, x, tension, others, contacts, rope, o, rows) for rows in runs]
     return tuple(sorted(found, key=lambda wrap: (wrap.rope, wrap.first))), contacts
-
-
-def _runs(contacts: Contacts, rows: Ints) -> list[Ints]:
-    """Return contacts in runs of nodes side by side; one node between two of them may be off."""
-    if not rows.size:
-        return []
-    return list(np.split(rows, np.flatnonzero(np.diff(contacts.node[rows]) > 2) + 1))
 
 
 def _wrap(
@@ -171,7 +164,7 @@ def _wrap(
         first=first - rope.start,
         last=last - rope.start,
         force=float(contacts.push[rows].sum()),
-        angle=float(turns(x[:, max(first - 1, rope.start) : min(last + 1, rope.end) + 1].T).sum()),
+        angle=float(contacts.turn[rows].sum()),
         before=before,
         after=after,
         least=least,
