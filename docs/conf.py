@@ -34,7 +34,7 @@ myst_heading_anchors = 3
 html_theme = "furo"
 html_title = "Ropewalk"
 html_static_path = ["_static"]
-html_css_files = ["print.css"]
+html_css_files = ["site.css", "print.css"]
 html_copy_source = False
 
 autodoc_member_order = "bysource"

@@ -229,8 +229,8 @@ class Result(PointForces, Outlets):
     def energy_error(self) -> Floats:
         """Energy that no law accounts for [J], (frames,): the error of method and step.
 
-        total - total[0] - work of friction, air, ground, applied forces, limiter, winch, anchors and the
-        turning of clamps.
+        total - total[0] - the works of all that has no potential: friction, air, ground, applied forces,
+        limiter, winch, anchors, the turning of clamps, obstacles, contact of ropes, slides, parting.
         NaN when the run kept no ledger, and in broken frames whose numbers are not finite.
         """
         return energy_error(self.energy, self.work, self.facts.ledger)
