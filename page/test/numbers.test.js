@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { Range, figures, quantity, round } from "../src/view/range.js";
+import { Range, figures, marks, quantity, round } from "../src/view/range.js";
 import { fieldText, placeOf, readNumber, valueAt } from "../src/panels/scale.js";
 import { History } from "../src/graphs/history.js";
 import { distance } from "../src/input/pick.js";
@@ -23,6 +23,20 @@ test("quantities for people", () => {
   assert.equal(figures(-1.3e-4), "−1.3e−4");
   assert.equal(speedText(0.01), "1/100×");
   assert.equal(speedText(4), "4×");
+});
+
+test("an axis has one unit, and numbers that are what they mark", () => {
+  assert.deepEqual(marks([-10000, -5000, 0], "J"), ["−10 kJ", "−5 kJ", "0 kJ"]); // not −5000 J
+  assert.deepEqual(marks([-1e-9, -5e-10, 0, 5e-10], "m"), ["−1 nm", "−0.5 nm", "0 nm", "0.5 nm"]);
+  assert.deepEqual(marks([12300, 12350, 12400], "N"), ["12.3 kN", "12.35 kN", "12.4 kN"]);
+  assert.deepEqual(marks([1490, 1500, 1510], "N"), ["1490 N", "1500 N", "1510 N"]);
+  assert.deepEqual(marks([100, 100.5, 101], "s", true), ["100 s", "100.5 s", "101 s"]); // not 101 twice
+  assert.deepEqual(marks([0, 0.02, 0.04], "s", true), ["0 s", "0.02 s", "0.04 s"]);
+  assert.deepEqual(marks([12000, 12500], "m"), ["12000 m", "12500 m"]);
+  assert.deepEqual(marks([0, 0.1, 0.2, 0.1 + 0.2], "m"), ["0 m", "0.1 m", "0.2 m", "0.3 m"]);
+  assert.deepEqual(marks([0, 2e-30], "J"), ["0 J", "0 J"]);
+  assert.deepEqual(marks([0, 0.25, 0.5], "1"), ["0", "0.25", "0.5"]);
+  assert.deepEqual(marks([], "N"), []);
 });
 
 test("round numbers for the grid", () => {

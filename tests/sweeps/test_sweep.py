@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import warnings
 from pathlib import Path
 
 import numpy as np
@@ -400,3 +401,28 @@ def test_a_broken_run_is_marked_on_the_axis_where_no_value_is() -> None:
     (mark,) = [line for line in axes.lines if line.get_label() == "broken, no value"]
     np.testing.assert_array_equal(np.asarray(mark.get_xydata()), [[2.0, 0.0]])
     assert mark.get_transform() == axes.get_xaxis_transform()
+
+
+def test_places_that_a_winch_shifts_are_warned_of() -> None:
+    """`positions[-1, 3]` was another node in every run, without a word."""
+    scene = swing(0.02).replace(
+        winches=[rw.Winch(name="hoist", rope="rope", end="start", speed=0.5)],
+        **{"run.duration": 1.0},
+    )
+    speeds: dict[str, list[float]] = {"winch.speed": [0.0, 0.5]}
+    keep = ["positions[-1, 3, 2]", "tension.max", "tension.max[segment]", "reactions[-1, top]"]
+    with pytest.warns(UserWarning, match="not the same ones") as told:
+        ds = rw.sweep(scene, speeds, keep=keep, on="here", progress=False)
+    (said,) = [str(one.message) for one in told]  # nothing of numpy's
+    assert "segments of positions[-1, 3, 2], tension.max[segment] are" in said
+    on_drum = ds.tension_max_segment.values[1]
+    assert np.isnan(on_drum).any()
+    assert np.nanmax(on_drum) == ds.tension_max.values[1]
+    numbers = [alone(scene, **{"winch.speed": speed}).rope().numbers[3] for speed in (0.0, 0.5)]
+    assert numbers[0] != numbers[1]  # it is so
+    assert ds.positions_last_3_2.values[0] != ds.positions_last_3_2.values[1]
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        rw.sweep(scene, speeds, keep=["tension.max", "sag.max[time]"], on="here", progress=False)
+        same_drum = {"rope.made_of.EA": [1900.0, 2000.0]}
+        rw.sweep(scene, same_drum, keep=keep, on="here", progress=False)

@@ -21,6 +21,7 @@ from ropewalk.scene import (
     Velocity,
     apply_overrides,
 )
+from ropewalk.scene.presets import preset
 
 
 def rope(name: str, z: float = 0.0) -> Rope:
@@ -207,6 +208,15 @@ def test_replace_reaches_as_deep_as_an_override() -> None:
     assert [one.segments for one in both.ropes] == [4, 9]
     assert both.anchors[0].node == 2
     assert both.name == "other"
+
+
+def test_replace_names_parts_beside_a_path_as_without_one() -> None:
+    """Beside a path an anchor without a name was refused: its name "" must start with a letter."""
+    scene = preset("hanging-rope")
+    parts = {"anchors": [Anchor(node=0), Anchor(node=-1)]}
+    made = scene.replace(**parts, **{"run.duration": 1.0})
+    assert [anchor.name for anchor in made.anchors] == ["anchor0", "anchor1"]
+    assert made == scene.replace(**parts).replace(**{"run.duration": 1.0})
 
 
 def test_replace_takes_models_arrays_and_parts_of_scenes() -> None:

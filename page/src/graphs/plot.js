@@ -2,7 +2,7 @@
 
 import uPlot from "uplot";
 
-import { figures, quantity } from "../view/range.js";
+import { marks, quantity } from "../view/range.js";
 
 /** `low` and `high` name the bounds of a band, what was between two samples.
  * @typedef {{name: string, label: string, colour: string, low?: string, high?: string}} Series */
@@ -62,7 +62,7 @@ export class Plot {
             ticks: { ...line, size: 4 },
             font: FONT,
             size: 24,
-            values: (_, ticks) => ticks.map((t) => `${figures(t)} s`),
+            values: (_, ticks) => marks(ticks, "s", true),
           },
           // With scales of their own the first two lines have an axis each, in their colour.
           ...(this.own ? series.slice(0, 2) : [null]).map((one, i) => ({
@@ -74,8 +74,7 @@ export class Plot {
             font: FONT,
             size: widthOf,
             space: 20, // between two marks [CSS pixels]: a low graph has more than one
-            values: (/** @type {uPlot} */ _, /** @type {number[]} */ ticks) =>
-              ticks.map((v) => quantity(v, unit)),
+            values: (/** @type {uPlot} */ _, /** @type {number[]} */ ticks) => marks(ticks, unit),
           })),
         ],
         series: [

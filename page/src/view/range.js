@@ -69,6 +69,27 @@ export function quantity(value, unit = "") {
   return `${figures(value)}${space}`;
 }
 
+/** The numbers of an axis with their unit: one prefix for all, that of the largest unless `plain`, and as many
+ * figures as tell each apart. @param {number[]} values in order @param {string} unit @param {boolean} [plain] */
+export function marks(values, unit, plain = false) {
+  const largest = Math.max(0, ...values.map(Math.abs));
+  const [, prefixed] = quantity(largest, unit).split(" ");
+  const found = PREFIXES.find(([, prefix]) => prefix && prefix + unit === prefixed);
+  const [scale, prefix] = plain || !found ? [1, ""] : found;
+  if (!values.length || largest / scale < 1e-3 || largest / scale >= 1e7) {
+    return values.map((value) => quantity(value, unit));
+  }
+  const scaled = values.map((value) => value / scale);
+  const gaps = scaled.slice(1).map((value, i) => value - scaled[i]);
+  const room = 0.01 * Math.min(largest / scale, ...gaps);
+  const right = (/** @type {number} */ digits) =>
+    scaled.every((value) => Math.abs(Number(value.toFixed(digits)) - value) <= room);
+  let digits = 0;
+  while (digits < 12 && !right(digits)) digits += 1;
+  const space = unit && unit !== "1" ? ` ${prefix}${unitText(unit)}` : "";
+  return scaled.map((v) => `${Number(v.toFixed(digits)) + 0}${space}`.replace("-", "−"));
+}
+
 /** @param {number} value @returns {string} */
 export function figures(value) {
   const size = Math.abs(value);

@@ -20,9 +20,9 @@ def as_table(model: BaseModel) -> dict[str, Any]:
     derived: frozenset[str] = getattr(model, "derived", frozenset)()
     for (name, field), key in zip(type(model).model_fields.items(), keys(type(model)), strict=True):
         value = getattr(model, name)
-        if value is None or name in derived:
-            continue
         default = field.get_default()
+        if value is None or name in derived or value == default == "":
+            continue  # a name not given yet is none
         given = key in _WHERE_GIVEN and name in model.model_fields_set
         if key not in _ALWAYS and not given and value == default and repr(value) == repr(default):
             continue  # repr tells -0.0 from 0.0

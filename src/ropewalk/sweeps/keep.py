@@ -149,6 +149,15 @@ class Kept:
             return None
         return _OF_STEPS.get((self.quantity, self.reducer))
 
+    @property
+    def counts_along_ropes(self) -> bool:
+        """Whether it is of single nodes or segments, by their places in a result's arrays."""
+        dims = _about(self.quantity)[0]
+        picked = dict(zip(dims, self.picks or (), strict=False))
+        along = [dim for dim in dims if dim in ("node", "segment")]
+        gone = self.reducer is not None
+        return any(picked.get(dim) is not None or not gone or dim in self.but for dim in along)
+
     def _frame(self) -> Any:
         return self.picks[0] if self.picks else None
 
@@ -209,9 +218,18 @@ class Kept:
             array = np.linalg.norm(array, axis=dims.index("axis"))
             dims = tuple(dim for dim in dims if dim != "axis")
         over = tuple(i for i, dim in enumerate(dims) if dim in _REDUCED and dim not in self.but)
-        made = _REDUCERS[self.reducer][1](array, axis=over)
+        made = _over(_REDUCERS[self.reducer][1], array, over)
         left = tuple(dim for i, dim in enumerate(dims) if i not in over)
         return np.asarray(made, dtype=np.float64), left
+
+
+def _over(reduce: Callable[..., Any], array: Floats, axes: tuple[int, ...]) -> Any:
+    """Reduce over axes; NaN, without a warning, where there is nothing but NaN."""
+    none = np.asarray(np.isnan(array).all(axis=axes, keepdims=True))
+    if not none.any():
+        return reduce(array, axis=axes)
+    made = reduce(np.where(none, 0.0, array), axis=axes)
+    return np.where(none.squeeze(axes), np.nan, made)
 
 
 def _about(quantity: str) -> tuple[tuple[str, ...], str, str]:

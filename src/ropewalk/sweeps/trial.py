@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
+import warnings
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
@@ -174,7 +175,20 @@ def try_out(
     for corner in corners(ends) if given else ():  # only for the largest sizes: no run of the table
         with suppress(SceneError, NoRest):
             found.append(_tried(workshop, corner, keep, what))
+    _warn_of_drums([model for model, _ in found], keep)
     return _trial(found, keep, what)
+
+
+def _warn_of_drums(models: Sequence[Model], keep: Sequence[Kept]) -> None:
+    """Warn where places along ropes are not the same ones in all runs: winches wind more rope or less."""
+    spare = {tuple((r.spare_start, r.spare_end) for r in model.layout.ropes) for model in models}
+    moved = [kept.text for kept in keep if kept.counts_along_ropes]
+    if len(spare) > 1 and moved:
+        warnings.warn(
+            f"keep: nodes and segments of {', '.join(moved)} are not the same ones in all runs: they count "
+            "from what lies on a winch's drum on, and these runs wind more rope or less",
+            stacklevel=6,
+        )
 
 
 def _tried(workshop: Workshop, corner: list[Any], keep: Sequence[Kept], what: str) -> _Tried:
