@@ -88,56 +88,111 @@ def split_tension(laws, stiffness, tension, length, floor, work, saddle, elastic
 
 @part
 def is_stopped(system, state, forces, dt):
-    """Tell whether bounds take a good part of the kinetic energy in a step of `dt` [s], an impact.
+    """Tell whether bounds, or strings that get taut, take a good part of the kinetic energy in a step of
+    `dt` [s], an impact.
 
     `forces` are means of the step, whose begin `state` is.
     """
-    if not limits(system):
-        return False
     lasting = 0.0 if state.jolt[0] > 0.0 else 1.0  # what an impact's last step left is none
-    taken = stopped_energy(state.forces.limiter, forces.limiter, lasting, state.x, state.v, dt)
+    x, v, before = state.x, state.v, state.forces
+    taken = tightening_energy(
+        state.stiffness, system.slack_floor, before.elastic, forces.elastic, lasting, x, v, dt
+    )
+    if limits(system):
+        taken += stopped_energy(before.limiter, forces.limiter, lasting, x, v, dt)
     return taken > 0.0 and taken > IMPACT * energy_past_anchors(state)
+
+
+@small
+def run_in(before, after, x, v, j):
+    """Return how segment `j` meets what stops it, all times its length: its pull after a step and before [N],
+    its rate of length [m/s]; and its length's square [m^2].
+
+    `before` and `after`, (3, n + 1), are what stops it as the step begins and in it; `x` and `v` (3, n) are
+    those it begins with.
+    """
+    pull, held, rate, square = 0.0, 0.0, 0.0, 0.0
+    for k in range(3):
+        d = x[k, j + 1] - x[k, j]
+        pull += d * after[k, j + 1]
+        held += d * before[k, j + 1]
+        rate += d * (v[k, j + 1] - v[k, j])
+        square += d * d
+    return pull, held, rate, square
+
+
+@small
+def plastic_loss(before, after, lasting, x, v, j, dt):
+    """Return the kinetic energy that what stops segment `j` takes from it in a step [J].
+
+    A plastic impact of impulses p, which brings the rates of length s' to zero, takes sum p s' / 2 (Carnot):
+    in its p is all that hangs on a segment, by joints or by others at bounds. Of the forces as a step begins
+    a share `lasting` goes on. See `run_in`.
+    """
+    pull, held, rate, square = run_in(before, after, x, v, j)
+    pull -= lasting * held
+    if pull * rate > 0.0 and abs(rate) > STILL * square:
+        return 0.5 * dt * pull * rate / square
+    return 0.0
 
 
 @kernel
 def stopped_energy(before, after, lasting, x, v, dt):
     """Return the kinetic energy that bounds take from segments which run into them in a step [J].
 
-    A plastic impact of impulses p, which brings the rates of length s' to zero, takes sum p s' / 2 (Carnot):
-    in its p is all that hangs on a segment, by joints or by others at bounds. `before` and `after` are the
-    limiter's forces as the step begins, of which a share `lasting` goes on, and in it, (3, n + 1); `x` and
-    `v` (3, n) are those it begins with.
+    `before` and `after` are the limiter's forces, as in `plastic_loss`.
     """
     total = 0.0
     for j in range(v.shape[1] - 1):
-        pull, rate, square = 0.0, 0.0, 0.0
-        for k in range(3):
-            d = x[k, j + 1] - x[k, j]
-            pull += d * (after[k, j + 1] - lasting * before[k, j + 1])
-            rate += d * (v[k, j + 1] - v[k, j])
-            square += d * d
-        if pull * rate > 0.0 and abs(rate) > STILL * square:
-            total += 0.5 * dt * pull * rate / square
+        total += plastic_loss(before, after, lasting, x, v, j, dt)
     return total
+
+
+@small
+def is_string(stiffness, floor, j):
+    """Tell whether segment `j` is a rigid link that only pulls."""
+    return stiffness[j] == math.inf and floor[j] == 0.0
+
+
+@kernel
+def tightening_energy(stiffness, floor, before, after, lasting, x, v, dt):
+    """Return the kinetic energy that strings take as they get taut in a step [J]: links that only pull.
+
+    `before` and `after` are the elastic forces, as in `plastic_loss`.
+    """
+    total = 0.0
+    for j in range(stiffness.shape[0]):
+        if is_string(stiffness, floor, j):
+            total += plastic_loss(before, after, lasting, x, v, j, dt)
+    return total
+
+
+@kernel
+def book_tightening(stiffness, floor, elastic, middle, dt, work):
+    """Book what strings did in a step in which they got taut as friction [J]: it is lost, and none is stored.
+
+    `elastic` (3, n + 1) is the mean force, `middle` (3, n) the velocity of mid-step.
+    """
+    for j in range(stiffness.shape[0]):
+        if is_string(stiffness, floor, j):
+            done = 0.0
+            for k in range(3):
+                done -= dt * elastic[k, j + 1] * (middle[k, j + 1] - middle[k, j])
+            work.friction[j] += done
+            work.elastic[j] -= done
 
 
 @kernel
 def time_to_bounds(limiter, before, after, rest_length, x, v):
     """Return when the first of the segments that come to a bound in a step gets there [s], at the rate that
-    it begins with, and the largest rate of all that are at one at its end [m/s].
+    it begins with, inf for none, and the largest rate of all that are at one at its end [m/s].
 
     `before` and `after`, (3, n + 1), are the limiter's forces as the step begins and in it: not zero at a
-    bound. Those that are at theirs already come to none: rounding leaves them a rate. 0 for no other.
+    bound. Those that are at theirs already come to none: rounding leaves them a rate.
     """
     first, fastest = math.inf, 0.0
     for j in range(rest_length.shape[0]):
-        pull, held, rate, square = 0.0, 0.0, 0.0, 0.0
-        for k in range(3):
-            d = x[k, j + 1] - x[k, j]
-            pull += d * after[k, j + 1]
-            held += d * before[k, j + 1]
-            rate += d * (v[k, j + 1] - v[k, j])
-            square += d * d
+        pull, held, rate, square = run_in(before, after, x, v, j)
         if square == 0.0 or pull * rate <= 0.0:
             continue
         r = math.sqrt(square)
@@ -145,7 +200,23 @@ def time_to_bounds(limiter, before, after, rest_length, x, v):
         if pull * held <= 0.0:
             bound = (limiter.longest if pull > 0.0 else limiter.shortest) * rest_length[j]
             first = min(first, max((bound - r) * r / rate, 0.0))
-    return first if first < math.inf else 0.0, fastest
+    return first, fastest
+
+
+@kernel
+def time_to_taut(stiffness, floor, before, after, rest_length, x, v):
+    """Return the same for strings that get taut; `before` and `after` are the elastic forces."""
+    first, fastest = math.inf, 0.0
+    for j in range(rest_length.shape[0]):
+        if not is_string(stiffness, floor, j):
+            continue
+        pull, held, rate, square = run_in(before, after, x, v, j)
+        if square > 0.0 and pull > 0.0 and rate > STILL * square:
+            r = math.sqrt(square)
+            fastest = max(fastest, rate / r)
+            if held <= 0.0:
+                first = min(first, max((rest_length[j] - r) * r / rate, 0.0))
+    return first, fastest
 
 
 @kernel

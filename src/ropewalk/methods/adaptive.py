@@ -12,6 +12,7 @@ ceases to act on a node, as a ground does, or a segment goes taut or slack (`cro
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
 import numpy as np
@@ -20,10 +21,10 @@ from ropewalk.core.arrays import Floats, State, System, pooled
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.status import HIT, OK, PAUSED, UNSOLVED
 from ropewalk.laws.anchors import release_anchors
-from ropewalk.laws.bounds import is_stopped, time_to_bounds
+from ropewalk.laws.bounds import is_stopped, time_to_bounds, time_to_taut
 from ropewalk.laws.contact_frame import STOPS
 from ropewalk.laws.links import hold_links, note_reactions
-from ropewalk.laws.rare import acts_after, parts, winds
+from ropewalk.laws.rare import acts_after, limits, parts, winds
 from ropewalk.laws.winch import end_turns, plan_turns, wind_to
 from ropewalk.methods.controller import (
     BEGIN,
@@ -194,12 +195,17 @@ def try_step(system, state, before, scratch, t, after, dt, ledger, tableau):
 
 @part
 def land(system, state, before, scratch, t, after, dt, ledger):
-    """As `try_step`, for a step that runs into bounds: first up to them, then a short one of implicit Euler,
-    in which none that is stopped moves by more than half the tolerance.
+    """As `try_step`, for a step that runs into bounds, or gets strings taut: first up to there, then a short
+    one of implicit Euler, in which none that is stopped moves by more than half the tolerance.
     """
     solver = scratch.solver
-    old, new = before.forces.limiter, solver.mean.limiter
-    first, rate = time_to_bounds(system.limiter, old, new, before.rest_length, before.x, before.v)
+    length, x, v, old, new = before.rest_length, before.x, before.v, before.forces, solver.mean
+    stiffness, floor = before.stiffness, system.slack_floor
+    first, rate = time_to_taut(stiffness, floor, old.elastic, new.elastic, length, x, v)
+    if limits(system):
+        other, fast = time_to_bounds(system.limiter, old.limiter, new.limiter, length, x, v)
+        first, rate = min(first, other), max(rate, fast)
+    first = first if first < math.inf else 0.0
     short = max(0.5 * scratch.limits[0] / rate, EVENT_STEP)
     if first > short:
         return (first - 0.5 * short if first < dt else 0.5 * dt), -1

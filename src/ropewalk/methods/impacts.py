@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from ropewalk.core.jit import part
-from ropewalk.laws.bounds import is_stopped
+from ropewalk.laws.bounds import book_tightening, is_stopped
+from ropewalk.laws.ledger import account
 from ropewalk.laws.nodes import hits
 from ropewalk.methods.stage_report import QUICK
 from ropewalk.methods.tableaus import DIRK
@@ -19,6 +20,18 @@ def is_struck(system, state, stage, forces, dt):
     stage.report[QUICK] = quick
     free = stage.saddle.band.frozen[0] == 0
     return is_stopped(system, state, forces, dt) or (free and quick > 0.0)
+
+
+@part
+def book_step(system, state, mean, middle, dt, struck, ledger):
+    """Book the works of a step with the forces `mean`, and note whether something was `struck` in it."""
+    if struck:
+        state.jolt[0] = 1.0
+    if ledger:
+        account(system, state, mean, middle, dt)
+        if struck:
+            stiffness, floor = state.stiffness, system.slack_floor
+            book_tightening(stiffness, floor, mean.elastic, middle, dt, state.work)
 
 
 @part
