@@ -28,9 +28,9 @@ def hard_note(result: Result, tension: Extreme, force: Extreme) -> str:
     what = " or ".join(["a rigid link"] * rigid + ["a bound of the limiter"] * limited)
     instead = "a finite EA, or a curve" if rigid else "its EA, or a curve, in place of the limiter"
     return (
-        f"{what} gives nothing: it stops what moves within a step, so that the largest tension and anchor "
-        "force are momentum over a step, with its share in tension and reaction depending on the method, and "
-        f"grow as steps get shorter; for a rope's own peak give it {instead}"
+        f"{what} gives nothing: it stops what moves within a step. The largest tension and anchor force, and "
+        "utilisation by them, are momentum over a step and grow as steps get shorter; for a rope's own peak "
+        f"give it {instead}"
     )
 
 
