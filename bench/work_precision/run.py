@@ -54,13 +54,13 @@ def write_points(points: list[Point], path: Path, about: dict[str, str]) -> None
 
 
 def write_table(case: Case, points: list[Point], path: Path) -> None:
-    """Write the times [ms] to some errors as CSV, for the documentation."""
-    with path.open("w", newline="") as file:
+    """Write the times [ms] to some errors as CSV, for the documentation, where a hyphen would be a list."""
+    with path.open("w", encoding="utf-8", newline="") as file:
         writer = csv.writer(file)
         writer.writerow(["method", *(f"{error} [ms]" for error in ERRORS)])
         for family, name in contestants(points, case.name):
             own = points_of(points, case.name, family, name)
             times = [time_at(own, error) for error in ERRORS.values()]
             label = f"`{name}`" if family == "ropewalk" else f"{family}: {name}"
-            shown = [f"{1e3 * t:.3g}" if math.isfinite(t) else "-" for t in times]
+            shown = [f"{1e3 * t:.3g}" if math.isfinite(t) else "–" for t in times]
             writer.writerow([label, *shown])
