@@ -11,6 +11,7 @@ import pytest
 import ropewalk as rw
 from ropewalk.analysis.check import check
 from ropewalk.lowering import build
+from ropewalk.record.extremes import extremes
 from ropewalk.record.resume import resume_run
 from ropewalk.scene import Air, Anchor, Ground, Material, Rope, Scene, Springs, Straight
 from ropewalk.statics import static_shape
@@ -142,3 +143,24 @@ def test_energies_of_an_equilibrium_are_those_of_a_frame() -> None:
     np.testing.assert_allclose(found.energy["elastic"], first.energy[:, 2], rtol=1e-9)
     np.testing.assert_allclose(found.tension, first.tension, rtol=1e-9)
     np.testing.assert_allclose(found.reactions, first.reaction, atol=1e-12)
+
+
+@pytest.mark.parametrize("EA", [1e6, math.inf])
+@pytest.mark.parametrize("tension_only", [True, False])
+def test_the_largest_tension_at_rest_is_that_of_its_segments(EA: float, tension_only: bool) -> None:
+    """Of rigid links it was 0 N, or none: those of the state, which nobody had solved for."""
+    rope = Rope(
+        segments=4,
+        length=2.0,
+        made_of=Material(EA=EA, mass_per_length=0.1, tension_only=tension_only),
+        shape={"kind": "straight", "start": (0, 0, 0), "end": (0, 0, -2.0)},
+        loads=[{"node": -1, "mass": 20.0}],
+    )
+    result = rw.equilibrium(Scene(ropes=[rope], anchors=[Anchor(node=0)], gravity=(0, 0, -9.81)))
+    weights = 9.81 * (20.0 + 0.025 + 0.05 * np.arange(3, -1, -1))
+    assert result.tension[0] == pytest.approx(weights, rel=1e-9)
+    assert result.table["largest tension [N]"] == pytest.approx(weights[0], rel=1e-9)
+    assert result.table["largest tension at"] == "segment 0 of rope 'rope'"
+    found = extremes(result)
+    assert found["greatest tension"].value == result.tension.max()
+    assert found["least tension"].value == result.tension.min()

@@ -5,15 +5,18 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ropewalk.core import arrays
+from ropewalk.core.arrays import Floats
 from ropewalk.core.deferred import clock
+from ropewalk.core.peaks import LEAST_TENSION, TENSION
 from ropewalk.core.status import OK
 from ropewalk.laws.clamps import start_clamps
 from ropewalk.lowering import Model, build
 from ropewalk.lowering.elastic_tables import let_relax, stored_at_rest
 from ropewalk.methods.loop import prepare
-from ropewalk.methods.recording import ENERGIES, make_recording, record_frame
+from ropewalk.methods.recording import ENERGIES, Recording, make_recording, record_frame
 from ropewalk.methods.scratch import make_sums
 from ropewalk.methods.watch import begin_interval
 from ropewalk.record.facts import AT_REST, Facts, provenance
@@ -79,10 +82,19 @@ def _frame(model: Model, statics: Statics) -> Block:
     pull, sums = np.zeros((2, model.layout.segments)), make_sums()
     begin_interval(model.system, state, pull, sums, 0.0, False)
     record_frame(model.system, state, True, sums, 0, out)
-    same = (out.tension, out.elastic_tension, out.tension_low, out.tension_high)
-    for tension in same if model.scene.run.extremes else same[:2]:
-        tension[0] = statics.tension
+    _put_tensions(out, state.stiffness > 0.0, statics.tension, model.scene.run.extremes)
     out.elastic_tension[0] = statics.elastic_tension
     out.energy[0, ENERGIES.index("gravity")] -= model.gravity_zero
     out.energy[0, ENERGIES.index("elastic")] = stored
     return Block(np.zeros(1), out, OK, rope_contacts(state), on_obstacles(model.system, state))
+
+
+def _put_tensions(out: Recording, live: NDArray[np.bool_], tension: Floats, extremes: bool) -> None:
+    """Write the tensions of rest [N], (s,), and their extremes; of rigid links the state knows none."""
+    out.tension[0] = tension
+    if not extremes or not live.any():
+        return
+    out.tension_low[0] = out.tension_high[0] = tension
+    for which, size in ((TENSION, tension), (LEAST_TENSION, -tension)):
+        place = int(np.argmax(np.where(live, size, -np.inf)))
+        out.extremes[0, which], out.extreme_places[0, which] = tension[place], place
