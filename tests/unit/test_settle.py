@@ -156,7 +156,9 @@ def test_the_largest_tension_at_rest_is_that_of_its_segments(EA: float, tension_
         shape={"kind": "straight", "start": (0, 0, 0), "end": (0, 0, -2.0)},
         loads=[{"node": -1, "mass": 20.0}],
     )
-    result = rw.equilibrium(Scene(ropes=[rope], anchors=[Anchor(node=0)], gravity=(0, 0, -9.81)))
+    hung = Scene(ropes=[rope], anchors=[Anchor(node=0)], gravity=(0, 0, -9.81))
+    assert ("strain 0 %" in str(check(hung, measure=False))) is math.isinf(EA)
+    result = rw.equilibrium(hung)
     weights = 9.81 * (20.0 + 0.025 + 0.05 * np.arange(3, -1, -1))
     assert result.tension[0] == pytest.approx(weights, rel=1e-9)
     assert result.table["largest tension [N]"] == pytest.approx(weights[0], rel=1e-9)

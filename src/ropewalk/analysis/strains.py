@@ -27,8 +27,8 @@ _BEAR = {"dynamic climbing rope": _CLIMBING, "rubber": 1.0}
 
 
 def percent(strain: float) -> str:
-    """Return a strain in per cent."""
-    return f"{100.0 * strain:.3g} %"
+    """Return a strain in per cent; what rounding leaves of a rope that does not stretch is none."""
+    return f"{100.0 * strain if abs(strain) > 1e-12 else 0.0:.3g} %"
 
 
 def strain_warnings(model: Model, statics: Statics, ropes: tuple[RopeCheck, ...]) -> list[str]:
