@@ -16,6 +16,7 @@ from ropewalk.library import rope as library_rope
 from ropewalk.lowering import build
 from ropewalk.scene import (
     Box,
+    Contact,
     Cylinder,
     Load,
     Material,
@@ -23,6 +24,8 @@ from ropewalk.scene import (
     Plane,
     Polyline,
     Rope,
+    Scene,
+    Slide,
     Spin,
     Straight,
     Torus,
@@ -158,6 +161,20 @@ def test_no_rope_of_the_library_looks_like_a_slip() -> None:
             shape=Straight(start=(0, 0, 0)),
         )  # fmt: skip
         assert unit_slips(build(scene().model_copy(update={"ropes": (piece,)}))) == [], name
+
+
+@pytest.mark.parametrize(("friction", "warned"), [(30.0, True), (1.5, False)])
+def test_friction_in_per_cent_is_a_slip(friction: float, warned: bool) -> None:
+    """It was taken without a word: 30, or the 17 degrees of an angle, for 0.3."""
+    rope = material(name="line", diameter=0.01)
+    other = material(name="rider", diameter=0.01, shape=Straight(start=(0, 9, 0)))
+    plane = Plane(point=(0, 0, -100.0), friction=friction)
+    slide = Slide(rope="rider", on="line", at=0.5 * rope.length_unstretched, friction=friction)
+    made = Scene(ropes=[rope, other], obstacles=[plane], contact=Contact(friction=friction))
+    told = unit_slips(build(made))
+    told += unit_slips(build(Scene(ropes=[rope, other], slides=[slide])))
+    paths = ["obstacle[0].friction", "contact.friction", "slide[0].friction"]
+    assert [text.split(":")[0] for text in told] == (paths if warned else [])
 
 
 @pytest.mark.parametrize(("speed", "warned"), [(1000.0, True), (30.0, False)])

@@ -39,13 +39,14 @@ _RUBBER = 60.0  # speed of sound below which a rope is of rubber and stretches b
 _SHORTEST = 3.0  # length over diameter [1]
 _LONGEST = 1e4  # m, of a rope with weight
 _SOUND = 340.0  # m/s, in air
+_ROUGHEST = 3.0  # [1] coefficient of friction; rubber on rough rock has some 1.5
 _FAR_OFF = 100.0  # initial length over unstretched length, or the reverse
 
 
 def unit_slips(model: Model) -> list[str]:
     """Return one sentence for every number of a scene that looks like a slip of units."""
     scene = model.scene
-    found = _gravity(scene) + _run(scene) + _speeds(model)
+    found = _gravity(scene) + _run(scene) + _speeds(model) + _frictions(scene)
     for i, rope in enumerate(scene.ropes):
         path = f"rope[{i}]"
         found += _line(path, rope) + _section(path, rope, scene) + _size(path, rope, model)
@@ -104,6 +105,20 @@ def _speeds(model: Model) -> list[str]:
         for path, speed in given
         if speed > _SOUND
     ] + [text for i in range(len(scene.obstacles)) for text in _spin(i, model)]
+
+
+def _frictions(scene: Scene) -> list[str]:
+    """Coefficients of Coulomb's friction, of obstacles, ropes on ropes and what slides."""
+    given = [(f"obstacle[{i}].friction", one.friction) for i, one in enumerate(scene.obstacles)]
+    given += [(f"slide[{i}].friction", one.friction) for i, one in enumerate(scene.slides)]
+    if scene.contact is not None:
+        given.append(("contact.friction", scene.contact.friction))
+    return [
+        f"{path}: {value:g} is rougher than any rope on anything (0.1 to 1.5); a percentage, or an angle? "
+        f"{value:g} % is {0.01 * value:g}"
+        for path, value in given
+        if value > _ROUGHEST
+    ]
 
 
 def _spin(row: int, model: Model) -> list[str]:
