@@ -36,7 +36,7 @@ Bools = NDArray[np.bool_]
 _TOUCHING = tuple(law.name for law in NODE_LAWS if law.touch is not None)
 _VALUES = 1_000_000  # numbers of one quantity looked at together
 _LEAST = 1e-9  # [1] of the energy turned over as seen at rest: less is rounding
-_STILL = 1e-12  # [1] of the energies, or of weight times length: where less is turned over, nothing moves
+_STILL = 1e-10  # [1] of the energies, or of weight times length: where less is turned over, nothing moves
 
 
 class Carried(NamedTuple):
