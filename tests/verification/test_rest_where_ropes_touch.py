@@ -100,6 +100,7 @@ def test_two_strings_press_by_the_closed_form() -> None:
     assert give * force < 0.02 * WIDE  # within the skin, where the compliance is the given one
     (touch,) = found.touches
     assert touch.force == pytest.approx(force, rel=1e-6)
+    assert ", the sum of" not in str(touch)
     assert found.positions[10, 2] == pytest.approx(over - w, abs=1e-9)
     assert found.residual < 1e-9
 
@@ -188,6 +189,9 @@ def test_a_rope_over_another_holds_within_the_capstans_bounds() -> None:
     assert strand.most / strand.before == pytest.approx(math.exp(0.3 * strand.angle), rel=1e-9)
     assert all(0.0 < touch.use <= 1.0 + 1e-9 for touch in found.touches)
     assert "friction holds" in str(found.touches[0])
+    whole = max(found.touches, key=lambda touch: touch.contacts)
+    assert whole.contacts > 1  # so the sum of what presses is more than the weight that it bears
+    assert f" N, the sum of {whole.contacts} contacts;" in str(whole)
     assert stays(scene) < 1e-7
     for slides in (hung(0.24, 0.06), hung(0.18, 0.10, 0.0)):
         with pytest.raises(NoRest, match="slide or fall on and on"):

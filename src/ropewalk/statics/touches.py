@@ -53,13 +53,16 @@ class Touch:
 
     strand: Strand
     other: Strand
-    force: float  # sum of the normal forces [N]
+    force: float  # sum of the normal forces [N]: round a bend more than what one rope bears of the other
+    contacts: int  # of which it is the sum
     use: float  # largest |R_t| / (mu R_n) of its contacts [1]; 1: at the limit; 0 without friction
     friction: float  # coefficient [1]
 
     def __str__(self) -> str:
         verb = "touches" if self.strand.first == self.strand.last else "touch"
         said = f"{self.strand.words} {verb} {self.other.words} with {prefixed(self.force, 'N', 4)}"
+        if self.contacts > 1:
+            said += f", the sum of {self.contacts} contacts"
         if self.friction == 0.0:
             return said
         said += f"; contacts take up to {_CENT * self.use:.3g} % of what friction can carry"
@@ -138,7 +141,7 @@ def touches(model: Model, memory: Any, x: Floats, tension: Floats) -> tuple[Touc
     for here in _clusters(pair):
         use = float((rub[here] / (mu * push[here])).max()) if mu > 0.0 else 0.0
         one, other = (_strand(model, x, tension, pair[here, side], mu) for side in (0, 1))
-        found.append(Touch(one, other, float(push[here].sum()), use, mu))
+        found.append(Touch(one, other, float(push[here].sum()), len(here), use, mu))
     return tuple(found)
 
 
