@@ -236,6 +236,28 @@ def test_beyond_it_there_is_no_rest() -> None:
         static_shape(weighted(1.02 * math.exp(0.3 * math.pi), drum(0.3)))
 
 
+@pytest.mark.parametrize(("f", "holds"), [(0.98, True), (1.02, False)])
+def test_forces_alone_draw_a_rope_over_a_drum(f: float, holds: bool) -> None:
+    """Without weight and anchors: 5 N and f exp(mu pi) times as much. It was told that they carry it away."""
+    pulls = 5.0, 5.0 * f * math.exp(0.3 * math.pi)
+    forces = [Force(node=k, force=(0, 0, -pull)) for k, pull in zip((0, -1), pulls, strict=True)]
+    rope = Rope(**over(arc(0.05), 0.3, 0.3, 0.0, 80), forces=forces)
+    scene = Scene(gravity=(0, 0, 0), ropes=[rope], obstacles=[drum(0.3)])
+    if not holds:
+        with pytest.raises(NoRest, match="slide or fall"):
+            rw.equilibrium(scene)
+        return
+    found = static_shape(scene)
+    (wrap,) = found.wraps
+    assert found.solved
+    assert (wrap.before, wrap.after) == pytest.approx(pulls, rel=1e-9)
+    assert wrap.share == pytest.approx(f, rel=0.005)
+    assert "nothing holds it" not in "\n".join(rw.check(scene).warnings)
+    away = scene.replace(ropes=[rope.replace(forces=[Force(node=0, force=(0, 0, 1.0))])])
+    with pytest.raises(NoRest, match="fall past all obstacles"):
+        rw.equilibrium(away)
+
+
 def table(hangs: float) -> Scene:
     """A rope of 1 m on a table with a rounded edge of 5 cm; it `hangs` over by so much of its length."""
     edge = np.array([0.95, 0.0, 0.45]) + arc(0.05, 180.0, 60)[30:]

@@ -70,6 +70,8 @@ def _unheld(model: Model, rope: Span, heavy: bool, rests: set[Rest]) -> str:
     if named:
         missing = "all its anchors have let go at time 0 (release_time = 0)"
     if not (heavy or windy) and _is_pushed(model, rope):
+        if model.scene.obstacles:  # forces may draw it onto them
+            return ""
         return f"{missing}: a constant force carries it away; hold a node of it with an anchor"
     if not (heavy or windy):
         return f"{missing}, and nothing acts on it: it is at rest wherever it is; hold a node of it"
