@@ -116,6 +116,19 @@ def test_that_no_rest_is_found_is_refused_in_words() -> None:
     do(session, "reset", all=True)
 
 
+@pytest.mark.parametrize("command", [{"kind": "set", "name": "gravity"}, {"kind": "cut"}])
+def test_what_a_bound_holds_is_shown_after_a_change(command: dict[str, Any]) -> None:
+    """Of 21.4 N that a limiter held 4 N were shown, the spring's, until the next step."""
+    session = Session(preset("h1"), "h1")
+    session.advance(round(1.0 / session.main.dt))
+    before = session.main.simulation.tension.copy()
+    assert before[-2:].min() > 19.0  # N
+    value = {"set": {"value": [0.0, -9.81, 1e-9]}, "cut": {"segment": 0}}[command["kind"]]
+    do(session, **command, **value)
+    after = session.main.simulation.tension
+    assert after[-4:] == pytest.approx(before[-4:], rel=1e-6)
+
+
 def test_a_change_differs_from_no_change() -> None:
     one, other = r4(), r4()
     for session in (one, other):

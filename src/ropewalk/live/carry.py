@@ -200,6 +200,9 @@ def _carry_memory(old: Simulation, made: Simulation, state: State, source: Float
         _fit_contacts(old, made, state, whole, nodes)
     if old.arrays.inner.shape == state.inner.shape:
         state.inner[...] = old.arrays.inner
+    if old.arrays.limited.size and state.limited.size:  # of the last step: shown until the next one
+        here = np.flatnonzero(whole[:-1] & whole[1:] & (np.diff(source) == 1.0))
+        state.limited[here] = old.arrays.limited[source[here].astype(np.int64)]
     kept, made_now = old.arrays.memory.contact, state.memory.contact
     same = nodes.size == old.arrays.x.shape[1] and (nodes == np.arange(nodes.size)).all()
     if same and whole.all() and _slide_alike(old.system, made.system):
