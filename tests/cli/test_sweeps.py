@@ -185,6 +185,7 @@ def test_who_goes_on_with_a_sweep_can_be_said(
     assert asked == [{"on": "local", "workers": 2, "force": False}]
     ropewalk("run", scene, "-o", "r")
     assert "are of sweeps" in ropewalk("resume", "r", "--workers", 2).output
+    assert "no such run folder" in ropewalk("resume", "none", "--on", "here").output
 
 
 def replaying(scene: rw.Scene, stiffness: float) -> ReplayBroadcast:

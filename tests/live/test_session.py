@@ -129,6 +129,25 @@ def test_what_a_bound_holds_is_shown_after_a_change(command: dict[str, Any]) -> 
     assert after[-4:] == pytest.approx(before[-4:], rel=1e-6)
 
 
+def test_a_rope_that_relaxes_has_the_spring_constant_that_was_given() -> None:
+    """It had that of what relaxes added: 224 kN/m became 351 when it was set."""
+    session = Session(preset("climbing-fall"), "climbing-fall")
+    rope = session.scene.ropes[0]
+    shown = {one["name"]: one["value"] for one in parameters(session)["parameters"]}
+    assert shown["spring_constant"] * rope.segment_length == pytest.approx(shown["EA"])
+    do(session, "set", name="spring_constant", value=1.1 * shown["spring_constant"])
+    after = {one["name"]: one["value"] for one in parameters(session)["parameters"]}
+    assert after["spring_constant"] == pytest.approx(1.1 * shown["spring_constant"])
+    assert after["EA"] == pytest.approx(1.1 * shown["EA"])
+
+
+def test_a_rope_on_a_winch_is_not_cut_and_why_is_told() -> None:
+    """It read "no such rope; did you mean hoist-2?"."""
+    session = Session(preset("hoist-stop"), "hoist-stop")
+    with pytest.raises(SceneError, match="a rope that a winch winds cannot be cut"):
+        do(session, "cut", segment=12)
+
+
 def test_a_change_differs_from_no_change() -> None:
     one, other = r4(), r4()
     for session in (one, other):

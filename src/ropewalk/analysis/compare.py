@@ -1,8 +1,9 @@
 """How far runs lie apart, in numbers.
 
 The distance of two runs at a time is that of their ropes' nodes (or of points at equal shares of their
-unstretched lengths, where the numbers of nodes differ). Between frames positions are interpolated
-linearly, which is exact at the frames: a run compared with itself differs by exactly zero.
+unstretched lengths, where the numbers of nodes differ). Times are the frames of the run that has fewer of
+them. Where the other has none then, its positions follow from places and velocities of the frames beside,
+which is exact at the frames: a run compared with itself differs by exactly zero.
 """
 
 from __future__ import annotations
@@ -143,7 +144,10 @@ def _largest(result: Result, name: str, start: int, good: int) -> float:
 
 
 def distance(first: Result, second: Result) -> Distance:
-    """Return the distance of the second run from the first at the first's frames, until a rope breaks."""
+    """Return the distance of the second run from the first, until a rope breaks.
+
+    At the frames of the run that has fewer: another's are no places at all between its frames.
+    """
     why = _incomparable(first, second)
     if why:
         return Distance(np.empty(0), np.empty(0), np.empty(0), "", f"not defined: {why}")
@@ -151,12 +155,15 @@ def distance(first: Result, second: Result) -> Distance:
     end = min(first.time[goods[0] - 1], second.time[goods[1] - 1])
     start = max(first.time[0], second.time[0])
     slack = 1e-9 * max(float(end), 1.0)
-    moments = first.time[: goods[0]]
-    moments = moments[(moments >= start - slack) & (moments <= end + slack)]
+    frames = [run.time[:good] for run, good in zip((first, second), goods, strict=True)]
+    common = [one[(one >= start - slack) & (one <= end + slack)] for one in frames]
+    moments = min(common, key=len)
     if moments.size == 0:
         return Distance(np.empty(0), np.empty(0), np.empty(0), "", "not defined: no common time")
     same = _nodes(first) == _nodes(second)
     way = "node by node" if same else "at equal shares of the ropes' unstretched lengths"
+    if not all(_are_frames(moments, one) for one in frames):
+        way += ", between frames of one run"
     largest, rms = np.empty(moments.size), np.empty(moments.size)
     for i in range(0, moments.size, _CHUNK):
         part = moments[i : i + _CHUNK]
@@ -167,6 +174,13 @@ def distance(first: Result, second: Result) -> Distance:
     broke = max(len(r.time) - g for r, g in zip((first, second), goods, strict=True))
     note = f"{way}, until one run broke at {end:.4g} s" if broke > 0 else ""
     return Distance(moments.copy(), largest, rms, way, note)
+
+
+def _are_frames(moments: Floats, frames: Floats) -> bool:
+    """Tell whether all of these times are frames."""
+    after = np.clip(np.searchsorted(frames, moments), 1, max(len(frames) - 1, 1))
+    near = np.minimum(abs(moments - frames[after - 1]), abs(frames[after % len(frames)] - moments))
+    return bool((near <= 1e-9 * np.maximum(moments, 1e-3)).all())
 
 
 def _whole(result: Result) -> int:
@@ -192,7 +206,7 @@ def _incomparable(first: Result, second: Result) -> str:
 
 
 def positions_at(result: Result, moments: Floats, good: int) -> Floats:
-    """Return positions at some times [m], (f, n, 3), linear between frames.
+    """Return positions at some times [m], (f, n, 3), between frames cubic, by places and velocities.
 
     Times before the first frame or after the last good one get these.
     """
@@ -204,10 +218,17 @@ def positions_at(result: Result, moments: Floats, good: int) -> Floats:
     high = np.minimum(low + 1, good - 1)
     width = np.where(high > low, time[high] - time[low], 1.0)
     share = np.where(close, 0.0, np.clip((moments - time[low]) / width, 0.0, 1.0))
-    first = int(low.min())
-    points = result.read("positions", first, int(high.max()) + 1)
+    first, last = int(low.min()), int(high.max()) + 1
+    points = result.read("positions", first, last)
     a, b = points[low - first], points[high - first]
-    return np.where(share[:, None, None] == 0.0, a, a + share[:, None, None] * (b - a))
+    if not share.any():
+        return a
+    speeds = result.read("velocities", first, last)
+    s, h = share[:, None, None], width[:, None, None]
+    u, v = h * speeds[low - first], h * speeds[high - first]
+    way = b - a
+    cubic = a + s * (u + s * (3.0 * way - 2.0 * u - v + s * (u + v - 2.0 * way)))
+    return np.where(s == 0.0, a, cubic)
 
 
 def _gap(first: Result, second: Result, a: Floats, b: Floats, same: bool) -> Floats:
@@ -253,8 +274,17 @@ def differing_settings(scenes: Sequence[Scene]) -> tuple[tuple[str, tuple[str, .
     for path in paths:
         values = [one.get(path, "-") for one in flat]
         if any(value != values[0] for value in values) and path not in ("name", "description"):
-            found.append((path, tuple(_text(value) for value in values)))
+            found.append((path, _texts(values)))
     return tuple(found)
+
+
+def _texts(values: Sequence[Any]) -> tuple[str, ...]:
+    """Return values as text, numbers with six figures or as many as tell them apart."""
+    for figures in (6, 9, 12, 15, 17):
+        texts = tuple(_text(value, figures) for value in values)
+        if len(set(texts)) == len(set(map(str, values))):
+            break
+    return texts
 
 
 def _flatten(value: Any, path: str = "") -> dict[str, Any]:
@@ -272,6 +302,6 @@ def _flatten(value: Any, path: str = "") -> dict[str, Any]:
     return {path: value}
 
 
-def _text(value: Any) -> str:
-    text = f"{value:.6g}" if isinstance(value, float) else str(value)
+def _text(value: Any, figures: int) -> str:
+    text = f"{value:.{figures}g}" if isinstance(value, float) else str(value)
     return text if len(text) <= 40 else text[:39] + "…"

@@ -167,6 +167,8 @@ def cut(scene: Scene, layout: Layout, segment: int) -> Edit:
     rope = scene.ropes[i]
     if any(rope.name in (slide.rope, slide.on) for slide in scene.slides):
         refuse_slides(scene, "a rope cannot be cut while something slides along it, or it slides")
+    if any(winch.rope == rope.name for winch in scene.winches):
+        raise refusal("segment", segment, "a rope that a winch winds cannot be cut")
     if rope.segments == 1:
         raise refusal("segment", segment, "is the rope's only one: nothing would be left")
     if len(scene.ropes) >= MOST_ROPES:

@@ -14,12 +14,12 @@ from ropewalk.analysis.stability import (
     stability,
 )
 from ropewalk.engine.unsolved import RINGING
+from ropewalk.live.stiffness import axial_stiffness, spring_constant
 from ropewalk.lowering import Model
 from ropewalk.lowering.link_lengths import has_links
 from ropewalk.lowering.steps import step_cases
 from ropewalk.methods.bound import meter
 from ropewalk.methods.registry import METHODS
-from ropewalk.scene import Springs
 
 GREEN = 0.9  # of the bound
 _FRICTION = {"semi-implicit-euler": (2.0, "a + 2b"), "verlet": (4.0, "a + 4b")}
@@ -100,13 +100,8 @@ def _rigid(found: Stability) -> dict[str, Any]:
 def _constants(model: Model) -> tuple[float | None, float | None]:
     """Return the spring constant [N/m] and the EA [N] that all ropes share, if they do."""
     ropes = model.scene.ropes
-    constants = {rope.segment_stiffness for rope in ropes}
-    materials = {
-        rope.made_of.EA
-        if not isinstance(rope.made_of, Springs)
-        else rope.segment_stiffness * rope.segment_length
-        for rope in ropes
-    }
+    constants = {spring_constant(rope) for rope in ropes}
+    materials = {axial_stiffness(rope) for rope in ropes}
     return (
         constants.pop() if len(constants) == 1 else None,
         materials.pop() if len(materials) == 1 else None,

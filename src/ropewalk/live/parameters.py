@@ -11,6 +11,14 @@ from dataclasses import dataclass
 from typing import Any, get_args
 
 from ropewalk.live.segments import most_segments, resegment, with_rope
+from ropewalk.live.stiffness import (
+    axial_stiffness,
+    made_of,
+    of_rope,
+    set_axial_stiffness,
+    set_spring_constant,
+    spring_constant,
+)
 from ropewalk.methods.names import Method
 from ropewalk.scene import Air, Fault, Ground, Scene, SceneError, Springs
 from ropewalk.scene.limits import HUGE, TINY
@@ -138,52 +146,24 @@ def _is_number(value: Any) -> bool:
     return number and abs(value) < _LARGEST
 
 
-def _made_of(scene: Scene, index: int, **changes: Any) -> Scene:
-    rope = scene.ropes[index]
-    return with_rope(scene, index, rope.replace(made_of=rope.made_of.replace(**changes)))
-
-
-def _set_constant(scene: Scene, index: int, value: float) -> Scene:
-    rope = scene.ropes[index]
-    if isinstance(rope.made_of, Springs):
-        return _made_of(scene, index, spring_constant=value)
-    return _made_of(scene, index, EA=value * rope.segment_length)
-
-
-def _get_EA(scene: Scene, index: int) -> float | None:
-    rope = scene.ropes[index]
-    if isinstance(rope.made_of, Springs):
-        return rope.segment_stiffness * rope.segment_length or None
-    return rope.made_of.EA
-
-
-def _set_EA(scene: Scene, index: int, value: float) -> Scene:
-    rope = scene.ropes[index]
-    if not isinstance(rope.made_of, Springs):
-        return _made_of(scene, index, EA=value)
-    if rope.segment_length == 0.0:
-        raise refusal("EA", value, "springs of no length have none; change spring_constant")
-    return _made_of(scene, index, spring_constant=value / rope.segment_length)
-
-
 def _set_friction(scene: Scene, index: int, value: float) -> Scene:
     rope = scene.ropes[index]
     if isinstance(rope.made_of, Springs):
-        return _made_of(scene, index, spring_friction=value)
-    return _made_of(scene, index, axial_damping=value * rope.segment_length)
+        return made_of(scene, index, spring_friction=value)
+    return made_of(scene, index, axial_damping=value * rope.segment_length)
 
 
 def _set_mass(scene: Scene, index: int, value: float) -> Scene:
     rope = scene.ropes[index]
     if isinstance(rope.made_of, Springs):
-        return _made_of(scene, index, node_mass=value / rope.nodes)
-    return _made_of(scene, index, mass_per_length=value / rope.length_unstretched)
+        return made_of(scene, index, node_mass=value / rope.nodes)
+    return made_of(scene, index, mass_per_length=value / rope.length_unstretched)
 
 
 def _set_length(scene: Scene, index: int, value: float) -> Scene:
     rope = scene.ropes[index]
     if isinstance(rope.made_of, Springs):
-        return _made_of(scene, index, segment_length=value / rope.segments)
+        return made_of(scene, index, segment_length=value / rope.segments)
     return with_rope(scene, index, rope.replace(length=value))
 
 
@@ -196,7 +176,7 @@ def _stuff(name: str) -> Get:
 
 
 def _set_stuff(name: str) -> Put:
-    return lambda scene, index, value: _made_of(scene, index, **{name: value})
+    return lambda scene, index, value: made_of(scene, index, **{name: value})
 
 
 def _set_rope(name: str) -> Put:
@@ -277,11 +257,11 @@ def _anything(low: float, high: float) -> dict[str, Any]:
 _TABLE = (
     Parameter(
         "spring_constant", "Spring constant", ROPE, "N/m", NUMBER, "Stiffness of each segment",
-        _rope_value("segment_stiffness"), _set_constant, **_positive(100.0),
+        of_rope(spring_constant), set_spring_constant, **_positive(100.0),
     ),
     Parameter(
         "EA", "Axial stiffness EA", ROPE, "N", NUMBER, "Tension per strain, however many segments it has",
-        _get_EA, _set_EA, **_positive(100.0),
+        of_rope(axial_stiffness), set_axial_stiffness, **_positive(100.0),
     ),
     Parameter(
         "spring_friction", "Friction", ROPE, "N s/m", NUMBER,

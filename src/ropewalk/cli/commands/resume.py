@@ -38,13 +38,13 @@ def resume(
         from ropewalk.cli.commands.sweep import resume_folder
 
         return resume_folder(folder, on, workers, force=force, as_json=as_json)
-    if on is not None or workers is not None:
-        raise Refusal("--on, --workers: are of sweeps; a run goes on in this process")
     with without_scipy(), warnings.catch_warnings(record=True) as caught:
         from ropewalk.api import explain
         from ropewalk.record.resume import resume_run
 
-        begun = open_run(folder)
+        begun = open_run(folder)  # first: of what is no run, or not yet a sweep, that is told
+        if on is not None or workers is not None:
+            raise Refusal("--on, --workers: are of sweeps; a run goes on in this process")
         if not quiet:
             tell_compiling(begun.plan.method, begun.scene)
         warnings.simplefilter("always", UserWarning)
