@@ -109,16 +109,23 @@ def presets_table() -> Iterator[str]:
 
 
 def ropes_table() -> Iterator[str]:
-    """Yield the table of the rope library."""
-    yield "| rope | | diameter mm | mass kg/m | EA N | breaking load N |"
-    yield "|---|---|---|---|---|---|"
-    columns = {"diameter": 1e3, "mass_per_length": 1.0, "EA": 1.0, "breaking_load": 1.0}
-    for name in names():
-        one, cells = rope(name), []
-        for key, factor in columns.items():
-            number = one.numbers[key]
-            cells.append(f"{'~' if number.guessed else ''}{factor * number.value:.4g}")
-        yield f"| `{name}` | {one.title} | {' | '.join(cells)} |"
+    """Yield a section of Markdown with a table for every family of the rope library."""
+    columns = {"diameter": 1e3, "mass_per_length": 1e3, "EA": 1e-3, "breaking_load": 1e-3}
+    every = [rope(name) for name in names()]
+    for family in dict.fromkeys(one.family for one in every):
+        yield f"## {family[0].upper()}{family[1:]}"
+        yield ""
+        yield "| rope | | diameter [mm] | mass [g/m] | EA [kN] | breaking load [kN] |"
+        yield "|---|---|---|---|---|---|"
+        for one in every:
+            if one.family != family:
+                continue
+            numbers = [(one.numbers[key], factor) for key, factor in columns.items()]
+            cells = [
+                f"{'~' * n.guessed}{float(f'{factor * n.value:.4g}'):g}" for n, factor in numbers
+            ]
+            yield f"| `{one.name}` | {one.title} | {' | '.join(cells)} |"
+        yield ""
 
 
 def rope_sources() -> Iterator[str]:
