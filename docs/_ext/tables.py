@@ -11,6 +11,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from itertools import groupby
 from typing import Any
 
 import click
@@ -22,6 +23,7 @@ from sphinx.util.nodes import nested_parse_with_titles
 
 from ropewalk.cli import main
 from ropewalk.library import names, rope, sources
+from ropewalk.live.themes import menu
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import Scene, presets
 from ropewalk.scene.paths import keys, kind_of, sections, tag
@@ -101,11 +103,15 @@ def methods_table() -> Iterator[str]:
 
 
 def presets_table() -> Iterator[str]:
-    """Yield the table of presets."""
-    yield "| preset | what it shows |"
-    yield "|---|---|"
-    for name in presets.names():
-        yield f"| `{name}` | {presets.preset(name).description} |"
+    """Yield a section of Markdown with a table for every theme of the live view's menu."""
+    for theme, listed in groupby(menu(), lambda entry: entry.theme):
+        yield f"## {theme}"
+        yield ""
+        yield "| preset | what it shows |"
+        yield "|---|---|"
+        for entry in listed:
+            yield f"| `{entry.name}` | {presets.preset(entry.name).description} |"
+        yield ""
 
 
 def ropes_table() -> Iterator[str]:
