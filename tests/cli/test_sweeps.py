@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
+from importlib.util import find_spec
 from pathlib import Path
 
 import numpy as np
@@ -169,6 +170,40 @@ def test_uncertain_runs(ropewalk: Call, scene: Path, tmp_path: Path) -> None:
     assert one["seed"] == other["seed"] == 3
     assert one["bands"] == other["bands"]
     assert "seed 3" in ropewalk("info", "w").output
+
+
+def test_uncertain_runs_that_were_interrupted_are_gone_on_with_to_their_bands(
+    ropewalk: Call, scene: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Nothing said how to go on, and `resume` gave neither bands nor indices nor the figure."""
+    from ropewalk.sweeps import batch
+
+    real, seen = batch.Batcher.run, 0
+
+    def run(self: object, row: list[float]) -> rw.Result:
+        nonlocal seen
+        seen += 1
+        if seen == 20:
+            raise KeyboardInterrupt
+        return real(self, row)
+
+    spread = ["--uncertain", "rope.made_of.node_mass=0.04..0.06", "--samples", 8, "--seed", 3]
+    spread += ["--uncertain", "gravity[2]=norm(-9.8, 0.1)"]
+    whole = json.loads(ropewalk("run", scene, *spread, "-o", "whole", "--json").stdout)
+    monkeypatch.setattr("ropewalk.sweeps.many._MEASURED", 0.0)
+    monkeypatch.setattr("ropewalk.sweeps.many.BATCH_SECONDS", 0.0)
+    with monkeypatch.context() as patch:
+        patch.setattr(batch.Batcher, "run", run)
+        stopped = ropewalk("run", scene, *spread, "-o", "u")
+    assert stopped.exit_code == 130, stopped.output
+    assert "go on with: ropewalk resume u" in stopped.output
+    assert not (tmp_path / "u" / "figures" / "uncertain.png").exists()
+    resumed = ropewalk("resume", "u", "--on", "here", "--json")
+    told = json.loads(resumed.stdout)
+    assert told | {"folder": "whole"} == whole
+    indices = told["total Sobol indices"].get("tension_max", {})
+    assert ("node_mass" in indices) == bool(find_spec("SALib"))
+    assert (tmp_path / "u" / "figures" / "uncertain.png").exists()
 
 
 def test_who_goes_on_with_a_sweep_can_be_said(

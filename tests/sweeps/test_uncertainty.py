@@ -15,7 +15,6 @@ import pytest
 import scipy.stats
 
 import ropewalk as rw
-from ropewalk.sweeps.parameters import make_parameters
 from ropewalk.sweeps.summary import summary
 from ropewalk.sweeps.sweep_folder import SweepFolder
 from ropewalk.sweeps.uncertainty import _indices, _sizes
@@ -126,7 +125,7 @@ def test_what_solvers_leave_is_not_shared_out(noise: float, shared: bool) -> Non
     found = hanging({MASS: NORMAL}, 8)
     size = 1.0 + noise * np.random.default_rng(1).normal(size=len(found.runs.run))
     runs = found.runs.assign(tension_max=found.runs.tension_max.copy(data=800.0 * size))
-    made, _ = _indices(runs, make_parameters(swing(0.02), {MASS: NORMAL}), 8, 5, {})
+    made, _ = _indices(runs, ["mass_per_length"], 5, {})
     assert made is not None
     assert ("tension_max" in made) is shared
 
@@ -146,7 +145,7 @@ def test_what_is_zero_to_rounding_is_not_shared_out(moves: float, shared: bool, 
             data=noise if none else found.runs.tension_max.values
         ),
     )
-    made, _ = _indices(runs, make_parameters(scene, spreads), 8, 5, _sizes(scene))
+    made, _ = _indices(runs, ["mass_per_length"], 5, _sizes(scene))
     assert made is not None
     assert ("sag_max[rope]" in made) is shared
     assert ("reactions_max[top]" in made) is shared

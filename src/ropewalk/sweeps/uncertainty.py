@@ -8,19 +8,22 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from importlib import import_module
 from importlib.util import find_spec
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ropewalk.api import SceneLike, as_scene
-from ropewalk.scene import Scene, SceneError
+from ropewalk.scene import Scene, SceneError, loads
 from ropewalk.scene.faults import NO_VALUE, Fault
+from ropewalk.sweeps.answer import stored
 from ropewalk.sweeps.batch import GOOD
 from ropewalk.sweeps.designs import SALTELLI, Design, plain_rows
 from ropewalk.sweeps.many import make_runs, sweep
 from ropewalk.sweeps.parameters import Parameter, make_parameters
 from ropewalk.sweeps.per_cents import with_ranges
+from ropewalk.sweeps.sweep_folder import SweepFolder
 from ropewalk.sweeps.whole import refuse_unless_whole
 
 if TYPE_CHECKING:
@@ -128,11 +131,24 @@ def uncertain(
     kept = [*_default_keep(loaded, what), *(keep or ())]
     if find_spec("SALib") is None:
         runs = sweep(loaded, spreads, samples=samples, seed=seed, keep=kept, what=what, **options)
+    else:
+        design = Design(SALTELLI, parameters, samples * (len(parameters) + 2), seed)
+        runs = make_runs(loaded, design, kept, what=what, **options)
+    return _of_runs(loaded, runs, [parameter.name for parameter in parameters])
+
+
+def of_folder(folder: Path) -> Uncertainty:
+    """Return what the runs in a folder of `uncertain` tell. Raises RunError."""
+    found = SweepFolder.open(folder)
+    names = [str(parameter["name"]) for parameter in found.plan.parameters]
+    return _of_runs(loads(found.plan.recipe.scene), stored(found).load(), names)
+
+
+def _of_runs(scene: Scene, runs: xr.Dataset, names: Sequence[str]) -> Uncertainty:
+    if runs.attrs["design"] != SALTELLI or find_spec("SALib") is None:
         note = "No Sobol indices: pip install 'ropewalk[uncertain]' brings them."
         return Uncertainty(runs, bands(runs), None, _note(runs, note))
-    design = Design(SALTELLI, parameters, samples * (len(parameters) + 2), seed)
-    runs = make_runs(loaded, design, kept, what=what, **options)
-    found, more = _indices(runs, parameters, samples, seed, _sizes(loaded))
+    found, more = _indices(runs, names, int(runs.attrs["seed"]), _sizes(scene))
     return Uncertainty(runs, bands(runs), found, _note(runs, more))
 
 
@@ -156,9 +172,8 @@ def _default_keep(scene: Scene, what: str) -> list[str]:
     return kept if what == "rest" else [*kept, *(f"{name}.max[time]" for name in names)]
 
 
-def _problem(parameters: Sequence[Parameter]) -> dict[str, Any]:
-    names = [parameter.name for parameter in parameters]
-    return {"num_vars": len(names), "names": names, "bounds": [[0.0, 1.0]] * len(names)}
+def _problem(names: Sequence[str]) -> dict[str, Any]:
+    return {"num_vars": len(names), "names": list(names), "bounds": [[0.0, 1.0]] * len(names)}
 
 
 def _plain(runs: xr.Dataset) -> xr.Dataset:
@@ -200,8 +215,7 @@ def _sizes(scene: Scene) -> dict[str, float]:
 
 def _indices(
     runs: xr.Dataset,
-    parameters: Sequence[Parameter],
-    samples: int,
+    names: Sequence[str],
     seed: int,
     sizes: Mapping[str, float],
 ) -> tuple[xr.Dataset | None, str]:
@@ -213,10 +227,9 @@ def _indices(
     import xarray as xr
     from SALib.analyze import sobol
 
-    width = len(parameters) + 2
+    width = len(names) + 2
     kept = runs[[n for n in runs.data_vars if "keep" in runs[n].attrs]]
-    names = [parameter.name for parameter in parameters]
-    if samples < 8:
+    if len(runs.run) < 8 * width:
         return None, "No Sobol indices: they need at least 8 samples."
     made: dict[str, Any] = {}
     note, largest = "", dict(sizes)
@@ -237,7 +250,7 @@ def _indices(
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
             got = sobol.analyze(
-                _problem(parameters),
+                _problem(names),
                 values,
                 calc_second_order=False,
                 seed=seed,
@@ -246,7 +259,7 @@ def _indices(
         dims, none = ("order", "parameter"), {"units": "1"}
         made[name] = (dims, np.stack([got["S1"], got["ST"]]), none)
         made[f"{name}_ci"] = (dims, np.stack([got["S1_conf"], got["ST_conf"]]), none)
-    return xr.Dataset(made, {"order": ["first", "total"], "parameter": names}), note
+    return xr.Dataset(made, {"order": ["first", "total"], "parameter": list(names)}), note
 
 
 def _note(runs: xr.Dataset, more: str) -> str:

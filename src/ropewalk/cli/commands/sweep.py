@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -112,7 +112,7 @@ def sweep(
     }
     asked |= {"on": on, "workers": workers, "what": "rest" if rest else "run"}
     with named(scene), claimed(output, SWEEPS, short_name(scene)) as folder, telling():
-        return _ended(
+        return ended(
             folder, lambda: make(loaded, vary, store=folder, overwrite=overwrite, **asked), as_json
         )
 
@@ -121,11 +121,18 @@ def resume_folder(
     folder: Path, on: str | None, workers: int | None, *, force: bool, as_json: bool
 ) -> int:
     """Go on with the sweep in a folder."""
+    from ropewalk.cli.commands.uncertain import tell_uncertain
+    from ropewalk.sweeps.designs import SALTELLI
     from ropewalk.sweeps.many import resume_sweep
+    from ropewalk.sweeps.sweep_folder import SweepFolder
 
+    uncertain = SweepFolder.open(folder).plan.design == SALTELLI
     with telling():
-        return _ended(
-            folder, lambda: resume_sweep(folder, on=on, workers=workers, force=force), as_json
+        return ended(
+            folder,
+            lambda: resume_sweep(folder, on=on, workers=workers, force=force),
+            as_json,
+            tell_uncertain if uncertain else None,
         )
 
 
@@ -138,8 +145,10 @@ def telling() -> Iterator[None]:
         yield
 
 
-def _ended(folder: Path, make: Any, as_json: bool) -> int:
-    """Make a sweep and print how it ended; return the exit status."""
+def ended(
+    folder: Path, make: Callable[[], Any], as_json: bool, finish: Callable[..., None] | None = None
+) -> int:
+    """Make a sweep and print how it ended, by `finish` or as `info` does; return the exit status."""
     from ropewalk.sweeps.sweep_folder import SweepFolder, is_sweep
 
     try:
@@ -152,7 +161,7 @@ def _ended(folder: Path, make: Any, as_json: bool) -> int:
         tell(f"interrupted: {done} of {found.plan.runs} runs are stored")
         tell(f"go on with: ropewalk resume {folder}")
         return INTERRUPTED
-    info_folder(folder, as_json=as_json)
+    (finish or info_folder)(folder, as_json=as_json)
     return 0
 
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ropewalk.cli.commands.sweep import SWEEPS, telling
+from ropewalk.cli.commands.sweep import SWEEPS, ended, telling
 from ropewalk.cli.console import print_json, print_table, say, tell
 from ropewalk.cli.output_files import claimed
 from ropewalk.cli.progress import tell_compiling
@@ -27,9 +27,8 @@ def run_uncertain(
 
     `drawn` are the number of samples and their seed.
     """
-    from ropewalk import plots
     from ropewalk.sweeps.spread_text import parse_uncertain
-    from ropewalk.sweeps.uncertainty import text_rows, uncertain
+    from ropewalk.sweeps.uncertainty import uncertain
 
     output, name, overwrite = where
     vary = dict(parse_uncertain(text) for text in spreads)
@@ -42,13 +41,21 @@ def run_uncertain(
             "store": folder,
             "overwrite": overwrite,
         }
-        found = uncertain(scene, vary, **ask)
+        return ended(folder, lambda: uncertain(scene, vary, **ask), as_json, tell_uncertain)
+
+
+def tell_uncertain(folder: Path, *, as_json: bool) -> None:
+    """Print the bands of the runs in a folder, and draw the figure there."""
+    from ropewalk import plots
+    from ropewalk.sweeps.uncertainty import of_folder, text_rows
+
+    found = of_folder(folder)
     figures = folder / "figures"
     figures.mkdir(exist_ok=True)
     path = plots.save(found.plot(), figures / "uncertain.png")
     if as_json:
         print_json(_facts(found, folder))
-        return 0
+        return
     columns = (
         "result",
         "5 %",
@@ -63,7 +70,6 @@ def run_uncertain(
     say(f"seed of the samples: {found.runs.attrs['seed']}")
     say(str(path))
     say(f"sweep folder: {folder}")
-    return 0
 
 
 def _facts(found: Any, folder: Path) -> dict[str, Any]:
