@@ -160,7 +160,7 @@ def test_what_two_values_make_wrong_is_told_among_many_corners() -> None:
         ({EA: []}, {}, "has no values"),
         ({EA: 5.0}, {}, "must be a list of values"),
         ({EA: (1.0, 2.0)}, {}, "say how many samples"),
-        ({EA: (2.0, 1.0)}, {"samples": 4}, "a tuple is a range"),
+        ({EA: (2.0, 1.0)}, {"samples": 4}, "begins with its low end: 1..2"),
         ({EA: (1.0, 2.0, 3.0)}, {"samples": 4}, "a tuple is a range"),
         ({}, {}, "name at least one path"),
         ({"gravity": [[0, 0, -1]], "gravity[2]": [-1.0]}, {}, "changes what gravity changes too"),

@@ -222,6 +222,8 @@ def _values_or_spread(path: str, what: Any) -> tuple[tuple[Any, ...] | None, Any
         numbers = all(isinstance(v, (int, float)) and not isinstance(v, bool) for v in what)
         if len(what) != 2 or not numbers or not np.isfinite(what).all() or what[0] > what[1]:
             rule = "a tuple is a range (low, high) to sample from; values of a grid are a list"
+            if len(what) == 2 and numbers and what[0] > what[1]:
+                rule = f"a range begins with its low end: {what[1]:.12g}..{what[0]:.12g}"
             raise SceneError([Fault(path, list(what), rule)])
         return None, (what[0], what[1])
     if hasattr(what, "__array__"):  # numpy, pandas, xarray
