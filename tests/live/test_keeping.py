@@ -17,6 +17,7 @@ from ropewalk.live.session import Session
 from ropewalk.record.errors import RunError
 from ropewalk.record.result import Result
 from ropewalk.scene import loads
+from ropewalk.scene.presets import preset
 
 
 def all_bits(session: Session) -> list[np.ndarray]:
@@ -61,8 +62,9 @@ def lively(session: Session) -> None:
     session.advance(120)
 
 
-def test_the_log_replays_to_the_same_bits(tmp_path: Path) -> None:
-    session = r4()
+@pytest.mark.parametrize("start", ["shape", "at-rest"])
+def test_the_log_replays_to_the_same_bits(tmp_path: Path, start: str) -> None:
+    session = Session(preset("r4").replace(**{"run.start": start}), "r4")
     keeper = Keeper(session, tmp_path / "run")
     lively(session)
     keeper.close()
