@@ -402,6 +402,11 @@ def test_what_would_not_be_felt_is_not_offered() -> None:
     do(session, "set", name="ground", value=True)
     assert not why("wind")
     assert not why("ground_height")
+    assert not why("spring_friction")
+    session = Session(preset("climbing-fall"), "climbing-fall")
+    assert "relaxation alone" in why("spring_friction")  # any but 0 is refused: axial_damping
+    with pytest.raises(SceneError, match="relaxation"):
+        do(session, "set", name="spring_friction", value=0.01)
 
 
 @pytest.mark.parametrize(("name", "barred"), [("crossing", True), ("edge", True), ("n40", False)])

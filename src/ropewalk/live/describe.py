@@ -21,7 +21,7 @@ from ropewalk.live.themes import menu, title
 from ropewalk.live.track import RIGID_FIXED, WINCH_SAFE, WITH_LINKS, Track
 from ropewalk.lowering import Layout, Span
 from ropewalk.record.margins import breaking_load
-from ropewalk.scene import Air, Scene, Springs
+from ropewalk.scene import Air, Rope, Scene, Springs
 from ropewalk.scene.guess import guesses_of
 from ropewalk.scene.presets import preset
 
@@ -226,8 +226,14 @@ def _parameter(session: Session, parameter: Parameter) -> dict[str, Any]:
     return about | {"value": plain(about["value"])}
 
 
+def _loses_by_relaxing(rope: Rope) -> bool:
+    return rope.relaxes and bool(rope.made_of.tension_only)
+
+
 def _idle(parameter: Parameter, scene: Scene) -> str:
-    """Return why a change would not be felt; empty where it would."""
+    """Return why a change would not be felt, or not taken; empty where it would."""
+    if parameter.name == "spring_friction" and any(map(_loses_by_relaxing, scene.ropes)):
+        return "a rope that relaxes and goes slack loses by its relaxation alone"
     if parameter.group == GROUND and parameter.name != "ground" and scene.ground is None:
         return "has no effect while the yielding ground is off"
     air = scene.air or Air()
