@@ -129,6 +129,24 @@ def test_what_a_bound_holds_is_shown_after_a_change(command: dict[str, Any]) -> 
     assert after[-4:] == pytest.approx(before[-4:], rel=1e-6)
 
 
+@pytest.mark.parametrize("beside", [False, True])
+def test_what_a_bound_held_is_forgotten_by_a_method_that_solves_for_it(beside: bool) -> None:
+    """It was added to all tensions for good: 39 N for 21.6 in the last segment."""
+    session = Session(preset("h1"), "h1")
+    session.advance(round(1.0 / session.main.dt))
+    track = session.main
+    assert track.simulation.arrays.limited[-4:].min() > 10.0  # N
+    if beside:
+        do(session, "compare", variants=[{"changes": {"method": "esdirk3"}}])
+        track = session.tracks[1]
+    else:
+        do(session, "set", name="method", value="esdirk3")
+    track.advance(10)
+    simulation = track.simulation
+    assert not simulation.arrays.limited.any()
+    assert simulation.tension[-4:] == pytest.approx(simulation.arrays.tension[-4:], rel=1e-3)
+
+
 def test_a_rope_that_relaxes_has_the_spring_constant_that_was_given() -> None:
     """It had that of what relaxes added: 224 kN/m became 351 when it was set."""
     session = Session(preset("climbing-fall"), "climbing-fall")

@@ -14,6 +14,7 @@ from ropewalk.laws.wound_bends import set_all_bends
 from ropewalk.lowering import Model, build, with_all_laws
 from ropewalk.lowering.contact_checks import deepest, refuse_pressing
 from ropewalk.lowering.joint_tables import tied_with
+from ropewalk.methods.registry import METHODS
 from ropewalk.scene import Scene
 from ropewalk.simulation import Simulation
 
@@ -200,7 +201,9 @@ def _carry_memory(old: Simulation, made: Simulation, state: State, source: Float
         _fit_contacts(old, made, state, whole, nodes)
     if old.arrays.inner.shape == state.inner.shape:
         state.inner[...] = old.arrays.inner
-    if old.arrays.limited.size and state.limited.size:  # of the last step: shown until the next one
+    # What a bound held in the last step is shown until the next one, which its own kind of method clears.
+    alike = METHODS[old.plan.method].implicit == METHODS[made.plan.method].implicit
+    if alike and old.arrays.limited.size and state.limited.size:
         here = np.flatnonzero(whole[:-1] & whole[1:] & (np.diff(source) == 1.0))
         state.limited[here] = old.arrays.limited[source[here].astype(np.int64)]
     kept, made_now = old.arrays.memory.contact, state.memory.contact
