@@ -97,6 +97,19 @@ def test_a_wrap_has_its_angle_and_its_ratio() -> None:
         result.wrap("post")
 
 
+@pytest.mark.parametrize("every", [2, 3])
+def test_a_wrap_is_whole_whichever_of_its_nodes_are_asked_for(every: int) -> None:
+    """Of every second node a bollard's had half its angle, and of every third it was in pieces."""
+    result = rw.simulate(rw.preset("bollard").replace(**{"run.duration": 0.1}))
+    whole = result.to_pandas("wraps")
+    some = result.to_pandas("wraps", nodes=range(0, result.nodes, every))
+    assert whole["angle [rad]"].iloc[-1] == pytest.approx(4.0 * math.pi, rel=0.01)
+    assert some.equals(whole)
+    first = int(whole["first node"].min())
+    assert first > 0
+    assert result.to_pandas("wraps", nodes=range(first)).empty
+
+
 def tackle() -> Scene:
     """A rope over a bar, under a second one and over the first again, 1 kg and 1.3 kg at its ends."""
     half = np.linspace(0.0, math.pi, 61)

@@ -191,8 +191,9 @@ def rows(result: Result, frames: Iterable[int], nodes: Ints) -> list[NDArray[np.
 
 
 def wrap_rows(result: Result, frames: Iterable[int], wanted: Ints) -> list[NDArray[np.generic]]:
-    """Return the columns: a row for every stretch of a rope, of `wanted` nodes, on an obstacle at a frame.
+    """Return the columns: a row for every stretch of a rope on an obstacle at a frame.
 
+    Each is whole, and there where one of its nodes is `wanted`.
     The angle is that towards the obstacle: what turns within a floor, or lies in a trough, is not held by it.
     The ratio is that of the larger tension to the smaller one, NaN where that pulls nothing; at slip it is
     exp(mu angle) for a rope without weight.
@@ -203,10 +204,11 @@ def wrap_rows(result: Result, frames: Iterable[int], wanted: Ints) -> list[NDArr
         power = (contacts.rub * contacts.slip).sum(axis=1)
         for span in result.layout.ropes:
             own = (contacts.node >= span.start) & (contacts.node <= span.end)
-            own &= np.isin(contacts.node, wanted)
             for o in np.unique(contacts.obstacle[own]):
                 body = result.scene.obstacles[o]
                 for here in stretches(contacts, np.flatnonzero(own & (contacts.obstacle == o))):
+                    if not np.isin(contacts.node[here], wanted).any():
+                        continue
                     lies = _lies(span, contacts, here, tension[frame])
                     _, _, angle, *both = lies
                     low, high = sorted(both)
