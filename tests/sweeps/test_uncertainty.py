@@ -18,7 +18,7 @@ import ropewalk as rw
 from ropewalk.sweeps.summary import summary
 from ropewalk.sweeps.sweep_folder import SweepFolder
 from ropewalk.sweeps.uncertainty import _indices, _sizes
-from sweeps.scenes import DOWN, swing
+from sweeps.scenes import DOWN, EA, swing
 
 MASS = "rope.made_of.mass_per_length"
 WEIGHT = 2.0 * (1.0 - 1.0 / 8.0)  # length [m] of rope that the uppermost of four segments carries
@@ -60,6 +60,7 @@ def test_bands_read_from_the_folder_are_those_that_were_told(tmp_path: Path) -> 
     assert [told[0], told[4]] == [every.min(), every.max()]
     groups = 4 if find_spec("SALib") else 1
     assert facts["runs"] == groups * facts["plain"] == groups * 16 == groups * found.sample
+    assert facts["sample"] == found.sample
     if groups > 1:
         assert told[1:4] != np.quantile(every, [0.05, 0.5, 0.95]).tolist()
     line = drawn(rw.sweep.open(tmp_path / "s"), "tension_max_time").axes[0].lines[0]
@@ -72,9 +73,34 @@ def test_bands_of_few_runs_are_said_to_be_narrow() -> None:
     """Of four even samples the quantiles 5 and 95 % are some 16 and 84 % of the spread."""
     few, more = hanging({MASS: NORMAL}, 4), hanging({MASS: NORMAL}, 32)
     assert "Bands of 4 runs are too narrow" in few.note
+    assert few.note.count("take 64 samples or more") == 1
     assert "too narrow" not in more.note
     wide = scipy.stats.norm(0.1, 0.01).ppf(0.95) * WEIGHT * 9.81
     assert float(few.bands.tension_max[2]) < 0.96 * wide < float(more.bands.tension_max[2])
+
+
+@pytest.mark.parametrize(("samples", "few"), [(20, True), (21, False)])
+def test_few_are_those_whose_quantile_is_between_the_two_least(samples: int, few: bool) -> None:
+    """Of twenty, too: from least to largest there are nineteen steps, and 5 % of those is less than one."""
+    found = hanging({MASS: NORMAL}, samples)
+    values = np.sort(found.runs.tension_max.values[:: len(found.runs.run) // samples])
+    assert len(values) == found.sample == samples
+    low = float(found.bands.tension_max[0])
+    assert bool(low < values[1] * (1.0 - 1e-9)) is few
+    assert found.few is few is ("too narrow" in found.note)
+
+
+def test_where_runs_broke_it_is_said_that_bands_are_of_few_for_that(tmp_path: Path) -> None:
+    """Where 64 had been taken, the advice was to take 64; `info` counted the broken ones in."""
+    ask: dict[str, Any] = {"samples": 32, "on": "here", "progress": False, "store": tmp_path / "s"}
+    found = rw.uncertain(swing(0.04), {EA: (1e3, 5e4)}, seed=5, **ask)
+    assert 0 < found.sample < 21  # above some 2.5e4 N they break
+    assert f"{32 - found.sample} of the 32 samples broke" in found.note
+    assert "take 64" not in found.note
+    facts = summary(SweepFolder.open(tmp_path / "s"))
+    assert (facts["sample"], facts["plain"]) == (found.sample, 32)
+    told = facts["kept"][0]["quantiles"][1:4]
+    assert told == found.bands.tension_max.values.tolist()
 
 
 def exact_indices(one: tuple[float, float], other: tuple[float, float]) -> tuple[float, float]:

@@ -31,19 +31,23 @@ def summary(sweep: SweepFolder) -> dict[str, Any]:
     """Return counts of runs by how they ended and why, and ranges of what was kept."""
     ended: Counter[str] = Counter()
     causes: Counter[str] = Counter()
+    plan = sweep.plan
     done, damaged = sweep.standing()
-    for status, reason in sweep.statuses(done):
+    plain, sample = range(plan.runs)[_plain(plan)], 0
+    for number, (status, reason) in zip(done, sweep.statuses(done), strict=True):
         ended.update(status)
+        rows = zip(plan.rows(number), status, strict=True)
+        sample += sum(row in plain and one in GOOD for row, one in rows)
         pairs = zip(status, reason, strict=True)
         causes.update(cause(one, why) for one, why in pairs if one not in GOOD)
-    plan = sweep.plan
     return {
         "title": plan.title,
         "design": plan.design,
         "seed": plan.seed,
         "runs": plan.runs,
         "done": sum(ended.values()),
-        "plain": len(range(plan.runs)[_plain(plan)]),
+        "plain": len(plain),
+        "sample": sample,  # of the plain ones, those that ended well: quantiles are of them
         "batches": plan.batches,
         "batches done": len(done),
         "damaged": damaged,

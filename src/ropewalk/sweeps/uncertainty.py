@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 QUANTILES = (0.05, 0.5, 0.95)
-_FEW = 20  # runs: of fewer, 5 % and 95 % lie between the two least and the two largest
+_FEW = 21  # runs: of fewer, 5 % and 95 % lie between the two least and the two largest
 _SAME = 1e-9  # [1] of the largest result of its kind: what differs by less, by what solvers leave
 _STRAIN = (
     1e-5  # [1] whose tension is the least size of forces: by _SAME of it lengths are rounded off
@@ -176,10 +176,15 @@ def _problem(names: Sequence[str]) -> dict[str, Any]:
     return {"num_vars": len(names), "names": list(names), "bounds": [[0.0, 1.0]] * len(names)}
 
 
+def _planned(runs: xr.Dataset) -> xr.Dataset:
+    """Return the runs of the plain sample."""
+    width = sum("path" in runs[name].attrs for name in runs.coords)
+    return runs.isel(run=plain_rows(runs.attrs["design"], width))
+
+
 def _plain(runs: xr.Dataset) -> xr.Dataset:
     """Return the runs of the plain sample that ended well."""
-    width = sum("path" in runs[name].attrs for name in runs.coords)
-    plain = runs.isel(run=plain_rows(runs.attrs["design"], width))
+    plain = _planned(runs)
     return plain.isel(run=np.flatnonzero(np.isin(plain.status.values.tolist(), GOOD)))
 
 
@@ -272,9 +277,13 @@ def _note(runs: xr.Dataset, more: str) -> str:
             "for the values that do not break."
         )
     if (sample := len(_plain(runs).run)) < _FEW:
+        planned = len(_planned(runs).run)
+        why = "take 64 samples or more"
+        if planned >= _FEW:
+            why = f"{planned - sample} of the {planned} samples broke"
         told.append(
             f"Bands of {sample} runs are too narrow: their 5 % and 95 % are hardly more than the least and "
-            "the largest that was met; take 64 samples or more."
+            f"the largest that was met; {why}."
         )
     return " ".join([*told, more] if more else told)
 

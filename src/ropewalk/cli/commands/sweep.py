@@ -195,8 +195,8 @@ def info_folder(folder: Path, *, as_json: bool, checked: bool = False) -> None:
     print_table(columns, [_kept(v) for v in found["kept"]], right=range(3, 8))
     if found["plain"] < found["runs"]:
         say(
-            f"5 %, median and 95 % are of {found['plain']} of the runs, which are a plain sample; "
-            "the others, for Sobol indices, repeat its values"
+            f"5 %, median and 95 % are of {found['sample']} runs, those of a plain sample of "
+            f"{found['plain']} that ended well; all others, for Sobol indices, repeat its values"
         )
     causes = [(str(count), why) for why, count in found["causes"].items()]
     if causes:
