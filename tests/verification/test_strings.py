@@ -111,3 +111,61 @@ def test_a_chain_of_strings_that_is_thrown_about_accounts_for_its_energy(
     assert result.work["friction"][-1] < -0.1 * np.ptp(result.energy["gravity"])
     lengths = np.linalg.norm(np.diff(result.positions, axis=1), axis=2)
     assert lengths.max() < 0.15 * (1.0 + 1e-9)
+
+
+@pytest.mark.parametrize("method", ["esdirk3", "bdf2", "adaptive"])
+def test_strings_that_are_never_slack_move_as_rods(method: str) -> None:
+    """20 kg on ten of them, struck sideways: what a step leaves of rates of length is no impact."""
+
+    def struck(tension_only: bool) -> rw.Result:
+        rope = Rope(
+            segments=10,
+            length=1.0,
+            made_of=Material(EA=math.inf, mass_per_length=0.05, tension_only=tension_only),
+            shape={"kind": "straight", "start": (0, 0, 0), "end": (0, 0, -1.0)},
+            loads=[{"node": -1, "mass": 20.0}],
+            kicks=[Kick(node=5, velocity=(0.5, 0.0, 0.0))],
+        )
+        steps = {} if method == "adaptive" else {"time_step": 1 / 960}
+        run = RunSettings(duration=0.5, method=method, **steps)
+        return rw.simulate(
+            Scene(ropes=[rope], anchors=[Anchor(node=0)], gravity=(0, 0, -g), run=run)
+        )
+
+    strings, rods = struck(True), struck(False)
+    assert strings.tension.min() > 150.0
+    assert not strings.work["friction"].any()
+    near = 1e-4 if method == "adaptive" else 1e-9
+    assert np.abs(strings.positions - rods.positions).max() < near
+
+
+@pytest.mark.parametrize(("method", "speed"), [("esdirk3", 20.0), ("bdf2", 12.0), ("bdf2", 4.0)])
+def test_what_turns_after_an_impact_keeps_its_energy(method: str, speed: float) -> None:
+    """Two loads thrown across the line between them: taut, they turn by up to 0.1 rad a step. Every step
+    was taken in halves of implicit Euler from then on, and half of the energy went."""
+    result = film(
+        [(0.0, 0.0, 0.0), (0.8, 0.0, 0.0)],
+        method,
+        loads=[Load(node=0, mass=1.0), Load(node=1, mass=1.0)],
+        kicks=[
+            Kick(node=0, velocity=(0.0, -speed, 0.0)),
+            Kick(node=1, velocity=(0.0, speed, 0.0)),
+        ],
+        gravity=(0.0, 0.0, 0.0),
+        duration=1.0,
+    )
+    kinetic = result.energy["kinetic"]
+    taut = int(np.argmin(kinetic > 0.9 * kinetic[0])) + 2
+    ideal = 0.64 * speed**2  # what is across the string as it gets taut
+    assert kinetic[taut] == pytest.approx(ideal, rel=0.15)
+    assert kinetic[-1] > 0.98 * kinetic[taut]
+    assert np.diff(result.work["friction"]).max() < 1e-9 * kinetic[0]
+    assert result.table["largest energy error [J]"] < 0.02 * kinetic[0]
+
+
+def test_an_inward_kick_of_a_string_of_one_link_stays() -> None:
+    """It was taken away, as if a rod were struck along it."""
+    straight = [(0.0, 0.0, 0.0), (0.0, -1.0, 0.0)]
+    kick = [Kick(node=1, velocity=(0.0, 2.0, 0.0))]
+    more = {"loads": [Load(node=1, mass=2.0)], "kicks": kick, "anchors": [Anchor(node=0)]}
+    assert film(straight, "esdirk3", **more).velocities[0, 1, 1] == 2.0

@@ -22,6 +22,10 @@ from ropewalk.laws.elastic import pull_of
 from ropewalk.laws.rare import limits
 
 IMPACT = 0.01  # [1] of the kinetic energy: what is carried on of a lesser impulse moves little
+TURNED = (
+    2.0  # [1] times step and square of the rate across: half of it a step of implicit Euler leaves
+)
+SLACK = 1e-9  # [1] a tension-only link shorter by this part is slack
 STILL = 1e-9  # [1/s] a rate of strain that rounding may leave of what hangs still in its bound
 
 
@@ -93,12 +97,10 @@ def is_stopped(system, state, forces, dt):
 
     `forces` are means of the step, whose begin `state` is.
     """
-    lasting = 0.0 if state.jolt[0] > 0.0 else 1.0  # what an impact's last step left is none
     x, v, before = state.x, state.v, state.forces
-    taken = tightening_energy(
-        state.stiffness, system.slack_floor, before.elastic, forces.elastic, lasting, x, v, dt
-    )
+    taken = tightening_energy(state, system.slack_floor, before.elastic, forces.elastic, dt)
     if limits(system):
+        lasting = 0.0 if state.jolt[0] > 0.0 else 1.0  # what an impact's last step left is none
         taken += stopped_energy(before.limiter, forces.limiter, lasting, x, v, dt)
     return taken > 0.0 and taken > IMPACT * energy_past_anchors(state)
 
@@ -130,9 +132,9 @@ def plastic_loss(before, after, lasting, x, v, j, dt):
     a share `lasting` goes on. See `run_in`.
     """
     pull, held, rate, square = run_in(before, after, x, v, j)
-    pull -= lasting * held
-    if pull * rate > 0.0 and abs(rate) > STILL * square:
-        return 0.5 * dt * pull * rate / square
+    more = pull - lasting * held
+    if pull * rate > 0.0 and more * rate > 0.0 and abs(rate) > STILL * square:
+        return 0.5 * dt * more * rate / square
     return 0.0
 
 
@@ -149,37 +151,57 @@ def stopped_energy(before, after, lasting, x, v, dt):
 
 
 @small
-def is_string(stiffness, floor, j):
-    """Tell whether segment `j` is a rigid link that only pulls."""
-    return stiffness[j] == math.inf and floor[j] == 0.0
+def tightening(state, floor, after, j, dt):
+    """Return how segment `j`, where it is a string that gets taut in a step of `dt` [s], goes there: what it
+    pulls with, its rate of length and its square as `run_in` has them; nothing of others.
+
+    A string is a rigid link that only pulls. It gets taut that grows longer as the step begins, and is slack,
+    or does so faster than a step leaves it that turns. `after` are the elastic forces in it, (3, n + 1).
+    """
+    if state.stiffness[j] == math.inf and floor[j] == 0.0:
+        pull, _, rate, square = run_in(after, after, state.x, state.v, j)
+        taut = (1.0 - SLACK) * state.rest_length[j]
+        if pull > 0.0 and rate > STILL * square:
+            across = -rate * rate / square
+            for k in range(3):
+                across += (state.v[k, j + 1] - state.v[k, j]) ** 2
+            if square < taut * taut or rate > TURNED * dt * across:
+                return pull, rate, square
+    return 0.0, 0.0, 1.0
 
 
 @kernel
-def tightening_energy(stiffness, floor, before, after, lasting, x, v, dt):
-    """Return the kinetic energy that strings take as they get taut in a step [J]: links that only pull.
-
-    `before` and `after` are the elastic forces, as in `plastic_loss`.
-    """
+def tightening_energy(state, floor, before, after, dt):
+    """Return the kinetic energy that strings take as they get taut in a step [J]; see `plastic_loss`."""
     total = 0.0
-    for j in range(stiffness.shape[0]):
-        if is_string(stiffness, floor, j):
-            total += plastic_loss(before, after, lasting, x, v, j, dt)
+    for j in range(state.stiffness.shape[0]):
+        _, rate, _ = tightening(state, floor, after, j, dt)
+        if rate > 0.0:
+            total += plastic_loss(before, after, 1.0, state.x, state.v, j, dt)
     return total
 
 
 @kernel
-def book_tightening(stiffness, floor, elastic, middle, dt, work):
-    """Book what strings did in a step in which they got taut as friction [J]: it is lost, and none is stored.
+def book_tightening(state, floor, elastic, v, dt):
+    """Book what strings do in a step in which one gets taut as friction [J]: it is lost, and none is stored.
 
-    `elastic` (3, n + 1) is the mean force, `middle` (3, n) the velocity of mid-step.
+    One by one they give and take what goes through them. `elastic` (3, n + 1) is the mean force, `v` (3, n)
+    the velocities that the step ends with; `state` is that of its beginning.
     """
-    for j in range(stiffness.shape[0]):
-        if is_string(stiffness, floor, j):
+    count = 0
+    for j in range(state.stiffness.shape[0]):
+        _, rate, _ = tightening(state, floor, elastic, j, dt)
+        count += 1 if rate > 0.0 else 0
+    if count == 0:
+        return
+    for j in range(state.stiffness.shape[0]):
+        if state.stiffness[j] == math.inf and floor[j] == 0.0:
             done = 0.0
             for k in range(3):
-                done -= dt * elastic[k, j + 1] * (middle[k, j + 1] - middle[k, j])
-            work.friction[j] += done
-            work.elastic[j] -= done
+                here, there = state.v[k, j] + v[k, j], state.v[k, j + 1] + v[k, j + 1]
+                done -= 0.5 * dt * elastic[k, j + 1] * (there - here)
+            state.work.friction[j] += done
+            state.work.elastic[j] -= done
 
 
 @kernel
@@ -204,18 +226,15 @@ def time_to_bounds(limiter, before, after, rest_length, x, v):
 
 
 @kernel
-def time_to_taut(stiffness, floor, before, after, rest_length, x, v):
-    """Return the same for strings that get taut; `before` and `after` are the elastic forces."""
+def time_to_taut(state, floor, after, dt):
+    """Return the same for strings that get taut in a step of `dt` [s]; `after` are the elastic forces."""
     first, fastest = math.inf, 0.0
-    for j in range(rest_length.shape[0]):
-        if not is_string(stiffness, floor, j):
-            continue
-        pull, held, rate, square = run_in(before, after, x, v, j)
-        if square > 0.0 and pull > 0.0 and rate > STILL * square:
+    for j in range(state.stiffness.shape[0]):
+        _, rate, square = tightening(state, floor, after, j, dt)
+        if rate > 0.0:
             r = math.sqrt(square)
             fastest = max(fastest, rate / r)
-            if held <= 0.0:
-                first = min(first, max((rest_length[j] - r) * r / rate, 0.0))
+            first = min(first, max((state.rest_length[j] - r) * r / rate, 0.0))
     return first, fastest
 
 

@@ -24,13 +24,13 @@ from ropewalk.core.band import clear_band
 from ropewalk.core.jit import deferred, kernel, part
 from ropewalk.core.network import SOFTEST, solve_network
 from ropewalk.laws.anchors import anchor_target
+from ropewalk.laws.bounds import SLACK
 from ropewalk.laws.elastic import tensions
 from ropewalk.laws.joint_forces import note_joint_forces
 from ropewalk.laws.joints import follow, tied_to
 from ropewalk.laws.rare import are_tied, limits
 from ropewalk.laws.table import accelerate, force_on_node
 
-SLACK = 1e-9  # [1] a tension-only link shorter by this part is slack
 INSTANT = 1e-6  # [s] over which an anchor's acceleration is taken
 LINK, LONGEST, SHORTEST, BETWEEN = (
     1.0,
@@ -60,7 +60,7 @@ def hold_links(system, state, t, saddle):
     accelerate(system, state, state.forces, state.acceleration)
     sway_anchors(system, state, t, saddle.factor[0], saddle.factor[1])
     for _ in range(ATTEMPTS):
-        gather_links(state.v, state.acceleration, state.inverse_mass, saddle)
+        gather_links(state.v, state.acceleration, 1.0, state.inverse_mass, saddle)
         if are_tied(system):
             solve_tied_links(state.mass, state.inverse_mass, saddle)
         else:
@@ -73,6 +73,56 @@ def hold_links(system, state, t, saddle):
         pull_bounds(found, carries, direction, state.tension, state.forces.limiter)
     accelerate(system, state, state.forces, state.acceleration)
     return links
+
+
+@deferred()
+def still_links(system, state, saddle, dt, ledger):
+    """Take out of the velocities what changes the lengths of rigid links, a plastic impact, as a step ends.
+
+    A step of implicit Euler leaves a link that turns a rate of w^2 L h / 2: the next step of another method
+    would take it for a motion. The impulses count to the step of `dt` [s]; what they take is friction of
+    strings, and of rods an error. Ropes that are tied keep their rates.
+    """
+    if mark_links(state.x, state.rest_length, state.stiffness, system.slack_floor, saddle) == 0:
+        return
+    v, w, t, p, rates = state.v, state.inverse_mass, saddle.direction, saddle.misfit, saddle.along
+    for _ in range(ATTEMPTS):
+        gather_links(v, v, 0.0, w, saddle)
+        solve_links(saddle.across, saddle.along, p)
+        if drop_pushing(p, system.slack_floor, saddle.carries) == 0:
+            break
+    for j in range(p.shape[0]):
+        rates[j] = 0.0
+        if saddle.carries[j] != LINK or p[j] - p[j] != 0.0:
+            p[j] = 0.0
+        for k in range(3):
+            rates[j] += t[k, j] * (v[k, j + 1] - v[k, j])
+    for row in range(state.held.shape[0]):
+        if state.held[row] == 1:
+            give_impulses(state, row, t, p, dt)
+    for j in range(p.shape[0]):
+        for k in range(3):
+            v[k, j] += w[j] * p[j] * t[k, j]
+            v[k, j + 1] -= w[j + 1] * p[j] * t[k, j]
+        if ledger:
+            work = state.work.friction if system.slack_floor[j] == 0.0 else state.work.elastic
+            work[j] -= 0.5 * p[j] * rates[j]
+
+
+@kernel
+def give_impulses(state, row, t, p, dt):
+    """Give the anchor of `row` what impulses `p` (s,) [N s] of links along `t` (3, s) do to its node."""
+    i, done = state.anchor_node[row], 0.0
+    for k in range(3):
+        push = 0.0
+        if i < p.shape[0]:
+            push -= p[i] * t[k, i]
+        if i > 0:
+            push += p[i - 1] * t[k, i - 1]
+        state.reaction[row, k] += push / dt
+        done += push * state.v[k, i]
+    state.work.anchors[row] += done
+    state.most[row] = max(state.most[row], abs(state.work.anchors[row]))
 
 
 @part
@@ -171,8 +221,11 @@ def clear_links(stiffness, tension, elastic):
 
 
 @deferred()
-def gather_links(v, a, inverse_mass, saddle):
-    """Write diagonal, off-diagonal and right side (s,) of the equations of the links that carry."""
+def gather_links(v, a, swing, inverse_mass, saddle):
+    """Write diagonal, off-diagonal and right side (s,) of the equations of the links that carry.
+
+    With a `swing` of 1 they are those of accelerations `a`; of 0, and velocities in their place, of impulses.
+    """
     t, over, carries = saddle.direction, saddle.compliance, saddle.carries
     diagonal, upper, right = saddle.across, saddle.along, saddle.misfit
     for j in range(carries.shape[0]):
@@ -187,7 +240,7 @@ def gather_links(v, a, inverse_mass, saddle):
             along += u * t[k, j]
             square += u * u
             right[j] += (a[k, j + 1] - a[k, j]) * t[k, j]
-        right[j] += (square - along * along) * over[j]
+        right[j] += swing * (square - along * along) * over[j]
         if j + 1 < carries.shape[0] and carries[j + 1] != 0.0:
             turn = t[0, j] * t[0, j + 1] + t[1, j] * t[1, j + 1] + t[2, j] * t[2, j + 1]
             upper[j] = -inverse_mass[j + 1] * turn

@@ -268,7 +268,7 @@ def fit_velocities(model: Model) -> None:
     active = np.isinf(state.stiffness) & (~one_way | (r >= (1.0 - TAUT) * state.rest_length))
     if not rate[active].any():
         return
-    for _ in range(active.size):
+    for _ in range(active.size + 1):  # the last without any that is let go of
         impulse = _impulses(state, points(model), t, active, np.where(active, rate, 0.0))
         pushing = active & one_way & (impulse < 0.0)
         if not pushing.any():

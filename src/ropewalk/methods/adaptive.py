@@ -47,6 +47,7 @@ from ropewalk.methods.controller import (
     shorter,
 )
 from ropewalk.methods.crossings import crossings, mark_sides
+from ropewalk.methods.impacts import rest_links
 from ropewalk.methods.implicit import (
     MOST_HALVINGS,
     ImplicitScratch,
@@ -200,8 +201,7 @@ def land(system, state, before, scratch, t, after, dt, ledger):
     """
     solver = scratch.solver
     length, x, v, old, new = before.rest_length, before.x, before.v, before.forces, solver.mean
-    stiffness, floor = before.stiffness, system.slack_floor
-    first, rate = time_to_taut(stiffness, floor, old.elastic, new.elastic, length, x, v)
+    first, rate = time_to_taut(before, system.slack_floor, new.elastic, dt)
     if limits(system):
         other, fast = time_to_bounds(system.limiter, old.limiter, new.limiter, length, x, v)
         first, rate = min(first, other), max(rate, fast)
@@ -214,6 +214,8 @@ def land(system, state, before, scratch, t, after, dt, ledger):
     put_row(scratch.walk.begin, scratch.walk.ahead)
     scratch.walk.control[ERROR] = 0.0
     status = try_once(system, state, solver, t, after, dt, ledger, solver.rescue)
+    if status == OK:
+        rest_links(system, state, solver.stage, dt, ledger)
     return (0.0, 1) if status == OK else (UNSOLVED_SHARE * dt, 0)
 
 

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from ropewalk.core.jit import part
 from ropewalk.laws.bounds import book_tightening, is_stopped
-from ropewalk.laws.ledger import account
+from ropewalk.laws.links import still_links
 from ropewalk.laws.nodes import hits
+from ropewalk.laws.rare import are_tied
 from ropewalk.methods.stage_report import QUICK
 from ropewalk.methods.tableaus import DIRK
 
@@ -23,15 +24,17 @@ def is_struck(system, state, stage, forces, dt):
 
 
 @part
-def book_step(system, state, mean, middle, dt, struck, ledger):
-    """Book the works of a step with the forces `mean`, and note whether something was `struck` in it."""
-    if struck:
-        state.jolt[0] = 1.0
+def strike(system, state, stage, mean, dt, ledger):
+    """Book what strings lose that get taut in a step where something is struck; `state` is its beginning."""
     if ledger:
-        account(system, state, mean, middle, dt)
-        if struck:
-            stiffness, floor = state.stiffness, system.slack_floor
-            book_tightening(stiffness, floor, mean.elastic, middle, dt, state.work)
+        book_tightening(state, system.slack_floor, mean.elastic, stage.v, dt)
+
+
+@part
+def rest_links(system, state, stage, dt, ledger):
+    """Take what a step of implicit Euler leaves rigid links of rates, where another method goes on."""
+    if not are_tied(system):
+        still_links(system, state, stage.saddle, dt, ledger)
 
 
 @part

@@ -31,7 +31,7 @@ from ropewalk.laws.inner import (
     write_ends,
     write_rates,
 )
-from ropewalk.laws.ledger import book_growth
+from ropewalk.laws.ledger import account, book_growth
 from ropewalk.laws.rare import has_bending, has_inner, winds
 from ropewalk.laws.table import accelerate
 from ropewalk.laws.wheels import aim_no_wheels, end_aim
@@ -40,7 +40,7 @@ from ropewalk.laws.winch_books import book_begin, book_end, book_memory
 from ropewalk.methods import tableaus
 from ropewalk.methods.gain import makes_up_energy, most_of
 from ropewalk.methods.generalized_alpha import end_alpha, prepare_alpha
-from ropewalk.methods.impacts import book_step, is_soft, is_struck
+from ropewalk.methods.impacts import is_soft, is_struck, rest_links, strike
 from ropewalk.methods.loop import make_advance, nodes_out, prepare_links
 from ropewalk.methods.scratch import (
     add,
@@ -293,10 +293,15 @@ def take_step(
     if winds(system, state):
         book_begin(system, state, state.x, t, after, scratch.turning)
         book_end(system, state, stage.x, t, after, scratch.turning)
+    if struck:
+        strike(system, state, stage, mean, dt, ledger)
     middle = scratch.middle
     half_way(state.x, state.v, stage.x, stage.v, state.inverse_mass, middle, state.drift)
     move_anchors(system, state, mean, after, dt, middle, scratch.point, scratch.speed)
-    book_step(system, state, mean, middle, dt, struck, ledger)
+    if struck:
+        state.jolt[0] = 1.0
+    if ledger:
+        account(system, state, mean, middle, dt)
     take_ends(system, state, scratch.ends, dt, ledger)
     if winds(system, state):
         book_growth(system, state, mean.friction, dt)
@@ -376,6 +381,8 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
         cut_short(system, state, begin, scratch.turning)
     if kind == DIRK and tableau.kind == BDF2:
         put_forces(system, scratch.mean, state.forces)
+    if status == OK and is_soft(kind, A) and not is_soft(tableau.kind, tableau.A):
+        rest_links(system, state, scratch.stage, dt, ledger)
     return status
 
 

@@ -49,8 +49,10 @@ def prepare_links(system, state, t, saddle):
 
 @part
 def _prepare_solver(system, state, t, scratch):
-    """Prepare for a method that solves."""
+    """Prepare for a method that solves: the forces are those of now, and no step's."""
     prepare_links(system, state, t, scratch.stage.saddle)
+    if limits(system):
+        clear_pulls(state.limited)
     forget_starts(scratch.starts)
 
 

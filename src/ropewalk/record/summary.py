@@ -155,7 +155,7 @@ def _told(result: Result, found: dict[str, Extreme]) -> dict[str, Any]:
     told: dict[str, Any] = {}
     most, least = found["greatest tension"], found["least tension"]
     force = found["greatest anchor force"]
-    hard = hard_note(result, most, force)
+    hard = hard_note(result, found)
     notes = {
         "greatest tension": tension_note(result, most),
         "least tension": push_note(result, least, most.value),

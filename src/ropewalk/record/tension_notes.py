@@ -80,7 +80,8 @@ def anchor_note(result: Result, force: Extreme, tension: Extreme) -> str:
 
     What an anchor gives in a step is known from what the momentum lacks, so its force is the mean over the
     step, while the tension is that of the step's end. An anchor below its rope bears half a segment's weight
-    less than the segment there; one that moves, or whose node is a joint or has a load, bears something else.
+    less than the segment there; one that moves, or whose node is a joint, has a load or touches something,
+    bears another force.
     """
     if result.status != FINISHED or not force.value > 0.0 or not tension.value > 0.0:
         return ""
@@ -88,7 +89,8 @@ def anchor_note(result: Result, force: Extreme, tension: Extreme) -> str:
     ends = [(span.first, span.first) for span in result.layout.ropes]
     ends += [(span.last, span.last - 1) for span in result.layout.ropes]
     moved = result.scene.anchors[force.place].motion.kind != "fixed"
-    if (node, tension.place) not in ends or node in result.layout.tied_nodes or moved:
+    borne = result.layout.touches or node in result.layout.tied_nodes  # by others, too
+    if (node, tension.place) not in ends or borne or moved:
         return ""
     rope, (_, number) = _rope_at(result, tension), result.layout.rope_of(node)
     given = [one.node for one in rope.loads] + [one.node for one in rope.forces]

@@ -157,7 +157,7 @@ def run_section(result: Result, then: str = COMPUTE) -> Section:
 def _about_peaks(result: Result, found: dict[str, Extreme]) -> list[Item]:
     """Return what is to be said of the largest tension and anchor force of a run."""
     most, force = found["greatest tension"], found["greatest anchor force"]
-    if hard := hard_note(result, most, force):
+    if hard := hard_note(result, found):
         return [Text(f"Hard stops: {hard}.", warning=True)]
     notes = {
         "tension": tension_note(result, most),
