@@ -293,13 +293,11 @@ def take_step(
     if winds(system, state):
         book_begin(system, state, state.x, t, after, scratch.turning)
         book_end(system, state, stage.x, t, after, scratch.turning)
-    if struck:
-        strike(system, state, stage, mean, dt, ledger)
+    strike(system, state, stage, mean, dt, struck and ledger)
     middle = scratch.middle
     half_way(state.x, state.v, stage.x, stage.v, state.inverse_mass, middle, state.drift)
     move_anchors(system, state, mean, after, dt, middle, scratch.point, scratch.speed)
-    if struck:
-        state.jolt[0] = 1.0
+    state.jolt[0] = 1.0 if struck else state.jolt[0]
     if ledger:
         account(system, state, mean, middle, dt)
     take_ends(system, state, scratch.ends, dt, ledger)

@@ -121,7 +121,7 @@ def resume_folder(
     folder: Path, on: str | None, workers: int | None, *, force: bool, as_json: bool
 ) -> int:
     """Go on with the sweep in a folder."""
-    from ropewalk.cli.commands.uncertain import tell_uncertain
+    from ropewalk.cli.bands_table import tell_bands
     from ropewalk.sweeps.designs import SALTELLI
     from ropewalk.sweeps.many import resume_sweep
     from ropewalk.sweeps.sweep_folder import SweepFolder
@@ -132,7 +132,7 @@ def resume_folder(
             folder,
             lambda: resume_sweep(folder, on=on, workers=workers, force=force),
             as_json,
-            tell_uncertain if uncertain else None,
+            tell_bands if uncertain else None,
         )
 
 
