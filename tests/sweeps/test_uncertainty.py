@@ -103,6 +103,12 @@ def test_where_runs_broke_it_is_said_that_bands_are_of_few_for_that(tmp_path: Pa
     assert told == found.bands.tension_max.values.tolist()
 
 
+def test_where_all_runs_broke_it_is_said_that_there_are_no_bands() -> None:
+    """It ended in an error of numpy's."""
+    with pytest.raises(rw.SceneError, match="none of the samples ended well"):
+        rw.uncertain(swing(0.04), {EA: (1e5, 2e5)}, samples=4, seed=5, on="here", progress=False)
+
+
 def exact_indices(one: tuple[float, float], other: tuple[float, float]) -> tuple[float, float]:
     """First and total index of one factor of a product, from mean and deviation of both factors."""
     (a, s), (b, t) = one, other

@@ -118,8 +118,8 @@ def uncertain(
         what: "run", or "rest" for the equilibrium.
         options: of `sweep`: store, on, workers, progress.
 
-    Raises SceneError for values that nothing makes uncertain, InputError for samples or a seed that are no
-    whole numbers and for fewer than 2 samples, else as `sweep`.
+    Raises SceneError for values that nothing makes uncertain and where no run ends well, InputError for
+    samples or a seed that are no whole numbers and for fewer than 2 samples, else as `sweep`.
     """
     loaded = as_scene(scene)
     spreads, parameters = spread_parameters(loaded, spreads)
@@ -138,13 +138,16 @@ def uncertain(
 
 
 def of_folder(folder: Path) -> Uncertainty:
-    """Return what the runs in a folder of `uncertain` tell. Raises RunError."""
+    """Return what the runs in a folder of `uncertain` tell. Raises RunError, SceneError where all broke."""
     found = SweepFolder.open(folder)
     names = [str(parameter["name"]) for parameter in found.plan.parameters]
     return _of_runs(loads(found.plan.recipe.scene), stored(found).load(), names)
 
 
 def _of_runs(scene: Scene, runs: xr.Dataset, names: Sequence[str]) -> Uncertainty:
+    if not len(_plain(runs).run):
+        rule = "none of the samples ended well, so that there are no bands; take values that do not break"
+        raise SceneError([Fault(", ".join(names), NO_VALUE, rule)])
     if runs.attrs["design"] != SALTELLI or find_spec("SALib") is None:
         note = "No Sobol indices: pip install 'ropewalk[uncertain]' brings them."
         return Uncertainty(runs, bands(runs), None, _note(runs, note))
