@@ -98,7 +98,8 @@ def is_stopped(system, state, forces, dt):
     `forces` are means of the step, whose begin `state` is.
     """
     x, v, before = state.x, state.v, state.forces
-    taken = tightening_energy(state, system.slack_floor, before.elastic, forces.elastic, dt)
+    stiffness, floor, length = state.stiffness, system.slack_floor, state.rest_length
+    taken = tightening_energy(stiffness, floor, length, x, v, before.elastic, forces.elastic, dt)
     if limits(system):
         lasting = 0.0 if state.jolt[0] > 0.0 else 1.0  # what an impact's last step left is none
         taken += stopped_energy(before.limiter, forces.limiter, lasting, x, v, dt)
@@ -151,57 +152,73 @@ def stopped_energy(before, after, lasting, x, v, dt):
 
 
 @small
-def tightening(state, floor, after, j, dt):
+def tightening(stiffness, floor, length, x, v, after, j, dt):
     """Return how segment `j`, where it is a string that gets taut in a step of `dt` [s], goes there: what it
     pulls with, its rate of length and its square as `run_in` has them; nothing of others.
 
     A string is a rigid link that only pulls. It gets taut that grows longer as the step begins, and is slack,
     or does so faster than a step leaves it that turns. `after` are the elastic forces in it, (3, n + 1).
     """
-    if state.stiffness[j] == math.inf and floor[j] == 0.0:
-        pull, _, rate, square = run_in(after, after, state.x, state.v, j)
-        taut = (1.0 - SLACK) * state.rest_length[j]
+    if stiffness[j] == math.inf and floor[j] == 0.0:
+        pull, _, rate, square = run_in(after, after, x, v, j)
+        taut = (1.0 - SLACK) * length[j]
         if pull > 0.0 and rate > STILL * square:
             across = -rate * rate / square
             for k in range(3):
-                across += (state.v[k, j + 1] - state.v[k, j]) ** 2
+                across += (v[k, j + 1] - v[k, j]) ** 2
             if square < taut * taut or rate > TURNED * dt * across:
                 return pull, rate, square
     return 0.0, 0.0, 1.0
 
 
 @kernel
-def tightening_energy(state, floor, before, after, dt):
+def tightening_energy(stiffness, floor, length, x, v, before, after, dt):
     """Return the kinetic energy that strings take as they get taut in a step [J]; see `plastic_loss`."""
     total = 0.0
-    for j in range(state.stiffness.shape[0]):
-        _, rate, _ = tightening(state, floor, after, j, dt)
+    for j in range(stiffness.shape[0]):
+        _, rate, _ = tightening(stiffness, floor, length, x, v, after, j, dt)
         if rate > 0.0:
-            total += plastic_loss(before, after, 1.0, state.x, state.v, j, dt)
+            total += plastic_loss(before, after, 1.0, x, v, j, dt)
     return total
 
 
-@kernel
-def book_tightening(state, floor, elastic, v, dt):
+@part
+def book_tightening(system, state, elastic, end, dt):
     """Book what strings do in a step in which one gets taut as friction [J]: it is lost, and none is stored.
 
-    One by one they give and take what goes through them. `elastic` (3, n + 1) is the mean force, `v` (3, n)
+    One by one they give and take what goes through them. `elastic` (3, n + 1) is the mean force, `end` (3, n)
     the velocities that the step ends with; `state` is that of its beginning.
     """
+    stiffness, floor, length = state.stiffness, system.slack_floor, state.rest_length
+    if gets_taut(stiffness, floor, length, state.x, state.v, elastic, dt):
+        work = state.work
+        move_works(stiffness, floor, elastic, state.v, end, dt, work.elastic, work.friction)
+
+
+@kernel
+def gets_taut(stiffness, floor, length, x, v, after, dt):
+    """Tell whether any string gets taut in a step, see `tightening`."""
     count = 0
-    for j in range(state.stiffness.shape[0]):
-        _, rate, _ = tightening(state, floor, elastic, j, dt)
+    for j in range(stiffness.shape[0]):
+        _, rate, _ = tightening(stiffness, floor, length, x, v, after, j, dt)
         count += 1 if rate > 0.0 else 0
-    if count == 0:
-        return
-    for j in range(state.stiffness.shape[0]):
-        if state.stiffness[j] == math.inf and floor[j] == 0.0:
+    return count > 0
+
+
+@kernel
+def move_works(stiffness, floor, elastic, begin, end, dt, stored, lost):
+    """Move the works of all strings in a step from `stored` to `lost`, both (s,) [J].
+
+    `begin` and `end` (3, n) are the velocities at its ends.
+    """
+    for j in range(stiffness.shape[0]):
+        if stiffness[j] == math.inf and floor[j] == 0.0:
             done = 0.0
             for k in range(3):
-                here, there = state.v[k, j] + v[k, j], state.v[k, j + 1] + v[k, j + 1]
+                here, there = begin[k, j] + end[k, j], begin[k, j + 1] + end[k, j + 1]
                 done -= 0.5 * dt * elastic[k, j + 1] * (there - here)
-            state.work.friction[j] += done
-            state.work.elastic[j] -= done
+            lost[j] += done
+            stored[j] -= done
 
 
 @kernel
@@ -226,15 +243,15 @@ def time_to_bounds(limiter, before, after, rest_length, x, v):
 
 
 @kernel
-def time_to_taut(state, floor, after, dt):
+def time_to_taut(stiffness, floor, length, x, v, after, dt):
     """Return the same for strings that get taut in a step of `dt` [s]; `after` are the elastic forces."""
     first, fastest = math.inf, 0.0
-    for j in range(state.stiffness.shape[0]):
-        _, rate, square = tightening(state, floor, after, j, dt)
+    for j in range(stiffness.shape[0]):
+        _, rate, square = tightening(stiffness, floor, length, x, v, after, j, dt)
         if rate > 0.0:
             r = math.sqrt(square)
             fastest = max(fastest, rate / r)
-            first = min(first, max((state.rest_length[j] - r) * r / rate, 0.0))
+            first = min(first, max((length[j] - r) * r / rate, 0.0))
     return first, fastest
 
 

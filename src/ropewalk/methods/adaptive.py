@@ -201,7 +201,8 @@ def land(system, state, before, scratch, t, after, dt, ledger):
     """
     solver = scratch.solver
     length, x, v, old, new = before.rest_length, before.x, before.v, before.forces, solver.mean
-    first, rate = time_to_taut(before, system.slack_floor, new.elastic, dt)
+    stiffness, floor = before.stiffness, system.slack_floor
+    first, rate = time_to_taut(stiffness, floor, length, x, v, new.elastic, dt)
     if limits(system):
         other, fast = time_to_bounds(system.limiter, old.limiter, new.limiter, length, x, v)
         first, rate = min(first, other), max(rate, fast)

@@ -27,7 +27,7 @@ def is_struck(system, state, stage, forces, dt):
 def strike(system, state, stage, mean, dt, ledger):
     """Book what strings lose that get taut in a step where something is struck; `state` is its beginning."""
     if ledger:
-        book_tightening(state, system.slack_floor, mean.elastic, stage.v, dt)
+        book_tightening(system, state, mean.elastic, stage.v, dt)
 
 
 @part
