@@ -263,12 +263,10 @@ export class Contact {
     const a = Math.sqrt(ax * ax + ay * ay + az * az);
     const b = Math.sqrt(bx * bx + by * by + bz * bz);
     if (!(a > 0 && b > 0)) return 0;
-    const towards = nx * (ax / a - bx / b) + ny * (ay / a - by / b) + nz * (az / a - bz / b);
-    if (!(towards > 0)) return 0;
-    const cx = ay * bz - az * by;
-    const cy = az * bx - ax * bz;
-    const cz = ax * by - ay * bx;
-    return Math.atan2(Math.sqrt(cx * cx + cy * cy + cz * cz), ax * bx + ay * by + az * bz);
+    const before = (nx * ax + ny * ay + nz * az) / a;
+    const after = (nx * bx + ny * by + nz * bz) / b;
+    const rise = (/** @type {number} */ share) => Math.asin(Math.min(Math.max(share, -1), 1));
+    return Math.max(rise(before) - rise(after), 0);
   }
 
   /** Whether a free node is so deep in a post that it may go through. */
