@@ -13,6 +13,7 @@ from click.testing import Result
 
 import ropewalk as rw
 from ropewalk.live.replay import ReplayBroadcast
+from ropewalk.sweeps.batch import Batcher
 
 Call = Callable[..., Result]
 VARY = ("--vary", "rope.made_of.spring_constant=500,1000,1e7", "--on", "here")
@@ -34,25 +35,29 @@ def test_a_sweep_says_how_its_runs_ended(ropewalk: Call, scene: Path, tmp_path: 
     assert ds.tension_max.values[1] == own.table["largest tension [N]"] >= own.tension.max()
 
 
-def test_an_interrupted_sweep_is_gone_on_with(
-    ropewalk: Call, scene: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    from ropewalk.sweeps import batch
+def interrupted_at(number: int) -> Callable[[Batcher, list[float]], rw.Result]:
+    """Return what makes a sweep's runs until the one of this number, where Ctrl-C is pressed."""
+    real, seen = Batcher.run, 0
 
-    real, seen = batch.Batcher.run, 0
-
-    def run(self: object, row: list[float]) -> rw.Result:
+    def run(self: Batcher, row: list[float]) -> rw.Result:
         nonlocal seen
         seen += 1
-        if seen == 7:
+        if seen == number:
             raise KeyboardInterrupt
         return real(self, row)
 
+    return run
+
+
+def test_an_interrupted_sweep_is_gone_on_with(
+    ropewalk: Call, scene: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    run = interrupted_at(7)
     names = ["--vary", "gravity[2]=linspace(-12,-8,12)", "--on", "here"]
     monkeypatch.setattr("ropewalk.sweeps.many._MEASURED", 0.0)
     monkeypatch.setattr("ropewalk.sweeps.many.BATCH_SECONDS", 0.0)
     with monkeypatch.context() as patch:
-        patch.setattr(batch.Batcher, "run", run)
+        patch.setattr(Batcher, "run", run)
         stopped = ropewalk("sweep", scene, *names, "-o", "s")
     assert stopped.exit_code == 130, stopped.output
     assert "of 12 runs are stored" in stopped.output
@@ -179,24 +184,14 @@ def test_uncertain_runs_that_were_interrupted_are_gone_on_with_to_their_bands(
     ropewalk: Call, scene: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Nothing said how to go on, and `resume` gave neither bands nor indices nor the figure."""
-    from ropewalk.sweeps import batch
-
-    real, seen = batch.Batcher.run, 0
-
-    def run(self: object, row: list[float]) -> rw.Result:
-        nonlocal seen
-        seen += 1
-        if seen == 20:
-            raise KeyboardInterrupt
-        return real(self, row)
-
+    run = interrupted_at(20)
     spread = ["--uncertain", "rope.made_of.node_mass=0.04..0.06", "--samples", 8, "--seed", 3]
     spread += ["--uncertain", "gravity[2]=norm(-9.8, 0.1)"]
     whole = json.loads(ropewalk("run", scene, *spread, "-o", "whole", "--json").stdout)
     monkeypatch.setattr("ropewalk.sweeps.many._MEASURED", 0.0)
     monkeypatch.setattr("ropewalk.sweeps.many.BATCH_SECONDS", 0.0)
     with monkeypatch.context() as patch:
-        patch.setattr(batch.Batcher, "run", run)
+        patch.setattr(Batcher, "run", run)
         stopped = ropewalk("run", scene, *spread, "-o", "u")
     assert stopped.exit_code == 130, stopped.output
     assert "go on with: ropewalk resume u" in stopped.output
